@@ -1,0 +1,1 @@
+"""Closed forms: pure functions of floats and arrays that broadcast, in SI."""

@@ -1,0 +1,148 @@
+"""Fatigue of a blade: strength as an amplitude at a life, and what a mean stress does to it.
+
+Every stress here is an amplitude (half of the range).
+"""
+
+from itertools import pairwise
+from math import exp, log
+
+from flexcli.formulas.quantity import Quantity
+
+__all__ = [
+    "amplitude_at_life",
+    "fully_reversed_amplitude",
+    "goodman_amplitude",
+    "swt_amplitude_squared",
+]
+
+
+def amplitude_at_life(points: tuple[tuple[float, float], ...], cycles: float) -> float:
+    """Return the stress amplitude that an S-N curve of straight log-log lines bears for a life.
+
+    Parameters
+    ----------
+    points : tuple of (float, float)
+        Cycles [-], rising, and amplitude [Pa].
+    cycles : float
+        Asked number of cycles [-], inside the curve.
+
+    Returns
+    -------
+    float
+        Amplitude [Pa].
+
+    Raises
+    ------
+    ValueError
+        Outside the curve: a life is never extrapolated.
+
+    Examples
+    --------
+    >>> round(amplitude_at_life(((1e3, 800.0), (1e7, 200.0)), 1e5), 9)
+    400.0
+
+    """
+    if not points[0][0] <= cycles <= points[-1][0]:
+        raise ValueError(f"{cycles:g} cycles are outside {points[0][0]:g} to {points[-1][0]:g}")
+    if cycles == points[0][0]:
+        return points[0][1]
+    for (n1, s1), (n2, s2) in pairwise(points):
+        if cycles <= n2:
+            share = log(cycles / n1) / log(n2 / n1)
+            return s2 if cycles == n2 else exp(log(s1) + share * log(s2 / s1))
+    raise AssertionError("unreachable: the life is inside the curve")
+
+
+def fully_reversed_amplitude(
+    amplitude: float, stress_ratio: float, tensile_strength: float
+) -> float:
+    """Return the fully reversed amplitude that does the damage of one at another stress ratio.
+
+    ``σ_ar = σ_a / (1 − σ_m/R_m)`` with ``σ_m = σ_a (1 + R)/(1 − R)`` (Goodman).
+
+    Parameters
+    ----------
+    amplitude : float
+        Strength as an amplitude [Pa] at the stress ratio R.
+    stress_ratio : float
+        R = σ_min/σ_max, −1 ≤ R < 1.
+    tensile_strength : float
+        R_m [Pa].
+
+    Raises
+    ------
+    ValueError
+        When the mean stress reaches R_m, where the correction has no meaning.
+
+    Examples
+    --------
+    >>> fully_reversed_amplitude(300.0, -1.0, 900.0)
+    300.0
+    >>> round(fully_reversed_amplitude(300.0, 0.0, 900.0), 9)
+    450.0
+
+    References
+    ----------
+    Dowling, N. E. (2013), Mechanical Behavior of Materials, 4th ed., section 9.7.
+
+    """
+    mean = amplitude * (1.0 + stress_ratio) / (1.0 - stress_ratio)
+    if mean >= tensile_strength:
+        raise ValueError("the mean stress of this fatigue strength reaches the tensile strength")
+    return amplitude / (1.0 - mean / tensile_strength)
+
+
+def goodman_amplitude(
+    *, amplitude: Quantity, mean: Quantity, reversed_strength: float, limit: float
+) -> Quantity:
+    """Return the fully reversed amplitude equal in damage, for loads that grow in proportion.
+
+    ``σ_a + σ_m σ_D/L``: comparing it with the strength σ_D gives the factor
+    1/(σ_a/σ_D + σ_m/L) by which amplitude and mean may grow together. L is R_m (Goodman) or
+    R_p0.2 (Soderberg).
+
+    Parameters
+    ----------
+    amplitude : Quantity
+        Stress amplitude [Pa], ≥ 0.
+    mean : Quantity
+        Mean stress [Pa], ≥ 0; a compressive mean earns nothing here and is given as 0.
+    reversed_strength : float
+        σ_D: fully reversed strength at the asked life [Pa].
+    limit : float
+        L [Pa].
+
+    Examples
+    --------
+    >>> goodman_amplitude(amplitude=100.0, mean=90.0, reversed_strength=500.0, limit=900.0)
+    150.0
+
+    References
+    ----------
+    Shigley, Mechanical Engineering Design, 10th ed., equations (6-45) and (6-46).
+
+    """
+    return amplitude + mean * (reversed_strength / limit)
+
+
+def swt_amplitude_squared(*, amplitude: Quantity, mean: Quantity) -> Quantity:
+    """Return the square of Smith, Watson and Topper's equivalent amplitude, (σ_a + σ_m) σ_a.
+
+    Parameters
+    ----------
+    amplitude : Quantity
+        Stress amplitude [Pa], ≥ 0.
+    mean : Quantity
+        Mean stress [Pa], ≥ 0.
+
+    Examples
+    --------
+    >>> swt_amplitude_squared(amplitude=100.0, mean=300.0)
+    40000.0
+
+    References
+    ----------
+    Smith, Watson & Topper (1970), Journal of Materials 5, 767-778.
+
+    """
+    return (amplitude + mean) * amplitude

@@ -1,0 +1,1 @@
+"""What a designer names: each file is one validated part and its physics."""

@@ -1,0 +1,49 @@
+"""A case: one thing the flexure lives through, with its loads and what is locked."""
+
+from typing import Literal
+
+from pydantic import model_validator
+
+from flexcli.parts.asd import RandomVibration
+from flexcli.parts.base import Acceleration, Angle, Force, Part, spec_error
+from flexcli.parts.stroke import Stroke
+
+__all__ = ["Case", "EndCondition", "Load", "SteadyAcceleration"]
+
+EndCondition = Literal[
+    "clamped-clamped", "clamped-pinned", "clamped-guided", "pinned-pinned", "clamped-free"
+]
+"""What holds the two ends of a blade, and so which buckling load is meant."""
+
+
+class Load(Part):
+    """A force on each joint in its plane, at an angle from its axis of symmetry."""
+
+    force: Force
+    direction: Angle = 0.0
+
+
+class SteadyAcceleration(Part):
+    """Gravity or a quasi-static acceleration along x (stroke), y (in plane) or z (along b)."""
+
+    level: Acceleration
+    axis: Literal["x", "y", "z"]
+
+
+class Case(Part):
+    """Loads that act together; margins are per case."""
+
+    stroke: Stroke | None = None
+    load: Load | None = None
+    acceleration: SteadyAcceleration | None = None
+    asd: RandomVibration | None = None
+    lock: str | None = None
+    ends: EndCondition | None = None
+
+    @model_validator(mode="after")
+    def _asks_something(self) -> "Case":
+        if not any((self.stroke, self.load, self.acceleration, self.asd)):
+            raise spec_error(
+                "this case loads nothing", "give it a stroke, a load, an acceleration or an asd"
+            )
+        return self

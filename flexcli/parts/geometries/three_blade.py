@@ -1,0 +1,38 @@
+"""Three-blade pivot: three equal blades at 120° around the axis of rotation."""
+
+from math import pi
+from typing import Annotated, ClassVar, Literal
+
+from flexcli.formulas import pivot
+from flexcli.formulas.quantity import Quantity
+from flexcli.parts.base import QuantityOf
+from flexcli.parts.geometries.base import Blade, NotAvailable
+from flexcli.parts.geometries.pivots import BladePivot
+
+__all__ = ["ThreeBladePivot"]
+
+
+class ThreeBladePivot(BladePivot):
+    """Overconstrained pivot of three blades; p is from the axis to the inner ends."""
+
+    source: ClassVar[str] = "exercise 12 B"
+
+    kind: Literal["three-blade"]
+    p: Annotated[float, QuantityOf("length", at_least=0.0)] = 0.0
+
+    @property
+    def blade_angles(self) -> tuple[float, ...]:
+        """Return the three directions [rad]."""
+        return (0.0, 2.0 * pi / 3.0, 4.0 * pi / 3.0)
+
+    def offset(self, blade: Blade) -> Quantity:
+        """Return p [m]."""
+        return self.p
+
+    def sag_stiffness(self, E: float, blade: Blade, axis: str) -> Quantity:
+        """Return the stiffness along the axis of rotation z [N/m]."""
+        if axis != "z":
+            raise NotAvailable(f"has no closed form for its sag along {axis}, only along z")
+        return pivot.out_of_plane_stiffness(
+            E=E, h=blade.h, l=blade.l, b=blade.b, blades=self.blade_count
+        )

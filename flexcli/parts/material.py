@@ -1,0 +1,232 @@
+"""The material of the blades: numbers with their source, and strength as an amplitude."""
+
+from itertools import pairwise
+from typing import Annotated, Any, Generic, Literal, TypeVar
+
+from pydantic import Field, model_validator
+
+from flexcli.formulas.fatigue import amplitude_at_life, fully_reversed_amplitude
+from flexcli.parts.base import (
+    Count,
+    Density,
+    Expansion,
+    Part,
+    QuantityOf,
+    Stress,
+    spec_error,
+)
+
+__all__ = ["FatigueAmplitude", "Material", "MissingProperty", "SNCurve", "Sourced", "Status"]
+
+Status = Literal["measured", "handbook", "vendor", "course", "placeholder", "given"]
+"""Where a number comes from; ``given`` is a plain number in the user's own spec."""
+
+Number = TypeVar("Number")
+
+
+class MissingProperty(ValueError):
+    """A requirement asks for a property of the material that nobody gave."""
+
+    def __init__(self, field: str, why: str) -> None:
+        super().__init__(f"the material has no {field}: {why}")
+        self.field = field
+        self.why = why
+
+
+class _WithSource(Part):
+    status: Status = "given"
+    source: str = ""
+
+    @model_validator(mode="after")
+    def _name_the_source(self) -> "_WithSource":
+        if self.status not in ("given", "placeholder") and not self.source:
+            raise spec_error(
+                f"a value of status '{self.status}' must name its source",
+                "add 'source:' with document and page, or leave the status out",
+            )
+        return self
+
+
+class Sourced(_WithSource, Generic[Number]):
+    """A number with its source and status; a plain quantity stands for a given value."""
+
+    value: Number
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_plain(cls, data: Any) -> Any:
+        return data if isinstance(data, dict) else {"value": data}
+
+
+class FatigueAmplitude(_WithSource):
+    """Stress amplitude (half of the range) that is borne for a number of cycles."""
+
+    value: Stress
+    cycles: Count | None = None
+    stress_ratio: Annotated[float, QuantityOf("ratio", at_least=-1.0, below=1.0)] | None = None
+
+
+class SNPoint(Part):
+    """One point of an S-N curve: cycles to failure at a stress amplitude."""
+
+    cycles: Count
+    amplitude: Stress
+
+
+class Basquin(Part):
+    """Amplitude = coefficient (2 N)^exponent between two lives."""
+
+    coefficient: Stress
+    exponent: Annotated[float, QuantityOf("ratio", above=-1.0, below=0.0)]
+    from_cycles: Count = 1e3
+    to_cycles: Count
+
+    @model_validator(mode="after")
+    def _in_order(self) -> "Basquin":
+        if self.from_cycles >= self.to_cycles:
+            raise spec_error(
+                "from_cycles must be below to_cycles", "swap them", at=("from_cycles",)
+            )
+        return self
+
+    def points(self) -> tuple[tuple[float, float], ...]:
+        """Return the two ends of the line as (cycles, amplitude)."""
+        return tuple(
+            (n, self.coefficient * (2.0 * n) ** self.exponent)
+            for n in (self.from_cycles, self.to_cycles)
+        )
+
+
+class SNCurve(_WithSource):
+    """S-N curve in amplitudes: points joined by log-log lines, or Basquin's law."""
+
+    points: tuple[SNPoint, ...] = ()
+    basquin: Basquin | None = None
+    stress_ratio: Annotated[float, QuantityOf("ratio", at_least=-1.0, below=1.0)] | None = None
+
+    @model_validator(mode="after")
+    def _one_description(self) -> "SNCurve":
+        if bool(self.points) == (self.basquin is not None):
+            raise spec_error(
+                "an S-N curve is given by 'points' or by 'basquin'", "give one of them"
+            )
+        if len(self.points) == 1:
+            raise spec_error("an S-N curve needs two points or more", "add a point", at=("points",))
+        for index, (first, second) in enumerate(pairwise(self.points)):
+            if first.cycles >= second.cycles:
+                raise spec_error(
+                    "cycles must rise from point to point",
+                    "put the points in order",
+                    at=("points", index + 1, "cycles"),
+                )
+            if first.amplitude < second.amplitude:
+                raise spec_error(
+                    "the amplitude must not rise with the cycles",
+                    "check the two points",
+                    at=("points", index + 1, "amplitude"),
+                )
+        return self
+
+    def curve(self) -> tuple[tuple[float, float], ...]:
+        """Return the corners of the curve as (cycles, amplitude)."""
+        if self.basquin is not None:
+            return self.basquin.points()
+        return tuple((p.cycles, p.amplitude) for p in self.points)
+
+
+class Material(Part):
+    """Elastic, strength and fatigue properties; what nobody gave is absent, never guessed."""
+
+    name: str = ""
+    condition: str = ""
+    note: str = ""
+    youngs_modulus: Sourced[Stress]
+    poisson_ratio: Sourced[Annotated[float, QuantityOf("ratio", above=-1.0, below=0.5)]] | None = (
+        None
+    )
+    density: Sourced[Density] | None = None
+    tensile_strength: Sourced[Stress] | None = Field(None, description="R_m")
+    yield_strength: Sourced[Stress] | None = Field(None, description="R_p0.2")
+    admissible_stress: Sourced[Stress] | None = Field(
+        None, description="a design stress given as such by its source"
+    )
+    fatigue_amplitude: FatigueAmplitude | None = None
+    sn_amplitudes: SNCurve | None = None
+    thermal_expansion: Sourced[Expansion] | None = None
+
+    @model_validator(mode="after")
+    def _strengths_in_order(self) -> "Material":
+        if (
+            self.tensile_strength
+            and self.yield_strength
+            and self.yield_strength.value > self.tensile_strength.value
+        ):
+            raise spec_error(
+                "the yield strength is above the tensile strength",
+                "check both values and their units",
+                at=("yield_strength",),
+            )
+        modulus = self.youngs_modulus.value
+        for name in ("tensile_strength", "yield_strength", "fatigue_amplitude"):
+            given = getattr(self, name)
+            if given is not None and given.value > 0.2 * modulus:
+                raise spec_error(
+                    f"{given.value:g} Pa is more than a fifth of Young's modulus",
+                    "no solid is that strong: check the units of both",
+                    at=(name,),
+                )
+        return self
+
+    @property
+    def E(self) -> float:  # noqa: N802 - the field's symbol
+        """Return Young's modulus [Pa]."""
+        return self.youngs_modulus.value
+
+    def strength(self, field: str) -> float:
+        """Return a static strength [Pa] by its field name, or raise :class:`MissingProperty`."""
+        given = getattr(self, field)
+        if given is None:
+            raise MissingProperty(field, "this requirement compares with it")
+        return float(given.value)
+
+    def reversed_amplitude(self, cycles: float) -> tuple[float, str]:
+        """Return the fully reversed stress amplitude [Pa] borne for a life, and where it is from.
+
+        From the S-N curve where it holds the life; else the fatigue amplitude, for any life up
+        to its own (safe, and said so). A life beyond the data raises :class:`MissingProperty`.
+        A strength at another stress ratio is brought to R = −1 by Goodman's line; a source that
+        names no stress ratio is read as fully reversed.
+        """
+        curve, single = self.sn_amplitudes, self.fatigue_amplitude
+        if curve is not None and curve.curve()[0][0] <= cycles <= curve.curve()[-1][0]:
+            amplitude = amplitude_at_life(curve.curve(), cycles)
+            return self._reversed(amplitude, curve.stress_ratio), f"S-N curve at {cycles:g} cycles"
+        if single is None:
+            field = "fatigue_amplitude" if curve is None else "sn_amplitudes"
+            why = "fatigue compares with it" if curve is None else f"none for {cycles:g} cycles"
+            raise MissingProperty(field, why)
+        if single.cycles is None:
+            where = "fatigue amplitude (its source states no life)"
+            return self._reversed(single.value, single.stress_ratio), where
+        if cycles > single.cycles:
+            raise MissingProperty(
+                "sn_amplitudes",
+                f"the fatigue amplitude holds to {single.cycles:g} cycles, {cycles:g} are asked",
+            )
+        where = f"fatigue amplitude at {single.cycles:g} cycles"
+        if cycles < single.cycles:
+            where += f", kept for {cycles:g} (no S-N curve there)"
+        return self._reversed(single.value, single.stress_ratio), where
+
+    def _reversed(self, amplitude: float, stress_ratio: float | None) -> float:
+        if stress_ratio is None or stress_ratio == -1.0:
+            return amplitude
+        return fully_reversed_amplitude(amplitude, stress_ratio, self.strength("tensile_strength"))
+
+    def placeholders(self) -> tuple[str, ...]:
+        """Return the fields whose numbers are only placeholders."""
+        return tuple(
+            name
+            for name in type(self).model_fields
+            if getattr(getattr(self, name), "status", None) == "placeholder"
+        )

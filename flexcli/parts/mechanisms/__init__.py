@@ -1,0 +1,13 @@
+"""Mechanisms that a spec can name; a new kind is a file here and a name below."""
+
+from typing import Annotated, TypeAlias
+
+from pydantic import Field
+
+from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
+from flexcli.parts.mechanisms.parallel_stage import ParallelStage
+from flexcli.parts.mechanisms.payload import Payload
+
+__all__ = ["AnyMechanism", "Mechanism", "MechanismError", "Mode"]
+
+AnyMechanism: TypeAlias = Annotated[ParallelStage | Payload, Field(discriminator="kind")]

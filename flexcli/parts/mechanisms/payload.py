@@ -1,0 +1,72 @@
+"""A payload on one joint or stage: a mass to hold and an inertia to turn."""
+
+from math import pi, sqrt
+from typing import ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.parts.base import Inertia, Mass, spec_error
+from flexcli.parts.geometries.base import Geometry
+from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
+from flexcli.parts.stroke import Stroke
+from flexcli.results import Value
+
+__all__ = ["Payload"]
+
+
+class Payload(Mechanism):
+    """A rigid body on one joint, its centre of mass in the centre of the joint."""
+
+    joints: ClassVar[int] = 1
+    joint_motion: ClassVar[str | None] = None
+
+    kind: Literal["payload"]
+    mass: Mass
+    inertia: Inertia | None = Field(None, description="about the axis of rotation")
+
+    @model_validator(mode="after")
+    def _has_mass(self) -> "Payload":
+        if self.mass == 0.0:
+            raise spec_error("a payload without mass", "give its mass, e.g. 0.8 kg", at=("mass",))
+        return self
+
+    def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:
+        """Return the stroke itself, which must be the joint's kind of motion."""
+        if stroke.motion != geometry.motion:
+            raise MechanismError(
+                "stroke", f"this joint's motion is a {geometry.motion}", f"give {geometry.motion}:"
+            )
+        return stroke.amplitude, stroke.mean
+
+    def mode(self, joint_stiffness: Quantity, geometry: Geometry) -> Mode:
+        """Return the joint's stiffness with the inertia (rotation) or the mass (translation)."""
+        if geometry.motion == "translation":
+            return Mode(joint_stiffness, self.mass)
+        if not self.inertia:
+            raise MechanismError(
+                "inertia", "the frequency of a rotation needs the payload's inertia", "add inertia:"
+            )
+        return Mode(joint_stiffness, self.inertia)
+
+    def locked_forces(self, body: str, acceleration: float) -> dict[str, float]:  # noqa: ARG002
+        """Refuse: a locked payload loads no blade."""
+        raise MechanismError(
+            "lock", f"locking '{body}' would unload the joint", "leave the lock out"
+        )
+
+    def free_force(self, acceleration: float) -> float:
+        """Return mass times acceleration, through the centre of the joint."""
+        return self.mass * acceleration
+
+    def hanging_mass(self) -> float:
+        """Return the payload's mass."""
+        return self.mass
+
+    def values(self, joint_stiffness: float, geometry: Geometry) -> dict[str, Value]:
+        """Return the natural frequency where the payload's inertia is known."""
+        if geometry.motion == "rotation" and not self.inertia:
+            return {}
+        mode = self.mode(joint_stiffness, geometry)
+        frequency = sqrt(mode.stiffness / mode.mass) / (2 * pi)
+        return {"f_0": Value(frequency, "Hz", "natural frequency", source="√(k/m)/2π")}

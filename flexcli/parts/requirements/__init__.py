@@ -1,0 +1,51 @@
+"""Requirements that a spec can ask; a new one is a file here and a field below."""
+
+from collections.abc import Iterator
+from typing import Annotated, Any, TypeVar
+
+from pydantic import BeforeValidator, Field
+
+from flexcli.parts.base import Part
+from flexcli.parts.requirements.base import Ask, Bound, Limit, Requirement, RequirementError
+from flexcli.parts.requirements.buckling import Buckling
+from flexcli.parts.requirements.fatigue import Fatigue
+from flexcli.parts.requirements.frequency import Frequency
+from flexcli.parts.requirements.mass import Mass
+from flexcli.parts.requirements.parasitic_shift import ParasiticShift
+from flexcli.parts.requirements.sag import Sag
+from flexcli.parts.requirements.shape import Slenderness, WidthRatio
+from flexcli.parts.requirements.stiffness import Stiffness
+from flexcli.parts.requirements.yielding import Yield
+
+__all__ = ["Ask", "Bound", "Limit", "Requirement", "RequirementError", "Requirements"]
+
+Kind = TypeVar("Kind", bound=Requirement)
+
+
+def _as_list(data: Any) -> Any:
+    return data if isinstance(data, list) else [data]
+
+
+Several = Annotated[tuple[Kind, ...], BeforeValidator(_as_list), Field(min_length=1)]
+"""One requirement of a kind, or a list of them (e.g. one per case)."""
+
+
+class Requirements(Part):
+    """What is asked of the design; none is implied."""
+
+    fatigue: Several[Fatigue] | None = None
+    buckling: Several[Buckling] | None = None
+    yielding: Several[Yield] | None = Field(None, alias="yield")
+    stiffness: Several[Stiffness] | None = None
+    frequency: Several[Frequency] | None = None
+    sag: Several[Sag] | None = None
+    mass: Several[Mass] | None = None
+    parasitic_shift: Several[ParasiticShift] | None = None
+    slenderness: Several[Slenderness] | None = Field(None, alias="l/h")
+    width_ratio: Several[WidthRatio] | None = Field(None, alias="b/h")
+
+    def each(self) -> Iterator[tuple[tuple[str | int, ...], Requirement]]:
+        """Yield every requirement with its path below ``requirements``."""
+        for field, info in type(self).model_fields.items():
+            for index, requirement in enumerate(getattr(self, field) or ()):
+                yield (info.alias or field, index), requirement

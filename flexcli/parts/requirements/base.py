@@ -1,0 +1,147 @@
+"""A requirement: a row of the report, a constraint of the sizing, a part of the exit code."""
+
+from abc import abstractmethod
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from pydantic import model_validator
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.parts.base import Part, Ratio, spec_error
+from flexcli.parts.geometries.base import Blade, Geometry
+from flexcli.parts.material import Material
+from flexcli.parts.mechanisms import Mechanism
+from flexcli.parts.scene import Scene
+
+__all__ = ["Ask", "Bound", "FactorRequirement", "Limit", "Requirement", "RequirementError"]
+
+
+class RequirementError(ValueError):
+    """A requirement that this design gives no ground to judge."""
+
+    def __init__(self, text: str, hint: str = "") -> None:
+        super().__init__(text)
+        self.hint = hint
+
+
+@dataclass(frozen=True)
+class Ask:
+    """What a requirement is judged on: floats for a check, signomials for a sizing."""
+
+    material: Material
+    geometry: Geometry
+    mechanism: Mechanism | None
+    blade: Blade
+    scene: Scene
+
+
+@dataclass(frozen=True, eq=False)
+class Limit:
+    """``required · demand ≤ capacity``, or ``demand = capacity`` within a tolerance.
+
+    ``quantity`` names what is compared; several limits of one requirement, case and variant
+    (both ends of a blade, both signs) make one check, decided by the worst. ``power`` says that
+    demand and capacity are given raised to it, so that roots stay out of the algebra. ``load``
+    marks what a balanced design makes active together, ``driver`` what its demand grows with.
+    """
+
+    requirement: str
+    case: str
+    quantity: str
+    demand: Quantity
+    capacity: Quantity
+    unit: str
+    source: str
+    required: float = 1.0
+    variant: str = ""
+    power: int = 1
+    load: bool = False
+    driver: str = ""
+    tolerance: float | None = None
+
+    @property
+    def name(self) -> str:
+        """Return the name of the check that this limit belongs to."""
+        name = f"{self.requirement} ({self.variant})" if self.variant else self.requirement
+        return f"{name}, {self.case}" if self.case else name
+
+
+class Requirement(Part):
+    """A demand on the design; the subclass turns it into limits."""
+
+    per_case: ClassVar[bool] = True
+    label: ClassVar[str]
+
+    def applies(self, scene: Scene) -> bool:  # noqa: ARG002
+        """Return whether this case has what the requirement is about."""
+        return True
+
+    @abstractmethod
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the limits for one case (or for the design, where it is not per case)."""
+
+
+class FactorRequirement(Requirement):
+    """A required factor of safety; a plain number stands for {factor: number}."""
+
+    factor: Ratio
+    cases: tuple[str, ...] | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_plain(cls, data: Any) -> Any:
+        return data if isinstance(data, dict) else {"factor": data}
+
+    def covers(self, scene: Scene) -> bool:
+        """Return whether the requirement is asked of this case."""
+        return self.cases is None or scene.case in self.cases
+
+
+class Bound(Requirement):
+    """A quantity between bounds, or equal to a target within a tolerance."""
+
+    per_case: ClassVar[bool] = False
+
+    min: Any = None
+    max: Any = None
+    equals: Any = None
+    tolerance: Ratio = 0.01
+
+    @model_validator(mode="before")
+    @classmethod
+    def _must_be_mapping(cls, data: Any) -> Any:
+        if not isinstance(data, dict):
+            raise spec_error(
+                f"say on which side {data} is the bound", "write {max: …}, {min: …} or {equals: …}"
+            )
+        return data
+
+    @model_validator(mode="after")
+    def _some_bound(self) -> "Bound":
+        if self.equals is not None and (self.min is not None or self.max is not None):
+            raise spec_error("'equals' leaves no room for min or max", "keep one of them")
+        if self.equals is None and self.min is None and self.max is None:
+            raise spec_error("no bound is given", "give min, max or equals")
+        if self.min is not None and self.max is not None and self.min >= self.max:
+            raise spec_error("min is not below max", "check both values", at=("min",))
+        return self
+
+    def bounds(
+        self, value: Quantity, *, case: str, quantity: str, unit: str, source: str, power: int = 1
+    ) -> Iterator[Limit]:
+        """Yield a limit for each bound on a value given raised to ``power``."""
+
+        def limit(demand: Quantity, capacity: Quantity, variant: str) -> Limit:
+            return Limit(
+                self.label, case, quantity, demand, capacity, unit, source,
+                variant=variant, power=power,
+                tolerance=self.tolerance if variant == "equals" else None,
+            )  # fmt: skip
+
+        if self.max is not None:
+            yield limit(value, self.max**power, "max")
+        if self.min is not None:
+            yield limit(self.min**power, value, "min")
+        if self.equals is not None:
+            yield limit(value, self.equals**power, "equals")

@@ -1,0 +1,48 @@
+"""Buckling: the force on the joint against the one that buckles its most loaded blade."""
+
+from collections.abc import Iterator
+from typing import ClassVar
+
+from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
+from flexcli.formulas.section import second_moment
+from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
+from flexcli.parts.scene import Scene
+
+__all__ = ["Buckling"]
+
+
+class Buckling(FactorRequirement):
+    """Factor on the force, about both axes of the section, for the stated hold of the ends."""
+
+    label: ClassVar[str] = "buckling"
+
+    def applies(self, scene: Scene) -> bool:
+        """Return whether the case puts a force along the blades."""
+        return self.covers(scene) and scene.blade_force > 0.0
+
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield force against critical force, bending across the thickness and across the width."""
+        scene, (h, l, b) = ask.scene, ask.blade  # noqa: E741
+        if scene.ends is None:
+            raise RequirementError(
+                f"nothing says what holds the blades' ends in case '{scene.case}'",
+                f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
+            )
+        for axis, inertia in (
+            ("across the thickness", second_moment(b, h)),
+            ("across the width", second_moment(h, b)),
+        ):
+            critical = euler_load(E=ask.material.E, I=inertia, l=l, ends=scene.ends)
+            yield Limit(
+                self.label,
+                scene.case,
+                f"force {scene.force_name}, buckling {axis}",
+                scene.force,
+                critical / scene.axial_share,
+                "N",
+                f"Euler, {scene.ends} ends (effective length "
+                f"{EFFECTIVE_LENGTH[scene.ends]:.3g} l): {scene.ends_why}",
+                required=self.factor,
+                load=True,
+                driver="force",
+            )

@@ -1,0 +1,77 @@
+"""Fatigue: the stress amplitude of the stroke against the strength for the asked cycles."""
+
+from collections.abc import Iterator
+from typing import ClassVar, Literal
+
+from flexcli.formulas.fatigue import goodman_amplitude, swt_amplitude_squared
+from flexcli.formulas.quantity import Quantity
+from flexcli.parts.material import MissingProperty
+from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
+from flexcli.parts.requirements.stresses import EndStress, end_stresses
+from flexcli.parts.scene import Scene
+
+__all__ = ["Fatigue"]
+
+
+class Fatigue(FactorRequirement):
+    """Factor on the stress amplitude; mean stress by Goodman unless said otherwise.
+
+    The factor is on the load: amplitude and mean grow together. A compressive mean earns nothing.
+    """
+
+    label: ClassVar[str] = "fatigue"
+
+    mean_stress: Literal["goodman", "soderberg", "swt", "none"] = "goodman"
+
+    def applies(self, scene: Scene) -> bool:
+        """Return whether the case has a stroke that repeats."""
+        return self.covers(scene) and scene.travel > 0.0
+
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield amplitude against strength at each end."""
+        scene, material = ask.scene, ask.material
+        if scene.cycles is None:
+            raise RequirementError(
+                f"fatigue needs the cycles of the stroke of case '{scene.case}'", "add cycles: 1e7"
+            )
+        try:
+            strength, where = material.reversed_amplitude(scene.cycles)
+            name, stresses = end_stresses(ask)
+            has_mean = scene.mean_travel > 0.0 or scene.blade_force > 0.0
+            method = self.mean_stress if has_mean else "none"
+            for stress in stresses:
+                demand, power = self._equivalent(stress, ask, strength, method)
+                yield Limit(
+                    self.label,
+                    scene.case,
+                    f"amplitude of the {name}, {stress.where}",
+                    demand,
+                    strength**power,
+                    "Pa",
+                    f"{where}; mean stress: {method}; {ask.geometry.source}",
+                    required=self.factor,
+                    power=power,
+                    load=True,
+                    driver="stroke",
+                )
+        except MissingProperty as missing:
+            raise RequirementError(
+                str(missing), f"give material.{missing.field}, or take another material"
+            ) from missing
+
+    def _equivalent(
+        self, stress: EndStress, ask: Ask, strength: float, method: str
+    ) -> tuple[Quantity, int]:
+        mean = stress.mean + stress.axial
+        if method == "none":
+            return stress.amplitude, 1
+        if method == "swt":
+            return swt_amplitude_squared(amplitude=stress.amplitude, mean=mean), 2
+        field = {"goodman": "tensile_strength", "soderberg": "yield_strength"}[method]
+        limit = ask.material.strength(field)
+        return (
+            goodman_amplitude(
+                amplitude=stress.amplitude, mean=mean, reversed_strength=strength, limit=limit
+            ),
+            1,
+        )

@@ -1,0 +1,43 @@
+"""Natural frequency of the mechanism's own motion."""
+
+from collections.abc import Iterator
+from math import pi
+from typing import Annotated, ClassVar
+
+from flexcli.parts.base import QuantityOf
+from flexcli.parts.mechanisms import MechanismError
+from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+
+__all__ = ["Frequency"]
+
+_Hertz = Annotated[float, QuantityOf("frequency", above=0.0)]
+
+
+class Frequency(Bound):
+    """Bounds on √(k/m)/2π of the free mechanism."""
+
+    label: ClassVar[str] = "frequency"
+
+    min: _Hertz | None = None
+    max: _Hertz | None = None
+    equals: _Hertz | None = None
+
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the bounds on the frequency, squared."""
+        if ask.mechanism is None:
+            raise RequirementError(
+                "a frequency needs a mass that moves", "add mechanism: {kind: payload, mass: …}"
+            )
+        try:
+            stiffness = ask.geometry.stiffness(ask.material.E, ask.blade)
+            mode = ask.mechanism.mode(stiffness, ask.geometry)
+        except MechanismError as error:
+            raise RequirementError(str(error), error.hint) from error
+        yield from self.bounds(
+            mode.stiffness / (mode.mass * (2.0 * pi) ** 2),
+            case="",
+            quantity="natural frequency",
+            unit="Hz",
+            source="√(k/m)/2π",
+            power=2,
+        )

@@ -1,0 +1,45 @@
+"""Parasitic shift: how far the centre or the stage leaves its ideal path over the stroke."""
+
+from collections.abc import Iterator
+from typing import Annotated, ClassVar
+
+from flexcli.parts.base import QuantityOf
+from flexcli.parts.geometries.base import NotAvailable
+from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+from flexcli.parts.scene import Scene
+
+__all__ = ["ParasiticShift"]
+
+_Length = Annotated[float, QuantityOf("length", above=0.0)]
+
+
+class ParasiticShift(Bound):
+    """An upper bound on the magnitude of the shift at the largest travel."""
+
+    label: ClassVar[str] = "parasitic shift"
+    per_case: ClassVar[bool] = True
+
+    min: None = None
+    max: _Length
+    equals: None = None
+
+    def applies(self, scene: Scene) -> bool:
+        """Return whether the case has a stroke."""
+        return scene.travel > 0.0
+
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the shift, with either sign, against its bound."""
+        scene = ask.scene
+        try:
+            shift = ask.geometry.parasitic_shift(ask.blade, scene.travel + scene.mean_travel)
+        except NotAvailable as error:
+            kind = getattr(ask.geometry, "kind", "geometry")
+            raise RequirementError(f"a {kind} {error}") from error
+        for sign in (1.0, -1.0):
+            yield from self.bounds(
+                sign * shift,
+                case=scene.case,
+                quantity="parasitic shift at full stroke",
+                unit="m",
+                source=ask.geometry.source,
+            )

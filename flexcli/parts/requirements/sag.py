@@ -1,0 +1,51 @@
+"""Sag: how far the weight of the moving body bends the joint."""
+
+from collections.abc import Iterator
+from typing import Annotated, ClassVar
+
+from flexcli.parts.base import QuantityOf
+from flexcli.parts.geometries.base import NotAvailable
+from flexcli.parts.mechanisms import MechanismError
+from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+from flexcli.parts.scene import Scene
+
+__all__ = ["Sag"]
+
+_Length = Annotated[float, QuantityOf("length", above=0.0)]
+
+
+class Sag(Bound):
+    """Bounds on m a / K along the axis of the case's acceleration."""
+
+    label: ClassVar[str] = "sag"
+    per_case: ClassVar[bool] = True
+
+    min: _Length | None = None
+    max: _Length | None = None
+    equals: _Length | None = None
+
+    def applies(self, scene: Scene) -> bool:
+        """Return whether the case has a steady acceleration."""
+        return scene.acceleration > 0.0
+
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the bounds on the sag."""
+        scene = ask.scene
+        if ask.mechanism is None:
+            raise RequirementError(
+                "a sag needs a mass that hangs", "add mechanism: {kind: payload, mass: …}"
+            )
+        try:
+            weight = ask.mechanism.hanging_mass() * scene.acceleration
+            stiffness = ask.geometry.sag_stiffness(ask.material.E, ask.blade, scene.axis)
+        except (MechanismError, NotAvailable) as error:
+            kind = getattr(ask.geometry, "kind", "geometry")
+            text = f"a {kind} {error}" if isinstance(error, NotAvailable) else str(error)
+            raise RequirementError(text) from error
+        yield from self.bounds(
+            weight / stiffness,
+            case=scene.case,
+            quantity=f"sag along {scene.axis}",
+            unit="m",
+            source=ask.geometry.source,
+        )

@@ -1,0 +1,57 @@
+"""Stiffness of each joint along its motion."""
+
+from collections.abc import Iterator
+from typing import Any, ClassVar
+
+from pydantic import field_validator
+
+from flexcli.parts.base import spec_error
+from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+from flexcli.units import DIMENSIONS, QuantityError, parse_quantity
+
+__all__ = ["Stiffness"]
+
+_KINDS = ("rotational stiffness", "stiffness")
+
+
+class Stiffness(Bound):
+    """Bounds on the stiffness of one joint, N·m/rad for a rotation and N/m for a translation."""
+
+    label: ClassVar[str] = "stiffness"
+
+    @field_validator("min", "max", "equals", mode="before")
+    @classmethod
+    def _of_either_kind(cls, data: Any) -> Any:
+        if data is None:
+            return None
+        for dimension in _KINDS:
+            try:
+                value = parse_quantity(str(data), dimension)
+            except QuantityError:
+                continue
+            if value <= 0.0:
+                raise spec_error(f"{data} must be above 0", "write e.g. 15 N*m/rad")
+            return (value, DIMENSIONS[dimension].si)
+        raise spec_error(f"'{data}' is not a stiffness", "write e.g. 15 N*m/rad or 200 N/m")
+
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the bounds on the joint's stiffness."""
+        unit = ask.geometry.stiffness_unit
+        plain = {}
+        for name in ("min", "max", "equals"):
+            given = getattr(self, name)
+            if given is None:
+                continue
+            if given[1] != unit:
+                raise RequirementError(
+                    f"the stiffness of this joint is in {unit}, not {given[1]}",
+                    f"its motion is a {ask.geometry.motion}",
+                )
+            plain[name] = given[0]
+        yield from self.model_copy(update=plain).bounds(
+            ask.geometry.stiffness(ask.material.E, ask.blade),
+            case="",
+            quantity="stiffness of a joint",
+            unit=unit,
+            source=ask.geometry.source,
+        )

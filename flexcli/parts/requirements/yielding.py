@@ -1,0 +1,64 @@
+"""Yield: the largest stress of a case against an allowable of the material."""
+
+from collections.abc import Iterator
+from typing import Any, ClassVar, Literal
+
+from pydantic import field_validator
+
+from flexcli.parts.base import spec_error
+from flexcli.parts.material import MissingProperty
+from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
+from flexcli.parts.requirements.stresses import end_stresses
+from flexcli.parts.scene import Scene
+
+__all__ = ["Yield"]
+
+Allowable = Literal["yield-strength", "tensile-strength", "fatigue-amplitude", "admissible-stress"]
+
+
+class Yield(FactorRequirement):
+    """Factor on the largest stress, against R_p0.2 unless another allowable (or several) is named."""
+
+    label: ClassVar[str] = "yield"
+
+    allowable: tuple[Allowable, ...] = ("yield-strength",)
+
+    @field_validator("allowable", mode="before")
+    @classmethod
+    def _one_or_several(cls, data: Any) -> Any:
+        if isinstance(data, list) and not data:
+            raise spec_error("the list of allowables is empty", "leave the key out for R_p0.2")
+        return data if isinstance(data, list) else [data]
+
+    def applies(self, scene: Scene) -> bool:
+        """Return whether the case stresses the blades at all."""
+        return self.covers(scene) and (
+            scene.travel > 0.0 or scene.mean_travel > 0.0 or scene.blade_force > 0.0
+        )
+
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the largest stress at each end against each allowable."""
+        name, stresses = end_stresses(ask)
+        found = list(stresses)
+        for allowable in self.allowable:
+            field = allowable.replace("-", "_")
+            try:
+                strength = ask.material.strength(field)
+            except MissingProperty as missing:
+                raise RequirementError(
+                    str(missing), f"give material.{missing.field}, or name another allowable"
+                ) from missing
+            for stress in found:
+                yield Limit(
+                    self.label,
+                    ask.scene.case,
+                    f"{name}, {stress.where}",
+                    stress.largest,
+                    strength,
+                    "Pa",
+                    f"allowable: {allowable}; {ask.geometry.source}",
+                    required=self.factor,
+                    variant=allowable,
+                    load=True,
+                    driver="force" if ask.scene.blade_force > 0.0 else "stroke",
+                )

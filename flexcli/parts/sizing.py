@@ -1,0 +1,67 @@
+"""What to choose the blades by: the objective and the grid that they can be made on."""
+
+from typing import Any, Literal, TypeAlias
+
+from pydantic import Field, model_validator
+
+from flexcli.parts.base import Part, PositiveLength, spec_error
+
+__all__ = ["Grid", "Minimize", "Objective", "SizeOptions"]
+
+Named = Literal["balanced", "least-volume", "least-stiffness", "shortest"]
+QuantityName = Literal["h", "l", "b", "volume", "mass", "k_pivot"]
+
+
+class Grid(Part):
+    """Sizes that can be made: multiples of a step, or the sizes in stock."""
+
+    step: PositiveLength | None = None
+    stock: tuple[PositiveLength, ...] = ()
+
+    @model_validator(mode="before")
+    @classmethod
+    def _step_or_stock(cls, data: Any) -> Any:
+        if isinstance(data, list):
+            if not data:
+                raise spec_error("the list of stock sizes is empty", "write e.g. [0.2 mm, 0.3 mm]")
+            return {"stock": data}
+        if isinstance(data, dict):
+            raise spec_error(
+                "a grid is a step or a list of sizes", "write 1 um, or [0.2 mm, 0.3 mm]"
+            )
+        return {"step": data}
+
+
+class Round(Part):
+    """The grid of each dimension; one that is left out stays continuous."""
+
+    h: Grid | None = None
+    l: Grid | None = None  # noqa: E741 - the field's symbol
+    b: Grid | None = None
+
+    def grids(self) -> dict[str, Grid]:
+        """Return the grids by symbol."""
+        return {n: g for n in ("h", "l", "b") if (g := getattr(self, n)) is not None}
+
+
+class Minimize(Part):
+    """An objective by the name of a quantity: the least of it, or the most."""
+
+    minimize: QuantityName | None = None
+    maximize: Literal["h", "l", "b"] | None = None
+
+    @model_validator(mode="after")
+    def _one(self) -> "Minimize":
+        if (self.minimize is None) == (self.maximize is None):
+            raise spec_error("an objective names one quantity", "write {minimize: k_pivot}")
+        return self
+
+
+Objective: TypeAlias = Named | Minimize
+
+
+class SizeOptions(Part):
+    """How ``flexure size`` chooses h, l and b."""
+
+    objective: Objective = "least-volume"
+    rounding: Round = Field(default_factory=Round, alias="round")

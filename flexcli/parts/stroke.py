@@ -1,0 +1,71 @@
+"""The stroke: what the joint or stage must do, how far and how often."""
+
+from typing import Any, Generic, TypeVar
+
+from pydantic import model_validator
+
+from flexcli.parts.base import Angle, Count, Length, Part, spec_error
+
+__all__ = ["Stroke"]
+
+Number = TypeVar("Number")
+
+
+class Travel(Part, Generic[Number]):
+    """From where to where; one value v stands for −v to +v."""
+
+    start: Number
+    end: Number
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_amplitude_or_range(cls, data: Any) -> Any:
+        if isinstance(data, list):
+            if len(data) != 2:
+                raise spec_error("a range has two values", "write [from, to]")
+            return {"start": data[0], "end": data[1]}
+        if isinstance(data, dict):
+            raise spec_error("a travel is a value or a range", "write 410 um, or [0 um, 820 um]")
+        if isinstance(data, str) and data.strip().startswith("-"):
+            raise spec_error(f"the amplitude {data} is negative", "write it without the sign")
+        opposite = f"-{data.strip().lstrip('+')}" if isinstance(data, str) else data
+        return {"start": opposite, "end": data}
+
+
+class Stroke(Part):
+    """Travel of the stage (translation) or of the joint (rotation) and its number of cycles."""
+
+    translation: Travel[Length] | None = None
+    rotation: Travel[Angle] | None = None
+    cycles: Count | None = None
+
+    @model_validator(mode="after")
+    def _one_motion(self) -> "Stroke":
+        if (self.translation is None) == (self.rotation is None):
+            raise spec_error(
+                "a stroke is a translation or a rotation", "give one of them, e.g. rotation: 5 deg"
+            )
+        if self.amplitude == 0.0 and self.mean == 0.0:
+            raise spec_error("the stroke is zero", "give its amplitude, e.g. 410 um")
+        return self
+
+    @property
+    def motion(self) -> str:
+        """Return ``"translation"`` or ``"rotation"``."""
+        return "translation" if self.translation is not None else "rotation"
+
+    @property
+    def _travel(self) -> Travel[Any]:
+        travel = self.translation or self.rotation
+        assert travel is not None  # held by the validator
+        return travel
+
+    @property
+    def amplitude(self) -> float:
+        """Return half of the travel [m or rad]."""
+        return float(abs(self._travel.end - self._travel.start) / 2.0)
+
+    @property
+    def mean(self) -> float:
+        """Return the distance of the middle of the travel from rest [m or rad]."""
+        return float(abs(self._travel.end + self._travel.start) / 2.0)

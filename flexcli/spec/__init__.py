@@ -1,0 +1,1 @@
+"""From YAML text with positions to one design, or a list of findings."""

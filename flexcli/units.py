@@ -1,0 +1,260 @@
+"""Quantities as a person writes them, "0.2 mm", to and from SI floats.
+
+Numbers are scaled as decimals and rounded once, so 637 um and 0.637 mm are the same float.
+Everyday units are looked up in a table; anything else (``lbf/in``, ``N*mm/deg``) is worked out
+by Pint, which is imported only then because it costs more than the rest of a check. A test
+holds the table against Pint.
+"""
+
+import re
+from dataclasses import dataclass
+from decimal import Decimal, InvalidOperation, localcontext
+from functools import cache
+from math import isfinite
+
+__all__ = ["DIMENSIONS", "Dimension", "QuantityError", "parse_quantity", "show", "written"]
+
+STANDARD_GRAVITY = 9.80665
+"""Standard acceleration of free fall [m/s²] (3rd CGPM, 1901)."""
+
+_DEGREE = "0.01745329251994329576923690768488612713"
+_G = "9.80665"
+_G2 = "96.1703842225"
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """What a number measures: its SI unit, an example to show, and everyday units."""
+
+    name: str
+    si: str
+    example: str
+    units: dict[str, str]
+    prefixes: tuple[tuple[str, str], ...] = ()
+
+
+class QuantityError(ValueError):
+    """A text that is not a quantity of the asked dimension."""
+
+    def __init__(self, text: str, hint: str) -> None:
+        super().__init__(text)
+        self.hint = hint
+
+
+def _dimensions(*dimensions: Dimension) -> dict[str, Dimension]:
+    return {d.name: d for d in dimensions}
+
+
+DIMENSIONS = _dimensions(
+    Dimension(
+        "length",
+        "m",
+        "0.2 mm",
+        {
+            "nm": "1e-9",
+            "um": "1e-6",
+            "mm": "1e-3",
+            "cm": "1e-2",
+            "m": "1",
+            "in": "0.0254",
+        },
+    ),
+    Dimension(
+        "angle", "rad", "45 deg", {"urad": "1e-6", "mrad": "1e-3", "rad": "1", "deg": _DEGREE}
+    ),
+    Dimension("mass", "kg", "17.1 g", {"mg": "1e-6", "g": "1e-3", "kg": "1"}),
+    Dimension("time", "s", "60 s", {"ms": "1e-3", "s": "1", "min": "60", "h": "3600"}),
+    Dimension("frequency", "Hz", "100 Hz", {"Hz": "1", "kHz": "1e3"}),
+    Dimension("force", "N", "10 N", {"uN": "1e-6", "mN": "1e-3", "N": "1", "kN": "1e3"}),
+    Dimension("moment", "N*m", "5 N*mm", {"N*mm": "1e-3", "mN*m": "1e-3", "N*m": "1"}),
+    Dimension(
+        "stress",
+        "Pa",
+        "500 MPa",
+        {"Pa": "1", "kPa": "1e3", "MPa": "1e6", "GPa": "1e9", "N/mm^2": "1e6"},
+    ),
+    Dimension("velocity", "m/s", "1 m/s", {"mm/s": "1e-3", "m/s": "1"}),
+    Dimension("acceleration", "m/s^2", "9.81 m/s^2", {"m/s^2": "1", "g": _G}),
+    Dimension(
+        "acceleration density",
+        "(m/s^2)^2/Hz",
+        "0.2 g^2/Hz",
+        {"g^2/Hz": _G2, "(m/s^2)^2/Hz": "1", "m^2/s^3": "1"},
+    ),
+    Dimension("density", "kg/m^3", "4430 kg/m^3", {"kg/m^3": "1", "g/cm^3": "1e3"}),
+    Dimension(
+        "inertia", "kg*m^2", "5.4e-6 kg*m^2", {"kg*m^2": "1", "g*mm^2": "1e-9", "kg*mm^2": "1e-6"}
+    ),
+    Dimension("stiffness", "N/m", "200 N/m", {"N/m": "1", "N/mm": "1e3", "N/um": "1e6"}),
+    Dimension(
+        "rotational stiffness", "N*m/rad", "15 N*m/rad", {"N*m/rad": "1", "N*mm/rad": "1e-3"}
+    ),
+    Dimension("expansion", "1/K", "8.6e-6 1/K", {"1/K": "1", "ppm/K": "1e-6"}),
+    Dimension("ratio", "", "2.5", {"": "1", "%": "1e-2"}),
+)
+
+_NUMBER = re.compile(
+    r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*", re.ASCII | re.DOTALL
+)
+_UNIT = re.compile(r"[A-Za-z0-9*/^().% -]{0,40}")
+_SPELLING = str.maketrans({"µ": "u", "μ": "u", "·": "*", "×": "*", "⋅": "*", "²": "^2", "³": "^3", "°": "deg"})  # fmt: skip
+
+_PINT_DEFINITIONS = """
+nano- = 1e-9 = n-
+micro- = 1e-6 = u-
+milli- = 1e-3 = m-
+centi- = 1e-2 = c-
+kilo- = 1e3 = k-
+mega- = 1e6 = M-
+giga- = 1e9 = G-
+meter = [length] = m
+second = [time] = s
+gram = [mass] = g
+kelvin = [temperature] = K
+radian = [angle] = rad
+degree = 0.01745329251994329576923690768488612713 radian = deg
+arcminute = degree / 60 = arcmin
+arcsecond = degree / 3600 = arcsec
+percent = 0.01 = pct
+ppm = 1e-6
+minute = 60 second = min
+hour = 3600 second = h
+inch = 0.0254 meter = in
+foot = 0.3048 meter = ft
+micron = 1e-6 meter
+hertz = 1 / second = Hz
+newton = kilogram * meter / second ** 2 = N
+pascal = newton / meter ** 2 = Pa
+bar = 1e5 pascal
+joule = newton * meter = J
+standard_gravity = 9.80665 meter / second ** 2 = g_n
+pound = 0.45359237 kilogram = lb
+pound_force = pound * standard_gravity = lbf
+psi = pound_force / inch ** 2
+ksi = 1000 psi
+"""
+
+
+def parse_quantity(text: str, dimension: str) -> float:
+    """Return the SI value of a quantity such as ``"0.2 mm"``.
+
+    Parameters
+    ----------
+    text : str
+        A decimal number and a unit, e.g. ``"113.8 GPa"``; a ratio may go without unit.
+    dimension : str
+        A key of :data:`DIMENSIONS`.
+
+    Raises
+    ------
+    QuantityError
+        When the text is no number, has no unit, a unit unknown, or one that measures
+        something else; its ``hint`` says what would be right.
+
+    """
+    expected = DIMENSIONS[dimension]
+    match = _NUMBER.fullmatch(text[:200])
+    if match is None:
+        raise QuantityError(
+            f"'{text[:60]}' is not a number with a unit", f"write e.g. {expected.example}"
+        )
+    number, unit = match.groups()
+    unit = unit.translate(_SPELLING).replace("**", "^")
+    if not unit and dimension != "ratio":
+        raise QuantityError(
+            f"'{text}' has no unit",
+            f"a {dimension} needs a unit, e.g. {number} {_likely(expected)}",
+        )
+    if not _UNIT.fullmatch(unit):
+        raise QuantityError(f"'{unit[:40]}' is not a unit", f"write e.g. {expected.example}")
+    factor = expected.units.get(unit.replace(" ", "")) or _factor_by_pint(unit, dimension)
+    with localcontext() as context:
+        context.prec = 40
+        value = float(Decimal(number) * Decimal(factor))
+    if not isfinite(value) or (value == 0.0 and Decimal(number) != 0):
+        raise QuantityError(
+            f"'{text}' is beyond any physical size", f"write e.g. {expected.example}"
+        )
+    return value
+
+
+def _likely(expected: Dimension) -> str:
+    return expected.example.split(" ", 1)[-1]
+
+
+@cache
+def _factor_by_pint(unit: str, dimension: str) -> str:
+    """Return the factor to SI of a unit that the everyday table does not hold."""
+    import pint  # a quarter of a second: only for units that are not everyday ones
+
+    expected = DIMENSIONS[dimension]
+    hint = f"a {dimension} is written e.g. {expected.example}"
+    registry = _registry()
+    spelled = unit.replace("%", "percent")
+    if "acceleration" in dimension:
+        spelled = re.sub(r"(?<![A-Za-z_])g(?![A-Za-z_])", "g_n", spelled)
+    try:
+        parsed = registry.parse_units(spelled)
+        target = registry.parse_units(expected.si or "dimensionless")
+        factor = registry.Quantity(Decimal(1), parsed).to(target).magnitude
+    except pint.DimensionalityError:
+        raise QuantityError(f"'{unit}' does not measure a {dimension}", hint) from None
+    except (pint.PintError, ValueError, TypeError, AttributeError, InvalidOperation, SyntaxError,
+            ArithmeticError, KeyError, AssertionError):  # fmt: skip
+        # Pint's parser ends in many ways on text that is no unit
+        raise QuantityError(f"'{unit}' is not a known unit", hint) from None
+    return str(factor)
+
+
+@cache
+def _registry() -> "pint.UnitRegistry[Decimal]":  # type: ignore[name-defined]  # noqa: F821
+    """Return a Pint registry of only the units we accept (its full one is 30 times slower)."""
+    import pint
+
+    registry = pint.UnitRegistry(None, non_int_type=Decimal, cache_folder=None)
+    registry.load_definitions(_PINT_DEFINITIONS.strip().splitlines())
+    return registry
+
+
+_SHOWN = {
+    "m": (("nm", 1e-9), ("µm", 1e-6), ("mm", 1e-3), ("m", 1.0)),
+    "Pa": (("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)),
+    "kg": (("mg", 1e-6), ("g", 1e-3), ("kg", 1.0)),
+    "N": (("mN", 1e-3), ("N", 1.0), ("kN", 1e3)),
+    "rad": (("deg", float(_DEGREE)),),
+    "m/s^2": (("m/s²", 1.0),),
+    "m^3": (("mm³", 1e-9),),
+    "s": (("ms", 1e-3), ("s", 1.0), ("h", 3600.0)),
+    "N*m/rad": (("N·mm/rad", 1e-3), ("N·m/rad", 1.0)),
+    "N/m": (("N/m", 1.0), ("N/mm", 1e3), ("N/µm", 1e6)),
+}
+
+
+def show(value: float, unit: str, digits: int = 4) -> str:
+    """Return an SI value as a person reads it: ``show(6.371e-4, "m") == "637.1 µm"``."""
+    scales = _SHOWN.get(unit)
+    if scales is None:
+        return f"{value:.{digits}g} {unit}".rstrip()
+    name, factor = scales[0]
+    for name_next, factor_next in scales[1:]:
+        if abs(value) >= 0.9995 * factor_next:
+            name, factor = name_next, factor_next
+    number = f"{value / factor:.{digits}g}"
+    if "e" in number and abs(value / factor) < 1e7:
+        number = f"{value / factor:.0f}"
+    return f"{number} {name}"
+
+
+def written(value: float, dimension: str) -> str:
+    """Return an SI value as a spec writes it, with every digit: reading it gives it back."""
+    expected = DIMENSIONS[dimension]
+    exact = Decimal(repr(value))
+    powers_of_ten = {
+        n: Decimal(f)
+        for n, f in expected.units.items()
+        if Decimal(f).normalize().as_tuple().digits == (1,)
+    }
+    for unit, factor in powers_of_ten.items():
+        if 1 <= abs(exact / factor) < 1000:
+            return f"{(exact / factor).normalize():f} {unit}".rstrip()
+    return f"{exact.normalize()} {expected.si}".rstrip()
