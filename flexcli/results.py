@@ -12,6 +12,7 @@ __all__ = [
     "Design",
     "EffectRow",
     "Note",
+    "Property",
     "Relaxation",
     "Result",
     "Sensitivity",
@@ -91,6 +92,18 @@ class Note:
 
 
 @dataclass(frozen=True)
+class Property:
+    """One number of a material with where it comes from."""
+
+    name: str
+    value: float
+    unit: str
+    detail: str
+    status: str
+    source: str
+
+
+@dataclass(frozen=True)
 class Cost:
     """What the answer cost, and how far off its model may be."""
 
@@ -123,7 +136,7 @@ class Design:
 
     label: str
     h: float
-    l: float  # noqa: E741 - the field's symbol
+    l: float
     b: float
     volume: float
 

@@ -2,7 +2,7 @@
 
 from flexcli.formulas.quantity import Quantity
 
-__all__ = ["axial_stress", "blade_volume", "second_moment"]
+__all__ = ["axial_stress", "blade_volume", "second_moment", "shear_parameter"]
 
 
 def second_moment(width: Quantity, depth: Quantity) -> Quantity:
@@ -48,7 +48,7 @@ def axial_stress(force: Quantity, h: Quantity, b: Quantity) -> Quantity:
     return force / (h * b)
 
 
-def blade_volume(blades: int, h: Quantity, l: Quantity, b: Quantity) -> Quantity:  # noqa: E741
+def blade_volume(blades: int, h: Quantity, l: Quantity, b: Quantity) -> Quantity:
     """Return the volume n h l b of n blades [m³].
 
     Examples
@@ -58,3 +58,29 @@ def blade_volume(blades: int, h: Quantity, l: Quantity, b: Quantity) -> Quantity
 
     """
     return blades * h * l * b
+
+
+def shear_parameter(*, depth: Quantity, l: Quantity, poisson_ratio: float) -> Quantity:
+    """Return Timoshenko's shear parameter Φ = 12EI/(κ G A l²) of a rectangular blade.
+
+    ``Φ = (12/5)(1 + ν)(d/l)²`` with κ = 5/6 and d the side across the neutral axis: a
+    clamped-guided blade is softer by the factor 1/(1 + Φ).
+
+    Parameters
+    ----------
+    depth, l : Quantity
+        Side across the neutral axis and length [m].
+    poisson_ratio : float
+        ν of an isotropic material [-].
+
+    Examples
+    --------
+    >>> round(shear_parameter(depth=0.3, l=1.0, poisson_ratio=0.25), 3)
+    0.27
+
+    References
+    ----------
+    Przemieniecki (1968), Theory of Matrix Structural Analysis, section 5.6.
+
+    """
+    return 2.4 * (1.0 + poisson_ratio) * (depth / l) ** 2

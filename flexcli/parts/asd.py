@@ -78,6 +78,11 @@ class ASDProfile(Part):
         return np.array([p.frequency for p in self.points])
 
     @property
+    def scale(self) -> Literal["log", "linear"]:
+        """Return the axes in which the profile is straight."""
+        return "linear" if self.interpolation == "linear" else "log"
+
+    @property
     def levels(self) -> NDArray[np.float64]:
         """Return the levels of the breakpoints [(m/s²)²/Hz]."""
         return np.array([p.level for p in self.points])

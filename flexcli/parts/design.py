@@ -72,7 +72,7 @@ class DesignSpec(Part):
 
     def fixed_blade(self) -> Blade | None:
         """Return the blade when h, l and b are all fixed, else nothing."""
-        h, l, b = (extent.fixed for extent in self.geometry.extents.values())  # noqa: E741
+        h, l, b = (extent.fixed for extent in self.geometry.extents.values())
         return None if h is None or l is None or b is None else Blade(h, l, b)
 
     def scene(self, name: str) -> Scene:
@@ -138,8 +138,9 @@ class DesignSpec(Part):
                 )
             asd = case.asd
             profile = asd.profile
-            scale = "linear" if profile.interpolation == "linear" else "log"
-            worst = miles_worst_case(profile.frequencies, profile.levels, asd.q, scale=scale)
+            worst = miles_worst_case(
+                profile.frequencies, profile.levels, asd.q, scale=profile.scale
+            )
             rms = float(worst.response)
             values["f_worst"] = Value(worst.frequency, "Hz", "frequency of the worst case")
             values["g_rms_worst"] = Value(

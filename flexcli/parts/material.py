@@ -15,6 +15,7 @@ from flexcli.parts.base import (
     Stress,
     spec_error,
 )
+from flexcli.results import Property
 
 __all__ = ["FatigueAmplitude", "Material", "MissingProperty", "SNCurve", "Sourced", "Status"]
 
@@ -22,6 +23,10 @@ Status = Literal["measured", "handbook", "vendor", "course", "placeholder", "giv
 """Where a number comes from; ``given`` is a plain number in the user's own spec."""
 
 Number = TypeVar("Number")
+
+
+_UNITS = {"poisson_ratio": "", "density": "kg/m^3", "thermal_expansion": "1/K"}
+"""SI units of the properties that are no stress."""
 
 
 class MissingProperty(ValueError):
@@ -222,6 +227,29 @@ class Material(Part):
         if stress_ratio is None or stress_ratio == -1.0:
             return amplitude
         return fully_reversed_amplitude(amplitude, stress_ratio, self.strength("tensile_strength"))
+
+    def properties(self) -> tuple[Property, ...]:
+        """Return every number that the material has, in SI, with where it comes from."""
+        rows = []
+        for name in type(self).model_fields:
+            given = getattr(self, name)
+            if isinstance(given, SNCurve):
+                ratio = f", R = {given.stress_ratio:g}" if given.stress_ratio is not None else ""
+                rows += [
+                    Property(name, s, "Pa", f"{n:g} cycles{ratio}", given.status, given.source)
+                    for n, s in given.curve()
+                ]
+            elif isinstance(given, FatigueAmplitude):
+                detail = [f"{given.cycles:g} cycles"] if given.cycles is not None else []
+                if given.stress_ratio is not None:
+                    detail.append(f"R = {given.stress_ratio:g}")
+                rows.append(
+                    Property(name, given.value, "Pa", ", ".join(detail), given.status, given.source)
+                )
+            elif isinstance(given, Sourced):
+                unit = _UNITS.get(name, "Pa")
+                rows.append(Property(name, given.value, unit, "", given.status, given.source))
+        return tuple(rows)
 
     def placeholders(self) -> tuple[str, ...]:
         """Return the fields whose numbers are only placeholders."""

@@ -36,7 +36,7 @@ class Round(Part):
     """The grid of each dimension; one that is left out stays continuous."""
 
     h: Grid | None = None
-    l: Grid | None = None  # noqa: E741 - the field's symbol
+    l: Grid | None = None
     b: Grid | None = None
 
     def grids(self) -> dict[str, Grid]:

@@ -20,7 +20,7 @@ class Blade(NamedTuple):
     """Dimensions of the equal blades: floats, arrays of many designs, or signomials [m]."""
 
     h: Quantity
-    l: Quantity  # noqa: E741 - the field's symbol
+    l: Quantity
     b: Quantity
 
 
@@ -59,9 +59,11 @@ class Geometry(Part):
 
     motion: ClassVar[str]
     source: ClassVar[str]
+    sag_bends_width: ClassVar[bool] = False
+    """Whether the sag bends the blades across their width."""
 
     h: Extent
-    l: Extent  # noqa: E741 - the field's symbol
+    l: Extent
     b: Extent
 
     @property
@@ -98,6 +100,10 @@ class Geometry(Part):
 
         ``direction`` [rad] is the angle of the force from the axis of symmetry.
         """
+
+    @abstractmethod
+    def s_bending_share(self, blade: Blade) -> float:
+        """Return the part of the stiffness that is S-shaped bending, which shear softens [-]."""
 
     def parasitic_shift(self, blade: Blade, travel: float) -> Quantity:
         """Return the signed parasitic motion at a travel [m]."""

@@ -35,6 +35,10 @@ class LeafSpringStage(Geometry):
         """Return the bending stress, equal and opposite at the two ends [Pa]."""
         return {"both ends": stage.end_stress(E=E, h=blade.h, l=blade.l, x=travel)}
 
+    def s_bending_share(self, blade: Blade) -> float:
+        """Return 1: the blades bend in an S alone."""
+        return 1.0
+
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""
         if direction != 0.0:

@@ -42,6 +42,11 @@ class BladePivot(Geometry):
         )
         return {"inner end": inner, "outer end": outer}
 
+    def s_bending_share(self, blade: Blade) -> float:
+        """Return 3(1 + 2δ)²/(1 + 3(1 + 2δ)²): the rest is uniform bending, free of shear."""
+        s_bending = 3.0 * (1.0 + 2.0 * self.offset(blade) / blade.l) ** 2
+        return float(s_bending / (1.0 + s_bending))
+
     def axial_share(self, direction: float) -> float:
         """Return the largest axial force in a blade per force on the pivot in its plane [-]."""
         return max(abs(share) for share in pivot.axial_share(self.blade_angles, direction))

@@ -16,6 +16,7 @@ class ThreeBladePivot(BladePivot):
     """Overconstrained pivot of three blades; p is from the axis to the inner ends."""
 
     source: ClassVar[str] = "exercise 12 B"
+    sag_bends_width: ClassVar[bool] = True
 
     kind: Literal["three-blade"]
     p: Annotated[float, QuantityOf("length", at_least=0.0)] = 0.0

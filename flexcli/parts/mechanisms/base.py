@@ -9,7 +9,7 @@ from flexcli.parts.geometries.base import Geometry
 from flexcli.parts.stroke import Stroke
 from flexcli.results import Value
 
-__all__ = ["Mechanism", "Mode", "MechanismError"]
+__all__ = ["Mechanism", "MechanismError", "Mode"]
 
 
 class MechanismError(ValueError):
@@ -55,10 +55,10 @@ class Mechanism(Part):
     def hanging_mass(self) -> float:
         """Return the mass that the joints carry against gravity [kg]."""
 
-    def body_forces(self, acceleration: float) -> dict[str, tuple[float, str]]:  # noqa: ARG002
+    def body_forces(self, acceleration: float) -> dict[str, tuple[float, str]]:
         """Return forces at the bodies worth reporting [N], with what they are."""
         return {}
 
-    def values(self, joint_stiffness: float, geometry: Geometry) -> dict[str, Value]:  # noqa: ARG002
+    def values(self, joint_stiffness: float, geometry: Geometry) -> dict[str, Value]:
         """Return the mechanism's own numbers worth reporting."""
         return {}

@@ -86,13 +86,13 @@ class ParallelStage(Mechanism):
                 inertia += balance.inertia.zz + balance.mass * balance.arm**2
         return inertia / self.height**2 + self.solid_2.mass
 
-    def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:  # noqa: ARG002
+    def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:
         """Return the rotation of each pivot: x/H for a translation x of solid 2."""
         if stroke.motion == "rotation":
             return stroke.amplitude, stroke.mean
         return stroke.amplitude / self.height, stroke.mean / self.height
 
-    def mode(self, joint_stiffness: Quantity, geometry: Geometry) -> Mode:  # noqa: ARG002
+    def mode(self, joint_stiffness: Quantity, geometry: Geometry) -> Mode:
         """Return k_eq = 4k/H² and m_eq with the balancing masses on."""
         return Mode(
             self.joints * joint_stiffness / self.height**2, self.equivalent_mass(balanced=True)
@@ -132,7 +132,7 @@ class ParallelStage(Mechanism):
             forces["_solid_3"] = (third * acceleration, "force at the centre of mass of solid 3")
         return forces
 
-    def free_force(self, acceleration: float) -> float:  # noqa: ARG002
+    def free_force(self, acceleration: float) -> float:
         """Refuse: without a lock the levers swing and the force follows from their motion."""
         raise MechanismError(
             "lock", "a free parallel stage swings under an acceleration", "add lock: solid-2"
@@ -142,7 +142,7 @@ class ParallelStage(Mechanism):
         """Refuse: the sag of a parallel stage depends on how it stands."""
         raise MechanismError("acceleration", "a parallel stage has no closed form for sag", "")
 
-    def values(self, joint_stiffness: float, geometry: Geometry) -> dict[str, Value]:  # noqa: ARG002
+    def values(self, joint_stiffness: float, geometry: Geometry) -> dict[str, Value]:
         """Return equivalent stiffness, masses and frequencies before and after balancing."""
         k_eq = self.joints * joint_stiffness / self.height**2
         init, final = (self.equivalent_mass(balanced=on) for on in (False, True))

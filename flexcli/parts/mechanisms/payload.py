@@ -49,7 +49,7 @@ class Payload(Mechanism):
             )
         return Mode(joint_stiffness, self.inertia)
 
-    def locked_forces(self, body: str, acceleration: float) -> dict[str, float]:  # noqa: ARG002
+    def locked_forces(self, body: str, acceleration: float) -> dict[str, float]:
         """Refuse: a locked payload loads no blade."""
         raise MechanismError(
             "lock", f"locking '{body}' would unload the joint", "leave the lock out"

@@ -73,7 +73,7 @@ class Requirement(Part):
     per_case: ClassVar[bool] = True
     label: ClassVar[str]
 
-    def applies(self, scene: Scene) -> bool:  # noqa: ARG002
+    def applies(self, scene: Scene) -> bool:
         """Return whether this case has what the requirement is about."""
         return True
 

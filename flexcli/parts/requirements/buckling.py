@@ -22,7 +22,7 @@ class Buckling(FactorRequirement):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield force against critical force, bending across the thickness and across the width."""
-        scene, (h, l, b) = ask.scene, ask.blade  # noqa: E741
+        scene, (h, l, b) = ask.scene, ask.blade
         if scene.ends is None:
             raise RequirementError(
                 f"nothing says what holds the blades' ends in case '{scene.case}'",

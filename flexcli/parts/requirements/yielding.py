@@ -17,7 +17,7 @@ Allowable = Literal["yield-strength", "tensile-strength", "fatigue-amplitude", "
 
 
 class Yield(FactorRequirement):
-    """Factor on the largest stress, against R_p0.2 unless another allowable (or several) is named."""
+    """Factor on the largest stress, against R_p0.2 unless other allowables are named."""
 
     label: ClassVar[str] = "yield"
 

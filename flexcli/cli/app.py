@@ -1,0 +1,50 @@
+"""The ``flexure`` command: its verbs, and the edge where a bug becomes its exit code."""
+
+import sys
+import traceback
+
+import typer
+
+from flexcli import __version__
+from flexcli.cli import check, materials, schema, size, validate
+
+__all__ = ["app", "main"]
+
+EXIT_BUG = 101
+
+app = typer.Typer(
+    name="flexure",
+    epilog="Exit codes: 0 passed; 1 the design fails or is infeasible; 2 bad input or usage; "
+    "101 a bug of ours.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+for verb in (size, check, validate, materials, schema):
+    app.command(name=verb.NAME)(verb.run)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"flexure {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def root(
+    version: bool = typer.Option(
+        False, "--version", callback=_version, is_eager=True, help="Print the version and exit."
+    ),
+) -> None:
+    """Size, check and simulate flexures from a YAML spec."""
+
+
+def main() -> None:
+    """Run the command line; what nobody foresaw is a bug and says so."""
+    try:
+        app()
+    except Exception:
+        traceback.print_exc()
+        sys.stderr.write("flexure: this is a bug of ours; please report it with the spec\n")
+        sys.exit(EXIT_BUG)

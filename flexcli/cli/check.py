@@ -1,0 +1,37 @@
+"""``flexure check``: margins of given designs."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from flexcli.cli.common import DEFAULT_SPEC, Format, FormatOption, attempt, finish
+from flexcli.results import Result
+
+__all__ = ["NAME", "run"]
+
+NAME = "check"
+
+
+def run(
+    specs: Annotated[
+        list[Path] | None,
+        typer.Argument(help=f"Designs or folders of them; {DEFAULT_SPEC} if left out."),
+    ] = None,
+    style: FormatOption = Format.TEXT,
+) -> None:
+    """Check given designs: every requirement with demand, capacity, factor and margin."""
+    from flexcli.spec.folder import designs_in
+
+    paths = designs_in(specs or [Path(DEFAULT_SPEC)])
+    results = [attempt(NAME, path, lambda path=path: _check(path)) for path in paths]  # type: ignore[misc]
+    finish(NAME, results, style, many=len(specs or []) > 1 or len(paths) != 1)
+
+
+def _check(path: Path) -> Result:
+    from flexcli.engine.check import check
+    from flexcli.spec.given import given_blade
+    from flexcli.spec.load import load_design
+
+    design, document = load_design(path)
+    return check(design, given_blade(design, document), str(path))

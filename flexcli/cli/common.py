@@ -1,0 +1,134 @@
+"""What the verbs share: which files, which format, how output is written and a run ends."""
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+
+import typer
+
+from flexcli.errors import Finding, SolveError, SpecError
+from flexcli.results import Result, Status
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+__all__ = [
+    "DEFAULT_SPEC",
+    "Format",
+    "FormatOption",
+    "SpecArgument",
+    "attempt",
+    "fail",
+    "finish",
+    "spec_path",
+    "write_file",
+    "write_json",
+    "write_text",
+]
+
+DEFAULT_SPEC = "flexure.yaml"
+
+
+class Format(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
+    """How a result is printed."""
+
+    TEXT = "text"
+    JSON = "json"
+
+
+FormatOption = Annotated[
+    Format, typer.Option("--format", help="Text for people, JSON for scripts (on stdout, alone).")
+]
+SpecArgument = Annotated[
+    Path | None, typer.Argument(help=f"Design file; {DEFAULT_SPEC} of this folder if left out.")
+]
+
+
+def spec_path(spec: Path | None) -> Path:
+    """Return the spec that is meant."""
+    return spec if spec is not None else Path(DEFAULT_SPEC)
+
+
+def attempt(command: str, spec: Path, verb: Callable[[], Result]) -> Result:
+    """Run a verb on a spec; the user's mistakes become the findings of its result."""
+    try:
+        return verb()
+    except SpecError as error:
+        findings = tuple(error.findings)
+    except SolveError as error:
+        findings = (Finding(str(spec), error.text, error.remedy),)
+    return Result(command=command, spec=str(spec), status=Status.ERROR, findings=findings)
+
+
+def fail(command: str, spec: str, error: SpecError, style: Format) -> NoReturn:
+    """End a run on the user's mistakes alone."""
+    result = Result(command, spec, Status.ERROR, findings=tuple(error.findings))
+    finish(command, [result], style, many=False)
+
+
+def finish(command: str, results: Sequence[Result], style: Format, *, many: bool) -> NoReturn:
+    """Print results and leave with the exit code of the worst."""
+    from flexcli.report import as_json, as_text
+
+    if style is Format.JSON:
+        one = None if many else as_json.document(results[0])
+        write_json(one or as_json.summary(command, results))
+    else:
+        findings = [found for result in results for found in result.findings]
+        if findings:
+            write_text(lambda console: as_text.print_findings(findings, console), sys.stderr)
+        shown = [result for result in results if not result.findings]
+
+        def body(console: "Console") -> None:
+            for result in shown:
+                as_text.print_result(result, console)
+            if many:
+                as_text.print_summary(results, console)
+
+        if shown or many:
+            write_text(body)
+    raise typer.Exit(max((result.status.exit_code for result in results), default=0))
+
+
+def write_text(body: Callable[["Console"], None], stream: Any = None) -> None:
+    """Render with rich for the terminal that reads, and write it whole."""
+    from rich.console import Console
+
+    stream = stream or sys.stdout
+    console = Console(file=stream, highlight=False)
+    with console.capture() as captured:
+        body(console)
+    _write(captured.get(), stream)
+
+
+def write_json(content: Any) -> None:
+    """Write JSON to stdout."""
+    from flexcli.report import as_json
+
+    _write(as_json.dumps(content) + "\n", sys.stdout)
+
+
+def _write(text: str, stream: Any) -> None:
+    try:
+        stream.write(text)
+        stream.flush()
+    except OSError as error:
+        # keep the interpreter's shutdown from flushing into the broken stream once more
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        sys.stderr.write(f"flexure: the output could not be written: {error.strerror}\n")
+        raise typer.Exit(2) from error
+
+
+def write_file(path: Path, text: str) -> None:
+    """Write a file whole or not at all."""
+    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        partial.write_text(text, encoding="utf-8")
+        partial.replace(path)
+    except OSError as error:
+        partial.unlink(missing_ok=True)
+        sys.stderr.write(f"flexure: cannot write {path}: {error.strerror}\n")
+        raise typer.Exit(2) from error

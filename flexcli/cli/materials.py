@@ -1,0 +1,37 @@
+"""``flexure materials``: list the shipped materials, or show one with its sources."""
+
+from typing import Annotated
+
+import typer
+
+from flexcli.cli.common import Format, FormatOption, fail, write_json, write_text
+
+__all__ = ["NAME", "run"]
+
+NAME = "materials"
+
+
+def run(
+    name: Annotated[str | None, typer.Argument(help="Material to show; all if left out.")] = None,
+    style: FormatOption = Format.TEXT,
+) -> None:
+    """List the shipped materials, or show one: every number with its status and source."""
+    from flexcli.errors import SpecError
+    from flexcli.report import catalogue
+    from flexcli.spec.load import load_shipped
+    from flexcli.spec.shipped import shipped_names
+
+    try:
+        names = shipped_names("material") if name is None else [name]
+        materials = {each: load_shipped("material", each) for each in names}
+    except SpecError as error:
+        fail(NAME, name or "", error, style)
+    rows = {each: material.properties() for each, material in materials.items()}
+    titles = {each: material.name for each, material in materials.items()}
+    if style is Format.JSON:
+        write_json(catalogue.document(NAME, titles, rows))
+    elif name is None:
+        write_text(lambda console: catalogue.print_list(titles, rows, console))
+    else:
+        note = materials[name].note
+        write_text(lambda console: catalogue.print_one(titles[name], note, rows[name], console))

@@ -1,0 +1,47 @@
+"""``flexure size``: choose h, l, b."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from flexcli.cli.common import (
+    Format,
+    FormatOption,
+    SpecArgument,
+    attempt,
+    finish,
+    spec_path,
+    write_file,
+)
+from flexcli.results import Result
+
+__all__ = ["NAME", "run"]
+
+NAME = "size"
+
+
+def run(
+    spec: SpecArgument = None,
+    style: FormatOption = Format.TEXT,
+    write: Annotated[
+        Path | None, typer.Option("--write", help="Save the sized design as a spec for check.")
+    ] = None,
+) -> None:
+    """Choose blade thickness h, length l and width b; print margins and what holds them."""
+    path = spec_path(spec)
+    result = attempt(NAME, path, lambda: _size(path, write))
+    finish(NAME, [result], style, many=False)
+
+
+def _size(path: Path, write: Path | None) -> Result:
+    from flexcli.engine.size import size
+    from flexcli.spec.load import load_design
+    from flexcli.spec.save import sized_text
+
+    design, document = load_design(path)
+    result = size(design, str(path))
+    if write is not None and result.checks:
+        sizes = {name: result.values[name].value for name in ("h", "l", "b")}
+        write_file(write, sized_text(path, document, write, sizes))
+    return result

@@ -1,0 +1,165 @@
+"""Judge a blade by every requirement: one design into checks, or many at once into factors."""
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.effects import EFFECTS, Setting
+from flexcli.parts.geometries import Blade
+from flexcli.parts.requirements import Limit
+from flexcli.results import Check, EffectRow, Note, Value
+
+__all__ = ["ROUNDING", "checks", "effects", "factor", "factors", "values", "warnings"]
+
+ROUNDING = 1e-9
+"""A factor this little (relative) below the required one is rounding, not a failure: what a
+sizing leaves when it puts a constraint exactly at its limit."""
+
+NOTABLE = 0.05
+"""An effect left out that may change a number by more than this is a warning, not only a row."""
+
+CHUNK = 65_536
+"""Designs per pass of :func:`factors`, which bounds its memory."""
+
+
+def factor(limit: Limit, demand: float, capacity: float) -> float:
+    """Return the factor of safety of one limit: capacity over demand, infinite for no demand.
+
+    For a target it is the ratio of the smaller to the larger, 1 when met exactly.
+    """
+    if demand <= 0.0:
+        return np.inf
+    ratio = float(np.sign(capacity) * (abs(capacity) / demand) ** (1.0 / limit.power))
+    return min(ratio, 1.0 / ratio) if limit.tolerance is not None and ratio > 0.0 else ratio
+
+
+def required(limit: Limit) -> float:
+    """Return the factor that a limit asks for."""
+    return limit.required if limit.tolerance is None else 1.0 / (1.0 + limit.tolerance)
+
+
+def checks(limits: Iterable[Limit]) -> tuple[Check, ...]:
+    """Return one check for each requirement, case and variant, decided by its worst limit."""
+    worst: dict[str, Check] = {}
+    for limit in limits:
+        root = 1.0 / limit.power
+        demand, capacity = float(limit.demand), float(limit.capacity)
+        found, asked = factor(limit, demand, capacity), required(limit)
+        check = Check(
+            name=limit.requirement + (f" ({limit.variant})" if limit.variant else ""),
+            case=limit.case,
+            quantity=limit.quantity,
+            demand=max(demand, 0.0) ** root,
+            capacity=float(np.sign(capacity)) * abs(capacity) ** root,
+            unit=limit.unit,
+            factor=found,
+            required=asked,
+            passed=found >= asked * (1.0 - ROUNDING),
+            source=limit.source,
+        )
+        if limit.name not in worst or found < worst[limit.name].factor:
+            worst[limit.name] = check
+    return tuple(worst.values())
+
+
+def factors(
+    design: DesignSpec,
+    h: NDArray[np.float64],
+    l: NDArray[np.float64],
+    b: NDArray[np.float64],
+) -> dict[str, NDArray[np.float64]]:
+    """Return margins of many designs at once: factor over required factor, per check.
+
+    Parameters
+    ----------
+    design : DesignSpec
+        The design whose blades vary.
+    h, l, b : array
+        Thickness, length and width [m]; broadcast against each other.
+
+    Returns
+    -------
+    dict of array
+        For each check the factor over the required one, in the broadcast shape: a design passes
+        where all are at least 1.
+
+    """
+    shape = np.broadcast_shapes(np.shape(h), np.shape(l), np.shape(b))
+    flat = [np.broadcast_to(np.asarray(x, dtype=np.float64), shape).reshape(-1) for x in (h, l, b)]
+    size = int(np.prod(shape))
+    found: dict[str, NDArray[np.float64]] = {}
+    for start in range(0, size, CHUNK):
+        part = slice(start, start + CHUNK)
+        for limit in design.limits(Blade(*(x[part] for x in flat))):
+            margins = found.setdefault(limit.name, np.full(size, np.inf))
+            np.minimum(margins[part], _margin(limit), out=margins[part])
+    return {name: margins.reshape(shape) for name, margins in found.items()}
+
+
+def _margin(limit: Limit) -> NDArray[np.float64]:
+    demand = np.asarray(limit.demand, dtype=np.float64)
+    capacity = np.asarray(limit.capacity, dtype=np.float64)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = np.where(demand > 0.0, np.abs(capacity) / demand, np.inf)
+    ratio = np.copysign(ratio if limit.power == 1 else ratio ** (1.0 / limit.power), capacity)
+    if limit.tolerance is not None:
+        ratio = np.minimum(ratio, 1.0 / ratio)
+    return np.asarray(ratio / required(limit))
+
+
+def values(design: DesignSpec, blade: Blade) -> dict[str, Value]:
+    """Return the named numbers of a design: blade, cases, joint and mechanism."""
+    geometry, material = design.geometry, design.material
+    labels = {"h": "blade thickness", "l": "blade length", "b": "blade width"}
+    found = {
+        name: Value(float(size), "m", labels[name], model="given")
+        for name, size in blade._asdict().items()
+    }
+    for name in design.cases:
+        scene = design.scene(name)
+        for key, value in scene.values.items():
+            found[key if key not in found or found[key] == value else f"{key}_{name}"] = value
+    stiffness = float(geometry.stiffness(material.E, blade))
+    symbol = "k_pivot" if geometry.motion == "rotation" else "k_stage"
+    found[symbol] = Value(
+        stiffness, geometry.stiffness_unit, "stiffness of a joint", source=geometry.source
+    )
+    found["volume"] = Value(
+        float(geometry.volume(blade)), "m^3", "volume of the blades of a joint", source="n h l b"
+    )
+    if design.mechanism is not None:
+        found.update(design.mechanism.values(stiffness, geometry))
+    return found
+
+
+def effects(design: DesignSpec, blade: Blade) -> tuple[EffectRow, ...]:
+    """Return what the closed forms leave out of this design."""
+    scenes = tuple(design.scene(name) for name in design.cases)
+    hangs = design.requirements.sag is not None
+    setting = Setting(design.material, design.geometry, blade, scenes, hangs)
+    return tuple(row for effect in EFFECTS if (row := effect.row(setting)) is not None)
+
+
+def warnings(design: DesignSpec, blade: Blade, rows: tuple[EffectRow, ...]) -> tuple[Note, ...]:
+    """Return what a reviewer must know beside the margins."""
+    notes = []
+    placeholders = design.material.placeholders()
+    if placeholders:
+        text = f"placeholder values, not physical: material.{', material.'.join(placeholders)}"
+        notes.append(Note("placeholder-material", text))
+    if design.requirements.fatigue is not None:
+        single = design.material.fatigue_amplitude
+        if single is not None and single.stress_ratio is None:
+            text = "the source of the fatigue amplitude states no stress ratio; read as R = −1"
+            notes.append(Note("stress-ratio-unstated", text))
+    if blade.l < 10.0 * blade.h:
+        text = f"l/h = {blade.l / blade.h:.3g}: below 10 a blade is no slender beam"
+        notes.append(Note("stubby-blade", text))
+    notes.extend(
+        Note("effect-left-out", f"{row.name}, left out, may change results by {row.estimate:.0%}")
+        for row in rows
+        if row.estimate >= NOTABLE
+    )
+    return tuple(notes)

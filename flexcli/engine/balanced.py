@@ -1,0 +1,119 @@
+"""The balanced design: every kind of load requirement exactly at its limit."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+
+from flexcli.engine.optimum import optimum
+from flexcli.engine.program import SizingProgram
+from flexcli.numerics.geometric_program import log_value
+from flexcli.numerics.ratios import Equality, Ratio, Settled
+from flexcli.numerics.signomial import Signomial
+from flexcli.numerics.square_system import solve_square
+from flexcli.results import Sensitivity
+
+__all__ = ["Balanced", "NotBalanced", "balanced"]
+
+ACTIVE = 1e-9
+"""Log utilisation above which another row of the same requirement would be violated."""
+
+
+@dataclass(frozen=True)
+class Balanced:
+    """A balanced design, what makes it, and how it moves with each demand."""
+
+    x: dict[str, float]
+    active: tuple[str, ...]
+    sensitivities: tuple[Sensitivity, ...]
+    condition: float | None
+    others: int
+
+
+@dataclass(frozen=True)
+class NotBalanced:
+    """Why there is no balanced design."""
+
+    reason: str
+
+
+def balanced(program: SizingProgram, volume: Signomial) -> Balanced | NotBalanced:
+    """Return the balanced design of least volume among those that satisfy every other row.
+
+    With as many kinds of load requirement (fatigue, buckling, yield) as free dimensions it is a
+    root of a square system; with fewer, the least volume on what they leave free. In each kind
+    one row governs; every choice of governing rows is tried, the others of the kind must hold.
+    """
+    groups = _load_rows(program)
+    if not groups:
+        return NotBalanced("no requirement is on a load (fatigue, buckling, yield)")
+    if len(groups) > len(program.names):
+        return NotBalanced(
+            f"{len(groups)} load requirements ({', '.join(groups)}) cannot all be active on "
+            f"{len(program.names)} free dimensions"
+        )
+    candidates = [
+        found for rows in product(*groups.values()) for found in _with_active(program, rows, volume)
+    ]
+    if not candidates:
+        return NotBalanced(
+            f"{', '.join(groups)} cannot all be at their limit together: no size does it"
+        )
+    allowed = [c for c in candidates if not _violated(program, c.x)]
+    if not allowed:
+        broken = _violated(program, candidates[0].x)
+        return NotBalanced(f"the balanced design violates {', '.join(broken)}")
+    best = min(allowed, key=lambda c: float(volume.at(**c.x)))
+    return Balanced(best.x, best.active, best.sensitivities, best.condition, len(allowed) - 1)
+
+
+def _load_rows(program: SizingProgram) -> dict[str, list[Ratio]]:
+    groups: dict[str, list[Ratio]] = {}
+    for row in program.constraints:
+        limit = program.rows[row.name].limit
+        if limit is not None and limit.load and isinstance(row, Ratio):
+            groups.setdefault(limit.requirement, []).append(row)
+    return groups
+
+
+def _violated(program: SizingProgram, x: dict[str, float]) -> list[str]:
+    broken = [
+        row.name
+        for row in program.constraints
+        if (not row.holds if isinstance(row, Settled) else log_value(row, x) > ACTIVE)
+    ]
+    broken += [row.name for row in program.equalities if abs(log_value(row, x)) > ACTIVE]
+    return [program.rows[name].name for name in broken]
+
+
+def _with_active(
+    program: SizingProgram, rows: tuple[Ratio, ...], volume: Signomial
+) -> Iterator[Balanced]:
+    """Yield the designs at which the given rows are all at their limit."""
+    names = tuple(program.rows[r.name].name for r in rows)
+    if len(rows) == len(program.names):
+        for root in solve_square(rows, program.names):
+            yield Balanced(
+                root.x, names, _sensitivities(program, rows, root.sensitivity), root.condition, 0
+            )
+        return
+    equalities = [Equality(r.name, r.numerator, r.denominator) for r in rows]
+    others = [r for r in program.constraints if r.name not in {row.name for row in rows}]
+    solution = optimum(program, [volume], others, [*program.equalities, *equalities])
+    if solution.converged:
+        yield Balanced(solution.x, names, (), None, 0)
+
+
+def _sensitivities(
+    program: SizingProgram, rows: tuple[Ratio, ...], matrix: object
+) -> tuple[Sensitivity, ...]:
+    import numpy as np
+
+    slopes = np.asarray(matrix)
+    found = []
+    for index, row in enumerate(rows):
+        limit = program.rows[row.name].limit
+        on = {n: float(slopes[j, index]) for j, n in enumerate(program.names)}
+        on["volume"] = sum(on.values())
+        driver = limit.driver if limit is not None else ""
+        found.append(Sensitivity(program.rows[row.name].name, driver, on))
+    return tuple(found)

@@ -1,0 +1,286 @@
+"""The verb size: choose the free dimensions, then judge the chosen design like any other."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.engine import assess
+from flexcli.engine.balanced import Balanced, NotBalanced, balanced
+from flexcli.engine.check import MODEL
+from flexcli.engine.grid import GridPoint, Merit, best_on_grid
+from flexcli.engine.optimum import (
+    certificate,
+    explain_conflict,
+    optimum,
+    refuse_unsolved,
+    sensitivities,
+)
+from flexcli.engine.program import SizingProgram, objective_of, sizing_program
+from flexcli.numerics.geometric_program import Outcome, Solution
+from flexcli.numerics.signomial import Signomial, as_signomial
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.geometries import Blade
+from flexcli.parts.sizing import Objective
+from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value
+
+__all__ = ["size"]
+
+LARGE_SENSITIVITY = 3.0
+"""Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
+
+
+def size(design: DesignSpec, spec: str) -> Result:
+    """Return the sized design with margins, or the conflict that leaves none."""
+    started = perf_counter()
+    program = sizing_program(design)
+    given = design.fixed_blade()
+    chosen = _choose(design, program) if given is None else _Choice(given, _nothing_free())
+    result = _infeasible(design, spec, program) if chosen is None else _judged(design, spec, chosen)
+    assert result.cost is not None  # both branches measure
+    return replace(result, cost=replace(result.cost, seconds=perf_counter() - started))
+
+
+class _Choice:
+    """A chosen blade and how it was found."""
+
+    def __init__(
+        self,
+        blade: Blade,
+        sizing: SizingResult,
+        ideal: Blade | None = None,
+        notes: tuple[Note, ...] = (),
+        iterations: int = 0,
+        *,
+        failed_grid: bool = False,
+    ) -> None:
+        self.blade = blade
+        self.sizing = sizing
+        self.ideal = ideal
+        self.notes = notes
+        self.iterations = iterations
+        self.failed_grid = failed_grid
+
+
+def _nothing_free() -> SizingResult:
+    return SizingResult("none: h, l and b are all given", "nothing to choose")
+
+
+def _choose(design: DesignSpec, program: SizingProgram) -> _Choice | None:
+    """Return the chosen design, or nothing when the requirements conflict."""
+    volume = objective_of(design, "least-volume", program.blade)
+    smallest = _solve(program, [volume, *_ties(program)])
+    if smallest is None:
+        return None
+    if design.size.objective == "balanced":
+        return _choose_balanced(design, program, volume, smallest)
+    return _choose_optimum(design, program, volume, smallest, design.size.objective)
+
+
+def _ties(program: SizingProgram) -> list[Signomial]:
+    """Return what breaks ties after the volume: shortest, then narrowest, then thinnest."""
+    return [as_signomial(x) for x in (program.blade.l, program.blade.b, program.blade.h)]
+
+
+def _solve(program: SizingProgram, objectives: list[Signomial]) -> Solution | None:
+    solution = optimum(program, objectives, program.constraints, program.equalities)
+    if solution.outcome is Outcome.INFEASIBLE:
+        return None
+    refuse_unsolved(solution, program)
+    return solution
+
+
+def _choose_optimum(
+    design: DesignSpec,
+    program: SizingProgram,
+    volume: Signomial,
+    smallest: Solution,
+    objective: Objective,
+) -> _Choice | None:
+    goal = objective_of(design, objective, program.blade)
+    name = objective if isinstance(objective, str) else _spoken(objective.model_dump())
+    objectives = [goal, volume, *_ties(program)]
+    solution = smallest if name == "least-volume" else _solve(program, objectives)
+    if solution is None:
+        return None
+    remarks = []
+    if solution.tie_breakers:
+        remarks.append(
+            "the optimum is not unique: of all equally good designs this one has the least "
+            "volume, then the shortest, narrowest and thinnest blades"
+        )
+    ideal = program.complete({n: solution.x[n] for n in program.names})
+    sizing = SizingResult(
+        objective=name,
+        certificate=certificate(solution, program),
+        active=tuple(program.rows[a].name for a in solution.active if a in program.rows),
+        sensitivities=sensitivities(
+            program, objectives, program.constraints, program.equalities, solution
+        ),
+        remarks=tuple(remarks),
+    )
+    others = []
+    if name != "least-volume":
+        x = {n: smallest.x[n] for n in program.names}
+        others = [_design(design, "least volume", program.complete(x))]
+    return _on_grid(
+        design,
+        program,
+        sizing,
+        ideal,
+        goal,
+        others,
+        iterations=solution.iterations,
+        label="optimum",
+    )
+
+
+def _spoken(objective: Mapping[str, str | None]) -> str:
+    return " ".join(f"{verb} {name}" for verb, name in objective.items() if name)
+
+
+def _choose_balanced(
+    design: DesignSpec, program: SizingProgram, volume: Signomial, smallest: Solution
+) -> _Choice | None:
+    found = balanced(program, volume)
+    if isinstance(found, NotBalanced):
+        chosen = _choose_optimum(design, program, volume, smallest, "least-volume")
+        if chosen is not None:
+            text = f"no balanced design: {found.reason}; sized for least volume instead"
+            chosen.notes = (*chosen.notes, Note("no-balanced-design", text))
+        return chosen
+    ideal = program.complete(found.x)
+    least = program.complete({n: smallest.x[n] for n in program.names})
+    more = float(design.geometry.volume(ideal)) / float(design.geometry.volume(least)) - 1.0
+    remarks = [f"the balanced design has {more:.1%} more volume than the least volume"]
+    if found.others:
+        remarks.append(f"{found.others} other balanced design(s) exist; this is the smallest")
+    sizing = SizingResult(
+        objective="balanced",
+        certificate="root of the square system" if found.condition else "least volume on the rest",
+        active=found.active,
+        sensitivities=found.sensitivities,
+        remarks=tuple(remarks),
+    )
+
+    def distance(x: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
+        logs = [np.abs(np.log(x[n] / found.x[n])) for n in program.names]
+        return np.asarray(sum(logs[1:], logs[0]))
+
+    chosen = _on_grid(
+        design, program, sizing, ideal, distance, [_design(design, "least volume", least)],
+        iterations=0, label="balanced",
+    )  # fmt: skip
+    if chosen is not None:
+        chosen.notes = (*chosen.notes, *_conditioning(found))
+    return chosen
+
+
+def _conditioning(found: Balanced) -> tuple[Note, ...]:
+    largest = max((abs(v) for s in found.sensitivities for v in s.on.values()), default=0.0)
+    if largest < LARGE_SENSITIVITY:
+        return ()
+    text = (
+        f"the balanced design is ill-conditioned: 1 % more demand moves a size by {largest:.1f} %"
+    )
+    return (Note("ill-conditioned", text),)
+
+
+def _on_grid(
+    design: DesignSpec,
+    program: SizingProgram,
+    sizing: SizingResult,
+    ideal: Blade,
+    merit: Signomial | Merit,
+    others: list[Design],
+    *,
+    iterations: int,
+    label: str,
+) -> _Choice:
+    """Return the choice as it can be made: on the grid where the spec has one."""
+    grids = design.size.rounding.grids()
+    designs = [_design(design, label, ideal), *others]
+    if not any(name in grids for name in program.names):
+        return _Choice(ideal, replace(sizing, designs=tuple(designs)), iterations=iterations)
+    centre = {name: float(getattr(ideal, name)) for name in program.names}
+    point = best_on_grid(design, program, grids, merit, centre)
+    if point is None:
+        note = Note("no-grid-point", "no feasible design was found on the manufacturing grid")
+        designed = replace(sizing, designs=tuple(designs))
+        return _Choice(ideal, designed, ideal, (note,), iterations, failed_grid=True)
+    blade = program.complete(point.x)
+    designs.append(_design(design, "on the grid", blade))
+    return _Choice(
+        blade,
+        replace(
+            sizing,
+            designs=tuple(designs),
+            remarks=(*sizing.remarks, _grid_remark(design, blade, ideal, point, merit)),
+        ),
+        ideal,
+        iterations=iterations,
+    )
+
+
+def _grid_remark(
+    design: DesignSpec, blade: Blade, ideal: Blade, point: GridPoint, merit: Signomial | Merit
+) -> str:
+    what = "nearest to the balanced design" if callable(merit) else "of the least objective"
+    price = float(design.geometry.volume(blade)) / float(design.geometry.volume(ideal)) - 1.0
+    sure = "proved" if point.proved else "best of those searched"
+    return (
+        f"grid: the feasible point {what} ({sure}, {point.judged} judged); "
+        f"it costs {price:+.1%} volume"
+    )
+
+
+def _design(design: DesignSpec, label: str, blade: Blade) -> Design:
+    h, l, b = (float(x) for x in blade)
+    return Design(label, h, l, b, float(design.geometry.volume(blade)))
+
+
+def _judged(design: DesignSpec, spec: str, chosen: _Choice) -> Result:
+    blade = Blade(*(float(x) for x in chosen.blade))
+    rows = assess.effects(design, blade)
+    found = assess.checks(design.limits(blade))
+    values = assess.values(design, blade)
+    for name in design.geometry.free:
+        values[name] = replace(values[name], model=f"sized, {MODEL}")
+        if chosen.ideal is not None:
+            ideal = float(getattr(chosen.ideal, name))
+            values[f"{name}_ideal"] = Value(
+                ideal, "m", f"{values[name].label} before rounding", f"sized, {MODEL}"
+            )
+    passed = all(check.passed for check in found)
+    status = Status.PASS if passed else Status.FAIL
+    return Result(
+        command="size",
+        spec=spec,
+        status=Status.INFEASIBLE if chosen.failed_grid else status,
+        title=design.title,
+        values=values,
+        checks=() if chosen.failed_grid else found,
+        effects=rows,
+        warnings=(*chosen.notes, *assess.warnings(design, blade, rows)),
+        cost=Cost(0.0, MODEL, max((r.estimate for r in rows), default=None), chosen.iterations),
+        sizing=chosen.sizing,
+    )
+
+
+def _infeasible(design: DesignSpec, spec: str, program: SizingProgram) -> Result:
+    conflict, sure = explain_conflict(program)
+    objective = design.size.objective
+    return Result(
+        command="size",
+        spec=spec,
+        status=Status.INFEASIBLE,
+        title=design.title,
+        cost=Cost(0.0, MODEL, None),
+        sizing=SizingResult(
+            objective=objective if isinstance(objective, str) else _spoken(objective.model_dump()),
+            certificate=sure,
+            conflict=conflict,
+        ),
+    )

@@ -1,0 +1,43 @@
+"""An effect that the closed forms leave out: its indicator, and what leaving it out may change."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+from flexcli.parts.geometries import Blade, Geometry
+from flexcli.parts.material import Material
+from flexcli.parts.scene import Scene
+from flexcli.results import EffectRow
+
+__all__ = ["Effect", "Setting"]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """The sized or given design that effects are estimated on."""
+
+    material: Material
+    geometry: Geometry
+    blade: Blade
+    scenes: tuple[Scene, ...]
+    hangs: bool
+
+    @property
+    def poisson_bound(self) -> float:
+        """Return Poisson's ratio, or ½, the most it can be, where the material gives none."""
+        given = self.material.poisson_ratio
+        return given.value if given is not None else 0.5
+
+    @property
+    def largest_travel(self) -> float:
+        """Return the largest travel of the joint in any case [rad or m]."""
+        return max((s.travel + s.mean_travel for s in self.scenes), default=0.0)
+
+
+class Effect(ABC):
+    """One effect; estimates are relative changes of the most affected reported number."""
+
+    name: str
+
+    @abstractmethod
+    def row(self, setting: Setting) -> EffectRow | None:
+        """Return the effect on this design, or nothing when the design can't have it."""

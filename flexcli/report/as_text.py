@@ -1,0 +1,181 @@
+"""Results as text for a terminal, with rich: margins first, then what explains them."""
+
+from collections.abc import Iterable, Sequence
+from math import isfinite
+
+from rich.console import Console, Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from flexcli.errors import Finding
+from flexcli.results import Check, Result, SizingResult, Status
+from flexcli.units import STANDARD_GRAVITY, show
+
+__all__ = ["findings_text", "print_findings", "print_result", "print_summary"]
+
+_STYLE = {
+    Status.PASS: "bold green",
+    Status.FAIL: "bold red",
+    Status.INFEASIBLE: "bold red",
+    Status.ERROR: "bold red",
+}
+
+
+def print_result(result: Result, console: Console) -> None:
+    """Print one result: heading, sizing, values, checks, effects, warnings, cost."""
+    console.print(_heading(result))
+    if result.sizing is not None:
+        console.print(_sizing(result.sizing))
+    if result.values:
+        console.print(_values(result))
+    if result.checks:
+        console.print(_checks(result.checks))
+    if result.sizing is not None and result.sizing.sensitivities:
+        console.print(_sensitivities(result.sizing))
+    if result.effects:
+        console.print(_effects(result))
+    for note in result.warnings:
+        console.print(Text.assemble(("warning ", "yellow"), f"{note.text} [{note.code}]"))
+    if result.cost is not None:
+        error = result.cost.estimated_error
+        estimate = f", estimated model error up to {error:.1%}" if error is not None else ""
+        console.print(
+            Text(f"{result.cost.model} model{estimate}; {result.cost.seconds * 1e3:.1f} ms", "dim")
+        )
+
+
+def _heading(result: Result) -> Text:
+    style = _STYLE[result.status]
+    title = f"  {result.title}" if result.title else ""
+    return Text.assemble(
+        (result.status.value.upper(), style), f"  {result.command} {result.spec}{title}"
+    )
+
+
+def _table(title: str, *columns: str, numbers: Iterable[int] = ()) -> Table:
+    table = Table(title=title, title_justify="left", title_style="bold", box=None, pad_edge=False)
+    for index, name in enumerate(columns):
+        right = index in set(numbers)
+        table.add_column(name, justify="right" if right else "left", no_wrap=right, overflow="fold")
+    return table
+
+
+def _values(result: Result) -> Table:
+    table = _table("Values", "name", "value", "what", numbers=[1])
+    for name, value in result.values.items():
+        shown = show(value.value, value.unit)
+        if value.unit == "m/s^2":
+            shown = f"{value.value / STANDARD_GRAVITY:.4g} g"
+        table.add_row(name, shown, value.label)
+    return table
+
+
+def _checks(checks: Sequence[Check]) -> Table:
+    table = _table(
+        "Margins", "", "check", "demand", "capacity", "factor", "required", "what is compared",
+        numbers=[2, 3, 4, 5],
+    )  # fmt: skip
+    for check in checks:
+        mark = Text("pass", "green") if check.passed else Text("FAIL", "bold red")
+        name = f"{check.name}, {check.case}" if check.case else check.name
+        table.add_row(
+            mark,
+            name,
+            show(check.demand, check.unit),
+            show(check.capacity, check.unit),
+            _number(check.factor),
+            _number(check.required),
+            check.quantity,
+        )
+    sources = Text("\n".join(dict.fromkeys(f"  {_label(c)}: {c.source}" for c in checks)), "dim")
+    return _stack(table, sources)
+
+
+def _stack(*parts: RenderableType) -> Table:
+    grid = Table.grid()
+    for part in parts:
+        grid.add_row(part)
+    return grid
+
+
+def _label(check: Check) -> str:
+    return f"{check.name}, {check.case}" if check.case else check.name
+
+
+def _number(value: float) -> str:
+    return f"{value:.4g}" if isfinite(value) else "∞"
+
+
+def _sizing(sizing: SizingResult) -> RenderableType:
+    parts: list[RenderableType] = [Text(f"objective: {sizing.objective} ({sizing.certificate})")]
+    if sizing.designs:
+        table = _table("Designs", "design", "h", "l", "b", "volume", numbers=[1, 2, 3, 4])
+        for d in sizing.designs:
+            table.add_row(
+                d.label,
+                *(show(size, "m", 5) for size in (d.h, d.l, d.b)),
+                show(d.volume, "m^3"),
+            )
+        parts.append(table)
+    if sizing.conflict:
+        table = _table("Conflict: these cannot all hold", "requirement", "what would do")
+        for relaxation in sizing.conflict:
+            table.add_row(relaxation.name, relaxation.text)
+        parts.append(table)
+    if sizing.active:
+        parts.append(Text("active: " + "; ".join(sizing.active)))
+    parts.extend(Text(remark) for remark in sizing.remarks)
+    return Group(*parts)
+
+
+def _sensitivities(sizing: SizingResult) -> Table:
+    names = list(sizing.sensitivities[0].on)
+    table = _table(
+        "What 1 % more demand changes", "constraint", "by", *names,
+        numbers=range(2, 2 + len(names)),
+    )  # fmt: skip
+    for row in sizing.sensitivities:
+        table.add_row(row.constraint, row.driver, *(f"{row.on[name]:+.3g} %" for name in names))
+    return table
+
+
+def _effects(result: Result) -> Table:
+    table = _table("Effects", "effect", "in the model", "may change results by", "why", numbers=[2])
+    for row in result.effects:
+        table.add_row(row.name, "yes" if row.on else "no", f"{row.estimate:.2%}", row.reason)
+    return table
+
+
+def print_summary(results: Sequence[Result], console: Console) -> None:
+    """Print one line per spec: its worst check, or what is wrong with it."""
+    table = _table("Summary", "", "spec", "worst margin", numbers=[2])
+    for result in results:
+        mark = Text(result.status.value, _STYLE[result.status])
+        worst = min(result.checks, key=lambda c: c.margin, default=None)
+        told = f"{len(result.findings)} findings" if result.findings else ""
+        if worst is not None:
+            told = f"{worst.margin:+.1%} {_label(worst)}"
+        table.add_row(mark, result.spec, told)
+    console.print(table)
+
+
+def findings_text(findings: Sequence[Finding]) -> str:
+    """Return findings as compilers print them: place, what, the line with a caret, a hint."""
+    blocks = []
+    for found in findings:
+        path = f" {found.path}:" if found.path else ""
+        rows = [f"{found.where}:{path} {found.text}"]
+        if found.source_line:
+            line = found.source_line.expandtabs(1)
+            start = max(0, found.column - 60)
+            rows.append("    " + line[start : start + 100])
+            rows.append("    " + " " * (found.column - 1 - start) + "^")
+        if found.hint:
+            rows.append(f"    {found.hint}")
+        blocks.append("\n".join(rows))
+    return "\n".join(blocks)
+
+
+def print_findings(findings: Sequence[Finding], console: Console) -> None:
+    """Print findings, wrapped by nothing so that editors can follow them."""
+    console.print(Text(findings_text(findings)), soft_wrap=True)

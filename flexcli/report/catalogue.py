@@ -1,0 +1,81 @@
+"""The shipped materials as a list, or one with the source of every number."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from flexcli import __version__
+from flexcli.report.as_json import FORMAT
+from flexcli.results import Property
+from flexcli.units import show
+
+__all__ = ["document", "print_list", "print_one"]
+
+_LISTED = ("youngs_modulus", "yield_strength", "tensile_strength", "fatigue_amplitude")
+
+
+def document(
+    command: str, titles: Mapping[str, str], rows: Mapping[str, Sequence[Property]]
+) -> dict[str, Any]:
+    """Return materials as JSON content, numbers in SI."""
+    return {
+        "flexure": FORMAT,
+        "command": command,
+        "version": __version__,
+        "status": "pass",
+        "materials": {
+            name: {
+                "name": titles[name],
+                "properties": {
+                    row.name: {
+                        "value": row.value,
+                        "unit": row.unit,
+                        "detail": row.detail,
+                        "status": row.status,
+                        "source": row.source,
+                    }
+                    for row in properties
+                },
+            }
+            for name, properties in rows.items()
+        },
+    }
+
+
+def print_list(
+    titles: Mapping[str, str], rows: Mapping[str, Sequence[Property]], console: Console
+) -> None:
+    """Print one line per material: stiffness and strengths; a blank is a value nobody gave."""
+    table = Table(box=None, pad_edge=False)
+    table.add_column("name", no_wrap=True)
+    for title in ("E", "R_p0.2", "R_m", "fatigue amplitude"):
+        table.add_column(title, justify="right")
+    table.add_column("material")
+    for name, properties in rows.items():
+        known = {row.name: row for row in properties}
+        cells = [_cell(known[field]) if field in known else "" for field in _LISTED]
+        table.add_row(name, *cells, titles[name])
+    console.print(table)
+
+
+def _cell(row: Property) -> str:
+    mark = "?" if row.status == "placeholder" else ""
+    return show(row.value, row.unit) + mark
+
+
+def print_one(title: str, note: str, properties: Sequence[Property], console: Console) -> None:
+    """Print every number of a material with its status and source."""
+    console.print(Text(title, "bold"))
+    if note:
+        console.print(Text(note))
+    table = Table(box=None, pad_edge=False)
+    table.add_column("property", no_wrap=True)
+    table.add_column("value", justify="right", no_wrap=True)
+    for column in ("", "status", "source"):
+        table.add_column(column, overflow="fold")
+    for row in properties:
+        table.add_row(row.name, show(row.value, row.unit), row.detail, row.status, row.source)
+    console.print(table)
