@@ -6,7 +6,7 @@ from itertools import product
 
 from flexcli.engine.optimum import optimum
 from flexcli.engine.program import SizingProgram
-from flexcli.numerics.geometric_program import log_value
+from flexcli.numerics.lexicographic import log_value
 from flexcli.numerics.ratios import Equality, Ratio, Settled
 from flexcli.numerics.signomial import Signomial
 from flexcli.numerics.square_system import solve_square

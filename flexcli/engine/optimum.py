@@ -4,8 +4,9 @@ from collections.abc import Mapping, Sequence
 
 from flexcli.engine.program import SizingProgram
 from flexcli.errors import SolveError
-from flexcli.numerics.geometric_program import Outcome, Solution, minimize_lexicographic
+from flexcli.numerics.geometric_program import Outcome, Solution
 from flexcli.numerics.infeasibility import conflict
+from flexcli.numerics.lexicographic import minimize_lexicographic
 from flexcli.numerics.ratios import Equality, Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, variables
 from flexcli.results import Relaxation, Sensitivity

@@ -1,6 +1,5 @@
 """Euler buckling of a blade for the ways in which its ends can be held."""
 
-# ruff: noqa: E741 - l is the field's symbol for the length of a blade
 from math import pi
 
 from flexcli.formulas.quantity import Quantity
@@ -17,7 +16,7 @@ EFFECTIVE_LENGTH = {
 """Effective length over length, by what holds the two ends (Timoshenko & Gere 1961, §2.1)."""
 
 
-def euler_load(*, E: Quantity, I: Quantity, l: Quantity, ends: str) -> Quantity:  # noqa: E741
+def euler_load(*, E: Quantity, I: Quantity, l: Quantity, ends: str) -> Quantity:
     """Return the critical axial force of a straight blade.
 
     ``N_cr = π² E I / (μ l)²`` with the effective length μ l of how its ends are held.

@@ -5,7 +5,6 @@
 small rotation of slender blades (h ≪ l, shear and axial extension left out).
 """
 
-# ruff: noqa: E741 - l is the field's symbol for the length of a blade
 from math import atan2, cos, hypot, sin
 
 from flexcli.formulas.quantity import Quantity

@@ -1,6 +1,5 @@
 """Parallel leaf-spring stage: n equal parallel blades, clamped at both ends, that swing."""
 
-# ruff: noqa: E741 - l is the field's symbol for the length of a blade
 from flexcli.formulas.quantity import Quantity
 
 __all__ = ["end_stress", "shortening", "translational_stiffness"]

@@ -51,9 +51,9 @@ def print_list(
     """Print one line per material: stiffness and strengths; a blank is a value nobody gave."""
     table = Table(box=None, pad_edge=False)
     table.add_column("name", no_wrap=True)
-    for title in ("E", "R_p0.2", "R_m", "fatigue amplitude"):
-        table.add_column(title, justify="right")
-    table.add_column("material")
+    for title in ("E", "R_p0.2", "R_m", "fatigue"):
+        table.add_column(title, justify="right", no_wrap=True)
+    table.add_column("material", overflow="ellipsis", no_wrap=True)
     for name, properties in rows.items():
         known = {row.name: row for row in properties}
         cells = [_cell(known[field]) if field in known else "" for field in _LISTED]
