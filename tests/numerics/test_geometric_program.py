@@ -20,7 +20,7 @@ ONE = as_signomial(1.0)
 E, SIGMA, S, THETA, P, F = 114e9, 500e6, 2.5, 0.0205, 2e-3, 640.84
 
 
-def pivot_rows(h, l, b, theta=THETA): - the field's symbol
+def pivot_rows(h, l, b, theta=THETA):
     """The pivot's ratios, as closures over floats, arrays or signomials."""
     return {
         "fatigue": S * E * h * theta * (2 / l + 3 * P / l**2) / SIGMA,
@@ -30,7 +30,7 @@ def pivot_rows(h, l, b, theta=THETA): - the field's symbol
 
 
 def pivot(theta=THETA):
-    h, l, b = variables("h", "l", "b") - the field's symbol
+    h, l, b = variables("h", "l", "b")
     rows = [Ratio(name, value, ONE) for name, value in pivot_rows(h, l, b, theta).items()]
     return h * l * b, rows, ("h", "l", "b")
 
@@ -126,7 +126,7 @@ def test_units_do_not_change_the_design(units):
     volume, rows, names = pivot()
     scaled = [u * v for u, v in zip(units, variables(*names), strict=True)]
     rescaled = [Ratio(n, value, ONE) for n, value in pivot_rows(*scaled).items()]
-    h, l, b = scaled - the field's symbol
+    h, l, b = scaled
     found, reference = minimize(h * l * b, rescaled, [], names), minimize(volume, rows, [], names)
     for unit, name in zip(units, names, strict=True):
         assert unit * found.x[name] == pytest.approx(reference.x[name], rel=1e-9)
@@ -227,7 +227,7 @@ def test_a_curved_equality_is_met_by_newton():
     assert found.certificate == "local"
 
 
-def negative_p_rows(h, l, b, p=-4e-3): - the field's symbol
+def negative_p_rows(h, l, b, p=-4e-3):
     """Fatigue at both ends with both signs: (name, demand, capacity)."""
     bound = SIGMA / (S * E * THETA)
     for name, curvature in (("clamp", 2 / l + 3 * p / l**2), ("free", 1 / l + 3 * p / l**2)):
@@ -239,7 +239,7 @@ def negative_p_rows(h, l, b, p=-4e-3): - the field's symbol
 
 @pytest.mark.parametrize(("low", "high"), [(1e-3, 7.9e-3), (8.1e-3, 0.1)])
 def test_condensation_agrees_with_a_dense_scan_on_both_branches(low, high):
-    h, l, b = variables("h", "l", "b") - the field's symbol
+    h, l, b = variables("h", "l", "b")
     rows = [at_most(*row) for row in negative_p_rows(h, l, b)]
     rows += [at_most("shortest", low, l), at_most("longest", l, high), at_most("thin", h, 2e-3)]
     found = minimize(h * l * b, rows, [], ("h", "l", "b"))

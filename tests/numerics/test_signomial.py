@@ -14,7 +14,7 @@ ROUNDING = 1e-13  # a few dozen roundings of sums and products of order one
 E = 114e9
 
 
-def stiffness(E, h, l, b, p): - the field's symbol
+def stiffness(E, h, l, b, p):
     return 8 * E * b * h**3 / 12 / l * (1 + 3 * (p / l) + 3 * (p / l) ** 2)
 
 
@@ -22,7 +22,7 @@ positive = st.floats(0.1, 10.0)
 
 
 def test_a_formula_runs_unchanged_over_floats_arrays_and_signomials():
-    h, l, b, p = variables("h", "l", "b", "p") - the field's symbol
+    h, l, b, p = variables("h", "l", "b", "p")
     formula = stiffness(E, h, l, b, p)
     point = {"h": 6e-4, "l": 0.0174, "b": 3.6e-3, "p": 2e-3}
     assert formula.at(**point) == pytest.approx(stiffness(E, **point), rel=ROUNDING)

@@ -15,7 +15,7 @@ E, SIGMA, S, THETA, P, F = 114e9, 500e6, 2.5, 0.0205, 2e-3, 640.84
 
 
 def pivot(theta=THETA, factors=(1.0, 1.0, 1.0)):
-    h, l, b = variables("h", "l", "b") - the field's symbol
+    h, l, b = variables("h", "l", "b")
     rows = (
         S * E * h * theta * (2 / l + 3 * P / l**2) / SIGMA,
         S * F * 3 * l**2 / (math.sqrt(2) * math.pi**2 * E * b * h**3),
