@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation, localcontext
 from functools import cache
-from math import isfinite
+from math import inf
 
 __all__ = ["DIMENSIONS", "Dimension", "QuantityError", "parse_quantity", "show", "written"]
 
@@ -30,7 +30,11 @@ class Dimension:
     si: str
     example: str
     units: dict[str, str]
-    prefixes: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def unit(self) -> str:
+        """Return the unit of the example."""
+        return self.example.partition(" ")[2]
 
 
 class QuantityError(ValueError):
@@ -93,11 +97,21 @@ DIMENSIONS = _dimensions(
     Dimension("ratio", "", "2.5", {"": "1", "%": "1e-2"}),
 )
 
-_NUMBER = re.compile(
-    r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*", re.ASCII | re.DOTALL
-)
-_UNIT = re.compile(r"[A-Za-z0-9*/^().% -]{0,40}")
-_SPELLING = str.maketrans({"µ": "u", "μ": "u", "·": "*", "×": "*", "⋅": "*", "²": "^2", "³": "^3", "°": "deg"})  # fmt: skip
+MAX_LENGTH = 80
+SMALLEST, LARGEST = 1e-30, 1e30
+"""What SI values may be: beyond it, h³ and its like leave the range of a float."""
+
+_NUMBER = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.ASCII)
+_DECIMAL_COMMA = re.compile(r"\s*[+-]?\d+,\d", re.ASCII)
+_UNIT = re.compile(r"(?:[A-Za-z_]+|%|\^-?[1-9](?!\d)|(?<![A-Za-z\d])1(?= ?/)|[*/() ]){0,20}")
+_SPELLING = str.maketrans({
+    "µ": "u", "μ": "u", "·": "*", "×": "*", "⋅": "*", "²": "^2", "³": "^3", "°": "deg",
+    "\N{MINUS SIGN}": "-", "\N{NO-BREAK SPACE}": " ", "\N{NARROW NO-BREAK SPACE}": " ",
+    "\N{THIN SPACE}": " ",
+})  # fmt: skip
+_BARE_POWER = re.compile(r"(?<=[A-Za-z)])(?=[23](?![\d.]))")
+_SLIPS = {"mPa": "MPa", "Mm": "mm"}
+"""Units that exist, a billion times off what is meant in this field."""
 
 _PINT_DEFINITIONS = """
 nano- = 1e-9 = n-
@@ -153,37 +167,47 @@ def parse_quantity(text: str, dimension: str) -> float:
 
     """
     expected = DIMENSIONS[dimension]
-    match = _NUMBER.fullmatch(text[:200])
+    example = f"write e.g. {expected.example}"
+    if len(text) > MAX_LENGTH:
+        raise QuantityError(f"'{text[:20]}…' is too long for a {dimension}", example)
+    if _DECIMAL_COMMA.match(text):
+        raise QuantityError(f"'{text}' has a comma", f"write {text.replace(',', '.')}")
+    match = _NUMBER.fullmatch(text.translate(_SPELLING))
     if match is None:
-        raise QuantityError(
-            f"'{text[:60]}' is not a number with a unit", f"write e.g. {expected.example}"
-        )
+        raise QuantityError(f"'{text}' is not a number with a unit", example)
     number, unit = match.groups()
-    unit = unit.translate(_SPELLING).replace("**", "^")
     if not unit and dimension != "ratio":
         raise QuantityError(
-            f"'{text}' has no unit",
-            f"a {dimension} needs a unit, e.g. {number} {_likely(expected)}",
+            f"'{text}' has no unit", f"a {dimension} needs a unit, e.g. {number} {expected.unit}"
         )
-    if not _UNIT.fullmatch(unit):
-        raise QuantityError(f"'{unit[:40]}' is not a unit", f"write e.g. {expected.example}")
-    factor = expected.units.get(unit.replace(" ", "")) or _factor_by_pint(unit, dimension)
-    with localcontext() as context:
-        context.prec = 40
-        value = float(Decimal(number) * Decimal(factor))
-    if not isfinite(value) or (value == 0.0 and Decimal(number) != 0):
-        raise QuantityError(
-            f"'{text}' is beyond any physical size", f"write e.g. {expected.example}"
-        )
+    factor = _factor(unit, expected)
+    try:
+        with localcontext() as context:
+            context.prec = 40
+            value = float(Decimal(number) * Decimal(factor))
+    except ArithmeticError:  # an exponent of more digits than decimals have
+        value = inf
+    if abs(value) > LARGEST or (abs(value) < SMALLEST and Decimal(number) != 0):
+        raise QuantityError(f"'{text}' is beyond any physical size", example)
     return value
 
 
-def _likely(expected: Dimension) -> str:
-    return expected.example.split(" ", 1)[-1]
+def _factor(unit: str, expected: Dimension) -> str:
+    """Return the factor to SI of a unit as it is written."""
+    plain = _BARE_POWER.sub("^", unit.replace("**", "^"))
+    plain = re.sub(r" *([*/^()]) *", r"\1", plain)
+    everyday = expected.units.get(plain)
+    if everyday is not None:
+        return everyday
+    if plain in _SLIPS:
+        raise QuantityError(f"'{unit}' is hardly meant", f"did you mean {_SLIPS[plain]}?")
+    if not _UNIT.fullmatch(plain):
+        raise QuantityError(f"'{unit}' is not a unit", f"write e.g. {expected.example}")
+    return _factor_by_pint(plain, unit, expected.name)
 
 
 @cache
-def _factor_by_pint(unit: str, dimension: str) -> str:
+def _factor_by_pint(unit: str, as_written: str, dimension: str) -> str:
     """Return the factor to SI of a unit that the everyday table does not hold."""
     import pint  # a quarter of a second: only for units that are not everyday ones
 
@@ -198,11 +222,15 @@ def _factor_by_pint(unit: str, dimension: str) -> str:
         target = registry.parse_units(expected.si or "dimensionless")
         factor = registry.Quantity(Decimal(1), parsed).to(target).magnitude
     except pint.DimensionalityError:
-        raise QuantityError(f"'{unit}' does not measure a {dimension}", hint) from None
+        raise QuantityError(f"'{as_written}' does not measure a {dimension}", hint) from None
     except (pint.PintError, ValueError, TypeError, AttributeError, InvalidOperation, SyntaxError,
             ArithmeticError, KeyError, AssertionError):  # fmt: skip
         # Pint's parser ends in many ways on text that is no unit
-        raise QuantityError(f"'{unit}' is not a known unit", hint) from None
+        spellings = {known.casefold(): known for known in expected.units}
+        meant = spellings.get(unit.casefold())
+        if meant is not None:
+            hint = f"did you mean {meant}?"
+        raise QuantityError(f"'{as_written}' is not a known unit", hint) from None
     return str(factor)
 
 
@@ -239,6 +267,8 @@ def show(value: float, unit: str, digits: int = 4) -> str:
     for name_next, factor_next in scales[1:]:
         if abs(value) >= 0.9995 * factor_next:
             name, factor = name_next, factor_next
+    if value == 0.0:
+        name, factor = unit, 1.0
     number = f"{value / factor:.{digits}g}"
     if "e" in number and abs(value / factor) < 1e7:
         number = f"{value / factor:.0f}"

@@ -7,8 +7,10 @@ from numpy.typing import NDArray
 
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import EFFECTS, Setting
-from flexcli.parts.geometries import Blade
+from flexcli.parts.geometries import Blade, NotAvailable
+from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements import Limit
+from flexcli.parts.scene import Scene
 from flexcli.results import Check, EffectRow, Note, Value
 
 __all__ = ["ROUNDING", "checks", "effects", "factor", "factors", "values", "warnings"]
@@ -131,7 +133,27 @@ def values(design: DesignSpec, blade: Blade) -> dict[str, Value]:
     )
     if design.mechanism is not None:
         found.update(design.mechanism.values(stiffness, geometry))
+        for name in design.cases:
+            found.update(_sag(design, blade, design.scene(name)))
     return found
+
+
+def _sag(design: DesignSpec, blade: Blade, scene: Scene) -> dict[str, Value]:
+    """Return sag and stiffness along a steady acceleration, where there is a closed form."""
+    if scene.acceleration == 0.0 or design.mechanism is None:
+        return {}
+    try:
+        stiffness = float(design.geometry.sag_stiffness(design.material.E, blade, scene.axis))
+        weight = design.mechanism.hanging_mass() * scene.acceleration
+    except (NotAvailable, MechanismError):
+        return {}
+    source = design.geometry.source
+    return {
+        f"k_{scene.axis}": Value(stiffness, "N/m", f"stiffness along {scene.axis}", source=source),
+        f"sag_{scene.axis}": Value(
+            weight / stiffness, "m", f"sag along {scene.axis}", source="m a / K"
+        ),
+    }
 
 
 def effects(design: DesignSpec, blade: Blade) -> tuple[EffectRow, ...]:

@@ -1,6 +1,9 @@
 """The best continuous design: an optimum with its certificate, or why there is none."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from math import log, log1p
+from typing import TypeVar
 
 from flexcli.engine.program import SizingProgram
 from flexcli.errors import SolveError
@@ -62,42 +65,48 @@ def certificate(solution: Solution, program: SizingProgram) -> str:
 
 
 def sensitivities(
-    program: SizingProgram,
-    objectives: Sequence[Signomial],
-    constraints: Sequence[Ratio | Settled],
-    equalities: Sequence[Equality],
-    solution: Solution,
+    program: SizingProgram, objectives: Sequence[Signomial], solution: Solution
 ) -> tuple[Sensitivity, ...]:
-    """Return what 1 % more demand in each active row does to the objective and dimensions."""
+    """Return what 1 % more demand in each active row does to the objective and dimensions.
+
+    A bound tightens by 1 %, a target grows by 1 %.
+    """
     found = []
-    for name in solution.active:
-        row = program.rows.get(name)
-        if row is None:
+    for name in (*solution.active, *(row.name for row in program.equalities)):
+        if name not in program.rows:
             continue
-        logs = []
-        for scale in (1.0 + STEP, 1.0 / (1.0 + STEP)):
-            changed = [_scaled(c, scale) if c.name == name else c for c in constraints]
-            logs.append(optimum(program, objectives, changed, equalities, [solution.x]))
-        high, low = logs
+        row = program.rows[name]
+        high, low = (
+            optimum(
+                program,
+                objectives,
+                [_scaled(c, scale) if c.name == name else c for c in program.constraints],
+                [_scaled(e, 1.0 / scale) if e.name == name else e for e in program.equalities],
+                [solution.x],
+            )
+            for scale in (1.0 + STEP, 1.0 / (1.0 + STEP))
+        )
         if not (high.converged and low.converged):
             continue
-        on = {"objective": _slope(high.objective, low.objective)}
-        on |= {n: _slope(high.x[n], low.x[n]) for n in program.names}
-        driver = row.limit.driver if row.limit is not None else ""
-        found.append(Sensitivity(row.name, driver or "bound", on))
+        power = row.limit.power if row.limit is not None else 1
+        on = {"objective": power * _slope(high.objective, low.objective)}
+        on |= {n: power * _slope(high.x[n], low.x[n]) for n in program.names}
+        found.append(Sensitivity(row.name, row.driver, on))
     return tuple(found)
 
 
 def _slope(high: float, low: float) -> float:
-    from math import log, log1p
-
+    """Return d ln(value) / d ln(scale of the row) from both sides of the optimum."""
     return log(high / low) / (2.0 * log1p(STEP))
 
 
-def _scaled(row: Ratio | Settled, scale: float) -> Ratio | Settled:
+RowKind = TypeVar("RowKind", Ratio | Settled, Equality)
+
+
+def _scaled(row: RowKind, scale: float) -> RowKind:
     if isinstance(row, Settled):
         return row
-    return Ratio(row.name, row.numerator * scale, row.denominator)
+    return replace(row, numerator=row.numerator * scale)
 
 
 def explain_conflict(program: SizingProgram) -> tuple[tuple[Relaxation, ...], str]:

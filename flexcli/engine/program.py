@@ -21,6 +21,13 @@ class Row:
     limit: Limit | None = None
     bound: float = 0.0
 
+    @property
+    def driver(self) -> str:
+        """Return what the demand of the row grows with."""
+        if self.limit is None:
+            return "bound"
+        return self.limit.driver or ("target" if self.limit.tolerance is not None else "bound")
+
     def relaxed(self, ratio: float) -> str:
         """Return what would do if this row alone gave way by a factor > 1 on its utilisation."""
         limit = self.limit

@@ -28,6 +28,8 @@ from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Va
 
 __all__ = ["size"]
 
+LABELS = {"h": "thickness", "l": "length", "b": "width"}
+
 LARGE_SENSITIVITY = 3.0
 """Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
 
@@ -116,9 +118,7 @@ def _choose_optimum(
         objective=name,
         certificate=certificate(solution, program),
         active=tuple(program.rows[a].name for a in solution.active if a in program.rows),
-        sensitivities=sensitivities(
-            program, objectives, program.constraints, program.equalities, solution
-        ),
+        sensitivities=sensitivities(program, objectives, solution),
         remarks=tuple(remarks),
     )
     others = []
@@ -245,14 +245,8 @@ def _judged(design: DesignSpec, spec: str, chosen: _Choice) -> Result:
     blade = Blade(*(float(x) for x in chosen.blade))
     rows = assess.effects(design, blade)
     found = assess.checks(design.limits(blade))
-    values = assess.values(design, blade)
-    for name in design.geometry.free:
-        values[name] = replace(values[name], model=f"sized, {MODEL}")
-        if chosen.ideal is not None:
-            ideal = float(getattr(chosen.ideal, name))
-            values[f"{name}_ideal"] = Value(
-                ideal, "m", f"{values[name].label} before rounding", f"sized, {MODEL}"
-            )
+    sized = _sized_values(design, chosen)
+    values = {**sized, **assess.values(design, blade), **sized}  # sized ones first, and kept
     passed = all(check.passed for check in found)
     status = Status.PASS if passed else Status.FAIL
     return Result(
@@ -267,6 +261,26 @@ def _judged(design: DesignSpec, spec: str, chosen: _Choice) -> Result:
         cost=Cost(0.0, MODEL, max((r.estimate for r in rows), default=None), chosen.iterations),
         sizing=chosen.sizing,
     )
+
+
+def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
+    """Return the chosen dimensions, and what they were before rounding."""
+    model = f"sized, {MODEL}"
+    found = {
+        name: Value(float(getattr(chosen.blade, name)), "m", f"blade {LABELS[name]}", model)
+        for name in design.geometry.free
+    }
+    if chosen.ideal is not None:
+        found |= {
+            f"{name}_ideal": Value(
+                float(getattr(chosen.ideal, name)),
+                "m",
+                f"blade {LABELS[name]} before rounding",
+                model,
+            )
+            for name in design.geometry.free
+        }
+    return found
 
 
 def _infeasible(design: DesignSpec, spec: str, program: SizingProgram) -> Result:

@@ -291,18 +291,13 @@ def clip_profile(
             f"{upper if upper is not None else f[-1]:g} Hz"
         )
     keep = (f >= low) & (f <= high)
-    before = [low] if not (f == low).any() else []
-    after = [high] if not (f == high).any() and high > low else []
-    return (
-        np.concatenate([before, f[keep], after]),
-        np.concatenate(
-            [
-                spectral_level(before, f, g, scale=scale),
-                g[keep],
-                spectral_level(after, f, g, scale=scale),
-            ]
-        ),
-    )
+    ends = [end for end in (low, high) if not (f == end).any()]
+    if not ends:
+        return f[keep], g[keep]
+    cut = np.concatenate([f[keep], ends])
+    order = np.argsort(cut, kind="stable")
+    levels = np.concatenate([g[keep], spectral_level(ends, f, g, scale=scale)])
+    return cut[order], levels[order]
 
 
 def _growth(x: Floats) -> Floats:

@@ -36,7 +36,9 @@ __all__ = [
 class Part(BaseModel):
     """A frozen, validated piece of a spec that refuses keys it does not know."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", arbitrary_types_allowed=True, defer_build=True
+    )
 
 
 def spec_error(text: str, hint: str = "", at: tuple[str | int, ...] = ()) -> PydanticCustomError:

@@ -131,7 +131,7 @@ def _sizing(sizing: SizingResult) -> RenderableType:
 def _sensitivities(sizing: SizingResult) -> Table:
     names = list(sizing.sensitivities[0].on)
     table = _table(
-        "What 1 % more demand changes", "constraint", "by", *names,
+        "What 1 % more of a demand changes", "constraint", "by", *names,
         numbers=range(2, 2 + len(names)),
     )  # fmt: skip
     for row in sizing.sensitivities:

@@ -3,19 +3,20 @@
 YAML 1.1 as PyYAML reads it turns ``no`` into false, ``010`` into 8, ``1:30`` into 90, leaves
 ``1e-3`` a text and lets the last of two equal keys win. Here scalars follow the core schema of
 YAML 1.2 and equal keys are findings. A spec may come from a stranger's pull request, so size,
-depth and the expansion of aliases are bounded before anything is built.
+depth and the expansion of aliases are bounded while it is read, and tags build nothing.
 """
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple, NoReturn
 
 import yaml
 
 from flexcli.errors import Finding, SpecError
 
-__all__ = ["Document", "Position", "finding_at", "read_document"]
+__all__ = ["Document", "Position", "finding_at", "parse_document", "read_document"]
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 40
@@ -29,6 +30,12 @@ _FALSE = re.compile(r"false|False|FALSE")
 _INT = re.compile(r"[-+]?[0-9]{1,300}")
 _FLOAT = re.compile(r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?")
 _SPECIAL_FLOAT = re.compile(r"[-+]?\.(?:inf|Inf|INF)|\.(?:nan|NaN|NAN)")
+
+_LINE_BREAK = re.compile("\r\n|[\n\r\x85\u2028\u2029]")
+_NOT_TEXT = re.compile(
+    "[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]"
+)
+"""What YAML does not allow in a file, and a byte order mark in its middle."""
 
 
 @dataclass(frozen=True)
@@ -58,12 +65,13 @@ class Position:
 
 @dataclass(frozen=True)
 class Document:
-    """The plain values of a YAML file, its positions and its lines."""
+    """The plain values of a YAML file, its positions and lines, and what is wrong so far."""
 
     file: str
     value: Any
     position: Position
     lines: dict[str, list[str]]
+    findings: tuple[Finding, ...] = ()
 
 
 def finding_at(
@@ -80,113 +88,140 @@ def finding_at(
     column = position.key_column if at_key else position.column
     rows = lines.get(position.file, [])
     source = rows[line - 1] if 0 < line <= len(rows) else ""
-    return Finding(position.file, text, hint, path, line, column, source)
+    return Finding(
+        position.file,
+        _printable(text),
+        _printable(hint),
+        _printable(path),
+        line,
+        column,
+        _printable(source),
+    )
+
+
+def _printable(text: str) -> str:
+    """Return a text that cannot steer a terminal; each character keeps its column."""
+    if text.isprintable():
+        return text
+    return "".join(
+        c if c.isprintable() else " " if c.isspace() else "\N{REPLACEMENT CHARACTER}" for c in text
+    )
 
 
 def read_document(path: Path, name: str | None = None) -> Document:
-    """Read a YAML file, or raise :class:`SpecError` with what is wrong with it."""
+    """Read a YAML file, or raise :class:`SpecError` when it cannot be read as one."""
     file = name or str(path)
     try:
         if not path.is_file():
-            reason = "is a folder" if path.is_dir() else "there is no such file"
-            raise SpecError([Finding(file, reason, "give the path of a YAML file")])
+            raise SpecError([_not_a_file(path, file)])
         with path.open("rb") as stream:
             raw = stream.read(MAX_BYTES + 1)
     except OSError as error:
         raise SpecError([Finding(file, f"cannot be read: {error.strerror}")]) from error
     if len(raw) > MAX_BYTES:
-        raise SpecError([Finding(file, f"is larger than {MAX_BYTES} bytes, too large for a spec")])
+        text = f"is larger than {MAX_BYTES} bytes, too large for a spec"
+        raise SpecError([Finding(file, text, "give the path of a spec")])
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        line = raw[: error.start].count(b"\n") + 1
-        raise SpecError(
-            [Finding(file, "is not UTF-8 text", "save it as UTF-8", line=line, column=1)]
-        ) from error
-    return parse_document(text, file)
-
-
-def parse_document(text: str, file: str) -> Document:
-    """Parse YAML text into a :class:`Document`, or raise :class:`SpecError`."""
-    lines = {file: text.splitlines()}
-    builder = _Builder(file, lines)
-    try:
-        _bound_nesting(text, file)
-        node = yaml.compose(text, Loader=_SafeLoader)
-        if node is None:
-            raise SpecError([Finding(file, "is empty", "a spec starts with 'flexure: 1'")])
-        value, position = builder.build(node, "", None)
-    except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        line, column = (mark.line + 1, mark.column + 1) if mark else (0, 0)
-        rows = lines[file]
-        source = rows[line - 1] if 0 < line <= len(rows) else ""
-        context = f" ({error.context})" if error.context else ""
+        lines = raw[: error.start].decode("utf-8", errors="replace").split("\n")
         raise SpecError(
             [
                 Finding(
                     file,
-                    f"is not valid YAML: {error.problem}{context}",
-                    "",
-                    "",
-                    line,
-                    column,
-                    source,
+                    "is not UTF-8 text",
+                    "save it as UTF-8",
+                    line=len(lines),
+                    column=len(lines[-1]) + 1,
+                    source_line=_printable(lines[-1]),
                 )
             ]
         ) from error
-    except yaml.YAMLError as error:
-        raise SpecError([Finding(file, f"is not valid YAML: {error}")]) from error
-    if builder.findings:
-        raise SpecError(builder.findings)
-    return Document(file, value, position, lines)
+    return parse_document(text, file)
 
 
-def _bound_nesting(text: str, file: str) -> None:
-    """Refuse deep nesting before the recursive composer meets it."""
-    depth = 0
-    for event in yaml.parse(text, Loader=_SafeLoader):
-        if isinstance(event, yaml.CollectionStartEvent):
-            depth += 1
-            if depth > MAX_DEPTH:
-                mark = event.start_mark
-                raise SpecError(
-                    [
-                        Finding(
-                            file,
-                            f"is nested deeper than {MAX_DEPTH} levels",
-                            line=mark.line + 1,
-                            column=mark.column + 1,
-                        )
-                    ]
-                )
-        elif isinstance(event, yaml.CollectionEndEvent):
-            depth -= 1
+def _not_a_file(path: Path, file: str) -> Finding:
+    if path.is_dir():
+        return Finding(file, "is a folder, not a file", "give the path of a YAML file in it")
+    if path.is_symlink():
+        return Finding(file, "is a link that leads to no file", "give the path of a YAML file")
+    if path.exists():
+        return Finding(file, "is a device, not a file", "give the path of a YAML file")
+    return Finding(file, "there is no such file", "give the path of a YAML file")
 
 
-class _Builder:
-    """Builds values and positions from composed nodes, collecting findings on the way."""
+def parse_document(text: str, file: str) -> Document:
+    """Parse YAML text into a :class:`Document`, or raise :class:`SpecError` if it is not YAML.
 
-    def __init__(self, file: str, lines: dict[str, list[str]]) -> None:
+    Mistakes that leave the rest of the text readable, such as equal keys, stay in the document
+    beside its values, so that one pass reports them together with what is wrong in the values.
+    """
+    return _Reader(text, file).document()
+
+
+class _Node(NamedTuple):
+    """A value, its positions, and its size and height, by which aliases to it are bounded."""
+
+    value: Any
+    position: Position
+    size: int
+    height: int
+
+
+class _Reader:
+    """Builds values and positions from the events of the parser, collecting findings."""
+
+    def __init__(self, text: str, file: str) -> None:
+        self.text = text
         self.file = file
-        self.lines = lines
+        self.lines = {file: _LINE_BREAK.split(text)}
+        self.events: Iterator[Any] = yaml.parse(text, Loader=_SafeLoader)
         self.findings: list[Finding] = []
-        self.nodes = 0
+        self.anchors: dict[str, _Node | None] = {}
+        self.brackets: list[Any] = []
+        self.size = 0
         self.depth = 0
 
-    def build(self, node: yaml.Node, path: str, key: yaml.Node | None) -> tuple[Any, Position]:
-        """Return the plain value of a node and its position tree."""
-        self.depth += 1
+    def document(self) -> Document:
+        """Return the one document of the text."""
+        strange = _NOT_TEXT.search(self.text)
+        if strange is not None:
+            before = _LINE_BREAK.split(self.text[: strange.start()])
+            place = self._position(len(before) - 1, len(before[-1]))
+            text = f"the character U+{ord(strange.group()):04X} has no place in a text"
+            self._give_up(place, "", text, "delete it")
         try:
-            return self._build(node, path, key)
-        finally:
-            self.depth -= 1
+            next(self.events)  # the start of the stream
+            if isinstance(next(self.events), yaml.StreamEndEvent):
+                self._give_up(self._position(0, 0), "", "is empty", "start it with flexure: 1")
+            node = self._node(next(self.events), "", None)
+            next(self.events)  # the end of the document
+            event = next(self.events)
+            if not isinstance(event, yaml.StreamEndEvent):
+                place = self._at(event.start_mark)
+                self._give_up(place, "", "a second document starts here", "keep one in a file")
+        except yaml.YAMLError as error:
+            self._not_yaml(error)
+        return Document(self.file, node.value, node.position, self.lines, tuple(self.findings))
 
-    def _build(self, node: yaml.Node, path: str, key: yaml.Node | None) -> tuple[Any, Position]:
-        self.nodes += 1
-        mark, key_mark = node.start_mark, (key or node).start_mark
+    def _position(self, line: int, column: int) -> Position:
+        return Position(self.file, line + 1, column + 1, line + 1, column + 1)
+
+    def _at(self, mark: Any) -> Position:
+        return self._position(mark.line, mark.column)
+
+    def _find(self, place: Position, path: str, text: str, hint: str) -> None:
+        self.findings.append(finding_at(place, self.lines, path, text, hint))
+
+    def _give_up(self, place: Position, path: str, text: str, hint: str) -> NoReturn:
+        self._find(place, path, text, hint)
+        raise SpecError(self.findings)
+
+    def _node(self, event: Any, path: str, key: Any) -> _Node:
+        """Return the node that starts with an event, reading on to its end."""
+        mark, key_mark = event.start_mark, (key or event).start_mark
         children: dict[str | int, Position] = {}
-        position = Position(
+        place = Position(
             self.file,
             mark.line + 1,
             mark.column + 1,
@@ -194,58 +229,164 @@ class _Builder:
             key_mark.column + 1,
             children,
         )
-        if self.nodes > MAX_NODES or self.depth > MAX_DEPTH:  # aliases grow without end
-            text = "unfolds, by its aliases, to more than a spec may hold"
-            raise SpecError([finding_at(position, self.lines, path, text, "write it out")])
-        if not node.tag.startswith("tag:yaml.org,2002:") or node.tag.count("/"):
-            text = f"the tag '{node.tag}' is not allowed"
-            self.findings.append(finding_at(position, self.lines, path, text, "remove it"))
-            return None, position
-        if isinstance(node, yaml.MappingNode):
-            return self._mapping(node, path, children), position
-        if isinstance(node, yaml.SequenceNode):
-            items = []
-            for index, item in enumerate(node.value):
-                value, child = self.build(item, f"{path}[{index}]", None)
-                items.append(value)
-                children[index] = child
-            return items, position
-        return _scalar(node), position
+        if isinstance(event, yaml.AliasEvent):
+            return self._alias(event, path, place)
+        before = self.size
+        self._grow(1, 1, path, place)
+        if event.anchor is not None:
+            self.anchors[event.anchor] = None
+        if event.tag is not None:
+            text = f"the tag '{event.tag}' is not allowed: a spec holds plain values"
+            self._find(place, path, text, "take the tag out")
+        value, height = None, 0
+        if isinstance(event, yaml.ScalarEvent):
+            value = _scalar(event) if event.tag is None else None
+        else:
+            value, height = self._collection(event, path, children)
+        node = _Node(value, place, self.size - before, height + 1)
+        if event.anchor is not None:
+            self.anchors[event.anchor] = node
+        return node
+
+    def _alias(self, event: Any, path: str, place: Position) -> _Node:
+        node = self.anchors.get(event.anchor)
+        if node is None:
+            inside = event.anchor in self.anchors
+            why = "stands inside what it names" if inside else "names nothing above it"
+            self._find(place, path, f"the alias '*{event.anchor}' {why}", "write the value out")
+            return _Node(None, place, 1, 1)
+        self._grow(node.size, node.height, path, place)
+        place.children.update(node.position.children)
+        return node._replace(position=place)
+
+    def _grow(self, size: int, height: int, path: str, place: Position) -> None:
+        """Count nodes and levels, aliases unfolded, and refuse what no spec needs."""
+        self.size += size
+        if self.depth + height > MAX_DEPTH:
+            text = f"is nested deeper than {MAX_DEPTH} levels"
+            self._give_up(place, path, text, "no spec is that deep")
+        if self.size > MAX_NODES:
+            text = f"holds more than {MAX_NODES} values, aliases unfolded"
+            self._give_up(place, path, text, "no spec is that long")
+
+    def _collection(
+        self, event: Any, path: str, children: dict[str | int, Position]
+    ) -> tuple[Any, int]:
+        self.depth += 1
+        if event.flow_style:
+            self.brackets.append(event.start_mark)
+        is_mapping = isinstance(event, yaml.MappingStartEvent)
+        built = (self._mapping if is_mapping else self._sequence)(path, children)
+        if event.flow_style:
+            self.brackets.pop()
+        self.depth -= 1
+        return built
+
+    def _sequence(self, path: str, children: dict[str | int, Position]) -> tuple[list[Any], int]:
+        items: list[Any] = []
+        height = 0
+        while not isinstance(event := next(self.events), yaml.SequenceEndEvent):
+            index = len(items)
+            node = self._node(event, f"{path}[{index}]", None)
+            items.append(node.value)
+            children[index] = node.position
+            height = max(height, node.height)
+        return items, height
 
     def _mapping(
-        self, node: yaml.MappingNode, path: str, children: dict[str | int, Position]
-    ) -> dict[str, Any]:
+        self, path: str, children: dict[str | int, Position]
+    ) -> tuple[dict[str, Any], int]:
         mapping: dict[str, Any] = {}
-        for key_node, value_node in node.value:
-            key = key_node.value if isinstance(key_node, yaml.ScalarNode) else None
-            mark = key_node.start_mark
-            at = Position(self.file, mark.line + 1, mark.column + 1, mark.line + 1, mark.column + 1)
-            if not isinstance(key, str) or key == "<<":
-                self.findings.append(
-                    finding_at(at, self.lines, path, "this key is not a plain name", "use a name")
-                )
+        height = 0
+        while not isinstance(event := next(self.events), yaml.MappingEndEvent):
+            key = self._key(event, path)
+            inner = path if key is None else f"{path}.{key}" if path else key
+            known = len(self.findings)
+            node = self._node(next(self.events), inner, event)
+            height = max(height, node.height)
+            if key is None:
                 continue
-            inner = f"{path}.{key}" if path else key
             if key in mapping:
-                first = children[key]
-                self.findings.append(
-                    finding_at(
-                        at,
-                        self.lines,
-                        inner,
-                        f"'{key}' is given twice; the first is on line {first.key_line}",
-                        "keep one of them",
-                    )
-                )
+                first = children[key].key_line
+                text = f"'{key}' is given twice; the first is on line {first}"
+                self._find(self._at(event.start_mark), inner, text, "keep one of them")
                 continue
-            mapping[key], children[key] = self.build(value_node, inner, key_node)
-        return mapping
+            mapping[key], children[key] = node.value, node.position
+            if node.value is None and len(self.findings) == known:
+                text = f"'{key}' has no value"
+                self._find(
+                    self._at(event.start_mark), inner, text, "give it one, or take the key out"
+                )
+        return mapping, height
+
+    def _key(self, event: Any, path: str) -> str | None:
+        """Return the name that a key is, or nothing, with a finding, when it is something else."""
+        place = self._at(event.start_mark)
+        if not isinstance(event, yaml.ScalarEvent) or event.tag is not None:
+            self._find(place, path, "this key is not a plain name", "write 'name: value'")
+            if not isinstance(event, yaml.ScalarEvent):
+                self._node(event, path, None)
+            return None
+        self._grow(1, 1, path, place)
+        if event.value == "<<":
+            self._find(place, path, "merge keys are not allowed", "write the keys out")
+            return None
+        if event.anchor is not None:
+            self.anchors[event.anchor] = _Node(event.value, place, 1, 1)
+        return str(event.value)
+
+    def _not_yaml(self, error: yaml.YAMLError) -> NoReturn:
+        """Raise what broke the syntax, and the findings before it."""
+        if not isinstance(error, yaml.MarkedYAMLError):
+            self._give_up(self._position(0, 0), "", f"is not valid YAML: {error}", "")
+        words = f"{error.context} {error.problem}"
+        mark: Any = error.problem_mark or error.context_mark
+        start: Any = error.context_mark or mark
+        if self.brackets and "flow" in words:
+            start = self.brackets[-1]
+        rule = next((rule for rule in _SYNTAX if rule.words in words), None)
+        text, hint = (rule.text, rule.hint) if rule else (f"is not valid YAML: {words}", "")
+        if rule and rule.unclosed:
+            if rule.words == "flow" and start.line == mark.line and mark.index < len(self.text):
+                text, hint = "a comma or a closing bracket is missing here", "add it"
+            else:
+                mark = start
+        row = self.lines[self.file][mark.line]
+        if "\t" in row[: mark.column + 1]:
+            hint = "indent with spaces, not with tabs"
+        self._give_up(self._at(mark), "", text, hint)
 
 
-def _scalar(node: yaml.Node) -> Any:
+class _SyntaxRule(NamedTuple):
+    """Words of the parser on why it stopped, ours, and whether the fault is where it began."""
+
+    words: str
+    text: str
+    hint: str
+    unclosed: bool = False
+
+
+_SYNTAX = (
+    _SyntaxRule("flow", "this bracket is never closed", "close it", unclosed=True),
+    _SyntaxRule("unknown escape", "an unknown escape in a quoted text", "use single quotes"),
+    _SyntaxRule("quoted scalar", "this quote is never closed", "close it", unclosed=True),
+    _SyntaxRule("simple key", "this line lacks its ':'", "write 'key: value'", unclosed=True),
+    _SyntaxRule("cannot start any token", "a value cannot start like this", "put it in quotes"),
+    _SyntaxRule(
+        "mapping values are not allowed",
+        "a ':' has no place here",
+        "align the key with those above, or put a text with ': ' in quotes",
+    ),
+    _SyntaxRule("block mapping", "does not fit the lines above", "align it with the keys above"),
+    _SyntaxRule("block collection", "does not fit the list above", "align it with its dashes"),
+)
+"""The first rule that fits wins; the words are common to both of PyYAML's parsers."""
+
+
+def _scalar(event: Any) -> Any:
     """Return the value of a scalar by the core schema of YAML 1.2."""
-    text: str = node.value
-    if node.style in ("'", '"', "|", ">"):
+    text: str = event.value
+    if event.style in ("'", '"', "|", ">"):
         return text
     if _NULL.fullmatch(text):
         return None

@@ -1,0 +1,72 @@
+"""Time the worst case of a 20-point profile: closed form, dense grid, exact response.
+
+Run by hand: python tests/benchmarks/asd_worst_case.py
+Ratios are of this run, on this machine.
+"""
+
+from time import perf_counter
+
+import numpy as np
+
+from flexcli.formulas.random_vibration import (
+    miles,
+    miles_worst_case,
+    oscillator_response,
+)
+from flexcli.formulas.spectrum import rms, spectral_level
+
+Q = 100.0
+GRIDS = (1_000, 10_000, 100_000, 1_000_000)
+
+
+def profile(points=20, seed=7):
+    """Give a profile of irregular slopes from 20 to 2000 Hz."""
+    generator = np.random.default_rng(seed)
+    inner = np.sort(20 * 100 ** generator.random(points - 2))
+    return np.concatenate([[20], inner, [2000]]), 10 ** generator.uniform(-3, 0, points)
+
+
+def seconds(call, repeats=20):
+    """Give the least time of several calls, and the last result."""
+    times = []
+    for _ in range(repeats):
+        begin = perf_counter()
+        result = call()
+        times.append(perf_counter() - begin)
+    return min(times), result
+
+
+def main():
+    """Print the table."""
+    f, g = profile()
+    time, worst = seconds(lambda: miles_worst_case(f, g, Q))
+    print(f"profile of {f.size} points, {rms(f, g):.3f} rms, Q = {Q:g}\n")
+    print(f"{'worst case of Miles':34s} {'time [µs]':>10s} {'ratio':>8s} {'error':>10s}")
+    print(f"{'closed form':34s} {1e6 * time:10.1f} {1:8.1f} {0:10.1e}")
+    for count in GRIDS:
+        asked = np.geomspace(20, 2000, count)
+        grid_time, found = seconds(
+            lambda asked=asked: miles(asked, Q, spectral_level(asked, f, g)).max(), 3
+        )
+        error = float(found / worst.response - 1)
+        name = f"grid of {count:,} frequencies"
+        print(f"{name:34s} {1e6 * grid_time:10.1f} {grid_time / time:8.1f} {error:10.1e}")
+
+    print(f"\n{'exact response':34s} {'time [ms]':>10s} {'µs each':>8s} {'/ Miles':>10s}")
+    for quality in (0.5, 10.0, Q, 1e6):
+        for count in (1, 1_000):
+            fn = np.array([worst.frequency]) if count == 1 else np.geomspace(5, 8000, count)
+            time, exact = seconds(
+                lambda fn=fn, quality=quality: oscillator_response(f, g, fn, quality), 5
+            )
+            at = int(np.argmin(np.abs(fn - worst.frequency)))
+            near = float(
+                exact.pseudo_acceleration[at]
+                / miles(fn[at], quality, spectral_level(fn[at], f, g, side="upper"))
+            )
+            name = f"Q = {quality:g}, {count:,} oscillators"
+            print(f"{name:34s} {1e3 * time:10.3f} {1e6 * time / count:8.1f} {near:10.3f}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,79 @@
+"""Every example is run as a user runs it, and its source's printed numbers come out."""
+
+import json
+from decimal import Decimal
+from pathlib import Path
+
+import pytest
+import yaml
+from typer.testing import CliRunner
+
+from flexcli.cli.app import app
+from flexcli.units import DIMENSIONS, parse_quantity
+
+ROOT = Path(__file__).parents[2] / "examples"
+EXAMPLES = sorted(path.parent for path in ROOT.glob("*/expected.yaml"))
+
+DIMENSION_OF = {
+    "m": "length",
+    "rad": "angle",
+    "m/s^2": "acceleration",
+    "kg": "mass",
+    "N": "force",
+    "Hz": "frequency",
+    "N/m": "stiffness",
+    "N*m/rad": "rotational stiffness",
+    "": "ratio",
+}
+
+
+def run(folder, expected):
+    arguments = [*expected["command"].split(), str(folder / "flexure.yaml"), "--format", "json"]
+    result = CliRunner().invoke(app, arguments)
+    assert result.exit_code == expected.get("exit_code", 0), result.output
+    return json.loads(result.stdout)
+
+
+def found(document, path):
+    kind, name, *attribute = path.split(".")
+    if kind == "values":
+        return document["values"][name]["value"], document["values"][name]["unit"]
+    (check,) = (c for c in document["checks"] if c["name"] == name)
+    return check[attribute[0]], ""
+
+
+def half_digit(printed, decimals):
+    """Return the number as printed, its unit, and half a unit of its last printed digit."""
+    number, _, unit = str(printed).partition(" ")
+    exponent = -Decimal(number).as_tuple().exponent if decimals is None else decimals
+    return Decimal(number), unit, Decimal(5) * Decimal(10) ** (-exponent - 1)
+
+
+def cases():
+    for folder in EXAMPLES:
+        expected = yaml.safe_load((folder / "expected.yaml").read_text())
+        for row in expected["printed"]:
+            yield pytest.param(folder, expected, row, id=f"{folder.name}-{row['of']}")
+
+
+RESULTS = {}
+
+
+@pytest.mark.parametrize(("folder", "expected", "row"), list(cases()))
+def test_prints_the_number_of_its_source(folder, expected, row):
+    document = RESULTS.setdefault(folder, None) or run(folder, expected)
+    RESULTS[folder] = document
+    value, unit = found(document, row["of"])
+    number, printed_unit, tolerance = half_digit(row["printed"], row.get("decimals"))
+    scale = parse_quantity(f"1 {printed_unit}", DIMENSION_OF[unit]) if printed_unit else 1.0
+    assert abs(Decimal(value / scale) - number) <= tolerance
+
+
+@pytest.mark.parametrize("folder", sorted(p.parent for p in ROOT.glob("*/README.md")), ids=str)
+def test_every_example_has_expected_numbers(folder):
+    assert folder in EXAMPLES
+    assert (folder / "flexure.yaml").is_file()
+
+
+def test_the_units_of_expected_numbers_are_known():
+    assert {DIMENSIONS[d].si for d in DIMENSION_OF.values()} == set(DIMENSION_OF)

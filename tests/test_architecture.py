@@ -1,0 +1,112 @@
+"""The layers hold: which package may import which, no cycles, no printing below the report."""
+
+import ast
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+import flexcli
+
+ROOT = Path(flexcli.__file__).parent
+
+BASE = {"errors", "units", "results"}
+"""L0: what everything may import."""
+
+LAYERS = {
+    "errors": set(),
+    "units": {"errors"},
+    "results": {"errors"},
+    "formulas": BASE | {"numerics"},
+    "numerics": BASE,
+    "parts": BASE | {"formulas", "numerics"},
+    "spec": BASE | {"parts"},
+    "engine": BASE | {"formulas", "numerics", "parts"},
+    "report": BASE,
+    "cli": BASE | {"parts", "spec", "engine", "report"},
+}
+"""What each package may import, besides itself (the table of the design, layer by layer)."""
+
+PRINTERS = {"rich", "typer", "logging"}
+
+
+def modules():
+    return sorted(ROOT.rglob("*.py"))
+
+
+def name_of(path):
+    parts = path.relative_to(ROOT.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def imports_of(path):
+    """Yield every module that a file imports, inside functions too."""
+    known = {name_of(p) for p in modules()}
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: relative import"
+            inner = [f"{node.module}.{alias.name}" for alias in node.names]
+            yield from (name if name in known else node.module for name in inner)
+
+
+def package_of(module):
+    return module.split(".")[1] if module.count(".") else ""
+
+
+@pytest.mark.parametrize("path", modules(), ids=name_of)
+def test_imports_only_what_its_layer_may(path):
+    own = package_of(name_of(path))
+    for module in imports_of(path):
+        other = package_of(module)
+        if module.startswith("flexcli") and other not in ("", own):
+            assert other in LAYERS[own], f"{name_of(path)} imports {module}"
+
+
+def test_every_package_has_a_layer():
+    found = {package_of(name_of(p)) for p in modules()} - {""}
+    assert found == set(LAYERS)
+
+
+def test_there_is_no_import_cycle():
+    graph = {
+        name_of(p): {m for m in imports_of(p) if m.startswith("flexcli.")} - {name_of(p)}
+        for p in modules()
+    }
+    # a package's __init__ gathers its modules; what they import of the package is not a cycle
+    packages = {name_of(p) for p in modules() if p.name == "__init__.py"}
+    for name in packages:
+        graph[name] = {m for m in graph[name] if not m.startswith(f"{name}.")}
+    try:
+        order = list(TopologicalSorter(graph).static_order())
+    except CycleError as error:
+        pytest.fail(f"import cycle: {error.args[1]}")
+    assert set(order) >= set(graph)
+
+
+@pytest.mark.parametrize("path", modules(), ids=name_of)
+def test_nothing_prints_below_the_report(path):
+    if package_of(name_of(path)) in ("report", "cli"):
+        return
+    tree = ast.parse(path.read_text())
+    calls = [n.func.id for n in ast.walk(tree) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)]  # fmt: skip
+    assert "print" not in calls
+    assert not {m.split(".")[0] for m in imports_of(path)} & PRINTERS
+
+
+def test_the_command_line_imports_nothing_heavy_at_its_top():
+    heavy = {"numpy", "scipy", "pint", "yaml", "pydantic", "rich"}
+    for path in (ROOT / "cli").glob("*.py"):
+        tree = ast.parse(path.read_text())
+        top = {
+            alias.name.split(".")[0]
+            for node in tree.body
+            if isinstance(node, ast.Import)
+            for alias in node.names
+        } | {
+            (node.module or "").split(".")[0]
+            for node in tree.body
+            if isinstance(node, ast.ImportFrom)
+        }
+        assert not top & heavy, path.name
