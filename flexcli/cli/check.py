@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from flexcli.cli.common import DEFAULT_SPEC, Format, FormatOption, attempt, finish
+from flexcli.errors import Finding, SpecError
 from flexcli.results import Result
 
 __all__ = ["NAME", "run"]
@@ -33,5 +34,8 @@ def _check(path: Path) -> Result:
     from flexcli.spec.given import given_blade
     from flexcli.spec.load import load_design
 
+    if path.is_dir():
+        hint = "a design has flexure, material, geometry, cases and requirements"
+        raise SpecError([Finding(str(path), "there is no design in this folder", hint)])
     design, document = load_design(path)
     return check(design, given_blade(design, document), str(path))

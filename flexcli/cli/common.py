@@ -4,6 +4,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from enum import Enum
+from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -98,10 +99,16 @@ def write_text(body: Callable[["Console"], None], stream: Any = None) -> None:
     from rich.console import Console
 
     stream = stream or sys.stdout
-    console = Console(file=stream, highlight=False)
-    with console.capture() as captured:
-        body(console)
-    _write(captured.get(), stream)
+    reader = Console(file=stream)
+    whole = Console(
+        file=StringIO(),
+        width=reader.width,
+        force_terminal=reader.is_terminal,
+        no_color=reader.no_color,
+        highlight=False,
+    )
+    body(whole)
+    _write(whole.file.getvalue(), stream)  # type: ignore[attr-defined]
 
 
 def write_json(content: Any) -> None:

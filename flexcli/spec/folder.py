@@ -14,16 +14,16 @@ def designs_in(paths: Iterable[Path]) -> list[Path]:
     """Return files as they are and, of folders, the designs below them, sorted.
 
     A file of a folder that holds another kind of spec, or no spec at all, is passed over; one
-    that cannot be read stays in, so that its findings are reported.
+    that cannot be read stays in, so that its findings are reported, and so does a folder without
+    a design.
     """
     found: dict[Path, None] = {}
     for path in paths:
         if not path.is_dir():
             found[path] = None
             continue
-        for file in sorted([*path.rglob("*.yaml"), *path.rglob("*.yml")]):
-            if _may_be_design(file):
-                found[file] = None
+        files = sorted([*path.rglob("*.yaml"), *path.rglob("*.yml")])
+        found |= dict.fromkeys([file for file in files if _may_be_design(file)] or [path])
     return list(found)
 
 
