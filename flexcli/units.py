@@ -8,11 +8,19 @@ holds the table against Pint.
 
 import re
 from dataclasses import dataclass
-from decimal import Decimal, InvalidOperation, localcontext
+from decimal import Context, Decimal, localcontext
 from functools import cache
 from math import inf
 
-__all__ = ["DIMENSIONS", "Dimension", "QuantityError", "parse_quantity", "show", "written"]
+__all__ = [
+    "DIMENSIONS",
+    "Dimension",
+    "QuantityError",
+    "parse_quantity",
+    "show",
+    "written",
+    "written_in",
+]
 
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of free fall [m/s²] (3rd CGPM, 1901)."""
@@ -30,6 +38,12 @@ class Dimension:
     si: str
     example: str
     units: dict[str, str]
+
+    @property
+    def named(self) -> str:
+        """Return the name with its article."""
+        name = self.name if self.si else "plain number"
+        return f"an {name}" if name[0] in "aei" else f"a {name}"
 
     @property
     def unit(self) -> str:
@@ -94,6 +108,8 @@ DIMENSIONS = _dimensions(
         "rotational stiffness", "N*m/rad", "15 N*m/rad", {"N*m/rad": "1", "N*mm/rad": "1e-3"}
     ),
     Dimension("expansion", "1/K", "8.6e-6 1/K", {"1/K": "1", "ppm/K": "1e-6"}),
+    Dimension("decibel", "dB", "3 dB", {"dB": "1"}),
+    Dimension("slope", "dB/oct", "6 dB/oct", {"dB/oct": "1", "dB/octave": "1"}),
     Dimension("ratio", "", "2.5", {"": "1", "%": "1e-2"}),
 )
 
@@ -103,13 +119,16 @@ SMALLEST, LARGEST = 1e-30, 1e30
 
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", re.ASCII)
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d+,\d", re.ASCII)
-_UNIT = re.compile(r"(?:[A-Za-z_]+|%|\^-?[1-9](?!\d)|(?<![A-Za-z\d])1(?= ?/)|[*/() ]){0,20}")
+_FACTOR = r"(?:[A-Za-z]++|%)(?:\^-?[1-9](?!\d))?"
+_GROUP = rf"(?:\({_FACTOR}(?:[*/ ]{_FACTOR})*\)(?:\^-?[1-9](?!\d))?|{_FACTOR})"
+_UNIT = re.compile(rf"(?:1/)?{_GROUP}(?:[*/ ]{_GROUP})*")
 _SPELLING = str.maketrans({
     "µ": "u", "μ": "u", "·": "*", "×": "*", "⋅": "*", "²": "^2", "³": "^3", "°": "deg",
     "\N{MINUS SIGN}": "-", "\N{NO-BREAK SPACE}": " ", "\N{NARROW NO-BREAK SPACE}": " ",
     "\N{THIN SPACE}": " ",
 })  # fmt: skip
 _BARE_POWER = re.compile(r"(?<=[A-Za-z)])(?=[23](?![\d.]))")
+_TORQUE = re.compile(r"(?<![A-Za-z])(m?N)(mm?)(?![A-Za-z])")
 _SLIPS = {"mPa": "MPa", "Mm": "mm"}
 """Units that exist, a billion times off what is meant in this field."""
 
@@ -146,6 +165,8 @@ pound = 0.45359237 kilogram = lb
 pound_force = pound * standard_gravity = lbf
 psi = pound_force / inch ** 2
 ksi = 1000 psi
+decibel = [level] = dB
+octave = [interval] = oct
 """
 
 
@@ -169,18 +190,24 @@ def parse_quantity(text: str, dimension: str) -> float:
     expected = DIMENSIONS[dimension]
     example = f"write e.g. {expected.example}"
     if len(text) > MAX_LENGTH:
-        raise QuantityError(f"'{text[:20]}…' is too long for a {dimension}", example)
+        raise QuantityError(f"'{text[:20]}…' is too long for {expected.named}", example)
     if _DECIMAL_COMMA.match(text):
         raise QuantityError(f"'{text}' has a comma", f"write {text.replace(',', '.')}")
     match = _NUMBER.fullmatch(text.translate(_SPELLING))
     if match is None:
-        raise QuantityError(f"'{text}' is not a number with a unit", example)
+        expectation = "a number with a unit" if expected.si else expected.named
+        raise QuantityError(f"'{text}' is not {expectation}", example)
     number, unit = match.groups()
     if not unit and dimension != "ratio":
         raise QuantityError(
-            f"'{text}' has no unit", f"a {dimension} needs a unit, e.g. {number} {expected.unit}"
+            f"'{text}' has no unit", f"{expected.named} needs a unit, e.g. {number} {expected.unit}"
         )
-    factor = _factor(unit, expected)
+    try:
+        factor = _factor(unit, expected)
+    except QuantityError as error:
+        if expected.si:
+            raise
+        raise QuantityError(f"'{text}' is not {expected.named}", example) from error
     try:
         with localcontext() as context:
             context.prec = 40
@@ -195,7 +222,9 @@ def parse_quantity(text: str, dimension: str) -> float:
 def _factor(unit: str, expected: Dimension) -> str:
     """Return the factor to SI of a unit as it is written."""
     plain = _BARE_POWER.sub("^", unit.replace("**", "^"))
-    plain = re.sub(r" *([*/^()]) *", r"\1", plain)
+    plain = _TORQUE.sub(r"\1*\2", re.sub(r" *([*/^()]) *", r"\1", plain))
+    if plain.startswith("/"):
+        plain = f"1{plain}"
     everyday = expected.units.get(plain)
     if everyday is not None:
         return everyday
@@ -212,7 +241,8 @@ def _factor_by_pint(unit: str, as_written: str, dimension: str) -> str:
     import pint  # a quarter of a second: only for units that are not everyday ones
 
     expected = DIMENSIONS[dimension]
-    hint = f"a {dimension} is written e.g. {expected.example}"
+    units = ", ".join(filter(None, expected.units))
+    hint = f"{expected.named} is written e.g. {expected.example} (units: {units})"
     registry = _registry()
     spelled = unit.replace("%", "percent")
     if "acceleration" in dimension:
@@ -222,10 +252,8 @@ def _factor_by_pint(unit: str, as_written: str, dimension: str) -> str:
         target = registry.parse_units(expected.si or "dimensionless")
         factor = registry.Quantity(Decimal(1), parsed).to(target).magnitude
     except pint.DimensionalityError:
-        raise QuantityError(f"'{as_written}' does not measure a {dimension}", hint) from None
-    except (pint.PintError, ValueError, TypeError, AttributeError, InvalidOperation, SyntaxError,
-            ArithmeticError, KeyError, AssertionError):  # fmt: skip
-        # Pint's parser ends in many ways on text that is no unit
+        raise QuantityError(f"'{as_written}' does not measure {expected.named}", hint) from None
+    except (pint.PintError, ArithmeticError, ValueError):  # the last for names such as "nan"
         spellings = {known.casefold(): known for known in expected.units}
         meant = spellings.get(unit.casefold())
         if meant is not None:
@@ -239,7 +267,9 @@ def _registry() -> "pint.UnitRegistry[Decimal]":  # type: ignore[name-defined]  
     """Return a Pint registry of only the units we accept (its full one is 30 times slower)."""
     import pint
 
-    registry = pint.UnitRegistry(None, non_int_type=Decimal, cache_folder=None)
+    registry: pint.UnitRegistry[Decimal] = pint.UnitRegistry(
+        None, non_int_type=Decimal, cache_folder=None
+    )
     registry.load_definitions(_PINT_DEFINITIONS.strip().splitlines())
     return registry
 
@@ -268,11 +298,21 @@ def show(value: float, unit: str, digits: int = 4) -> str:
         if abs(value) >= 0.9995 * factor_next:
             name, factor = name_next, factor_next
     if value == 0.0:
-        name, factor = unit, 1.0
+        return "0 " + next((scale for scale, size in scales if size == 1.0), name)
     number = f"{value / factor:.{digits}g}"
-    if "e" in number and abs(value / factor) < 1e7:
+    if "e" in number and 1.0 <= abs(value / factor) < 1e7:
         number = f"{value / factor:.0f}"
     return f"{number} {name}"
+
+
+def written_in(unit: str, value: float, dimension: str) -> str:
+    """Return an SI value in a unit of its dimension, with the fewest digits that give it back."""
+    with localcontext() as context:
+        context.prec = 40
+        exact = Decimal(value) / Decimal(DIMENSIONS[dimension].units[unit])
+    rounded = (Context(prec=digits).create_decimal(exact).normalize() for digits in range(1, 20))
+    texts = (f"{d:f} {unit}" if -4 <= d.adjusted() < 7 else f"{d} {unit}" for d in rounded)
+    return next(text for text in texts if parse_quantity(text, dimension) == value)
 
 
 def written(value: float, dimension: str) -> str:

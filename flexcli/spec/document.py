@@ -21,6 +21,8 @@ __all__ = ["Document", "Position", "finding_at", "parse_document", "read_documen
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 40
 MAX_NODES = 50_000
+MAX_FINDINGS = 100
+MAX_SHOWN = 500
 
 _SafeLoader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -33,7 +35,7 @@ _SPECIAL_FLOAT = re.compile(r"[-+]?\.(?:inf|Inf|INF)|\.(?:nan|NaN|NAN)")
 
 _LINE_BREAK = re.compile("\r\n|[\n\r\x85\u2028\u2029]")
 _NOT_TEXT = re.compile(
-    "[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]"
+    "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufeff\ufffe\uffff]"
 )
 """What YAML does not allow in a file, and a byte order mark in its middle."""
 
@@ -88,6 +90,8 @@ def finding_at(
     column = position.key_column if at_key else position.column
     rows = lines.get(position.file, [])
     source = rows[line - 1] if 0 < line <= len(rows) else ""
+    if len(source) > MAX_SHOWN:
+        source = ""
     return Finding(
         position.file,
         _printable(text),
@@ -117,7 +121,8 @@ def read_document(path: Path, name: str | None = None) -> Document:
         with path.open("rb") as stream:
             raw = stream.read(MAX_BYTES + 1)
     except OSError as error:
-        raise SpecError([Finding(file, f"cannot be read: {error.strerror}")]) from error
+        text = f"cannot be read: {error.strerror}"
+        raise SpecError([Finding(file, text, "give the path of a YAML file")]) from error
     if len(raw) > MAX_BYTES:
         text = f"is larger than {MAX_BYTES} bytes, too large for a spec"
         raise SpecError([Finding(file, text, "give the path of a spec")])
@@ -212,6 +217,9 @@ class _Reader:
 
     def _find(self, place: Position, path: str, text: str, hint: str) -> None:
         self.findings.append(finding_at(place, self.lines, path, text, hint))
+        if len(self.findings) == MAX_FINDINGS:
+            more = Finding(self.file, "the rest is not read", "mend the findings above first")
+            raise SpecError([*self.findings, more])
 
     def _give_up(self, place: Position, path: str, text: str, hint: str) -> NoReturn:
         self._find(place, path, text, hint)
@@ -232,11 +240,12 @@ class _Reader:
         if isinstance(event, yaml.AliasEvent):
             return self._alias(event, path, place)
         before = self.size
-        self._grow(1, 1, path, place)
+        self._grow(1, 1, place)
         if event.anchor is not None:
             self.anchors[event.anchor] = None
         if event.tag is not None:
-            text = f"the tag '{event.tag}' is not allowed: a spec holds plain values"
+            tag = event.tag.replace("tag:yaml.org,2002:", "!!")
+            text = f"the tag '{tag}' is not allowed: a spec holds plain values"
             self._find(place, path, text, "take the tag out")
         value, height = None, 0
         if isinstance(event, yaml.ScalarEvent):
@@ -255,19 +264,19 @@ class _Reader:
             why = "stands inside what it names" if inside else "names nothing above it"
             self._find(place, path, f"the alias '*{event.anchor}' {why}", "write the value out")
             return _Node(None, place, 1, 1)
-        self._grow(node.size, node.height, path, place)
+        self._grow(node.size, node.height, place)
         place.children.update(node.position.children)
         return node._replace(position=place)
 
-    def _grow(self, size: int, height: int, path: str, place: Position) -> None:
+    def _grow(self, size: int, height: int, place: Position) -> None:
         """Count nodes and levels, aliases unfolded, and refuse what no spec needs."""
         self.size += size
         if self.depth + height > MAX_DEPTH:
             text = f"is nested deeper than {MAX_DEPTH} levels"
-            self._give_up(place, path, text, "no spec is that deep")
+            self._give_up(place, "", text, "no spec is that deep")
         if self.size > MAX_NODES:
             text = f"holds more than {MAX_NODES} values, aliases unfolded"
-            self._give_up(place, path, text, "no spec is that long")
+            self._give_up(place, "", text, "no spec is that long")
 
     def _collection(
         self, event: Any, path: str, children: dict[str | int, Position]
@@ -327,7 +336,7 @@ class _Reader:
             if not isinstance(event, yaml.ScalarEvent):
                 self._node(event, path, None)
             return None
-        self._grow(1, 1, path, place)
+        self._grow(1, 1, place)
         if event.value == "<<":
             self._find(place, path, "merge keys are not allowed", "write the keys out")
             return None
@@ -338,22 +347,26 @@ class _Reader:
     def _not_yaml(self, error: yaml.YAMLError) -> NoReturn:
         """Raise what broke the syntax, and the findings before it."""
         if not isinstance(error, yaml.MarkedYAMLError):
-            self._give_up(self._position(0, 0), "", f"is not valid YAML: {error}", "")
-        words = f"{error.context} {error.problem}"
+            self._give_up(
+                self._position(0, 0), "", f"is not valid YAML: {error}", "save it as UTF-8 text"
+            )
+        words = " ".join(filter(None, (error.context, error.problem)))
         mark: Any = error.problem_mark or error.context_mark
         start: Any = error.context_mark or mark
         if self.brackets and "flow" in words:
             start = self.brackets[-1]
         rule = next((rule for rule in _SYNTAX if rule.words in words), None)
-        text, hint = (rule.text, rule.hint) if rule else (f"is not valid YAML: {words}", "")
+        text, hint = f"is not valid YAML: {words}", "check indentation, brackets and quotes"
+        if rule:
+            text, hint = rule.text, rule.hint
         if rule and rule.unclosed:
             if rule.words == "flow" and start.line == mark.line and mark.index < len(self.text):
                 text, hint = "a comma or a closing bracket is missing here", "add it"
             else:
                 mark = start
         row = self.lines[self.file][mark.line]
-        if "\t" in row[: mark.column + 1]:
-            hint = "indent with spaces, not with tabs"
+        if "\t" in row[: len(row) - len(row.lstrip())]:
+            text, hint = "a tab in the indentation", "indent with spaces"
         self._give_up(self._at(mark), "", text, hint)
 
 

@@ -2,37 +2,46 @@
 
 from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
+from functools import cache
+from itertools import takewhile
 from types import UnionType
-from typing import Annotated, Any, Literal, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
 from flexcli.errors import Finding
-from flexcli.spec.document import Position, finding_at
+from flexcli.parts.base import Part, QuantityOf, said
+from flexcli.spec.document import MAX_FINDINGS, Document, finding_at
+from flexcli.units import DIMENSIONS
 
 __all__ = ["findings_of", "nearest", "path_text"]
 
+Path = tuple[str | int, ...]
+
 _EXPECTED = {
-    "string_type": ("a text is expected here", "write it in quotes if it looks like a number"),
-    "int_type": ("a whole number is expected here", ""),
-    "int_from_float": ("a whole number is expected here", ""),
-    "list_type": ("a list is expected here", "write [first, second]"),
-    "tuple_type": ("a list is expected here", "write [first, second]"),
-    "dict_type": ("a mapping is expected here", "write 'name: value' lines below the key"),
-    "model_type": ("a mapping is expected here", "write 'key: value' lines below the key"),
-    "model_attributes_type": ("a mapping is expected here", "write 'key: value' lines below it"),
-    "none_required": ("nothing can be given here", "take the key out"),
+    "string_type": ("a text", "write it in quotes if it looks like a number"),
+    "int_type": ("a whole number", "write e.g. 4"),
+    "list_type": ("a list", "write [first, second]"),
+    "tuple_type": ("a list", "write [first, second]"),
+    "dict_type": ("a mapping", "write 'name: value' lines below the key"),
 }
+"""What each of pydantic's type errors expects, and how it is written."""
 
 
 def nearest(word: str, names: Iterable[str]) -> str:
     """Return "did you mean …" for the nearest name, or the names themselves."""
     known = sorted(names)
-    close = get_close_matches(word, known, n=1, cutoff=0.6)
+    close = _close(word, known)
     if close:
-        return f"did you mean '{close[0]}'?"
+        return f"did you mean '{close}'?"
     shown = ", ".join(known[:12]) + (", …" if len(known) > 12 else "")
     return f"one of: {shown}" if known else ""
+
+
+def _close(word: str, names: Iterable[str], cutoff: float = 0.6) -> str | None:
+    spelled = {name.casefold(): name for name in names}
+    close = get_close_matches(word[:60].casefold(), spelled, n=1, cutoff=cutoff)
+    return spelled[close[0]] if close else None
 
 
 def path_text(path: Iterable[str | int]) -> str:
@@ -44,57 +53,164 @@ def path_text(path: Iterable[str | int]) -> str:
 
 
 def findings_of(
-    error: ValidationError, model: Any, position: Position, lines: dict[str, list[str]]
+    error: ValidationError, model: Any, document: Document, below: Path = ()
 ) -> list[Finding]:
-    """Return one finding for each of pydantic's errors."""
-    return [
-        finding
-        for raw in error.errors(include_url=False, include_input=True)
-        for finding in _finding(raw, model, position, lines)
-    ]
-
-
-def _finding(
-    raw: Any, model: Any, position: Position, lines: dict[str, list[str]]
-) -> Iterator[Finding]:
-    kind, loc, context = raw["type"], tuple(raw["loc"]), raw.get("ctx", {})
-    place, path = position.closest(loc)
-    at_key = False
-    if kind == "spec":
-        text, hint = context["text"], context["hint"]
-        place, path = position.closest((*loc, *context["at"]))
-    elif kind == "extra_forbidden":
-        key = str(loc[-1])
-        text, hint, at_key = f"unknown key '{key}'", nearest(key, keys_at(model, loc[:-1])), True
-    elif kind == "missing":
-        text, hint = f"'{loc[-1]}' is missing", f"add '{loc[-1]}:'"
-        at_key = bool(path)
-    elif kind == "literal_error":
-        text, hint = (
-            f"'{raw['input']}' is not known here",
-            _choice(raw["input"], context["expected"]),
+    """Return a finding for each of pydantic's errors about the value ``below`` the root."""
+    raws = error.errors(include_url=False)
+    keys = [raw["loc"] for raw in raws if raw["type"] == "extra_forbidden"][:MAX_FINDINGS]
+    meant = {(loc[:-1], _meant(model, loc).required) for loc in keys}
+    raws = [r for r in raws if r["type"] != "missing" or (r["loc"][:-1], r["loc"][-1]) not in meant]
+    found = []
+    for raw in raws[:MAX_FINDINGS]:
+        fault = _fault(raw, model)
+        place, path = document.position.closest((*below, *fault.path))
+        # a mapping or a list is pointed at by its key, not by the first of what it holds
+        at_key = bool(path) and (fault.at_key or bool(place.children))
+        found.append(
+            finding_at(
+                place, document.lines, path_text(path), fault.text, fault.hint, at_key=at_key
+            )
         )
-    elif kind == "union_tag_invalid":
-        text = f"'{context['tag']}' is not a known {_last_name(path)}"
-        hint = _choice(context["tag"], context["expected_tags"])
-        place, path = position.closest((*loc, context["discriminator"].strip("'")))
-    elif kind == "union_tag_not_found":
-        tag = context["discriminator"].strip("'")
-        text, hint = f"'{tag}' is missing", f"say which {_last_name(path)}: {_tags(model, loc)}"
-    elif kind == "too_short":
-        text, hint = f"at least {context['min_length']} is needed here", ""
-    else:
-        text, hint = _EXPECTED.get(kind, (raw["msg"], ""))
-    yield finding_at(place, lines, path_text(path), text, hint, at_key=at_key)
+    if len(raws) > MAX_FINDINGS:
+        text = f"{len(raws) - MAX_FINDINGS} more findings are not shown"
+        found.append(Finding(document.file, text, "mend the ones shown first"))
+    return found
 
 
-def _last_name(path: tuple[str | int, ...]) -> str:
-    return next((str(step) for step in reversed(path) if isinstance(step, str)), "value")
+class _Fault(NamedTuple):
+    """One mistake: its path in pydantic's steps, what is wrong, what would be right."""
+
+    path: Path
+    text: str
+    hint: str
+    at_key: bool = False
+
+
+def _fault(raw: Any, model: Any) -> _Fault:
+    kind, loc, given, context = raw["type"], raw["loc"], raw["input"], raw.get("ctx", {})
+    match kind:
+        case "spec":
+            return _Fault((*loc, *context["at"]), context["text"], context["hint"])
+        case "extra_forbidden":
+            return _Fault(loc, f"unknown key '{loc[-1]}'", _meant(model, loc).hint, at_key=True)
+        case "missing":
+            hint = _how_to_add(str(loc[-1]), model, loc[:-1])
+            return _Fault(loc[:-1], f"'{loc[-1]}' is missing", hint, at_key=True)
+        case "literal_error":
+            text = f"{said(given)} is not known here"
+            if not isinstance(given, str):
+                text = f"a name is expected here, not {said(given)}"
+            return _Fault(loc, text, _choice(given, context["expected"]))
+        case "union_tag_invalid":
+            tag = context["discriminator"].strip("'")
+            text = f"{said(given[tag])} is not a known {_noun(loc)}"
+            return _Fault((*loc, tag), text, _choice(given[tag], context["expected_tags"]))
+        case "union_tag_not_found":
+            return _without_tag(context["discriminator"].strip("'"), given, model, loc)
+        case "too_short":
+            return _Fault(loc, "is empty", f"give at least {context['min_length']}")
+        case "greater_than_equal":
+            return _Fault(loc, f"{said(given)} must be at least {context['ge']}", "write more")
+        case "less_than_equal":
+            return _Fault(loc, f"{said(given)} must be at most {context['le']}", "write less")
+        case "none_required":
+            return _Fault(loc, "nothing can be given here", "take the key out", at_key=True)
+    if kind in ("model_type", "model_attributes_type"):
+        text = f"a mapping is expected here, not {said(given)}"
+        return _Fault(loc, text, f"give its keys: {_some_keys(model, loc)}")
+    if kind in _EXPECTED:
+        expected, hint = _EXPECTED[kind]
+        return _Fault(loc, f"{expected} is expected here, not {said(given)}", hint)
+    return _Fault(loc, raw["msg"], "see 'flexure schema' for what may stand here")
+
+
+def _without_tag(tag: str, given: dict[str, Any], model: Any, loc: Path) -> _Fault:
+    """Return what to say of a mapping that does not tell its kind, or misspells the key."""
+    misspelled = _close(tag, given)
+    if misspelled is not None and misspelled not in _keys_at(model, loc):
+        text = f"unknown key '{misspelled}'"
+        return _Fault((*loc, misspelled), text, f"did you mean '{tag}'?", at_key=True)
+    kinds = ", ".join(str(k) for m in _models_at(model, loc) for k in _tag_values(m))
+    return _Fault(loc, f"'{tag}' is missing", f"say which {_noun(loc)}: {kinds}", at_key=True)
+
+
+def _noun(loc: Path) -> str:
+    return next((str(step) for step in reversed(loc) if isinstance(step, str)), "kind")
 
 
 def _choice(given: Any, expected: str) -> str:
     names = [name.strip().strip("'") for name in expected.replace(" or ", ", ").split(",")]
-    return nearest(str(given), names)
+    return nearest(given if isinstance(given, str) else "", names)
+
+
+class _Meant(NamedTuple):
+    """What an unknown key stands for: the hint, and the key beside it that it makes up for."""
+
+    hint: str
+    required: str = ""
+
+
+def _meant(model: Any, loc: Path) -> _Meant:
+    key, here = str(loc[-1]), _keys_at(model, loc[:-1])
+    close = _close(key, here)
+    if close is not None:
+        return _Meant(f"did you mean '{close}'?", close)
+    homes = _homes(model)
+    elsewhere = key if key in homes else _close(key, homes, cutoff=0.75)
+    if elsewhere is None:
+        return _Meant(nearest(key, here))
+    home = max(homes[elsewhere], key=lambda path: _shared(path, loc))
+    if set(home) <= set(loc):  # a key of another kind of the same thing
+        return _Meant(nearest(key, here))
+    place = path_text(home) or "the top level"
+    required = str(home[0]) if home else ""
+    if elsewhere == key:
+        return _Meant(f"'{key}' belongs in {place}", required)
+    return _Meant(f"did you mean '{elsewhere}' (in {place})?", required)
+
+
+def _shared(path: Path, loc: Path) -> int:
+    """Return how far two paths run together, any name standing for ``<name>``."""
+    pairs = zip(path, loc, strict=False)
+    return sum(1 for _ in takewhile(lambda pair: pair[0] in (pair[1], "<name>"), pairs))
+
+
+def _how_to_add(key: str, model: Any, loc: Path) -> str:
+    """Return how a missing key is written, with an example where its type has one."""
+    for candidate in _models_at(model, loc):
+        for name, info in candidate.model_fields.items():
+            if key not in (info.alias, name):
+                continue
+            line = f"{key}: {_example(info.annotation, info.metadata)}".rstrip()
+            return f"add '{line}'" + (f" ({info.description})" if info.description else "")
+    return f"add '{key}:'"
+
+
+def _example(annotation: Any, metadata: Iterable[Any]) -> str:
+    """Return how a value of a type is written, where that is a quantity or one name."""
+    for marker in metadata:
+        if isinstance(marker, QuantityOf):
+            return DIMENSIONS[marker.dimension].example
+    if get_origin(annotation) is Literal:
+        return str(get_args(annotation)[0])
+    if get_origin(annotation) is Annotated:
+        return _example(get_args(annotation)[0], get_args(annotation)[1:])
+    if isinstance(annotation, type) and issubclass(annotation, Part):
+        shorthand = next((n for n in ("value", "fixed") if n in annotation.model_fields), None)
+        if shorthand is not None:
+            info = annotation.model_fields[shorthand]
+            return _example(info.annotation, info.metadata)
+    if get_origin(annotation) in (Union, UnionType):
+        return next(filter(None, (_example(a, ()) for a in get_args(annotation))), "")
+    return ""
+
+
+def _some_keys(model: Any, loc: Path) -> str:
+    """Return the keys that a part must have, or may have when it needs none."""
+    first = next(iter(_models_at(model, loc)), None)
+    fields = first.model_fields if first is not None else {}
+    needed = [info.alias or name for name, info in fields.items() if info.is_required()]
+    return ", ".join(needed or [info.alias or name for name, info in fields.items()])
 
 
 def _members(annotation: Any) -> Iterator[Any]:
@@ -118,19 +234,23 @@ def _models(annotation: Any) -> list[type[BaseModel]]:
 
 
 def _fields(model: type[BaseModel]) -> dict[str, Any]:
+    """Return the keys of a part and their types; one that is written plainly has none."""
+    if issubclass(model, Part) and model.is_plain:
+        return {}
     return {info.alias or name: info.annotation for name, info in model.model_fields.items()}
 
 
-def _models_at(model: Any, loc: tuple[str | int, ...]) -> list[type[BaseModel]]:
+def _models_at(model: Any, loc: Path) -> list[type[BaseModel]]:
     """Return the models that may stand at a pydantic location, following union tags."""
     here = _models(model)
     for step in loc:
-        inside = [m for candidate in here if step in (f := _fields(candidate)) for m in _models(f[str(step)])]  # fmt: skip
-        if inside:
-            here = inside
-            continue
-        tagged = [c for c in here if step in _tag_values(c)]
-        here = tagged or here
+        inside = [
+            inner
+            for candidate in here
+            if step in (fields := _fields(candidate))
+            for inner in _models(fields[str(step)])
+        ]
+        here = inside or [c for c in here if step in _tag_values(c)] or here
     return here
 
 
@@ -139,10 +259,23 @@ def _tag_values(model: type[BaseModel]) -> tuple[Any, ...]:
     return get_args(kind) if get_origin(kind) is Literal else ()
 
 
-def _tags(model: Any, loc: tuple[str | int, ...]) -> str:
-    return ", ".join(str(tag) for m in _models_at(model, loc) for tag in _tag_values(m))
-
-
-def keys_at(model: Any, loc: tuple[str | int, ...]) -> set[str]:
+def _keys_at(model: Any, loc: Path) -> set[str]:
     """Return the keys that a spec may have at a location."""
     return {key for candidate in _models_at(model, loc) for key in _fields(candidate)}
+
+
+@cache
+def _homes(model: Any) -> dict[str, list[Path]]:
+    """Return every key that a spec of this kind may have, and the places that have it."""
+    homes: dict[str, list[Path]] = {}
+    level: list[tuple[Path, Any]] = [((), model)]
+    while level:
+        inside: list[tuple[Path, Any]] = []
+        for path, annotation in level:
+            for candidate in _models(annotation):
+                for key, inner in _fields(candidate).items():
+                    homes.setdefault(key, []).append(path)
+                    step = (key, "<name>") if get_origin(inner) is dict else (key,)
+                    inside.append(((*path, *step), inner))
+        level = inside
+    return homes

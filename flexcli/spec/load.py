@@ -1,14 +1,16 @@
 """From a spec file to its validated part: read, resolve references, validate, cross-check."""
 
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from pydantic import TypeAdapter, ValidationError
 
 from flexcli.errors import Finding, SpecError
 from flexcli.parts.asd import ASDProfile
-from flexcli.parts.design import DesignSpec
+from flexcli.parts.base import said
+from flexcli.parts.design import CASE_KEYS, DesignSpec
 from flexcli.parts.geometries import AnyGeometry
 from flexcli.parts.material import Material
 from flexcli.parts.stroke import Stroke
@@ -19,6 +21,7 @@ from flexcli.spec.shipped import shipped_names, shipped_path
 __all__ = ["KINDS", "Loaded", "load", "load_design", "load_shipped"]
 
 FORMAT = 1
+SUFFIXES = (".yaml", ".yml")
 KINDS: dict[str, Any] = {
     "material": Material,
     "stroke": Stroke,
@@ -34,8 +37,11 @@ _REFERENCES = {
     ("asd", "profile"): "asd",
     ("cases", "*", "stroke"): "stroke",
     ("cases", "*", "asd", "profile"): "asd",
+    ("balance", "asd", "profile"): "asd",
 }
 """Where a design may name a spec instead of holding it."""
+
+_VERSION = f"flexure: {FORMAT}"
 
 
 @dataclass(frozen=True)
@@ -51,31 +57,30 @@ def load_design(path: Path) -> tuple[DesignSpec, Document]:
     """Read a design, or raise :class:`SpecError` with every finding."""
     loaded = load(path)
     if loaded.kind != "design":
-        raise SpecError(
-            [
-                Finding(
-                    str(path),
-                    f"is a {loaded.kind}, not a design",
-                    "name it in a design: flexure, material, geometry, cases, requirements",
-                )
-            ]
-        )
+        text = f"is a spec of kind {loaded.kind}, not a design"
+        hint = "name it in a design: flexure, material, geometry, cases, requirements"
+        raise SpecError([Finding(str(path), text, hint)])
     return loaded.part, loaded.document
 
 
 def load(path: Path) -> Loaded:
-    """Read and validate a spec of any kind."""
+    """Read and validate a spec of any kind, or raise :class:`SpecError` with every finding."""
     document = read_document(path)
     root = _checked_root(document)
-    own = [kind for kind in KINDS if kind in root and isinstance(root[kind], dict)]
-    if set(root) <= {"flexure", *KINDS} and len(own) == 1 and len(root) == 1 + ("flexure" in root):
-        kind = own[0]
-        part = _validated(KINDS[kind], root[kind], document.position.children[kind], document, kind)
-        return Loaded(kind, part, document)
-    document = _resolved(document, path.parent)
-    design = _validated(DesignSpec, document.value, document.position, document, "")
-    _refuse_problems(design, document)
-    return Loaded("design", design, document)
+    kind = _own_kind(root)
+    if kind is not None:
+        part, findings = _validated(kind, root[kind], document, (kind,))
+        if "flexure" not in root:
+            findings.append(_no_version(document))
+    else:
+        document, unresolved = _resolved(document, path.parent)
+        part, findings = _validated("design", document.value, document)
+        findings = [f for f in findings if f.path not in unresolved]
+    if document.findings or findings:
+        raise SpecError(_each_once([*document.findings, *findings]))
+    if kind is None:
+        _refuse_problems(part, document)
+    return Loaded(kind or "design", part, document)
 
 
 def load_shipped(kind: str, name: str) -> Any:
@@ -88,42 +93,79 @@ def load_shipped(kind: str, name: str) -> Any:
 
 
 def _checked_root(document: Document) -> dict[str, Any]:
+    """Return the mapping that a spec is, or raise what makes the rest of it meaningless."""
     root, position = document.value, document.position
+
+    def refuse(place: Position, path: str, text: str, hint: str) -> NoReturn:
+        finding = finding_at(place, document.lines, path, text, hint)
+        raise SpecError([*document.findings, finding])
+
     if not isinstance(root, dict):
-        raise SpecError(
-            [
-                finding_at(
-                    position, document.lines, "", "a spec is a mapping", "start with flexure: 1"
-                )
-            ]
-        )
-    version = root.get("flexure")
-    if "flexure" not in root:
-        text, hint = "'flexure' is missing", f"start the file with flexure: {FORMAT}"
-        raise SpecError([finding_at(position, document.lines, "", text, hint)])
-    if version != FORMAT or isinstance(version, bool):
-        place = position.children["flexure"]
-        text = f"version {version} of the format is not known"
-        raise SpecError([finding_at(place, document.lines, "flexure", text, f"write {FORMAT}")])
+        refuse(position, "", f"a spec is a mapping, not {said(root)}", f"start with {_VERSION}")
+    if "flexure" in root:
+        version = root["flexure"]
+        if version != FORMAT or not isinstance(version, int) or isinstance(version, bool):
+            place = position.children["flexure"]
+            refuse(
+                place,
+                "flexure",
+                f"{said(version)} is no version of the format",
+                f"write {_VERSION}",
+            )
+    elif not set(root) & {*KINDS, *DesignSpec.model_fields, *CASE_KEYS}:
+        raise SpecError([*document.findings, _no_version(document)])
     return root
 
 
-def _validated(model: Any, value: Any, position: Position, document: Document, prefix: str) -> Any:
+def _no_version(document: Document) -> Finding:
+    text, hint = "'flexure' is missing", f"add '{_VERSION}'"
+    return finding_at(document.position, document.lines, "", text, hint)
+
+
+def _own_kind(root: dict[str, Any]) -> str | None:
+    """Return the kind of a spec that stands alone in its file, or nothing for a design."""
+    keys = set(root) - {"flexure"}
+    return next((k for k in KINDS if keys == {k} and not isinstance(root[k], str)), None)
+
+
+@cache
+def _adapter(kind: str) -> TypeAdapter[Any]:
+    return TypeAdapter(DesignSpec if kind == "design" else KINDS[kind])
+
+
+def _validated(
+    kind: str, value: Any, document: Document, below: tuple[str, ...] = ()
+) -> tuple[Any, list[Finding]]:
+    """Return the validated part, or nothing and what is wrong beyond what reading found."""
     try:
-        return TypeAdapter(model).validate_python(value)
+        return _adapter(kind).validate_python(value), []
     except ValidationError as error:
-        findings = findings_of(error, model, position, document.lines)
-        if prefix:
-            findings = [replace(f, path=f"{prefix}.{f.path}".rstrip(".")) for f in findings]
-        raise SpecError(findings) from error
+        model = DesignSpec if kind == "design" else KINDS[kind]
+        found = findings_of(error, model, document, below)
+        known = {(f.file, f.line, f.path) for f in document.findings}
+        return None, [f for f in found if (f.file, f.line, f.path) not in known]
+
+
+def _each_once(findings: list[Finding]) -> list[Finding]:
+    """Leave out what is said already, as when two cases name the same file."""
+    return list({(f.file, f.line, f.column, f.text): f for f in reversed(findings)}.values())
 
 
 def _refuse_problems(design: DesignSpec, document: Document) -> None:
     findings = []
     for problem in design.problems():
-        place, path = document.position.closest(_as_written(problem.path, document))
+        written = _as_written(problem.path, document)
+        place, path = document.position.closest(written)
+        is_missing = isinstance(written[-1], str) and written != path
         findings.append(
-            finding_at(place, document.lines, path_text(path), problem.text, problem.hint)
+            finding_at(
+                place,
+                document.lines,
+                path_text(path),
+                problem.text,
+                problem.hint,
+                at_key=bool(path) and (is_missing or bool(place.children)),
+            )
         )
     if findings:
         raise SpecError(findings)
@@ -134,9 +176,14 @@ def _as_written(path: tuple[str | int, ...], document: Document) -> tuple[str | 
     return path[2:] if path[0] == "cases" and "cases" not in document.value else path
 
 
-def _resolved(document: Document, folder: Path) -> Document:
-    """Put the specs that a design names in the place of their names, positions included."""
-    findings: list[Finding] = []
+def _resolved(document: Document, folder: Path) -> tuple[Document, set[str]]:
+    """Put the specs that a design names in the place of their names, positions included.
+
+    Also returns the paths of the names that lead nowhere, for which there are findings.
+    """
+    findings = list(document.findings)
+    unresolved: set[str] = set()
+    known: dict[tuple[str, str], Document] = {}
     lines = dict(document.lines)
     value, position = document.value, document.position
     for pattern, kind in _REFERENCES.items():
@@ -146,62 +193,57 @@ def _resolved(document: Document, folder: Path) -> Document:
             if not isinstance(name, str):
                 continue
             try:
-                target, target_position, target_lines = _referenced(kind, name, folder)
+                target = known.get((kind, name)) or _referenced(kind, name, folder)
             except SpecError as error:
+                unresolved.add(path_text(path))
                 findings.extend(
                     f if f.line else finding_at(place, lines, path_text(path), f.text, f.hint)
                     for f in error.findings
                 )
-                # an empty part keeps the rest of the pass going; its findings are dropped below
                 continue
-            lines.update(target_lines)
-            value = _with(value, path, target)
-            position = _with_position(position, path, target_position)
-    if findings:
-        findings.extend(_other_findings(value, position, lines, {f.path for f in findings}))
-        raise SpecError(findings)
-    return Document(document.file, value, position, lines)
+            known[kind, name] = target
+            findings.extend(target.findings)
+            lines.update(target.lines)
+            value = _with(value, path, target.value[kind])
+            position = _with_position(position, path, target.position.children[kind])
+    return Document(document.file, value, position, lines, tuple(findings)), unresolved
 
 
-def _other_findings(
-    value: Any, position: Position, lines: dict[str, list[str]], unresolved: set[str]
-) -> list[Finding]:
-    """Return what else is wrong with a design some of whose references do not resolve."""
-    try:
-        TypeAdapter(DesignSpec).validate_python(value)
-    except ValidationError as error:
-        found = findings_of(error, DesignSpec, position, lines)
-        return [f for f in found if f.path not in unresolved]
-    return []
-
-
-def _referenced(kind: str, name: str, folder: Path) -> tuple[Any, Position, dict[str, list[str]]]:
-    """Return the value, positions and lines of a spec named or given by its path."""
-    is_path = name.endswith((".yaml", ".yml"))
-    path = folder / name if is_path else shipped_path(kind, name)
+def _referenced(kind: str, name: str, folder: Path) -> Document:
+    """Return the document of a spec named or given by its path."""
+    path = _data_file(folder, name) if name.endswith(SUFFIXES) else shipped_path(kind, name)
     if path is None:
+        hints = (nearest(name, shipped_names(kind)), "a path ends in .yaml")
+        text = f"there is no shipped {kind} '{name}'"
+        raise SpecError([Finding("", text, "; ".join(hint for hint in hints if hint))])
+    try:
+        document = read_document(path)
+    except SpecError as error:
         raise SpecError(
-            [
-                Finding(
-                    "",
-                    f"there is no shipped {kind} '{name}'",
-                    nearest(name, shipped_names(kind)) + "; a path ends in .yaml",
-                )
-            ]
-        )
-    if not path.is_file():
-        raise SpecError(
-            [Finding("", f"there is no file {path}", "paths start at the spec's folder")]
-        )
-    document = read_document(path)
+            [f if f.line else replace(f, text=f"{path} {f.text}") for f in error.findings]
+        ) from error
     root = _checked_root(document)
+    if "flexure" not in root:
+        raise SpecError([*document.findings, _no_version(document)])
     if set(root) != {"flexure", kind}:
-        text = f"a file referred to as {kind} holds 'flexure' and '{kind}' alone"
-        others = ", ".join(k for k in root if k != "flexure")
-        raise SpecError(
-            [finding_at(document.position, document.lines, "", text, f"it holds {others}")]
-        )
-    return root[kind], document.position.children[kind], document.lines
+        others = ", ".join(key for key in root if key != "flexure") or "nothing"
+        text, hint = f"{path} holds {others}", f"it must hold 'flexure' and '{kind}' alone"
+        raise SpecError([*document.findings, Finding("", text, hint)])
+    return document
+
+
+def _data_file(folder: Path, name: str) -> Path:
+    """Return the file of a path in a spec, which may lead, also by links, to YAML files only."""
+    path = folder / name
+    try:
+        target = path.resolve(strict=True)
+    except (OSError, ValueError, RuntimeError) as error:  # RuntimeError: a loop of links
+        text, hint = f"there is no file {path}", "paths start at the spec's folder"
+        raise SpecError([Finding("", text, hint)]) from error
+    if target.suffix not in SUFFIXES:
+        text, hint = f"{path} is a link to something else", "a path leads to a YAML file"
+        raise SpecError([Finding("", text, hint)])
+    return path
 
 
 def _matches(value: Any, pattern: tuple[str, ...]) -> list[tuple[str, ...]]:
