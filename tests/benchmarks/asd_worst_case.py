@@ -8,11 +8,8 @@ from time import perf_counter
 
 import numpy as np
 
-from flexcli.formulas.random_vibration import (
-    miles,
-    miles_worst_case,
-    oscillator_response,
-)
+from flexcli.formulas.miles import miles, miles_worst_case
+from flexcli.formulas.oscillator import oscillator_response
 from flexcli.formulas.spectrum import rms, spectral_level
 
 Q = 100.0

@@ -301,7 +301,6 @@ def test_unsound_profiles_are_refused(frequency, level, scale, text):
         (lambda: levels_from_slopes([1, 2], [np.inf], known_index=0, known_level=1), "finite"),
         (lambda: levels_from_slopes([1, 2], [3], known_index=2, known_level=1), "known_index"),
         (lambda: levels_from_slopes([1, 2], [3], known_index=0, known_level=0), "positive"),
-        (lambda: module.gauss_rule(0), "deg"),
     ],
 )
 def test_invalid_arguments_are_refused(call, text):

@@ -8,6 +8,7 @@ from pydantic import BeforeValidator, Field
 from flexcli.parts.base import Part
 from flexcli.parts.requirements.base import Ask, Bound, Limit, Requirement, RequirementError
 from flexcli.parts.requirements.buckling import Buckling
+from flexcli.parts.requirements.dynamic import DynamicBuckling, DynamicLife, DynamicYield
 from flexcli.parts.requirements.fatigue import Fatigue
 from flexcli.parts.requirements.frequency import Frequency
 from flexcli.parts.requirements.mass import Mass
@@ -36,6 +37,9 @@ class Requirements(Part):
     fatigue: Several[Fatigue] | None = None
     buckling: Several[Buckling] | None = None
     yielding: Several[Yield] | None = Field(None, alias="yield")
+    dynamic_yield: Several[DynamicYield] | None = Field(None, alias="dynamic-yield")
+    dynamic_buckling: Several[DynamicBuckling] | None = Field(None, alias="dynamic-buckling")
+    dynamic_life: Several[DynamicLife] | None = Field(None, alias="dynamic-life")
     stiffness: Several[Stiffness] | None = None
     frequency: Several[Frequency] | None = None
     sag: Several[Sag] | None = None

@@ -61,6 +61,11 @@ class Limit:
     tolerance: float | None = None
 
     @property
+    def is_bound(self) -> bool:
+        """Return whether the spec states the bound itself, not a factor."""
+        return self.variant in ("min", "max", "equals")
+
+    @property
     def name(self) -> str:
         """Return the name of the check that this limit belongs to."""
         name = f"{self.requirement} ({self.variant})" if self.variant else self.requirement
@@ -71,6 +76,8 @@ class Requirement(Part):
     """A demand on the design; the subclass turns it into limits."""
 
     per_case: ClassVar[bool] = True
+    closed_form: ClassVar[bool] = True
+    """Whether it can be written on signomials; else it judges a design but cannot size one."""
     label: ClassVar[str]
 
     def applies(self, scene: Scene) -> bool:

@@ -7,7 +7,7 @@ from flexcli.formulas.fatigue import goodman_amplitude, swt_amplitude_squared
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
-from flexcli.parts.requirements.stresses import EndStress, end_stresses
+from flexcli.parts.requirements.stresses import EndStress, driver, end_stresses
 from flexcli.parts.scene import Scene
 
 __all__ = ["Fatigue"]
@@ -39,12 +39,15 @@ class Fatigue(FactorRequirement):
             name, stresses = end_stresses(ask)
             has_mean = scene.mean_travel > 0.0 or scene.blade_force > 0.0
             method = self.mean_stress if has_mean else "none"
+            meant = f"equivalent amplitude ({method}) of the {name}"
+            if method == "none":
+                meant = "amplitude of the bending stress"
             for stress in stresses:
                 demand, power = self._equivalent(stress, ask, strength, method)
                 yield Limit(
                     self.label,
                     scene.case,
-                    f"amplitude of the {name}, {stress.where}",
+                    f"{meant}, {stress.where}",
                     demand,
                     strength**power,
                     "Pa",
@@ -52,7 +55,7 @@ class Fatigue(FactorRequirement):
                     required=self.factor,
                     power=power,
                     load=True,
-                    driver="stroke",
+                    driver="stroke" if method == "none" else driver(scene),
                 )
         except MissingProperty as missing:
             raise RequirementError(

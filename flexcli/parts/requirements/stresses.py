@@ -5,9 +5,11 @@ from typing import NamedTuple
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import axial_stress
+from flexcli.numerics.signomial import Signomial
 from flexcli.parts.requirements.base import Ask
+from flexcli.parts.scene import Scene
 
-__all__ = ["EndStress", "end_stresses"]
+__all__ = ["EndStress", "driver", "end_stresses"]
 
 
 class EndStress(NamedTuple):
@@ -24,11 +26,18 @@ class EndStress(NamedTuple):
         return self.amplitude + self.mean + self.axial
 
 
+def driver(scene: Scene) -> str:
+    """Return what the stresses of a case grow with."""
+    bending, loaded = scene.travel > 0.0 or scene.mean_travel > 0.0, scene.blade_force > 0.0
+    return " and ".join(["stroke"] * bending + ["force"] * loaded)
+
+
 def end_stresses(ask: Ask) -> tuple[str, Iterator[EndStress]]:
     """Return the name of the stress that is meant, and it at every end and for either sign.
 
     Both faces of a blade see the bending, once in tension and once in compression, so each end
-    counts with both signs; the one that is negative everywhere never binds.
+    counts with both signs, unless its sign is known for every blade: then the face in tension
+    has the larger stress, and the other would only make a convex program look like none.
     """
     scene, blade = ask.scene, ask.blade
     bending, loaded = scene.travel > 0.0 or scene.mean_travel > 0.0, scene.blade_force > 0.0
@@ -48,7 +57,16 @@ def end_stresses(ask: Ask) -> tuple[str, Iterator[EndStress]]:
         means = ask.geometry.end_stresses(E, blade, scene.mean_travel)
         for where, amplitude in amplitudes.items():
             mean = means[where] if scene.mean_travel > 0.0 else 0.0
-            for sign in (1.0, -1.0):
+            for sign in _faces(amplitude + mean):
                 yield EndStress(where, sign * amplitude, sign * mean, axial)
 
     return name, each()
+
+
+def _faces(bending: Quantity) -> tuple[float, ...]:
+    """Return the signs with which the bending of an end counts."""
+    if not isinstance(bending, Signomial):
+        return (1.0, -1.0)
+    if bending.negative_part().is_zero:
+        return (1.0,)
+    return (-1.0,) if bending.positive_part().is_zero else (1.0, -1.0)

@@ -8,7 +8,7 @@ from pydantic import field_validator
 from flexcli.parts.base import spec_error
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
-from flexcli.parts.requirements.stresses import end_stresses
+from flexcli.parts.requirements.stresses import driver, end_stresses
 from flexcli.parts.scene import Scene
 
 __all__ = ["Yield"]
@@ -60,5 +60,5 @@ class Yield(FactorRequirement):
                     required=self.factor,
                     variant=allowable,
                     load=True,
-                    driver="force" if ask.scene.blade_force > 0.0 else "stroke",
+                    driver=driver(ask.scene),
                 )

@@ -1,4 +1,4 @@
-"""Miles and the exact oscillator: published numbers, limits, and quadrature beside them."""
+"""The exact oscillator: limits, partial fractions, and quadrature beside it."""
 
 import doctest
 import itertools
@@ -8,60 +8,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
+from spectra import GEVS, oscillators, profiles
 
-from flexcli.formulas import random_vibration as module
-from flexcli.formulas.random_vibration import (
-    davenport_peak_factor,
-    expected_exceedances,
-    miles,
-    miles_worst_case,
-    oscillator_response,
-    peak_factor,
-    peak_probability,
-    white_noise_response,
-)
+from flexcli.formulas import oscillator as module
+from flexcli.formulas.miles import miles
+from flexcli.formulas.oscillator import oscillator_response, white_noise_response
 from flexcli.formulas.spectrum import clip_profile, rms, rms_displacement, rms_velocity
 
 ASKED = 1e-9  # relative accuracy we promise against an independent quadrature
 ROUNDING = 1e-12  # sums of a few hundred panels, twice
-GEVS = ([20, 50, 800, 2000], [0.026, 0.16, 0.16, 0.026])
-
-qualities = st.one_of(
-    st.floats(np.log10(0.5), 6).map(lambda x: float(10**x)).map(lambda q: max(q, 0.5)),
-    st.sampled_from([0.5, 1 / np.sqrt(2), 1.0, 100.0, 1e6]),
-)
-
-
-@st.composite
-def profiles(draw, scale="log"):
-    count = draw(st.integers(2, 5))
-    ratios = draw(st.lists(st.floats(1.001, 20), min_size=count - 1, max_size=count - 1))
-    levels = draw(st.lists(st.floats(1e-4, 1e2), min_size=count, max_size=count))
-    frequency = draw(st.floats(1, 100)) * np.cumprod([1.0, *ratios])
-    if scale == "linear" and draw(st.booleans()):
-        frequency[0] = 0.0
-    if draw(st.booleans()):
-        at = draw(st.integers(0, count - 1))
-        frequency = np.insert(frequency, at, frequency[at])
-        levels.insert(at, draw(st.floats(1e-4, 1e2)))
-    return frequency, np.array(levels)
-
-
-@st.composite
-def oscillators(draw, frequency):
-    Q = draw(qualities)
-    where = draw(st.sampled_from(["below", "inside", "edge", "beside an edge", "above"]))
-    edge = float(draw(st.sampled_from(list(frequency[frequency > 0]))))
-    low, high = float(frequency[frequency > 0][0]), float(frequency[-1])
-    share = draw(st.floats(0, 1))
-    fn = {
-        "below": low * 10 ** (-3 * share),
-        "inside": low * (high / low) ** share,
-        "edge": edge,
-        "beside an edge": edge * (1 + (2 * share - 1) / Q / 4),
-        "above": high * 10 ** (3 * share),
-    }[where]
-    return fn, Q
 
 
 def quadrature(frequency, level, fn, Q, scale):
@@ -110,61 +65,6 @@ def flat_band(a, b, fn, Q):
 
 def test_docstring_examples_run():
     assert doctest.testmod(module).failed == 0
-
-
-def test_miles_gives_the_251_g_of_the_flexure_course():
-    # Exercise 9 part II: 0.2 g²/Hz at 2000 Hz, Q = 100, printed as 251 g
-    assert float(miles(2000, 100, 0.2)) == pytest.approx(250.66, abs=0.005)
-
-
-def test_worst_case_of_gevs_is_at_the_end_of_the_plateau():
-    worst = miles_worst_case(*GEVS, 100)
-    assert worst.frequency == 800
-    assert worst.response == pytest.approx(np.sqrt(np.pi / 2 * 800 * 100 * 0.16), rel=ROUNDING)
-
-
-@pytest.mark.parametrize("scale", ["log", "linear"])
-@given(data=st.data())
-@settings(deadline=None, max_examples=60)
-def test_worst_case_is_the_supremum_of_a_dense_grid(scale, data):
-    f, g = data.draw(profiles(scale))
-    worst = miles_worst_case(f, g, 30.0, scale=scale)
-    share = np.linspace(0, 1, 400)
-    products = []
-    for (a, b), (ga, gb) in zip(itertools.pairwise(f), itertools.pairwise(g), strict=True):
-        if scale == "log":
-            products.append(a * (b / a) ** share * ga * (gb / ga) ** share)
-        else:
-            products.append((a + (b - a) * share) * (ga + (gb - ga) * share))
-    grid = float(np.sqrt(np.pi / 2 * 30.0 * np.max(products)))
-    assert grid <= float(worst.response) * (1 + ROUNDING)
-    assert float(worst.response) == pytest.approx(grid, rel=1e-4)  # the grid's own coarseness
-    assert float(worst.response) == pytest.approx(
-        float(miles(worst.frequency, 30.0, worst.level)), rel=ROUNDING
-    )
-
-
-def test_worst_case_takes_the_higher_side_of_a_step():
-    up = miles_worst_case([10, 100, 100, 1000], [1, 1, 9, 0.1], 10)
-    down = miles_worst_case([10, 100, 100, 1000], [1, 9, 0.1, 0.1], 10)
-    assert (up.frequency, up.level) == (100, 9)
-    assert (down.frequency, down.level) == (100, 9)
-
-
-def test_worst_case_on_a_slope_of_minus_one_is_its_lowest_frequency():
-    assert miles_worst_case([30, 70, 700], [1 / 30, 1 / 70, 1 / 700], 10).frequency == 30
-
-
-def test_worst_case_inside_a_linear_segment_is_the_top_of_a_parabola():
-    worst = miles_worst_case([0, 10], [5, 0], 2, scale="linear")
-    assert worst.frequency == pytest.approx(5, rel=ROUNDING)
-    assert worst.level == pytest.approx(2.5, rel=ROUNDING)
-
-
-def test_worst_case_serves_several_q_and_a_range_at_once():
-    worst = miles_worst_case(*GEVS, [10, 40], upper=200)
-    assert worst.frequency == 200
-    assert worst.response.tolist() == [miles(200, 10, 0.16), miles(200, 40, 0.16)]
 
 
 @pytest.mark.parametrize("scale", ["log", "linear"])
@@ -306,31 +206,12 @@ def test_crossing_rate_of_a_lightly_damped_oscillator_is_its_natural_frequency()
     assert float(r.crossing_frequency) == pytest.approx(200, rel=0.01)
 
 
-def test_three_sigma_is_expected_once_in_e_to_the_4_5_cycles():
-    T = np.exp(4.5) / 200
-    assert float(peak_factor(200, T)) == pytest.approx(3, rel=ROUNDING)
-    assert float(expected_exceedances(3, 200, T)) == pytest.approx(2, rel=ROUNDING)  # both signs
-    assert float(peak_probability(3, 200, T)) == pytest.approx(1 - np.exp(-2), rel=ROUNDING)
-
-
-def test_davenport_factor_is_the_mean_of_the_extreme_value_density():
-    # P(max < η) = exp(−N e^(−η²/2)); its mean tends to Davenport's with error O((ln N)^(-3/2))
-    N = 600.0
-    mean = quad(lambda x: -np.expm1(-N * np.exp(-(x**2) / 2)), 0, 20)[0]
-    assert float(davenport_peak_factor(10, 60)) == pytest.approx(mean, rel=0.005)
-
-
 @pytest.mark.parametrize(
     ("call", "text"),
     [
-        (lambda: miles(0, 10, 1), "f must be positive"),
-        (lambda: miles(1, 10, -1), "negative"),
         (lambda: oscillator_response(*GEVS, 100, 0.4), "at least 0.5"),
         (lambda: oscillator_response(*GEVS, -1, 10), "fn must be positive"),
         (lambda: oscillator_response(*GEVS, 100, np.inf), "Q must be positive and finite"),
-        (lambda: miles_worst_case(*GEVS, 10, lower=4000), "nothing between"),
-        (lambda: peak_factor(1, 0.5), "more than one cycle"),
-        (lambda: expected_exceedances(3, 100, -1), "T must be positive"),
     ],
 )
 def test_invalid_arguments_are_refused(call, text):

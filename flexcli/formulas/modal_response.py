@@ -1,0 +1,121 @@
+"""Random response of a linear structure, all of its modes together, to one base acceleration."""
+
+from itertools import pairwise
+from math import log, log2
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.formulas.spectrum import Scale
+from flexcli.numerics.quadrature import gauss_rule
+
+__all__ = ["response_moments"]
+
+Floats = NDArray[np.float64]
+
+NODES = 16
+"""Gauss nodes per panel."""
+WIDEST = 1.5
+"""Largest ratio of the ends of a panel: away from resonances the integrand is a power law."""
+
+
+def response_moments(
+    *,
+    frequency: Floats,
+    level: Floats,
+    scale: Scale,
+    angular: Floats,
+    Q: float,
+    coefficients: Floats,
+    residual: Floats,
+    orders: tuple[float, ...] = (0.0, 1.0, 2.0, 4.0),
+) -> Floats:
+    """Return spectral moments of linear outputs of a base-excited structure.
+
+    ``y(ω) = [Σ c_i / (ω_i² − ω² + i ω ω_i/Q) + r] a(ω)`` and ``m_n = ∫ f^n |y/a|² G df``: the
+    modes add as they are, correlation included.
+
+    Parameters
+    ----------
+    frequency, level : array, shape (n,)
+        Breakpoints of the base acceleration density [Hz], [(m/s²)²/Hz]; a repeated frequency is
+        a step.
+    scale : "log" or "linear"
+        Axes in which the profile is straight.
+    angular : array, shape (m,)
+        Natural angular frequencies [rad/s] of the modes that may resonate.
+    Q : float
+        Quality factor of every mode.
+    coefficients : array, shape (k, m)
+        c: output k per unit of mode m times its participation [unit of y per m/s² · rad²/s²].
+    residual : array, shape (k,)
+        r: what the other modes add without resonance [unit of y per m/s²].
+    orders : tuple of float
+        The moments wanted.
+
+    Returns
+    -------
+    array, shape (len(orders), k)
+        Moments [unit of y squared, times Hz^n].
+
+    Notes
+    -----
+    Gauss quadrature on panels that shrink towards each resonance as fast as its pole comes near
+    (at a distance f/2Q), so that the error is of the order of 1e-12 for any Q.
+
+    Examples
+    --------
+    >>> flat = np.array([2.0, 2.0])
+    >>> m = response_moments(frequency=np.array([1.0, 4.0]), level=flat, scale="log",
+    ...                      angular=np.array([]), Q=10.0, coefficients=np.zeros((1, 0)),
+    ...                      residual=np.array([3.0]))
+    >>> round(float(m[0, 0]), 9)
+    54.0
+
+    References
+    ----------
+    Newland (1993), Random Vibrations, Spectral and Wavelet Analysis, chapter 8.
+
+    """
+    moments = np.zeros((len(orders), residual.size))
+    nodes, weights = gauss_rule(NODES)
+    marks = _marks(angular / (2.0 * np.pi), Q)
+    for (f1, f2), (g1, g2) in zip(pairwise(frequency), pairwise(level), strict=True):
+        if f1 == f2:
+            continue
+        edges = _edges(float(f1), float(f2), marks)
+        width = np.diff(edges)[:, None]
+        f = (edges[:-1, None] + width * nodes[None, :]).reshape(-1)
+        weight = (width * weights[None, :]).reshape(-1)
+        if scale == "log":
+            slope = log(g2 / g1) / log(f2 / f1)
+            density = g1 * (f / f1) ** slope
+        else:
+            density = g1 + (g2 - g1) * (f - f1) / (f2 - f1)
+        power = _squared_gain(f, angular, Q, coefficients, residual) * (density * weight)[:, None]
+        moments += np.stack([f**order @ power for order in orders])
+    return moments
+
+
+def _squared_gain(
+    f: Floats, angular: Floats, Q: float, coefficients: Floats, residual: Floats
+) -> Floats:
+    omega = 2.0 * np.pi * f[:, None]
+    gain = 1.0 / ((angular - omega) * (angular + omega) + 1j * omega * angular / Q)
+    response = gain @ coefficients.T + residual
+    return np.asarray(response.real**2 + response.imag**2)
+
+
+def _marks(resonances: Floats, Q: float) -> Floats:
+    """Return panel ends that close in on each resonance by halves, down to its bandwidth."""
+    steps = max(0, int(np.ceil(log2(2.0 * Q)))) + 2
+    offsets = 0.5 * 2.0 ** -np.arange(steps)
+    around = np.concatenate([-offsets, [0.0], offsets])
+    return np.sort((resonances[:, None] * (1.0 + around[None, :])).reshape(-1))
+
+
+def _edges(f1: float, f2: float, marks: Floats) -> Floats:
+    count = max(1, int(np.ceil(log(f2 / f1) / log(WIDEST))))
+    regular = f1 * (f2 / f1) ** (np.arange(1, count) / count)
+    inside = marks[(marks > f1) & (marks < f2)]
+    return np.unique(np.concatenate([[f1], regular, inside, [f2]]))

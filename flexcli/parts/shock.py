@@ -1,0 +1,89 @@
+"""A shock of the base: a half-sine pulse, a sudden change of velocity, or a response spectrum."""
+
+from itertools import pairwise
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, model_validator
+
+from flexcli.formulas.shock import half_sine_damped, srs_level, velocity_shock_acceleration
+from flexcli.parts.base import Duration, Frequency, Part, QuantityOf, spec_error
+
+__all__ = ["HalfSine", "Shock", "SpectrumPoint"]
+
+Floats = NDArray[np.float64]
+
+LARGEST_HALF_SINE = 1.7685
+"""Largest response of any undamped oscillator to a half-sine pulse, over its peak (Ayre 1961)."""
+
+RIGID = 200.0
+"""Natural frequency times duration from which an oscillator follows a pulse within 1 %."""
+
+PeakAcceleration = Annotated[float, QuantityOf("acceleration", above=0.0)]
+
+
+class HalfSine(Part):
+    """A half-sine pulse of the base acceleration."""
+
+    acceleration: PeakAcceleration
+    duration: Duration
+
+
+class SpectrumPoint(Part):
+    """One point of a shock response spectrum; log-log lines between points."""
+
+    frequency: Frequency
+    acceleration: PeakAcceleration
+
+
+class Shock(Part):
+    """One shock, along one axis; Q of the response."""
+
+    half_sine: HalfSine | None = Field(None, alias="half-sine")
+    velocity: Annotated[float, QuantityOf("velocity", above=0.0)] | None = None
+    srs: tuple[SpectrumPoint, ...] = ()
+    q: Annotated[float, QuantityOf("ratio", at_least=0.5)] = 10.0
+    axis: Literal["x", "y"] = "x"
+
+    @model_validator(mode="after")
+    def _one_description(self) -> "Shock":
+        if sum((self.half_sine is not None, self.velocity is not None, bool(self.srs))) != 1:
+            raise spec_error(
+                "a shock is a half-sine, a velocity or an srs", "give one of the three"
+            )
+        if len(self.srs) == 1:
+            raise spec_error("a spectrum needs two points or more", "add a point", at=("srs",))
+        for index, (first, second) in enumerate(pairwise(self.srs)):
+            if second.frequency <= first.frequency:
+                raise spec_error(
+                    "frequencies must rise", "put them in order", at=("srs", index + 1, "frequency")
+                )
+        return self
+
+    def worst_acceleration(self) -> float | None:
+        """Return the largest acceleration of any oscillator [m/s²]; a velocity has none."""
+        if self.half_sine is not None:
+            return LARGEST_HALF_SINE * self.half_sine.acceleration
+        return max(p.acceleration for p in self.srs) if self.srs else None
+
+    def pseudo_acceleration(self, fn: Floats) -> Floats:
+        """Return the peak of ω_n² z of oscillators of natural frequencies fn [Hz], [m/s²].
+
+        Raises ValueError where a spectrum does not reach.
+        """
+        if self.half_sine is not None:
+            rigid = fn * self.half_sine.duration > RIGID
+            pulse = half_sine_damped(
+                np.minimum(fn, RIGID / self.half_sine.duration),
+                self.q,
+                self.half_sine.acceleration,
+                self.half_sine.duration,
+                quantity="pseudo",
+            )
+            return np.where(rigid, self.half_sine.acceleration, pulse.maximax)
+        if self.velocity is not None:
+            return velocity_shock_acceleration(self.velocity, fn)
+        frequencies = np.array([p.frequency for p in self.srs])
+        levels = np.array([p.acceleration for p in self.srs])
+        return srs_level(fn, frequencies, levels)

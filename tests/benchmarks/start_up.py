@@ -1,0 +1,56 @@
+"""Print what a start of the command costs against importing what it stands on.
+
+Run by hand: python tests/benchmarks/start_up.py
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "rocket-parallel-stage" / "flexure.yaml"
+REPEATS = 9
+MAIN = "from flexcli.cli.app import main; main()"
+
+
+def pair(first, second):
+    """Return median seconds of two commands run in turn, and the median of their ratios."""
+    times = []
+    for _ in range(REPEATS + 1):
+        row = []
+        for command in (first, second):
+            started = perf_counter()
+            subprocess.run(
+                [sys.executable, "-c", *command], stdout=subprocess.DEVNULL, check=True, timeout=60
+            )
+            row.append(perf_counter() - started)
+        times.append(row)
+    warm = times[1:]
+    ratio = median(a / b for a, b in warm)
+    return median(a for a, _ in warm), median(b for _, b in warm), ratio
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        sized = str(Path(folder) / "sized.yaml")
+        command = [sys.executable, "-c", MAIN, "size", str(EXAMPLE), "--write", sized]
+        subprocess.run(command, stdout=subprocess.DEVNULL, check=True, timeout=60)
+        rows = (
+            ("flexure --help", [MAIN, "--help"], "import typer", ["import typer"]),
+            (
+                "flexure check",
+                [MAIN, "check", sized],
+                "import typer, pydantic, yaml, numpy",
+                ["import typer, pydantic, yaml, numpy"],
+            ),
+            ("flexure size", [MAIN, "size", str(EXAMPLE)], "import scipy.optimize", ["import scipy.optimize"]),  # fmt: skip
+        )
+        for name, command, base_name, base in rows:
+            own, other, ratio = pair(command, base)
+            print(f"{name}: {own:.3f} s; {base_name}: {other:.3f} s; ratio {ratio:.2f}")
+
+
+if __name__ == "__main__":
+    main()
