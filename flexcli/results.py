@@ -7,18 +7,29 @@ from enum import Enum
 from flexcli.errors import Finding
 
 __all__ = [
+    "BalanceResult",
+    "CaseResponse",
     "Check",
     "Cost",
+    "CouplingTerm",
     "Design",
     "EffectRow",
+    "GravityRow",
+    "ModeResult",
     "Note",
+    "OutputResult",
+    "ProfileRow",
     "Property",
     "Relaxation",
     "Result",
     "Sensitivity",
     "SizingResult",
     "Status",
+    "StrokeRow",
+    "TransferRow",
+    "UnknownResult",
     "Value",
+    "WorstCaseRow",
 ]
 
 
@@ -128,6 +139,48 @@ class Result:
     findings: tuple[Finding, ...] = ()
     cost: Cost | None = None
     sizing: "SizingResult | None" = None
+    responses: "tuple[CaseResponse, ...]" = ()
+    profiles: "tuple[ProfileRow, ...]" = ()
+    breakpoints: "tuple[BreakpointRow, ...]" = ()
+    worst_cases: "tuple[WorstCaseRow, ...]" = ()
+    balance: "BalanceResult | None" = None
+
+
+@dataclass(frozen=True)
+class ModeResult:
+    """One natural mode: frequency [Hz], share of the mass that it moves, rms of its responses.
+
+    ``dynamic`` is false for a mode that the band can't excite or the base does not move.
+    """
+
+    frequency: float
+    mass_share: float
+    dynamic: bool
+    rms: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class OutputResult:
+    """One response: rms and its zero crossings (random only), peak, peak expected in the time."""
+
+    name: str
+    unit: str
+    rms: float | None
+    peak: float
+    expected_peak: float | None
+    crossing_rate: float | None
+
+
+@dataclass(frozen=True)
+class CaseResponse:
+    """What the modes make of the vibration or the shock of one case; lives [s] by method."""
+
+    case: str
+    kind: str
+    modes: tuple[ModeResult, ...]
+    outputs: tuple[OutputResult, ...]
+    lives: Mapping[str, Mapping[str, float]]
+    duration: float | None
 
 
 @dataclass(frozen=True)
@@ -170,3 +223,155 @@ class SizingResult:
     sensitivities: tuple[Sensitivity, ...] = ()
     conflict: tuple[Relaxation, ...] = ()
     remarks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class UnknownResult:
+    """What was free of a mechanism, and what was chosen within its bounds."""
+
+    name: str
+    value: float
+    unit: str
+    least: float | None
+    most: float | None
+
+
+@dataclass(frozen=True)
+class TransferRow:
+    """Displacement over acceleration of the base [s²] at a frequency, before and after balancing.
+
+    Damped ones are complex: magnitude and phase. None where there is nothing to balance, no
+    damping is stated, or the value is infinite (an undamped resonance).
+    """
+
+    frequency: float
+    init: float | None
+    final: float | None
+    init_damped: complex | None = None
+    final_damped: complex | None = None
+
+
+@dataclass(frozen=True)
+class StrokeRow:
+    """A term of the equation of motion at rest and over the stroke.
+
+    ``orders`` are the contributions of the first, second and third power of the coordinate at the
+    end of the stroke; ``at_stroke`` is the exact value at the end that differs most from rest.
+    """
+
+    name: str
+    unit: str
+    at_rest: float
+    orders: tuple[float, ...]
+    at_stroke: float
+
+
+@dataclass(frozen=True)
+class CouplingTerm:
+    """How the coupling depends on one number of the mechanism, and what its tolerance does."""
+
+    name: str
+    value: float
+    unit: str
+    slope: float
+    tolerance: float
+    effect: float
+
+
+@dataclass(frozen=True)
+class GravityRow:
+    """What gravity along one axis does: torque (or force) on the freedom, sag, stiffness."""
+
+    axis: str
+    mounted: str
+    unit: str
+    at_rest: float
+    at_stroke: float | None
+    sag: float | None
+    stiffness: float
+
+
+@dataclass(frozen=True)
+class BalanceResult:
+    """The answer of ``flexure balance`` beside its values."""
+
+    outcome: str
+    motion: str
+    output_unit: str
+    reason: str = ""
+    remedy: str = ""
+    stroke: float | None = None
+    quality: float | None = None
+    unknowns: tuple[UnknownResult, ...] = ()
+    transfer: tuple[TransferRow, ...] = ()
+    over_stroke: tuple[StrokeRow, ...] = ()
+    sensitivities: tuple[CouplingTerm, ...] = ()
+    gravity: tuple[GravityRow, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class ProfileRow:
+    """A profile of acceleration density: its rms [m/s²], as computed and as published, sources."""
+
+    name: str
+    title: str
+    g_rms: float
+    published_grms: float | None
+    status: str
+    standard: str
+    revision: str
+    location: str
+    note: str
+    interpolation: str
+    axis: str
+    duration: float | None
+    tolerance_above: float | None
+    tolerance_below: float | None
+
+
+@dataclass(frozen=True)
+class BreakpointRow:
+    """A corner of a profile [Hz, (m/s²)²/Hz] and the slope to the next one [dB/octave].
+
+    The slope of a step is infinite; on linear axes, and at the last point, there is none.
+    """
+
+    frequency: float
+    level: float
+    slope: float | None
+
+
+@dataclass(frozen=True)
+class WorstCaseRow:
+    """Miles over all frequencies beside the exact response, for one case and one Q; SI units.
+
+    ``g_rms_worst`` is Miles' maximum, at ``f_worst``; ``g_rms_exact`` and ``g_rms_pseudo`` are the
+    exact absolute acceleration and pseudo-acceleration there. ``g_rms_max`` is the greatest exact
+    absolute acceleration in the band, at ``f_max``. ``miles_excess_there`` and ``miles_excess``
+    tell how far Miles' maximum lies above these (a share of them), ``shortfall`` how far Miles
+    lies below the exact response where it does most, at ``f_shortfall``. ``c_*`` are peaks over
+    rms, ``a_*`` those times ``g_rms_worst``; they lack where the duration does.
+    """
+
+    case: str
+    profile: str
+    applied: str
+    q: float
+    f_worst: float
+    g_rms_worst: float
+    g_rms_exact: float
+    g_rms_pseudo: float
+    f_max: float
+    g_rms_max: float
+    miles_excess_there: float
+    miles_excess: float
+    shortfall: float
+    f_shortfall: float | None
+    duration: float | None
+    c_sigma: float
+    a_sigma: float
+    c_peak: float | None
+    a_peak: float | None
+    c_davenport: float | None
+    a_davenport: float | None

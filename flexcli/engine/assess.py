@@ -13,7 +13,16 @@ from flexcli.parts.requirements import Limit
 from flexcli.parts.scene import Scene
 from flexcli.results import Check, EffectRow, Note, Value
 
-__all__ = ["ROUNDING", "checks", "effects", "factor", "factors", "values", "warnings"]
+__all__ = [
+    "ROUNDING",
+    "case_values",
+    "checks",
+    "effects",
+    "factor",
+    "factors",
+    "values",
+    "warnings",
+]
 
 ROUNDING = 1e-9
 """A factor this little (relative) below the required one is rounding, not a failure: what a
@@ -61,7 +70,7 @@ def checks(limits: Iterable[Limit]) -> tuple[Check, ...]:
             passed=found >= asked * (1.0 - ROUNDING),
             source=limit.source,
         )
-        if limit.name not in worst or found < worst[limit.name].factor:
+        if limit.name not in worst or check.margin < worst[limit.name].margin:
             worst[limit.name] = check
     return tuple(worst.values())
 
@@ -94,7 +103,7 @@ def factors(
     found: dict[str, NDArray[np.float64]] = {}
     for start in range(0, size, CHUNK):
         part = slice(start, start + CHUNK)
-        for limit in design.limits(Blade(*(x[part] for x in flat))):
+        for limit in design.closed_limits(Blade(*(x[part] for x in flat))):
             margins = found.setdefault(limit.name, np.full(size, np.inf))
             np.minimum(margins[part], _margin(limit), out=margins[part])
     return {name: margins.reshape(shape) for name, margins in found.items()}
@@ -119,10 +128,7 @@ def values(design: DesignSpec, blade: Blade) -> dict[str, Value]:
         name: Value(float(size), "m", labels[name], model="given")
         for name, size in blade._asdict().items()
     }
-    for name in design.cases:
-        scene = design.scene(name)
-        for key, value in scene.values.items():
-            found[key if key not in found or found[key] == value else f"{key}_{name}"] = value
+    found |= case_values(design)
     stiffness = float(geometry.stiffness(material.E, blade))
     symbol = "k_pivot" if geometry.motion == "rotation" else "k_stage"
     found[symbol] = Value(
@@ -135,6 +141,15 @@ def values(design: DesignSpec, blade: Blade) -> dict[str, Value]:
         found.update(design.mechanism.values(stiffness, geometry))
         for name in design.cases:
             found.update(_sag(design, blade, design.scene(name)))
+    return found
+
+
+def case_values(design: DesignSpec) -> dict[str, Value]:
+    """Return what the cases ask of each joint; names that differ between cases end in theirs."""
+    found: dict[str, Value] = {}
+    for name in design.cases:
+        for key, value in design.scene(name).values.items():
+            found[key if key not in found or found[key] == value else f"{key}_{name}"] = value
     return found
 
 
@@ -166,7 +181,9 @@ def effects(design: DesignSpec, blade: Blade) -> tuple[EffectRow, ...]:
 
 def warnings(design: DesignSpec, blade: Blade, rows: tuple[EffectRow, ...]) -> tuple[Note, ...]:
     """Return what a reviewer must know beside the margins."""
-    notes = []
+    notes: list[Note] = []
+    if design.mechanism is not None:
+        notes.extend(design.mechanism.notes())
     placeholders = design.material.placeholders()
     if placeholders:
         text = f"placeholder values, not physical: material.{', material.'.join(placeholders)}"

@@ -4,11 +4,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
+import numpy as np
+from numpy.typing import NDArray
+
 from flexcli.engine.optimum import optimum
 from flexcli.engine.program import SizingProgram
 from flexcli.numerics.lexicographic import log_value
 from flexcli.numerics.ratios import Equality, Ratio, Settled
-from flexcli.numerics.signomial import Signomial
+from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.numerics.square_system import solve_square
 from flexcli.results import Sensitivity
 
@@ -45,7 +48,7 @@ def balanced(program: SizingProgram, volume: Signomial) -> Balanced | NotBalance
     """
     groups = _load_rows(program)
     if not groups:
-        return NotBalanced("no requirement is on a load (fatigue, buckling, yield)")
+        return NotBalanced("no load requirement (fatigue, buckling, yield) moves with what is free")
     if len(groups) > len(program.names):
         return NotBalanced(
             f"{len(groups)} load requirements ({', '.join(groups)}) cannot all be active on "
@@ -72,7 +75,24 @@ def _load_rows(program: SizingProgram) -> dict[str, list[Ratio]]:
         limit = program.rows[row.name].limit
         if limit is not None and limit.load and isinstance(row, Ratio):
             groups.setdefault(limit.requirement, []).append(row)
-    return groups
+    return {name: _governing(rows) for name, rows in groups.items()}
+
+
+def _governing(rows: list[Ratio]) -> list[Ratio]:
+    """Return the rows that can govern: none whose every term another row exceeds."""
+    kept: list[Ratio] = []
+    for row in rows:
+        if not any(_exceeds(other, row) for other in kept):
+            kept = [other for other in kept if not _exceeds(row, other)]
+            kept.append(row)
+    return kept
+
+
+def _exceeds(one: Ratio, other: Ratio) -> bool:
+    if not (one.is_convex and other.is_convex):
+        return False
+    more = one.numerator / one.denominator - other.numerator / other.denominator
+    return more.negative_part().is_zero
 
 
 def _violated(program: SizingProgram, x: dict[str, float]) -> list[str]:
@@ -91,10 +111,12 @@ def _with_active(
     """Yield the designs at which the given rows are all at their limit."""
     names = tuple(program.rows[r.name].name for r in rows)
     if len(rows) == len(program.names):
-        for root in solve_square(rows, program.names):
-            yield Balanced(
-                root.x, names, _sensitivities(program, rows, root.sensitivity), root.condition, 0
-            )
+        # a nearly singular system may throw its refinement far off, where logarithms are not numbers
+        with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
+            roots = solve_square(rows, program.names)
+        for root in roots:
+            slopes = _sensitivities(program, rows, root.sensitivity, root.x)
+            yield Balanced(root.x, names, slopes, root.condition, 0)
         return
     equalities = [Equality(r.name, r.numerator, r.denominator) for r in rows]
     others = [r for r in program.constraints if r.name not in {row.name for row in rows}]
@@ -104,16 +126,23 @@ def _with_active(
 
 
 def _sensitivities(
-    program: SizingProgram, rows: tuple[Ratio, ...], matrix: object
+    program: SizingProgram,
+    rows: tuple[Ratio, ...],
+    slopes: NDArray[np.float64],
+    x: dict[str, float],
 ) -> tuple[Sensitivity, ...]:
-    import numpy as np
+    """Return what 1 % more of each demand moves, from the inverse Jacobian of the rows.
 
-    slopes = np.asarray(matrix)
+    A row holds negative terms of its demand in its denominator; more demand scales these too,
+    so that at the root its logarithm grows by only the capacity's share of the denominator.
+    """
     found = []
     for index, row in enumerate(rows):
-        limit = program.rows[row.name].limit
-        on = {n: float(slopes[j, index]) for j, n in enumerate(program.names)}
+        source = program.rows[row.name]
+        share = float(as_signomial(source.capacity).at(**x) / row.denominator.at(**x))
+        on = {
+            n: float(slopes[j, index]) * share * source.power for j, n in enumerate(program.names)
+        }
         on["volume"] = sum(on.values())
-        driver = limit.driver if limit is not None else ""
-        found.append(Sensitivity(program.rows[row.name].name, driver, on))
+        found.append(Sensitivity(source.name, source.driver, on))
     return tuple(found)

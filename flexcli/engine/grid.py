@@ -3,42 +3,49 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from itertools import product
+from math import prod
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine import assess
+from flexcli.engine.branching import branch
 from flexcli.engine.optimum import optimum
 from flexcli.engine.program import SizingProgram
-from flexcli.numerics.ratios import Equality, Ratio, Settled, at_most
-from flexcli.numerics.signomial import Signomial, as_signomial, variables
+from flexcli.numerics.ratios import Ratio, Settled, at_most
+from flexcli.numerics.signomial import Signomial, variables
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.sizing import Grid
 
-__all__ = ["GridPoint", "Merit", "best_on_grid"]
+__all__ = ["GridPoint", "best_on_grid"]
 
 Floats = NDArray[np.float64]
 Merit = Callable[[Mapping[str, Floats]], Floats]
 """What the search makes smallest, on arrays of the free dimensions."""
 
-_Best = tuple[float, dict[str, float]] | None
+Box = Mapping[str, tuple[float, float]]
 
-MOST_POINTS = 20_000_000
+MOST_POINTS = 4_000_000
 """Grid points judged at the most; at some million a second this takes seconds."""
-
-MOST_PROGRAMS = 400
-"""Choices of gridded sizes tried when other dimensions stay continuous: a program for each."""
 
 FIRST_WINDOW, WIDEST_WINDOW = 0.05, 3.0
 """Half-widths of the first and the last box searched about the continuous design, in logarithms."""
 
+SAME = 1e-12
+"""Merits closer than this (relative) are equal: products of the same sizes, rounded apart."""
+
+HAIR = 1e-9
+"""By how much a box is widened, so that rounding leaves no grid value of its rim out."""
+
 
 @dataclass(frozen=True)
 class GridPoint:
-    """The best point found, and whether nothing better can be on the grid."""
+    """The best point found, and whether nothing better can be on the grid.
 
-    x: dict[str, float]
+    Without a point, ``proved`` says that the grid has no feasible one.
+    """
+
+    x: dict[str, float] | None
     proved: bool
     judged: int
 
@@ -47,50 +54,72 @@ def best_on_grid(
     design: DesignSpec,
     program: SizingProgram,
     grids: Mapping[str, Grid],
-    merit: Signomial | Merit,
+    objectives: Sequence[Signomial] | None,
     centre: Mapping[str, float],
-) -> GridPoint | None:
-    """Return the feasible grid point of least merit, or nothing when none was found.
+) -> GridPoint:
+    """Return the feasible grid point of least objective, ties broken by the next objectives.
 
-    ``merit`` is a signomial (an objective) or a function (the distance from a balanced design).
-    Boxes about the continuous design grow until one holds a feasible point. Then everything that
-    could be better is judged: for an objective, the box around all feasible designs of smaller
-    objective (by two small convex programs per dimension); for a distance, the box of that
-    half-width. Where other dimensions stay continuous, each choice on the grid is a program.
+    Without objectives it is the one nearest to the centre, by the sum of |ln ratio| of the sizes.
+    When every free dimension is on a grid, its points are judged one by one: boxes about the
+    centre grow until one holds a feasible point, then everything that could be better is judged.
+    When a dimension stays continuous, or that is too many points, branch and bound decides.
     """
     grids = {name: grid for name, grid in grids.items() if name in program.names}
-    whole = set(grids) == set(program.names)
-    rows = program.banded()
-    value = merit if callable(merit) else _evaluate(merit)
+    point = GridPoint(None, False, 0)
+    if set(grids) == set(program.names):
+        merits = [_distance(centre)] if objectives is None else [_value(o) for o in objectives]
+        point = _judged_one_by_one(design, program, grids, merits, objectives, centre)
+        if point.proved or (point.x is not None and program.curved):
+            return point
+    other = branch(program, grids, objectives, centre)
+    x = other.x if other.x is not None else point.x
+    return GridPoint(x, other.proved, point.judged + other.solved)
 
-    def search(box: Mapping[str, tuple[float, float]]) -> tuple[_Best, int]:
-        axes = _axes(grids, box)
-        if whole:
-            return _judge_points(design, program, axes, value)
-        return _judge_programs(program, rows, axes, merit, value)
 
-    judged, width = 0, FIRST_WINDOW
-    best: _Best = None
+def _value(objective: Signomial) -> Merit:
+    return lambda x: np.asarray(objective.at(**x))
+
+
+def _distance(centre: Mapping[str, float]) -> Merit:
+    def distance(x: Mapping[str, Floats]) -> Floats:
+        return np.asarray(sum(np.abs(np.log(x[name] / at)) for name, at in centre.items()))
+
+    return distance
+
+
+def _judged_one_by_one(
+    design: DesignSpec,
+    program: SizingProgram,
+    grids: Mapping[str, Grid],
+    merits: Sequence[Merit],
+    objectives: Sequence[Signomial] | None,
+    centre: Mapping[str, float],
+) -> GridPoint:
+    judged, width = 0, _first_width(grids, centre)
+    best: dict[str, float] | None = None
     while best is None and width <= WIDEST_WINDOW:
-        best, count = search(_window(centre, width))
+        best, count = _judge(design, program, grids, _window(centre, width), merits)
+        if count == 0:
+            break
         judged, width = judged + count, width * 2.0
     if best is None:
-        return None
+        return GridPoint(None, False, judged)
+    reached = float(merits[0]({name: np.asarray(size) for name, size in best.items()}))
     box = (
-        _window(centre, best[0])
-        if callable(merit)
-        else _box_of_better(program, rows, merit, best[0])
+        _window(centre, reached)
+        if objectives is None
+        else _box_of_better(program, objectives[0], reached)
     )
     if box is None:
-        return GridPoint(best[1], False, judged)
-    better, count = search(box)
-    found = better if better is not None and better[0] <= best[0] else best
-    complete = count > 0 and (whole if callable(merit) else not program.curved)
-    return GridPoint(found[1], complete, judged + count)
+        return GridPoint(best, False, judged)
+    better, count = _judge(design, program, grids, box, merits)
+    return GridPoint(better or best, count > 0, judged + count)
 
 
-def _evaluate(objective: Signomial) -> Merit:
-    return lambda x: np.asarray(objective.at(**x))
+def _first_width(grids: Mapping[str, Grid], centre: Mapping[str, float]) -> float:
+    """Return a half-width that holds a few steps of the coarsest grid, small for fine grids."""
+    steps = [grid.step / centre[name] for name, grid in grids.items() if grid.step is not None]
+    return min(FIRST_WINDOW, 2.0 * max(steps, default=FIRST_WINDOW))
 
 
 def _window(centre: Mapping[str, float], width: float) -> dict[str, tuple[float, float]]:
@@ -98,66 +127,83 @@ def _window(centre: Mapping[str, float], width: float) -> dict[str, tuple[float,
     return {name: (x / factor, x * factor) for name, x in centre.items()}
 
 
-def _axes(grids: Mapping[str, Grid], box: Mapping[str, tuple[float, float]]) -> dict[str, Floats]:
-    """Return the grid values of each dimension in a box (a hair wider, against rounding).
+@dataclass(frozen=True)
+class _Axis:
+    """The grid values of one dimension in a box: multiples of a step, or sizes of a stock.
 
-    A dimension without a grid value in the box gets its nearest ones, so that a coarse stock
-    does not make the search miss every design.
+    A box without a grid value gets the nearest ones, so that a coarse stock does not make the
+    search miss every design.
     """
-    return {name: _values(grid, *box[name]) for name, grid in grids.items()}
+
+    stock: Floats
+    step: float
+    first: int
+    count: int
+
+    @classmethod
+    def of(cls, grid: Grid, low: float, high: float) -> "_Axis":
+        low, high = low * (1.0 - HAIR), high * (1.0 + HAIR)
+        if grid.step is None:
+            stock = np.array(sorted(set(grid.stock)))
+            inside = stock[(stock >= low) & (stock <= high)]
+            if not inside.size:
+                inside = np.concatenate([stock[stock < low][-1:], stock[stock > high][:1]])
+            return cls(inside, 0.0, 0, inside.size)
+        first, last = int(np.ceil(low / grid.step)), int(np.floor(high / grid.step))
+        if first > last:
+            first, last = last, first
+        first = max(1, first)
+        return cls(np.empty(0), grid.step, first, max(last, first) - first + 1)
+
+    def values(self) -> Floats:
+        """Return the values, each the float nearest to the decimal multiple of the step."""
+        if not self.step:
+            return self.stock
+        step = Decimal(repr(self.step))
+        return np.array([float(step * k) for k in range(self.first, self.first + self.count)])
 
 
-def _values(grid: Grid, low: float, high: float) -> Floats:
-    low, high = low * (1.0 - 1e-12), high * (1.0 + 1e-12)
-    if grid.stock:
-        stock = np.array(sorted(grid.stock))
-        inside = stock[(stock >= low) & (stock <= high)]
-        if inside.size:
-            return inside
-        below, above = stock[stock < low][-1:], stock[stock > high][:1]
-        return np.concatenate([below, above])
-    assert grid.step is not None  # a grid is a step or a stock
-    step = Decimal(repr(grid.step))
-    first, last = max(1, int(np.ceil(low / grid.step))), int(np.floor(high / grid.step))
-    if first > last:
-        first, last = max(1, last), max(1, last) + 1
-    if last - first >= MOST_POINTS:
-        return np.linspace(low, high, 2)  # too fine to list: the caller sees the size
-    return np.array([float(step * k) for k in range(first, last + 1)])
-
-
-def _size(axes: Mapping[str, Floats]) -> int:
-    return int(np.prod([axis.size for axis in axes.values()]))
-
-
-def _judge_points(
-    design: DesignSpec, program: SizingProgram, axes: Mapping[str, Floats], value: Merit
-) -> tuple[_Best, int]:
-    """Return merit and place of the best feasible point of a box, and how many were judged."""
-    size = _size(axes)
+def _judge(
+    design: DesignSpec,
+    program: SizingProgram,
+    grids: Mapping[str, Grid],
+    box: Box,
+    merits: Sequence[Merit],
+) -> tuple[dict[str, float] | None, int]:
+    """Return the best feasible point of a box and how many were judged: none when too many."""
+    axes = {name: _Axis.of(grid, *box[name]) for name, grid in grids.items()}
+    size = prod(axis.count for axis in axes.values())
     if size > MOST_POINTS:
         return None, 0
-    best: _Best = None
-    first, *others = axes
-    slab = max(1, assess.CHUNK // max(1, size // axes[first].size))
-    for start in range(0, axes[first].size, slab):
-        grid = np.meshgrid(
-            axes[first][start : start + slab], *(axes[n] for n in others), indexing="ij"
-        )
-        x = {name: values.reshape(-1) for name, values in zip(axes, grid, strict=True)}
-        merits = np.where(_feasible(design, program, x), value(x), np.inf)
-        at = int(np.argmin(merits))
-        if np.isfinite(merits[at]) and (best is None or merits[at] < best[0]):
-            best = float(merits[at]), {name: float(values[at]) for name, values in x.items()}
-    return best, size
+    values = {name: axis.values() for name, axis in axes.items()}
+    shape = tuple(axis.count for axis in axes.values())
+    found: list[dict[str, Floats]] = []
+    for start in range(0, size, assess.CHUNK):
+        places = np.unravel_index(np.arange(start, min(start + assess.CHUNK, size)), shape)
+        x = {name: values[name][at] for name, at in zip(values, places, strict=True)}
+        holds = _feasible(design, program, x)
+        if holds.any():
+            found.append(_first_by(merits, {name: at[holds] for name, at in x.items()}))
+    if not found:
+        return None, size
+    best = _first_by(merits, {n: np.concatenate([x[n] for x in found]) for n in values})
+    return {name: float(at[0]) for name, at in best.items()}, size
+
+
+def _first_by(merits: Sequence[Merit], x: dict[str, Floats]) -> dict[str, Floats]:
+    """Return the one point of least merit, ties decided by the merits that follow."""
+    for merit in merits:
+        value = np.broadcast_to(merit(x), next(iter(x.values())).shape)
+        least = value.min()
+        x = {name: at[value <= least + SAME * abs(least)] for name, at in x.items()}
+    return {name: at[:1] for name, at in x.items()}
 
 
 def _feasible(
     design: DesignSpec, program: SizingProgram, x: Mapping[str, Floats]
 ) -> NDArray[np.bool_]:
     blade = program.complete(dict(x))  # type: ignore[arg-type]
-    shape = np.broadcast_shapes(*(np.shape(v) for v in x.values()))
-    holds = np.ones(shape, dtype=bool)
+    holds = np.ones(next(iter(x.values())).shape, dtype=bool)
     for name, extent in design.geometry.extents.items():
         if name in x:
             holds &= x[name] >= (extent.least or 0.0)
@@ -167,50 +213,23 @@ def _feasible(
     return holds
 
 
-def _judge_programs(
-    program: SizingProgram,
-    rows: Sequence[Ratio | Settled],
-    axes: Mapping[str, Floats],
-    merit: Signomial | Merit,
-    value: Merit,
-) -> tuple[_Best, int]:
-    """Return the best design with some dimensions on their grid and the others optimal.
-
-    The others minimise the objective, or the volume where the merit is a distance.
-    """
-    size = _size(axes)
-    if size > MOST_PROGRAMS:
-        return None, 0
-    h, l, b = program.blade
-    goal = as_signomial(h * l * b) if callable(merit) else merit
-    best: _Best = None
-    for sizes in product(*axes.values()):
-        held = [
-            Equality(f"{name} on its grid", variables(name)[0], as_signomial(float(given)))
-            for name, given in zip(axes, sizes, strict=True)
-        ]
-        solution = optimum(program, [goal], rows, held)
-        if solution.converged:
-            x = {n: solution.x[n] for n in program.names}
-            x |= {name: float(given) for name, given in zip(axes, sizes, strict=True)}
-            reached = float(value({n: np.asarray(v) for n, v in x.items()}))
-            if best is None or reached < best[0]:
-                best = reached, x
-    return best, size
-
-
 def _box_of_better(
-    program: SizingProgram, rows: Sequence[Ratio | Settled], objective: Signomial, best: float
+    program: SizingProgram, objective: Signomial, best: float
 ) -> dict[str, tuple[float, float]] | None:
-    """Return the box around all feasible designs whose objective is at most ``best``."""
-    better = [*rows, at_most("no worse than the best", objective, best * (1.0 + 1e-9))]
+    """Return the box around all feasible designs whose objective is at most ``best``.
+
+    Nothing where a dimension has no end there, or where an end is only a local optimum.
+    """
+    better: list[Ratio | Settled] = [
+        *program.banded(), at_most("no worse than the best", objective, best * (1.0 + HAIR))
+    ]  # fmt: skip
     box = {}
     for name in program.names:
         (x,) = variables(name)
         ends = []
         for goal in (x, 1.0 / x):
             solution = optimum(program, [goal], better, ())
-            if not solution.converged:
+            if not solution.converged or solution.certificate != "global":
                 return None
             ends.append(solution.x[name])
         box[name] = (ends[0], ends[1])

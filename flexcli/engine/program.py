@@ -1,7 +1,9 @@
 """A design as a geometric program: limits and bounds as rows over the free dimensions."""
 
 from dataclasses import dataclass, field
+from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 
+from flexcli.formulas.quantity import Quantity
 from flexcli.numerics.ratios import Equality, Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, as_signomial, variables
 from flexcli.parts.design import DesignSpec
@@ -13,13 +15,47 @@ from flexcli.units import show
 __all__ = ["Row", "SizingProgram", "objective_of", "sizing_program"]
 
 
+DIGITS = 4
+"""Significant digits of a proposed relaxation, rounded to the side that does."""
+
+LEEWAY = 1e-9
+"""Relative noise of a solve: what a proposal is eased by before it is rounded."""
+
+
 @dataclass(frozen=True)
 class Row:
-    """Where a row of the program comes from: a limit, or a bound on a dimension."""
+    """Where a row ``demand ≤ capacity`` comes from: a limit, or a bound on a dimension."""
 
     name: str
+    demand: Quantity
+    capacity: Quantity
     limit: Limit | None = None
     bound: float = 0.0
+
+    @property
+    def requirement(self) -> tuple[object, ...]:
+        """Return what rows have in common that the spec states once: both ends, signs and axes."""
+        limit = self.limit
+        if limit is None:
+            return (self.name,)
+        stated = [s for s in (limit.demand, limit.capacity) if isinstance(s, float)]
+        return limit.name, limit.required, *(stated if limit.is_bound else ())
+
+    @property
+    def power(self) -> int:
+        """Return the power that demand and capacity are given raised to."""
+        return self.limit.power if self.limit is not None else 1
+
+    def constraint(
+        self, key: str, *, tighter: float = 1.0, ease: Quantity = 1.0
+    ) -> Ratio | Settled:
+        """Return the row with its demand times ``tighter`` or its capacity times ``ease``."""
+        return at_most(key, self.demand * tighter**self.power, self.capacity * ease)
+
+    def equality(self, key: str, *, more: Quantity = 1.0, less: Quantity = 1.0) -> Equality:
+        """Return the row of a target that is ``more/less`` times as large."""
+        difference = as_signomial(self.demand * less) - as_signomial(self.capacity * more)
+        return Equality(key, difference.positive_part(), difference.negative_part())
 
     @property
     def driver(self) -> str:
@@ -28,21 +64,32 @@ class Row:
             return "bound"
         return self.limit.driver or ("target" if self.limit.tolerance is not None else "bound")
 
-    def relaxed(self, ratio: float) -> str:
-        """Return what would do if this row alone gave way by a factor > 1 on its utilisation."""
+    def relaxed(self, ratio: float, *, upward: bool) -> str:
+        """Return what would do if this row alone gave way, as the spec states it.
+
+        ``ratio`` > 1 is on its utilisation; a target moves ``upward`` or down.
+        """
+        ratio = ratio ** (1.0 / self.power)
         limit = self.limit
         if limit is None:
-            least = self.name.startswith("least")
-            new = self.bound / ratio if least else self.bound * ratio
+            new = self._given_way(self.bound, ratio, upward=not self.name.startswith("least"))
             return f"bound {show(self.bound, 'm')} → {show(new, 'm')}"
-        ratio = ratio ** (1.0 / limit.power)
-        if limit.variant in ("min", "max", "equals"):
-            upper = limit.variant != "min"
-            side = limit.capacity if upper else limit.demand
+        if limit.is_bound:
+            side = limit.demand if limit.variant == "min" else limit.capacity
             given = float(side) ** (1.0 / limit.power)
-            new = given * ratio if upper else given / ratio
+            sense = {"min": False, "max": True, "equals": upward}[limit.variant]
+            new = self._given_way(given, ratio, upward=sense)
             return f"{limit.variant} {show(given, limit.unit)} → {show(new, limit.unit)}"
-        return f"required factor {limit.required:.4g} → {limit.required / ratio:.4g}"
+        new = self._given_way(limit.required, ratio, upward=False)
+        return f"required factor {limit.required:.4g} → {new:.4g}"
+
+    @staticmethod
+    def _given_way(given: float, ratio: float, *, upward: bool) -> float:
+        """Return a value moved by a ratio and rounded on to the digits that are shown."""
+        eased = ratio * (1.0 + LEEWAY)
+        new = Decimal(given * eased if upward else given / eased)
+        last = Decimal(1).scaleb(new.adjusted() - DIGITS + 1)
+        return float(new.quantize(last, ROUND_CEILING if upward else ROUND_FLOOR))
 
 
 @dataclass(frozen=True)
@@ -88,24 +135,24 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
     constraints: list[Ratio | Settled] = []
     equalities: list[Equality] = []
     rows: dict[str, Row] = {}
-    for index, limit in enumerate(design.limits(blade)):
+    for index, limit in enumerate(design.closed_limits(blade)):
         key = f"{index} {limit.name}"
-        rows[key] = Row(f"{limit.name}: {limit.quantity}", limit)
+        asked = limit.required**limit.power
+        row = Row(f"{limit.name}: {limit.quantity}", limit.demand * asked, limit.capacity, limit)
+        rows[key] = row
         if limit.tolerance is not None:
-            difference = as_signomial(limit.demand) - as_signomial(limit.capacity)
-            equalities.append(Equality(key, difference.positive_part(), difference.negative_part()))
+            equalities.append(row.equality(key))
         else:
-            asked = limit.required**limit.power
-            constraints.append(at_most(key, limit.demand * asked, limit.capacity))
+            constraints.append(row.constraint(key))
     for name in names:
         extent = extents[name]
         for side, size in (("least", extent.least), ("most", extent.most)):
             if size is None:
                 continue
             key = f"{side} {name}"
-            rows[key] = Row(key, bound=size)
             low, high = (size, symbols[name]) if side == "least" else (symbols[name], size)
-            constraints.append(at_most(key, low, high))
+            rows[key] = Row(key, low, high, bound=size)
+            constraints.append(rows[key].constraint(key))
     return SizingProgram(names, blade, tuple(constraints), tuple(equalities), rows)
 
 

@@ -4,17 +4,16 @@ from collections.abc import Mapping
 from dataclasses import replace
 from time import perf_counter
 
-import numpy as np
-from numpy.typing import NDArray
-
 from flexcli.engine import assess
 from flexcli.engine.balanced import Balanced, NotBalanced, balanced
 from flexcli.engine.check import MODEL
-from flexcli.engine.grid import GridPoint, Merit, best_on_grid
+from flexcli.engine.grid import GridPoint, best_on_grid
 from flexcli.engine.optimum import (
+    active_rows,
     certificate,
     explain_conflict,
     optimum,
+    refuse_undetermined,
     refuse_unsolved,
     sensitivities,
 )
@@ -74,7 +73,7 @@ def _choose(design: DesignSpec, program: SizingProgram) -> _Choice | None:
     """Return the chosen design, or nothing when the requirements conflict."""
     volume = objective_of(design, "least-volume", program.blade)
     smallest = _solve(program, [volume, *_ties(program)])
-    if smallest is None:
+    if smallest.outcome is Outcome.INFEASIBLE:
         return None
     if design.size.objective == "balanced":
         return _choose_balanced(design, program, volume, smallest)
@@ -86,12 +85,8 @@ def _ties(program: SizingProgram) -> list[Signomial]:
     return [as_signomial(x) for x in (program.blade.l, program.blade.b, program.blade.h)]
 
 
-def _solve(program: SizingProgram, objectives: list[Signomial]) -> Solution | None:
-    solution = optimum(program, objectives, program.constraints, program.equalities)
-    if solution.outcome is Outcome.INFEASIBLE:
-        return None
-    refuse_unsolved(solution, program)
-    return solution
+def _solve(program: SizingProgram, objectives: list[Signomial]) -> Solution:
+    return optimum(program, objectives, program.constraints, program.equalities)
 
 
 def _choose_optimum(
@@ -100,13 +95,14 @@ def _choose_optimum(
     volume: Signomial,
     smallest: Solution,
     objective: Objective,
-) -> _Choice | None:
+) -> _Choice:
     goal = objective_of(design, objective, program.blade)
     name = objective if isinstance(objective, str) else _spoken(objective.model_dump())
     objectives = [goal, volume, *_ties(program)]
     solution = smallest if name == "least-volume" else _solve(program, objectives)
-    if solution is None:
-        return None
+    refuse_unsolved(solution, program)
+    if not (solution.unique or smallest.converged):
+        refuse_undetermined(goal, solution, smallest, program)
     remarks = []
     if solution.tie_breakers:
         remarks.append(
@@ -117,24 +113,23 @@ def _choose_optimum(
     sizing = SizingResult(
         objective=name,
         certificate=certificate(solution, program),
-        active=tuple(program.rows[a].name for a in solution.active if a in program.rows),
+        active=active_rows(solution, program),
         sensitivities=sensitivities(program, objectives, solution),
         remarks=tuple(remarks),
     )
-    others = []
-    if name != "least-volume":
-        x = {n: smallest.x[n] for n in program.names}
-        others = [_design(design, "least volume", program.complete(x))]
+    others = [] if name == "least-volume" else _least_volume(design, program, smallest)
     return _on_grid(
-        design,
-        program,
-        sizing,
-        ideal,
-        goal,
-        others,
-        iterations=solution.iterations,
-        label="optimum",
-    )
+        design, program, sizing, ideal, objectives, others,
+        iterations=solution.iterations, label="optimum",
+    )  # fmt: skip
+
+
+def _least_volume(design: DesignSpec, program: SizingProgram, smallest: Solution) -> list[Design]:
+    """Return the design of least volume to compare with, where there is one."""
+    if not smallest.converged:
+        return []
+    x = {n: smallest.x[n] for n in program.names}
+    return [_design(design, "least volume", program.complete(x))]
 
 
 def _spoken(objective: Mapping[str, str | None]) -> str:
@@ -143,20 +138,22 @@ def _spoken(objective: Mapping[str, str | None]) -> str:
 
 def _choose_balanced(
     design: DesignSpec, program: SizingProgram, volume: Signomial, smallest: Solution
-) -> _Choice | None:
+) -> _Choice:
     found = balanced(program, volume)
     if isinstance(found, NotBalanced):
         chosen = _choose_optimum(design, program, volume, smallest, "least-volume")
-        if chosen is not None:
-            text = f"no balanced design: {found.reason}; sized for least volume instead"
-            chosen.notes = (*chosen.notes, Note("no-balanced-design", text))
+        text = f"no balanced design: {found.reason}; sized for least volume instead"
+        chosen.notes = (*chosen.notes, Note("no-balanced-design", text))
         return chosen
     ideal = program.complete(found.x)
-    least = program.complete({n: smallest.x[n] for n in program.names})
-    more = float(design.geometry.volume(ideal)) / float(design.geometry.volume(least)) - 1.0
-    remarks = [f"the balanced design has {more:.1%} more volume than the least volume"]
+    least = _least_volume(design, program, smallest)
+    remarks = ["there is no least volume to compare with: nothing holds it"]
+    if least:
+        more = float(design.geometry.volume(ideal)) / least[0].volume - 1.0
+        remarks = [f"the balanced design has {more:.1%} more volume than the least volume"]
     if found.others:
-        remarks.append(f"{found.others} other balanced design(s) exist; this is the smallest")
+        several = "designs exist" if found.others > 1 else "design exists"
+        remarks.append(f"{found.others} other balanced {several}; this is the smallest")
     sizing = SizingResult(
         objective="balanced",
         certificate="root of the square system" if found.condition else "least volume on the rest",
@@ -164,17 +161,8 @@ def _choose_balanced(
         sensitivities=found.sensitivities,
         remarks=tuple(remarks),
     )
-
-    def distance(x: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
-        logs = [np.abs(np.log(x[n] / found.x[n])) for n in program.names]
-        return np.asarray(sum(logs[1:], logs[0]))
-
-    chosen = _on_grid(
-        design, program, sizing, ideal, distance, [_design(design, "least volume", least)],
-        iterations=0, label="balanced",
-    )  # fmt: skip
-    if chosen is not None:
-        chosen.notes = (*chosen.notes, *_conditioning(found))
+    chosen = _on_grid(design, program, sizing, ideal, None, least, iterations=0, label="balanced")
+    chosen.notes = (*chosen.notes, *_conditioning(found))
     return chosen
 
 
@@ -193,21 +181,27 @@ def _on_grid(
     program: SizingProgram,
     sizing: SizingResult,
     ideal: Blade,
-    merit: Signomial | Merit,
+    objectives: list[Signomial] | None,
     others: list[Design],
     *,
     iterations: int,
     label: str,
 ) -> _Choice:
-    """Return the choice as it can be made: on the grid where the spec has one."""
+    """Return the choice as it can be made: on the grid where the spec has one.
+
+    Without objectives the point nearest to the ideal blade is taken.
+    """
     grids = design.size.rounding.grids()
     designs = [_design(design, label, ideal), *others]
     if not any(name in grids for name in program.names):
         return _Choice(ideal, replace(sizing, designs=tuple(designs)), iterations=iterations)
     centre = {name: float(getattr(ideal, name)) for name in program.names}
-    point = best_on_grid(design, program, grids, merit, centre)
-    if point is None:
-        note = Note("no-grid-point", "no feasible design was found on the manufacturing grid")
+    point = best_on_grid(design, program, grids, objectives, centre)
+    if point.x is None:
+        text = "the manufacturing grid has no feasible design"
+        if not point.proved:
+            text = "no feasible design was found on the manufacturing grid"
+        note = Note("no-grid-point", f"{text}: take a finer grid or more stock sizes")
         designed = replace(sizing, designs=tuple(designs))
         return _Choice(ideal, designed, ideal, (note,), iterations, failed_grid=True)
     blade = program.complete(point.x)
@@ -217,7 +211,7 @@ def _on_grid(
         replace(
             sizing,
             designs=tuple(designs),
-            remarks=(*sizing.remarks, _grid_remark(design, blade, ideal, point, merit)),
+            remarks=(*sizing.remarks, _grid_remark(design, blade, ideal, point, objectives)),
         ),
         ideal,
         iterations=iterations,
@@ -225,9 +219,13 @@ def _on_grid(
 
 
 def _grid_remark(
-    design: DesignSpec, blade: Blade, ideal: Blade, point: GridPoint, merit: Signomial | Merit
+    design: DesignSpec,
+    blade: Blade,
+    ideal: Blade,
+    point: GridPoint,
+    objectives: list[Signomial] | None,
 ) -> str:
-    what = "nearest to the balanced design" if callable(merit) else "of the least objective"
+    what = "of the least objective" if objectives else "nearest to the balanced design"
     price = float(design.geometry.volume(blade)) / float(design.geometry.volume(ideal)) - 1.0
     sure = "proved" if point.proved else "best of those searched"
     return (

@@ -5,7 +5,7 @@
 small rotation of slender blades (h ≪ l, shear and axial extension left out).
 """
 
-from math import atan2, cos, hypot, sin
+from math import atan2, cos, sin
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import second_moment
@@ -171,11 +171,12 @@ def axial_share(angles: tuple[float, ...], direction: float) -> tuple[float, ...
     [0.7071, 0.7071]
 
     """
-    # the matrix Σ u uᵀ has the eigenvalues n/2 ± |Σ exp(2iα)|/2 about the axis of that sum
+    # Σ u uᵀ has its axes along half the argument of Σ exp(2iα); sums of squares about them keep
+    # the digits of a small half-angle, which n/2 ± |Σ exp(2iα)|/2 would lose
     real = sum(cos(2.0 * a) for a in angles)
     imaginary = sum(sin(2.0 * a) for a in angles)
-    spread, axis = hypot(real, imaginary), atan2(imaginary, real) / 2.0
-    strong, weak = (len(angles) + spread) / 2.0, (len(angles) - spread) / 2.0
+    axis = atan2(imaginary, real) / 2.0
+    strong, weak = sum(cos(a - axis) ** 2 for a in angles), sum(sin(a - axis) ** 2 for a in angles)
     if weak < 1e-12 * strong:
         raise ValueError("parallel blades cannot balance a force across them by axial force")
     along, across = cos(direction - axis) / strong, sin(direction - axis) / weak

@@ -15,7 +15,8 @@ from math import lgamma
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from flexcli.formulas.spectrum import Scale, gauss_rule, spectral_moment
+from flexcli.formulas.spectrum import Scale, spectral_moment
+from flexcli.numerics.quadrature import gauss_rule
 
 __all__ = [
     "METHODS",

@@ -7,13 +7,14 @@ convention of vibration specifications) or in linear axes (`scale="linear"`). Ou
 band it is zero.
 """
 
-import functools
 import itertools
 from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from flexcli.numerics.quadrature import gauss_rule
 
 __all__ = [
     "Scale",
@@ -22,7 +23,6 @@ __all__ = [
     "clip_profile",
     "db_per_octave_from_slope",
     "envelope",
-    "gauss_rule",
     "levels_from_slopes",
     "rms",
     "rms_displacement",
@@ -43,41 +43,6 @@ _SAME = 1e-12
 # Gauss points for f^n times a straight line over less than an octave: the nearest
 # singularity, f = 0, is 3 half-widths off, so the error falls as (3 + √8)^(-2·16) ~ 1e-24.
 _NARROW_NODES = 16
-
-
-@functools.cache
-def gauss_rule(count: int) -> tuple[Floats, Floats]:
-    """Give nodes and weights of the Gauss–Legendre rule on [0, 1].
-
-    ∫₀¹ g(x) dx ≈ Σ w_i g(x_i), exact for polynomials of degree 2·count − 1.
-
-    Parameters
-    ----------
-    count : int
-        Number of nodes, [-].
-
-    Returns
-    -------
-    tuple of arrays, shape (count,)
-        Nodes x_i and weights w_i, [-]. Do not write to them: they are shared.
-
-    Raises
-    ------
-    ValueError
-        When `count` is less than one.
-
-    Examples
-    --------
-    >>> x, w = gauss_rule(2)
-    >>> round(float(w @ x**3), 12)
-    0.25
-
-    References
-    ----------
-    Abramowitz, Stegun 1964, Handbook of Mathematical Functions, 25.4.29.
-    """
-    nodes, weights = np.polynomial.legendre.leggauss(count)
-    return 0.5 * (1 + nodes), 0.5 * weights
 
 
 def checked_profile(

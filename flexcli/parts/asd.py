@@ -1,42 +1,127 @@
 """The acceleration spectral density of a vibration environment, and how a case uses it."""
 
+from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import model_validator
+from pydantic import ValidationError, field_validator, model_validator
+from pydantic_core import InitErrorDetails, PydanticCustomError
 
+from flexcli.formulas.spectrum import Scale, levels_from_slopes, rms, scale_level
 from flexcli.parts.base import (
     Acceleration,
     AccelerationDensity,
     Duration,
     Frequency,
-    Mass,
     Part,
+    QuantityOf,
     Ratio,
+    said,
     spec_error,
 )
+from flexcli.units import LARGEST, SMALLEST, show
 
-__all__ = ["ASDProfile", "Breakpoint", "MassScaling", "RandomVibration"]
+__all__ = [
+    "ASDProfile",
+    "AppliedASD",
+    "Breakpoint",
+    "MassScaling",
+    "RandomVibration",
+    "Segment",
+    "Start",
+    "Tolerance",
+]
+
+Floats = NDArray[np.float64]
+
+Gain = Annotated[float, QuantityOf("decibel", above=-100.0, below=100.0)]
+Margin = Annotated[float, QuantityOf("decibel", at_least=0.0, below=100.0)]
+Slope = Annotated[float, QuantityOf("slope", above=-1000.0, below=1000.0)]
+ItemMass = Annotated[float, QuantityOf("mass", above=0.0)]
+
+
+def _refuse(title: str, faults: list[PydanticCustomError]) -> None:
+    """Raise all faults of a part at once, if there are any."""
+    if faults:
+        details = [InitErrorDetails(type=fault, loc=(), input=None) for fault in faults]
+        raise ValidationError.from_exception_data(title, details)
 
 
 class Breakpoint(Part):
-    """One corner of a profile."""
+    """One corner of a profile; ``step`` says that the level jumps here from the point before."""
 
     frequency: Frequency
     level: AccelerationDensity
+    step: bool = False
+
+    @field_validator("step", mode="before")
+    @classmethod
+    def _true_or_false(cls, value: Any) -> Any:
+        if not isinstance(value, bool):
+            raise spec_error(f"{said(value)} is neither true nor false", "write step: true")
+        return value
+
+
+class Start(Part):
+    """The lower end of a profile given by segments; its level may follow from a plateau's."""
+
+    frequency: Frequency
+    level: AccelerationDensity | None = None
+
+
+class Segment(Part):
+    """A straight line on log-log axes: a slope in dB per octave, or a plateau by its level."""
+
+    to: Frequency
+    slope: Slope | None = None
+    level: AccelerationDensity | None = None
+
+    @model_validator(mode="after")
+    def _slope_or_plateau(self) -> "Segment":
+        if (self.slope is None) == (self.level is None):
+            raise spec_error(
+                "a segment has a slope, or the level of a plateau",
+                "write {to: 50 Hz, slope: 6 dB/oct} or {to: 800 Hz, level: 0.16 g^2/Hz}",
+            )
+        return self
+
+
+class Tolerance(Part):
+    """How far the level of a test may be off, by its standard."""
+
+    above: Margin
+    below: Margin
 
 
 class MassScaling(Part):
-    """How the level falls for items heavier than a reference mass: level ∝ reference/mass."""
+    """How the whole level falls for items heavier than a reference: level ∝ reference/mass.
 
-    reference: Mass
-    limit: Mass
+    Beyond ``uniform_to`` the standard changes the shape too.
+    """
+
+    reference: ItemMass
+    uniform_to: ItemMass
+
+    @model_validator(mode="after")
+    def _in_order(self) -> "MassScaling":
+        if self.uniform_to <= self.reference:
+            raise spec_error(
+                "the scaling must reach beyond its reference mass",
+                "give a mass above the reference",
+                at=("uniform_to",),
+            )
+        return self
+
+    def factor(self, mass: float) -> float:
+        """Return the factor on the level for an item of this mass [kg]."""
+        return min(1.0, self.reference / mass)
 
 
 class ASDProfile(Part):
-    """Breakpoints of an acceleration spectral density; a repeated frequency is a step."""
+    """An acceleration spectral density: its breakpoints, or where it starts and its segments."""
 
     name: str = ""
     standard: str = ""
@@ -44,57 +129,180 @@ class ASDProfile(Part):
     location: str = ""
     status: Literal["verified", "unverified", "reconstructed", "given"] = "given"
     note: str = ""
-    points: tuple[Breakpoint, ...]
+    points: tuple[Breakpoint, ...] | None = None
+    start: Start | None = None
+    segments: tuple[Segment, ...] | None = None
     interpolation: Literal["log-log", "linear"] = "log-log"
     duration: Duration | None = None
     axis: str = ""
+    tolerance: Tolerance | None = None
     published_grms: Acceleration | None = None
     mass_scaling: MassScaling | None = None
 
     @model_validator(mode="after")
-    def _points_in_order(self) -> "ASDProfile":
-        if len(self.points) < 2:
+    def _is_one_profile(self) -> "ASDProfile":
+        by_segments = self.start is not None or self.segments is not None
+        if (self.points is None) != by_segments:
+            text = "stands beside start and segments" if by_segments else "is missing"
             raise spec_error(
+                f"'points' {text}",
+                "give points, or start and segments",
+                at=("points",) if by_segments else (),
+            )
+        faults = self._faults_of_segments() if by_segments else self._faults_of_points()
+        _refuse("profile", list(faults))
+        return self
+
+    def _faults_of_points(self) -> Iterator[PydanticCustomError]:
+        points = self.points or ()
+        if len(points) < 2:
+            yield spec_error(
                 "a profile needs two points or more",
                 "add the other end of the band",
                 at=("points",),
             )
-        for index, (first, second) in enumerate(pairwise(self.points)):
-            at = ("points", index + 1, "frequency")
-            if second.frequency < first.frequency:
-                raise spec_error("frequencies must rise", "put the points in order", at=at)
-            if second.frequency == first.frequency:
-                if second.level == first.level:
-                    raise spec_error("this point stands twice", "remove one of them", at=at)
-                if index and self.points[index - 1].frequency == first.frequency:
-                    raise spec_error("three points share this frequency", "a step has two", at=at)
-        if self.points[0].frequency == self.points[-1].frequency:
-            raise spec_error("the band has no width", "add a second frequency", at=("points",))
-        return self
+        elif len({point.frequency for point in points}) == 1:
+            yield spec_error("the band has no width", "add a second frequency", at=("points",))
+        else:
+            yield from _faults_of_order(points)
+
+    def _faults_of_segments(self) -> Iterator[PydanticCustomError]:
+        if self.start is None:
+            yield spec_error("'start' is missing", "add 'start: {frequency: 20 Hz}'")
+            return
+        if not self.segments:
+            yield spec_error(
+                "a profile needs a segment or more",
+                "add e.g. 'segments: [{to: 50 Hz, slope: 6 dB/oct}]'",
+                at=("start",) if self.segments is None else ("segments",),
+            )
+            return
+        if self.interpolation == "linear":
+            yield spec_error(
+                "segments are straight on log-log axes", "give points", at=("interpolation",)
+            )
+        edges = [self.start.frequency, *(segment.to for segment in self.segments)]
+        falling = [i for i, (low, high) in enumerate(pairwise(edges)) if high <= low]
+        for index in falling:
+            yield spec_error(
+                "frequencies must rise", "put the segments in order", at=("segments", index, "to")
+            )
+        known = self._known_levels()
+        if not known:
+            yield spec_error(
+                "no level is given", "give start its level, or a segment", at=("start",)
+            )
+        for place, _, _ in known[1:]:
+            yield spec_error(
+                "a second level", "give one level; the slopes give the others", at=place
+            )
+        if known and not falling:
+            sound = np.isfinite(self.levels) & (self.levels > SMALLEST) & (self.levels < LARGEST)
+            for edge in np.flatnonzero(~sound)[:1]:
+                yield spec_error(
+                    "the slopes lead beyond any physical level",
+                    "write slopes in dB per octave, e.g. 6 dB/oct",
+                    at=("segments", max(int(edge) - 1, 0), "slope"),
+                )
+
+    def _known_levels(self) -> list[tuple[tuple[str | int, ...], int, float]]:
+        """Return the levels given among the segments: path in the spec, edge, level."""
+        found: list[tuple[tuple[str | int, ...], int, float]] = []
+        if self.start is not None and self.start.level is not None:
+            found.append((("start", "level"), 0, self.start.level))
+        for index, segment in enumerate(self.segments or ()):
+            if segment.level is not None:
+                found.append((("segments", index, "level"), index, segment.level))
+        return found
 
     @property
-    def frequencies(self) -> NDArray[np.float64]:
+    def frequencies(self) -> Floats:
         """Return the frequencies of the breakpoints [Hz]."""
-        return np.array([p.frequency for p in self.points])
+        if self.points is not None:
+            return np.array([point.frequency for point in self.points])
+        assert self.start is not None
+        return np.array([self.start.frequency, *(s.to for s in self.segments or ())])
 
     @property
-    def scale(self) -> Literal["log", "linear"]:
+    def levels(self) -> Floats:
+        """Return the levels of the breakpoints [(m/s²)²/Hz]."""
+        if self.points is not None:
+            return np.array([point.level for point in self.points])
+        _, edge, level = self._known_levels()[0]
+        slopes = [segment.slope or 0.0 for segment in self.segments or ()]
+        with np.errstate(over="ignore"):  # a level beyond floats is a finding
+            return levels_from_slopes(self.frequencies, slopes, known_index=edge, known_level=level)
+
+    @property
+    def scale(self) -> Scale:
         """Return the axes in which the profile is straight."""
         return "linear" if self.interpolation == "linear" else "log"
 
     @property
-    def levels(self) -> NDArray[np.float64]:
-        """Return the levels of the breakpoints [(m/s²)²/Hz]."""
-        return np.array([p.level for p in self.points])
+    def grms(self) -> float:
+        """Return the root mean square of the acceleration [m/s²]."""
+        return rms(self.frequencies, self.levels, scale=self.scale)
+
+
+def _faults_of_order(points: tuple[Breakpoint, ...]) -> Iterator[PydanticCustomError]:
+    """Yield what is wrong with the order of points: each rises, or is a step and says so."""
+    if points[0].step:
+        yield spec_error("a step needs a point before it", "remove step", at=("points", 0, "step"))
+    for index, (first, second) in enumerate(pairwise(points), start=1):
+        at = ("points", index, "frequency")
+        if second.frequency < first.frequency:
+            yield spec_error("frequencies must rise", "put the points in order", at=at)
+        elif second.frequency > first.frequency:
+            if second.step:
+                yield spec_error(
+                    "a step keeps the frequency of the point before",
+                    f"write frequency: {first.frequency:g} Hz, or remove step",
+                    at=("points", index, "step"),
+                )
+        elif index > 1 and points[index - 2].frequency == first.frequency:
+            yield spec_error("three points share this frequency", "a step has two", at=at)
+        elif second.level == first.level:
+            yield spec_error("this point stands twice", "remove one of them", at=at)
+        elif not second.step:
+            yield spec_error(
+                f"{second.frequency:g} Hz stands twice",
+                "if the level jumps here, add 'step: true' to this point; if not, remove one",
+                at=at,
+            )
+        elif index in (1, len(points) - 1):
+            outer = "the point before" if index == 1 else "this point"
+            yield spec_error("a step at an end of the band has no width", f"remove {outer}", at=at)
+
+
+@dataclass(frozen=True, eq=False)
+class AppliedASD:
+    """The density that a case designs for: frequency [Hz], level [(m/s²)²/Hz], duration [s].
+
+    ``text`` says what was applied to the profile.
+    """
+
+    frequency: Floats
+    level: Floats
+    scale: Scale
+    duration: float | None
+    text: str
 
 
 class RandomVibration(Part):
-    """A profile, the quality factor of the response, and how many sigma are designed for."""
+    """A profile as a case uses it, the quality factor of the response, and the sigma of design.
+
+    ``scale`` and ``tolerance`` raise the level (the upper edge is designed for), ``mass`` lowers
+    it as the profile's standard does.
+    """
 
     profile: ASDProfile
     q: Ratio
     sigma: Ratio = 3.0
-    axis: Literal["x"] = "x"
+    scale: Gain = 0.0
+    tolerance: Margin = 0.0
+    mass: ItemMass | None = None
+    duration: Duration | None = None
+    axis: Literal["x", "y", "x and y"] = "x"
 
     @model_validator(mode="before")
     @classmethod
@@ -104,3 +312,46 @@ class RandomVibration(Part):
                 "a vibration case needs its profile and Q", "write {profile: my.yaml, q: 100}"
             )
         return data
+
+    @model_validator(mode="after")
+    def _mass_can_be_applied(self) -> "RandomVibration":
+        if self.mass is None:
+            return self
+        scaling = self.profile.mass_scaling
+        if scaling is None:
+            raise spec_error(
+                "this profile has no scaling with mass",
+                "remove it, or give the profile its mass_scaling",
+                at=("mass",),
+            )
+        if self.mass > scaling.uniform_to:
+            raise spec_error(
+                f"beyond {show(scaling.uniform_to, 'kg')} this standard changes the shape too",
+                "write the standard's points for this mass as a profile, without mass here",
+                at=("mass",),
+            )
+        return self
+
+    @property
+    def axes(self) -> tuple[Literal["x", "y"], ...]:
+        """Return the axes that are shaken."""
+        return ("x", "y") if self.axis == "x and y" else (self.axis,)
+
+    def applied(self) -> AppliedASD:
+        """Return the density that is designed for, with all that the case applies to it."""
+        profile = self.profile
+        level = scale_level(profile.levels, self.scale + self.tolerance)
+        applied = [f"{self.scale:+g} dB"] if self.scale else []
+        if self.tolerance:
+            applied.append(f"{self.tolerance:+g} dB for the tolerance of the test")
+        if self.mass is not None and profile.mass_scaling is not None:
+            factor = profile.mass_scaling.factor(self.mass)
+            level = level * factor
+            applied.append(f"level × {factor:.4g} for {show(self.mass, 'kg')}")
+        return AppliedASD(
+            frequency=profile.frequencies,
+            level=level,
+            scale=profile.scale,
+            duration=profile.duration if self.duration is None else self.duration,
+            text=", ".join(applied) or "as given",
+        )

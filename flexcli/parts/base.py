@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping
 from math import isfinite
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any, ClassVar, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from flexcli.units import DIMENSIONS, QuantityError, parse_quantity
+from flexcli.units import DIMENSIONS, QuantityError, parse_quantity, show
 
 __all__ = [
     "Acceleration",
@@ -29,12 +29,16 @@ __all__ = [
     "RotationalStiffness",
     "Stiffness",
     "Stress",
+    "said",
     "spec_error",
 ]
 
 
 class Part(BaseModel):
     """A frozen, validated piece of a spec that refuses keys it does not know."""
+
+    is_plain: ClassVar[bool] = False
+    """Whether a spec writes it as a plain value or a list, never by the names of its fields."""
 
     model_config = ConfigDict(
         frozen=True, extra="forbid", arbitrary_types_allowed=True, defer_build=True
@@ -84,49 +88,60 @@ class QuantityOf:
         """Return the SI value of what the spec says, or raise what is wrong with it."""
         expected = DIMENSIONS[self.dimension]
         if isinstance(value, str):
-            try:
-                number = parse_quantity(value, self.dimension)
-            except QuantityError as error:
-                raise spec_error(str(error), error.hint) from None
+            number = self._parsed(value)
         elif isinstance(value, bool) or not isinstance(value, int | float):
             raise spec_error(
-                f"a {self.dimension} is expected here, not {_kind(value)}",
+                f"{expected.named} is expected here, not {said(value)}",
                 f"write e.g. {expected.example}",
             )
         elif not isfinite(value):
-            raise spec_error(f"a {self.dimension} must be finite", f"write e.g. {expected.example}")
+            raise spec_error(f"{expected.named} must be finite", f"write e.g. {expected.example}")
         elif self.dimension != "ratio":
-            unit = expected.example.split(" ", 1)[-1]
             raise spec_error(
-                f"{value} has no unit", f"a {self.dimension} needs a unit, e.g. {value} {unit}"
+                f"{value} has no unit",
+                f"{expected.named} needs a unit, e.g. {value} {expected.unit}",
             )
         else:
-            number = float(value)
+            number = self._parsed(repr(value))
         self._refuse_outside(number, value)
         return number
 
+    def _parsed(self, text: str) -> float:
+        try:
+            return parse_quantity(text, self.dimension)
+        except QuantityError as error:
+            raise spec_error(str(error), error.hint) from None
+
     def _refuse_outside(self, number: float, value: Any) -> None:
-        if self.above is not None and not number > self.above:
-            raise spec_error(f"{value} must be above {self.above:g}", self._example())
-        if self.at_least is not None and not number >= self.at_least:
-            raise spec_error(f"{value} must be at least {self.at_least:g}", self._example())
-        if self.below is not None and not number < self.below:
-            raise spec_error(f"{value} must be below {self.below:g}", self._example())
+        expected = DIMENSIONS[self.dimension]
+        bounds = {
+            f"{words} {show(bound, expected.si) if bound else 0}": holds
+            for words, bound, holds in (
+                ("above", self.above, self.above is None or number > self.above),
+                ("at least", self.at_least, self.at_least is None or number >= self.at_least),
+                ("below", self.below, self.below is None or number < self.below),
+            )
+            if bound is not None
+        }
+        for bound, holds in bounds.items():
+            if not holds:
+                example = f", e.g. {expected.example}" if expected.si else ""
+                hint = f"write {expected.named} {' and '.join(bounds)}{example}"
+                raise spec_error(f"{value} must be {bound}", hint)
 
-    def _example(self) -> str:
-        return f"write e.g. {DIMENSIONS[self.dimension].example}"
 
-
-def _kind(value: Any) -> str:
+def said(value: Any) -> str:
+    """Return what a spec says at a place, in a few words."""
     if value is None:
         return "nothing"
     if isinstance(value, bool):
-        return f"{str(value).lower()} (true or false)"
+        return str(value).lower()
     if isinstance(value, Mapping):
         return "a mapping"
     if isinstance(value, list):
         return "a list"
-    return repr(value)
+    text = repr(value)
+    return text if len(text) <= 60 else f"{text[:59]}…"
 
 
 Length: TypeAlias = Annotated[float, QuantityOf("length")]

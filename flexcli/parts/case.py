@@ -6,6 +6,7 @@ from pydantic import model_validator
 
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.base import Acceleration, Angle, Force, Part, spec_error
+from flexcli.parts.shock import Shock
 from flexcli.parts.stroke import Stroke
 
 __all__ = ["Case", "EndCondition", "Load", "SteadyAcceleration"]
@@ -37,13 +38,15 @@ class Case(Part):
     load: Load | None = None
     acceleration: SteadyAcceleration | None = None
     asd: RandomVibration | None = None
+    shock: Shock | None = None
     lock: str | None = None
     ends: EndCondition | None = None
 
     @model_validator(mode="after")
     def _asks_something(self) -> "Case":
-        if not any((self.stroke, self.load, self.acceleration, self.asd)):
+        if not any((self.stroke, self.load, self.acceleration, self.asd, self.shock)):
             raise spec_error(
-                "this case loads nothing", "give it a stroke, a load, an acceleration or an asd"
+                "this case loads nothing",
+                "give it a stroke, a load, an acceleration, an asd or a shock",
             )
         return self

@@ -70,6 +70,16 @@ class FatigueAmplitude(_WithSource):
     cycles: Count | None = None
     stress_ratio: Annotated[float, QuantityOf("ratio", at_least=-1.0, below=1.0)] | None = None
 
+    @model_validator(mode="before")
+    @classmethod
+    def _must_be_mapping(cls, data: Any) -> Any:
+        if not isinstance(data, dict):
+            raise spec_error(
+                "a fatigue amplitude holds for a number of cycles",
+                "write {value: 510 MPa, cycles: 1e7}",
+            )
+        return data
+
 
 class SNPoint(Part):
     """One point of an S-N curve: cycles to failure at a stress amplitude."""
@@ -171,6 +181,8 @@ class Material(Part):
                 "check both values and their units",
                 at=("yield_strength",),
             )
+        for name in ("fatigue_amplitude", "sn_amplitudes"):
+            self._refuse_mean_beyond(name)
         modulus = self.youngs_modulus.value
         for name in ("tensile_strength", "yield_strength", "fatigue_amplitude"):
             given = getattr(self, name)
@@ -181,6 +193,22 @@ class Material(Part):
                     at=(name,),
                 )
         return self
+
+    def _refuse_mean_beyond(self, name: str) -> None:
+        """Refuse a fatigue strength whose mean stress reaches the tensile strength."""
+        given, tensile = getattr(self, name), self.tensile_strength
+        if given is None or given.stress_ratio is None or tensile is None:
+            return
+        curve = isinstance(given, SNCurve)
+        amplitude = max(s for _, s in given.curve()) if curve else given.value
+        mean = amplitude * (1.0 + given.stress_ratio) / (1.0 - given.stress_ratio)
+        if mean >= tensile.value:
+            raise spec_error(
+                f"the mean stress at R = {given.stress_ratio:g} is {mean / 1e6:.4g} MPa, which "
+                "reaches the tensile strength",
+                "check the amplitude (half of the range) and the stress ratio",
+                at=(name,),
+            )
 
     @property
     def E(self) -> float:  # noqa: N802 - the field's symbol
@@ -222,6 +250,13 @@ class Material(Part):
         if cycles < single.cycles:
             where += f", kept for {cycles:g} (no S-N curve there)"
         return self._reversed(single.value, single.stress_ratio), where
+
+    def reversed_curve(self) -> tuple[tuple[float, float], ...]:
+        """Return the corners (cycles, amplitude [Pa]) of the S-N curve at R = −1."""
+        curve = self.sn_amplitudes
+        if curve is None:
+            raise MissingProperty("sn_amplitudes", "a life follows from it")
+        return tuple((n, self._reversed(s, curve.stress_ratio)) for n, s in curve.curve())
 
     def _reversed(self, amplitude: float, stress_ratio: float | None) -> float:
         if stress_ratio is None or stress_ratio == -1.0:

@@ -3,9 +3,15 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from flexcli.results import Note, Value
+from flexcli.formulas.miles import miles_worst_case
+from flexcli.parts.asd import RandomVibration
+from flexcli.parts.case import Case
+from flexcli.parts.geometries import Geometry, NotAvailable
+from flexcli.parts.mechanisms import Mechanism, MechanismError
+from flexcli.parts.shock import Shock
+from flexcli.results import Value
 
-__all__ = ["Scene"]
+__all__ = ["Scene", "scene_of"]
 
 
 @dataclass(frozen=True)
@@ -28,10 +34,168 @@ class Scene:
     ends_why: str = ""
     acceleration: float = 0.0
     axis: str = ""
+    vibration: RandomVibration | None = None
+    shock: Shock | None = None
+    lock: str | None = None
     values: Mapping[str, Value] = field(default_factory=dict)
-    notes: tuple[Note, ...] = ()
 
     @property
     def blade_force(self) -> float:
         """Return the largest axial force in a blade [N]."""
         return self.force * self.axial_share
+
+
+def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geometry) -> Scene:
+    """Return a case in the terms of each joint, or raise :class:`MechanismError`."""
+    if case.lock is not None:
+        if mechanism is None:
+            raise MechanismError("lock", "there is no body to lock", "state ends: instead")
+        mechanism.locked_forces(case.lock, 0.0)  # refuses a body that cannot be locked
+    values: dict[str, Value] = {}
+    travel, mean = _joint_travel(case, mechanism, geometry, values)
+    forces = _forces(case, mechanism, values)
+    force_name = max(forces, key=lambda key: forces[key]) if forces else ""
+    force = forces.get(force_name, 0.0)
+    ends, why = case.ends, "stated in the case" if case.ends else ""
+    if ends is None and case.lock is not None:
+        ends, why = "clamped-clamped", f"lock: {case.lock} keeps both ends from turning"
+    steady = case.acceleration
+    return Scene(
+        case=name,
+        travel=travel,
+        mean_travel=mean,
+        cycles=case.stroke.cycles if case.stroke else None,
+        force=force,
+        force_name=force_name,
+        axial_share=_axial_share(case, mechanism, geometry, force),
+        ends=ends,
+        ends_why=why,
+        acceleration=steady.level if steady else 0.0,
+        axis=steady.axis if steady else "",
+        vibration=case.asd,
+        shock=case.shock,
+        lock=case.lock,
+        values=values,
+    )
+
+
+def _joint_travel(
+    case: Case, mechanism: Mechanism | None, geometry: Geometry, values: dict[str, Value]
+) -> tuple[float, float]:
+    """Return amplitude and mean of each joint's travel."""
+    if case.stroke is None:
+        return 0.0, 0.0
+    if mechanism is not None:
+        travel, mean = mechanism.joint_travel(case.stroke, geometry)
+    elif case.stroke.motion == geometry.motion:
+        travel, mean = case.stroke.amplitude, case.stroke.mean
+    else:
+        raise MechanismError(
+            "stroke",
+            f"the motion of this joint is a {geometry.motion}",
+            f"give {geometry.motion}:, or a mechanism that turns one into the other",
+        )
+    symbol, unit = ("theta", "rad") if geometry.motion == "rotation" else ("x", "m")
+    values[f"{symbol}_stroke"] = Value(travel, unit, "stroke of each joint (amplitude)")
+    if mean:
+        values[f"{symbol}_mean"] = Value(mean, unit, "middle of the stroke from rest")
+    return travel, mean
+
+
+def _axial_share(
+    case: Case, mechanism: Mechanism | None, geometry: Geometry, force: float
+) -> float:
+    """Return the axial force of the most loaded blade over the force on the joint.
+
+    A load and an inertial force in other directions add as if they were largest in the same
+    blade.
+    """
+    if force == 0.0:
+        return 0.0
+    load = case.load.force if case.load is not None else 0.0
+    bisector = getattr(mechanism, "bisector", 0.0)
+    try:
+        carried = geometry.axial_share(case.load.direction) * load if case.load else 0.0
+        inertial = force - load
+        if inertial > 0.0:
+            carried += geometry.axial_share(bisector) * inertial
+    except NotAvailable as error:
+        at = "load" if case.load else "asd" if case.asd else "acceleration"
+        hint = "give the load another direction, or take another geometry"
+        kind = getattr(geometry, "kind", "geometry")
+        raise MechanismError(at, f"a {kind} {error}", hint) from error
+    return carried / force
+
+
+def _forces(case: Case, mechanism: Mechanism | None, values: dict[str, Value]) -> dict[str, float]:
+    """Return the forces on the joints of a case [N], adding what was found on the way.
+
+    An acceleration of the base loads the joints quasi-statically where it does not drive the
+    motion itself: along x when a lock holds the bodies, along y always.
+    """
+    load = case.load.force if case.load is not None else 0.0
+    forces = {"F": load} if load > 0.0 else {}
+    level, prefix = 0.0, ""
+    for found, name in _accelerations(case, mechanism, values):
+        level, prefix = level + found, name
+    if level == 0.0 or mechanism is None:
+        return forces
+    for suffix, (force, label) in mechanism.body_forces(level).items():
+        values[f"{prefix}{suffix}"] = Value(force, "N", label)
+    if case.lock is None:
+        loads = {"F": mechanism.free_force(level)}
+    else:
+        loads = mechanism.locked_forces(case.lock, level)
+    forces = {name: load + force for name, force in loads.items()}
+    label = "force on a pivot" if len(loads) > 1 else "force on the joint"
+    values.update({name: Value(force, "N", label) for name, force in forces.items()})
+    return forces
+
+
+def _accelerations(
+    case: Case, mechanism: Mechanism | None, values: dict[str, Value]
+) -> list[tuple[float, str]]:
+    """Return each acceleration that loads the joints [m/s²], with the name of its force."""
+    found: list[tuple[float, str]] = []
+    steady, asd, shock = case.acceleration, case.asd, case.shock
+    for key, given in (("acceleration", steady), ("asd", asd), ("shock", shock)):
+        if given is not None and key != "acceleration" and mechanism is None:
+            raise MechanismError(key, "a base that moves needs masses on it", "add a mechanism")
+    if steady is not None and _loads_joints(case, "acceleration", (steady.axis,)):
+        if mechanism is None:
+            raise MechanismError(
+                "acceleration", "an acceleration needs a mass that it acts on", "add a mechanism"
+            )
+        found.append((steady.level, "F_steady"))
+    if asd is not None:
+        applied = asd.applied()
+        worst = miles_worst_case(applied.frequency, applied.level, asd.q, scale=applied.scale)
+        rms = float(worst.response)
+        values["f_worst"] = Value(worst.frequency, "Hz", "frequency of the worst case")
+        values["g_rms_worst"] = Value(
+            rms,
+            "m/s^2",
+            f"worst rms acceleration, Q = {asd.q:g}, profile {applied.text}",
+            source="Miles, √(π/2 f Q ASD), over all frequencies",
+        )
+        if _loads_joints(case, "asd", asd.axes):
+            found.append((asd.sigma * rms, f"F_{asd.sigma:g}sigma"))
+    if shock is not None and _loads_joints(case, "shock", (shock.axis,)):
+        worst_shock = shock.worst_acceleration()
+        if worst_shock is not None:
+            found.append((worst_shock, "F_shock"))
+    return found
+
+
+def _loads_joints(case: Case, key: str, axes: tuple[str, ...]) -> bool:
+    """Return whether an acceleration loads the joints instead of driving their motion."""
+    if case.lock is None:
+        return "y" in axes
+    across = [axis for axis in axes if axis != "x"]
+    if across:
+        raise MechanismError(
+            key,
+            f"no closed form for a locked mechanism accelerated along {across[0]}",
+            "take axis: x, or leave the lock out",
+        )
+    return True

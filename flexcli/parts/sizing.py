@@ -1,8 +1,8 @@
 """What to choose the blades by: the objective and the grid that they can be made on."""
 
-from typing import Any, Literal, TypeAlias
+from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
-from pydantic import Field, model_validator
+from pydantic import Discriminator, Field, Tag, model_validator
 
 from flexcli.parts.base import Part, PositiveLength, spec_error
 
@@ -14,6 +14,8 @@ QuantityName = Literal["h", "l", "b", "volume", "mass", "k_pivot"]
 
 class Grid(Part):
     """Sizes that can be made: multiples of a step, or the sizes in stock."""
+
+    is_plain: ClassVar[bool] = True
 
     step: PositiveLength | None = None
     stock: tuple[PositiveLength, ...] = ()
@@ -57,7 +59,14 @@ class Minimize(Part):
         return self
 
 
-Objective: TypeAlias = Named | Minimize
+def _way(data: Any) -> str:
+    return "mapping" if isinstance(data, dict | Minimize) else "name"
+
+
+Objective: TypeAlias = Annotated[
+    Annotated[Named, Tag("name")] | Annotated[Minimize, Tag("mapping")], Discriminator(_way)
+]
+"""Named, or by a quantity; the discriminator keeps the findings to the way that was taken."""
 
 
 class SizeOptions(Part):

@@ -1,8 +1,8 @@
 """The stroke: what the joint or stage must do, how far and how often."""
 
-from typing import Any, Generic, TypeVar
+from typing import Any, ClassVar, Generic, TypeVar
 
-from pydantic import model_validator
+from pydantic import AliasChoices, AliasPath, Field, model_validator
 
 from flexcli.parts.base import Angle, Count, Length, Part, spec_error
 
@@ -14,22 +14,23 @@ Number = TypeVar("Number")
 class Travel(Part, Generic[Number]):
     """From where to where; one value v stands for −v to +v."""
 
-    start: Number
-    end: Number
+    is_plain: ClassVar[bool] = True
+
+    start: Number | None = Field(None, validation_alias=AliasPath("range", 0))
+    end: Number = Field(validation_alias=AliasChoices("end", AliasPath("range", 1)))
 
     @model_validator(mode="before")
     @classmethod
     def _from_amplitude_or_range(cls, data: Any) -> Any:
         if isinstance(data, list):
-            if len(data) != 2:
+            if len(data) != 2 or None in data:
                 raise spec_error("a range has two values", "write [from, to]")
-            return {"start": data[0], "end": data[1]}
+            return {"range": data}
         if isinstance(data, dict):
             raise spec_error("a travel is a value or a range", "write 410 um, or [0 um, 820 um]")
         if isinstance(data, str) and data.strip().startswith("-"):
             raise spec_error(f"the amplitude {data} is negative", "write it without the sign")
-        opposite = f"-{data.strip().lstrip('+')}" if isinstance(data, str) else data
-        return {"start": opposite, "end": data}
+        return {"end": data}
 
 
 class Stroke(Part):
@@ -55,17 +56,19 @@ class Stroke(Part):
         return "translation" if self.translation is not None else "rotation"
 
     @property
-    def _travel(self) -> Travel[Any]:
-        travel = self.translation or self.rotation
+    def _ends(self) -> tuple[float, float]:
+        travel: Travel[Any] | None = self.translation or self.rotation
         assert travel is not None  # held by the validator
-        return travel
+        return -travel.end if travel.start is None else travel.start, travel.end
 
     @property
     def amplitude(self) -> float:
         """Return half of the travel [m or rad]."""
-        return float(abs(self._travel.end - self._travel.start) / 2.0)
+        start, end = self._ends
+        return float(abs(end - start) / 2.0)
 
     @property
     def mean(self) -> float:
         """Return the distance of the middle of the travel from rest [m or rad]."""
-        return float(abs(self._travel.end + self._travel.start) / 2.0)
+        start, end = self._ends
+        return float(abs(end + start) / 2.0)

@@ -4,35 +4,34 @@ from math import inf, log
 
 import numpy as np
 
-from flexcli.formulas.spectral_fatigue import Moments, damage_rates
+from flexcli.formulas.spectral_fatigue import METHODS, Moments, damage_rates
 from flexcli.parts.material import Material, MissingProperty
 
 __all__ = ["life_under", "sn_law"]
 
+UNIT = 1e6
+"""Stress unit inside, 1 MPa in Pa: S^-k of a steep curve in Pa would leave the range of floats."""
+
 
 def sn_law(material: Material) -> tuple[float, float]:
-    """Return k and C of N = C S^-k in fully reversed stress amplitude S [Pa].
+    """Return k and C of N = C S^-k in fully reversed stress amplitude S [MPa].
 
-    From Basquin's law, or from the flattest line of the S-N points, which is the one that small
-    amplitudes meet. No endurance limit is taken: small amplitudes do damage.
+    From Basquin's law, or the last line of the S-N points. A curve that flattens with the cycles
+    lies above the continuation of its last line to shorter lives, so this is the safe side there;
+    beyond the curve no endurance limit is taken.
     """
-    curve = material.reversed_curve()
-    (n1, s1), (n2, s2) = curve[-2:]
+    (n1, s1), (n2, s2) = material.reversed_curve()[-2:]
     if s1 == s2:
-        raise MissingProperty("sn_amplitudes", "its last line is flat, which gives no slope")
+        raise MissingProperty("sn_amplitudes", "a life needs its last line to fall")
     k = log(n2 / n1) / log(s1 / s2)
-    return k, n2 * s2**k
+    return k, n2 * (s2 / UNIT) ** k
 
 
 def life_under(material: Material, moments: tuple[float, float, float, float]) -> dict[str, float]:
-    """Return the time to failure [s] by each method, for spectral moments of the stress [Pa² Hzⁿ].
-
-    The amplitude is scaled to MPa inside, so that S^-k of a steep curve stays within floats.
-    """
+    """Return the time to failure [s] by each method, for moments of the stress [Pa² Hz^n]."""
     if moments[0] == 0.0:
-        return {}
+        return {name: inf for name, _ in METHODS}
     k, constant = sn_law(material)
-    unit = 1e6
-    scaled = Moments(*(np.float64(m / unit**2) for m in moments))  # type: ignore[arg-type]
-    rates = damage_rates(scaled, k, constant / unit**k)
+    m0, m1, m2, m4 = np.array(moments) / UNIT**2
+    rates = damage_rates(Moments(m0, m1, m2, m4), k, constant)
     return {name: (1.0 / float(rate) if rate > 0.0 else inf) for name, rate in rates.items()}

@@ -2,11 +2,13 @@
 
 import json
 from collections.abc import Sequence
+from dataclasses import asdict
 from math import isfinite
 from typing import Any
 
 from flexcli import __version__
 from flexcli.errors import Finding
+from flexcli.report.balance_json import balance_document
 from flexcli.results import Result, SizingResult, Status
 
 __all__ = ["FORMAT", "document", "dumps", "summary"]
@@ -70,6 +72,13 @@ def document(result: Result) -> dict[str, Any]:
     }
     if result.sizing is not None:
         content["sizing"] = _sizing(result.sizing)
+    if result.responses:
+        content["responses"] = [asdict(response) for response in result.responses]
+    for key in ("profiles", "breakpoints", "worst_cases"):
+        if getattr(result, key):
+            content[key] = [asdict(row) for row in getattr(result, key)]
+    if result.balance is not None:
+        content["balance"] = balance_document(result.balance)
     if result.cost is not None:
         content["cost"] = {
             "seconds": result.cost.seconds,

@@ -45,7 +45,12 @@ def main():
                 "import typer, pydantic, yaml, numpy",
                 ["import typer, pydantic, yaml, numpy"],
             ),
-            ("flexure size", [MAIN, "size", str(EXAMPLE)], "import scipy.optimize", ["import scipy.optimize"]),  # fmt: skip
+            (
+                "flexure size",
+                [MAIN, "size", str(EXAMPLE)],
+                "import scipy.optimize",
+                ["import scipy.optimize"],
+            ),
         )
         for name, command, base_name, base in rows:
             own, other, ratio = pair(command, base)

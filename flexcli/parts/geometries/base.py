@@ -3,11 +3,12 @@
 from abc import abstractmethod
 from typing import Any, ClassVar, NamedTuple
 
-from pydantic import model_validator
+from pydantic import AliasPath, Field, model_validator
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import blade_volume
 from flexcli.parts.base import Part, PositiveLength, spec_error
+from flexcli.parts.structure import Spring
 
 __all__ = ["Blade", "Extent", "Geometry", "NotAvailable"]
 
@@ -27,9 +28,11 @@ class Blade(NamedTuple):
 class Extent(Part):
     """A dimension of the blade: fixed, free, or free between bounds [m]."""
 
+    is_plain: ClassVar[bool] = True
+
     fixed: PositiveLength | None = None
-    least: PositiveLength | None = None
-    most: PositiveLength | None = None
+    least: PositiveLength | None = Field(None, validation_alias=AliasPath("free", 0))
+    most: PositiveLength | None = Field(None, validation_alias=AliasPath("free", 1))
 
     @model_validator(mode="before")
     @classmethod
@@ -45,7 +48,7 @@ class Extent(Part):
                 "a dimension is a length, 'free', or free between bounds",
                 "write 0.2 mm, free, or {free: [0.1 mm, 1 mm]} (null where there is no bound)",
             )
-        return {"least": data["free"][0], "most": data["free"][1]}
+        return data
 
     @model_validator(mode="after")
     def _in_order(self) -> "Extent":
@@ -112,6 +115,10 @@ class Geometry(Part):
     def sag_stiffness(self, E: float, blade: Blade, axis: str) -> Quantity:
         """Return the stiffness against the weight of the moving body along an axis [N/m]."""
         raise NotAvailable(f"has no closed form for its stiffness along {axis}")
+
+    def spring(self, E: float, blade: Blade) -> Spring:
+        """Return the joint as a linear spring in its plane, for its vibration."""
+        raise NotAvailable("has no linear spring in its plane yet")
 
     def volume(self, blade: Blade) -> Quantity:
         """Return the volume of all blades [m³]."""

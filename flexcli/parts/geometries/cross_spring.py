@@ -1,5 +1,6 @@
 """Generalised cross-spring pivot: two separate blades that cross, or would, at any place."""
 
+from math import pi
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import model_validator
@@ -23,7 +24,7 @@ class CrossSpringPivot(BladePivot):
     kind: Literal["cross-spring"]
     p: Length | None = None
     delta: Annotated[float, QuantityOf("ratio")] | None = None
-    half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=1.5707)]
+    half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
 
     @model_validator(mode="after")
     def _one_crossing(self) -> "CrossSpringPivot":

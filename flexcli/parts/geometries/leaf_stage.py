@@ -5,8 +5,10 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from flexcli.formulas import stage
+from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.geometries.base import Blade, Geometry, NotAvailable
+from flexcli.parts.structure import Spring
 
 __all__ = ["LeafSpringStage"]
 
@@ -38,6 +40,13 @@ class LeafSpringStage(Geometry):
     def s_bending_share(self, blade: Blade) -> float:
         """Return 1: the blades bend in an S alone."""
         return 1.0
+
+    def spring(self, E: float, blade: Blade) -> Spring:
+        """Return the stage as a linear spring: its parallel blades keep it from turning."""
+        angles = (0.0,) * self.blades
+        stiffness = joint_stiffness(E=E, h=blade.h, l=blade.l, b=blade.b, p=0.0, angles=angles)
+        axial, faces = stress_rows(E=E, h=blade.h, l=blade.l, p=0.0, angles=angles[:1])
+        return Spring(stiffness, axial, faces, holds_rotation=True)
 
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""

@@ -4,8 +4,10 @@ from abc import abstractmethod
 from typing import ClassVar
 
 from flexcli.formulas import pivot
+from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
 from flexcli.formulas.quantity import Quantity
-from flexcli.parts.geometries.base import Blade, Geometry
+from flexcli.parts.geometries.base import Blade, Geometry, NotAvailable
+from flexcli.parts.structure import Spring
 
 __all__ = ["BladePivot"]
 
@@ -47,9 +49,19 @@ class BladePivot(Geometry):
         s_bending = 3.0 * (1.0 + 2.0 * self.offset(blade) / blade.l) ** 2
         return float(s_bending / (1.0 + s_bending))
 
+    def spring(self, E: float, blade: Blade) -> Spring:
+        """Return the pivot as a linear spring in its plane."""
+        p, angles = float(self.offset(blade)), self.blade_angles
+        axial, faces = stress_rows(E=E, h=blade.h, l=blade.l, p=p, angles=angles)
+        stiffness = joint_stiffness(E=E, h=blade.h, l=blade.l, b=blade.b, p=p, angles=angles)
+        return Spring(stiffness, axial, faces)
+
     def axial_share(self, direction: float) -> float:
         """Return the largest axial force in a blade per force on the pivot in its plane [-]."""
-        return max(abs(share) for share in pivot.axial_share(self.blade_angles, direction))
+        try:
+            return max(abs(share) for share in pivot.axial_share(self.blade_angles, direction))
+        except ValueError as error:
+            raise NotAvailable("has blades too parallel to share a force") from error
 
 
 def crossing_pair(half_angle: float) -> tuple[float, ...]:

@@ -1,5 +1,6 @@
 """Remote-centre-of-compliance pivot: two blades that point at a centre outside them."""
 
+from math import pi
 from typing import Annotated, ClassVar, Literal
 
 from flexcli.formulas import pivot
@@ -18,7 +19,7 @@ class RCCPivot(BladePivot):
 
     kind: Literal["rcc"]
     p: Annotated[float, QuantityOf("length", at_least=0.0)]
-    half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=1.5707)]
+    half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
 
     @property
     def blade_angles(self) -> tuple[float, ...]:

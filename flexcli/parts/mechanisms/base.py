@@ -1,15 +1,19 @@
 """What a mechanism offers: how the joint's motion and load follow from those of the bodies."""
 
 from abc import abstractmethod
-from typing import ClassVar
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import model_validator
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.parts.base import Part
-from flexcli.parts.geometries.base import Geometry
+from flexcli.formulas.single_freedom import SingleFreedom
+from flexcli.parts.base import Part, QuantityOf, spec_error
+from flexcli.parts.geometries.base import Blade, Geometry
 from flexcli.parts.stroke import Stroke
-from flexcli.results import Value
+from flexcli.parts.structure import Structure
+from flexcli.results import Note, Value
 
-__all__ = ["Mechanism", "MechanismError", "Mode"]
+__all__ = ["Damping", "Mechanism", "MechanismError", "Mode"]
 
 
 class MechanismError(ValueError):
@@ -29,11 +33,35 @@ class Mode:
         self.mass = mass
 
 
+class Damping(Part):
+    """Damping of the mechanism's own motion: a quality factor, or the ratio 1/(2Q)."""
+
+    q: Annotated[float, QuantityOf("ratio", at_least=0.5)] | None = None
+    ratio: Annotated[float, QuantityOf("ratio", above=0.0)] | None = None
+
+    @model_validator(mode="after")
+    def _one(self) -> "Damping":
+        if (self.q is None) == (self.ratio is None):
+            raise spec_error("damping is a q or a ratio", "give one of them, e.g. q: 100")
+        if self.ratio is not None and self.ratio > 1.0:
+            raise spec_error(
+                "above critical damping nothing oscillates", "at most 1", at=("ratio",)
+            )
+        return self
+
+    @property
+    def quality(self) -> float:
+        """Return Q."""
+        return self.q if self.q is not None else 1.0 / (2.0 * (self.ratio or 1.0))
+
+
 class Mechanism(Part):
     """Bodies that joints of one geometry carry."""
 
     joints: ClassVar[int]
     joint_motion: ClassVar[str | None]
+
+    damping: Damping | None = None
 
     @abstractmethod
     def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:
@@ -54,6 +82,37 @@ class Mechanism(Part):
     @abstractmethod
     def hanging_mass(self) -> float:
         """Return the mass that the joints carry against gravity [kg]."""
+
+    def structure(self, geometry: Geometry, E: float, blade: Blade, lock: str | None) -> Structure:
+        """Return the mechanism as a linear structure, for its vibration."""
+        raise MechanismError("asd", "this mechanism has no linear structure yet", "")
+
+    @abstractmethod
+    def freedom(
+        self,
+        joint_stiffness: float,
+        geometry: Geometry,
+        *,
+        balanced: bool = True,
+        shift: float = 0.0,
+    ) -> SingleFreedom:
+        """Return the mechanism as bodies on its one degree of freedom.
+
+        ``balanced`` mounts the balancing masses; ``shift`` is the parasitic motion of a joint per
+        squared travel.
+        """
+
+    def shaken_by(self, geometry: Geometry) -> Literal["translation", "rotation"]:
+        """Return which motion of the base the transfer function is asked for."""
+        return "translation"
+
+    def coupling_limit(self) -> tuple[float, float] | None:
+        """Return the coupling to the base and what it may be at most, where a spec asks it."""
+        return None
+
+    def notes(self) -> tuple[Note, ...]:
+        """Return what a reviewer must know beside the margins."""
+        return ()
 
     def body_forces(self, acceleration: float) -> dict[str, tuple[float, str]]:
         """Return forces at the bodies worth reporting [N], with what they are."""

@@ -1,90 +1,184 @@
 """Parallel stage of rigid bodies: two levers on the base carry a third body on four pivots."""
 
-from math import pi, sqrt
+from collections.abc import Iterator
+from functools import cached_property
+from math import inf
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
+from flexcli.formulas import parallel_stage as planar
 from flexcli.formulas.quantity import Quantity
-from flexcli.parts.base import Angle, Inertia, Length, Mass, Part, PositiveLength, spec_error
-from flexcli.parts.geometries.base import Geometry
+from flexcli.formulas.single_freedom import Expansion, SingleFreedom, expand
+from flexcli.formulas.transfer import natural_frequency
+from flexcli.parts.base import Angle, Mass, Part, QuantityOf, spec_error
+from flexcli.parts.geometries.base import Blade, Geometry
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
+from flexcli.parts.mechanisms.force_balance import Balancing, Unknown, balance
+from flexcli.parts.mechanisms.free_value import Free, OrFree
+from flexcli.parts.mechanisms.stage_bodies import BalancingMass, InertiaTensor, Lever, Platform
 from flexcli.parts.stroke import Stroke
-from flexcli.results import Value
+from flexcli.parts.structure import Body, Joint, Structure, assemble
+from flexcli.results import Note, Value
 
-__all__ = ["BalancingMass", "InertiaTensor", "Lever", "ParallelStage", "Platform"]
+__all__ = ["BalancingMass", "Coupling", "InertiaTensor", "Lever", "ParallelStage", "Platform"]
 
 SOURCE = "exercise 9"
 
+ROUNDING = 1e-9
+"""Coupling, over that before balancing, that counts as none."""
 
-class InertiaTensor(Part):
-    """Moments of inertia about the body's own centre of mass; a plain value stands for zz."""
+PivotStiffness = Annotated[float, QuantityOf("rotational stiffness", at_least=0.0)]
 
-    xx: Inertia | None = None
-    yy: Inertia | None = None
-    zz: Inertia
+
+class Coupling(Part):
+    """How much of the coupling to the base may be left; a plain ratio stands for {max: ratio}."""
+
+    max: Annotated[float, QuantityOf("ratio", at_least=0.0)]
 
     @model_validator(mode="before")
     @classmethod
     def _from_plain(cls, data: Any) -> Any:
-        return data if isinstance(data, dict) else {"zz": data}
+        return data if isinstance(data, dict) else {"max": data}
 
 
-class Lever(Part):
-    """Solid 1 or 3: it turns about its pivot on the base."""
-
-    mass: Mass
-    com: Length = Field(description="centre of mass from the base pivot, positive to solid 2")
-    inertia: InertiaTensor
-
-
-class Platform(Part):
-    """Solid 2: it moves along x without turning."""
-
-    mass: Mass
-
-
-class BalancingMass(Part):
-    """A mass on a lever beyond its base pivot, away from solid 2."""
-
-    mass: Mass
-    arm: Length = Field(description="from the base pivot, positive away from solid 2")
-    inertia: InertiaTensor
+def _four(data: Any) -> Any:
+    """Take one stiffness for all pivots, or one for each of P1 to P4 (null: by the geometry)."""
+    if not isinstance(data, list):
+        return [data] * 4
+    if len(data) != 4:
+        raise spec_error("there are four pivots", "write one stiffness, or [k_1, k_2, k_3, k_4]")
+    return data
 
 
 class ParallelStage(Mechanism):
-    """Solids 1 and 3 on base pivots P1 and P3 carry solid 2 on P2 and P4."""
+    """Solids 1 and 3 on base pivots P1 and P3 carry solid 2 on P2 and P4.
+
+    Arms and masses of balancing masses, or the height of the levers, may be free: they are then
+    chosen so that an acceleration of the base leaves solid 2 at rest, for every verb.
+    """
 
     joints: ClassVar[int] = 4
     joint_motion: ClassVar[str | None] = "rotation"
 
     kind: Literal["parallel-stage"]
-    height: PositiveLength = Field(description="H, from base pivot to upper pivot")
+    stated_height: Annotated[float | Free, OrFree("length", above=0.0)] = Field(
+        alias="height", description="H, from base pivot to upper pivot"
+    )
     bisector: Annotated[Angle, Field(description="axis of symmetry of the pivots from x")] = 0.0
     solid_1: Lever = Field(alias="solid-1")
     solid_2: Platform = Field(alias="solid-2")
     solid_3: Lever = Field(alias="solid-3")
     balance_1: BalancingMass | None = Field(None, alias="balance-1")
     balance_3: BalancingMass | None = Field(None, alias="balance-3")
+    added_mass: Mass | None = Field(
+        None, alias="added-mass", description="of both balancing masses, when their split is free"
+    )
+    coupling: Coupling | None = Field(
+        None, description="largest coupling to the base, over that without balancing masses"
+    )
+    pivot_stiffness: Annotated[tuple[PivotStiffness | None, ...] | None, BeforeValidator(_four)] = (
+        Field(None, alias="pivot-stiffness", description="in place of that of the blades")
+    )
 
     @model_validator(mode="after")
-    def _has_mass(self) -> "ParallelStage":
+    def _can_be_solved(self) -> "ParallelStage":
+        unknowns = tuple(self._unknowns())
+        if self.added_mass is not None and not any(u.kind == "split" for u in unknowns):
+            raise spec_error(
+                "a total is for two balancing masses that are both free",
+                "write mass: free in balance-1 and balance-3",
+                at=("added-mass",),
+            )
+        if len(unknowns) > 2:
+            raise spec_error(
+                "more than two unknowns", "leave free at most two of arm, mass, height"
+            )
+        self._refuse_unbounded(unknowns)
         if self.equivalent_mass(balanced=True) <= 0.0:
             raise spec_error("nothing that moves has a mass", "give the masses of the solids")
         return self
 
+    def _refuse_unbounded(self, unknowns: tuple[Unknown, ...]) -> None:
+        """Refuse two unknowns of which no pair adds the least mass."""
+        masses = {side for unknown in unknowns if unknown.kind == "mass" for side in unknown.sides}
+        for unknown in unknowns if len(unknowns) == 2 else ():
+            together = masses.intersection(unknown.sides)
+            if unknown.kind == "arm" and together and unknown.bounds.most is None:
+                raise spec_error(
+                    "the longer the arm, the smaller the mass: there is no best one",
+                    "bound the arm, e.g. {free: [0 mm, 30 mm]}",
+                    at=(f"balance-{2 * min(together) + 1}", "arm"),
+                )
+            if unknown.kind == "height" and None in unknown.bounds:
+                raise spec_error(
+                    "beside another unknown the height needs bounds",
+                    "write e.g. {free: [15 mm, 25 mm]}",
+                    at=("height",),
+                )
+
     @property
-    def _levers(self) -> tuple[tuple[Lever, BalancingMass | None], ...]:
-        return ((self.solid_1, self.balance_1), (self.solid_3, self.balance_3))
+    def _balances(self) -> tuple[BalancingMass | None, BalancingMass | None]:
+        return self.balance_1, self.balance_3
+
+    def _unknowns(self) -> Iterator[Unknown]:
+        """Yield what is free; a kind that is free on both sides is one common unknown."""
+        for kind in ("arm", "mass"):
+            free = {
+                side: value
+                for side, body in enumerate(self._balances)
+                if body is not None and isinstance(value := getattr(body, kind), Free)
+            }
+            if kind == "mass" and len(free) == 2 and self.added_mass:
+                bounds = _share(free[0], free[1], self.added_mass)
+                yield Unknown("split", (0, 1), bounds, self.added_mass)
+            elif free:
+                yield Unknown(kind, tuple(free), _both(*free.values()))
+        if isinstance(self.stated_height, Free):
+            yield Unknown("height", (), self.stated_height)
+
+    @cached_property
+    def balancing(self) -> Balancing:
+        """Return the stage with what was free chosen, and whether that does."""
+        height = 1.0 if isinstance(self.stated_height, Free) else self.stated_height
+        first, third = (
+            planar.Lever(lever.rider, planar.NO_RIDER if body is None else body.rider)
+            for lever, body in zip((self.solid_1, self.solid_3), self._balances, strict=True)
+        )
+        stage = planar.Stage(height, self.solid_2.mass, self.solid_2.com, (first, third))
+        allowed = self.coupling.max if self.coupling else 0.0
+        return balance(stage, tuple(self._unknowns()), allowed)
+
+    def stage(self, *, balanced: bool = True) -> planar.Stage:
+        """Return the numbers of the stage, with or without its balancing masses."""
+        stage = self.balancing.stage
+        return stage if balanced else stage.without_balance()
+
+    @property
+    def height(self) -> float:
+        """Return H [m]."""
+        return self.stage().height
+
+    def at_rest(self, *, balanced: bool) -> Expansion:
+        """Return the equation of motion about the rest position, without springs."""
+        return expand(planar.system(self.stage(balanced=balanced), ()), order=1)
 
     def equivalent_mass(self, *, balanced: bool) -> float:
         """Return m_eq [kg]: inertia of the levers about their pivots over H², and solid 2."""
-        inertia = 0.0
-        for lever, balance in self._levers:
-            inertia += lever.inertia.zz + lever.mass * lever.com**2
-            if balanced and balance is not None:
-                inertia += balance.inertia.zz + balance.mass * balance.arm**2
-        return inertia / self.height**2 + self.solid_2.mass
+        return self.at_rest(balanced=balanced).mass.value
+
+    def coupling_limit(self) -> tuple[float, float] | None:
+        """Return |τ| and what it may be [kg], where something is free or a bound is stated."""
+        if self.coupling is None and not self.balancing.unknowns:
+            return None
+        allowed = max(self.coupling.max if self.coupling else 0.0, ROUNDING)
+        init, final = (self.at_rest(balanced=on).coupling_x.value for on in (False, True))
+        return abs(final), allowed * abs(init)
+
+    def notes(self) -> tuple[Note, ...]:
+        """Return why what is free does not balance, where it does not."""
+        solved = self.balancing
+        return () if solved.met else (Note("not-balanced", f"{solved.reason}: {solved.remedy}"),)
 
     def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:
         """Return the rotation of each pivot: x/H for a translation x of solid 2."""
@@ -92,22 +186,31 @@ class ParallelStage(Mechanism):
             return stroke.amplitude, stroke.mean
         return stroke.amplitude / self.height, stroke.mean / self.height
 
-    def mode(self, joint_stiffness: Quantity, geometry: Geometry) -> Mode:
-        """Return k_eq = 4k/H² and m_eq with the balancing masses on."""
-        return Mode(
-            self.joints * joint_stiffness / self.height**2, self.equivalent_mass(balanced=True)
-        )
+    def stiffnesses(self, joint_stiffness: Quantity) -> tuple[Quantity, ...]:
+        """Return k_1 to k_4: as stated, else of the joint."""
+        stated = self.pivot_stiffness or (None,) * self.joints
+        return tuple(joint_stiffness if k is None else k for k in stated)
 
-    def _lever_sums(self) -> tuple[tuple[float, float], ...]:
-        """Return mass and static moment about the base pivot (to solid 2) of each lever."""
-        sums = []
-        for lever, balance in self._levers:
-            mass, moment = lever.mass, lever.mass * lever.com
-            if balance is not None:
-                mass += balance.mass
-                moment -= balance.mass * balance.arm
-            sums.append((mass, moment))
-        return tuple(sums)
+    def mode(self, joint_stiffness: Quantity, geometry: Geometry) -> Mode:
+        """Return k_eq = Σk/H² and m_eq with the balancing masses on."""
+        k_1, *others = self.stiffnesses(joint_stiffness)
+        return Mode(sum(others, k_1) / self.height**2, self.equivalent_mass(balanced=True))
+
+    def freedom(
+        self,
+        joint_stiffness: float,
+        geometry: Geometry,
+        *,
+        balanced: bool = True,
+        shift: float = 0.0,
+    ) -> SingleFreedom:
+        """Return the stage on the angle of its levers; all pivots shift along their bisector."""
+        return planar.system(
+            self.stage(balanced=balanced),
+            self.stiffnesses(joint_stiffness),
+            shift=shift,
+            direction=self.bisector,
+        )
 
     def locked_forces(self, body: str, acceleration: float) -> dict[str, float]:
         """Return the forces along x at the four pivots with solid 2 held to the base.
@@ -118,15 +221,15 @@ class ParallelStage(Mechanism):
         if body != "solid-2":
             raise MechanismError("lock", f"'{body}' cannot be locked here", "lock solid-2")
         forces = {}
-        for side, (mass, moment) in enumerate(self._lever_sums()):
-            upper = moment / self.height * acceleration
-            forces[f"F_{2 * side + 1}"] = abs(mass * acceleration - upper)
+        for side, lever in enumerate(self.stage().levers):
+            upper = lever.moment / self.height * acceleration
+            forces[f"F_{2 * side + 1}"] = abs(lever.mass * acceleration - upper)
             forces[f"F_{2 * side + 2}"] = abs(upper)
         return forces
 
     def body_forces(self, acceleration: float) -> dict[str, tuple[float, str]]:
         """Return the inertial force at the centre of mass of each lever."""
-        (first, _), (third, _) = self._lever_sums()
+        first, third = (lever.mass for lever in self.stage().levers)
         forces = {"": (first * acceleration, "force at the centre of mass of solid 1")}
         if third != first:
             forces["_solid_3"] = (third * acceleration, "force at the centre of mass of solid 3")
@@ -138,23 +241,110 @@ class ParallelStage(Mechanism):
             "lock", "a free parallel stage swings under an acceleration", "add lock: solid-2"
         )
 
+    def structure(self, geometry: Geometry, E: float, blade: Blade, lock: str | None) -> Structure:
+        """Return the stage in its plane: levers along y, P1 and P3 on the base, x the stroke.
+
+        A lever with its balancing mass is one rigid body. The two levers stand as far apart as
+        one likes: solid 2 is kept from turning by them, so that the distance does not matter.
+        """
+        if lock not in (None, "solid-2"):
+            raise MechanismError("lock", f"'{lock}' cannot be locked here", "lock solid-2")
+        spring = geometry.spring(E, blade)
+        bodies, joints = [], []
+        platform = None if lock else "solid 2"
+        for side, lever in enumerate(self.stage().levers):
+            name = f"solid {2 * side + 1}"
+            bodies.append(_rigid(name, lever))
+            for joint, first, second, y in (
+                (f"P{2 * side + 1}", None, name, 0.0),
+                (f"P{2 * side + 2}", platform, name, self.height),
+            ):
+                joints.append(Joint(joint, first, second, (0.0, y), self.bisector, spring))
+        if platform is not None:
+            com = (0.0, self.height)
+            bodies.append(Body(platform, self.solid_2.mass, 0.0, com, turns=False))
+        return assemble(bodies, joints, None if lock else ("solid 2", "travel"))
+
     def hanging_mass(self) -> float:
         """Refuse: the sag of a parallel stage depends on how it stands."""
         raise MechanismError("acceleration", "a parallel stage has no closed form for sag", "")
 
     def values(self, joint_stiffness: float, geometry: Geometry) -> dict[str, Value]:
         """Return equivalent stiffness, masses and frequencies before and after balancing."""
-        k_eq = self.joints * joint_stiffness / self.height**2
+        k_eq = float(self.mode(joint_stiffness, geometry).stiffness)
         init, final = (self.equivalent_mass(balanced=on) for on in (False, True))
-        found = {
-            "k_eq": Value(k_eq, "N/m", "equivalent stiffness", source=SOURCE),
-            "m_eq_init": Value(init, "kg", "equivalent mass before balancing", source=SOURCE),
-            "m_eq_final": Value(final, "kg", "equivalent mass after balancing", source=SOURCE),
-            "f_final": Value(
-                sqrt(k_eq / final) / (2 * pi), "Hz", "frequency after balancing", source=SOURCE
-            ),
-        }
+        found = self.balance_values() if self.coupling_limit() is not None else {}
+        found |= self.mass_values()
+        found["k_eq"] = Value(k_eq, "N/m", "equivalent stiffness", source=SOURCE)
+        f_final = natural_frequency(k_eq, final)
+        found["f_final"] = Value(f_final, "Hz", "frequency after balancing", source=SOURCE)
         if init > 0.0:
-            f_init = sqrt(k_eq / init) / (2 * pi)
+            f_init = natural_frequency(k_eq, init)
             found["f_init"] = Value(f_init, "Hz", "frequency before balancing", source=SOURCE)
         return found
+
+    def mass_values(self) -> dict[str, Value]:
+        """Return the equivalent masses."""
+        init, final = (self.equivalent_mass(balanced=on) for on in (False, True))
+        return {
+            "m_eq_init": Value(init, "kg", "equivalent mass before balancing", source=SOURCE),
+            "m_eq_final": Value(final, "kg", "equivalent mass after balancing", source=SOURCE),
+        }
+
+    def balance_values(self) -> dict[str, Value]:
+        """Return arms and masses of the balancing masses, and the coupling they leave."""
+        found: dict[str, Value] = {}
+        riders = {
+            number: lever.balance
+            for number, lever in zip((1, 3), self.stage().levers, strict=True)
+            if lever.balance != planar.NO_RIDER
+        }
+        for symbol, unit, label, sizes in (
+            ("l_bal", "m", "arm of", {n: -rider.along for n, rider in riders.items()}),
+            ("m_bal", "kg", "mass of", {n: rider.mass for n, rider in riders.items()}),
+        ):
+            if len(sizes) == 2 and len(set(sizes.values())) == 1:
+                found[symbol] = Value(sizes[1], unit, f"{label} each balancing mass", source=SOURCE)
+            else:
+                found |= {
+                    f"{symbol}_{n}": Value(size, unit, f"{label} balance-{n}", source=SOURCE)
+                    for n, size in sizes.items()
+                }
+        if isinstance(self.stated_height, Free):
+            found["H"] = Value(self.height, "m", "height of the levers", source=SOURCE)
+        init, final = (self.at_rest(balanced=on).coupling_x.value for on in (False, True))
+        text = "coupling to the base's acceleration"
+        found["tau_coupling_init"] = Value(init, "kg", f"{text} before balancing", source=SOURCE)
+        found["tau_coupling"] = Value(final, "kg", f"{text} after balancing", source=SOURCE)
+        return found
+
+
+def _both(first: Free, *others: Free) -> Free:
+    """Return the bounds that hold for all."""
+    least = [free.least for free in (first, *others) if free.least is not None]
+    most = [free.most for free in (first, *others) if free.most is not None]
+    return Free(max(least, default=None), min(most, default=None))
+
+
+def _share(first: Free, third: Free, total: float) -> Free:
+    """Return the bounds on side 1's share of a total that leave both masses in theirs."""
+    least = max(first.least or 0.0, total - (inf if third.most is None else third.most))
+    most = min(inf if first.most is None else first.most, total - (third.least or 0.0))
+    return Free(max(least / total, 0.0), min(most / total, 1.0))
+
+
+def _rigid(name: str, lever: planar.Lever) -> Body:
+    """Return a lever and its balancing mass as one body, from its base pivot."""
+    mass = lever.mass
+    across, along = (
+        sum(r.mass * where for r, where in places) / mass if mass else 0.0
+        for places in (
+            [(r, r.across) for r in lever.riders],
+            [(r, r.along) for r in lever.riders],
+        )
+    )
+    inertia = sum(
+        r.inertia + r.mass * ((r.along - along) ** 2 + (r.across - across) ** 2)
+        for r in lever.riders
+    )
+    return Body(name, mass, inertia, (across, along))

@@ -6,10 +6,13 @@ from typing import ClassVar, Literal
 from pydantic import Field, model_validator
 
 from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.single_freedom import Body as MovingBody
+from flexcli.formulas.single_freedom import SingleFreedom, Spring
 from flexcli.parts.base import Inertia, Mass, spec_error
-from flexcli.parts.geometries.base import Geometry
+from flexcli.parts.geometries.base import Blade, Geometry
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
 from flexcli.parts.stroke import Stroke
+from flexcli.parts.structure import Body, Joint, Structure, assemble
 from flexcli.results import Value
 
 __all__ = ["Payload"]
@@ -58,6 +61,38 @@ class Payload(Mechanism):
     def free_force(self, acceleration: float) -> float:
         """Return mass times acceleration, through the centre of the joint."""
         return self.mass * acceleration
+
+    def structure(self, geometry: Geometry, E: float, blade: Blade, lock: str | None) -> Structure:
+        """Return the payload on its joint, whose axis of symmetry is along y."""
+        if lock is not None:
+            raise MechanismError("lock", "a locked payload loads no blade", "leave the lock out")
+        spring = geometry.spring(E, blade)
+        body = Body("payload", self.mass, self.inertia or 0.0)
+        joint = Joint("joint", None, "payload", (0.0, 0.0), pi / 2.0, spring)
+        return assemble([body], [joint], ("payload", "travel"))
+
+    def shaken_by(self, geometry: Geometry) -> Literal["translation", "rotation"]:
+        """Return the joint's own kind of motion."""
+        return "rotation" if geometry.motion == "rotation" else "translation"
+
+    def freedom(
+        self,
+        joint_stiffness: float,
+        geometry: Geometry,
+        *,
+        balanced: bool = True,
+        shift: float = 0.0,
+    ) -> SingleFreedom:
+        """Return the payload on its joint: it moves along x, or turns about its centre of mass.
+
+        The parasitic motion is towards the base of a stage, along the bisector of a pivot.
+        """
+        if geometry.motion == "rotation":
+            inertia = self.mode(joint_stiffness, geometry).mass
+            body = MovingBody("payload", self.mass, inertia, lambda q: (q * q * shift, 0.0, q))
+        else:
+            body = MovingBody("payload", self.mass, 0.0, lambda q: (q, q * q * -shift, 0.0))
+        return SingleFreedom([body], [Spring("joint", joint_stiffness, lambda q: q)], lambda q: q)
 
     def hanging_mass(self) -> float:
         """Return the payload's mass."""

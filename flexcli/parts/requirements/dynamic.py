@@ -1,104 +1,153 @@
-"""Requirements on the real response of the modes to a vibration: yield, buckling, life.
+"""Requirements on the real response of the modes to a vibration or a shock.
 
 They judge a given blade; its modes are no posynomials, so they cannot size one.
 """
 
 from collections.abc import Iterator
-from typing import ClassVar, Literal
+from typing import ClassVar, Literal, NamedTuple
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
+from flexcli.formulas.peaks import peak_factor
 from flexcli.formulas.section import second_moment
+from flexcli.parts.asd import RandomVibration
 from flexcli.parts.geometries.base import NotAvailable
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
 from flexcli.parts.requirements.yielding import Allowable
-from flexcli.parts.response import RandomResponse, random_response
+from flexcli.parts.response import RandomResponse, random_response, shock_peaks
 from flexcli.parts.scene import Scene
+from flexcli.parts.structure import Structure
 from flexcli.parts.vibration_life import life_under
 
-__all__ = ["DynamicBuckling", "DynamicLife", "DynamicYield", "response_of"]
+__all__ = ["DynamicBuckling", "DynamicLife", "DynamicYield"]
 
 
-def response_of(ask: Ask) -> RandomResponse:
-    """Return the response of a case's modes, or raise what keeps it from being computed."""
-    scene = ask.scene
-    assert scene.vibration is not None  # what a dynamic requirement applies to
-    if ask.mechanism is None:
-        raise RequirementError("a response needs masses that move", "add a mechanism")
-    try:
-        structure = ask.mechanism.structure(ask.geometry, ask.material.E, ask.blade, scene.lock)
-        return random_response(structure, scene.vibration)
-    except (MechanismError, NotAvailable) as error:
-        raise RequirementError(str(error), getattr(error, "hint", "")) from error
+class _Peak(NamedTuple):
+    """The peak of one output, what it is, and how it was found."""
+
+    output: str
+    value: float
+    what: str
+    source: str
 
 
 class _Dynamic(FactorRequirement):
     closed_form: ClassVar[bool] = False
 
+    peak: Literal["sigma", "duration"] = "sigma"
+    """Peaks of a random response: sigma times the rms, or what the duration lets expect."""
+
     def applies(self, scene: Scene) -> bool:
-        """Return whether the case vibrates."""
-        return self.covers(scene) and scene.vibration is not None
+        """Return whether the base moves in this case."""
+        return self.covers(scene) and (scene.vibration is not None or scene.shock is not None)
+
+    def peaks(self, ask: Ask, prefix: str) -> Iterator[_Peak]:
+        """Yield the peak of every output whose name starts with the prefix."""
+        structure = _structure(ask)
+        vibration, shock = ask.scene.vibration, ask.scene.shock
+        if vibration is not None:
+            for name, output in _random(structure, vibration).outputs.items():
+                if name.startswith(prefix):
+                    factor = self._peak_factor(ask.scene, vibration, output.crossing_rate)
+                    source = f"modal response, Q = {vibration.q:g}"
+                    yield _Peak(name, factor * output.rms, f"{factor:.3g}σ {name}", source)
+        if shock is not None:
+            try:
+                found = shock_peaks(structure, shock)
+            except ValueError as error:
+                hint = "extend the spectrum to the modes' frequencies"
+                raise RequirementError(str(error), hint) from error
+            for name, value in found.items():
+                if name.startswith(prefix):
+                    source = f"modal response to the shock, Q = {shock.q:g}"
+                    yield _Peak(name, value, f"peak {name}", source)
+
+    def _peak_factor(self, scene: Scene, vibration: RandomVibration, rate: float) -> float:
+        if self.peak == "sigma":
+            return vibration.sigma
+        duration = _duration(scene, vibration)
+        return float(peak_factor(rate, duration)) if rate * duration > 1.0 else vibration.sigma
+
+
+def _structure(ask: Ask) -> Structure:
+    if ask.mechanism is None:
+        raise RequirementError("a response needs masses that move", "add a mechanism")
+    try:
+        return ask.mechanism.structure(ask.geometry, ask.material.E, ask.blade, ask.scene.lock)
+    except (MechanismError, NotAvailable) as error:
+        raise RequirementError(str(error), getattr(error, "hint", "")) from error
+
+
+def _random(structure: Structure, vibration: RandomVibration) -> RandomResponse:
+    try:
+        return random_response(structure, vibration)
+    except ValueError as error:
+        raise RequirementError(str(error)) from error
+
+
+def _duration(scene: Scene, vibration: RandomVibration) -> float:
+    duration = vibration.applied().duration
+    if duration is None:
+        raise RequirementError(
+            f"this needs the duration of the vibration of case '{scene.case}'",
+            "add duration: 2 min to its asd",
+        )
+    return duration
 
 
 class DynamicYield(_Dynamic):
-    """Factor on sigma times the rms stress of the modes, R_p0.2 unless said otherwise."""
+    """Factor on the peak stress of the modes, against R_p0.2 unless said otherwise."""
 
     label: ClassVar[str] = "dynamic yield"
 
     allowable: Allowable = "yield-strength"
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
-        """Yield the peak stress of every joint against the allowable."""
+        """Yield the peak stress at every joint against the allowable."""
         try:
             strength = ask.material.strength(self.allowable.replace("-", "_"))
         except MissingProperty as missing:
             raise RequirementError(str(missing), f"give material.{missing.field}") from missing
-        response, vibration = response_of(ask), ask.scene.vibration
-        assert vibration is not None
-        for name, output in response.outputs.items():
-            if name.startswith("stress"):
-                yield Limit(
-                    self.label,
-                    ask.scene.case,
-                    f"{vibration.sigma:g}σ {name} (bending with the axial force)",
-                    vibration.sigma * output.rms,
-                    strength,
-                    "Pa",
-                    f"modal response, Q = {vibration.q:g}; allowable: {self.allowable}",
-                    required=self.factor,
-                )
+        for peak in self.peaks(ask, "stress"):
+            yield Limit(
+                self.label,
+                ask.scene.case,
+                f"{peak.what} (bending with the axial force)",
+                peak.value,
+                strength,
+                "Pa",
+                f"{peak.source}; allowable: {self.allowable}",
+                required=self.factor,
+            )
 
 
 class DynamicBuckling(_Dynamic):
-    """Factor on sigma times the rms axial force of the modes in the most loaded blade."""
+    """Factor on the peak axial force of the modes in the most loaded blade."""
 
     label: ClassVar[str] = "dynamic buckling"
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
-        """Yield the peak axial force of every joint's blades against their critical force."""
+        """Yield the peak axial force in every joint's blades against their critical force."""
         scene, (h, l, b) = ask.scene, ask.blade
         if scene.ends is None:
             raise RequirementError(
                 f"nothing says what holds the blades' ends in case '{scene.case}'",
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
-        response, vibration = response_of(ask), scene.vibration
-        assert vibration is not None
         inertia = min(second_moment(b, h), second_moment(h, b))
         critical = euler_load(E=ask.material.E, I=inertia, l=l, ends=scene.ends)
-        for name, output in response.outputs.items():
-            if name.startswith("axial stress"):
-                yield Limit(
-                    self.label,
-                    scene.case,
-                    f"{vibration.sigma:g}σ axial force in a blade, {name.split()[-1]}",
-                    vibration.sigma * output.rms * h * b,
-                    critical,
-                    "N",
-                    f"modal response, Q = {vibration.q:g}; Euler, {scene.ends} ends",
-                    required=self.factor,
-                )
+        for peak in self.peaks(ask, "axial stress"):
+            yield Limit(
+                self.label,
+                scene.case,
+                f"{peak.what.replace('stress', 'force')} of a blade",
+                peak.value * h * b,
+                critical,
+                "N",
+                f"{peak.source}; Euler, {scene.ends} ends: {scene.ends_why}",
+                required=self.factor,
+            )
 
 
 class DynamicLife(_Dynamic):
@@ -110,27 +159,24 @@ class DynamicLife(_Dynamic):
         "least", "narrow-band", "steinberg", "wirsching-light", "dirlik", "tovo-benasciutti"
     ] = "least"
 
+    def applies(self, scene: Scene) -> bool:
+        """Return whether the case vibrates at random."""
+        return self.covers(scene) and scene.vibration is not None
+
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the duration of the vibration against the life of every joint."""
         vibration = ask.scene.vibration
-        assert vibration is not None
-        duration = vibration.applied().duration
-        if duration is None:
-            raise RequirementError(
-                f"a life needs the duration of the vibration of case '{ask.scene.case}'",
-                "add duration: 2 min to its asd",
-            )
-        response = response_of(ask)
-        for name, output in response.outputs.items():
+        assert vibration is not None  # it applies
+        duration = _duration(ask.scene, vibration)
+        for name, output in _random(_structure(ask), vibration).outputs.items():
             if not name.startswith("stress"):
                 continue
             try:
                 lives = life_under(ask.material, output.moments)
             except MissingProperty as missing:
                 raise RequirementError(str(missing), f"give material.{missing.field}") from missing
-            method = (
-                min(lives, key=lambda key: lives[key]) if self.method == "least" else self.method
-            )
+            shortest = min(lives, key=lambda key: lives[key])
+            method = shortest if self.method == "least" else self.method
             yield Limit(
                 self.label,
                 ask.scene.case,
@@ -138,6 +184,6 @@ class DynamicLife(_Dynamic):
                 duration,
                 lives[method],
                 "s",
-                f"{method}, S-N amplitudes, modal response, Q = {vibration.q:g}",
+                f"{method}, S-N amplitudes at R = −1, modal response, Q = {vibration.q:g}",
                 required=self.factor,
             )

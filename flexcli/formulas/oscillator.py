@@ -1,4 +1,4 @@
-"""Single-degree-of-freedom response to random base acceleration: Miles and exact.
+"""Exact response of an oscillator to random base acceleration (vibration response spectrum).
 
 An oscillator of natural frequency f_n and quality factor Q = 1/(2ζ) stands on a base whose
 acceleration has the one-sided density G(f) (see `flexcli.formulas.spectrum`). With r = f/f_n,
@@ -15,30 +15,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from flexcli.formulas.spectrum import Scale, checked_profile, clip_profile, gauss_rule
+from flexcli.formulas.arguments import positive
+from flexcli.formulas.miles import miles
+from flexcli.formulas.spectrum import Scale, checked_profile
+from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = [
-    "MINIMUM_CYCLES",
-    "MilesWorstCase",
-    "OscillatorResponse",
-    "davenport_peak_factor",
-    "expected_exceedances",
-    "miles",
-    "miles_worst_case",
-    "oscillator_response",
-    "peak_factor",
-    "peak_probability",
-    "white_noise_response",
-]
+__all__ = ["OscillatorResponse", "oscillator_response", "white_noise_response"]
 
 Floats = NDArray[np.float64]
-
-# Below some ten cycles the asymptotic peak factors lose meaning (Davenport 1964).
-MINIMUM_CYCLES = 10.0
-_EULER_GAMMA = 0.5772156649015329
-
-# On a slope of −1 every frequency is the worst; report the lowest within this.
-_TIE = 1e-12
 
 # Panels grow by this ratio away from the resonance. A panel [d, 4d] sees the poles (at
 # distance ≤ d/8 from 0) at more than 1.6 half-widths from its centre, so 16 Gauss points
@@ -50,141 +34,6 @@ _WIDEST_PANEL = 1.4
 _STEEPEST_PANEL = 10.0
 # Rows (f_n, Q) handled at once: about this many panels, to stay within the cache.
 _PANELS_AT_ONCE = 20_000
-
-
-def _positive(**values: ArrayLike) -> list[Floats]:
-    """Return the arrays, or name the one that has a value not positive and finite."""
-    arrays = []
-    for name, value in values.items():
-        array = np.asarray(value, dtype=np.float64)
-        if not (np.isfinite(array).all() and (array > 0).all()):
-            raise ValueError(f"{name} must be positive and finite, got {array}")
-        arrays.append(array)
-    return arrays
-
-
-def miles(f: ArrayLike, Q: ArrayLike, level: ArrayLike) -> Floats:
-    """Give Miles' root-mean-square response.
-
-    a_rms = sqrt(π/2 · f Q G(f))
-
-    Parameters
-    ----------
-    f : array, any shape
-        Natural frequency, [Hz].
-    Q : array that broadcasts with `f`
-        Quality factor 1/(2ζ), [-].
-    level : array that broadcasts with `f`
-        One-sided density of base acceleration at `f`, [x²/Hz].
-
-    Returns
-    -------
-    array
-        Root-mean-square pseudo-acceleration, [x].
-
-    Raises
-    ------
-    ValueError
-        When f or Q is not positive or a level is negative.
-
-    Notes
-    -----
-    It is exact for the pseudo-acceleration ω_n² z under white noise from 0 to ∞, and for the
-    absolute acceleration within the factor sqrt(1 + 1/Q²). It takes the density at resonance
-    for the density everywhere: it is poor where the profile changes within some f_n/Q, and
-    leaves out the base motion well below f_n, which is most of it when f_n lies above the band.
-
-    Examples
-    --------
-    >>> round(float(miles(2000, 100, 0.2)), 2)
-    250.66
-
-    References
-    ----------
-    Miles 1954, J. Aeronautical Sciences 21(11), 753–762, DOI 10.2514/8.3199.
-    """
-    fn, q = _positive(f=f, Q=Q)
-    density = np.asarray(level, dtype=np.float64)
-    if not (density >= 0).all():
-        raise ValueError(f"the level must not be negative, got {density}")
-    response: Floats = np.sqrt(0.5 * np.pi * fn * q * density)
-    return response
-
-
-@dataclass(frozen=True, eq=False)
-class MilesWorstCase:
-    """The greatest Miles response of a profile: `response` [x] at `frequency` [Hz]."""
-
-    response: Floats
-    frequency: float
-    level: float
-
-
-def miles_worst_case(
-    frequency: ArrayLike,
-    level: ArrayLike,
-    Q: ArrayLike,
-    *,
-    lower: float | None = None,
-    upper: float | None = None,
-    scale: Scale = "log",
-) -> MilesWorstCase:
-    """Give the exact maximum of Miles' response over all natural frequencies.
-
-    max_f sqrt(π/2 · f Q G(f)). On a log-log segment f G(f) is a power of f, so the maximum is
-    at a breakpoint, on either side of a step; on a linear one it is a parabola a f + b f²,
-    with its top at −a/(2b) when that lies inside and b < 0.
-
-    Parameters
-    ----------
-    frequency, level : arrays, shape (n,)
-        Base acceleration density, [Hz] and [x²/Hz].
-    Q : array, any shape
-        Quality factor, [-].
-    lower, upper : float, optional
-        Range of natural frequencies; that of the profile where left out, [Hz].
-    scale : "log" or "linear"
-        Axes in which the profile is straight.
-
-    Returns
-    -------
-    MilesWorstCase
-        Response of the shape of `Q` [x], the frequency [Hz] (the lowest of several) and the
-        level there [x²/Hz]. The frequency does not depend on Q.
-
-    Raises
-    ------
-    ValueError
-        When the profile is not sound, has nothing in the range, or Q is not positive.
-
-    Examples
-    --------
-    >>> worst = miles_worst_case([20, 2000], [0.2, 0.2], 100)
-    >>> round(float(worst.response), 2), worst.frequency
-    (250.66, 2000.0)
-    """
-    (q,) = _positive(Q=Q)
-    f, g = clip_profile(frequency, level, lower=lower, upper=upper, scale=scale)
-    if scale == "linear":
-        # the top of f·(a + b f), written without dividing by the segment's width
-        fall = g[:-1] - g[1:]
-        falling = fall > 0
-        top = np.divide(g[:-1] * f[1:] - g[1:] * f[:-1], 2 * fall, out=f[:-1].copy(), where=falling)
-        inside = falling & (top > f[:-1]) & (top < f[1:])
-        share = (top - f[:-1])[inside] / np.diff(f)[inside]
-        f, g = (
-            np.concatenate([f, top[inside]]),
-            np.concatenate([g, g[:-1][inside] - share * fall[inside]]),
-        )
-        order = np.argsort(f, kind="stable")
-        f, g = f[order], g[order]
-    product = f * g
-    worst = int(np.argmax(product >= product.max() * (1 - _TIE)))
-    return MilesWorstCase(
-        response=np.sqrt(0.5 * np.pi * q * product.max()),
-        frequency=float(f[worst]),
-        level=float(g[worst]),
-    )
 
 
 def _at_least_critical(Q: Floats) -> None:
@@ -373,7 +222,7 @@ def oscillator_response(
     Crandall, Mark 1963, Random Vibration in Mechanical Systems, section 2.
     """
     f, g = checked_profile(frequency, level, scale=scale)
-    natural, quality = np.broadcast_arrays(*_positive(fn=fn, Q=Q))
+    natural, quality = np.broadcast_arrays(*positive(fn=fn, Q=Q))
     _at_least_critical(quality)
     rows_fn, rows_Q = natural.ravel(), quality.ravel()
     chunk = max(1, _PANELS_AT_ONCE // (f.size + 60))
@@ -431,168 +280,3 @@ def white_noise_response(fn: ArrayLike, Q: ArrayLike, level: ArrayLike) -> Oscil
         relative_displacement=pseudo / omega**2,
         relative_velocity=pseudo / omega,
     )
-
-
-def _more_than_one_cycle(f0: ArrayLike, T: ArrayLike) -> Floats:
-    rate, time = _positive(f0=f0, T=T)
-    cycles: Floats = rate * time
-    if not (cycles > 1).all():
-        raise ValueError(
-            f"a peak factor needs more than one cycle, and about {MINIMUM_CYCLES:g} to mean "
-            f"much: f0·T = {cycles.min():g}"
-        )
-    return cycles
-
-
-def peak_factor(f0: ArrayLike, T: ArrayLike) -> Floats:
-    """Give the most probable greatest peak of a narrow-band Gaussian signal over its rms.
-
-    c = sqrt(2 ln(f_0 T)): the level crossed upwards once, on average, in the time T.
-
-    Parameters
-    ----------
-    f0 : array, any shape
-        Rate of upward zero crossings, the natural frequency for a lightly damped one, [Hz].
-    T : array that broadcasts with `f0`
-        Duration, [s].
-
-    Returns
-    -------
-    array
-        Peak over root mean square, [-].
-
-    Raises
-    ------
-    ValueError
-        When f_0 T is not above 1.
-
-    Notes
-    -----
-    Asymptotic: use from f_0 T = `MINIMUM_CYCLES` on. 3σ is reached at f_0 T = e^4.5 = 90.
-
-    Examples
-    --------
-    >>> round(float(peak_factor(200, 60)), 2)
-    4.33
-
-    References
-    ----------
-    Rice 1945, Bell System Technical Journal 24, 46–156; Davenport 1964, Proc. Institution of
-    Civil Engineers 28, 187–196, DOI 10.1680/iicep.1964.10112.
-    """
-    factor: Floats = np.sqrt(2 * np.log(_more_than_one_cycle(f0, T)))
-    return factor
-
-
-def davenport_peak_factor(f0: ArrayLike, T: ArrayLike) -> Floats:
-    """Give the mean greatest peak of a Gaussian signal over its rms.
-
-    c + γ/c with c = sqrt(2 ln(f_0 T)) and Euler's γ = 0.5772.
-
-    Parameters
-    ----------
-    f0 : array, any shape
-        Rate of upward zero crossings, [Hz].
-    T : array that broadcasts with `f0`
-        Duration, [s].
-
-    Returns
-    -------
-    array
-        Mean peak over root mean square, [-].
-
-    Raises
-    ------
-    ValueError
-        When f_0 T is not above 1.
-
-    Notes
-    -----
-    Asymptotic: use from f_0 T = `MINIMUM_CYCLES` on; it grows without bound as f_0 T → 1.
-
-    Examples
-    --------
-    >>> round(float(davenport_peak_factor(200, 60)), 2)
-    4.47
-
-    References
-    ----------
-    Davenport 1964, Proc. Institution of Civil Engineers 28, 187–196, equation 14,
-    DOI 10.1680/iicep.1964.10112.
-    """
-    c = peak_factor(f0, T)
-    return c + _EULER_GAMMA / c
-
-
-def expected_exceedances(k: ArrayLike, f0: ArrayLike, T: ArrayLike) -> Floats:
-    """Count how often a Gaussian signal goes beyond ±k·rms, on average.
-
-    n = 2 f_0 T exp(−k²/2), crossings of +k upwards and of −k downwards together.
-
-    Parameters
-    ----------
-    k : array, any shape
-        Level over root mean square, 3 for "3σ", [-].
-    f0 : array that broadcasts with `k`
-        Rate of upward zero crossings, [Hz].
-    T : array that broadcasts with `k`
-        Duration, [s].
-
-    Returns
-    -------
-    array
-        Mean number of excursions, [-].
-
-    Raises
-    ------
-    ValueError
-        When f_0 or T is not positive.
-
-    Examples
-    --------
-    >>> round(float(expected_exceedances(3, 200, 60)))
-    267
-
-    References
-    ----------
-    Rice 1945, Bell System Technical Journal 24, 46–156.
-    """
-    rate, time = _positive(f0=f0, T=T)
-    count: Floats = 2 * rate * time * np.exp(-0.5 * np.asarray(k, dtype=np.float64) ** 2)
-    return count
-
-
-def peak_probability(k: ArrayLike, f0: ArrayLike, T: ArrayLike) -> Floats:
-    """Give the chance that a Gaussian signal goes beyond ±k·rms at least once.
-
-    p = 1 − exp(−n), n the expected exceedances, taken as independent.
-
-    Parameters
-    ----------
-    k : array, any shape
-        Level over root mean square, [-].
-    f0 : array that broadcasts with `k`
-        Rate of upward zero crossings, [Hz].
-    T : array that broadcasts with `k`
-        Duration, [s].
-
-    Returns
-    -------
-    array
-        Probability, [-].
-
-    Raises
-    ------
-    ValueError
-        When f_0 or T is not positive.
-
-    Notes
-    -----
-    Excursions of a lightly damped oscillator come in clumps, so this errs on the safe side.
-
-    Examples
-    --------
-    >>> round(float(peak_probability(5, 200, 60)), 3)
-    0.086
-    """
-    return -np.expm1(-expected_exceedances(k, f0, T))

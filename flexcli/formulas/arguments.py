@@ -1,0 +1,17 @@
+"""What formulas ask of their arguments, said once."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["positive"]
+
+
+def positive(**values: ArrayLike) -> list[NDArray[np.float64]]:
+    """Return the arrays, or name the one that has a value not positive and finite."""
+    arrays = []
+    for name, value in values.items():
+        array = np.asarray(value, dtype=np.float64)
+        if not (np.isfinite(array).all() and (array > 0).all()):
+            raise ValueError(f"{name} must be positive and finite, got {array}")
+        arrays.append(array)
+    return arrays

@@ -1,0 +1,156 @@
+r"""Rigid bodies on one degree of freedom, on a base that accelerates and turns: Lagrange, once.
+
+With the coordinate q, each body at x(q), y(q) turned by φ(q) (anticlockwise) in the base's frame,
+springs stretched by e(q), and the displacement u(q) that the force F works on:
+
+    T = ½ m_q q̇² + (c_x γ̇_x + c_y γ̇_y + c_φ Ω) q̇ + …,   V = Σ ½ k e²
+    m_q = Σ m (x'² + y'²) + J φ'²
+    c_x = Σ m x',   c_y = Σ m y',   c_φ = Σ m (x y' − y x') + J φ'
+
+Lagrange's equation, per unit of u, with γ̈ the acceleration of the base, Ω̇ its rotation about the
+origin, and F positive along u:
+
+    F = m_eq ü + ½ m_eq' u̇² + V'/u' + τ_x γ̈_x + τ_y γ̈_y + τ_φ Ω̇ − ½ I'/u' Ω²
+    m_eq = m_q/u'²,  τ = c/u',  k_eq = d(V'/u')/du,  I = Σ m (x² + y²)
+
+(the gyroscopic terms of one degree of freedom cancel). A body at rest in a field of gravity g
+feels what a base accelerated by −g does, so gravity pulls along u with τ · g, and the base feels
+back −τ_x ü, −τ_y ü and the torque −τ_φ ü.
+
+Derivatives are Taylor coefficients: exact to rounding like a complex step, but of every order, and
+the orders beyond the first are what is asked of the stroke.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from flexcli.numerics.taylor import Scalar, Taylor, lifted
+
+__all__ = ["Body", "Expansion", "Path", "SingleFreedom", "Spring", "expand"]
+
+Path: TypeAlias = Callable[[Taylor], tuple[Scalar, Scalar, Scalar]]
+"""Position x, y [m] and angle [rad] of a body's centre of mass as functions of the coordinate."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body: mass [kg], inertia about its centre of mass [kg·m²], where it goes."""
+
+    name: str
+    mass: float
+    inertia: float
+    path: Path
+
+
+@dataclass(frozen=True)
+class Spring:
+    """A linear spring: stiffness [N/m or N·m/rad], stretch [m or rad] of the coordinate."""
+
+    name: str
+    stiffness: float
+    stretch: Callable[[Taylor], Scalar]
+
+
+@dataclass(frozen=True)
+class SingleFreedom:
+    """Bodies and springs on one coordinate, and the displacement that the force works on."""
+
+    bodies: Sequence[Body]
+    springs: Sequence[Spring]
+    output: Callable[[Taylor], Scalar]
+
+
+@dataclass(frozen=True)
+class Expansion:
+    """Terms of the equation of motion about one position, as series in the coordinate q.
+
+    Per unit of the output u: with u in metres masses and τ_x, τ_y are in kg, τ_φ in kg·m; with u
+    an angle in kg·m², kg·m and kg·m². ``.value`` is the term at the position itself.
+    """
+
+    output: Taylor
+    output_rate: Taylor
+    mass: Taylor
+    force: Taylor
+    stiffness: Taylor
+    coupling_x: Taylor
+    coupling_y: Taylor
+    coupling_rotation: Taylor
+    potential: Taylor
+
+    def gravity_stiffness(self, gx: float, gy: float) -> float:
+        """Return what a field of gravity along x and y [m/s²] adds to the stiffness."""
+        pull = self.coupling_x * gx + self.coupling_y * gy
+        return -pull.derivative().value / self.output_rate.value
+
+
+def expand(system: SingleFreedom, at: float = 0.0, *, order: int = 3) -> Expansion:
+    """Return the equation of motion about a position, to an order in the coordinate.
+
+    Parameters
+    ----------
+    system : SingleFreedom
+        Bodies, springs and output.
+    at : float
+        Coordinate to expand about [m or rad].
+    order : int
+        Highest order of the couplings and the mass; the stiffness has one less.
+
+    Returns
+    -------
+    Expansion
+        Series in the distance from ``at``.
+
+    Notes
+    -----
+    Rigid bodies, massless linear springs, motion in a plane. The output must move with the
+    coordinate at ``at`` (u' ≠ 0).
+
+    Examples
+    --------
+    Mass on a spring whose base shakes:
+
+    >>> stage = SingleFreedom(
+    ...     [Body("stage", 1.0, 0.0, lambda q: (q, 0.0, 0.0))],
+    ...     [Spring("leaf", 864.0, lambda q: q)],
+    ...     lambda q: q,
+    ... )
+    >>> motion = expand(stage)
+    >>> motion.mass.value, motion.stiffness.value, motion.coupling_x.value
+    (1.0, 864.0, 1.0)
+
+    References
+    ----------
+    Exercise 9 part I, question 1, and exercise 12 A, which are cases of it.
+
+    """
+    kept = max(order, 1) + 1
+    q = Taylor.variable(at, kept)
+    output = lifted(system.output(q), kept)
+    rate = output.derivative()
+    nothing = lifted(0.0, kept - 1)
+    mass = c_x = c_y = c_phi = nothing
+    for body in system.bodies:
+        x, y, phi = (lifted(term, kept) for term in body.path(q))
+        dx, dy, dphi = x.derivative(), y.derivative(), phi.derivative()
+        mass = mass + (dx * dx + dy * dy) * body.mass + dphi * dphi * body.inertia
+        c_x = c_x + dx * body.mass
+        c_y = c_y + dy * body.mass
+        c_phi = c_phi + (x * dy - y * dx) * body.mass + dphi * body.inertia
+    potential = lifted(0.0, kept)
+    for spring in system.springs:
+        stretch = lifted(spring.stretch(q), kept)
+        potential = potential + stretch * stretch * (0.5 * spring.stiffness)
+    force = potential.derivative() / rate
+    return Expansion(
+        output=output,
+        output_rate=rate,
+        mass=mass / (rate * rate),
+        force=force,
+        stiffness=force.derivative() / rate,
+        coupling_x=c_x / rate,
+        coupling_y=c_y / rate,
+        coupling_rotation=c_phi / rate,
+        potential=potential,
+    )

@@ -1,0 +1,60 @@
+"""A quantity that a spec gives, or leaves free for the tool to choose, with bounds if any."""
+
+from typing import Any, NamedTuple
+
+from pydantic import GetJsonSchemaHandler
+from pydantic_core import CoreSchema
+
+from flexcli.parts.base import QuantityOf, spec_error
+from flexcli.units import DIMENSIONS
+
+__all__ = ["Free", "OrFree"]
+
+
+class Free(NamedTuple):
+    """What ``free`` or ``{free: [least, most]}`` says: bounds in SI, None where there is none."""
+
+    least: float | None = None
+    most: float | None = None
+
+
+class OrFree(QuantityOf):
+    """A type marker: a quantity, ``free``, or ``{free: [least, most]}``, as for h, l and b."""
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        given = super().__get_pydantic_json_schema__(schema, handler)
+        ends = {"type": "array", "items": {"anyOf": [given, {"type": "null"}]}}
+        bounded = {
+            "type": "object",
+            "properties": {"free": {**ends, "minItems": 2, "maxItems": 2}},
+            "required": ["free"],
+            "additionalProperties": False,
+        }
+        return {"anyOf": [given, {"const": "free"}, bounded]}
+
+    def read(self, value: Any) -> Any:
+        """Return the SI value or what is free of it, or raise what is wrong."""
+        if value == "free":
+            return Free()
+        expected = DIMENSIONS[self.dimension]
+        if not isinstance(value, dict):
+            if isinstance(value, str) and value.strip().isalpha():
+                text = f"'{value}' is not a number with a unit"
+                raise spec_error(text, f"write {expected.example}, or free")
+            return super().read(value)
+        bounds = value.get("free")
+        if set(value) != {"free"} or not isinstance(bounds, list) or len(bounds) != 2:
+            example = expected.example
+            raise spec_error(
+                f"{expected.named}, 'free', or free between bounds is expected",
+                f"write {example}, free, or {{free: [null, {example}]}} (null: no bound)",
+            )
+        least, most = (None if bound is None else self._bound(bound) for bound in bounds)
+        if least is not None and most is not None and least >= most:
+            raise spec_error("the lower bound is not below the upper one", "write [least, most]")
+        return Free(least, most)
+
+    def _bound(self, value: Any) -> float:
+        return super().read(value)
