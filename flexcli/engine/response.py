@@ -17,6 +17,7 @@ from flexcli.parts.vibration_life import life_under
 from flexcli.results import (
     CaseResponse,
     Cost,
+    EffectRow,
     ModeResult,
     Note,
     OutputResult,
@@ -42,6 +43,7 @@ def respond(design: DesignSpec, blade: Blade, spec: str) -> Result:
     responses: list[CaseResponse] = []
     values: dict[str, Value] = {}
     notes: list[Note] = []
+    rows: list[EffectRow] = []
     for name in design.cases:
         scene = design.scene(name)
         if scene.vibration is None and scene.shock is None:
@@ -52,6 +54,7 @@ def respond(design: DesignSpec, blade: Blade, spec: str) -> Result:
             responses.append(response)
             values |= _worst_values(response)
             notes += _against_miles(scene, response)
+            rows.append(_higher_modes(scene, response))
         if scene.shock is not None:
             responses.append(_shock(scene, structure))
     if not responses:
@@ -67,8 +70,11 @@ def respond(design: DesignSpec, blade: Blade, spec: str) -> Result:
         title=design.title,
         values=values,
         checks=found,
+        effects=tuple(rows),
         warnings=tuple(notes),
-        cost=Cost(perf_counter() - started, MODEL, REACH**-2),
+        cost=Cost(
+            perf_counter() - started, MODEL, max((row.estimate for row in rows), default=None)
+        ),
         responses=tuple(responses),
     )
 
@@ -155,6 +161,22 @@ def _worst_values(response: CaseResponse) -> dict[str, Value]:
         label = f"natural frequency, {response.case}"
         found[f"f_{index + 1}_{response.case}"] = Value(mode.frequency, "Hz", label, MODEL)
     return found
+
+
+def _higher_modes(scene: Scene, response: CaseResponse) -> EffectRow:
+    """Return the effect of the modes' resonance that was left out as the band can't excite it."""
+    assert scene.vibration is not None  # a random response
+    band_end = float(scene.vibration.applied().frequency[-1])
+    lowest = min((m.frequency for m in response.modes if not m.dynamic), default=None)
+    excited = sum(mode.dynamic for mode in response.modes)
+    if lowest is None:
+        return EffectRow("higher modes", True, 0.0, 0.0, f"all {excited} modes are excited")
+    ratio = band_end / lowest
+    moved = lowest > REACH * band_end
+    estimate = ratio**2 if moved else 0.0
+    why = f"lowest at {ratio:.2g} of it" if moved else "the base does not move them"
+    text = f"{excited} of {len(response.modes)} modes are excited by the band; the others: {why}"
+    return EffectRow("higher modes", False, ratio, estimate, text)
 
 
 def _against_miles(scene: Scene, response: CaseResponse) -> Iterator[Note]:

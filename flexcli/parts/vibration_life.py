@@ -4,7 +4,7 @@ from math import inf, log
 
 import numpy as np
 
-from flexcli.formulas.spectral_fatigue import METHODS, Moments, damage_rates
+from flexcli.formulas.spectral_fatigue import METHODS, Moments, damage_rates, goodman_factor
 from flexcli.parts.material import Material, MissingProperty
 
 __all__ = ["life_under", "sn_law"]
@@ -27,11 +27,23 @@ def sn_law(material: Material) -> tuple[float, float]:
     return k, n2 * (s2 / UNIT) ** k
 
 
-def life_under(material: Material, moments: tuple[float, float, float, float]) -> dict[str, float]:
-    """Return the time to failure [s] by each method, for moments of the stress [Pa² Hz^n]."""
+def life_under(
+    material: Material, moments: tuple[float, float, float, float], mean: float = 0.0
+) -> dict[str, float]:
+    """Return the time to failure [s] by each method, for moments of the stress [Pa² Hz^n].
+
+    A standing tension [Pa] raises every amplitude by 1/(1 − σ_m/R_m) (Goodman); one that reaches
+    R_m leaves no life.
+    """
     if moments[0] == 0.0:
         return {name: inf for name, _ in METHODS}
     k, constant = sn_law(material)
-    m0, m1, m2, m4 = np.array(moments) / UNIT**2
+    factor = 1.0
+    if mean > 0.0:
+        strength = material.strength("tensile_strength")
+        if mean >= strength:
+            return {name: 0.0 for name, _ in METHODS}
+        factor = float(goodman_factor(mean, strength))
+    m0, m1, m2, m4 = np.array(moments) * (factor / UNIT) ** 2
     rates = damage_rates(Moments(m0, m1, m2, m4), k, constant)
     return {name: (1.0 / float(rate) if rate > 0.0 else inf) for name, rate in rates.items()}

@@ -10,8 +10,9 @@ from rich.text import Text
 from flexcli.errors import Finding
 from flexcli.report.asd import profile_list, profile_sheet, worst_cases
 from flexcli.report.balance_text import balance_tables
+from flexcli.report.response_text import response_tables
 from flexcli.report.tables import table as _table
-from flexcli.results import CaseResponse, Check, Result, SizingResult, Status
+from flexcli.results import Check, Result, SizingResult, Status
 from flexcli.units import STANDARD_GRAVITY, show
 
 __all__ = ["findings_text", "print_findings", "print_result", "print_summary"]
@@ -41,7 +42,7 @@ def print_result(result: Result, console: Console) -> None:
     if result.worst_cases:
         console.print(worst_cases(result.worst_cases))
     for response in result.responses:
-        console.print(_response(response))
+        console.print(response_tables(response))
     if result.checks:
         console.print(_checks(result.checks))
     if result.sizing is not None and result.sizing.sensitivities:
@@ -143,34 +144,6 @@ def _sensitivities(sizing: SizingResult) -> Table:
     for row in sizing.sensitivities:
         table.add_row(row.constraint, row.driver, *(f"{row.on[name]:+.3g} %" for name in names))
     return table
-
-
-def _response(response: CaseResponse) -> RenderableType:
-    """Return modes, outputs and lives of one case."""
-    parts: list[RenderableType] = [Text(f"{response.case}: {response.kind}", "bold")]
-    if response.modes:
-        table = _table("Modes", "frequency", "moves", "", numbers=[0, 1])
-        for mode in response.modes:
-            told = "excited" if mode.dynamic else "not excited: no code run for its resonance"
-            table.add_row(show(mode.frequency, "Hz"), f"{mode.mass_share:.1%}", told)
-        parts.append(table)
-    table = _table(
-        "Responses", "output", "rms", "peak (sigma)", "peak in the time", "crossings",
-        numbers=[1, 2, 3, 4],
-    )  # fmt: skip
-    for row in response.outputs:
-        cells = [(row.rms, row.unit), (row.peak, row.unit), (row.expected_peak, row.unit)]
-        shown = [show(v, unit) if v is not None else "" for v, unit in cells]
-        rate = show(row.crossing_rate, "Hz") if row.crossing_rate is not None else ""
-        table.add_row(row.name, *shown, rate)
-    parts.append(table)
-    if response.lives:
-        methods = list(next(iter(response.lives.values())))
-        lives = _table("Life", "output", *methods, numbers=range(1, 1 + len(methods)))
-        for name, by_method in response.lives.items():
-            lives.add_row(name, *(show(life, "s", 3) for life in by_method.values()))
-        parts.append(lives)
-    return Group(*parts)
 
 
 def _effects(result: Result) -> Table:

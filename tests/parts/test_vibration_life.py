@@ -61,3 +61,16 @@ def test_a_stress_ratio_is_brought_to_fully_reversed():
     k, constant = sn_law(material(sn_amplitudes=at_zero, tensile_strength="2000 MPa"))
     amplitude = 1466.0 * 2e6**-0.143  # at a million cycles and R = 0, so the mean is as large
     assert (constant / 1e6) ** (1 / k) == pytest.approx(amplitude / (1 - amplitude / 2000.0))
+
+
+def test_a_standing_tension_shortens_the_life_by_goodmans_factor_to_the_power_k():
+    strong = material(sn_amplitudes=BASQUIN, tensile_strength="572 MPa")
+    k, _ = sn_law(strong)
+    alone, with_mean = (life_under(strong, narrow(30e6, 50.0), mean) for mean in (0.0, 143e6))
+    for method, life in alone.items():
+        assert with_mean[method] == pytest.approx(life * 0.75**k)
+
+
+def test_a_tension_as_large_as_the_strength_leaves_no_life():
+    strong = material(sn_amplitudes=BASQUIN, tensile_strength="572 MPa")
+    assert set(life_under(strong, narrow(1e6, 50.0), 572e6).values()) == {0.0}

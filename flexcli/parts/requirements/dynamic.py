@@ -4,12 +4,13 @@ They judge a given blade; its modes are no posynomials, so they cannot size one.
 """
 
 from collections.abc import Iterator
-from typing import ClassVar, Literal, NamedTuple
+from typing import Annotated, ClassVar, Literal, NamedTuple
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.peaks import peak_factor
 from flexcli.formulas.section import second_moment
 from flexcli.parts.asd import RandomVibration
+from flexcli.parts.base import QuantityOf
 from flexcli.parts.geometries.base import NotAvailable
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.mechanisms import MechanismError
@@ -158,6 +159,8 @@ class DynamicLife(_Dynamic):
     method: Literal[
         "least", "narrow-band", "steinberg", "wirsching-light", "dirlik", "tovo-benasciutti"
     ] = "least"
+    mean_stress: Annotated[float, QuantityOf("stress", at_least=0.0)] = 0.0
+    """Tension that stands at the blade's end beside the vibration, by Goodman."""
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case vibrates at random."""
@@ -168,11 +171,12 @@ class DynamicLife(_Dynamic):
         vibration = ask.scene.vibration
         assert vibration is not None  # it applies
         duration = _duration(ask.scene, vibration)
+        mean = f"mean stress {self.mean_stress / 1e6:.4g} MPa" if self.mean_stress else "no mean"
         for name, output in _random(_structure(ask), vibration).outputs.items():
             if not name.startswith("stress"):
                 continue
             try:
-                lives = life_under(ask.material, output.moments)
+                lives = life_under(ask.material, output.moments, self.mean_stress)
             except MissingProperty as missing:
                 raise RequirementError(str(missing), f"give material.{missing.field}") from missing
             shortest = min(lives, key=lambda key: lives[key])
@@ -184,6 +188,6 @@ class DynamicLife(_Dynamic):
                 duration,
                 lives[method],
                 "s",
-                f"{method}, S-N amplitudes at R = −1, modal response, Q = {vibration.q:g}",
+                f"{method}, S-N amplitudes at R = −1, {mean}, modal response, Q = {vibration.q:g}",
                 required=self.factor,
             )
