@@ -1,8 +1,12 @@
-"""What a command found out: frozen records that reports print and scripts read."""
+"""What a command found out: frozen records that reports print and scripts read.
+
+Rows are named tuples: making a dataclass costs several times as much at every start.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
+from typing import NamedTuple
 
 from flexcli.errors import Finding
 
@@ -47,8 +51,7 @@ class Status(Enum):
         return {Status.PASS: 0, Status.FAIL: 1, Status.INFEASIBLE: 1, Status.ERROR: 2}[self]
 
 
-@dataclass(frozen=True)
-class Value:
+class Value(NamedTuple):
     """One named number in SI, with the model that made it."""
 
     value: float
@@ -58,8 +61,7 @@ class Value:
     source: str = ""
 
 
-@dataclass(frozen=True)
-class Check:
+class Check(NamedTuple):
     """One requirement of one case: demand against capacity.
 
     ``factor`` is the factor of safety capacity/demand (for a bound, how far inside it the
@@ -83,8 +85,7 @@ class Check:
         return self.factor / self.required - 1.0
 
 
-@dataclass(frozen=True)
-class EffectRow:
+class EffectRow(NamedTuple):
     """What a model leaves out: its dimensionless indicator and what that may change."""
 
     name: str
@@ -94,16 +95,14 @@ class EffectRow:
     reason: str
 
 
-@dataclass(frozen=True)
-class Note:
+class Note(NamedTuple):
     """A warning: a stable code for scripts and a sentence for people."""
 
     code: str
     text: str
 
 
-@dataclass(frozen=True)
-class Property:
+class Property(NamedTuple):
     """One number of a material with where it comes from."""
 
     name: str
@@ -114,7 +113,7 @@ class Property:
     source: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Cost:
     """What the answer cost, and how far off its model may be."""
 
@@ -124,7 +123,7 @@ class Cost:
     iterations: int = 0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Result:
     """The answer of one command about one spec."""
 
@@ -146,8 +145,7 @@ class Result:
     balance: "BalanceResult | None" = None
 
 
-@dataclass(frozen=True)
-class ModeResult:
+class ModeResult(NamedTuple):
     """One natural mode: frequency [Hz], share of the mass that it moves, rms of its responses.
 
     ``dynamic`` is false for a mode that the band can't excite or the base does not move.
@@ -159,8 +157,7 @@ class ModeResult:
     rms: Mapping[str, float]
 
 
-@dataclass(frozen=True)
-class OutputResult:
+class OutputResult(NamedTuple):
     """One response: rms and its zero crossings (random only), peak, peak expected in the time."""
 
     name: str
@@ -171,8 +168,7 @@ class OutputResult:
     crossing_rate: float | None
 
 
-@dataclass(frozen=True)
-class CaseResponse:
+class CaseResponse(NamedTuple):
     """What the modes make of the vibration or the shock of one case; lives [s] by method."""
 
     case: str
@@ -183,8 +179,7 @@ class CaseResponse:
     duration: float | None
 
 
-@dataclass(frozen=True)
-class Design:
+class Design(NamedTuple):
     """One set of blade dimensions and what it is."""
 
     label: str
@@ -194,8 +189,7 @@ class Design:
     volume: float
 
 
-@dataclass(frozen=True)
-class Sensitivity:
+class Sensitivity(NamedTuple):
     """What 1 % more of one demand costs: d ln(name) / d ln(demand) for each quantity."""
 
     constraint: str
@@ -203,8 +197,7 @@ class Sensitivity:
     on: Mapping[str, float]
 
 
-@dataclass(frozen=True)
-class Relaxation:
+class Relaxation(NamedTuple):
     """How far one requirement of a conflict must give way for a design to exist."""
 
     name: str
@@ -212,7 +205,7 @@ class Relaxation:
     text: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SizingResult:
     """How the dimensions were found, and what holds them there."""
 
@@ -225,8 +218,7 @@ class SizingResult:
     remarks: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class UnknownResult:
+class UnknownResult(NamedTuple):
     """What was free of a mechanism, and what was chosen within its bounds."""
 
     name: str
@@ -236,8 +228,7 @@ class UnknownResult:
     most: float | None
 
 
-@dataclass(frozen=True)
-class TransferRow:
+class TransferRow(NamedTuple):
     """Displacement over acceleration of the base [s²] at a frequency, before and after balancing.
 
     Damped ones are complex: magnitude and phase. None where there is nothing to balance, no
@@ -251,8 +242,7 @@ class TransferRow:
     final_damped: complex | None = None
 
 
-@dataclass(frozen=True)
-class StrokeRow:
+class StrokeRow(NamedTuple):
     """A term of the equation of motion at rest and over the stroke.
 
     ``orders`` are the contributions of the first, second and third power of the coordinate at the
@@ -266,8 +256,7 @@ class StrokeRow:
     at_stroke: float
 
 
-@dataclass(frozen=True)
-class CouplingTerm:
+class CouplingTerm(NamedTuple):
     """How the coupling depends on one number of the mechanism, and what its tolerance does."""
 
     name: str
@@ -278,8 +267,7 @@ class CouplingTerm:
     effect: float
 
 
-@dataclass(frozen=True)
-class GravityRow:
+class GravityRow(NamedTuple):
     """What gravity along one axis does: torque (or force) on the freedom, sag, stiffness."""
 
     axis: str
@@ -291,8 +279,7 @@ class GravityRow:
     stiffness: float
 
 
-@dataclass(frozen=True)
-class BalanceResult:
+class BalanceResult(NamedTuple):
     """The answer of ``flexure balance`` beside its values."""
 
     outcome: str
@@ -310,8 +297,7 @@ class BalanceResult:
     remarks: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class ProfileRow:
+class ProfileRow(NamedTuple):
     """A profile of acceleration density: its rms [m/s²], as computed and as published, sources."""
 
     name: str
@@ -330,8 +316,7 @@ class ProfileRow:
     tolerance_below: float | None
 
 
-@dataclass(frozen=True)
-class BreakpointRow:
+class BreakpointRow(NamedTuple):
     """A corner of a profile [Hz, (m/s²)²/Hz] and the slope to the next one [dB/octave].
 
     The slope of a step is infinite; on linear axes, and at the last point, there is none.
@@ -342,8 +327,7 @@ class BreakpointRow:
     slope: float | None
 
 
-@dataclass(frozen=True)
-class WorstCaseRow:
+class WorstCaseRow(NamedTuple):
     """Miles over all frequencies beside the exact response, for one case and one Q; SI units.
 
     ``g_rms_worst`` is Miles' maximum, at ``f_worst``; ``g_rms_exact`` and ``g_rms_pseudo`` are the

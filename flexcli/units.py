@@ -7,10 +7,10 @@ holds the table against Pint.
 """
 
 import re
-from dataclasses import dataclass
 from decimal import Context, Decimal, localcontext
 from functools import cache
 from math import inf
+from typing import NamedTuple
 
 __all__ = [
     "DIMENSIONS",
@@ -30,8 +30,7 @@ _G = "9.80665"
 _G2 = "96.1703842225"
 
 
-@dataclass(frozen=True)
-class Dimension:
+class Dimension(NamedTuple):
     """What a number measures: its SI unit, an example to show, and everyday units."""
 
     name: str
@@ -121,7 +120,7 @@ _NUMBER = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?
 _DECIMAL_COMMA = re.compile(r"\s*[+-]?\d+,\d", re.ASCII)
 _FACTOR = r"(?:[A-Za-z]++|%)(?:\^-?[1-9](?!\d))?"
 _GROUP = rf"(?:\({_FACTOR}(?:[*/ ]{_FACTOR})*\)(?:\^-?[1-9](?!\d))?|{_FACTOR})"
-_UNIT = re.compile(rf"(?:1/)?{_GROUP}(?:[*/ ]{_GROUP})*")
+_UNIT = rf"(?:1/)?{_GROUP}(?:[*/ ]{_GROUP})*"
 _SPELLING = str.maketrans({
     "µ": "u", "μ": "u", "·": "*", "×": "*", "⋅": "*", "²": "^2", "³": "^3", "°": "deg",
     "\N{MINUS SIGN}": "-", "\N{NO-BREAK SPACE}": " ", "\N{NARROW NO-BREAK SPACE}": " ",
@@ -230,7 +229,7 @@ def _factor(unit: str, expected: Dimension) -> str:
         return everyday
     if plain in _SLIPS:
         raise QuantityError(f"'{unit}' is hardly meant", f"did you mean {_SLIPS[plain]}?")
-    if not _UNIT.fullmatch(plain):
+    if not re.fullmatch(_UNIT, plain):
         raise QuantityError(f"'{unit}' is not a unit", f"write e.g. {expected.example}")
     return _factor_by_pint(plain, unit, expected.name)
 

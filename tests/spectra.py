@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 from flexcli.parts.asd import ASDProfile
 
 GEVS = ([20, 50, 800, 2000], [0.026, 0.16, 0.16, 0.026])
+WORKMANSHIP = ([20, 80, 500, 2000], [0.01, 0.04, 0.04, 0.01])
 
 qualities = st.one_of(
     st.floats(np.log10(0.5), 6).map(lambda x: float(10**x)).map(lambda q: max(q, 0.5)),
@@ -25,6 +26,19 @@ def profiles(draw, scale="log"):
         at = draw(st.integers(0, count - 1))
         frequency = np.insert(frequency, at, frequency[at])
         levels.insert(at, draw(st.floats(1e-4, 1e2)))
+    return frequency, np.array(levels)
+
+
+@st.composite
+def lines(draw, zero=False):
+    """Give a profile without steps, from 0 Hz and level 0 if asked."""
+    count = draw(st.integers(2, 6))
+    ratios = draw(st.lists(st.floats(1.0001, 30), min_size=count - 1, max_size=count - 1))
+    levels = draw(st.lists(st.floats(1e-5, 1e2), min_size=count, max_size=count))
+    start = draw(st.floats(0.1, 100))
+    frequency = start * np.cumprod([1.0, *ratios])
+    if zero:
+        frequency, levels = frequency - start, [0.0, *levels[1:]]
     return frequency, np.array(levels)
 
 

@@ -72,12 +72,14 @@ def fail(command: str, spec: str, error: SpecError, style: Format) -> NoReturn:
 
 def finish(command: str, results: Sequence[Result], style: Format, *, many: bool) -> NoReturn:
     """Print results and leave with the exit code of the worst."""
-    from flexcli.report import as_json, as_text
-
     if style is Format.JSON:
+        from flexcli.report import as_json
+
         one = None if many else as_json.document(results[0])
         write_json(one or as_json.summary(command, results))
     else:
+        from flexcli.report import as_text
+
         findings = [found for result in results for found in result.findings]
         if findings:
             write_text(lambda console: as_text.print_findings(findings, console), sys.stderr)
@@ -106,6 +108,8 @@ def write_text(body: Callable[["Console"], None], stream: Any = None) -> None:
         force_terminal=reader.is_terminal,
         no_color=reader.no_color,
         highlight=False,
+        markup=False,
+        emoji=False,
     )
     body(whole)
     _write(whole.file.getvalue(), stream)  # type: ignore[attr-defined]

@@ -8,15 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.formulas.spectrum import (
-    db_per_octave_from_slope,
-    envelope,
-    rms_displacement,
-    rms_velocity,
-    scale_level,
-    segment_slopes,
-    spectral_moment,
-)
+from flexcli.formulas.decibels import db_per_octave_from_slope, scale_level
+from flexcli.formulas.envelope import envelope
+from flexcli.formulas.spectrum import segment_slopes
+from flexcli.formulas.spectrum_integrals import rms_displacement, rms_velocity, spectral_moment
 from flexcli.parts.asd import ASDProfile, Breakpoint
 from flexcli.results import BreakpointRow, Cost, Note, ProfileRow, Result, Status, Value
 from flexcli.units import LARGEST, SMALLEST, STANDARD_GRAVITY

@@ -111,7 +111,7 @@ def _with_active(
     """Yield the designs at which the given rows are all at their limit."""
     names = tuple(program.rows[r.name].name for r in rows)
     if len(rows) == len(program.names):
-        # a nearly singular system may throw its refinement far off, where logarithms are not numbers
+        # a nearly singular system may throw its refinement to where logarithms are no numbers
         with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
             roots = solve_square(rows, program.names)
         for root in roots:

@@ -96,7 +96,7 @@ def vibration_values(
 def _full_rms(k: float, m: float, vibration: RandomVibration) -> float:
     """Return the rms displacement of an oscillator that the base shakes in full [m]."""
     from flexcli.formulas.oscillator import oscillator_response
-    from flexcli.formulas.spectrum import rms_displacement
+    from flexcli.formulas.spectrum_integrals import rms_displacement
 
     applied = vibration.applied()
     try:

@@ -18,7 +18,6 @@ from flexcli.results import (
     CaseResponse,
     Cost,
     EffectRow,
-    ModeResult,
     Note,
     OutputResult,
     Result,
@@ -102,10 +101,6 @@ def _random(design: DesignSpec, scene: Scene, structure: Structure) -> CaseRespo
         _output(name, output, vibration.sigma, duration)
         for name, output in response.outputs.items()
     )
-    modes = tuple(
-        ModeResult(mode.frequency, mode.mass_share, mode.dynamic, mode.rms)
-        for mode in response.modes
-    )
     lives = {}
     for name, output in response.outputs.items():
         if name.startswith("stress"):
@@ -114,7 +109,7 @@ def _random(design: DesignSpec, scene: Scene, structure: Structure) -> CaseRespo
             except MissingProperty:
                 break
     kind = f"random, Q = {vibration.q:g}, along {', '.join(vibration.axes)}"
-    return CaseResponse(scene.case, kind, modes, outputs, lives, duration)
+    return CaseResponse(scene.case, kind, response.modes, outputs, lives, duration)
 
 
 def _output(name: str, output: Output, sigma: float, duration: float | None) -> OutputResult:

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["positive"]
+__all__ = ["basquin", "positive"]
 
 
 def positive(**values: ArrayLike) -> list[NDArray[np.float64]]:
@@ -15,3 +15,8 @@ def positive(**values: ArrayLike) -> list[NDArray[np.float64]]:
             raise ValueError(f"{name} must be positive and finite, got {array}")
         arrays.append(array)
     return arrays
+
+
+def basquin(k: ArrayLike, C: ArrayLike) -> list[NDArray[np.float64]]:
+    """Return exponent and constant of a life curve N = C a^(−k) as arrays, or refuse them."""
+    return positive(**{"the exponent k": k, "the constant C": C})

@@ -6,14 +6,20 @@ Every stress here is an amplitude (half of the range).
 from itertools import pairwise
 from math import exp, log
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 from flexcli.formulas.quantity import Quantity
 
 __all__ = [
     "amplitude_at_life",
     "fully_reversed_amplitude",
     "goodman_amplitude",
+    "goodman_factor",
     "swt_amplitude_squared",
 ]
+
+Floats = NDArray[np.float64]
 
 
 def amplitude_at_life(points: tuple[tuple[float, float], ...], cycles: float) -> float:
@@ -123,6 +129,51 @@ def goodman_amplitude(
 
     """
     return amplitude + mean * (reversed_strength / limit)
+
+
+def goodman_factor(mean: ArrayLike, tensile_strength: ArrayLike) -> Floats:
+    """Give the factor on a stress amplitude that stands for a mean stress (Goodman).
+
+    a_0 = a/(1 − σ_m/R_m)
+
+    Parameters
+    ----------
+    mean : array, any shape
+        Mean stress σ_m, [Pa].
+    tensile_strength : array that broadcasts with `mean`
+        R_m, [Pa].
+
+    Returns
+    -------
+    array
+        Factor, at least 1, [-]; give it to `Moments.scaled`.
+
+    Raises
+    ------
+    ValueError
+        When R_m is not positive or the mean reaches it.
+
+    Notes
+    -----
+    Compression (σ_m < 0) earns nothing: the factor is 1.
+
+    Examples
+    --------
+    >>> goodman_factor([300e6, -300e6], 900e6).round(12).tolist()
+    [1.5, 1.0]
+
+    References
+    ----------
+    Dowling 2013, Mechanical Behavior of Materials, 4th ed., section 9.7.
+    """
+    strength = np.asarray(tensile_strength, dtype=np.float64)
+    tension = np.maximum(np.asarray(mean, dtype=np.float64), 0.0)
+    if not (strength > 0).all():
+        raise ValueError(f"the tensile strength must be positive, got {strength}")
+    if not (tension < strength).all():
+        raise ValueError(f"the mean stress {tension} reaches the tensile strength {strength}")
+    factor: Floats = 1 / (1 - tension / strength)
+    return factor
 
 
 def swt_amplitude_squared(*, amplitude: Quantity, mean: Quantity) -> Quantity:

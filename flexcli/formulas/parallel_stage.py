@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import cos as number_cos
 from math import sin as number_sin
+from typing import NamedTuple
 
 from flexcli.formulas.single_freedom import Body, Path, SingleFreedom, Spring
 from flexcli.numerics.taylor import Scalar, Taylor, cos, sin
@@ -56,8 +57,7 @@ class Lever:
         return self.solid.moment + self.balance.moment
 
 
-@dataclass(frozen=True)
-class Term:
+class Term(NamedTuple):
     """How the coupling depends on one number of the stage: ∂τ/∂p [kg per unit of p]."""
 
     name: str
@@ -124,8 +124,7 @@ def _rider_path(rider: Rider, base: "_Drift") -> Path:
     return path
 
 
-@dataclass(frozen=True)
-class _Drift:
+class _Drift(NamedTuple):
     """Parasitic shift of pivots: ``size`` θ² along a direction from x [m/rad², rad]."""
 
     size: float

@@ -22,8 +22,7 @@ the orders beyond the first are what is asked of the stroke.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from flexcli.numerics.taylor import Scalar, Taylor, lifted
 
@@ -33,8 +32,7 @@ Path: TypeAlias = Callable[[Taylor], tuple[Scalar, Scalar, Scalar]]
 """Position x, y [m] and angle [rad] of a body's centre of mass as functions of the coordinate."""
 
 
-@dataclass(frozen=True)
-class Body:
+class Body(NamedTuple):
     """A rigid body: mass [kg], inertia about its centre of mass [kg·m²], where it goes."""
 
     name: str
@@ -43,8 +41,7 @@ class Body:
     path: Path
 
 
-@dataclass(frozen=True)
-class Spring:
+class Spring(NamedTuple):
     """A linear spring: stiffness [N/m or N·m/rad], stretch [m or rad] of the coordinate."""
 
     name: str
@@ -52,8 +49,7 @@ class Spring:
     stretch: Callable[[Taylor], Scalar]
 
 
-@dataclass(frozen=True)
-class SingleFreedom:
+class SingleFreedom(NamedTuple):
     """Bodies and springs on one coordinate, and the displacement that the force works on."""
 
     bodies: Sequence[Body]
@@ -61,8 +57,7 @@ class SingleFreedom:
     output: Callable[[Taylor], Scalar]
 
 
-@dataclass(frozen=True)
-class Expansion:
+class Expansion(NamedTuple):
     """Terms of the equation of motion about one position, as series in the coordinate q.
 
     Per unit of the output u: with u in metres masses and τ_x, τ_y are in kg, τ_φ in kg·m; with u

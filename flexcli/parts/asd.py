@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from pydantic import ValidationError, field_validator, model_validator
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from flexcli.formulas.spectrum import Scale, levels_from_slopes, rms, scale_level
+from flexcli.formulas.decibels import levels_from_slopes, scale_level
+from flexcli.formulas.spectrum import Scale
+from flexcli.formulas.spectrum_integrals import rms
 from flexcli.parts.base import (
     Acceleration,
     AccelerationDensity,

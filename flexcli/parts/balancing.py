@@ -89,7 +89,7 @@ class BalanceOptions(Part):
     frequencies: Frequencies | None = Field(
         None, description="where the transfer function is asked"
     )
-    tolerances: Tolerances = Tolerances()
+    tolerances: Tolerances = Tolerances.model_construct()
     asd: RandomVibration | None = Field(
         None, description="vibration of the base while the mechanism is free to move"
     )

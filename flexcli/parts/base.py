@@ -35,7 +35,11 @@ __all__ = [
 
 
 class Part(BaseModel):
-    """A frozen, validated piece of a spec that refuses keys it does not know."""
+    """A frozen, validated piece of a spec that refuses keys it does not know.
+
+    A default that is a part itself is made by ``model_construct``: to validate it at import would
+    build its schema apart from the design's, at every start.
+    """
 
     is_plain: ClassVar[bool] = False
     """Whether a spec writes it as a plain value or a list, never by the names of its fields."""

@@ -1,8 +1,7 @@
 """A design: material, geometry, mechanism, cases and requirements, joined and consistent."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from pydantic import Field, model_validator
 
@@ -21,8 +20,7 @@ __all__ = ["DesignSpec", "Problem"]
 CASE_KEYS = tuple(Case.model_fields)
 
 
-@dataclass(frozen=True)
-class Problem:
+class Problem(NamedTuple):
     """Something that does not fit between parts that are sound each: where, what, what else."""
 
     path: tuple[str | int, ...]
@@ -42,8 +40,8 @@ class DesignSpec(Part):
         min_length=1, description="what it lives through; a single case may stand at the top level"
     )
     requirements: Requirements
-    size: SizeOptions = SizeOptions()
-    balance: BalanceOptions = BalanceOptions()
+    size: SizeOptions = SizeOptions.model_construct()
+    balance: BalanceOptions = BalanceOptions.model_construct()
 
     @model_validator(mode="before")
     @classmethod

@@ -12,8 +12,9 @@ from flexcli.numerics.modes import Modes, natural_modes
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.shock import Shock
 from flexcli.parts.structure import Structure
+from flexcli.results import ModeResult
 
-__all__ = ["REACH", "ModeRow", "Output", "RandomResponse", "random_response", "shock_peaks"]
+__all__ = ["REACH", "Output", "RandomResponse", "random_response", "shock_peaks"]
 
 Floats = NDArray[np.float64]
 
@@ -23,19 +24,6 @@ their response is (1/10)² = 1 % of it. They are lumped into one static term."""
 
 PARTICIPATES = 1e-9
 """Share of the moving mass below which the base does not move a mode at all."""
-
-
-@dataclass(frozen=True)
-class ModeRow:
-    """One natural mode: its frequency, the share of the mass that it moves, what it does.
-
-    ``dynamic`` tells whether the band can excite it; the rms values are its alone.
-    """
-
-    frequency: float
-    mass_share: float
-    dynamic: bool
-    rms: Mapping[str, float]
 
 
 @dataclass(frozen=True)
@@ -51,7 +39,7 @@ class Output:
 class RandomResponse:
     """Response to one case's vibration: modes and, per output, the total over modes and axes."""
 
-    modes: tuple[ModeRow, ...]
+    modes: tuple[ModeResult, ...]
     outputs: Mapping[str, Output]
 
 
@@ -106,7 +94,7 @@ def random_response(structure: Structure, vibration: RandomVibration) -> RandomR
             alone[index] += moments(np.array([index]), np.zeros(static.size))[0]
     outputs = {name: _output(name, block) for name, block in rows.by_name(total)}
     found = tuple(
-        ModeRow(
+        ModeResult(
             float(modes.angular[i]) / (2.0 * pi),
             float(shares[i]),
             bool(dynamic[i]),

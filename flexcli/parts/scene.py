@@ -1,7 +1,7 @@
 """What one case asks of each joint: travel, force, what holds the blades' ends."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from flexcli.formulas.miles import miles_worst_case
 from flexcli.parts.asd import RandomVibration
@@ -14,8 +14,7 @@ from flexcli.results import Value
 __all__ = ["Scene", "scene_of"]
 
 
-@dataclass(frozen=True)
-class Scene:
+class Scene(NamedTuple):
     """One case in the joint's own terms.
 
     ``travel`` and ``mean_travel`` are rotations [rad] or translations [m] of the joint; ``force``
@@ -24,20 +23,20 @@ class Scene:
     """
 
     case: str
-    travel: float = 0.0
-    mean_travel: float = 0.0
-    cycles: float | None = None
-    force: float = 0.0
-    force_name: str = ""
-    axial_share: float = 0.0
-    ends: str | None = None
-    ends_why: str = ""
-    acceleration: float = 0.0
-    axis: str = ""
-    vibration: RandomVibration | None = None
-    shock: Shock | None = None
-    lock: str | None = None
-    values: Mapping[str, Value] = field(default_factory=dict)
+    travel: float
+    mean_travel: float
+    cycles: float | None
+    force: float
+    force_name: str
+    axial_share: float
+    ends: str | None
+    ends_why: str
+    acceleration: float
+    axis: str
+    vibration: RandomVibration | None
+    shock: Shock | None
+    lock: str | None
+    values: Mapping[str, Value]
 
     @property
     def blade_force(self) -> float:

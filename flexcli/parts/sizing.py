@@ -73,4 +73,4 @@ class SizeOptions(Part):
     """How ``flexure size`` chooses h, l and b."""
 
     objective: Objective = "least-volume"
-    rounding: Round = Field(default_factory=Round, alias="round")
+    rounding: Round = Field(default_factory=Round.model_construct, alias="round")

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import cos, sin
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,8 +27,7 @@ class Spring:
     holds_rotation: bool = False
 
 
-@dataclass(frozen=True)
-class Body:
+class Body(NamedTuple):
     """A rigid body: mass [kg], inertia about its centre of mass [kg·m²], where that is [m].
 
     ``turns`` is false for a body that others keep from turning.

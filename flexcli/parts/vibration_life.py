@@ -4,7 +4,9 @@ from math import inf, log
 
 import numpy as np
 
-from flexcli.formulas.spectral_fatigue import METHODS, Moments, damage_rates, goodman_factor
+from flexcli.formulas.damage import METHODS, damage_rates
+from flexcli.formulas.fatigue import goodman_factor
+from flexcli.formulas.spectral_moments import Moments
 from flexcli.parts.material import Material, MissingProperty
 
 __all__ = ["life_under", "sn_law"]

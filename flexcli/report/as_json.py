@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict
 from math import isfinite
 from typing import Any
 
@@ -18,7 +17,7 @@ FORMAT = 1
 
 
 def dumps(content: Any) -> str:
-    """Return JSON text; numbers that JSON has not (infinity) become null."""
+    """Return JSON text; numbers that JSON has not (infinity) become null, rows mappings."""
     return json.dumps(_plain(content), indent=2, ensure_ascii=False, allow_nan=False)
 
 
@@ -73,10 +72,10 @@ def document(result: Result) -> dict[str, Any]:
     if result.sizing is not None:
         content["sizing"] = _sizing(result.sizing)
     if result.responses:
-        content["responses"] = [asdict(response) for response in result.responses]
+        content["responses"] = list(result.responses)
     for key in ("profiles", "breakpoints", "worst_cases"):
         if getattr(result, key):
-            content[key] = [asdict(row) for row in getattr(result, key)]
+            content[key] = list(getattr(result, key))
     if result.balance is not None:
         content["balance"] = balance_document(result.balance)
     if result.cost is not None:
@@ -134,6 +133,8 @@ def _sizing(sizing: SizingResult) -> dict[str, Any]:
 def _plain(content: Any) -> Any:
     if isinstance(content, float):
         return content if isfinite(content) else None
+    if hasattr(content, "_asdict"):  # a row of a result
+        return _plain(content._asdict())
     if isinstance(content, dict):
         return {key: _plain(value) for key, value in content.items()}
     if isinstance(content, list | tuple):

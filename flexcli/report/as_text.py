@@ -77,7 +77,7 @@ def _values(result: Result) -> Table:
     return table
 
 
-def _checks(checks: Sequence[Check]) -> Table:
+def _checks(checks: Sequence[Check]) -> Group:
     table = _table(
         "Margins", "", "check", "demand", "capacity", "factor", "required", "what is compared",
         numbers=[2, 3, 4, 5],
@@ -95,14 +95,7 @@ def _checks(checks: Sequence[Check]) -> Table:
             check.quantity,
         )
     sources = Text("\n".join(dict.fromkeys(f"  {_label(c)}: {c.source}" for c in checks)), "dim")
-    return _stack(table, sources)
-
-
-def _stack(*parts: RenderableType) -> Table:
-    grid = Table.grid()
-    for part in parts:
-        grid.add_row(part)
-    return grid
+    return Group(table, sources)
 
 
 def _label(check: Check) -> str:

@@ -4,8 +4,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from flexcli.errors import SpecError
-from flexcli.spec.document import read_document
 from flexcli.spec.load import KINDS
+from flexcli.spec.read import read_document
 
 __all__ = ["designs_in"]
 

@@ -1,9 +1,9 @@
 """From a spec file to its validated part: read, resolve references, validate, cross-check."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NamedTuple, NoReturn
 
 from pydantic import TypeAdapter, ValidationError
 
@@ -14,8 +14,9 @@ from flexcli.parts.design import CASE_KEYS, DesignSpec
 from flexcli.parts.geometries import AnyGeometry
 from flexcli.parts.material import Material
 from flexcli.parts.stroke import Stroke
-from flexcli.spec.document import Document, Position, finding_at, read_document
+from flexcli.spec.document import Document, Position, finding_at
 from flexcli.spec.findings import findings_of, nearest, path_text
+from flexcli.spec.read import read_document
 from flexcli.spec.shipped import shipped_names, shipped_path
 
 __all__ = ["KINDS", "Loaded", "load", "load_design", "load_shipped"]
@@ -44,8 +45,7 @@ _REFERENCES = {
 _VERSION = f"flexure: {FORMAT}"
 
 
-@dataclass(frozen=True)
-class Loaded:
+class Loaded(NamedTuple):
     """A validated spec, the kind of spec it is, and the document that it came from."""
 
     kind: str
@@ -272,4 +272,4 @@ def _with_position(position: Position, path: tuple[str, ...], new: Position) -> 
     if not path:
         return new
     inner = _with_position(position.children[path[0]], path[1:], new)
-    return replace(position, children={**position.children, path[0]: inner})
+    return position._replace(children={**position.children, path[0]: inner})

@@ -6,7 +6,8 @@ from typing import Any
 
 import yaml
 
-from flexcli.spec.document import Document, read_document
+from flexcli.spec.document import Document
+from flexcli.spec.read import read_document
 from flexcli.units import written
 
 __all__ = ["sized_text"]

@@ -10,7 +10,8 @@ import numpy as np
 
 from flexcli.formulas.miles import miles, miles_worst_case
 from flexcli.formulas.oscillator import oscillator_response
-from flexcli.formulas.spectrum import rms, spectral_level
+from flexcli.formulas.spectrum import spectral_level
+from flexcli.formulas.spectrum_integrals import rms
 
 Q = 100.0
 GRIDS = (1_000, 10_000, 100_000, 1_000_000)

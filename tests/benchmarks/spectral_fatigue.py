@@ -10,7 +10,8 @@ from time import perf_counter
 
 import numpy as np
 
-from flexcli.formulas.spectral_fatigue import damage_rates, spectral_moments, spread
+from flexcli.formulas.damage import damage_rates, spread
+from flexcli.formulas.spectral_moments import spectral_moments
 from flexcli.formulas.spectrum import spectral_level
 
 SPECTRA = {

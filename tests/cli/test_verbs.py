@@ -65,6 +65,12 @@ def test_many_files_end_with_the_worst_and_one_summary(flexure, sized, tmp_path)
     assert statuses == ["pass", "fail", "error"]
 
 
+def test_a_name_is_printed_as_it_stands(flexure, sized):
+    sized.write_text(sized.read_text().replace("take-off", "'[red] :rocket:'"))
+    told = flexure("check", sized.name, COLUMNS="160").stdout
+    assert told.count("buckling, [red] :rocket:") == 2, "in the table and with its source"
+
+
 def test_check_takes_folders_and_passes_over_other_specs(flexure, sized, tmp_path):
     folder = tmp_path / "specs"
     (folder / "deep").mkdir(parents=True)

@@ -74,9 +74,9 @@ def test_the_point_nearest_to_the_balanced_design_is_taken():
 
 
 def test_rounding_to_the_nearest_corner_often_fails_where_the_search_does_not():
-    spec = grid_spec(rounding={"h": "50 um", "l": "2 mm", "b": "0.5 mm"})
+    spec = grid_spec(rounding={"h": "50 um", "l": "1 mm", "b": "0.5 mm"})
     result = size(spec, "spec")
-    steps = {"h": 50e-6, "l": 2e-3, "b": 0.5e-3}
+    steps = {"h": 50e-6, "l": 1e-3, "b": 0.5e-3}
     ideal = {n: result.values[f"{n}_ideal"].value for n in ("h", "l", "b")}
     corners = product(*[
         (np.floor(ideal[n] / s) * s, np.ceil(ideal[n] / s) * s) for n, s in steps.items()
@@ -99,8 +99,8 @@ def test_margins_are_those_of_the_point_and_its_price_is_told():
     assert any(f"costs {price:+.1%} volume" in remark for remark in result.sizing.remarks)
     fixed = {n: f"{x!r} m" for n, x in zip("hlb", blade_of(result), strict=True)}
     margins = assess.factors(design(rcc(**fixed), LOADS), *(np.array(x) for x in blade_of(result)))
-    assert {c.margin for c in result.checks} == pytest.approx(
-        {float(m) - 1 for m in margins.values()}
+    assert sorted(c.margin for c in result.checks) == pytest.approx(
+        sorted(float(m) - 1 for m in margins.values())
     )
 
 

@@ -271,7 +271,7 @@ def test_an_objective_is_sized_though_the_volume_has_no_least():
 
 
 def test_what_runs_away_is_named_with_its_remedy():
-    with pytest.raises(SolveError, match="falls without limit as .*b.* runs away") as caught:
+    with pytest.raises(SolveError, match=r"falls without limit as .*b.* runs away") as caught:
         size(design(rcc(h="0.1 mm", l="10 mm"), {"fatigue": 1}), "spec")
     assert "bound b" in caught.value.remedy
 

@@ -5,14 +5,18 @@ import doctest
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from stresses import SPECTRA
 
 from flexcli.formulas import fatigue as module
 from flexcli.formulas.fatigue import (
     amplitude_at_life,
     fully_reversed_amplitude,
     goodman_amplitude,
+    goodman_factor,
     swt_amplitude_squared,
 )
+from flexcli.formulas.narrow_band import narrow_band_damage_rate
+from flexcli.formulas.spectral_moments import spectral_moments
 
 ROUNDING = 1e-12
 CURVE = ((1e4, 800e6), (1e5, 500e6), (1e7, 400e6))
@@ -79,3 +83,20 @@ def test_swt_is_the_root_of_largest_stress_times_amplitude():
     # Smith, Watson & Topper: σ_ar = √(σ_max σ_a)
     squared = swt_amplitude_squared(amplitude=100.0, mean=300.0)
     assert squared**0.5 == pytest.approx((400.0 * 100.0) ** 0.5, rel=ROUNDING)
+
+
+def test_goodman_scales_the_amplitude_and_compression_earns_nothing():
+    moments, k = spectral_moments(*SPECTRA["flat"]), 5.0
+    rate = narrow_band_damage_rate(moments, k, 1.0)
+    loaded = narrow_band_damage_rate(moments.scaled(goodman_factor(450e6, 900e6)), k, 1.0)
+    assert float(loaded / rate) == pytest.approx(2**k, rel=ROUNDING)
+    assert goodman_factor([-1e6, -1e9], 900e6).tolist() == [1.0, 1.0]
+
+
+@pytest.mark.parametrize(
+    ("mean", "strength", "text"),
+    [(9e8, 9e8, "reaches"), (9e8, 0, "tensile strength must be positive")],
+)
+def test_a_goodman_factor_without_meaning_is_refused(mean, strength, text):
+    with pytest.raises(ValueError, match=text):
+        goodman_factor(mean, strength)

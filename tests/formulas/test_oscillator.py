@@ -13,7 +13,8 @@ from spectra import GEVS, oscillators, profiles
 from flexcli.formulas import oscillator as module
 from flexcli.formulas.miles import miles
 from flexcli.formulas.oscillator import oscillator_response, white_noise_response
-from flexcli.formulas.spectrum import clip_profile, rms, rms_displacement, rms_velocity
+from flexcli.formulas.spectrum import clip_profile
+from flexcli.formulas.spectrum_integrals import rms, rms_displacement, rms_velocity
 
 ASKED = 1e-9  # relative accuracy we promise against an independent quadrature
 ROUNDING = 1e-12  # sums of a few hundred panels, twice

@@ -8,7 +8,8 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.spectrum import rms, spectral_level
+from flexcli.formulas.spectrum import spectral_level
+from flexcli.formulas.spectrum_integrals import rms
 from flexcli.parts.asd import ASDProfile, RandomVibration
 from flexcli.spec.load import load_shipped
 from flexcli.spec.shipped import shipped_names

@@ -7,9 +7,10 @@ from pydantic import BaseModel, TypeAdapter, ValidationError
 
 from flexcli.errors import Finding, SpecError
 from flexcli.parts.design import DesignSpec
-from flexcli.spec.document import MAX_FINDINGS, parse_document
+from flexcli.spec.document import MAX_FINDINGS
 from flexcli.spec.findings import findings_of, nearest, path_text
 from flexcli.spec.load import KINDS
+from flexcli.spec.parse import parse_document
 
 DESIGN = """
 flexure: 1

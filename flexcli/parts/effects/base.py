@@ -1,7 +1,7 @@
 """An effect that the closed forms leave out: its indicator, and what leaving it out may change."""
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from flexcli.parts.geometries import Blade, Geometry
 from flexcli.parts.material import Material
@@ -11,8 +11,7 @@ from flexcli.results import EffectRow
 __all__ = ["Effect", "Setting"]
 
 
-@dataclass(frozen=True)
-class Setting:
+class Setting(NamedTuple):
     """The sized or given design that effects are estimated on."""
 
     material: Material

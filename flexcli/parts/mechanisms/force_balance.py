@@ -6,8 +6,9 @@ its own, because the added mass and then the arms fall monotonically towards it.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import inf, isfinite
+from typing import NamedTuple
 
 from flexcli.formulas.parallel_stage import Lever, Rider, Stage
 from flexcli.parts.mechanisms.free_value import Free
@@ -24,8 +25,7 @@ SHORTEST = 1e-6
 """Least height of a lever that the spec does not bound [m]."""
 
 
-@dataclass(frozen=True)
-class Unknown:
+class Unknown(NamedTuple):
     """One free number: an arm or a mass (on some sides), the split of a total mass, the height."""
 
     kind: str
@@ -96,8 +96,7 @@ def _with_balance(lever: Lever, balance: Rider) -> Lever:
     return replace(lever, balance=balance)
 
 
-@dataclass(frozen=True)
-class Balancing:
+class Balancing(NamedTuple):
     """A stage with its unknowns set, and why they do not do where they don't."""
 
     stage: Stage
@@ -144,7 +143,7 @@ def _with_one_at_a_bound(
             inner = _one(fixed.put(stage, bound), solved, allowed)
             values = (bound, *inner.found) if fixed is first else (*inner.found, bound)
             reason = inner.reason and f"{inner.reason}, with the {fixed.label} at its bound"
-            yield replace(inner, unknowns=tuple(unknowns), found=values, reason=reason)
+            yield inner._replace(unknowns=tuple(unknowns), found=values, reason=reason)
 
 
 def _finite(*values: float) -> Iterable[float]:

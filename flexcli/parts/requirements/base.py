@@ -3,7 +3,7 @@
 from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 from pydantic import model_validator
 
@@ -25,8 +25,7 @@ class RequirementError(ValueError):
         self.hint = hint
 
 
-@dataclass(frozen=True)
-class Ask:
+class Ask(NamedTuple):
     """What a requirement is judged on: floats for a check, signomials for a sizing."""
 
     material: Material

@@ -1,10 +1,11 @@
 """Requirements on the real response of the modes to a vibration or a shock.
 
-They judge a given blade; its modes are no posynomials, so they cannot size one.
+They judge a given blade; its modes are no posynomials, so they cannot size one. What computes
+modes and lives is imported where it is called: few designs ask, and all would wait for it.
 """
 
 from collections.abc import Iterator
-from typing import Annotated, ClassVar, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, NamedTuple
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.peaks import peak_factor
@@ -16,10 +17,11 @@ from flexcli.parts.material import MissingProperty
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
 from flexcli.parts.requirements.yielding import Allowable
-from flexcli.parts.response import RandomResponse, random_response, shock_peaks
 from flexcli.parts.scene import Scene
 from flexcli.parts.structure import Structure
-from flexcli.parts.vibration_life import life_under
+
+if TYPE_CHECKING:
+    from flexcli.parts.response import RandomResponse
 
 __all__ = ["DynamicBuckling", "DynamicLife", "DynamicYield"]
 
@@ -45,6 +47,8 @@ class _Dynamic(FactorRequirement):
 
     def peaks(self, ask: Ask, prefix: str) -> Iterator[_Peak]:
         """Yield the peak of every output whose name starts with the prefix."""
+        from flexcli.parts.response import shock_peaks
+
         structure = _structure(ask)
         vibration, shock = ask.scene.vibration, ask.scene.shock
         if vibration is not None:
@@ -80,7 +84,9 @@ def _structure(ask: Ask) -> Structure:
         raise RequirementError(str(error), getattr(error, "hint", "")) from error
 
 
-def _random(structure: Structure, vibration: RandomVibration) -> RandomResponse:
+def _random(structure: Structure, vibration: RandomVibration) -> "RandomResponse":
+    from flexcli.parts.response import random_response
+
     try:
         return random_response(structure, vibration)
     except ValueError as error:
@@ -168,6 +174,8 @@ class DynamicLife(_Dynamic):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the duration of the vibration against the life of every joint."""
+        from flexcli.parts.vibration_life import life_under
+
         vibration = ask.scene.vibration
         assert vibration is not None  # it applies
         duration = _duration(ask.scene, vibration)
