@@ -31,7 +31,7 @@ def run(
     if style is Format.JSON:
         write_json(catalogue.document(NAME, titles, rows))
     elif name is None:
-        write_text(lambda console: catalogue.print_list(titles, rows, console))
+        write_text(lambda console: catalogue.print_list(rows, console))
     else:
         note = materials[name].note
         write_text(lambda console: catalogue.print_one(titles[name], note, rows[name], console))

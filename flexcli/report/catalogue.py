@@ -45,20 +45,18 @@ def document(
     }
 
 
-def print_list(
-    titles: Mapping[str, str], rows: Mapping[str, Sequence[Property]], console: Console
-) -> None:
+def print_list(rows: Mapping[str, Sequence[Property]], console: Console) -> None:
     """Print one line per material: stiffness and strengths; a blank is a value nobody gave."""
     table = Table(box=None, pad_edge=False)
     table.add_column("name", no_wrap=True)
     for title in ("E", "R_p0.2", "R_m", "fatigue"):
         table.add_column(title, justify="right", no_wrap=True)
-    table.add_column("material", overflow="ellipsis", no_wrap=True)
     for name, properties in rows.items():
         known = {row.name: row for row in properties}
         cells = [_cell(known[field]) if field in known else "" for field in _LISTED]
-        table.add_row(name, *cells, titles[name])
+        table.add_row(name, *cells)
     console.print(table)
+    console.print(Text("flexure materials NAME shows one with its sources", "dim"))
 
 
 def _cell(row: Property) -> str:

@@ -1,5 +1,8 @@
 """The response of a case's modes as tables."""
 
+from collections.abc import Mapping
+from math import inf
+
 from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
@@ -21,12 +24,20 @@ def response_tables(response: CaseResponse) -> RenderableType:
         parts.append(_modes(response.modes))
     parts.append(_outputs(response.outputs))
     if response.lives:
-        methods = list(next(iter(response.lives.values())))
-        lives = table("Life", "output", *methods, numbers=range(1, 1 + len(methods)))
-        for name, by_method in response.lives.items():
-            lives.add_row(name, *(show(life, "s", 3) for life in by_method.values()))
+        joints = [name.removeprefix("stress ") for name in response.lives]
+        lives = table("Life", "method", *joints, numbers=range(1, 1 + len(joints)))
+        by_joint = list(response.lives.values())
+        for method in by_joint[0]:
+            lives.add_row(method, *(show(found[method], "s", 3) for found in by_joint))
+        lives.add_row("longest over shortest", *(f"{_spread(found):.2g}" for found in by_joint))
         parts.append(lives)
     return Group(*parts)
+
+
+def _spread(lives: Mapping[str, float]) -> float:
+    """Return how far apart the methods are, their honest error bar; 1 for an endless life."""
+    shortest, longest = min(lives.values()), max(lives.values())
+    return longest / shortest if 0.0 < shortest < inf else 1.0
 
 
 def _modes(modes: tuple[ModeResult, ...]) -> Table:
