@@ -63,9 +63,9 @@ def design(geometry, requirements, cases=None, *, size=None, mechanism=None, mat
 
 
 def bounded(draw, low, high):
-    """Draw a dimension between bounds [µm] that leave room."""
-    least = draw(st.integers(low, high // 4))
-    return {"free": [f"{least} um", f"{draw(st.integers(2 * least, high))} um"]}
+    """Draw a dimension between bounds [µm] a factor of ten or more apart."""
+    least = draw(st.integers(low, high // 20))
+    return {"free": [f"{least} um", f"{draw(st.integers(10 * least, high))} um"]}
 
 
 @st.composite
@@ -73,8 +73,8 @@ def specs(draw):
     """Random specs, most of them feasible: any geometry, loads, bounds and objective."""
     kind = draw(st.sampled_from(["rcc", "cross-spring", "delta", "three-blade", "stage"]))
     sizes = {
-        "h": bounded(draw, 50, 2000),
-        "l": bounded(draw, 2000, 100_000),
+        "h": bounded(draw, 20, 3000),
+        "l": bounded(draw, 2000, 200_000),
         "b": bounded(draw, 500, 50_000),
     }
     held = draw(st.sampled_from(["", "", "h", "l", "b"]))
@@ -89,18 +89,18 @@ def specs(draw):
     }[kind]()
     travel = f"{draw(st.integers(50, 3000))} um"
     if kind != "stage":
-        travel = f"{draw(st.integers(5, 150)) / 10} deg"
+        travel = f"{draw(st.integers(5, 50)) / 10} deg"
     motion = "translation" if kind == "stage" else "rotation"
     cases = {
         "bend": {"stroke": {motion: travel, "cycles": 1e7}},
-        "push": {"load": {"force": f"{draw(st.integers(1, 500))} N"}, "ends": "clamped-guided"},
+        "push": {"load": {"force": f"{draw(st.integers(1, 200))} N"}, "ends": "clamped-guided"},
     }
     if draw(st.booleans()):
         cases["both"] = {
             "stroke": {motion: travel, "cycles": 1e5},
-            "load": {"force": f"{draw(st.integers(1, 100))} N"},
+            "load": {"force": f"{draw(st.integers(1, 20))} N"},
         }
-    factor = draw(st.integers(10, 40)) / 10
+    factor = draw(st.integers(10, 25)) / 10
     requirements = {
         "fatigue": {
             "factor": factor,

@@ -74,7 +74,8 @@ def response_moments(
 
     References
     ----------
-    Newland (1993), Random Vibrations, Spectral and Wavelet Analysis, chapter 8.
+    Newland (1993), An Introduction to Random Vibrations, Spectral & Wavelet Analysis, 3rd ed.,
+    chapter 8.
 
     """
     moments = np.zeros((len(orders), residual.size))
