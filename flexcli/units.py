@@ -10,7 +10,7 @@ import re
 from decimal import Context, Decimal, localcontext
 from functools import cache
 from math import inf
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 __all__ = [
     "DIMENSIONS",
@@ -262,7 +262,7 @@ def _factor_by_pint(unit: str, as_written: str, dimension: str) -> str:
 
 
 @cache
-def _registry() -> "pint.UnitRegistry[Decimal]":  # type: ignore[name-defined]  # noqa: F821
+def _registry() -> Any:
     """Return a Pint registry of only the units we accept (its full one is 30 times slower)."""
     import pint
 

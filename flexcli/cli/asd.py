@@ -1,6 +1,7 @@
 """``flexure asd``: vibration profiles, and the worst case that they make of an oscillator."""
 
 from collections.abc import Callable
+from functools import partial
 from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -73,8 +74,7 @@ def validate(
     """Validate profiles; warn where the published rms is not that of the breakpoints."""
     command = f"{NAME} validate"
     results = [
-        attempt(command, Path(name), lambda name=name: _catalogue("validate", [name]))  # type: ignore[misc]
-        for name in files
+        attempt(command, Path(name), partial(_catalogue, "validate", [name])) for name in files
     ]
     finish(command, results, style, many=len(files) > 1)
 

@@ -1,5 +1,6 @@
 """``flexure check``: margins of given designs."""
 
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -25,7 +26,7 @@ def run(
     from flexcli.spec.folder import designs_in
 
     paths = designs_in(specs or [Path(DEFAULT_SPEC)])
-    results = [attempt(NAME, path, lambda path=path: _check(path)) for path in paths]  # type: ignore[misc]
+    results = [attempt(NAME, path, partial(_check, path)) for path in paths]
     finish(NAME, results, style, many=len(specs or []) > 1 or len(paths) != 1)
 
 

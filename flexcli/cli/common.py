@@ -102,8 +102,9 @@ def write_text(body: Callable[["Console"], None], stream: Any = None) -> None:
 
     stream = stream or sys.stdout
     reader = Console(file=stream)
+    text = StringIO()
     whole = Console(
-        file=StringIO(),
+        file=text,
         width=reader.width,
         force_terminal=reader.is_terminal,
         no_color=reader.no_color,
@@ -112,7 +113,7 @@ def write_text(body: Callable[["Console"], None], stream: Any = None) -> None:
         emoji=False,
     )
     body(whole)
-    _write(whole.file.getvalue(), stream)  # type: ignore[attr-defined]
+    _write(text.getvalue(), stream)
 
 
 def write_json(content: Any) -> None:

@@ -1,5 +1,6 @@
 """``flexure validate``: are these specs sound, each kind alone."""
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -25,7 +26,7 @@ def run(
 ) -> None:
     """Validate designs, materials, strokes, ASD profiles and geometries, each alone."""
     paths: Sequence[Path] = specs or [Path(DEFAULT_SPEC)]
-    results = [attempt(NAME, path, lambda path=path: _validate(path)) for path in paths]  # type: ignore[misc]
+    results = [attempt(NAME, path, partial(_validate, path)) for path in paths]
     finish(NAME, results, style, many=len(paths) > 1)
 
 

@@ -202,7 +202,7 @@ def _first_by(merits: Sequence[Merit], x: dict[str, Floats]) -> dict[str, Floats
 def _feasible(
     design: DesignSpec, program: SizingProgram, x: Mapping[str, Floats]
 ) -> NDArray[np.bool_]:
-    blade = program.complete(dict(x))  # type: ignore[arg-type]
+    blade = program.complete(x)
     holds = np.ones(next(iter(x.values())).shape, dtype=bool)
     for name, extent in design.geometry.extents.items():
         if name in x:

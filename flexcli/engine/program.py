@@ -1,5 +1,6 @@
 """A design as a geometric program: limits and bounds as rows over the free dimensions."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 
@@ -121,7 +122,7 @@ class SizingProgram:
             rows.append(at_most(row.name + " below", row.denominator, row.numerator * band))
         return rows
 
-    def complete(self, x: dict[str, float]) -> Blade:
+    def complete(self, x: Mapping[str, Quantity]) -> Blade:
         """Return the blade of a solution, fixed dimensions included."""
         return Blade(*(x.get(name, size) for name, size in self.blade._asdict().items()))
 
