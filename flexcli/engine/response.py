@@ -1,11 +1,11 @@
 """The verb response: what the mechanism's own modes make of a vibration or a shock."""
 
 from collections.abc import Iterator
-from math import log, sqrt
 from time import perf_counter
 
 from flexcli.engine import assess
 from flexcli.errors import SolveError
+from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Blade, NotAvailable
 from flexcli.parts.material import MissingProperty
@@ -31,9 +31,6 @@ MODEL = "linear modes"
 
 UNITS = {"force": "N", "axial": "Pa", "stress": "Pa", "travel": "m"}
 """SI units of a structure's outputs, by the first word of their names."""
-
-FEWEST_CYCLES = 10.0
-"""Cycles below which √(2 ln νT) is no peak factor."""
 
 
 def respond(design: DesignSpec, blade: Blade, spec: str) -> Result:
@@ -114,8 +111,8 @@ def _random(design: DesignSpec, scene: Scene, structure: Structure) -> CaseRespo
 
 def _output(name: str, output: Output, sigma: float, duration: float | None) -> OutputResult:
     expected = None
-    if duration is not None and output.crossing_rate * duration > FEWEST_CYCLES:
-        expected = output.rms * sqrt(2.0 * log(output.crossing_rate * duration))
+    if duration is not None and output.crossing_rate * duration > MINIMUM_CYCLES:
+        expected = output.rms * float(peak_factor(output.crossing_rate, duration))
     return OutputResult(
         name=name,
         unit=UNITS[name.split()[0]],

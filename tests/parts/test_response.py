@@ -13,6 +13,7 @@ from flexcli.parts.asd import RandomVibration
 from flexcli.parts.geometries import Blade
 from flexcli.parts.geometries.leaf_stage import LeafSpringStage
 from flexcli.parts.geometries.rcc import RCCPivot
+from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.mechanisms.parallel_stage import ParallelStage
 from flexcli.parts.mechanisms.payload import Payload
 from flexcli.parts.response import random_response, shock_peaks
@@ -170,3 +171,10 @@ def test_no_oscillator_exceeds_the_largest_half_sine_response():
     worst = shock.pseudo_acceleration(frequencies).max()
     assert worst == pytest.approx(shock.worst_acceleration(), rel=1e-3)
     assert worst <= shock.worst_acceleration() * (1 + 1e-4)
+
+
+def test_a_stated_pivot_stiffness_is_refused_instead_of_passed_over():
+    stated = PARALLEL.model_copy(update={"pivot_stiffness": (1.0, 1.0, 1.0, 1.0)})
+    pivot = RCCPivot(kind="rcc", p="2 mm", half_angle="45 deg", h="0.6 mm", l="17 mm", b="10 mm")
+    with pytest.raises(MechanismError, match="pivot-stiffness"):
+        stated.structure(pivot, 114e9, Blade(0.6e-3, 17e-3, 10e-3), None)

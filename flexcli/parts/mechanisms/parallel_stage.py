@@ -249,6 +249,12 @@ class ParallelStage(Mechanism):
         """
         if lock not in (None, "solid-2"):
             raise MechanismError("lock", f"'{lock}' cannot be locked here", "lock solid-2")
+        if self.pivot_stiffness is not None:
+            raise MechanismError(
+                "asd",
+                "the modes are those of the blades, not of a stated pivot-stiffness",
+                "take pivot-stiffness out, and give the blades",
+            )
         spring = geometry.spring(E, blade)
         bodies, joints = [], []
         platform = None if lock else "solid 2"

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, NamedTuple
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
-from flexcli.formulas.peaks import peak_factor
+from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.formulas.section import second_moment
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.base import QuantityOf
@@ -72,7 +72,8 @@ class _Dynamic(FactorRequirement):
         if self.peak == "sigma":
             return vibration.sigma
         duration = _duration(scene, vibration)
-        return float(peak_factor(rate, duration)) if rate * duration > 1.0 else vibration.sigma
+        enough = rate * duration > MINIMUM_CYCLES
+        return float(peak_factor(rate, duration)) if enough else vibration.sigma
 
 
 def _structure(ask: Ask) -> Structure:
