@@ -31,6 +31,8 @@ sizing leaves when it puts a constraint exactly at its limit."""
 NOTABLE = 0.05
 """An effect left out that may change a number by more than this is a warning, not only a row."""
 
+LABELS = {"h": "blade thickness", "l": "blade length", "b": "blade width"}
+
 CHUNK = 65_536
 """Designs per pass of :func:`factors`, which bounds its memory."""
 
@@ -123,9 +125,8 @@ def _margin(limit: Limit) -> NDArray[np.float64]:
 def values(design: DesignSpec, blade: Blade) -> dict[str, Value]:
     """Return the named numbers of a design: blade, cases, joint and mechanism."""
     geometry, material = design.geometry, design.material
-    labels = {"h": "blade thickness", "l": "blade length", "b": "blade width"}
     found = {
-        name: Value(float(size), "m", labels[name], model="given")
+        name: Value(float(size), "m", LABELS[name], model="given")
         for name, size in blade._asdict().items()
     }
     found |= case_values(design)

@@ -27,8 +27,6 @@ from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Va
 
 __all__ = ["size"]
 
-LABELS = {"h": "thickness", "l": "length", "b": "width"}
-
 LARGE_SENSITIVITY = 3.0
 """Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
 
@@ -265,7 +263,7 @@ def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
     """Return the chosen dimensions, and what they were before rounding."""
     model = f"sized, {MODEL}"
     found = {
-        name: Value(float(getattr(chosen.blade, name)), "m", f"blade {LABELS[name]}", model)
+        name: Value(float(getattr(chosen.blade, name)), "m", assess.LABELS[name], model)
         for name in design.geometry.free
     }
     if chosen.ideal is not None:
@@ -273,7 +271,7 @@ def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
             f"{name}_ideal": Value(
                 float(getattr(chosen.ideal, name)),
                 "m",
-                f"blade {LABELS[name]} before rounding",
+                f"{assess.LABELS[name]} before rounding",
                 model,
             )
             for name in design.geometry.free

@@ -84,7 +84,7 @@ def _checks(checks: Sequence[Check]) -> Group:
     )  # fmt: skip
     for check in checks:
         mark = Text("pass", "green") if check.passed else Text("FAIL", "bold red")
-        name = f"{check.name}, {check.case}" if check.case else check.name
+        name = _label(check)
         table.add_row(
             mark,
             name,
