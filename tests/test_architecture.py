@@ -19,9 +19,10 @@ LAYERS = {
     "results": {"errors"},
     "formulas": BASE | {"numerics"},
     "numerics": BASE,
-    "parts": BASE | {"formulas", "numerics"},
+    "mechanics": BASE | {"formulas", "numerics"},
+    "parts": BASE | {"formulas", "numerics", "mechanics"},
     "spec": BASE | {"parts"},
-    "engine": BASE | {"formulas", "numerics", "parts"},
+    "engine": BASE | {"formulas", "numerics", "mechanics", "parts"},
     "report": BASE,
     "cli": BASE | {"parts", "spec", "engine", "report"},
 }

@@ -1,0 +1,111 @@
+"""A formula as data: what ``explain`` prints of it, and the ranges that checks hold a design to.
+
+What the docstring of a formula says (its sentence, equation, symbols with units, source) is read
+from there; a card adds what a docstring cannot be queried for: validity, a worked case, tables.
+"""
+
+import inspect
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from math import inf
+from typing import Any, NamedTuple
+
+__all__ = ["Card", "Range", "Sheet", "Symbol", "Table", "outside", "sheet"]
+
+
+class Range(NamedTuple):
+    """Where a formula holds: a dimensionless (or SI) quantity between two ends, and why."""
+
+    quantity: str
+    least: float = -inf
+    most: float = inf
+    why: str = ""
+    unit: str = ""
+
+
+class Symbol(NamedTuple):
+    """A symbol of a formula with its SI unit ("" for none) and meaning."""
+
+    name: str
+    unit: str
+    meaning: str
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """A chart as data: columns against one variable; each column is (unit, function of it)."""
+
+    variable: str
+    values: tuple[float, ...]
+    columns: Mapping[str, tuple[str, Callable[[float], float]]]
+    note: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Card:
+    """A formula with its validity, one worked case (SI), and the charts drawn from it."""
+
+    name: str
+    function: Callable[..., Any]
+    example: Mapping[str, Any]
+    validity: tuple[Range, ...] = ()
+    tables: Mapping[str, Table] = field(default_factory=dict)
+
+
+class Sheet(NamedTuple):
+    """What a docstring says of its formula."""
+
+    title: str
+    equation: str
+    symbols: tuple[Symbol, ...]
+    gives: tuple[Symbol, ...]
+    notes: str
+    source: str
+
+
+_SECTION = re.compile(r"^(\w+)\n-{3,}\n", re.MULTILINE)
+_UNIT = re.compile(r"\[([^\]]*)\]")
+
+
+def sheet(function: Callable[..., Any]) -> Sheet:
+    """Return what the docstring of a formula says, section by section."""
+    text = inspect.getdoc(function) or ""
+    head, *rest = _SECTION.split(text)
+    sections = dict(zip(rest[::2], rest[1::2], strict=True))
+    title, *body = [p.replace("\n", " ").strip() for p in head.strip().split("\n\n")]
+    return Sheet(
+        title=title.removeprefix("Return ").removesuffix("."),
+        equation=" ".join(body).replace("``", ""),
+        symbols=tuple(_entries(sections.get("Parameters", ""))),
+        gives=tuple(_entries(sections.get("Returns", ""))),
+        notes=_joined(sections.get("Notes", "")),
+        source=_joined(sections.get("References", "")),
+    )
+
+
+def _joined(text: str) -> str:
+    return " ".join(text.replace("``", "").split())
+
+
+def _entries(section: str) -> list[Symbol]:
+    """Return the symbols of a section; several names on one line share unit and meaning."""
+    found = []
+    for entry in re.split(r"\n(?=\S)", section.strip()):
+        names, _, meaning = entry.partition("\n")
+        if not meaning:
+            continue
+        meaning = _joined(meaning)
+        unit = _UNIT.search(meaning)
+        said = "" if unit is None or unit[1] == "-" else unit[1]
+        spoken = " ".join(_UNIT.sub("", meaning).split()).replace(" .", ".").replace(" ,", ",")
+        for name in names.split(":")[0].split(","):
+            found.append(Symbol(name.strip(), said, spoken.rstrip(".")))
+    return found
+
+
+def outside(validity: tuple[Range, ...], at: Mapping[str, float]) -> list[Range]:
+    """Return the ranges that a design, given by its quantities, lies outside of."""
+    return [
+        r for r in validity if r.quantity in at and not r.least <= at[r.quantity] <= r.most
+    ]

@@ -1,0 +1,156 @@
+"""Thickness of a blade along its length, cut into pieces on which it is smooth.
+
+Every integral over a blade runs piece by piece over a variable u in [−1, 1] that is chosen so
+that few Gauss nodes do: where a notch is sharp, its map crowds the nodes into its throat.
+Parameters are floats, or arrays of many designs that broadcast against u on a trailing axis.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Constant", "Filleted", "NeckedDown", "Notch", "Piece", "Profile", "Tabulated"]
+
+Floats: TypeAlias = NDArray[np.float64]
+Number: TypeAlias = Any
+"""A float, or an array of shape (designs, 1)."""
+
+
+class Piece(NamedTuple):
+    """A smooth piece: position s(u) [m] from the blade's start, ds/du [m], thickness h(u) [m]."""
+
+    position: Callable[[Floats], Floats]
+    slope: Callable[[Floats], Floats]
+    thickness: Callable[[Floats], Floats]
+
+
+class Profile(ABC):
+    """A thickness profile, symmetric about the centre line of the blade."""
+
+    @abstractmethod
+    def pieces(self, l: Number) -> tuple[Piece, ...]:
+        """Return the flexible pieces of a blade of length l; what lies between them is rigid."""
+
+
+@dataclass(frozen=True, eq=False)
+class Constant(Profile):
+    """The same thickness h [m] everywhere."""
+
+    h: Number
+
+    def pieces(self, l: Number) -> tuple[Piece, ...]:
+        """Return the whole blade."""
+        return (_straight(0.0, l, self.h, self.h),)
+
+
+@dataclass(frozen=True, eq=False)
+class NeckedDown(Profile):
+    """Two hinges of thickness h [m] and length l_c [m] at the ends of a rigid middle."""
+
+    h: Number
+    hinge: Number
+
+    def pieces(self, l: Number) -> tuple[Piece, ...]:
+        """Return the two hinges."""
+        first = _straight(0.0, self.hinge, self.h, self.h)
+        return first, _straight(l - self.hinge, self.hinge, self.h, self.h)
+
+
+@dataclass(frozen=True, eq=False)
+class Notch(Profile):
+    """Two opposite half-ellipses with a throat of thickness e [m].
+
+    The half-axis along the blade is l/2, that across it ``depth`` [m]; a right-circular notch of
+    radius r has l = 2r and depth r: ``h = e + 2 depth (1 − √(1 − (2s/l − 1)²))``.
+    """
+
+    e: Number
+    depth: Number
+
+    def pieces(self, l: Number) -> tuple[Piece, ...]:
+        """Return the two sides of the throat.
+
+        With s/(l/2) − 1 = sin φ and t = tan(φ/2) the thickness is e + 4 depth t²/(1 + t²), whose
+        throat is √(e/(e + 4 depth)) wide: t = width · sinh(A u) spreads it over the nodes.
+        """
+        width = np.sqrt(self.e / (self.e + 4.0 * self.depth))
+        stretch = np.arcsinh(1.0 / width)
+
+        def half(side: float) -> Piece:
+            def tangent(u: Floats) -> Floats:
+                return np.asarray(width * np.sinh(stretch * (u + 1.0) / 2.0))
+
+            def position(u: Floats) -> Floats:
+                t = tangent(side * u)
+                return np.asarray(l / 2.0 * (1.0 + side * 2.0 * t / (1.0 + t**2)))
+
+            def slope(u: Floats) -> Floats:
+                t = tangent(side * u)
+                growth = width * stretch / 2.0 * np.cosh(stretch * (side * u + 1.0) / 2.0)
+                return np.asarray(l * (1.0 - t**2) / (1.0 + t**2) ** 2 * growth)
+
+            def thickness(u: Floats) -> Floats:
+                t = tangent(side * u)
+                return np.asarray(self.e + 4.0 * self.depth * t**2 / (1.0 + t**2))
+
+            return Piece(position, slope, thickness)
+
+        return half(-1.0), half(1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Filleted(Profile):
+    """Constant thickness h [m] that ends in quarter circles of radius r [m] at both roots."""
+
+    h: Number
+    r: Number
+
+    def pieces(self, l: Number) -> tuple[Piece, ...]:
+        """Return fillet, straight middle and fillet; φ is the angle along the quarter circle."""
+
+        def fillet(side: float) -> Piece:
+            start, reach = (self.r, -self.r) if side < 0.0 else (l - self.r, self.r)
+
+            def angle(u: Floats) -> Floats:
+                return np.asarray(np.pi / 4.0 * (side * u + 1.0))
+
+            return Piece(
+                lambda u: np.asarray(start + reach * np.sin(angle(u))),
+                lambda u: np.asarray(self.r * np.cos(angle(u)) * np.pi / 4.0),
+                lambda u: np.asarray(self.h + 4.0 * self.r * np.sin(angle(u) / 2.0) ** 2),
+            )
+
+        middle = _straight(self.r, l - 2.0 * self.r, self.h, self.h)
+        return fillet(-1.0), middle, fillet(1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Tabulated(Profile):
+    """Thicknesses [m] at fractions of the length from 0 to 1, straight lines between them."""
+
+    fractions: tuple[float, ...]
+    thicknesses: tuple[Number, ...]
+
+    def pieces(self, l: Number) -> tuple[Piece, ...]:
+        """Return a piece between each two entries."""
+        ends = list(zip(self.fractions, self.thicknesses, strict=True))
+        return tuple(
+            _straight(s_0 * l, (s_1 - s_0) * l, h_0, h_1)
+            for (s_0, h_0), (s_1, h_1) in pairwise(ends)
+        )
+
+
+def _straight(start: Number, length: Number, h_0: Number, h_1: Number) -> Piece:
+    def fraction(u: Floats) -> Floats:
+        return np.asarray((u + 1.0) / 2.0)
+
+    return Piece(
+        lambda u: np.asarray(start + length * fraction(u)),
+        lambda u: np.asarray(length / 2.0 * np.ones_like(u)),
+        lambda u: np.asarray(h_0 + (h_1 - h_0) * fraction(u)),
+    )

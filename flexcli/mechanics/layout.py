@@ -1,0 +1,84 @@
+"""A planar mechanism at rest: rigid bodies, the blades between them, springs and loads.
+
+One description for every solver: linear or exact, in the plane or (by width and height of each
+blade) in space. Numbers are floats, or arrays of shape (designs,) for a batch of designs that
+differ in nothing but numbers; positions are global, in the pose in which nothing is strained.
+"""
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple, TypeAlias
+
+from flexcli.formulas.profile import Profile
+
+__all__ = ["Blade", "Body", "Layout", "Load", "Number", "Point", "Support"]
+
+Number: TypeAlias = Any
+"""A float, or an array of shape (designs,)."""
+
+Point: TypeAlias = tuple[Number, Number]
+"""Coordinates (x, y) [m]."""
+
+
+class Body(NamedTuple):
+    """A rigid body: its reference point [m], mass [kg], inertia about the centre of mass [kg·m²].
+
+    ``com`` is the centre of mass [m]. The body's motion is (x, y, φ) of the reference point.
+    """
+
+    name: str
+    point: Point
+    mass: Number = 0.0
+    inertia: Number = 0.0
+    com: Point = (0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Blade:
+    """A straight blade from a body to another; a body of no listed name is the ground.
+
+    ``profile`` is the thickness from ``start`` to ``end`` [m], ``b`` the width [m], ``z`` the
+    height of its middle plane over that of the mechanism [m].
+    """
+
+    name: str
+    first: str
+    second: str
+    start: Point
+    end: Point
+    profile: Profile
+    b: Number
+    z: Number = 0.0
+
+
+class Support(NamedTuple):
+    """Springs from a body to the ground at a point: along x, along y [N/m], in φ [N·m/rad]."""
+
+    body: str
+    point: Point
+    stiffness: tuple[Number, Number, Number]
+
+
+class Load(NamedTuple):
+    """A force [N] at a point of a body [m] and a moment [N·m]; a following force turns with it."""
+
+    body: str
+    point: Point
+    force: Point = (0.0, 0.0)
+    moment: Number = 0.0
+    follows: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """Bodies that may move, blades of one material, supports and dead or following loads.
+
+    ``E`` and ``G`` [Pa] are the blades'; ``acceleration`` [m/s²] acts on every mass (gravity).
+    """
+
+    bodies: tuple[Body, ...]
+    blades: tuple[Blade, ...]
+    E: Number
+    G: Number
+    supports: tuple[Support, ...] = ()
+    loads: tuple[Load, ...] = ()
+    acceleration: Point = (0.0, 0.0)
