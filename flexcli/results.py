@@ -180,12 +180,10 @@ class CaseResponse(NamedTuple):
 
 
 class Design(NamedTuple):
-    """One set of blade dimensions and what it is."""
+    """One set of sizes [m] by their symbols, and what it is."""
 
     label: str
-    h: float
-    l: float
-    b: float
+    sizes: Mapping[str, float]
     volume: float
 
 

@@ -32,11 +32,11 @@ def run(
 
 def _check(path: Path) -> Result:
     from flexcli.engine.check import check
-    from flexcli.spec.given import given_blade
+    from flexcli.spec.given import given_sizes
     from flexcli.spec.load import load_design
 
     if path.is_dir():
         hint = "a design has flexure, material, geometry, cases and requirements"
         raise SpecError([Finding(str(path), "there is no design in this folder", hint)])
     design, document = load_design(path)
-    return check(design, given_blade(design, document), str(path))
+    return check(design, given_sizes(design, document), str(path))

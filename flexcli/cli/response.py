@@ -20,8 +20,8 @@ def run(spec: SpecArgument = None, style: FormatOption = Format.TEXT) -> None:
 
 def _respond(path: Path) -> Result:
     from flexcli.engine.response import respond
-    from flexcli.spec.given import given_blade
+    from flexcli.spec.given import given_sizes
     from flexcli.spec.load import load_design
 
     design, document = load_design(path)
-    return respond(design, given_blade(design, document), str(path))
+    return respond(design, given_sizes(design, document), str(path))

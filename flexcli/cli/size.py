@@ -42,6 +42,6 @@ def _size(path: Path, write: Path | None) -> Result:
     design, document = load_design(path)
     result = size(design, str(path))
     if write is not None and result.checks:
-        sizes = {name: result.values[name].value for name in ("h", "l", "b")}
+        sizes = {name: result.values[name].value for name in design.geometry.extents}
         write_file(write, sized_text(path, document, write, sizes))
     return result

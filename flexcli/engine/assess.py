@@ -1,17 +1,19 @@
 """Judge a blade by every requirement: one design into checks, or many at once into factors."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas.card import outside
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import EFFECTS, Setting
-from flexcli.parts.geometries import Blade, NotAvailable
+from flexcli.parts.geometries import NotAvailable, Sizes
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements import Limit
 from flexcli.parts.scene import Scene
 from flexcli.results import Check, EffectRow, Note, Value
+from flexcli.units import show
 
 __all__ = [
     "ROUNDING",
@@ -30,8 +32,6 @@ sizing leaves when it puts a constraint exactly at its limit."""
 
 NOTABLE = 0.05
 """An effect left out that may change a number by more than this is a warning, not only a row."""
-
-LABELS = {"h": "blade thickness", "l": "blade length", "b": "blade width"}
 
 CHUNK = 65_536
 """Designs per pass of :func:`factors`, which bounds its memory."""
@@ -77,20 +77,16 @@ def checks(limits: Iterable[Limit]) -> tuple[Check, ...]:
     return tuple(worst.values())
 
 
-def factors(
-    design: DesignSpec,
-    h: NDArray[np.float64],
-    l: NDArray[np.float64],
-    b: NDArray[np.float64],
-) -> dict[str, NDArray[np.float64]]:
+def factors(design: DesignSpec, **sizes: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
     """Return margins of many designs at once: factor over required factor, per check.
 
     Parameters
     ----------
     design : DesignSpec
-        The design whose blades vary.
-    h, l, b : array
-        Thickness, length and width [m]; broadcast against each other.
+        The design whose sizes vary.
+    **sizes : array
+        Sizes by symbol (h, l, b of blades) [m]; broadcast against each other, and the fixed ones
+        that are not given against them.
 
     Returns
     -------
@@ -99,13 +95,19 @@ def factors(
         where all are at least 1.
 
     """
-    shape = np.broadcast_shapes(np.shape(h), np.shape(l), np.shape(b))
-    flat = [np.broadcast_to(np.asarray(x, dtype=np.float64), shape).reshape(-1) for x in (h, l, b)]
+    given = design.geometry.sized(sizes)._asdict()
+    shape = np.broadcast_shapes(*(np.shape(x) for x in given.values()))
+    flat = {
+        name: np.broadcast_to(np.asarray(x, dtype=np.float64), shape).reshape(-1)
+        for name, x in given.items()
+    }
     size = int(np.prod(shape))
     found: dict[str, NDArray[np.float64]] = {}
     for start in range(0, size, CHUNK):
         part = slice(start, start + CHUNK)
-        for limit in design.closed_limits(Blade(*(x[part] for x in flat))):
+        for limit in design.closed_limits(
+            design.geometry.sized({name: x[part] for name, x in flat.items()})
+        ):
             margins = found.setdefault(limit.name, np.full(size, np.inf))
             np.minimum(margins[part], _margin(limit), out=margins[part])
     return {name: margins.reshape(shape) for name, margins in found.items()}
@@ -122,26 +124,27 @@ def _margin(limit: Limit) -> NDArray[np.float64]:
     return np.asarray(ratio / required(limit))
 
 
-def values(design: DesignSpec, blade: Blade) -> dict[str, Value]:
+def values(design: DesignSpec, sizes: Sizes) -> dict[str, Value]:
     """Return the named numbers of a design: blade, cases, joint and mechanism."""
     geometry, material = design.geometry, design.material
     found = {
-        name: Value(float(size), "m", LABELS[name], model="given")
-        for name, size in blade._asdict().items()
+        name: Value(float(size), "m", geometry.label(name), model="given")
+        for name, size in sizes._asdict().items()
     }
     found |= case_values(design)
-    stiffness = float(geometry.stiffness(material.E, blade))
+    stiffness = float(geometry.stiffness(material.elastic, sizes))
     symbol = "k_pivot" if geometry.motion == "rotation" else "k_stage"
     found[symbol] = Value(
         stiffness, geometry.stiffness_unit, "stiffness of a joint", source=geometry.source
     )
     found["volume"] = Value(
-        float(geometry.volume(blade)), "m^3", "volume of the blades of a joint", source="n h l b"
+        float(geometry.volume(sizes)), "m^3", "volume of what flexes in a joint"
     )
+    found |= geometry.values(material.elastic, sizes, _largest_travel(design))
     if design.mechanism is not None:
         found.update(design.mechanism.values(stiffness, geometry))
         for name in design.cases:
-            found.update(_sag(design, blade, design.scene(name)))
+            found.update(_sag(design, sizes, design.scene(name)))
     return found
 
 
@@ -154,12 +157,12 @@ def case_values(design: DesignSpec) -> dict[str, Value]:
     return found
 
 
-def _sag(design: DesignSpec, blade: Blade, scene: Scene) -> dict[str, Value]:
+def _sag(design: DesignSpec, sizes: Sizes, scene: Scene) -> dict[str, Value]:
     """Return sag and stiffness along a steady acceleration, where there is a closed form."""
     if scene.acceleration == 0.0 or design.mechanism is None:
         return {}
     try:
-        stiffness = float(design.geometry.sag_stiffness(design.material.E, blade, scene.axis))
+        stiffness = float(design.geometry.sag_stiffness(design.material.elastic, sizes, scene.axis))
         weight = design.mechanism.hanging_mass() * scene.acceleration
     except (NotAvailable, MechanismError):
         return {}
@@ -172,15 +175,15 @@ def _sag(design: DesignSpec, blade: Blade, scene: Scene) -> dict[str, Value]:
     }
 
 
-def effects(design: DesignSpec, blade: Blade) -> tuple[EffectRow, ...]:
+def effects(design: DesignSpec, sizes: Sizes) -> tuple[EffectRow, ...]:
     """Return what the closed forms leave out of this design."""
     scenes = tuple(design.scene(name) for name in design.cases)
     hangs = design.requirements.sag is not None
-    setting = Setting(design.material, design.geometry, blade, scenes, hangs)
+    setting = Setting(design.material, design.geometry, sizes, scenes, hangs)
     return tuple(row for effect in EFFECTS if (row := effect.row(setting)) is not None)
 
 
-def warnings(design: DesignSpec, blade: Blade, rows: tuple[EffectRow, ...]) -> tuple[Note, ...]:
+def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> tuple[Note, ...]:
     """Return what a reviewer must know beside the margins."""
     notes: list[Note] = []
     if design.mechanism is not None:
@@ -194,12 +197,24 @@ def warnings(design: DesignSpec, blade: Blade, rows: tuple[EffectRow, ...]) -> t
         if single is not None and single.stress_ratio is None:
             text = "the source of the fatigue amplitude states no stress ratio; read as R = −1"
             notes.append(Note("stress-ratio-unstated", text))
-    if blade.l < 10.0 * blade.h:
-        text = f"l/h = {blade.l / blade.h:.3g}: below 10 a blade is no slender beam"
-        notes.append(Note("stubby-blade", text))
+    notes.extend(_outside_validity(design, sizes))
     notes.extend(
         Note("effect-left-out", f"{row.name}, left out, may change results by {row.estimate:.0%}")
         for row in rows
         if row.estimate >= NOTABLE
     )
     return tuple(notes)
+
+
+def _largest_travel(design: DesignSpec) -> float:
+    scenes = [design.scene(name) for name in design.cases]
+    return max((scene.travel + scene.mean_travel for scene in scenes), default=0.0)
+
+
+def _outside_validity(design: DesignSpec, sizes: Sizes) -> Iterator[Note]:
+    """Yield where the design leaves the range in which its closed forms hold."""
+    geometry = design.geometry
+    at = geometry.indicators(sizes, _largest_travel(design))
+    for limits in outside(geometry.validity, {name: float(x) for name, x in at.items()}):
+        text = f"{limits.quantity} = {show(float(at[limits.quantity]), limits.unit)} is outside "
+        yield Note("outside-validity", f"{text}{limits.spoken}: {limits.why}")

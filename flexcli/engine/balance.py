@@ -133,9 +133,9 @@ def _mechanism_values(
 def _stiffness_values(design: DesignSpec, mechanism: Mechanism) -> dict[str, Value]:
     """Return the stiffness of a joint by its blades, and of the pivots that the spec states."""
     found: dict[str, Value] = {}
-    geometry, blade = design.geometry, design.fixed_blade()
+    geometry, blade = design.geometry, design.fixed_sizes()
     if blade is not None:
-        k = float(geometry.stiffness(design.material.E, blade))
+        k = float(geometry.stiffness(design.material.elastic, blade))
         name = "k_pivot" if geometry.motion == "rotation" else "k_stage"
         text = "stiffness of a joint"
         found[name] = Value(k, geometry.stiffness_unit, text, source=geometry.source)

@@ -4,7 +4,7 @@ from time import perf_counter
 
 from flexcli.engine import assess
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.geometries import Blade
+from flexcli.parts.geometries import Sizes
 from flexcli.results import Cost, Result, Status
 
 __all__ = ["check"]
@@ -12,21 +12,21 @@ __all__ = ["check"]
 MODEL = "closed-form"
 
 
-def check(design: DesignSpec, blade: Blade, spec: str) -> Result:
+def check(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
     """Return the checks of one blade with values, effects and warnings."""
     started = perf_counter()
-    rows = assess.effects(design, blade)
-    found = assess.checks(design.limits(blade))
+    rows = assess.effects(design, sizes)
+    found = assess.checks(design.limits(sizes))
     passed = all(check.passed for check in found)
     return Result(
         command="check",
         spec=spec,
         status=Status.PASS if passed else Status.FAIL,
         title=design.title,
-        values=assess.values(design, blade),
+        values=assess.values(design, sizes),
         checks=found,
         effects=rows,
-        warnings=assess.warnings(design, blade, rows),
+        warnings=assess.warnings(design, sizes, rows),
         cost=Cost(
             perf_counter() - started, MODEL, max((row.estimate for row in rows), default=None)
         ),

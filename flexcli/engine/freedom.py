@@ -51,10 +51,10 @@ class Freedom:
 
 def freedoms(design: DesignSpec, mechanism: Mechanism) -> tuple[Freedom, ...]:
     """Return the mechanism before its balancing masses, where it has such a state, and after."""
-    blade, geometry = design.fixed_blade(), design.geometry
+    blade, geometry = design.fixed_sizes(), design.geometry
     joint = shift = 0.0
     if blade is not None:
-        joint = float(geometry.stiffness(design.material.E, blade))
+        joint = float(geometry.stiffness(design.material.elastic, blade))
         try:
             shift = float(geometry.parasitic_shift(blade, 1.0))
         except NotAvailable:

@@ -202,13 +202,13 @@ def _first_by(merits: Sequence[Merit], x: dict[str, Floats]) -> dict[str, Floats
 def _feasible(
     design: DesignSpec, program: SizingProgram, x: Mapping[str, Floats]
 ) -> NDArray[np.bool_]:
-    blade = program.complete(x)
+    sizes = program.complete(x)
     holds = np.ones(next(iter(x.values())).shape, dtype=bool)
     for name, extent in design.geometry.extents.items():
         if name in x:
             holds &= x[name] >= (extent.least or 0.0)
             holds &= x[name] <= (extent.most or np.inf)
-    for margin in assess.factors(design, *blade).values():
+    for margin in assess.factors(design, **sizes._asdict()).values():
         holds &= margin >= 1.0 - assess.ROUNDING
     return holds
 

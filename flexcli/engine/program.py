@@ -8,7 +8,7 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.numerics.ratios import Equality, Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, as_signomial, variables
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.geometries import Blade
+from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Limit
 from flexcli.parts.sizing import Objective
 from flexcli.units import show
@@ -98,7 +98,7 @@ class SizingProgram:
     """Rows over the free dimensions; ``rows`` says what each stands for."""
 
     names: tuple[str, ...]
-    blade: Blade
+    sizes: Sizes
     constraints: tuple[Ratio | Settled, ...]
     equalities: tuple[Equality, ...]
     rows: dict[str, Row] = field(default_factory=dict)
@@ -122,9 +122,9 @@ class SizingProgram:
             rows.append(at_most(row.name + " below", row.denominator, row.numerator * band))
         return rows
 
-    def complete(self, x: Mapping[str, Quantity]) -> Blade:
+    def complete(self, x: Mapping[str, Quantity]) -> Sizes:
         """Return the blade of a solution, fixed dimensions included."""
-        return Blade(*(x.get(name, size) for name, size in self.blade._asdict().items()))
+        return self.sizes._replace(**x)
 
 
 def sizing_program(design: DesignSpec) -> SizingProgram:
@@ -132,11 +132,11 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
     extents = design.geometry.extents
     names = design.geometry.free
     symbols = dict(zip(names, variables(*names), strict=True)) if names else {}
-    blade = Blade(*(symbols.get(n) or extent.fixed for n, extent in extents.items()))
+    sizes = design.geometry.sized(symbols)
     constraints: list[Ratio | Settled] = []
     equalities: list[Equality] = []
     rows: dict[str, Row] = {}
-    for index, limit in enumerate(design.closed_limits(blade)):
+    for index, limit in enumerate(design.closed_limits(sizes)):
         key = f"{index} {limit.name}"
         asked = limit.required**limit.power
         row = Row(f"{limit.name}: {limit.quantity}", limit.demand * asked, limit.capacity, limit)
@@ -154,28 +154,27 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
             low, high = (size, symbols[name]) if side == "least" else (symbols[name], size)
             rows[key] = Row(key, low, high, bound=size)
             constraints.append(rows[key].constraint(key))
-    return SizingProgram(names, blade, tuple(constraints), tuple(equalities), rows)
+    return SizingProgram(names, sizes, tuple(constraints), tuple(equalities), rows)
 
 
-def objective_of(design: DesignSpec, objective: Objective, blade: Blade) -> Signomial:
+def objective_of(design: DesignSpec, objective: Objective, sizes: Sizes) -> Signomial:
     """Return what an objective minimises, on the blade's signomials."""
     geometry = design.geometry
-    volume = geometry.volume(blade)
-    stiffness = geometry.stiffness(design.material.E, blade)
+    volume = geometry.volume(sizes)
+    stiffness = geometry.stiffness(design.material.elastic, sizes)
+    lengths = sizes._asdict()
     by_name = {
         "least-volume": volume,
         "least-stiffness": stiffness,
-        "shortest": blade.l,
         "balanced": volume,
         "volume": volume,
         "mass": volume,
         "k_pivot": stiffness,
-        "h": blade.h,
-        "l": blade.l,
-        "b": blade.b,
+        **({"shortest": lengths["l"]} if "l" in lengths else {}),
+        **lengths,
     }
     if isinstance(objective, str):
         return as_signomial(by_name[objective])
     if objective.minimize is not None:
         return as_signomial(by_name[objective.minimize])
-    return as_signomial(1.0 / by_name[objective.maximize or "h"])
+    return as_signomial(1.0 / by_name[objective.maximize or ""])

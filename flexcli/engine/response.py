@@ -7,7 +7,7 @@ from flexcli.engine import assess
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.geometries import Blade, NotAvailable
+from flexcli.parts.geometries import NotAvailable, Sizes
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.response import REACH, Output, random_response, shock_peaks
@@ -33,7 +33,7 @@ UNITS = {"force": "N", "axial": "Pa", "stress": "Pa", "travel": "m"}
 """SI units of a structure's outputs, by the first word of their names."""
 
 
-def respond(design: DesignSpec, blade: Blade, spec: str) -> Result:
+def respond(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
     """Return modes and responses of every case with a vibration or a shock."""
     started = perf_counter()
     responses: list[CaseResponse] = []
@@ -44,7 +44,7 @@ def respond(design: DesignSpec, blade: Blade, spec: str) -> Result:
         scene = design.scene(name)
         if scene.vibration is None and scene.shock is None:
             continue
-        structure = _structure(design, blade, scene)
+        structure = _structure(design, sizes, scene)
         if scene.vibration is not None:
             response = _random(design, scene, structure)
             responses.append(response)
@@ -56,7 +56,7 @@ def respond(design: DesignSpec, blade: Blade, spec: str) -> Result:
     if not responses:
         raise SolveError("no-vibration", "no case has a vibration or a shock", "add asd: to a case")
     found = assess.checks(
-        limit for limit in design.limits(blade) if limit.requirement.startswith("dynamic")
+        limit for limit in design.limits(sizes) if limit.requirement.startswith("dynamic")
     )
     passed = all(check.passed for check in found)
     return Result(
@@ -75,12 +75,14 @@ def respond(design: DesignSpec, blade: Blade, spec: str) -> Result:
     )
 
 
-def _structure(design: DesignSpec, blade: Blade, scene: Scene) -> Structure:
+def _structure(design: DesignSpec, sizes: Sizes, scene: Scene) -> Structure:
     where = f"case '{scene.case}'"
     if design.mechanism is None:
         raise SolveError("no-mass", f"{where}: nothing that vibrates has a mass", "add a mechanism")
     try:
-        return design.mechanism.structure(design.geometry, design.material.E, blade, scene.lock)
+        return design.mechanism.structure(
+            design.geometry, design.material.elastic, sizes, scene.lock
+        )
     except (MechanismError, NotAvailable) as error:
         hint = getattr(error, "hint", "") or "take another geometry or mechanism"
         raise SolveError("no-structure", f"{where}: {error}", hint) from error

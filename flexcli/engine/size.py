@@ -21,7 +21,7 @@ from flexcli.engine.program import SizingProgram, objective_of, sizing_program
 from flexcli.numerics.geometric_program import Outcome, Solution
 from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.geometries import Blade
+from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Objective
 from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value
 
@@ -35,7 +35,7 @@ def size(design: DesignSpec, spec: str) -> Result:
     """Return the sized design with margins, or the conflict that leaves none."""
     started = perf_counter()
     program = sizing_program(design)
-    given = design.fixed_blade()
+    given = design.fixed_sizes()
     chosen = _choose(design, program) if given is None else _Choice(given, _nothing_free())
     result = _infeasible(design, spec, program) if chosen is None else _judged(design, spec, chosen)
     assert result.cost is not None  # both branches measure
@@ -47,15 +47,15 @@ class _Choice:
 
     def __init__(
         self,
-        blade: Blade,
+        sizes: Sizes,
         sizing: SizingResult,
-        ideal: Blade | None = None,
+        ideal: Sizes | None = None,
         notes: tuple[Note, ...] = (),
         iterations: int = 0,
         *,
         failed_grid: bool = False,
     ) -> None:
-        self.blade = blade
+        self.sizes = sizes
         self.sizing = sizing
         self.ideal = ideal
         self.notes = notes
@@ -64,12 +64,12 @@ class _Choice:
 
 
 def _nothing_free() -> SizingResult:
-    return SizingResult("none: h, l and b are all given", "nothing to choose")
+    return SizingResult("none: every size is given", "nothing to choose")
 
 
 def _choose(design: DesignSpec, program: SizingProgram) -> _Choice | None:
     """Return the chosen design, or nothing when the requirements conflict."""
-    volume = objective_of(design, "least-volume", program.blade)
+    volume = objective_of(design, "least-volume", program.sizes)
     smallest = _solve(program, [volume, *_ties(program)])
     if smallest.outcome is Outcome.INFEASIBLE:
         return None
@@ -80,7 +80,9 @@ def _choose(design: DesignSpec, program: SizingProgram) -> _Choice | None:
 
 def _ties(program: SizingProgram) -> list[Signomial]:
     """Return what breaks ties after the volume: shortest, then narrowest, then thinnest."""
-    return [as_signomial(x) for x in (program.blade.l, program.blade.b, program.blade.h)]
+    order = {"l": 0, "b": 1, "h": 2}
+    sizes = sorted(program.sizes._asdict().items(), key=lambda item: order.get(item[0], 3))
+    return [as_signomial(size) for _, size in sizes]
 
 
 def _solve(program: SizingProgram, objectives: list[Signomial]) -> Solution:
@@ -94,7 +96,7 @@ def _choose_optimum(
     smallest: Solution,
     objective: Objective,
 ) -> _Choice:
-    goal = objective_of(design, objective, program.blade)
+    goal = objective_of(design, objective, program.sizes)
     name = objective if isinstance(objective, str) else _spoken(objective.model_dump())
     objectives = [goal, volume, *_ties(program)]
     solution = smallest if name == "least-volume" else _solve(program, objectives)
@@ -178,7 +180,7 @@ def _on_grid(
     design: DesignSpec,
     program: SizingProgram,
     sizing: SizingResult,
-    ideal: Blade,
+    ideal: Sizes,
     objectives: list[Signomial] | None,
     others: list[Design],
     *,
@@ -189,7 +191,7 @@ def _on_grid(
 
     Without objectives the point nearest to the ideal blade is taken.
     """
-    grids = design.size.rounding.grids()
+    grids = design.size.rounding
     designs = [_design(design, label, ideal), *others]
     if not any(name in grids for name in program.names):
         return _Choice(ideal, replace(sizing, designs=tuple(designs)), iterations=iterations)
@@ -218,8 +220,8 @@ def _on_grid(
 
 def _grid_remark(
     design: DesignSpec,
-    blade: Blade,
-    ideal: Blade,
+    blade: Sizes,
+    ideal: Sizes,
     point: GridPoint,
     objectives: list[Signomial] | None,
 ) -> str:
@@ -232,13 +234,13 @@ def _grid_remark(
     )
 
 
-def _design(design: DesignSpec, label: str, blade: Blade) -> Design:
-    h, l, b = (float(x) for x in blade)
-    return Design(label, h, l, b, float(design.geometry.volume(blade)))
+def _design(design: DesignSpec, label: str, blade: Sizes) -> Design:
+    sizes = {name: float(x) for name, x in blade._asdict().items()}
+    return Design(label, sizes, float(design.geometry.volume(blade)))
 
 
 def _judged(design: DesignSpec, spec: str, chosen: _Choice) -> Result:
-    blade = Blade(*(float(x) for x in chosen.blade))
+    blade = chosen.sizes._make(float(x) for x in chosen.sizes)
     rows = assess.effects(design, blade)
     found = assess.checks(design.limits(blade))
     sized = _sized_values(design, chosen)
@@ -263,7 +265,7 @@ def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
     """Return the chosen dimensions, and what they were before rounding."""
     model = f"sized, {MODEL}"
     found = {
-        name: Value(float(getattr(chosen.blade, name)), "m", assess.LABELS[name], model)
+        name: Value(float(getattr(chosen.sizes, name)), "m", design.geometry.label(name), model)
         for name in design.geometry.free
     }
     if chosen.ideal is not None:
@@ -271,7 +273,7 @@ def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
             f"{name}_ideal": Value(
                 float(getattr(chosen.ideal, name)),
                 "m",
-                f"{assess.LABELS[name]} before rounding",
+                f"{design.geometry.label(name)} before rounding",
                 model,
             )
             for name in design.geometry.free

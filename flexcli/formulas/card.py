@@ -8,10 +8,22 @@ import inspect
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from math import inf
+from math import inf, radians
 from typing import Any, NamedTuple
 
-__all__ = ["Card", "Range", "Sheet", "Symbol", "Table", "outside", "sheet"]
+from flexcli.units import show
+
+__all__ = [
+    "SLENDER",
+    "SMALL_ROTATION",
+    "Card",
+    "Range",
+    "Sheet",
+    "Symbol",
+    "Table",
+    "outside",
+    "sheet",
+]
 
 
 class Range(NamedTuple):
@@ -22,6 +34,21 @@ class Range(NamedTuple):
     most: float = inf
     why: str = ""
     unit: str = ""
+
+    @property
+    def spoken(self) -> str:
+        """Return the range in words."""
+        low, high = show(self.least, self.unit), show(self.most, self.unit)
+        if self.least == -inf:
+            return f"at most {high}"
+        return f"at least {low}" if self.most == inf else f"{low} to {high}"
+
+
+SLENDER = Range("l/h", least=10.0, why="a shorter blade is no slender beam")
+
+SMALL_ROTATION = Range(
+    "theta", most=radians(10.0), unit="rad", why="the closed form is the first term in the rotation"
+)
 
 
 class Symbol(NamedTuple):
@@ -99,13 +126,13 @@ def _entries(section: str) -> list[Symbol]:
         unit = _UNIT.search(meaning)
         said = "" if unit is None or unit[1] == "-" else unit[1]
         spoken = " ".join(_UNIT.sub("", meaning).split()).replace(" .", ".").replace(" ,", ",")
-        for name in names.split(":")[0].split(","):
-            found.append(Symbol(name.strip(), said, spoken.rstrip(".")))
+        found += [
+            Symbol(name.strip(), said, spoken.rstrip("."))
+            for name in names.split(":")[0].split(",")
+        ]
     return found
 
 
 def outside(validity: tuple[Range, ...], at: Mapping[str, float]) -> list[Range]:
     """Return the ranges that a design, given by its quantities, lies outside of."""
-    return [
-        r for r in validity if r.quantity in at and not r.least <= at[r.quantity] <= r.most
-    ]
+    return [r for r in validity if r.quantity in at and not r.least <= at[r.quantity] <= r.most]

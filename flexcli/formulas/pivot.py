@@ -5,12 +5,14 @@
 small rotation of slender blades (h ≪ l, shear and axial extension left out).
 """
 
-from math import atan2, cos, sin
+from math import atan2, cos, pi, sin
 
+from flexcli.formulas.card import SLENDER, SMALL_ROTATION, Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import second_moment
 
 __all__ = [
+    "CARDS",
     "axial_share",
     "end_stresses",
     "out_of_plane_stiffness",
@@ -40,7 +42,7 @@ def rotational_stiffness(
 
     Returns
     -------
-    Quantity
+    K : Quantity
         Rotational stiffness [N·m/rad], positive for every p.
 
     Notes
@@ -83,8 +85,8 @@ def end_stresses(
 
     Returns
     -------
-    tuple of Quantity
-        Stress at the inner and the outer end [Pa].
+    inner, outer : Quantity
+        Stress at this end [Pa].
 
     Notes
     -----
@@ -124,7 +126,7 @@ def parasitic_shift(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: fl
 
     Returns
     -------
-    Quantity
+    shift : Quantity
         Shift along the bisector [m].
 
     Examples
@@ -156,7 +158,7 @@ def axial_share(angles: tuple[float, ...], direction: float) -> tuple[float, ...
 
     Returns
     -------
-    tuple of float
+    shares : tuple of float
         Axial force of each blade over the force on the pivot [-].
 
     Raises
@@ -191,6 +193,20 @@ def out_of_plane_stiffness(
     ``K_z = n E h b³ / l³``: each blade bends across its width between a fixed end and a body
     that moves along the axis without tilting, as three or more blades around the axis make it.
 
+    Parameters
+    ----------
+    E : Quantity
+        Young's modulus [Pa].
+    h, l, b : Quantity
+        Thickness, length and width of a blade [m].
+    blades : int
+        Number of blades.
+
+    Returns
+    -------
+    K_z : Quantity
+        Stiffness along the axis [N/m].
+
     Notes
     -----
     Shear is left out; it lowers K_z by about (6/5)(b/l)² 2(1+ν)/(1 + that), which is a tenth at
@@ -207,3 +223,29 @@ def out_of_plane_stiffness(
 
     """
     return blades * E * h * b**3 / l**3
+
+
+_BLADE = {"E": 114e9, "h": 637e-6, "l": 17.5e-3, "p": 2e-3}
+
+CARDS = (
+    Card(
+        "pivot-stiffness",
+        rotational_stiffness,
+        {**_BLADE, "b": 10e-3, "blades": 2},
+        (SLENDER, SMALL_ROTATION),
+    ),
+    Card("pivot-stress", end_stresses, {**_BLADE, "theta": 0.0205}, (SLENDER, SMALL_ROTATION)),
+    Card(
+        "pivot-shift",
+        parasitic_shift,
+        {"l": 17.5e-3, "p": 2e-3, "theta": 0.0205, "half_angle": pi / 4.0},
+        (SMALL_ROTATION,),
+    ),
+    Card("blade-shares", axial_share, {"angles": (pi / 4.0, -pi / 4.0), "direction": 0.0}),
+    Card(
+        "stiffness-along-the-axis",
+        out_of_plane_stiffness,
+        {"E": 116e9, "h": 250e-6, "l": 80e-3, "b": 30e-3, "blades": 3},
+        (Range("b/l", most=0.2, why="shear across the width takes more than a tenth"),),
+    ),
+)

@@ -72,13 +72,14 @@ class Load(NamedTuple):
 class Layout:
     """Bodies that may move, blades of one material, supports and dead or following loads.
 
-    ``E`` and ``G`` [Pa] are the blades'; ``acceleration`` [m/s²] acts on every mass (gravity).
+    ``E`` and ``G`` [Pa] are the blades' (no G where the material gives none: then nothing that
+    shear takes part in can be asked); ``acceleration`` [m/s²] acts on every mass (gravity).
     """
 
     bodies: tuple[Body, ...]
     blades: tuple[Blade, ...]
     E: Number
-    G: Number
+    G: Number | None = None
     supports: tuple[Support, ...] = ()
     loads: tuple[Load, ...] = ()
     acceleration: Point = (0.0, 0.0)

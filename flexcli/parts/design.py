@@ -8,12 +8,12 @@ from pydantic import Field, model_validator
 from flexcli.parts.balancing import BalanceOptions
 from flexcli.parts.base import Part, spec_error
 from flexcli.parts.case import Case
-from flexcli.parts.geometries import AnyGeometry, Blade
+from flexcli.parts.geometries import AnyGeometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import AnyMechanism, MechanismError
 from flexcli.parts.requirements import Ask, Limit, RequirementError, Requirements
 from flexcli.parts.scene import Scene, scene_of
-from flexcli.parts.sizing import SizeOptions
+from flexcli.parts.sizing import QUANTITIES, SizeOptions
 
 __all__ = ["DesignSpec", "Problem"]
 
@@ -66,24 +66,43 @@ class DesignSpec(Part):
             )
         return self
 
-    def fixed_blade(self) -> Blade | None:
-        """Return the blade when h, l and b are all fixed, else nothing."""
-        h, l, b = (extent.fixed for extent in self.geometry.extents.values())
-        return None if h is None or l is None or b is None else Blade(h, l, b)
+    @model_validator(mode="after")
+    def _sizes_are_known(self) -> "DesignSpec":
+        sizes = tuple(self.geometry.extents)
+        for name in self.size.rounding:
+            _refuse_unknown(name, sizes, ("size", "round", name))
+        objective = self.size.objective
+        if isinstance(objective, str):
+            if objective == "shortest" and "l" not in sizes:
+                raise spec_error(
+                    f"a {self.geometry.name} has no length l", "take least-volume",
+                    at=("size", "objective"),
+                )  # fmt: skip
+            return self
+        if objective.minimize is not None:
+            place = ("size", "objective", "minimize")
+            _refuse_unknown(objective.minimize, (*sizes, *QUANTITIES), place)
+        if objective.maximize is not None:
+            _refuse_unknown(objective.maximize, sizes, ("size", "objective", "maximize"))
+        return self
+
+    def fixed_sizes(self) -> Sizes | None:
+        """Return the sizes when all are fixed, else nothing."""
+        return None if self.geometry.free else self.geometry.sized({})
 
     def scene(self, name: str) -> Scene:
         """Return one case in the terms of each joint, or raise :class:`MechanismError`."""
         return scene_of(name, self.cases[name], self.mechanism, self.geometry)
 
-    def limits(self, blade: Blade) -> list[Limit]:
+    def limits(self, sizes: Sizes) -> list[Limit]:
         """Return every limit of every requirement in every case, on floats."""
-        return list(self._limits(blade, closed_form=False))
+        return list(self._limits(sizes, closed_form=False))
 
-    def closed_limits(self, blade: Blade) -> list[Limit]:
+    def closed_limits(self, sizes: Sizes) -> list[Limit]:
         """Return the limits that are closed forms, on floats, arrays or signomials."""
-        return list(self._limits(blade, closed_form=True))
+        return list(self._limits(sizes, closed_form=True))
 
-    def _limits(self, blade: Blade, *, closed_form: bool) -> Iterator[Limit]:
+    def _limits(self, sizes: Sizes, *, closed_form: bool) -> Iterator[Limit]:
         yield from self.coupling_limits()
         scenes = [self.scene(name) for name in self.cases]
         for _, requirement in self.requirements.each():
@@ -91,7 +110,7 @@ class DesignSpec(Part):
                 continue
             relevant = [s for s in scenes if requirement.applies(s)]
             for scene in relevant if requirement.per_case else scenes[:1]:
-                ask = Ask(self.material, self.geometry, self.mechanism, blade, scene)
+                ask = Ask(self.material, self.geometry, self.mechanism, sizes, scene)
                 yield from requirement.limits(ask)
 
     def coupling_limits(self) -> Iterator[Limit]:
@@ -117,7 +136,7 @@ class DesignSpec(Part):
                 scenes.append(self.scene(name))
             except MechanismError as error:
                 found.append(Problem(("cases", name, error.at), str(error), error.hint))
-        probe = Blade(*(extent.fixed or 1e-3 for extent in self.geometry.extents.values()))
+        probe = self.geometry.probe()
         for path, requirement in self.requirements.each():
             found.extend(
                 self._requirement_problems(("requirements", *path), requirement, probe, scenes)
@@ -125,7 +144,7 @@ class DesignSpec(Part):
         return found
 
     def _requirement_problems(
-        self, path: tuple[str | int, ...], requirement: Any, probe: Blade, scenes: list[Scene]
+        self, path: tuple[str | int, ...], requirement: Any, probe: Sizes, scenes: list[Scene]
     ) -> Iterator[Problem]:
         named = getattr(requirement, "cases", None) or ()
         unknown = [index for index, name in enumerate(named) if name not in self.cases]
@@ -151,3 +170,8 @@ class DesignSpec(Part):
                 )
             except RequirementError as error:
                 yield Problem(path, str(error), error.hint)
+
+
+def _refuse_unknown(name: str, known: tuple[str, ...], at: tuple[str, ...]) -> None:
+    if name not in known:
+        raise spec_error(f"there is no size '{name}' here", f"one of {', '.join(known)}", at=at)

@@ -15,6 +15,7 @@ from flexcli.parts.base import (
     Stress,
     spec_error,
 )
+from flexcli.parts.elastic import Elastic
 from flexcli.results import Property
 
 __all__ = ["FatigueAmplitude", "Material", "MissingProperty", "SNCurve", "Sourced", "Status"]
@@ -214,6 +215,12 @@ class Material(Part):
     def E(self) -> float:  # noqa: N802 - the field's symbol
         """Return Young's modulus [Pa]."""
         return self.youngs_modulus.value
+
+    @property
+    def elastic(self) -> Elastic:
+        """Return what the stiffness of the material is made of."""
+        ratio = self.poisson_ratio
+        return Elastic(self.E, ratio.value if ratio is not None else None)
 
     def strength(self, field: str) -> float:
         """Return a static strength [Pa] by its field name, or raise :class:`MissingProperty`."""

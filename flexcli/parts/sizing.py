@@ -6,10 +6,11 @@ from pydantic import Discriminator, Field, Tag, model_validator
 
 from flexcli.parts.base import Part, PositiveLength, spec_error
 
-__all__ = ["Grid", "Minimize", "Objective", "SizeOptions"]
+__all__ = ["QUANTITIES", "Grid", "Minimize", "Objective", "SizeOptions"]
 
 Named = Literal["balanced", "least-volume", "least-stiffness", "shortest"]
-QuantityName = Literal["h", "l", "b", "volume", "mass", "k_pivot"]
+QUANTITIES = ("volume", "mass", "k_pivot")
+"""What can be least beside a size."""
 
 
 class Grid(Part):
@@ -34,23 +35,11 @@ class Grid(Part):
         return {"step": data}
 
 
-class Round(Part):
-    """The grid of each dimension; one that is left out stays continuous."""
-
-    h: Grid | None = None
-    l: Grid | None = None
-    b: Grid | None = None
-
-    def grids(self) -> dict[str, Grid]:
-        """Return the grids by symbol."""
-        return {n: g for n in ("h", "l", "b") if (g := getattr(self, n)) is not None}
-
-
 class Minimize(Part):
     """An objective by the name of a quantity: the least of it, or the most."""
 
-    minimize: QuantityName | None = None
-    maximize: Literal["h", "l", "b"] | None = None
+    minimize: str | None = None
+    maximize: str | None = None
 
     @model_validator(mode="after")
     def _one(self) -> "Minimize":
@@ -70,7 +59,10 @@ Objective: TypeAlias = Annotated[
 
 
 class SizeOptions(Part):
-    """How ``flexure size`` chooses h, l and b."""
+    """How ``flexure size`` chooses the sizes.
+
+    ``rounding`` is the grid of each; a size that is left out stays continuous.
+    """
 
     objective: Objective = "least-volume"
-    rounding: Round = Field(default_factory=Round.model_construct, alias="round")
+    rounding: dict[str, Grid] = Field({}, alias="round")

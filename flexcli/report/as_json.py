@@ -116,10 +116,7 @@ def _sizing(sizing: SizingResult) -> dict[str, Any]:
     return {
         "objective": sizing.objective,
         "certificate": sizing.certificate,
-        "designs": [
-            {"label": d.label, "h": d.h, "l": d.l, "b": d.b, "volume": d.volume}
-            for d in sizing.designs
-        ],
+        "designs": [{"label": d.label, **d.sizes, "volume": d.volume} for d in sizing.designs],
         "active": list(sizing.active),
         "sensitivities": [
             {"constraint": s.constraint, "driver": s.driver, "on": dict(s.on)}

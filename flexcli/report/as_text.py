@@ -109,13 +109,12 @@ def _number(value: float) -> str:
 def _sizing(sizing: SizingResult) -> RenderableType:
     parts: list[RenderableType] = [Text(f"objective: {sizing.objective} ({sizing.certificate})")]
     if sizing.designs:
-        table = _table("Designs", "design", "h", "l", "b", "volume", numbers=[1, 2, 3, 4])
+        names = list(sizing.designs[0].sizes)
+        columns = ("design", *names, "volume")
+        table = _table("Designs", *columns, numbers=range(1, 2 + len(names)))
         for d in sizing.designs:
-            table.add_row(
-                d.label,
-                *(show(size, "m", 5) for size in (d.h, d.l, d.b)),
-                show(d.volume, "m^3"),
-            )
+            sizes = (show(d.sizes[name], "m", 5) for name in names)
+            table.add_row(d.label, *sizes, show(d.volume, "m^3"))
         parts.append(table)
     if sizing.conflict:
         table = _table("Conflict: these cannot all hold", "requirement", "what would do")

@@ -1,18 +1,18 @@
-"""The blade that a design gives, or what it leaves open."""
+"""The sizes that a design gives, or what it leaves open."""
 
 from flexcli.errors import SpecError
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.geometries import Blade
+from flexcli.parts.geometries import Sizes
 from flexcli.spec.document import Document, finding_at
 
-__all__ = ["given_blade"]
+__all__ = ["given_sizes"]
 
 
-def given_blade(design: DesignSpec, document: Document) -> Blade:
-    """Return the fixed blade of a design, or raise :class:`SpecError` for what is free."""
-    blade = design.fixed_blade()
-    if blade is not None:
-        return blade
+def given_sizes(design: DesignSpec, document: Document) -> Sizes:
+    """Return the fixed sizes of a design, or raise :class:`SpecError` for what is free."""
+    sizes = design.fixed_sizes()
+    if sizes is not None:
+        return sizes
     findings = []
     for name in design.geometry.free:
         place, _ = document.position.closest(("geometry", name))

@@ -32,8 +32,8 @@ def main():
     h = 10 ** generator.uniform(-4.3, -3.0, DESIGNS)
     l = 10 ** generator.uniform(-2.3, -1.3, DESIGNS)
     b = 10 ** generator.uniform(-3.0, -2.0, DESIGNS)
-    together, low, high = seconds(lambda: factors(design, h, l, b))
-    margins = factors(design, h, l, b)
+    together, low, high = seconds(lambda: factors(design, h=h, l=l, b=b))
+    margins = factors(design, h=h, l=l, b=b)
     passing = np.logical_and.reduce([m >= 1.0 for m in margins.values()])
 
     def one_by_one():

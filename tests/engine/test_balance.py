@@ -106,7 +106,7 @@ def test_beyond_its_package_the_design_is_infeasible_and_fails_its_check(exercis
     found = balance(design, "flexure.yaml")
     assert found.status is Status.INFEASIBLE
     assert found.balance.outcome == "infeasible"
-    checked = check(design, design.fixed_blade(), "flexure.yaml")
+    checked = check(design, design.fixed_sizes(), "flexure.yaml")
     assert checked.status is Status.FAIL
     assert "not-balanced" in [note.code for note in checked.warnings]
 

@@ -20,7 +20,7 @@ def test_a_row_holds_exactly_where_the_check_of_its_limit_passes(spec):
     program = sizing_program(spec)
     blade = Blade(**({k: float(v) for k, v in AT.items()} | _fixed(spec)))
     x = {name: getattr(blade, name) for name in program.names}
-    margins = assess.factors(spec, *(np.array(size) for size in blade))
+    margins = assess.factors(spec, **{n: np.array(size) for n, size in blade._asdict().items()})
     rows = {}
     for row in program.constraints:
         limit = program.rows[row.name].limit
@@ -82,8 +82,8 @@ def test_a_crossing_at_a_fixed_place_is_not_convex_and_one_at_a_fixed_share_is()
 def test_objectives_are_what_they_are_called(objective, expected):
     spec = design(rcc(), LOADS, size={"objective": objective})
     program = sizing_program(spec)
-    goal = objective_of(spec, spec.size.objective, program.blade)
-    stiffness = spec.geometry.stiffness(spec.material.E, Blade(**AT))
+    goal = objective_of(spec, spec.size.objective, program.sizes)
+    stiffness = spec.geometry.stiffness(spec.material.elastic, Blade(**AT))
     assert goal.at(**AT) == pytest.approx(expected(**AT, k=stiffness), rel=ROUNDING)
 
 

@@ -37,7 +37,7 @@ def every_point(spec, steps):
         values = np.array([float(step * k) for k in count])
         axes.append(values[values >= extent.least])
     h, l, b = (x.reshape(-1) for x in np.meshgrid(*axes, indexing="ij"))
-    margins = np.min(list(assess.factors(spec, h, l, b).values()), axis=0)
+    margins = np.min(list(assess.factors(spec, h=h, l=l, b=b).values()), axis=0)
     return h, l, b, margins >= 1.0 - assess.ROUNDING
 
 
@@ -82,7 +82,8 @@ def test_rounding_to_the_nearest_corner_often_fails_where_the_search_does_not():
         (np.floor(ideal[n] / s) * s, np.ceil(ideal[n] / s) * s) for n, s in steps.items()
     ])  # fmt: skip
     feasible = [
-        min(assess.factors(spec, *(np.array(x) for x in corner)).values()) >= 1 - assess.ROUNDING
+        min(assess.factors(spec, **dict(zip("hlb", corner, strict=True))).values())
+        >= 1 - assess.ROUNDING
         for corner in corners if min(corner) > 0
     ]  # fmt: skip
     assert not any(feasible)
@@ -98,7 +99,9 @@ def test_margins_are_those_of_the_point_and_its_price_is_told():
     assert price > 0
     assert any(f"costs {price:+.1%} volume" in remark for remark in result.sizing.remarks)
     fixed = {n: f"{x!r} m" for n, x in zip("hlb", blade_of(result), strict=True)}
-    margins = assess.factors(design(rcc(**fixed), LOADS), *(np.array(x) for x in blade_of(result)))
+    margins = assess.factors(
+        design(rcc(**fixed), LOADS), **dict(zip("hlb", blade_of(result), strict=True))
+    )
     assert sorted(c.margin for c in result.checks) == pytest.approx(
         sorted(float(m) - 1 for m in margins.values())
     )
@@ -120,7 +123,8 @@ def test_a_stock_list_is_searched_beyond_its_nearest_sizes():
         thick * long * b
         for thick in (1e-4, 3e-4, 7e-4)
         for long in lengths
-        if min(assess.factors(spec, *(np.array(x) for x in (thick, long, b))).values()) >= 1 - 1e-9
+        if min(assess.factors(spec, h=np.array(thick), l=np.array(long), b=np.array(b)).values())
+        >= 1 - 1e-9
         and 5e-3 <= long <= 30e-3
     ]
     assert h * l * b == pytest.approx(min(volumes), rel=1e-12)
@@ -144,7 +148,7 @@ def test_a_dimension_without_grid_stays_continuous_and_optimal():
     for thick in axes[0]:
         # the margins of buckling and yield are linear in b, the fatigue margin does not see it;
         # buckling across the width is far away
-        margins = assess.factors(spec, np.array(thick), axes[1], np.array(12e-3))
+        margins = assess.factors(spec, h=np.array(thick), l=axes[1], b=np.array(12e-3))
         scale = np.minimum(margins["buckling, push"], margins["yield (fatigue-amplitude), push"])
         ok = (margins["fatigue, bend"] >= 1 - 1e-9) & (scale >= 1)
         width = np.maximum(12e-3 / scale, 1e-3)

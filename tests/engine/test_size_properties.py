@@ -69,7 +69,9 @@ def test_no_random_neighbour_of_less_volume_is_feasible(spec):
     free = [name in spec.geometry.free for name in ("h", "l", "b")]
     moved = np.exp(rng.normal(0, 0.1, (2000, 3)) * free) * np.array(blade)
     less = moved.prod(axis=1) < np.prod(blade) * (1 - 1e-6)
-    margins = np.min(list(assess.factors(spec, *moved[less].T).values()), axis=0)
+    margins = np.min(
+        list(assess.factors(spec, **dict(zip("hlb", moved[less].T, strict=True))).values()), axis=0
+    )
     for candidate in moved[less][margins >= 1.0]:
         assert not inside(spec, Blade(*(float(x) for x in candidate)))
 

@@ -13,7 +13,7 @@ from flexcli.formulas.pivot import end_stresses, parasitic_shift, rotational_sti
 from flexcli.formulas.planar_joint import joint_stiffness
 from flexcli.formulas.single_freedom import expand
 from flexcli.parts.asd import RandomVibration
-from flexcli.parts.geometries import Blade
+from flexcli.parts.geometries import Blade, Elastic
 from flexcli.parts.geometries.rcc import RCCPivot
 from flexcli.parts.mechanisms.parallel_stage import ParallelStage
 from flexcli.parts.response import random_response
@@ -106,7 +106,7 @@ def test_the_response_of_a_mirrored_stage_is_mirrored():
             {"kind": "parallel-stage", "height": "20 mm", "solid-1": first,
              "solid-2": {"mass": "68 g"}, "solid-3": third}
         )  # fmt: skip
-        structure = mechanism.structure(pivot, E, BLADE, None)
+        structure = mechanism.structure(pivot, Elastic(E), BLADE, None)
         outputs = random_response(structure, shaken).outputs
         found.append({name: output.rms for name, output in outputs.items()})
     one, other = found

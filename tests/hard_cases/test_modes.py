@@ -9,7 +9,7 @@ from flexcli.formulas.modal_response import response_moments
 from flexcli.formulas.oscillator import oscillator_response
 from flexcli.numerics.modes import natural_modes
 from flexcli.parts.asd import RandomVibration
-from flexcli.parts.geometries import Blade
+from flexcli.parts.geometries import Blade, Elastic
 from flexcli.parts.geometries.rcc import RCCPivot
 from flexcli.parts.mechanisms.payload import Payload
 from flexcli.parts.response import random_response
@@ -121,7 +121,7 @@ def test_a_payload_without_inertia_responds_as_one_whose_inertia_tends_to_zero()
     found = []
     for inertia in ({}, {"inertia": "1e-20 kg*m^2"}):
         payload = Payload(kind="payload", mass="0.5 kg", **inertia)
-        structure = payload.structure(pivot, 114e9, blade, None)
+        structure = payload.structure(pivot, Elastic(114e9), blade, None)
         response = random_response(structure, vibration(20.0, 2000.0, axis="x and y"))
         found.append(response.outputs["stress joint"].rms)
     assert found[0] == pytest.approx(found[1], rel=EIGEN)

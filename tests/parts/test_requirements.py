@@ -20,7 +20,7 @@ PUSHED = {"x": {"load": {"force": "100 N"}, "ends": "clamped-guided"}}
 
 def checks_of(requirements, cases, geometry=None, **parts):
     spec = design(geometry or rcc(**SIZED), requirements, cases, **parts)
-    return check(spec, spec.fixed_blade(), "spec").checks
+    return check(spec, spec.fixed_sizes(), "spec").checks
 
 
 def only(requirements, case, **parts):

@@ -10,7 +10,7 @@ from flexcli.formulas.oscillator import oscillator_response
 from flexcli.formulas.stage import end_stress
 from flexcli.formulas.velocity_shock import velocity_shock_deflection
 from flexcli.parts.asd import RandomVibration
-from flexcli.parts.geometries import Blade
+from flexcli.parts.geometries import Blade, Elastic
 from flexcli.parts.geometries.leaf_stage import LeafSpringStage
 from flexcli.parts.geometries.rcc import RCCPivot
 from flexcli.parts.mechanisms import MechanismError
@@ -33,7 +33,7 @@ PARALLEL = ParallelStage.model_validate(
         "solid-3": LEVER,
     }
 )
-FN = sqrt(float(STAGE.stiffness(E, BLADE)) / 0.5) / (2 * pi)
+FN = sqrt(float(STAGE.stiffness(Elastic(E), BLADE)) / 0.5) / (2 * pi)
 
 POINTS = [
     {"frequency": "5 Hz", "level": "0.01 g^2/Hz"},
@@ -50,7 +50,7 @@ def vibration(**use):
 
 
 def stage():
-    return PAYLOAD.structure(STAGE, E, BLADE, None)
+    return PAYLOAD.structure(STAGE, Elastic(E), BLADE, None)
 
 
 def test_a_stage_along_its_stroke_is_one_oscillator():
@@ -115,7 +115,7 @@ def test_mode_shares_of_the_mass_add_up_to_all_of_it():
     pivot = RCCPivot(kind="rcc", p="2 mm", half_angle="45 deg", h="0.6 mm", l="17 mm", b="10 mm")
     blade = Blade(0.6e-3, 17e-3, 10e-3)
     for lock in (None, "solid-2"):
-        structure = PARALLEL.structure(pivot, 114e9, blade, lock)
+        structure = PARALLEL.structure(pivot, Elastic(114e9), blade, lock)
         response = random_response(structure, vibration())
         assert sum(mode.mass_share for mode in response.modes) == pytest.approx(1.0, abs=1e-9)
 
@@ -124,9 +124,9 @@ def test_the_free_parallel_stage_swings_near_its_closed_form():
     # the bodies are rigid and the pivots stiff along their blades: a part in a thousand apart
     pivot = RCCPivot(kind="rcc", p="2 mm", half_angle="45 deg", h="0.3 mm", l="17 mm", b="10 mm")
     blade = Blade(0.3e-3, 17e-3, 10e-3)
-    mode = PARALLEL.mode(pivot.stiffness(114e9, blade), pivot)
+    mode = PARALLEL.mode(pivot.stiffness(Elastic(114e9), blade), pivot)
     closed = sqrt(float(mode.stiffness) / mode.mass) / (2 * pi)
-    structure = PARALLEL.structure(pivot, 114e9, blade, None)
+    structure = PARALLEL.structure(pivot, Elastic(114e9), blade, None)
     response = random_response(structure, vibration())
     assert response.modes[0].frequency == pytest.approx(closed, rel=2e-3)
 
@@ -177,4 +177,4 @@ def test_a_stated_pivot_stiffness_is_refused_instead_of_passed_over():
     stated = PARALLEL.model_copy(update={"pivot_stiffness": (1.0, 1.0, 1.0, 1.0)})
     pivot = RCCPivot(kind="rcc", p="2 mm", half_angle="45 deg", h="0.6 mm", l="17 mm", b="10 mm")
     with pytest.raises(MechanismError, match="pivot-stiffness"):
-        stated.structure(pivot, 114e9, Blade(0.6e-3, 17e-3, 10e-3), None)
+        stated.structure(pivot, Elastic(114e9), Blade(0.6e-3, 17e-3, 10e-3), None)

@@ -174,7 +174,7 @@ def test_frequency_and_sag_of_exercise_12_a():
         mechanism={"kind": "payload", "mass": "1 kg"},
         material={"youngs_modulus": "200 GPa"},
     )
-    limits = {limit.requirement: limit for limit in spec.limits(spec.fixed_blade())}
+    limits = {limit.requirement: limit for limit in spec.limits(spec.fixed_sizes())}
     assert limits["frequency"].capacity ** 0.5 == pytest.approx(4.68, abs=0.005)
     assert limits["sag"].demand == pytest.approx(11.4e-3, abs=0.05e-3)
 

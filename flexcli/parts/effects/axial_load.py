@@ -1,7 +1,5 @@
 """Axial load: a force along the blades stiffens or softens their bending."""
 
-from flexcli.formulas.buckling import euler_load
-from flexcli.formulas.section import second_moment
 from flexcli.parts.effects.base import Effect, Setting
 from flexcli.results import EffectRow
 
@@ -16,11 +14,12 @@ class AxialLoad(Effect):
     def row(self, setting: Setting) -> EffectRow | None:
         """Return the largest N/N_cr (clamped–guided) of the cases that bend under load."""
         loads = [s.blade_force for s in setting.scenes if s.travel and s.blade_force]
-        if not loads:
+        if not loads or setting.blade is None:
             return None
-        h, l, b = setting.blade
-        inertia = min(second_moment(b, h), second_moment(h, b))
-        critical = euler_load(E=setting.material.E, I=inertia, l=l, ends="clamped-guided")
+        elastic, sizes = setting.material.elastic, setting.sizes
+        critical = min(
+            float(c.force) for c in setting.geometry.critical(elastic, sizes, "clamped-guided")
+        )
         ratio = max(loads) / critical
         return EffectRow(
             self.name, False, ratio, ratio, f"N/N_cr = {ratio:.2g}; bending stiffness changes by it"

@@ -3,7 +3,7 @@
 from abc import ABC, abstractmethod
 from typing import NamedTuple
 
-from flexcli.parts.geometries import Blade, Geometry
+from flexcli.parts.geometries import Blade, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.scene import Scene
 from flexcli.results import EffectRow
@@ -16,9 +16,14 @@ class Setting(NamedTuple):
 
     material: Material
     geometry: Geometry
-    blade: Blade
+    sizes: Sizes
     scenes: tuple[Scene, ...]
     hangs: bool
+
+    @property
+    def blade(self) -> Blade | None:
+        """Return the slender blade that bends, where there is one of constant thickness."""
+        return self.geometry.blade(self.sizes)
 
     @property
     def poisson_bound(self) -> float:

@@ -14,10 +14,11 @@ class LargeRotation(Effect):
     def row(self, setting: Setting) -> EffectRow | None:
         """Return θ² (or the square of stroke/l), the order of what comes next."""
         travel = setting.largest_travel
-        if travel == 0.0:
+        turns = setting.geometry.motion == "rotation"
+        if travel == 0.0 or (not turns and setting.blade is None):
             return None
-        angle = travel if setting.geometry.motion == "rotation" else travel / setting.blade.l
-        name = "θ" if setting.geometry.motion == "rotation" else "stroke/l"
+        angle = travel if setting.blade is None or turns else travel / setting.blade.l
+        name = "θ" if turns else "stroke/l"
         return EffectRow(
             self.name, False, angle, angle**2, f"{name} = {angle:.2g}; order of its square"
         )

@@ -13,6 +13,8 @@ class PlateWidening(Effect):
 
     def row(self, setting: Setting) -> EffectRow | None:
         """Return the bound ν²/(1 − ν²) for blades wider than thick."""
+        if setting.blade is None:
+            return None
         ratio = setting.blade.b / setting.blade.h
         if ratio <= 1.0:
             return None

@@ -12,9 +12,11 @@ class Shear(Effect):
 
     name = "shear"
 
-    def row(self, setting: Setting) -> EffectRow:
+    def row(self, setting: Setting) -> EffectRow | None:
         """Return the softer stiffness in the plane, or out of it where a sag is reported."""
         blade, nu = setting.blade, setting.poisson_bound
+        if blade is None:
+            return None
         phi = shear_parameter(depth=blade.h, l=blade.l, poisson_ratio=nu)
         share = setting.geometry.s_bending_share(blade)
         estimate, what = share * phi / (1.0 + phi), "stiffness"

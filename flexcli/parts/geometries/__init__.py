@@ -4,14 +4,27 @@ from typing import Annotated, TypeAlias
 
 from pydantic import Field
 
-from flexcli.parts.geometries.base import Blade, Extent, Geometry, NotAvailable
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import Blade, Critical, Extent, Geometry, Sizes
 from flexcli.parts.geometries.cross_spring import CrossSpringPivot
 from flexcli.parts.geometries.leaf_stage import LeafSpringStage
 from flexcli.parts.geometries.rcc import RCCPivot
+from flexcli.parts.geometries.star import StarPivot
 from flexcli.parts.geometries.three_blade import ThreeBladePivot
+from flexcli.parts.geometries.unseparated import UnseparatedPivot
 
-__all__ = ["AnyGeometry", "Blade", "Extent", "Geometry", "NotAvailable"]
+__all__ = [
+    "AnyGeometry",
+    "Blade",
+    "Critical",
+    "Elastic",
+    "Extent",
+    "Geometry",
+    "NotAvailable",
+    "Sizes",
+]
 
 AnyGeometry: TypeAlias = Annotated[
-    RCCPivot | CrossSpringPivot | ThreeBladePivot | LeafSpringStage, Field(discriminator="kind")
+    RCCPivot | CrossSpringPivot | UnseparatedPivot | ThreeBladePivot | StarPivot | LeafSpringStage,
+    Field(discriminator="kind"),
 ]

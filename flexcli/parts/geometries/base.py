@@ -1,20 +1,33 @@
-"""What every joint and stage offers: its stiffness, stresses and loads in terms of its blades."""
+"""What every joint and stage offers: its stiffness, stresses and loads in terms of its sizes."""
 
 from abc import abstractmethod
-from typing import Any, ClassVar, NamedTuple
+from collections.abc import Mapping
+from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 from pydantic import AliasPath, Field, model_validator
 
+from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
-from flexcli.formulas.section import blade_volume
+from flexcli.mechanics.layout import Layout
 from flexcli.parts.base import Part, PositiveLength, spec_error
+from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.structure import Spring
+from flexcli.results import Value
 
-__all__ = ["Blade", "Extent", "Geometry", "NotAvailable"]
+GROUND, MOVING = "ground", "moving"
+"""Names of the base and of the moving body in every layout of a joint."""
 
-
-class NotAvailable(ValueError):
-    """A quantity that a geometry has no closed form for."""
+__all__ = [
+    "GROUND",
+    "MOVING",
+    "Blade",
+    "Critical",
+    "Elastic",
+    "Extent",
+    "Geometry",
+    "NotAvailable",
+    "Sizes",
+]
 
 
 class Blade(NamedTuple):
@@ -23,6 +36,18 @@ class Blade(NamedTuple):
     h: Quantity
     l: Quantity
     b: Quantity
+
+
+Sizes: TypeAlias = Any
+"""A named tuple of the dimensions that sizing may choose, like :class:`Blade`."""
+
+
+class Critical(NamedTuple):
+    """A critical axial force in one blade or hinge [N], the way it buckles, and its source."""
+
+    way: str
+    force: Quantity
+    source: str
 
 
 class Extent(Part):
@@ -58,31 +83,52 @@ class Extent(Part):
 
 
 class Geometry(Part):
-    """A joint or stage made of equal blades."""
+    """A joint or stage whose sizes may be given or free."""
 
     motion: ClassVar[str]
     source: ClassVar[str]
+    dimensions: ClassVar[type[Any]]
+    """The named tuple of its sizes; each names a field that is an :class:`Extent`."""
+    labels: ClassVar[Mapping[str, str]]
+    cards: ClassVar[tuple[Card, ...]] = ()
+    """Its formulas, as ``explain`` prints them."""
+    validity: ClassVar[tuple[Range, ...]] = ()
+    """Where its closed forms hold, in terms of :meth:`ratios`."""
+    posynomial: ClassVar[bool] = True
+    """Whether its closed forms are arithmetic that signomials can take part in."""
+    kinds_of_strain: ClassVar[str] = "bending"
+    """What strains it when it moves."""
     sag_bends_width: ClassVar[bool] = False
     """Whether the sag bends the blades across their width."""
 
-    h: Extent
-    l: Extent
-    b: Extent
+    @property
+    def name(self) -> str:
+        """Return its kind."""
+        return str(getattr(self, "kind", "geometry"))
 
     @property
     def extents(self) -> dict[str, Extent]:
-        """Return the extents of h, l and b by their symbols."""
-        return {"h": self.h, "l": self.l, "b": self.b}
+        """Return the extents of the sizes by their symbols."""
+        return {name: getattr(self, name) for name in self.dimensions._fields}
 
     @property
     def free(self) -> tuple[str, ...]:
-        """Return the symbols of the dimensions that sizing may choose."""
+        """Return the symbols of the sizes that sizing may choose."""
         return tuple(name for name, extent in self.extents.items() if extent.fixed is None)
 
-    @property
-    @abstractmethod
-    def blade_count(self) -> int:
-        """Return the number of blades."""
+    def label(self, name: str) -> str:
+        """Return what a size is, in words."""
+        return self.labels[name]
+
+    def sized(self, values: Mapping[str, Quantity]) -> Sizes:
+        """Return the sizes of given values by symbol; what is fixed stays so."""
+        return self.dimensions(
+            **{name: values.get(name, extent.fixed) for name, extent in self.extents.items()}
+        )
+
+    def probe(self) -> Sizes:
+        """Return sizes to try on what a requirement asks for: 1 mm where they are free."""
+        return self.sized(dict.fromkeys(self.free, 1e-3))
 
     @property
     def stiffness_unit(self) -> str:
@@ -90,36 +136,68 @@ class Geometry(Part):
         return "N*m/rad" if self.motion == "rotation" else "N/m"
 
     @abstractmethod
-    def stiffness(self, E: float, blade: Blade) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Sizes) -> Quantity:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
 
     @abstractmethod
-    def end_stresses(self, E: float, blade: Blade, travel: float) -> dict[str, Quantity]:
-        """Return the signed bending stress at each end of a blade [Pa] at a travel [rad or m]."""
+    def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Quantity]:
+        """Return the signed stress at each place that may be the worst [Pa], at a travel."""
 
     @abstractmethod
+    def volume(self, sizes: Sizes) -> Quantity:
+        """Return the volume of what flexes [m³]."""
+
+    @abstractmethod
+    def ratios(self, sizes: Sizes) -> dict[str, Quantity]:
+        """Return the ratios of its shape, such as l/h and b/h, that can be bounded [-]."""
+
     def axial_share(self, direction: float) -> float:
         """Return the largest axial force in a blade per force on the joint in its plane [-].
 
         ``direction`` [rad] is the angle of the force from the axis of symmetry.
         """
+        raise NotAvailable("has no closed form for the axial force in its blades")
 
-    @abstractmethod
-    def s_bending_share(self, blade: Blade) -> float:
+    def axial_stress(self, force: float, sizes: Sizes) -> Quantity:
+        """Return the largest axial stress of a force along one blade [Pa]."""
+        raise NotAvailable("has no closed form for the axial stress")
+
+    def critical(self, elastic: Elastic, sizes: Sizes, ends: str) -> tuple[Critical, ...]:
+        """Return the axial forces that buckle one blade, whose ends are held as named."""
+        raise NotAvailable("has no closed form for its buckling")
+
+    def blade(self, sizes: Sizes) -> Blade | None:
+        """Return the slender blade that bends, where it is one of constant thickness."""
+        return None
+
+    def s_bending_share(self, sizes: Sizes) -> float:
         """Return the part of the stiffness that is S-shaped bending, which shear softens [-]."""
+        return 0.0
 
-    def parasitic_shift(self, blade: Blade, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Sizes, travel: float) -> Quantity:
         """Return the signed parasitic motion at a travel [m]."""
         raise NotAvailable("has no closed form for its parasitic shift")
 
-    def sag_stiffness(self, E: float, blade: Blade, axis: str) -> Quantity:
+    def sag_stiffness(self, elastic: Elastic, sizes: Sizes, axis: str) -> Quantity:
         """Return the stiffness against the weight of the moving body along an axis [N/m]."""
         raise NotAvailable(f"has no closed form for its stiffness along {axis}")
 
-    def spring(self, E: float, blade: Blade) -> Spring:
+    def spring(self, elastic: Elastic, sizes: Sizes) -> Spring:
         """Return the joint as a linear spring in its plane, for its vibration."""
         raise NotAvailable("has no linear spring in its plane yet")
 
-    def volume(self, blade: Blade) -> Quantity:
-        """Return the volume of all blades [m³]."""
-        return blade_volume(self.blade_count, blade.h, blade.l, blade.b)
+    def indicators(self, sizes: Sizes, travel: float) -> dict[str, Quantity]:
+        """Return what the validity of its closed forms is stated in, at the largest travel."""
+        return self.ratios(sizes)
+
+    def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
+        """Return the joint as rigid bodies and blades in its plane.
+
+        Its base is the ground and its moving body is called ``moving``. A pivot has its centre
+        in the origin and its axis of symmetry along x; a stage moves along y.
+        """
+        raise NotAvailable("is not made of straight blades in a plane")
+
+    def values(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Value]:
+        """Return its own numbers worth reporting, at the largest travel."""
+        return {}

@@ -1,30 +1,39 @@
-"""Generalised cross-spring pivot: two separate blades that cross, or would, at any place."""
+"""Generalised cross-spring pivot: two blades that cross, or would, at any place."""
 
 from math import pi
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from flexcli.formulas import pivot
+from flexcli.formulas.card import Card
 from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.symmetric_pivot import CARDS, stiffness_ratio, stroke_ratio
 from flexcli.parts.base import Length, QuantityOf, spec_error
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
 from flexcli.parts.geometries.pivots import BladePivot, crossing_pair
+from flexcli.results import Value
 
 __all__ = ["CrossSpringPivot"]
 
 
 class CrossSpringPivot(BladePivot):
-    """Cross-spring pivot: the crossing is placed by p (a length) or by delta = p/l."""
+    """Cross-spring pivot of separate blades: the centre is placed by p or by delta = p/l."""
 
     source: ClassVar[str] = (
         "Henein & Thalmann, Dimensioning of flexure joints; Zhao & Bi 2010, Mech. Mach. Theory 45"
     )
 
+    cards: ClassVar[tuple[Card, ...]] = (*pivot.CARDS, *CARDS)
+
     kind: Literal["cross-spring"]
     p: Length | None = None
     delta: Annotated[float, QuantityOf("ratio")] | None = None
     half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
+    pairs: Annotated[int, Field(strict=True, ge=1, le=1000)] = Field(
+        1, description="of equal blades, side by side along the axis"
+    )
 
     @model_validator(mode="after")
     def _one_crossing(self) -> "CrossSpringPivot":
@@ -36,15 +45,33 @@ class CrossSpringPivot(BladePivot):
 
     @property
     def blade_angles(self) -> tuple[float, ...]:
-        """Return the two directions from the bisector [rad]."""
-        return crossing_pair(self.half_angle)
+        """Return the directions from the bisector [rad]."""
+        return crossing_pair(self.half_angle) * self.pairs
 
-    def offset(self, blade: Blade) -> Quantity:
+    def heights(self, sizes: Blade) -> tuple[float, ...]:
+        """Return heights of blades that touch each other's planes, in the order of the pairs."""
+        middle = (self.blade_count - 1) / 2.0
+        return tuple((index - middle) * sizes.b for index in range(self.blade_count))
+
+    def offset(self, sizes: Blade) -> Quantity:
         """Return p [m], as given or as delta times the length."""
-        return self.p if self.p is not None else self.delta * blade.l
+        return self.p if self.p is not None else self.delta * sizes.l
 
-    def parasitic_shift(self, blade: Blade, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
         """Return the signed shift of the centre along the bisector [m], leading order."""
         return pivot.parasitic_shift(
-            l=blade.l, p=self.offset(blade), theta=travel, half_angle=self.half_angle
+            l=sizes.l, p=self.offset(sizes), theta=travel, half_angle=self.half_angle
         )
+
+    def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
+        """Return δ, and stiffness and stroke over those of the symmetric pivot."""
+        delta = float(self.offset(sizes) / sizes.l)
+        return {
+            **super().values(elastic, sizes, travel),
+            "stiffness_ratio": Value(
+                stiffness_ratio(delta), "", "stiffness over that of the symmetric pivot"
+            ),
+            "stroke_ratio": Value(
+                float(stroke_ratio(delta)), "", "stroke over that of the symmetric pivot"
+            ),
+        }

@@ -5,47 +5,59 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from flexcli.formulas import stage
+from flexcli.formulas.card import Card
 from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
+from flexcli.formulas.profile import Constant
 from flexcli.formulas.quantity import Quantity
-from flexcli.parts.geometries.base import Blade, Geometry, NotAvailable
+from flexcli.mechanics.layout import Blade as Strip
+from flexcli.mechanics.layout import Body, Layout
+from flexcli.parts.base import Length, PositiveLength
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade
+from flexcli.parts.geometries.blades import BladeGeometry
 from flexcli.parts.structure import Spring
+from flexcli.results import Value
 
 __all__ = ["LeafSpringStage"]
 
 
-class LeafSpringStage(Geometry):
+class LeafSpringStage(BladeGeometry):
     """n parallel blades between the base and a stage that moves across them."""
 
     motion: ClassVar[str] = "translation"
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints"
+    cards: ClassVar[tuple[Card, ...]] = stage.CARDS
 
     kind: Literal["leaf-spring-stage"]
     blades: Annotated[int, Field(strict=True, ge=2, le=1000)] = 2
+    spacing: PositiveLength | None = Field(None, description="from each blade to the next")
+    drive: Length | None = Field(
+        None, description="where the stage is driven, from the base's side of the blades"
+    )
 
     @property
     def blade_count(self) -> int:
         """Return the number of blades."""
         return self.blades
 
-    def stiffness(self, E: float, blade: Blade) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
         """Return the stiffness along the stroke [N/m]."""
-        return stage.translational_stiffness(
-            E=E, h=blade.h, l=blade.l, b=blade.b, blades=self.blades
-        )
+        h, l, b = sizes
+        return stage.translational_stiffness(E=elastic.E, h=h, l=l, b=b, blades=self.blades)
 
-    def end_stresses(self, E: float, blade: Blade, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
         """Return the bending stress, equal and opposite at the two ends [Pa]."""
-        return {"both ends": stage.end_stress(E=E, h=blade.h, l=blade.l, x=travel)}
+        return {"both ends": stage.end_stress(E=elastic.E, h=sizes.h, l=sizes.l, x=travel)}
 
-    def s_bending_share(self, blade: Blade) -> float:
+    def s_bending_share(self, sizes: Blade) -> float:
         """Return 1: the blades bend in an S alone."""
         return 1.0
 
-    def spring(self, E: float, blade: Blade) -> Spring:
+    def spring(self, elastic: Elastic, sizes: Blade) -> Spring:
         """Return the stage as a linear spring: its parallel blades keep it from turning."""
-        angles = (0.0,) * self.blades
-        stiffness = joint_stiffness(E=E, h=blade.h, l=blade.l, b=blade.b, p=0.0, angles=angles)
-        axial, faces = stress_rows(E=E, h=blade.h, l=blade.l, p=0.0, angles=angles[:1])
+        angles, (h, l, b), E = (0.0,) * self.blades, sizes, elastic.E
+        stiffness = joint_stiffness(E=E, h=h, l=l, b=b, p=0.0, angles=angles)
+        axial, faces = stress_rows(E=E, h=h, l=l, p=0.0, angles=angles[:1])
         return Spring(stiffness, axial, faces, holds_rotation=True)
 
     def axial_share(self, direction: float) -> float:
@@ -54,12 +66,41 @@ class LeafSpringStage(Geometry):
             raise NotAvailable("takes a load along its blades only (direction: 0 deg)")
         return 1.0 / self.blades
 
-    def parasitic_shift(self, blade: Blade, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
         """Return the motion towards the base [m]."""
-        return stage.shortening(l=blade.l, x=travel)
+        return stage.shortening(l=sizes.l, x=travel)
 
-    def sag_stiffness(self, E: float, blade: Blade, axis: str) -> Quantity:
+    def sag_stiffness(self, elastic: Elastic, sizes: Blade, axis: str) -> Quantity:
         """Return the stiffness along the stroke x [N/m]."""
         if axis != "x":
             raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")
-        return self.stiffness(E, blade)
+        return self.stiffness(elastic, sizes)
+
+    def places(self) -> tuple[float, ...]:
+        """Return where the blades stand across the stage [m], about its middle."""
+        if self.spacing is None:
+            raise NotAvailable("needs spacing: the distance from blade to blade")
+        middle = (self.blades - 1) / 2.0
+        return tuple((index - middle) * self.spacing for index in range(self.blades))
+
+    def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
+        """Return the blades along x; the stage's point is at half their height."""
+        h, l, b = sizes
+        blades = tuple(
+            Strip(f"blade {index}", GROUND, MOVING, (0.0, y), (l, y), Constant(h), b)
+            for index, y in enumerate(self.places(), 1)
+        )
+        return Layout((Body(MOVING, (l / 2.0, 0.0)),), blades, elastic.E, elastic.shear)
+
+    def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
+        """Return how far the drive turns the stage at full stroke, and where it would not."""
+        if self.drive is None or self.spacing is None:
+            return {}
+        h, l, b = sizes
+        turn = stage.drive_rotation(
+            E=elastic.E, h=h, l=l, b=b, places=self.places(), drive=self.drive, x=travel
+        )
+        return {
+            "phi_drive": Value(float(turn), "rad", "rotation of the stage at full stroke"),
+            "drive_best": Value(float(l) / 2.0, "m", "drive height that does not turn the stage"),
+        }

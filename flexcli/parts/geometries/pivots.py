@@ -1,21 +1,30 @@
 """What the pivots of equal blades that point at one centre have in common."""
 
 from abc import abstractmethod
+from math import cos, sin
 from typing import ClassVar
 
 from flexcli.formulas import pivot
+from flexcli.formulas.card import Card
 from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
+from flexcli.formulas.profile import Constant
 from flexcli.formulas.quantity import Quantity
-from flexcli.parts.geometries.base import Blade, Geometry, NotAvailable
+from flexcli.mechanics.layout import Blade as Strip
+from flexcli.mechanics.layout import Body, Layout
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade
+from flexcli.parts.geometries.blades import BladeGeometry
 from flexcli.parts.structure import Spring
+from flexcli.results import Value
 
-__all__ = ["BladePivot"]
+__all__ = ["BladePivot", "crossing_pair"]
 
 
-class BladePivot(Geometry):
+class BladePivot(BladeGeometry):
     """A pivot of n equal blades whose centre lines meet in its centre."""
 
     motion: ClassVar[str] = "rotation"
+    cards: ClassVar[tuple[Card, ...]] = pivot.CARDS
 
     @property
     @abstractmethod
@@ -23,7 +32,7 @@ class BladePivot(Geometry):
         """Return the direction of each blade from the axis of symmetry [rad]."""
 
     @abstractmethod
-    def offset(self, blade: Blade) -> Quantity:
+    def offset(self, sizes: Blade) -> Quantity:
         """Return p, from the centre to the inner ends of the blades [m]."""
 
     @property
@@ -31,29 +40,30 @@ class BladePivot(Geometry):
         """Return the number of blades."""
         return len(self.blade_angles)
 
-    def stiffness(self, E: float, blade: Blade) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
         """Return the rotational stiffness [N·m/rad]."""
+        h, l, b = sizes
         return pivot.rotational_stiffness(
-            E=E, h=blade.h, l=blade.l, b=blade.b, p=self.offset(blade), blades=self.blade_count
+            E=elastic.E, h=h, l=l, b=b, p=self.offset(sizes), blades=self.blade_count
         )
 
-    def end_stresses(self, E: float, blade: Blade, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
         """Return the signed bending stress at the inner and the outer end [Pa]."""
         inner, outer = pivot.end_stresses(
-            E=E, h=blade.h, l=blade.l, p=self.offset(blade), theta=travel
+            E=elastic.E, h=sizes.h, l=sizes.l, p=self.offset(sizes), theta=travel
         )
         return {"inner end": inner, "outer end": outer}
 
-    def s_bending_share(self, blade: Blade) -> float:
+    def s_bending_share(self, sizes: Blade) -> float:
         """Return 3(1 + 2δ)²/(1 + 3(1 + 2δ)²): the rest is uniform bending, free of shear."""
-        s_bending = 3.0 * (1.0 + 2.0 * self.offset(blade) / blade.l) ** 2
+        s_bending = 3.0 * (1.0 + 2.0 * self.offset(sizes) / sizes.l) ** 2
         return float(s_bending / (1.0 + s_bending))
 
-    def spring(self, E: float, blade: Blade) -> Spring:
+    def spring(self, elastic: Elastic, sizes: Blade) -> Spring:
         """Return the pivot as a linear spring in its plane."""
-        p, angles = float(self.offset(blade)), self.blade_angles
-        axial, faces = stress_rows(E=E, h=blade.h, l=blade.l, p=p, angles=angles)
-        stiffness = joint_stiffness(E=E, h=blade.h, l=blade.l, b=blade.b, p=p, angles=angles)
+        p, angles, (h, l, b) = float(self.offset(sizes)), self.blade_angles, sizes
+        axial, faces = stress_rows(E=elastic.E, h=h, l=l, p=p, angles=angles)
+        stiffness = joint_stiffness(E=elastic.E, h=h, l=l, b=b, p=p, angles=angles)
         return Spring(stiffness, axial, faces)
 
     def axial_share(self, direction: float) -> float:
@@ -62,6 +72,43 @@ class BladePivot(Geometry):
             return max(abs(share) for share in pivot.axial_share(self.blade_angles, direction))
         except ValueError as error:
             raise NotAvailable("has blades too parallel to share a force") from error
+
+    def heights(self, sizes: Blade) -> tuple[float, ...]:
+        """Return the height of each blade's middle plane over that of the pivot [m]."""
+        return (0.0,) * self.blade_count
+
+    def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
+        """Return the blades from their inner ends on the ground to the moving body."""
+        p = self.offset(sizes)
+        blades = [
+            self.strip(f"blade {index}", (GROUND, MOVING), angle, (p, p + sizes.l), sizes, z)
+            for index, (angle, z) in enumerate(
+                zip(self.blade_angles, self.heights(sizes), strict=True), 1
+            )
+        ]
+        return Layout((Body(MOVING, (0.0, 0.0)),), tuple(blades), elastic.E, elastic.shear)
+
+    @staticmethod
+    def strip(
+        name: str,
+        bodies: tuple[str, str],
+        angle: float,
+        reach: tuple[Quantity, Quantity],
+        sizes: Blade,
+        z: Quantity = 0.0,
+    ) -> Strip:
+        """Return a blade along a ray from the centre, between two distances from it [m]."""
+        start, end = ((r * cos(angle), r * sin(angle)) for r in reach)
+        return Strip(name, *bodies, start, end, Constant(sizes.h), sizes.b, z)
+
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
+        """Return what its closed forms are valid in: shape, rotation, place of the crossing."""
+        delta = self.offset(sizes) / sizes.l
+        return {**self.ratios(sizes), "theta": travel, "delta": delta}
+
+    def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
+        """Return δ."""
+        return {"delta": Value(float(self.offset(sizes) / sizes.l), "", "place of the centre, p/l")}
 
 
 def crossing_pair(half_angle: float) -> tuple[float, ...]:

@@ -26,10 +26,10 @@ class RCCPivot(BladePivot):
         """Return the two directions from the bisector [rad]."""
         return crossing_pair(self.half_angle)
 
-    def offset(self, blade: Blade) -> Quantity:
+    def offset(self, sizes: Blade) -> Quantity:
         """Return p [m]."""
         return self.p
 
-    def parasitic_shift(self, blade: Blade, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
         """Return the signed shift of the centre along the bisector [m]."""
-        return pivot.parasitic_shift(l=blade.l, p=self.p, theta=travel, half_angle=self.half_angle)
+        return pivot.parasitic_shift(l=sizes.l, p=self.p, theta=travel, half_angle=self.half_angle)

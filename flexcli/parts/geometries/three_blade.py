@@ -6,7 +6,8 @@ from typing import Annotated, ClassVar, Literal
 from flexcli.formulas import pivot
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.geometries.base import Blade, NotAvailable
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import Blade
 from flexcli.parts.geometries.pivots import BladePivot
 
 __all__ = ["ThreeBladePivot"]
@@ -26,14 +27,14 @@ class ThreeBladePivot(BladePivot):
         """Return the three directions [rad]."""
         return (0.0, 2.0 * pi / 3.0, 4.0 * pi / 3.0)
 
-    def offset(self, blade: Blade) -> Quantity:
+    def offset(self, sizes: Blade) -> Quantity:
         """Return p [m]."""
         return self.p
 
-    def sag_stiffness(self, E: float, blade: Blade, axis: str) -> Quantity:
+    def sag_stiffness(self, elastic: Elastic, sizes: Blade, axis: str) -> Quantity:
         """Return the stiffness along the axis of rotation z [N/m]."""
         if axis != "z":
             raise NotAvailable(f"has no closed form for its sag along {axis}, only along z")
         return pivot.out_of_plane_stiffness(
-            E=E, h=blade.h, l=blade.l, b=blade.b, blades=self.blade_count
+            E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, blades=self.blade_count
         )

@@ -8,7 +8,8 @@ from pydantic import model_validator
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.single_freedom import SingleFreedom
 from flexcli.parts.base import Part, QuantityOf, spec_error
-from flexcli.parts.geometries.base import Blade, Geometry
+from flexcli.parts.elastic import Elastic
+from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.stroke import Stroke
 from flexcli.parts.structure import Structure
 from flexcli.results import Note, Value
@@ -83,7 +84,9 @@ class Mechanism(Part):
     def hanging_mass(self) -> float:
         """Return the mass that the joints carry against gravity [kg]."""
 
-    def structure(self, geometry: Geometry, E: float, blade: Blade, lock: str | None) -> Structure:
+    def structure(
+        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, lock: str | None
+    ) -> Structure:
         """Return the mechanism as a linear structure, for its vibration."""
         raise MechanismError("asd", "this mechanism has no linear structure yet", "")
 

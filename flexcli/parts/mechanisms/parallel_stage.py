@@ -12,7 +12,8 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.single_freedom import Expansion, SingleFreedom, expand
 from flexcli.formulas.transfer import natural_frequency
 from flexcli.parts.base import Angle, Mass, Part, QuantityOf, spec_error
-from flexcli.parts.geometries.base import Blade, Geometry
+from flexcli.parts.elastic import Elastic
+from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
 from flexcli.parts.mechanisms.force_balance import Balancing, Unknown, balance
 from flexcli.parts.mechanisms.free_value import Free, OrFree
@@ -241,7 +242,9 @@ class ParallelStage(Mechanism):
             "lock", "a free parallel stage swings under an acceleration", "add lock: solid-2"
         )
 
-    def structure(self, geometry: Geometry, E: float, blade: Blade, lock: str | None) -> Structure:
+    def structure(
+        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, lock: str | None
+    ) -> Structure:
         """Return the stage in its plane: levers along y, P1 and P3 on the base, x the stroke.
 
         A lever with its balancing mass is one rigid body. The two levers stand as far apart as
@@ -255,7 +258,7 @@ class ParallelStage(Mechanism):
                 "the modes are those of the blades, not of a stated pivot-stiffness",
                 "take pivot-stiffness out, and give the blades",
             )
-        spring = geometry.spring(E, blade)
+        spring = geometry.spring(elastic, sizes)
         bodies, joints = [], []
         platform = None if lock else "solid 2"
         for side, lever in enumerate(self.stage().levers):

@@ -9,7 +9,8 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.single_freedom import Body as MovingBody
 from flexcli.formulas.single_freedom import SingleFreedom, Spring
 from flexcli.parts.base import Inertia, Mass, spec_error
-from flexcli.parts.geometries.base import Blade, Geometry
+from flexcli.parts.elastic import Elastic
+from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
 from flexcli.parts.stroke import Stroke
 from flexcli.parts.structure import Body, Joint, Structure, assemble
@@ -62,11 +63,13 @@ class Payload(Mechanism):
         """Return mass times acceleration, through the centre of the joint."""
         return self.mass * acceleration
 
-    def structure(self, geometry: Geometry, E: float, blade: Blade, lock: str | None) -> Structure:
+    def structure(
+        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, lock: str | None
+    ) -> Structure:
         """Return the payload on its joint, whose axis of symmetry is along y."""
         if lock is not None:
             raise MechanismError("lock", "a locked payload loads no blade", "leave the lock out")
-        spring = geometry.spring(E, blade)
+        spring = geometry.spring(elastic, sizes)
         body = Body("payload", self.mass, self.inertia or 0.0)
         joint = Joint("joint", None, "payload", (0.0, 0.0), pi / 2.0, spring)
         return assemble([body], [joint], ("payload", "travel"))

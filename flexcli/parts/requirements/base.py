@@ -9,7 +9,7 @@ from pydantic import model_validator
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.base import Part, Ratio, spec_error
-from flexcli.parts.geometries.base import Blade, Geometry
+from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.scene import Scene
@@ -31,7 +31,7 @@ class Ask(NamedTuple):
     material: Material
     geometry: Geometry
     mechanism: Mechanism | None
-    blade: Blade
+    sizes: Sizes
     scene: Scene
 
 
@@ -42,7 +42,8 @@ class Limit:
     ``quantity`` names what is compared; several limits of one requirement, case and variant
     (both ends of a blade, both signs) make one check, decided by the worst. ``power`` says that
     demand and capacity are given raised to it, so that roots stay out of the algebra. ``load``
-    marks what a balanced design makes active together, ``driver`` what its demand grows with.
+    marks what a balanced design makes active together, in each ``joint`` that has sizes of its
+    own; ``driver`` is what the demand grows with.
     """
 
     requirement: str
@@ -56,6 +57,7 @@ class Limit:
     variant: str = ""
     power: int = 1
     load: bool = False
+    joint: str = ""
     driver: str = ""
     tolerance: float | None = None
 

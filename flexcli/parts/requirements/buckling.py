@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from typing import ClassVar
 
-from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
-from flexcli.formulas.section import second_moment
+from flexcli.formulas.buckling import EFFECTIVE_LENGTH
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
 from flexcli.parts.scene import Scene
 
@@ -22,26 +22,25 @@ class Buckling(FactorRequirement):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield force against critical force, bending across the thickness and across the width."""
-        scene, (h, l, b) = ask.scene, ask.blade
+        scene = ask.scene
         if scene.ends is None:
             raise RequirementError(
                 f"nothing says what holds the blades' ends in case '{scene.case}'",
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
-        for axis, inertia in (
-            ("across the thickness", second_moment(b, h)),
-            ("across the width", second_moment(h, b)),
-        ):
-            critical = euler_load(E=ask.material.E, I=inertia, l=l, ends=scene.ends)
+        try:
+            found = ask.geometry.critical(ask.material.elastic, ask.sizes, scene.ends)
+        except NotAvailable as error:
+            raise RequirementError(f"a {ask.geometry.name} {error}") from error
+        for critical in found:
             yield Limit(
                 self.label,
                 scene.case,
-                f"force {scene.force_name}, buckling {axis}",
+                f"force {scene.force_name}, buckling {critical.way}",
                 scene.force,
-                critical / scene.axial_share,
+                critical.force / scene.axial_share,
                 "N",
-                f"Euler, {scene.ends} ends (effective length "
-                f"{EFFECTIVE_LENGTH[scene.ends]:.3g} l): {scene.ends_why}",
+                f"{critical.source}: {scene.ends_why}",
                 required=self.factor,
                 load=True,
                 driver="force",

@@ -7,12 +7,11 @@ modes and lives is imported where it is called: few designs ask, and all would w
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, NamedTuple
 
-from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
+from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
-from flexcli.formulas.section import second_moment
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.geometries.base import NotAvailable
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
@@ -80,7 +79,9 @@ def _structure(ask: Ask) -> Structure:
     if ask.mechanism is None:
         raise RequirementError("a response needs masses that move", "add a mechanism")
     try:
-        return ask.mechanism.structure(ask.geometry, ask.material.E, ask.blade, ask.scene.lock)
+        return ask.mechanism.structure(
+            ask.geometry, ask.material.elastic, ask.sizes, ask.scene.lock
+        )
     except (MechanismError, NotAvailable) as error:
         raise RequirementError(str(error), getattr(error, "hint", "")) from error
 
@@ -137,23 +138,29 @@ class DynamicBuckling(_Dynamic):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the peak axial force in every joint's blades against their critical force."""
-        scene, (h, l, b) = ask.scene, ask.blade
+        scene = ask.scene
         if scene.ends is None:
             raise RequirementError(
                 f"nothing says what holds the blades' ends in case '{scene.case}'",
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
-        inertia = min(second_moment(b, h), second_moment(h, b))
-        critical = euler_load(E=ask.material.E, I=inertia, l=l, ends=scene.ends)
+        try:
+            critical = min(
+                ask.geometry.critical(ask.material.elastic, ask.sizes, scene.ends),
+                key=lambda found: float(found.force),
+            )
+            per_force = ask.geometry.axial_stress(1.0, ask.sizes)
+        except NotAvailable as error:
+            raise RequirementError(f"a {ask.geometry.name} {error}") from error
         for peak in self.peaks(ask, "axial stress"):
             yield Limit(
                 self.label,
                 scene.case,
                 f"{peak.what.replace('stress', 'force')} of a blade",
-                peak.value * h * b,
-                critical,
+                peak.value / per_force,
+                critical.force,
                 "N",
-                f"{peak.source}; Euler, {scene.ends} ends: {scene.ends_why}",
+                f"{peak.source}; {critical.source}: {scene.ends_why}",
                 required=self.factor,
             )
 

@@ -29,7 +29,7 @@ class Frequency(Bound):
                 "a frequency needs a mass that moves", "add mechanism: {kind: payload, mass: …}"
             )
         try:
-            stiffness = ask.geometry.stiffness(ask.material.E, ask.blade)
+            stiffness = ask.geometry.stiffness(ask.material.elastic, ask.sizes)
             mode = ask.mechanism.mode(stiffness, ask.geometry)
         except MechanismError as error:
             raise RequirementError(str(error), error.hint) from error

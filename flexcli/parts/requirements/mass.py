@@ -25,7 +25,7 @@ class Mass(Bound):
         if ask.material.density is None:
             raise RequirementError("the material has no density", "give material.density")
         yield from self.bounds(
-            ask.material.density.value * ask.geometry.volume(ask.blade),
+            ask.material.density.value * ask.geometry.volume(ask.sizes),
             case="",
             quantity="mass of the blades of a joint",
             unit="kg",

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.geometries.base import NotAvailable
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
 from flexcli.parts.scene import Scene
 
@@ -31,10 +31,9 @@ class ParasiticShift(Bound):
         """Yield the shift, with either sign, against its bound."""
         scene = ask.scene
         try:
-            shift = ask.geometry.parasitic_shift(ask.blade, scene.travel + scene.mean_travel)
+            shift = ask.geometry.parasitic_shift(ask.sizes, scene.travel + scene.mean_travel)
         except NotAvailable as error:
-            kind = getattr(ask.geometry, "kind", "geometry")
-            raise RequirementError(f"a {kind} {error}") from error
+            raise RequirementError(f"a {ask.geometry.name} {error}") from error
         for sign in (1.0, -1.0):
             yield from self.bounds(
                 sign * shift,

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.geometries.base import NotAvailable
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
 from flexcli.parts.scene import Scene
@@ -37,10 +37,11 @@ class Sag(Bound):
             )
         try:
             weight = ask.mechanism.hanging_mass() * scene.acceleration
-            stiffness = ask.geometry.sag_stiffness(ask.material.E, ask.blade, scene.axis)
+            stiffness = ask.geometry.sag_stiffness(ask.material.elastic, ask.sizes, scene.axis)
         except (MechanismError, NotAvailable) as error:
-            kind = getattr(ask.geometry, "kind", "geometry")
-            text = f"a {kind} {error}" if isinstance(error, NotAvailable) else str(error)
+            text = (
+                f"a {ask.geometry.name} {error}" if isinstance(error, NotAvailable) else str(error)
+            )
             raise RequirementError(text) from error
         yield from self.bounds(
             weight / stiffness,

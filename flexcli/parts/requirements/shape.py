@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.requirements.base import Ask, Bound, Limit
+from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
 
 __all__ = ["Slenderness", "WidthRatio"]
 
@@ -16,6 +16,17 @@ class _Shape(Bound):
     max: _Ratio | None = None
     equals: _Ratio | None = None
 
+    def ratio_bounds(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the bounds on the ratio that the requirement is named after."""
+        ratios = ask.geometry.ratios(ask.sizes)
+        if self.label not in ratios:
+            raise RequirementError(
+                f"a {ask.geometry.name} has no {self.label}", f"it has {', '.join(ratios)}"
+            )
+        yield from self.bounds(
+            ratios[self.label], case="", quantity=self.label, unit="", source="geometry"
+        )
+
 
 class Slenderness(_Shape):
     """Bounds on l/h."""
@@ -24,9 +35,7 @@ class Slenderness(_Shape):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on l/h."""
-        yield from self.bounds(
-            ask.blade.l / ask.blade.h, case="", quantity="l/h", unit="", source="geometry"
-        )
+        yield from self.ratio_bounds(ask)
 
 
 class WidthRatio(_Shape):
@@ -36,6 +45,4 @@ class WidthRatio(_Shape):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on b/h."""
-        yield from self.bounds(
-            ask.blade.b / ask.blade.h, case="", quantity="b/h", unit="", source="geometry"
-        )
+        yield from self.ratio_bounds(ask)

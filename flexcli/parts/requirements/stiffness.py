@@ -51,7 +51,7 @@ class Stiffness(Bound):
                 )
             plain[name] = given[0]
         yield from self.model_copy(update=plain).bounds(
-            ask.geometry.stiffness(ask.material.E, ask.blade),
+            ask.geometry.stiffness(ask.material.elastic, ask.sizes),
             case="",
             quantity="stiffness of a joint",
             unit=unit,

@@ -4,9 +4,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.formulas.section import axial_stress
 from flexcli.numerics.signomial import Signomial
-from flexcli.parts.requirements.base import Ask
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.requirements.base import Ask, RequirementError
 from flexcli.parts.scene import Scene
 
 __all__ = ["EndStress", "driver", "end_stresses"]
@@ -39,7 +39,7 @@ def end_stresses(ask: Ask) -> tuple[str, Iterator[EndStress]]:
     counts with both signs, unless its sign is known for every blade: then the face in tension
     has the larger stress, and the other would only make a convex program look like none.
     """
-    scene, blade = ask.scene, ask.blade
+    scene, sizes = ask.scene, ask.sizes
     bending, loaded = scene.travel > 0.0 or scene.mean_travel > 0.0, scene.blade_force > 0.0
     name = {
         (True, False): "bending stress",
@@ -48,19 +48,29 @@ def end_stresses(ask: Ask) -> tuple[str, Iterator[EndStress]]:
     }[bending, loaded]
 
     def each() -> Iterator[EndStress]:
-        axial = axial_stress(scene.blade_force, blade.h, blade.b) if loaded else 0.0
+        axial = _axial(ask) if loaded else 0.0
         if not bending:
             yield EndStress("blade", 0.0, 0.0, axial)
             return
-        E = ask.material.E
-        amplitudes = ask.geometry.end_stresses(E, blade, scene.travel)
-        means = ask.geometry.end_stresses(E, blade, scene.mean_travel)
+        elastic = ask.material.elastic
+        try:
+            amplitudes = ask.geometry.end_stresses(elastic, sizes, scene.travel)
+            means = ask.geometry.end_stresses(elastic, sizes, scene.mean_travel)
+        except NotAvailable as error:
+            raise RequirementError(f"a {ask.geometry.name} {error}") from error
         for where, amplitude in amplitudes.items():
             mean = means[where] if scene.mean_travel > 0.0 else 0.0
             for sign in _faces(amplitude + mean):
                 yield EndStress(where, sign * amplitude, sign * mean, axial)
 
     return name, each()
+
+
+def _axial(ask: Ask) -> Quantity:
+    try:
+        return ask.geometry.axial_stress(ask.scene.blade_force, ask.sizes)
+    except NotAvailable as error:
+        raise RequirementError(f"a {ask.geometry.name} {error}") from error
 
 
 def _faces(bending: Quantity) -> tuple[float, ...]:

@@ -1,0 +1,38 @@
+"""Pivot of any number of equal blades that point at one centre, in directions of choice."""
+
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.parts.base import Angle, Length, QuantityOf, spec_error
+from flexcli.parts.geometries.base import Blade
+from flexcli.parts.geometries.pivots import BladePivot
+
+__all__ = ["StarPivot"]
+
+
+class StarPivot(BladePivot):
+    """n blades at given angles from the x axis; p or delta places the centre for all of them."""
+
+    source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints; exercise 12 B"
+
+    kind: Literal["star"]
+    angles: Annotated[tuple[Angle, ...], Field(min_length=2, max_length=1000)]
+    p: Length | None = None
+    delta: Annotated[float, QuantityOf("ratio")] | None = None
+
+    @model_validator(mode="after")
+    def _one_centre(self) -> "StarPivot":
+        if (self.p is None) == (self.delta is None):
+            raise spec_error("the centre is placed by p or by delta", "give one, e.g. p: 2 mm")
+        return self
+
+    @property
+    def blade_angles(self) -> tuple[float, ...]:
+        """Return the directions [rad]."""
+        return self.angles
+
+    def offset(self, sizes: Blade) -> Quantity:
+        """Return p [m], as given or as delta times the length."""
+        return self.p if self.p is not None else self.delta * sizes.l
