@@ -2,9 +2,10 @@
 
 from math import pi
 
+from flexcli.formulas.card import SLENDER, Card
 from flexcli.formulas.quantity import Quantity
 
-__all__ = ["EFFECTIVE_LENGTH", "euler_load"]
+__all__ = ["CARDS", "EFFECTIVE_LENGTH", "euler_load"]
 
 EFFECTIVE_LENGTH = {
     "clamped-clamped": 0.5,
@@ -34,7 +35,7 @@ def euler_load(*, E: Quantity, I: Quantity, l: Quantity, ends: str) -> Quantity:
 
     Returns
     -------
-    Quantity
+    N_cr : Quantity
         Critical force [N].
 
     Notes
@@ -52,3 +53,13 @@ def euler_load(*, E: Quantity, I: Quantity, l: Quantity, ends: str) -> Quantity:
 
     """
     return pi**2 * E * I / (EFFECTIVE_LENGTH[ends] * l) ** 2
+
+
+CARDS = (
+    Card(
+        "euler-load",
+        euler_load,
+        {"E": 200e9, "I": 1e-12, "l": 0.1, "ends": "clamped-guided"},
+        (SLENDER,),
+    ),
+)

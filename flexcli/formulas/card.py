@@ -65,8 +65,9 @@ class Table:
 
     variable: str
     values: tuple[float, ...]
-    columns: Mapping[str, tuple[str, Callable[[float], float]]]
+    columns: Mapping[str, tuple[str, Callable[[float], Any]]]
     note: str = ""
+    unit: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,8 +102,9 @@ def sheet(function: Callable[..., Any]) -> Sheet:
     head, *rest = _SECTION.split(text)
     sections = dict(zip(rest[::2], rest[1::2], strict=True))
     title, *body = [p.replace("\n", " ").strip() for p in head.strip().split("\n\n")]
+    title = title.removeprefix("Return ").removeprefix("Give ").removesuffix(".")
     return Sheet(
-        title=title.removeprefix("Return ").removesuffix("."),
+        title=title[:1].upper() + title[1:],
         equation=" ".join(body).replace("``", ""),
         symbols=tuple(_entries(sections.get("Parameters", ""))),
         gives=tuple(_entries(sections.get("Returns", ""))),
@@ -125,9 +127,9 @@ def _entries(section: str) -> list[Symbol]:
         meaning = _joined(meaning)
         unit = _UNIT.search(meaning)
         said = "" if unit is None or unit[1] == "-" else unit[1]
-        spoken = " ".join(_UNIT.sub("", meaning).split()).replace(" .", ".").replace(" ,", ",")
+        spoken = re.sub(r"\s+([.,;])", r"\1", " ".join(_UNIT.sub("", meaning).split()))
         found += [
-            Symbol(name.strip(), said, spoken.rstrip("."))
+            Symbol(name.strip(), said, spoken.rstrip(".,"))
             for name in names.split(":")[0].split(",")
         ]
     return found

@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from flexcli.formulas.arguments import positive
+from flexcli.formulas.card import Card, Range
 from flexcli.formulas.spectrum import Scale, clip_profile
 
-__all__ = ["MilesWorstCase", "miles", "miles_worst_case"]
+__all__ = ["CARDS", "MilesWorstCase", "miles", "miles_worst_case"]
 
 Floats = NDArray[np.float64]
 
@@ -32,7 +33,7 @@ def miles(f: ArrayLike, Q: ArrayLike, level: ArrayLike) -> Floats:
 
     Returns
     -------
-    array
+    a_rms : array
         Root-mean-square pseudo-acceleration, [x].
 
     Raises
@@ -138,3 +139,13 @@ def miles_worst_case(
         frequency=float(f[worst]),
         level=float(g[worst]),
     )
+
+
+CARDS = (
+    Card(
+        "miles",
+        miles,
+        {"f": 2000.0, "Q": 100.0, "level": 0.2},
+        (Range("Q", least=10.0, why="a broad resonance sees more of the profile than one level"),),
+    ),
+)

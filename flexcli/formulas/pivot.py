@@ -172,6 +172,11 @@ def axial_share(angles: tuple[float, ...], direction: float) -> tuple[float, ...
     >>> [round(n, 4) for n in axial_share((pi / 4, -pi / 4), 0.0)]
     [0.7071, 0.7071]
 
+    References
+    ----------
+    Least strain energy of a statically indeterminate truss, e.g. Przemieniecki (1968), Theory of
+    Matrix Structural Analysis.
+
     """
     # Σ u uᵀ has its axes along half the argument of Σ exp(2iα); sums of squares about them keep
     # the digits of a small half-angle, which n/2 ± |Σ exp(2iα)|/2 would lose

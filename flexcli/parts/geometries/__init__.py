@@ -9,6 +9,7 @@ from flexcli.parts.geometries.base import Blade, Critical, Extent, Geometry, Siz
 from flexcli.parts.geometries.cross_spring import CrossSpringPivot
 from flexcli.parts.geometries.leaf_stage import LeafSpringStage
 from flexcli.parts.geometries.rcc import RCCPivot
+from flexcli.parts.geometries.single_blade import Cantilever, GuidedBlade, MomentBlade
 from flexcli.parts.geometries.star import StarPivot
 from flexcli.parts.geometries.three_blade import ThreeBladePivot
 from flexcli.parts.geometries.unseparated import UnseparatedPivot
@@ -25,6 +26,14 @@ __all__ = [
 ]
 
 AnyGeometry: TypeAlias = Annotated[
-    RCCPivot | CrossSpringPivot | UnseparatedPivot | ThreeBladePivot | StarPivot | LeafSpringStage,
+    Cantilever
+    | GuidedBlade
+    | MomentBlade
+    | RCCPivot
+    | CrossSpringPivot
+    | UnseparatedPivot
+    | ThreeBladePivot
+    | StarPivot
+    | LeafSpringStage,
     Field(discriminator="kind"),
 ]

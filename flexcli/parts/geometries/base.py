@@ -17,17 +17,7 @@ from flexcli.results import Value
 GROUND, MOVING = "ground", "moving"
 """Names of the base and of the moving body in every layout of a joint."""
 
-__all__ = [
-    "GROUND",
-    "MOVING",
-    "Blade",
-    "Critical",
-    "Elastic",
-    "Extent",
-    "Geometry",
-    "NotAvailable",
-    "Sizes",
-]
+__all__ = ["GROUND", "MOVING", "Blade", "Critical", "Extent", "Geometry", "Held", "Sizes"]
 
 
 class Blade(NamedTuple):
@@ -37,6 +27,9 @@ class Blade(NamedTuple):
     l: Quantity
     b: Quantity
 
+
+Held: TypeAlias = tuple[float | None, float | None, float | None]
+"""Motion (x, y, φ) that a stroke imposes on the moving body; what is free is nothing."""
 
 Sizes: TypeAlias = Any
 """A named tuple of the dimensions that sizing may choose, like :class:`Blade`."""
@@ -90,6 +83,8 @@ class Geometry(Part):
     dimensions: ClassVar[type[Any]]
     """The named tuple of its sizes; each names a field that is an :class:`Extent`."""
     labels: ClassVar[Mapping[str, str]]
+    also: ClassVar[tuple[str, ...]] = ()
+    """Other names by which ``explain`` finds it."""
     cards: ClassVar[tuple[Card, ...]] = ()
     """Its formulas, as ``explain`` prints them."""
     validity: ClassVar[tuple[Range, ...]] = ()
@@ -197,6 +192,10 @@ class Geometry(Part):
         in the origin and its axis of symmetry along x; a stage moves along y.
         """
         raise NotAvailable("is not made of straight blades in a plane")
+
+    def held(self, travel: float) -> Held:
+        """Return what a stroke imposes on the moving body of the layout."""
+        return (None, None, travel) if self.motion == "rotation" else (None, travel, None)
 
     def values(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Value]:
         """Return its own numbers worth reporting, at the largest travel."""

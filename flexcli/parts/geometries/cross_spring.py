@@ -21,6 +21,7 @@ __all__ = ["CrossSpringPivot"]
 class CrossSpringPivot(BladePivot):
     """Cross-spring pivot of separate blades: the centre is placed by p or by delta = p/l."""
 
+    also: ClassVar[tuple[str, ...]] = ("generalized-cross-spring", "generalised-cross-spring")
     source: ClassVar[str] = (
         "Henein & Thalmann, Dimensioning of flexure joints; Zhao & Bi 2010, Mech. Mach. Theory 45"
     )

@@ -25,6 +25,7 @@ class LeafSpringStage(BladeGeometry):
     """n parallel blades between the base and a stage that moves across them."""
 
     motion: ClassVar[str] = "translation"
+    also: ClassVar[tuple[str, ...]] = ("parallel-stage", "leaf-stage")
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints"
     cards: ClassVar[tuple[Card, ...]] = stage.CARDS
 

@@ -15,6 +15,7 @@ __all__ = ["RCCPivot"]
 class RCCPivot(BladePivot):
     """RCC pivot: p ≥ 0 from the centre of rotation to the near end of each blade."""
 
+    also: ClassVar[tuple[str, ...]] = ("rcc-pivot",)
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints; exercise 9 part II"
 
     kind: Literal["rcc"]

@@ -1,0 +1,125 @@
+"""The verb explain: the formulas of a part, or one formula, with validity and a worked case."""
+
+from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
+from math import isinf
+from typing import Any, NamedTuple, get_args
+
+from flexcli.errors import Finding, SpecError
+from flexcli.formulas import buckling, miles
+from flexcli.formulas.card import Card, Range, Symbol, Table, sheet
+from flexcli.parts.geometries import AnyGeometry, Geometry
+from flexcli.results import Explanation, FormulaRow, SymbolRow, TableRow, ValidityRow
+
+__all__ = ["explain", "topics"]
+
+GENERAL = (*buckling.CARDS, *miles.CARDS)
+"""Formulas of no geometry of their own."""
+
+
+class Topic(NamedTuple):
+    """Something that can be explained: its other names, a sentence, its formulas."""
+
+    also: tuple[str, ...]
+    title: str
+    cards: tuple[Card, ...]
+
+
+def _kinds() -> Iterator[type[Geometry]]:
+    union, *_ = get_args(AnyGeometry)
+    yield from get_args(union)
+
+
+def _topics() -> dict[str, Topic]:
+    found = {}
+    for kind in _kinds():
+        name = get_args(kind.model_fields["kind"].annotation)[0]
+        title = (kind.__doc__ or "").partition("\n")[0]
+        found[name] = Topic(kind.also, title, kind.cards)
+    for card in GENERAL:
+        found[card.name] = Topic((), sheet(card.function).title, (card,))
+    for topic in list(found.values()):
+        for card in topic.cards:
+            found.setdefault(card.name, Topic((), sheet(card.function).title, (card,)))
+    return found
+
+
+def topics() -> tuple[Explanation, ...]:
+    """Return everything that can be explained, in short: name, other names, title, formulas."""
+    return tuple(
+        Explanation(name, topic.also, topic.title, tuple(_row(card) for card in topic.cards))
+        for name, topic in _topics().items()
+    )
+
+
+def explain(name: str, table: str | None = None) -> Explanation:
+    """Return a topic in full, with one of its tables where it is asked for.
+
+    Raises
+    ------
+    SpecError
+        When there is no such topic, or it has no such table.
+
+    """
+    found = _topics()
+    names = {alias: key for key, topic in found.items() for alias in (key, *topic.also)}
+    if name not in names:
+        near = get_close_matches(name, names, 3)
+        hint = f"did you mean {' or '.join(near)}?" if near else "'flexure explain' lists all"
+        raise SpecError([Finding(name, "there is nothing of this name to explain", hint)])
+    key = names[name]
+    topic = found[key]
+    rows = tuple(_row(card) for card in topic.cards)
+    if table is None:
+        return Explanation(key, topic.also, topic.title, rows)
+    tables = {name: each for card in topic.cards for name, each in card.tables.items()}
+    if table not in tables:
+        hint = f"it has {', '.join(tables)}" if tables else "it has none"
+        raise SpecError([Finding(key, f"there is no table '{table}'", hint)])
+    return Explanation(key, topic.also, topic.title, rows, _table(table, tables[table]))
+
+
+def _row(card: Card) -> FormulaRow:
+    said = sheet(card.function)
+    result = card.function(**card.example)
+    results = result if isinstance(result, tuple) and len(said.gives) > 1 else (result,)
+    return FormulaRow(
+        name=card.name,
+        title=said.title,
+        equation=said.equation,
+        symbols=tuple(_symbol(symbol, card.example.get(symbol.name)) for symbol in said.symbols),
+        gives=tuple(_symbol(*pair) for pair in zip(said.gives, results, strict=True)),
+        validity=tuple(_validity(limits) for limits in card.validity),
+        notes=said.notes,
+        source=said.source,
+        tables=tuple(card.tables),
+    )
+
+
+def _symbol(symbol: Symbol, value: Any) -> SymbolRow:
+    spoken: float | str | None
+    if value is None or isinstance(value, str):
+        spoken = value
+    elif isinstance(value, tuple | list):
+        spoken = ", ".join(f"{float(each):.4g}" for each in value)
+    else:
+        spoken = float(value)
+    return SymbolRow(symbol.name, symbol.unit, symbol.meaning, spoken)
+
+
+def _validity(limits: Range) -> ValidityRow:
+    least, most = (None if isinf(end) else end for end in (limits.least, limits.most))
+    text = f"{limits.quantity} {limits.spoken}"
+    return ValidityRow(limits.quantity, least, most, limits.unit, limits.why, text)
+
+
+def _table(name: str, table: Table) -> TableRow:
+    columns: Mapping[str, tuple[float, ...]] = {
+        table.variable: table.values,
+        **{
+            column: tuple(float(function(x)) for x in table.values)
+            for column, (_, function) in table.columns.items()
+        },
+    }
+    units = {table.variable: table.unit, **{c: unit for c, (unit, _) in table.columns.items()}}
+    return TableRow(name, columns, units, table.note)

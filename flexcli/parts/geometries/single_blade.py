@@ -1,0 +1,122 @@
+"""A single blade between a clamp and its tip, by what the tip is asked to do."""
+
+from typing import ClassVar, Literal
+
+from flexcli.formulas import single_blade as blade
+from flexcli.formulas.card import Card
+from flexcli.formulas.profile import Constant
+from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.stage import shortening
+from flexcli.mechanics.layout import Blade as Strip
+from flexcli.mechanics.layout import Body, Layout
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Held
+from flexcli.parts.geometries.blades import BladeGeometry
+
+__all__ = ["Cantilever", "GuidedBlade", "MomentBlade"]
+
+
+class _SingleBlade(BladeGeometry):
+    source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints"
+
+    @property
+    def blade_count(self) -> int:
+        """Return 1."""
+        return 1
+
+    def axial_share(self, direction: float) -> float:
+        """Return 1 for a force along the blade."""
+        if direction != 0.0:
+            raise NotAvailable("takes a load along its blade only (direction: 0 deg)")
+        return 1.0
+
+    def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
+        """Return the blade along x, its tip on the moving body."""
+        h, l, b = sizes
+        strip = Strip("blade", GROUND, MOVING, (0.0, 0.0), (l, 0.0), Constant(h), b)
+        return Layout((Body(MOVING, (l, 0.0)),), (strip,), elastic.E, elastic.shear)
+
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
+        """Return what its closed forms are valid in: shape and stroke."""
+        stroke = {"theta": travel} if self.motion == "rotation" else {"x/l": travel / sizes.l}
+        return {**self.ratios(sizes), **stroke}
+
+
+class Cantilever(_SingleBlade):
+    """A clamped blade that a force moves at its free tip."""
+
+    motion: ClassVar[str] = "translation"
+    cards: ClassVar[tuple[Card, ...]] = blade.FORCE_CARDS
+
+    kind: Literal["cantilever"]
+
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
+        """Return the stiffness of the tip [N/m]."""
+        return blade.force_stiffness(E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b)
+
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
+        """Return the bending stress at the clamp [Pa]."""
+        h, l, _ = sizes
+        return {"clamp": blade.force_stress(E=elastic.E, h=h, l=l, x=travel, s=0.0)}
+
+    def s_bending_share(self, sizes: Blade) -> float:
+        """Return ¼: a cantilever softens by Φ/4, Φ that of a blade clamped at both ends."""
+        return 0.25
+
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
+        """Return the motion of the tip towards the clamp, 3x²/(5l) as of a guided one [m]."""
+        return shortening(l=sizes.l, x=travel)
+
+    def sag_stiffness(self, elastic: Elastic, sizes: Blade, axis: str) -> Quantity:
+        """Return the stiffness along the stroke x [N/m]."""
+        if axis != "x":
+            raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")
+        return self.stiffness(elastic, sizes)
+
+
+class GuidedBlade(_SingleBlade):
+    """A clamped blade whose tip moves across it without turning."""
+
+    motion: ClassVar[str] = "translation"
+    cards: ClassVar[tuple[Card, ...]] = blade.GUIDED_CARDS
+
+    kind: Literal["guided-blade"]
+
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
+        """Return the stiffness of the tip [N/m]."""
+        return blade.guided_stiffness(E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b)
+
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
+        """Return the bending stress, equal and opposite at the two ends [Pa]."""
+        h, l, _ = sizes
+        return {"both ends": blade.guided_stress(E=elastic.E, h=h, l=l, x=travel, s=0.0)}
+
+    def s_bending_share(self, sizes: Blade) -> float:
+        """Return 1: the blade bends in an S alone."""
+        return 1.0
+
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
+        """Return the motion of the tip towards the clamp [m]."""
+        return shortening(l=sizes.l, x=travel)
+
+    def held(self, travel: float) -> Held:
+        """Return that the tip is held from turning."""
+        return None, travel, 0.0
+
+
+class MomentBlade(_SingleBlade):
+    """A clamped blade that a moment turns at its free tip."""
+
+    motion: ClassVar[str] = "rotation"
+    cards: ClassVar[tuple[Card, ...]] = blade.MOMENT_CARDS
+
+    kind: Literal["moment-blade"]
+
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
+        """Return the rotational stiffness of the tip [N·m/rad]."""
+        return blade.moment_stiffness(E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b)
+
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
+        """Return the bending stress, the same all along [Pa]."""
+        h, l, _ = sizes
+        return {"all along": blade.moment_stress(E=elastic.E, h=h, l=l, theta=travel)}

@@ -1,0 +1,78 @@
+"""What a command found out: frozen records that reports print and scripts read.
+
+Rows are named tuples: making a dataclass costs several times as much at every start.
+"""
+
+from flexcli.results.balance import (
+    BalanceResult,
+    CouplingTerm,
+    GravityRow,
+    StrokeRow,
+    TransferRow,
+    UnknownResult,
+)
+from flexcli.results.explanation import (
+    Explanation,
+    FormulaRow,
+    SymbolRow,
+    TableRow,
+    ValidityRow,
+)
+from flexcli.results.judgement import (
+    Check,
+    EffectRow,
+    Note,
+    Property,
+    Value,
+)
+from flexcli.results.result import (
+    Cost,
+    Result,
+    Status,
+)
+from flexcli.results.sizing import (
+    Design,
+    Relaxation,
+    Sensitivity,
+    SizingResult,
+)
+from flexcli.results.vibration import (
+    BreakpointRow,
+    CaseResponse,
+    ModeResult,
+    OutputResult,
+    ProfileRow,
+    WorstCaseRow,
+)
+
+__all__ = [
+    "BalanceResult",
+    "BreakpointRow",
+    "CaseResponse",
+    "Check",
+    "Cost",
+    "CouplingTerm",
+    "Design",
+    "EffectRow",
+    "Explanation",
+    "FormulaRow",
+    "GravityRow",
+    "ModeResult",
+    "Note",
+    "OutputResult",
+    "ProfileRow",
+    "Property",
+    "Relaxation",
+    "Result",
+    "Sensitivity",
+    "SizingResult",
+    "Status",
+    "StrokeRow",
+    "SymbolRow",
+    "TableRow",
+    "TransferRow",
+    "UnknownResult",
+    "ValidityRow",
+    "Value",
+    "WorstCaseRow",
+]

@@ -1,0 +1,67 @@
+"""What a design is judged by: values, checks, effects left out, notes."""
+
+from typing import NamedTuple
+
+__all__ = ["Check", "EffectRow", "Note", "Property", "Value"]
+
+
+class Value(NamedTuple):
+    """One named number in SI, with the model that made it."""
+
+    value: float
+    unit: str
+    label: str
+    model: str = "closed-form"
+    source: str = ""
+
+
+class Check(NamedTuple):
+    """One requirement of one case: demand against capacity.
+
+    ``factor`` is the factor of safety capacity/demand (for a bound, how far inside it the
+    design is), ``margin`` is factor/required − 1.
+    """
+
+    name: str
+    case: str
+    quantity: str
+    demand: float
+    capacity: float
+    unit: str
+    factor: float
+    required: float
+    passed: bool
+    source: str
+
+    @property
+    def margin(self) -> float:
+        """Return the margin of safety: 0 when the requirement is just met."""
+        return self.factor / self.required - 1.0
+
+
+class EffectRow(NamedTuple):
+    """What a model leaves out: its dimensionless indicator and what that may change."""
+
+    name: str
+    on: bool
+    indicator: float
+    estimate: float
+    reason: str
+
+
+class Note(NamedTuple):
+    """A warning: a stable code for scripts and a sentence for people."""
+
+    code: str
+    text: str
+
+
+class Property(NamedTuple):
+    """One number of a material with where it comes from."""
+
+    name: str
+    value: float
+    unit: str
+    detail: str
+    status: str
+    source: str

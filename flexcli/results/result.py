@@ -1,0 +1,59 @@
+"""The answer of one command about one spec."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+
+from flexcli.errors import Finding
+from flexcli.results.balance import BalanceResult
+from flexcli.results.judgement import Check, EffectRow, Note, Value
+from flexcli.results.sizing import SizingResult
+from flexcli.results.vibration import BreakpointRow, CaseResponse, ProfileRow, WorstCaseRow
+
+__all__ = ["Cost", "Result", "Status"]
+
+
+class Status(Enum):
+    """How a command ended; the exit code follows from it."""
+
+    PASS = "pass"
+    FAIL = "fail"
+    INFEASIBLE = "infeasible"
+    ERROR = "error"
+
+    @property
+    def exit_code(self) -> int:
+        """Return 0 when the design passed, 1 when it fails or cannot be, 2 for bad input."""
+        return {Status.PASS: 0, Status.FAIL: 1, Status.INFEASIBLE: 1, Status.ERROR: 2}[self]
+
+
+@dataclass(frozen=True, eq=False)
+class Cost:
+    """What the answer cost, and how far off its model may be."""
+
+    seconds: float
+    model: str
+    estimated_error: float | None
+    iterations: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """The answer of one command about one spec."""
+
+    command: str
+    spec: str
+    status: Status
+    title: str = ""
+    values: Mapping[str, Value] = field(default_factory=dict)
+    checks: tuple[Check, ...] = ()
+    effects: tuple[EffectRow, ...] = ()
+    warnings: tuple[Note, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    cost: Cost | None = None
+    sizing: SizingResult | None = None
+    responses: tuple[CaseResponse, ...] = ()
+    profiles: tuple[ProfileRow, ...] = ()
+    breakpoints: tuple[BreakpointRow, ...] = ()
+    worst_cases: tuple[WorstCaseRow, ...] = ()
+    balance: BalanceResult | None = None
