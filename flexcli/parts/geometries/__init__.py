@@ -7,11 +7,15 @@ from pydantic import Field
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Blade, Critical, Extent, Geometry, Sizes
 from flexcli.parts.geometries.cross_spring import CrossSpringPivot
+from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
 from flexcli.parts.geometries.leaf_stage import LeafSpringStage
+from flexcli.parts.geometries.necked_stage import NeckedDownStage
+from flexcli.parts.geometries.notch import CircularHinge, EllipticHinge, FilletedHinge
 from flexcli.parts.geometries.rcc import RCCPivot
 from flexcli.parts.geometries.single_blade import Cantilever, GuidedBlade, MomentBlade
 from flexcli.parts.geometries.star import StarPivot
 from flexcli.parts.geometries.three_blade import ThreeBladePivot
+from flexcli.parts.geometries.torsion import RoundTorsionBar, TorsionBar, TorsionStar
 from flexcli.parts.geometries.unseparated import UnseparatedPivot
 
 __all__ = [
@@ -34,6 +38,15 @@ AnyGeometry: TypeAlias = Annotated[
     | UnseparatedPivot
     | ThreeBladePivot
     | StarPivot
-    | LeafSpringStage,
+    | LeafSpringStage
+    | NeckedDownStage
+    | CircularHinge
+    | EllipticHinge
+    | FilletedHinge
+    | HingedStage
+    | HingedPivot
+    | TorsionBar
+    | RoundTorsionBar
+    | TorsionStar,
     Field(discriminator="kind"),
 ]

@@ -91,7 +91,7 @@ class Geometry(Part):
     """Where its closed forms hold, in terms of :meth:`ratios`."""
     posynomial: ClassVar[bool] = True
     """Whether its closed forms are arithmetic that signomials can take part in."""
-    kinds_of_strain: ClassVar[str] = "bending"
+    strain: ClassVar[str] = "bending"
     """What strains it when it moves."""
     sag_bends_width: ClassVar[bool] = False
     """Whether the sag bends the blades across their width."""

@@ -42,9 +42,9 @@ def end_stresses(ask: Ask) -> tuple[str, Iterator[EndStress]]:
     scene, sizes = ask.scene, ask.sizes
     bending, loaded = scene.travel > 0.0 or scene.mean_travel > 0.0, scene.blade_force > 0.0
     name = {
-        (True, False): "bending stress",
+        (True, False): f"{ask.geometry.strain} stress",
         (False, True): "axial stress",
-        (True, True): "bending stress with the axial force",
+        (True, True): f"{ask.geometry.strain} stress with the axial force",
     }[bending, loaded]
 
     def each() -> Iterator[EndStress]:

@@ -1,0 +1,181 @@
+"""Small motion of a rigid body in space, seen from another point or along other axes.
+
+A motion is d = (x, y, z, θ_x, θ_y, θ_z) of the point of the body at which it is stated [m, rad];
+the load that does work on it is (F_x, F_y, F_z, M_x, M_y, M_z) [N, N·m].
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "axes_about_z",
+    "compliance_from",
+    "motion_along",
+    "motion_at",
+    "stiffness_from",
+]
+
+Floats = NDArray[np.float64]
+
+
+def motion_at(offset: ArrayLike) -> Floats:
+    """Return the matrix that gives the motion of another point of the same rigid body.
+
+    ``u' = u + θ × r``, ``θ' = θ``.
+
+    Parameters
+    ----------
+    offset : array_like, shape (..., 3)
+        Vector r from the point of the motion to the other point [m].
+
+    Returns
+    -------
+    X : array, shape (..., 6, 6)
+        d' = X d; its transpose brings a load back, f = Xᵀ f' [-, m].
+
+    Examples
+    --------
+    >>> (motion_at([2.0, 0.0, 0.0]) @ [0, 0, 0, 0, 0, 0.1]).tolist()
+    [0.0, 0.2, 0.0, 0.0, 0.0, 0.1]
+
+    References
+    ----------
+    Murray, Li & Sastry (1994), A Mathematical Introduction to Robotic Manipulation, chapter 2.
+
+    """
+    r = np.asarray(offset, dtype=np.float64)
+    X = np.zeros((*r.shape[:-1], 6, 6))
+    X[..., range(6), range(6)] = 1.0
+    for row, turn, along in ((0, 4, 2), (1, 5, 0), (2, 3, 1)):
+        X[..., row, turn] = r[..., along]
+        # the mirror image of the row: (θ × r) has each pair of axes twice, with opposite signs
+        X[..., along, turn] = -r[..., row]
+    return X
+
+
+def motion_along(axes: ArrayLike) -> Floats:
+    """Return the matrix that gives the same motion along other axes.
+
+    Parameters
+    ----------
+    axes : array_like, shape (..., 3, 3)
+        The new axes as orthonormal rows, in the old ones [-].
+
+    Returns
+    -------
+    R : array, shape (..., 6, 6)
+        d' = R d, orthogonal [-].
+
+    Raises
+    ------
+    ValueError
+        When the rows are not orthonormal, or make a left-handed frame.
+
+    Examples
+    --------
+    >>> (motion_along([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]) @ [1, 0, 0, 0, 0, 2]).tolist()
+    [0.0, -1.0, 0.0, 0.0, 0.0, 2.0]
+
+    """
+    rows = np.asarray(axes, dtype=np.float64)
+    product = rows @ rows.swapaxes(-1, -2)
+    if not np.allclose(product, np.eye(3), rtol=0.0, atol=1e-9) or (np.linalg.det(rows) < 0).any():
+        raise ValueError("axes must be three orthonormal rows of a right-handed frame")
+    R = np.zeros((*rows.shape[:-2], 6, 6))
+    R[..., :3, :3] = R[..., 3:, 3:] = rows
+    return R
+
+
+def axes_about_z(angle: ArrayLike) -> Floats:
+    """Return the axes turned by an angle about z, as rows.
+
+    Parameters
+    ----------
+    angle : array_like
+        Angle from x towards y [rad].
+
+    Returns
+    -------
+    axes : array, shape (..., 3, 3)
+        Orthonormal rows [-].
+
+    Examples
+    --------
+    >>> axes_about_z(0.0).tolist()
+    [[1.0, 0.0, 0.0], [-0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+
+    """
+    c, s = np.cos(angle), np.sin(angle)
+    axes = np.zeros((*np.shape(angle), 3, 3))
+    axes[..., 0, 0], axes[..., 0, 1] = c, s
+    axes[..., 1, 0], axes[..., 1, 1] = -s, c
+    axes[..., 2, 2] = 1.0
+    return axes
+
+
+def stiffness_from(K: ArrayLike, offset: ArrayLike, axes: ArrayLike) -> Floats:
+    """Return a stiffness stated about another point and along other axes.
+
+    ``K' = Yᵀ K Y`` with Y the motion of the old point by a motion of the new one.
+
+    Parameters
+    ----------
+    K : array_like, shape (..., 6, 6)
+        Stiffness at the old point [N/m, N, N·m/rad].
+    offset : array_like, shape (..., 3)
+        Vector from the old to the new point, along the old axes [m].
+    axes : array_like, shape (..., 3, 3)
+        New axes as rows, in the old ones [-].
+
+    Returns
+    -------
+    K' : array, shape (..., 6, 6)
+        Stiffness at the new point along the new axes [N/m, N, N·m/rad].
+
+    Notes
+    -----
+    Bodies side by side add their stiffness once it is stated about one point.
+
+    Examples
+    --------
+    >>> K = stiffness_from(np.diag([0, 9.0, 0, 0, 0, 1.0]), [2.0, 0, 0], np.eye(3))
+    >>> float(K[5, 5]), float(K[1, 5])
+    (37.0, -18.0)
+
+    """
+    back = motion_at(-np.asarray(offset, dtype=np.float64)) @ motion_along(axes).swapaxes(-1, -2)
+    return np.asarray(back.swapaxes(-1, -2) @ np.asarray(K) @ back)
+
+
+def compliance_from(C: ArrayLike, offset: ArrayLike, axes: ArrayLike) -> Floats:
+    """Return a compliance stated about another point and along other axes.
+
+    ``C' = X C Xᵀ`` with X the motion of the new point by a motion of the old one.
+
+    Parameters
+    ----------
+    C : array_like, shape (..., 6, 6)
+        Compliance at the old point [m/N, 1/N, rad/(N·m)].
+    offset : array_like, shape (..., 3)
+        Vector from the old to the new point, along the old axes [m].
+    axes : array_like, shape (..., 3, 3)
+        New axes as rows, in the old ones [-].
+
+    Returns
+    -------
+    C' : array, shape (..., 6, 6)
+        Compliance at the new point along the new axes [m/N, 1/N, rad/(N·m)].
+
+    Notes
+    -----
+    Joints one after the other add their compliance once it is stated about one point.
+
+    Examples
+    --------
+    >>> C = compliance_from(np.diag([0, 0, 0, 0, 0, 1.0]), [2.0, 0, 0], np.eye(3))
+    >>> float(C[1, 1]), float(C[1, 5])
+    (4.0, 2.0)
+
+    """
+    forth = motion_along(axes) @ motion_at(offset)
+    return np.asarray(forth @ np.asarray(C) @ forth.swapaxes(-1, -2))

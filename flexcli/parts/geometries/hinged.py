@@ -1,0 +1,242 @@
+"""Stages and pivots of rigid limbs that have a right-circular notch hinge at each end."""
+
+from collections.abc import Mapping
+from math import cos, pi, sin
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from flexcli.formulas import hinged_pivot, hinged_stage, notch
+from flexcli.formulas.card import Card, Range
+from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
+from flexcli.formulas.profile import Notch
+from flexcli.formulas.quantity import Quantity
+from flexcli.mechanics.layout import Blade as Strip
+from flexcli.mechanics.layout import Body, Layout, Point
+from flexcli.parts.base import Length, PositiveLength, QuantityOf, spec_error
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
+from flexcli.parts.geometries.notch import CONCENTRATION, Concentration, throat_factor
+from flexcli.results import Value
+
+__all__ = ["HingedPivot", "HingedStage"]
+
+
+class LimbSizes(NamedTuple):
+    """Throat and radius of a hinge, distance between the hinges of a limb, width [m]."""
+
+    e: Quantity
+    r: Quantity
+    l: Quantity
+    b: Quantity
+
+
+class _Hinged(Geometry):
+    source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints; Paros & Weisbord"
+    dimensions: ClassVar[type[Any]] = LimbSizes
+    labels: ClassVar[Mapping[str, str]] = {
+        "e": "throat thickness",
+        "r": "notch radius",
+        "l": "distance between the hinges of a limb",
+        "b": "width",
+    }
+    validity: ClassVar[tuple[Range, ...]] = (
+        Range("e/r", most=0.2, why="as a plane body a hinge is softer, by 7 % at e/r = 0.2"),
+        Range("2r/l", most=1.0, why="the hinges of a limb overlap"),
+    )
+    posynomial: ClassVar[bool] = False
+
+    e: Extent
+    r: Extent
+    l: Extent
+    b: Extent
+    concentration: Concentration = Field(
+        CONCENTRATION, alias="stress-concentration", description="K_t of the throats, or none"
+    )
+
+    def hinge(self, elastic: Elastic, sizes: LimbSizes) -> tuple[Quantity, Quantity]:
+        """Return stiffness of a hinge [N·m/rad] and reach of its bending about its centre [m]."""
+        C = circular_compliance(E=elastic.E, b=sizes.b, e=sizes.e, r=sizes.r)
+        return 1.0 / C.turn, bending_reach(across=C.across, turn=C.turn)
+
+    def throat_stress(self, sizes: LimbSizes, moment: Quantity) -> Quantity:
+        """Return the stress in a throat that bears a moment [Pa]."""
+        factor = throat_factor(self.concentration, sizes.e, sizes.r)
+        return notch.throat_stress(K=moment, b=sizes.b, e=sizes.e, theta=1.0, factor=factor)
+
+    def hinges_volume(self, sizes: LimbSizes, hinges: int) -> Quantity:
+        """Return the volume between the notches of all hinges [m³]."""
+        e, r, _, b = sizes
+        return hinges * b * (2.0 * r * (e + 2.0 * r) - pi * r**2)
+
+    def axial_stress(self, force: float, sizes: LimbSizes) -> Quantity:
+        """Return N/(e b) in a throat [Pa]."""
+        return force / (sizes.e * sizes.b)
+
+    def ratios(self, sizes: LimbSizes) -> dict[str, Quantity]:
+        """Return e/r, b/e and the share of the hinges in a limb."""
+        return {
+            "e/r": sizes.e / sizes.r,
+            "b/e": sizes.b / sizes.e,
+            "2r/l": 2.0 * sizes.r / sizes.l,
+        }
+
+    def limb(self, name: str, start: Point, end: Point, sizes: LimbSizes) -> list[Strip]:
+        """Return the two hinges of a limb between two centres; the limb is a body."""
+        (x_0, y_0), (x_1, y_1) = start, end
+        u, v = (x_1 - x_0) / sizes.l, (y_1 - y_0) / sizes.l
+        r, profile = sizes.r, Notch(sizes.e, sizes.r)
+        return [
+            Strip(
+                f"{name} {place}", first, second,
+                (x - r * u, y - r * v), (x + r * u, y + r * v), profile, sizes.b,
+            )
+            for place, first, second, x, y in (
+                ("inner hinge", GROUND, name, x_0, y_0),
+                ("outer hinge", name, MOVING, x_1, y_1),
+            )
+        ]  # fmt: skip
+
+
+class HingedStage(_Hinged):
+    """Parallel stage of n limbs with a notch hinge at each end (four hinges for two limbs)."""
+
+    motion: ClassVar[str] = "translation"
+    cards: ClassVar[tuple[Card, ...]] = (*hinged_stage.CARDS, notch.CARDS[0], *notch.CARDS[2:])
+    also: ClassVar[tuple[str, ...]] = ("four-hinge-stage",)
+
+    kind: Literal["hinged-stage"]
+    limbs: Annotated[int, Field(strict=True, ge=2, le=1000)] = 2
+    spacing: PositiveLength | None = Field(None, description="from each limb to the next")
+
+    def stiffness(self, elastic: Elastic, sizes: LimbSizes) -> Quantity:
+        """Return the stiffness along the stroke [N/m]."""
+        K, c = self.hinge(elastic, sizes)
+        return hinged_stage.translational_stiffness(K=K, l=sizes.l, c=c, limbs=self.limbs)
+
+    def end_stresses(
+        self, elastic: Elastic, sizes: LimbSizes, travel: float
+    ) -> dict[str, Quantity]:
+        """Return the bending stress in the throats [Pa]."""
+        force = self.stiffness(elastic, sizes) * travel / self.limbs
+        return {"throats": self.throat_stress(sizes, force * sizes.l / 2.0)}
+
+    def volume(self, sizes: LimbSizes) -> Quantity:
+        """Return the volume of the hinges [m³]; the limbs are bodies."""
+        return self.hinges_volume(sizes, 2 * self.limbs)
+
+    def axial_share(self, direction: float) -> float:
+        """Return the axial force in a limb per force on the stage along the limbs [-]."""
+        if direction != 0.0:
+            raise NotAvailable("takes a load along its limbs only (direction: 0 deg)")
+        return 1.0 / self.limbs
+
+    def parasitic_shift(self, sizes: LimbSizes, travel: float) -> Quantity:
+        """Return the motion towards the base, x²/(2l) as of pins [m]."""
+        return travel**2 / (2.0 * sizes.l)
+
+    def sag_stiffness(self, elastic: Elastic, sizes: LimbSizes, axis: str) -> Quantity:
+        """Return the stiffness along the stroke x [N/m]."""
+        if axis != "x":
+            raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")
+        return self.stiffness(elastic, sizes)
+
+    def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Quantity]:
+        """Return what its closed forms are valid in: shape and stroke."""
+        return {**self.ratios(sizes), "x/l": travel / sizes.l}
+
+    def layout(self, elastic: Elastic, sizes: LimbSizes) -> Layout:
+        """Return limbs along x between their hinges; the stage's point is at half their height."""
+        if self.spacing is None:
+            raise NotAvailable("needs spacing: the distance from limb to limb")
+        bodies, strips, middle = [], [], (self.limbs - 1) / 2.0
+        for index in range(self.limbs):
+            y, name = (index - middle) * self.spacing, f"limb {index + 1}"
+            bodies.append(Body(name, (sizes.l / 2.0, y)))
+            strips += self.limb(name, (0.0, y), (sizes.l, y), sizes)
+        bodies.append(Body(MOVING, (sizes.l / 2.0, 0.0)))
+        return Layout(tuple(bodies), tuple(strips), elastic.E, elastic.shear)
+
+    def values(self, elastic: Elastic, sizes: LimbSizes, travel: float) -> dict[str, Value]:
+        """Return the stiffness of one hinge."""
+        K, _ = self.hinge(elastic, sizes)
+        return {"k_hinge": Value(float(K), "N*m/rad", "rotational stiffness of a hinge")}
+
+
+class HingedPivot(_Hinged):
+    """RCC (δ ≥ 0) or cross pivot (δ < 0) of two limbs with a notch hinge at each end."""
+
+    motion: ClassVar[str] = "rotation"
+    cards: ClassVar[tuple[Card, ...]] = (*hinged_pivot.CARDS, notch.CARDS[0], *notch.CARDS[2:])
+    also: ClassVar[tuple[str, ...]] = ("hinged-rcc", "hinged-cross")
+
+    kind: Literal["hinged-pivot"]
+    p: Length | None = Field(None, description="from the centre to the inner hinges")
+    delta: Annotated[float, QuantityOf("ratio")] | None = None
+    half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
+
+    @model_validator(mode="after")
+    def _one_centre(self) -> "HingedPivot":
+        if (self.p is None) == (self.delta is None):
+            raise spec_error("the centre is placed by p or by delta", "give one, e.g. p: 2 mm")
+        return self
+
+    def offset(self, sizes: LimbSizes) -> Quantity:
+        """Return p [m], as given or as delta times the distance of the hinges."""
+        return self.p if self.p is not None else self.delta * sizes.l
+
+    def stiffness(self, elastic: Elastic, sizes: LimbSizes) -> Quantity:
+        """Return the rotational stiffness [N·m/rad]."""
+        K, c = self.hinge(elastic, sizes)
+        return hinged_pivot.rotational_stiffness(K=K, l=sizes.l, p=self.offset(sizes), c=c)
+
+    def end_stresses(
+        self, elastic: Elastic, sizes: LimbSizes, travel: float
+    ) -> dict[str, Quantity]:
+        """Return the bending stress in the inner and the outer throats [Pa]."""
+        K, _ = self.hinge(elastic, sizes)
+        turns = hinged_pivot.hinge_rotations(l=sizes.l, p=self.offset(sizes), theta=travel)
+        places = ("inner hinge", "outer hinge")
+        return {
+            place: self.throat_stress(sizes, K * turn)
+            for place, turn in zip(places, turns, strict=True)
+        }
+
+    def volume(self, sizes: LimbSizes) -> Quantity:
+        """Return the volume of the hinges [m³]; the limbs are bodies."""
+        return self.hinges_volume(sizes, 4)
+
+    def parasitic_shift(self, sizes: LimbSizes, travel: float) -> Quantity:
+        """Return the signed shift of the centre along the bisector [m]."""
+        return hinged_pivot.parasitic_shift(
+            l=sizes.l, p=self.offset(sizes), theta=travel, half_angle=self.half_angle
+        )
+
+    def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Quantity]:
+        """Return what its closed forms are valid in: shape, rotation, place of the centre."""
+        delta = self.offset(sizes) / sizes.l
+        return {**self.ratios(sizes), "theta": travel, "delta": delta}
+
+    def layout(self, elastic: Elastic, sizes: LimbSizes) -> Layout:
+        """Return two limbs that point at the origin."""
+        p, bodies, strips = self.offset(sizes), [], []
+        for name, angle in (("limb 1", self.half_angle), ("limb 2", -self.half_angle)):
+            start, end = ((q * cos(angle), q * sin(angle)) for q in (p, p + sizes.l))
+            bodies.append(Body(name, start))
+            strips += self.limb(name, start, end, sizes)
+        bodies.append(Body(MOVING, (0.0, 0.0)))
+        return Layout(tuple(bodies), tuple(strips), elastic.E, elastic.shear)
+
+    def values(self, elastic: Elastic, sizes: LimbSizes, travel: float) -> dict[str, Value]:
+        """Return δ, the stiffness of a hinge, and the pivot's rotation per rotation of a hinge."""
+        K, _ = self.hinge(elastic, sizes)
+        p = self.offset(sizes)
+        gain = hinged_pivot.admissible_rotation(gamma=1.0, l=sizes.l, p=p)
+        return {
+            "delta": Value(float(p / sizes.l), "", "place of the centre, p/l"),
+            "k_hinge": Value(float(K), "N*m/rad", "rotational stiffness of a hinge"),
+            "theta_per_gamma": Value(
+                float(np.asarray(gain)), "", "rotation of the pivot over its most turned hinge"
+            ),
+        }

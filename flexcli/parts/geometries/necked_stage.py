@@ -1,0 +1,165 @@
+"""Parallel stage on necked-down blades: a short thin hinge at each end of a thick middle."""
+
+from collections.abc import Mapping
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+
+from pydantic import Field, model_validator
+
+from flexcli.formulas import necked_buckling, necked_choice, necked_size, necked_stage
+from flexcli.formulas.card import Card, Range
+from flexcli.formulas.profile import NeckedDown
+from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.section import axial_stress
+from flexcli.mechanics.layout import Blade as Strip
+from flexcli.mechanics.layout import Body, Layout
+from flexcli.parts.base import PositiveLength, spec_error
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Geometry
+from flexcli.results import Value
+
+__all__ = ["NeckedDownStage"]
+
+SOURCE = "the beam's equation with a rigid middle"
+
+
+class NeckedSizes(NamedTuple):
+    """Thickness and length of a hinge, length and width of a whole blade [m]."""
+
+    h: Quantity
+    l_c: Quantity
+    l: Quantity
+    b: Quantity
+
+    @property
+    def xi(self) -> Quantity:
+        """Return ξ = 2 l_c/l."""
+        return 2.0 * self.l_c / self.l
+
+
+class NeckedDownStage(Geometry):
+    """n parallel blades of length l, each flexible over l_c at both ends: ξ = 2 l_c/l ≤ 1."""
+
+    motion: ClassVar[str] = "translation"
+    source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints"
+    dimensions: ClassVar[type[Any]] = NeckedSizes
+    labels: ClassVar[Mapping[str, str]] = {
+        "h": "hinge thickness",
+        "l_c": "hinge length",
+        "l": "blade length",
+        "b": "blade width",
+    }
+    cards: ClassVar[tuple[Card, ...]] = (
+        *necked_stage.CARDS,
+        *necked_size.CARDS,
+        *necked_choice.CARDS,
+        *necked_buckling.CARDS,
+    )
+    validity: ClassVar[tuple[Range, ...]] = (
+        Range("xi", most=1.0, why="two hinges make up at most the whole blade"),
+        Range("l_c/h", least=5.0, why="a stubby hinge is no beam, and its roots give way as well"),
+    )
+    posynomial: ClassVar[bool] = False
+
+    kind: Literal["necked-down-stage"]
+    h: Extent
+    l_c: Extent
+    l: Extent
+    b: Extent
+    blades: Annotated[int, Field(strict=True, ge=2, le=1000)] = 2
+    spacing: PositiveLength | None = Field(None, description="from each blade to the next")
+
+    @model_validator(mode="after")
+    def _hinges_fit(self) -> "NeckedDownStage":
+        hinge, whole = self.l_c.fixed, self.l.fixed
+        if hinge is not None and whole is not None and 2.0 * hinge > whole:
+            raise spec_error(
+                "two hinges are longer than the blade", "l_c is at most l/2", at=("l_c",)
+            )
+        return self
+
+    def stiffness(self, elastic: Elastic, sizes: NeckedSizes) -> Quantity:
+        """Return the stiffness along the stroke [N/m]."""
+        return necked_stage.translational_stiffness(
+            E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, xi=sizes.xi, blades=self.blades
+        )
+
+    def end_stresses(
+        self, elastic: Elastic, sizes: NeckedSizes, travel: float
+    ) -> dict[str, Quantity]:
+        """Return the bending stress, equal and opposite at the two ends [Pa]."""
+        stress = necked_stage.end_stress(E=elastic.E, h=sizes.h, l=sizes.l, x=travel, xi=sizes.xi)
+        return {"both ends": stress}
+
+    def volume(self, sizes: NeckedSizes) -> Quantity:
+        """Return the volume of the hinges [m³]; the middles are bodies."""
+        return self.blades * 2.0 * sizes.h * sizes.l_c * sizes.b
+
+    def ratios(self, sizes: NeckedSizes) -> dict[str, Quantity]:
+        """Return ξ and the aspect ratios of a hinge."""
+        return {
+            "xi": sizes.xi,
+            "l_c/h": sizes.l_c / sizes.h,
+            "l/h": sizes.l / sizes.h,
+            "b/h": sizes.b / sizes.h,
+        }
+
+    def indicators(self, sizes: NeckedSizes, travel: float) -> dict[str, Quantity]:
+        """Return what its closed forms are valid in: shape and stroke."""
+        return {**self.ratios(sizes), "x/l": travel / sizes.l}
+
+    def axial_share(self, direction: float) -> float:
+        """Return the axial force in a blade per force on the stage along the blades [-]."""
+        if direction != 0.0:
+            raise NotAvailable("takes a load along its blades only (direction: 0 deg)")
+        return 1.0 / self.blades
+
+    def axial_stress(self, force: float, sizes: NeckedSizes) -> Quantity:
+        """Return N/(h b) in a hinge [Pa]."""
+        return axial_stress(force, sizes.h, sizes.b)
+
+    def critical(self, elastic: Elastic, sizes: NeckedSizes, ends: str) -> tuple[Critical, ...]:
+        """Return the load at which the hinges buckle across their thickness [N]."""
+        forces = {
+            "clamped-guided": necked_buckling.guided_critical_load,
+            "clamped-clamped": necked_buckling.locked_critical_load,
+        }
+        if ends not in forces:
+            raise NotAvailable(f"has no closed form for {ends} ends ({', '.join(forces)} only)")
+        force = forces[ends](E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, xi=sizes.xi)
+        return (Critical("across the thickness", force, f"{SOURCE}, {ends} ends"),)
+
+    def parasitic_shift(self, sizes: NeckedSizes, travel: float) -> Quantity:
+        """Return the motion towards the base [m]."""
+        return necked_stage.shortening(l=sizes.l, x=travel, xi=sizes.xi)
+
+    def sag_stiffness(self, elastic: Elastic, sizes: NeckedSizes, axis: str) -> Quantity:
+        """Return the stiffness along the stroke x [N/m]."""
+        if axis != "x":
+            raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")
+        return self.stiffness(elastic, sizes)
+
+    def layout(self, elastic: Elastic, sizes: NeckedSizes) -> Layout:
+        """Return the blades along x; the stage's point is at half their height."""
+        if self.spacing is None:
+            raise NotAvailable("needs spacing: the distance from blade to blade")
+        h, l_c, l, b = sizes
+        middle = (self.blades - 1) / 2.0
+        blades = tuple(
+            Strip(
+                f"blade {index + 1}", GROUND, MOVING,
+                (0.0, (index - middle) * self.spacing), (l, (index - middle) * self.spacing),
+                NeckedDown(h, l_c), b,
+            )
+            for index in range(self.blades)
+        )  # fmt: skip
+        return Layout((Body(MOVING, (l / 2.0, 0.0)),), blades, elastic.E, elastic.shear)
+
+    def values(self, elastic: Elastic, sizes: NeckedSizes, travel: float) -> dict[str, Value]:
+        """Return ξ and the stiffness along the blades."""
+        along = necked_stage.compression_stiffness(
+            E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, xi=sizes.xi, blades=self.blades
+        )
+        return {
+            "xi": Value(float(sizes.xi), "", "share of the blade that bends, 2 l_c/l"),
+            "k_along": Value(float(along), "N/m", "stiffness along the blades at rest"),
+        }

@@ -1,0 +1,260 @@
+"""Notch hinges: short thin places of a body that turn about their throat."""
+
+from abc import abstractmethod
+from collections.abc import Mapping
+from typing import Any, ClassVar, Literal, NamedTuple
+
+import numpy as np
+from pydantic import Field
+
+from flexcli.formulas import notch, notch_compliance, notch_law, stress_concentration
+from flexcli.formulas.card import Card, Range
+from flexcli.formulas.profile import Filleted, Notch, Profile
+from flexcli.formulas.quantity import Quantity
+from flexcli.mechanics.layout import Blade as Strip
+from flexcli.mechanics.layout import Body, Layout
+from flexcli.parts.elastic import Elastic
+from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
+from flexcli.results import Value
+
+__all__ = ["CONCENTRATION", "CircularHinge", "EllipticHinge", "FilletedHinge", "throat_factor"]
+
+Concentration = Literal["deep-notch", "none"]
+"""How the peak of the stress in a throat over the nominal 6M/(b e²) is counted."""
+
+CONCENTRATION: Concentration = "deep-notch"
+
+SOURCE = "Paros & Weisbord 1965, Machine Design 37; Neuber 1958 for the peak of the stress"
+
+
+def throat_factor(way: Concentration, e: Quantity, r: Quantity) -> Quantity:
+    """Return K_t by Neuber's deep notch of radius r, or 1 for the nominal stress."""
+    return 1.0 if way == "none" else stress_concentration.bending_factor(e=e, r=r)
+
+
+class _Hinge(Geometry):
+    motion: ClassVar[str] = "rotation"
+    source: ClassVar[str] = SOURCE
+    posynomial: ClassVar[bool] = False
+
+    concentration: Concentration = Field(
+        CONCENTRATION, alias="stress-concentration", description="K_t of the throat, or none"
+    )
+
+    @abstractmethod
+    def profile(self, sizes: Any) -> tuple[Profile, Quantity]:
+        """Return the thickness along the hinge and its length [m]."""
+
+    @abstractmethod
+    def throat(self, sizes: Any) -> tuple[Quantity, Quantity]:
+        """Return thickness of the throat and radius of the notch there [m]."""
+
+    def compliance(self, elastic: Elastic, sizes: Any) -> Quantity:
+        """Return the planar compliance about the middle of the hinge, without shear."""
+        profile, l = self.profile(
+            sizes._make(np.asarray(size, dtype=np.float64)[..., None] for size in sizes)
+        )
+        length = np.asarray(l, dtype=np.float64)[..., 0]
+        return notch_compliance.planar_compliance(
+            profile, E=elastic.E, l=length, b=sizes.b, a=length / 2.0
+        )
+
+    def stiffness(self, elastic: Elastic, sizes: Any) -> Quantity:
+        """Return the rotational stiffness, by the exact integral [N·m/rad]."""
+        return 1.0 / self.compliance(elastic, sizes)[..., 2, 2]
+
+    def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Quantity]:
+        """Return the bending stress in the throat [Pa]."""
+        e, r = self.throat(sizes)
+        stress = notch.throat_stress(
+            K=self.stiffness(elastic, sizes), b=sizes.b, e=e, theta=travel,
+            factor=throat_factor(self.concentration, e, r),
+        )  # fmt: skip
+        return {"throat": stress}
+
+    def axial_share(self, direction: float) -> float:
+        """Return 1: all of a force goes through the throat."""
+        return 1.0
+
+    def axial_stress(self, force: float, sizes: Any) -> Quantity:
+        """Return N/(e b) in the throat [Pa]."""
+        return force / (self.throat(sizes)[0] * sizes.b)
+
+    def indicators(self, sizes: Any, travel: float) -> dict[str, Quantity]:
+        """Return what its closed forms are valid in: shape and rotation."""
+        return {**self.ratios(sizes), "theta": travel}
+
+    def layout(self, elastic: Elastic, sizes: Any) -> Layout:
+        """Return the hinge along x, its middle in the origin."""
+        profile, l = self.profile(sizes)
+        strip = Strip("hinge", GROUND, MOVING, (-l / 2.0, 0.0), (l / 2.0, 0.0), profile, sizes.b)
+        return Layout((Body(MOVING, (0.0, 0.0)),), (strip,), elastic.E, elastic.shear)
+
+    def values(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Value]:
+        """Return the stiffness along the hinge and the stress concentration factor."""
+        C = self.compliance(elastic, sizes)
+        e, r = self.throat(sizes)
+        factor = throat_factor(self.concentration, e, r)
+        return {
+            "k_along": Value(float(1.0 / C[..., 0, 0]), "N/m", "stiffness along the hinge"),
+            "K_t": Value(float(factor), "", "stress concentration factor in the throat"),
+        }
+
+
+class CircularSizes(NamedTuple):
+    """Thickness of the throat, radius of the notches and width [m]."""
+
+    e: Quantity
+    r: Quantity
+    b: Quantity
+
+
+class CircularHinge(_Hinge):
+    """Right-circular notch hinge: two half-circles of radius r leave a throat of thickness e."""
+
+    dimensions: ClassVar[type[Any]] = CircularSizes
+    labels: ClassVar[Mapping[str, str]] = {
+        "e": "throat thickness",
+        "r": "notch radius",
+        "b": "width",
+    }
+    also: ClassVar[tuple[str, ...]] = ("circular-hinge", "right-circular-hinge")
+    cards: ClassVar[tuple[Card, ...]] = (
+        notch.CARDS[0],
+        *notch.CARDS[2:],
+        *notch_compliance.CARDS,
+        *notch_law.CARDS,
+        *stress_concentration.CARDS,
+    )
+    validity: ClassVar[tuple[Range, ...]] = (
+        Range("e/r", most=0.2, why="as a plane body the hinge is softer, by 7 % at e/r = 0.2"),
+    )
+
+    kind: Literal["notch-hinge"]
+    e: Extent
+    r: Extent
+    b: Extent
+
+    def profile(self, sizes: CircularSizes) -> tuple[Profile, Quantity]:
+        """Return two half-circles."""
+        return Notch(sizes.e, sizes.r), 2.0 * sizes.r
+
+    def throat(self, sizes: CircularSizes) -> tuple[Quantity, Quantity]:
+        """Return e and r."""
+        return sizes.e, sizes.r
+
+    def stiffness(self, elastic: Elastic, sizes: CircularSizes) -> Quantity:
+        """Return the rotational stiffness, by the exact integral in closed form [N·m/rad]."""
+        return notch.circular_stiffness(E=elastic.E, b=sizes.b, e=sizes.e, r=sizes.r)
+
+    def volume(self, sizes: CircularSizes) -> Quantity:
+        """Return the volume between the notches [m³]."""
+        return sizes.b * (2.0 * sizes.r * (sizes.e + 2.0 * sizes.r) - np.pi * sizes.r**2)
+
+    def ratios(self, sizes: CircularSizes) -> dict[str, Quantity]:
+        """Return e/r and b/e."""
+        return {"e/r": sizes.e / sizes.r, "b/e": sizes.b / sizes.e}
+
+
+class EllipticSizes(NamedTuple):
+    """Thickness of the throat, depth and length of the notches, width [m]."""
+
+    e: Quantity
+    depth: Quantity
+    l: Quantity
+    b: Quantity
+
+
+class EllipticHinge(_Hinge):
+    """Elliptic notch hinge: two half-ellipses of a depth leave a throat of thickness e."""
+
+    dimensions: ClassVar[type[Any]] = EllipticSizes
+    labels: ClassVar[Mapping[str, str]] = {
+        "e": "throat thickness",
+        "depth": "notch depth",
+        "l": "hinge length",
+        "b": "width",
+    }
+    cards: ClassVar[tuple[Card, ...]] = (notch.CARDS[1], *notch.CARDS[2:])
+    validity: ClassVar[tuple[Range, ...]] = (
+        Range("e/radius", most=0.2, why="where the throat is as thick as its curve, no beam"),
+    )
+
+    kind: Literal["elliptic-hinge"]
+    e: Extent
+    depth: Extent
+    l: Extent
+    b: Extent
+
+    def profile(self, sizes: EllipticSizes) -> tuple[Profile, Quantity]:
+        """Return two half-ellipses."""
+        return Notch(sizes.e, sizes.depth), sizes.l
+
+    def throat(self, sizes: EllipticSizes) -> tuple[Quantity, Quantity]:
+        """Return e and the radius of curvature (l/2)²/depth."""
+        return sizes.e, sizes.l**2 / (4.0 * sizes.depth)
+
+    def stiffness(self, elastic: Elastic, sizes: EllipticSizes) -> Quantity:
+        """Return the rotational stiffness, by the exact integral in closed form [N·m/rad]."""
+        e, depth, l, b = sizes
+        return notch.elliptic_stiffness(E=elastic.E, b=b, e=e, l=l, depth=depth)
+
+    def volume(self, sizes: EllipticSizes) -> Quantity:
+        """Return the volume between the notches [m³]."""
+        e, depth, l, b = sizes
+        return b * l * (e + 2.0 * depth - np.pi / 2.0 * depth)
+
+    def ratios(self, sizes: EllipticSizes) -> dict[str, Quantity]:
+        """Return e over the throat's radius, and b/e."""
+        e, r = self.throat(sizes)
+        return {"e/radius": e / r, "b/e": sizes.b / sizes.e}
+
+
+class FilletedSizes(NamedTuple):
+    """Thickness, radius of the fillets, length over all and width [m]."""
+
+    h: Quantity
+    r: Quantity
+    l: Quantity
+    b: Quantity
+
+
+class FilletedHinge(_Hinge):
+    """Corner-filleted hinge: a blade of thickness h whose roots are quarter circles of radius r."""
+
+    dimensions: ClassVar[type[Any]] = FilletedSizes
+    labels: ClassVar[Mapping[str, str]] = {
+        "h": "thickness",
+        "r": "fillet radius",
+        "l": "hinge length, with the fillets",
+        "b": "width",
+    }
+    cards: ClassVar[tuple[Card, ...]] = (*notch.CARDS[2:], *notch_compliance.CARDS)
+    validity: ClassVar[tuple[Range, ...]] = (
+        Range("2r/l", most=1.0, why="the fillets are longer than the hinge"),
+        Range("l/h", least=5.0, why="a stubby hinge is no beam"),
+    )
+
+    kind: Literal["filleted-hinge"]
+    h: Extent
+    r: Extent
+    l: Extent
+    b: Extent
+
+    def profile(self, sizes: FilletedSizes) -> tuple[Profile, Quantity]:
+        """Return the blade with its fillets."""
+        return Filleted(sizes.h, sizes.r), sizes.l
+
+    def throat(self, sizes: FilletedSizes) -> tuple[Quantity, Quantity]:
+        """Return h and r, at the start of a fillet."""
+        return sizes.h, sizes.r
+
+    def volume(self, sizes: FilletedSizes) -> Quantity:
+        """Return the volume of the blade and its fillets [m³]."""
+        h, r, l, b = sizes
+        return b * (l * h + 4.0 * r**2 * (1.0 - np.pi / 4.0))
+
+    def ratios(self, sizes: FilletedSizes) -> dict[str, Quantity]:
+        """Return l/h, b/h and the share of the fillets in the length."""
+        h, r, l, b = sizes
+        return {"l/h": l / h, "b/h": b / h, "2r/l": 2.0 * r / l}
