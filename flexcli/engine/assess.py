@@ -33,6 +33,9 @@ sizing leaves when it puts a constraint exactly at its limit."""
 NOTABLE = 0.05
 """An effect left out that may change a number by more than this is a warning, not only a row."""
 
+STRENGTHS = ("admissible_stress", "fatigue_amplitude", "yield_strength")
+"""What an admissible stroke is stated for: the first that the material gives."""
+
 CHUNK = 65_536
 """Designs per pass of :func:`factors`, which bounds its memory."""
 
@@ -141,11 +144,28 @@ def values(design: DesignSpec, sizes: Sizes) -> dict[str, Value]:
         float(geometry.volume(sizes)), "m^3", "volume of what flexes in a joint"
     )
     found |= geometry.values(material.elastic, sizes, _largest_travel(design))
+    found |= _admissible(design, sizes)
     if design.mechanism is not None:
         found.update(design.mechanism.values(stiffness, geometry))
         for name in design.cases:
             found.update(_sag(design, sizes, design.scene(name)))
     return found
+
+
+def _admissible(design: DesignSpec, sizes: Sizes) -> dict[str, Value]:
+    """Return the travel at which the stress reaches the strength that the material states."""
+    geometry, material = design.geometry, design.material
+    strength = next((name for name in STRENGTHS if getattr(material, name) is not None), None)
+    if strength is None:
+        return {}
+    try:
+        stresses = geometry.end_stresses(material.elastic, sizes, 1.0)
+    except NotAvailable:
+        return {}
+    most = max(abs(float(stress)) for stress in stresses.values())
+    symbol, unit = ("theta", "rad") if geometry.motion == "rotation" else ("x", "m")
+    text = f"stroke at which the stress reaches the {strength.replace('_', ' ')}"
+    return {f"{symbol}_adm": Value(material.strength(strength) / most, unit, text)}
 
 
 def case_values(design: DesignSpec) -> dict[str, Value]:

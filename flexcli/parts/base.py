@@ -29,6 +29,7 @@ __all__ = [
     "RotationalStiffness",
     "Stiffness",
     "Stress",
+    "in_either",
     "said",
     "spec_error",
 ]
@@ -132,6 +133,25 @@ class QuantityOf:
                 example = f", e.g. {expected.example}" if expected.si else ""
                 hint = f"write {expected.named} {' and '.join(bounds)}{example}"
                 raise spec_error(f"{value} must be {bound}", hint)
+
+
+def in_either(value: Any, *dimensions: str) -> tuple[float, str]:
+    """Return a positive value with its SI unit, of whichever of the dimensions it has."""
+    if isinstance(value, str):
+        for dimension in dimensions:
+            try:
+                number = parse_quantity(value, dimension)
+            except QuantityError:
+                continue
+            if number <= 0.0:
+                raise spec_error(
+                    f"{value} must be above 0", f"write e.g. {DIMENSIONS[dimension].example}"
+                )
+            return number, DIMENSIONS[dimension].si
+        examples = " or ".join(DIMENSIONS[dimension].example for dimension in dimensions)
+        named = " nor ".join(DIMENSIONS[dimension].named for dimension in dimensions)
+        raise spec_error(f"'{value[:60]}' is neither {named}", f"write e.g. {examples}")
+    return QuantityOf(dimensions[0], above=0.0).read(value), DIMENSIONS[dimensions[0]].si
 
 
 def said(value: Any) -> str:

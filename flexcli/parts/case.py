@@ -1,11 +1,11 @@
 """A case: one thing the flexure lives through, with its loads and what is locked."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import model_validator
 
 from flexcli.parts.asd import RandomVibration
-from flexcli.parts.base import Acceleration, Angle, Force, Part, spec_error
+from flexcli.parts.base import Acceleration, Angle, Force, Part, QuantityOf, spec_error
 from flexcli.parts.shock import Shock
 from flexcli.parts.stroke import Stroke
 
@@ -24,6 +24,22 @@ class Load(Part):
     direction: Angle = 0.0
 
 
+class Wrench(Part):
+    """Forces and moments on the joint at its centre, in any direction of space."""
+
+    x: Annotated[float, QuantityOf("force")] = 0.0
+    y: Annotated[float, QuantityOf("force")] = 0.0
+    z: Annotated[float, QuantityOf("force")] = 0.0
+    theta_x: Annotated[float, QuantityOf("moment")] = 0.0
+    theta_y: Annotated[float, QuantityOf("moment")] = 0.0
+    theta_z: Annotated[float, QuantityOf("moment")] = 0.0
+
+    @property
+    def components(self) -> tuple[float, ...]:
+        """Return (F_x, F_y, F_z, M_x, M_y, M_z) [N, N·m]."""
+        return self.x, self.y, self.z, self.theta_x, self.theta_y, self.theta_z
+
+
 class SteadyAcceleration(Part):
     """Gravity or a quasi-static acceleration along x (stroke), y (in plane) or z (along b)."""
 
@@ -36,6 +52,7 @@ class Case(Part):
 
     stroke: Stroke | None = None
     load: Load | None = None
+    wrench: Wrench | None = None
     acceleration: SteadyAcceleration | None = None
     asd: RandomVibration | None = None
     shock: Shock | None = None
@@ -44,7 +61,7 @@ class Case(Part):
 
     @model_validator(mode="after")
     def _asks_something(self) -> "Case":
-        if not any((self.stroke, self.load, self.acceleration, self.asd, self.shock)):
+        if not any((self.stroke, self.load, self.wrench, self.acceleration, self.asd, self.shock)):
             raise spec_error(
                 "this case loads nothing",
                 "give it a stroke, a load, an acceleration, an asd or a shock",

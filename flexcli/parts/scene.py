@@ -36,6 +36,7 @@ class Scene(NamedTuple):
     vibration: RandomVibration | None
     shock: Shock | None
     lock: str | None
+    wrench: tuple[float, ...] | None
     values: Mapping[str, Value]
 
     @property
@@ -74,6 +75,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         vibration=case.asd,
         shock=case.shock,
         lock=case.lock,
+        wrench=case.wrench.components if case.wrench else None,
         values=values,
     )
 

@@ -3,12 +3,14 @@
 from math import pi
 from typing import Annotated, ClassVar, Literal
 
-from flexcli.formulas import pivot
+from flexcli.formulas import pivot, three_blade
+from flexcli.formulas.card import Card
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Blade
 from flexcli.parts.geometries.pivots import BladePivot
+from flexcli.results import Value
 
 __all__ = ["ThreeBladePivot"]
 
@@ -17,6 +19,7 @@ class ThreeBladePivot(BladePivot):
     """Overconstrained pivot of three blades; p is from the axis to the inner ends."""
 
     source: ClassVar[str] = "exercise 12 B"
+    cards: ClassVar[tuple[Card, ...]] = (*pivot.CARDS, *three_blade.CARDS)
     sag_bends_width: ClassVar[bool] = True
 
     kind: Literal["three-blade"]
@@ -38,3 +41,15 @@ class ThreeBladePivot(BladePivot):
         return pivot.out_of_plane_stiffness(
             E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, blades=self.blade_count
         )
+
+    def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
+        """Return the stiffness along the axis with the shear of its wide blades."""
+        found = super().values(elastic, sizes, travel)
+        if elastic.shear is None:
+            return found
+        h, l, b = sizes
+        stiffness = three_blade.out_of_plane_stiffness(
+            E=elastic.E, G=elastic.shear, h=h, l=l, b=b, blades=self.blade_count
+        )
+        text = "stiffness along z with the shear across the width"
+        return {**found, "k_z_shear": Value(float(stiffness), "N/m", text)}

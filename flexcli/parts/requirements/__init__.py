@@ -16,6 +16,7 @@ from flexcli.parts.requirements.parasitic_shift import ParasiticShift
 from flexcli.parts.requirements.sag import Sag
 from flexcli.parts.requirements.shape import Slenderness, WidthRatio
 from flexcli.parts.requirements.stiffness import Stiffness
+from flexcli.parts.requirements.support import Deflection, Support
 from flexcli.parts.requirements.yielding import Yield
 
 __all__ = ["Ask", "Bound", "Limit", "Requirement", "RequirementError", "Requirements"]
@@ -45,6 +46,8 @@ class Requirements(Part):
     sag: Several[Sag] | None = None
     mass: Several[Mass] | None = None
     parasitic_shift: Several[ParasiticShift] | None = None
+    support: Several[Support] | None = None
+    deflection: Several[Deflection] | None = None
     slenderness: Several[Slenderness] | None = Field(None, alias="l/h")
     width_ratio: Several[WidthRatio] | None = Field(None, alias="b/h")
 

@@ -5,13 +5,10 @@ from typing import Any, ClassVar
 
 from pydantic import field_validator
 
-from flexcli.parts.base import QuantityOf, spec_error
+from flexcli.parts.base import in_either
 from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
-from flexcli.units import DIMENSIONS, QuantityError, parse_quantity
 
 __all__ = ["Stiffness"]
-
-_KINDS = ("rotational stiffness", "stiffness")
 
 
 class Stiffness(Bound):
@@ -22,19 +19,7 @@ class Stiffness(Bound):
     @field_validator("min", "max", "equals", mode="before")
     @classmethod
     def _of_either_kind(cls, data: Any) -> Any:
-        if data is None:
-            return None
-        if not isinstance(data, str):
-            return QuantityOf(_KINDS[0]).read(data)
-        for dimension in _KINDS:
-            try:
-                value = parse_quantity(data, dimension)
-            except QuantityError:
-                continue
-            if value <= 0.0:
-                raise spec_error(f"{data} must be above 0", "write e.g. 15 N*m/rad")
-            return (value, DIMENSIONS[dimension].si)
-        raise spec_error(f"'{data[:60]}' is not a stiffness", "write e.g. 15 N*m/rad or 200 N/m")
+        return None if data is None else in_either(data, "rotational stiffness", "stiffness")
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the joint's stiffness."""

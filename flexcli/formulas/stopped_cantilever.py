@@ -1,0 +1,238 @@
+"""Statics of a cantilever that meets a stop: when it touches, and what force each carries.
+
+A lateral force F acts at the tip. Stops stand at height L_a, one at +d and, unless its gap is
+infinite, one at −d_behind; L_b = L − L_a. Deflection and F share their sign; the reaction of a
+stop is positive when it pushes towards +. Small rotation, slender blade, rigid frictionless stops.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.formulas.card import Card, Range
+from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.stop_stiffness import bent_shape, contact_stiffness, free_stiffness
+
+__all__ = ["CARDS", "contact_load", "excess_load", "load_at_travel", "reaction"]
+
+
+def _gap(name: str, d: Quantity) -> NDArray[np.float64]:
+    """Return a gap as an array, or refuse one with which the blade would start inside its stop."""
+    gap = np.asarray(d, dtype=np.float64)
+    if not (gap >= 0.0).all():  # also refuses NaN
+        raise ValueError(f"{name} must not be negative, the blade starts inside its stop: {gap}")
+    return gap
+
+
+def contact_load(
+    *, E: Quantity, I: Quantity, L_a: Quantity, L_b: Quantity, d: Quantity
+) -> Quantity:
+    """Return the tip force at which a cantilever just touches the stop.
+
+    ``F′ = d 6EI/(L_a² (3L − L_a))``.
+
+    Parameters
+    ----------
+    E : Quantity
+        Young's modulus [Pa].
+    I : Quantity
+        Second moment of area [m⁴].
+    L_a, L_b : Quantity
+        Length below and above the stop [m].
+    d : Quantity
+        Gap [m]; infinite for no stop.
+
+    Returns
+    -------
+    Quantity
+        Force at the tip [N].
+
+    Raises
+    ------
+    ValueError
+        When a gap is negative.
+
+    Examples
+    --------
+    >>> round(float(contact_load(E=60e9, I=1.2695e-12, L_a=0.02565, L_b=0.00285, d=87.3e-6)), 3)
+    1.013
+
+    References
+    ----------
+    Monti (2014), section 4.1.3, step 1.
+
+    """
+    return 6.0 * E * I * _gap("d", d) / (L_a**2 * (2.0 * L_a + 3.0 * L_b))
+
+
+def excess_load(
+    *,
+    F: Quantity,
+    E: Quantity,
+    I: Quantity,
+    L_a: Quantity,
+    L_b: Quantity,
+    d: Quantity,
+    d_behind: Quantity = np.inf,
+) -> Quantity:
+    """Return the part of the tip force beyond the one that makes contact, with its sign.
+
+    ``F″ = F − F′`` once the blade touches, 0 before: what is not 0 is contact.
+
+    Parameters
+    ----------
+    F : Quantity
+        Force at the tip [N].
+    E : Quantity
+        Young's modulus [Pa].
+    I : Quantity
+        Second moment of area [m⁴].
+    L_a, L_b : Quantity
+        Length below and above the stops [m].
+    d, d_behind : Quantity
+        Gap on the side of + and of − [m]; infinite for no stop.
+
+    Returns
+    -------
+    Quantity
+        Force carried by the blade on its stop [N].
+
+    Raises
+    ------
+    ValueError
+        When a gap is negative.
+
+    Examples
+    --------
+    >>> blade = {"E": 6.0, "I": 1.0, "L_a": 1.0, "L_b": 1.0, "d": 0.5}
+    >>> [round(float(excess_load(F=F, **blade)), 12) for F in (4.0, -4.0)]
+    [0.4, 0.0]
+
+    References
+    ----------
+    Monti (2014), section 4.1.3, steps 2 and 3.
+
+    """
+    ahead = contact_load(E=E, I=I, L_a=L_a, L_b=L_b, d=d)
+    behind = contact_load(E=E, I=I, L_a=L_a, L_b=L_b, d=_gap("d_behind", d_behind))
+    return F - np.clip(F, -behind, ahead)
+
+
+def reaction(
+    *,
+    F: Quantity,
+    E: Quantity,
+    I: Quantity,
+    L_a: Quantity,
+    L_b: Quantity,
+    d: Quantity,
+    d_behind: Quantity = np.inf,
+) -> Quantity:
+    """Return the force of the stops on the blade, with its sign; 0 without contact.
+
+    ``R = F″ (L_a − 3L)/(2 L_a)``: it opposes the tip force and exceeds its part beyond contact.
+
+    Parameters
+    ----------
+    F : Quantity
+        Force at the tip [N].
+    E : Quantity
+        Young's modulus [Pa].
+    I : Quantity
+        Second moment of area [m⁴].
+    L_a, L_b : Quantity
+        Length below and above the stops [m].
+    d, d_behind : Quantity
+        Gap on the side of + and of − [m]; infinite for no stop.
+
+    Returns
+    -------
+    Quantity
+        Force at the stop [N].
+
+    Raises
+    ------
+    ValueError
+        When a gap is negative.
+
+    Examples
+    --------
+    >>> round(float(reaction(F=4.0, E=6.0, I=1.0, L_a=1.0, L_b=1.0, d=0.5)), 12)
+    -1.0
+
+    References
+    ----------
+    Monti (2014), section 4.1.3, step 4.
+
+    """
+    excess = excess_load(F=F, E=E, I=I, L_a=L_a, L_b=L_b, d=d, d_behind=d_behind)
+    return -excess * (2.0 * L_a + 3.0 * L_b) / (2.0 * L_a)
+
+
+def load_at_travel(
+    *,
+    delta: Quantity,
+    E: Quantity,
+    I: Quantity,
+    L_a: Quantity,
+    L_b: Quantity,
+    d: Quantity,
+    d_behind: Quantity = np.inf,
+) -> Quantity:
+    """Return the tip force that holds the tip at a deflection δ, in contact or not.
+
+    ``F = k_free δ′ + k_contact (δ − δ′)`` with δ′ the part of δ travelled before contact,
+    at the most ``d/φ(L_a/L)``.
+
+    Parameters
+    ----------
+    delta : Quantity
+        Deflection of the tip [m].
+    E : Quantity
+        Young's modulus [Pa].
+    I : Quantity
+        Second moment of area [m⁴].
+    L_a, L_b : Quantity
+        Length below and above the stops [m].
+    d, d_behind : Quantity
+        Gap on the side of + and of − [m]; infinite for no stop.
+
+    Returns
+    -------
+    Quantity
+        Force at the tip [N].
+
+    Raises
+    ------
+    ValueError
+        When a gap is negative.
+
+    Examples
+    --------
+    >>> blade = {"E": 6.0, "I": 1.0, "L_a": 1.0, "L_b": 1.0, "d": 0.5}
+    >>> round(float(load_at_travel(delta=1.6, **blade)), 12), float(excess_load(F=3.6, **blade))
+    (3.6, 0.0)
+
+    References
+    ----------
+    Monti (2014), section 4.1.3, steps 5 to 8, solved for F.
+
+    """
+    L = L_a + L_b
+    share = bent_shape(L_a / L)
+    free = np.clip(delta, -_gap("d_behind", d_behind) / share, _gap("d", d) / share)
+    stiff = contact_stiffness(E=E, I=I, L_a=L_a, L_b=L_b)
+    return free_stiffness(E=E, I=I, L=L) * free + stiff * (delta - free)
+
+
+_BLADE = {"E": 60e9, "I": 1.2695e-12, "L_a": 14.25e-3, "L_b": 14.25e-3, "d": 30e-6}
+_VALIDITY = (
+    Range("delta/L", -0.1, 0.1, "small rotation"),
+    Range("h/L_b", most=0.5, why="shear of the overhang is left out"),
+)
+
+CARDS: tuple[Card, ...] = (
+    Card("stop-contact-load", contact_load, _BLADE, _VALIDITY),
+    Card("stop-excess-load", excess_load, {"F": 3.0, **_BLADE}, _VALIDITY),
+    Card("stop-reaction", reaction, {"F": 3.0, **_BLADE}, _VALIDITY),
+    Card("stop-load-at-travel", load_at_travel, {"delta": 150e-6, **_BLADE}, _VALIDITY),
+)

@@ -1,0 +1,174 @@
+"""Support: how stiff a joint is against loads off its motion, from its 6×6 compliance at rest.
+
+They judge a given design; a 6×6 compliance is no posynomial, so they cannot size one. What
+assembles it is imported where it is called: few designs ask, and all would wait for it.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Annotated, Any, ClassVar, Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, field_validator, model_validator
+
+from flexcli.errors import SolveError
+from flexcli.parts.base import Length, in_either, spec_error
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import MOVING
+from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+from flexcli.parts.scene import Scene
+
+__all__ = ["Deflection", "Direction", "Support"]
+
+Direction = Literal["x", "y", "z", "theta_x", "theta_y", "theta_z"]
+"""Of a motion or a load: x along the axis of symmetry, z along the width of the blades."""
+
+DIRECTIONS = get_args(Direction)
+
+Place = Annotated[tuple[Length, Length, Length], Field(description="where, from the centre")]
+
+CENTRE = (0.0, 0.0, 0.0)
+
+SOURCE = "linear beams with shear, assembled in space at rest"
+
+
+def compliance(ask: Ask, point: tuple[float, float, float]) -> NDArray[np.float64]:
+    """Return the 6×6 compliance of the joint about a point, or raise why there is none."""
+    from flexcli.mechanics.support import support_compliance
+
+    try:
+        layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
+        return support_compliance(layout, MOVING, point)
+    except NotAvailable as error:
+        raise RequirementError(f"a {ask.geometry.name} {error}") from error
+    except SolveError as error:
+        raise RequirementError(str(error), error.remedy) from error
+
+
+def _index(direction: Direction) -> int:
+    return DIRECTIONS.index(direction)
+
+
+def _turns(direction: Direction) -> bool:
+    return direction.startswith("theta")
+
+
+class Support(Bound):
+    """Bounds on the stiffness in a direction, all others free; or on its ratio to another's."""
+
+    label: ClassVar[str] = "support"
+    closed_form: ClassVar[bool] = False
+
+    direction: Direction
+    over: Direction | None = None
+    point: Place = CENTRE
+
+    @field_validator("min", "max", "equals", mode="before")
+    @classmethod
+    def _stiffness_or_ratio(cls, data: Any) -> Any:
+        """Return value and SI unit, of whichever it is."""
+        kinds = ("ratio", "stiffness", "rotational stiffness")
+        return None if data is None else in_either(data, *kinds)
+
+    @model_validator(mode="after")
+    def _in_its_unit(self) -> "Support":
+        if self.over is not None and _turns(self.over) != _turns(self.direction):
+            raise spec_error(
+                "a ratio is of two forces or of two moments", "e.g. theta_x over theta_z",
+                at=("over",),
+            )  # fmt: skip
+        for name in ("min", "max", "equals"):
+            given = getattr(self, name)
+            if given is not None and given[1] != self.unit:
+                raise spec_error(
+                    f"the bound on {self.spoken} is in {self.unit or 'plain numbers'}",
+                    "give over: for a ratio" if not given[1] else "",
+                    at=(name,),
+                )
+        return self
+
+    @property
+    def unit(self) -> str:
+        """Return the SI unit of what is bounded."""
+        if self.over is not None:
+            return ""
+        return "N*m/rad" if _turns(self.direction) else "N/m"
+
+    @property
+    def spoken(self) -> str:
+        """Return what is bounded, in words."""
+        over = f" over that along {self.over}" if self.over is not None else ""
+        return f"stiffness along {self.direction}{over}"
+
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the bounds on the stiffness or on the ratio."""
+        C = compliance(ask, self.point)
+        value = 1.0 / C[_index(self.direction), _index(self.direction)]
+        if self.over is not None:
+            value *= C[_index(self.over), _index(self.over)]
+        plain = {
+            name: given[0]
+            for name in ("min", "max", "equals")
+            if (given := getattr(self, name)) is not None
+        }
+        name = f"{self.label} {self.direction}" + (f"/{self.over}" if self.over else "")
+        for limit in self.model_copy(update=plain).bounds(
+            float(value), case="", quantity=self.spoken, unit=self.unit, source=SOURCE
+        ):
+            yield replace(limit, requirement=name)
+
+
+class Deflection(Bound):
+    """A bound on how far a case's wrench moves the joint in a direction."""
+
+    label: ClassVar[str] = "deflection"
+    per_case: ClassVar[bool] = True
+    closed_form: ClassVar[bool] = False
+
+    min: None = None
+    max: Any
+    equals: None = None
+    direction: Direction
+    point: Place = CENTRE
+
+    @field_validator("max", mode="before")
+    @classmethod
+    def _length_or_angle(cls, data: Any) -> Any:
+        """Return value and SI unit, of whichever it is."""
+        return in_either(data, "length", "angle")
+
+    @model_validator(mode="after")
+    def _in_its_unit(self) -> "Deflection":
+        if self.max[1] != self.unit:
+            raise spec_error(
+                f"a deflection along {self.direction} is in {self.unit}, not {self.max[1]}",
+                f"write {'1 mrad' if self.unit == 'rad' else '1 um'}",
+                at=("max",),
+            )
+        return self
+
+    @property
+    def unit(self) -> str:
+        """Return the SI unit of the deflection."""
+        return "rad" if _turns(self.direction) else "m"
+
+    def applies(self, scene: Scene) -> bool:
+        """Return whether the case has a wrench."""
+        return scene.wrench is not None
+
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the deflection, with either sign, against its bound."""
+        assert ask.scene.wrench is not None  # it applies
+        C = compliance(ask, self.point)
+        moved = float(C[_index(self.direction)] @ np.array(ask.scene.wrench))
+        plain = self.model_copy(update={"max": self.max[0]})
+        for sign in (1.0, -1.0):
+            for limit in plain.bounds(
+                sign * moved,
+                case=ask.scene.case,
+                quantity=f"deflection along {self.direction} under the wrench",
+                unit=self.unit,
+                source=SOURCE,
+            ):
+                yield replace(limit, requirement=f"{self.label} {self.direction}")
