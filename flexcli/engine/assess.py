@@ -64,7 +64,7 @@ def checks(limits: Iterable[Limit]) -> tuple[Check, ...]:
         demand, capacity = float(limit.demand), float(limit.capacity)
         found, asked = factor(limit, demand, capacity), required(limit)
         check = Check(
-            name=limit.requirement + (f" ({limit.variant})" if limit.variant else ""),
+            name=limit.title,
             case=limit.case,
             quantity=limit.quantity,
             demand=max(demand, 0.0) ** root,
@@ -156,7 +156,7 @@ def _admissible(design: DesignSpec, sizes: Sizes) -> dict[str, Value]:
     """Return the travel at which the stress reaches the strength that the material states."""
     geometry, material = design.geometry, design.material
     strength = next((name for name in STRENGTHS if getattr(material, name) is not None), None)
-    if strength is None:
+    if strength is None or not geometry.is_linear:
         return {}
     try:
         stresses = geometry.end_stresses(material.elastic, sizes, 1.0)

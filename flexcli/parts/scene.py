@@ -1,6 +1,7 @@
 """What one case asks of each joint: travel, force, what holds the blades' ends."""
 
 from collections.abc import Mapping
+from math import copysign
 from typing import NamedTuple
 
 from flexcli.formulas.miles import miles_worst_case
@@ -17,7 +18,8 @@ __all__ = ["Scene", "scene_of"]
 class Scene(NamedTuple):
     """One case in the joint's own terms.
 
-    ``travel`` and ``mean_travel`` are rotations [rad] or translations [m] of the joint; ``force``
+    ``travel`` and ``mean_travel`` are rotations [rad] or translations [m] of the joint,
+    ``middle`` is the mean travel with the sign of the stroke; ``force``
     is the largest force on a joint in its plane [N], ``axial_share`` the largest axial force in a
     blade per unit of it.
     """
@@ -25,6 +27,7 @@ class Scene(NamedTuple):
     case: str
     travel: float
     mean_travel: float
+    middle: float
     cycles: float | None
     force: float
     force_name: str
@@ -64,6 +67,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         case=name,
         travel=travel,
         mean_travel=mean,
+        middle=copysign(mean, case.stroke.middle) if case.stroke else 0.0,
         cycles=case.stroke.cycles if case.stroke else None,
         force=force,
         force_name=force_name,

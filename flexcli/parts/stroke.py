@@ -68,7 +68,12 @@ class Stroke(Part):
         return float(abs(end - start) / 2.0)
 
     @property
+    def middle(self) -> float:
+        """Return the middle of the travel, with its sign [m or rad]."""
+        start, end = self._ends
+        return float(end + start) / 2.0
+
+    @property
     def mean(self) -> float:
         """Return the distance of the middle of the travel from rest [m or rad]."""
-        start, end = self._ends
-        return float(abs(end + start) / 2.0)
+        return abs(self.middle)

@@ -1,6 +1,6 @@
 """Results as text for a terminal, with rich: margins first, then what explains them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import isfinite
 
 from rich.console import Console, Group, RenderableType
@@ -12,7 +12,7 @@ from flexcli.report.asd import profile_list, profile_sheet, worst_cases
 from flexcli.report.balance_text import balance_tables
 from flexcli.report.response_text import response_tables
 from flexcli.report.tables import table as _table
-from flexcli.results import Check, Result, SizingResult, Status
+from flexcli.results import Check, Result, SizingResult, Status, Value
 from flexcli.units import STANDARD_GRAVITY, show
 
 __all__ = ["findings_text", "print_findings", "print_result", "print_summary"]
@@ -24,12 +24,15 @@ _STYLE = {
     Status.ERROR: "bold red",
 }
 
+MOST_COLUMNS = 4
+"""Sizes that a table of designs shows before it leaves the given ones out."""
+
 
 def print_result(result: Result, console: Console) -> None:
     """Print one result: heading, sizing, values, checks, effects, warnings, cost."""
     console.print(_heading(result))
     if result.sizing is not None:
-        console.print(_sizing(result.sizing))
+        console.print(_sizing(result.sizing, result.values))
     if result.values and len(result.worst_cases) < 2:
         console.print(_values(result))
     if result.balance is not None:
@@ -106,10 +109,12 @@ def _number(value: float) -> str:
     return f"{value:.4g}" if isfinite(value) else "∞"
 
 
-def _sizing(sizing: SizingResult) -> RenderableType:
+def _sizing(sizing: SizingResult, values: Mapping[str, Value]) -> RenderableType:
     parts: list[RenderableType] = [Text(f"objective: {sizing.objective} ({sizing.certificate})")]
     if sizing.designs:
         names = list(sizing.designs[0].sizes)
+        if len(names) > MOST_COLUMNS:  # the given ones stand among the values
+            names = [n for n in names if n in values and values[n].model != "given"]
         columns = ("design", *names, "volume")
         table = _table("Designs", *columns, numbers=range(1, 2 + len(names)))
         for d in sizing.designs:

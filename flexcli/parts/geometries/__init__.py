@@ -1,22 +1,13 @@
-"""Joints and stages that a spec can name; a new kind is a file here and a name below."""
+"""Joints and stages that a spec can name: any flexure, or a linkage of them."""
 
 from typing import Annotated, TypeAlias
 
 from pydantic import Field
 
 from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.any_flexure import AnyFlexure
 from flexcli.parts.geometries.base import Blade, Critical, Extent, Geometry, Sizes
-from flexcli.parts.geometries.cross_spring import CrossSpringPivot
-from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
-from flexcli.parts.geometries.leaf_stage import LeafSpringStage
-from flexcli.parts.geometries.necked_stage import NeckedDownStage
-from flexcli.parts.geometries.notch import CircularHinge, EllipticHinge, FilletedHinge
-from flexcli.parts.geometries.rcc import RCCPivot
-from flexcli.parts.geometries.single_blade import Cantilever, GuidedBlade, MomentBlade
-from flexcli.parts.geometries.star import StarPivot
-from flexcli.parts.geometries.three_blade import ThreeBladePivot
-from flexcli.parts.geometries.torsion import RoundTorsionBar, TorsionBar, TorsionStar
-from flexcli.parts.geometries.unseparated import UnseparatedPivot
+from flexcli.parts.geometries.linkage import LinkageGeometry
 
 __all__ = [
     "AnyGeometry",
@@ -29,24 +20,4 @@ __all__ = [
     "Sizes",
 ]
 
-AnyGeometry: TypeAlias = Annotated[
-    Cantilever
-    | GuidedBlade
-    | MomentBlade
-    | RCCPivot
-    | CrossSpringPivot
-    | UnseparatedPivot
-    | ThreeBladePivot
-    | StarPivot
-    | LeafSpringStage
-    | NeckedDownStage
-    | CircularHinge
-    | EllipticHinge
-    | FilletedHinge
-    | HingedStage
-    | HingedPivot
-    | TorsionBar
-    | RoundTorsionBar
-    | TorsionStar,
-    Field(discriminator="kind"),
-]
+AnyGeometry: TypeAlias = Annotated[AnyFlexure | LinkageGeometry, Field(discriminator="kind")]

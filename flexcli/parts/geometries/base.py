@@ -91,6 +91,8 @@ class Geometry(Part):
     """Where its closed forms hold, in terms of :meth:`ratios`."""
     posynomial: ClassVar[bool] = True
     """Whether its closed forms are arithmetic that signomials can take part in."""
+    is_linear: ClassVar[bool] = True
+    """Whether its stresses grow in proportion to its travel."""
     strain: ClassVar[str] = "bending"
     """What strains it when it moves."""
     sag_bends_width: ClassVar[bool] = False
@@ -137,6 +139,22 @@ class Geometry(Part):
     @abstractmethod
     def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Quantity]:
         """Return the signed stress at each place that may be the worst [Pa], at a travel."""
+
+    def stroke_stresses(
+        self, elastic: Elastic, sizes: Sizes, amplitude: float, middle: float
+    ) -> tuple[dict[str, Quantity], dict[str, Quantity]]:
+        """Return amplitude and mean of the stress at each place [Pa]; no mean where it is zero.
+
+        ``middle`` is that of the stroke from rest, with its sign.
+        """
+        return (
+            self.end_stresses(elastic, sizes, amplitude),
+            self.end_stresses(elastic, sizes, abs(middle)) if middle else {},
+        )
+
+    def joint_of(self, place: str) -> str:
+        """Return the joint that a place of the stress belongs to, where there are several."""
+        return ""
 
     @abstractmethod
     def volume(self, sizes: Sizes) -> Quantity:

@@ -69,8 +69,13 @@ class Limit:
     @property
     def name(self) -> str:
         """Return the name of the check that this limit belongs to."""
-        name = f"{self.requirement} ({self.variant})" if self.variant else self.requirement
-        return f"{name}, {self.case}" if self.case else name
+        return f"{self.title}, {self.case}" if self.case else self.title
+
+    @property
+    def title(self) -> str:
+        """Return the name of the check without its case."""
+        name = f"{self.requirement} of {self.joint}" if self.joint else self.requirement
+        return f"{name} ({self.variant})" if self.variant else name
 
 
 class Requirement(Part):

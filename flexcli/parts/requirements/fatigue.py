@@ -37,12 +37,11 @@ class Fatigue(FactorRequirement):
         try:
             strength, where = material.reversed_amplitude(scene.cycles)
             name, stresses = end_stresses(ask)
-            has_mean = scene.mean_travel > 0.0 or scene.blade_force > 0.0
-            method = self.mean_stress if has_mean else "none"
-            meant = f"equivalent amplitude ({method}) of the {name}"
-            if method == "none":
-                meant = "amplitude of the bending stress"
             for stress in stresses:
+                method = "none" if stress.is_reversed else self.mean_stress
+                meant = f"equivalent amplitude ({method}) of the {name}"
+                if method == "none":
+                    meant = f"amplitude of the {ask.geometry.strain} stress"
                 demand, power = self._equivalent(stress, ask, strength, method)
                 yield Limit(
                     self.label,
@@ -55,6 +54,7 @@ class Fatigue(FactorRequirement):
                     required=self.factor,
                     power=power,
                     load=True,
+                    joint=ask.geometry.joint_of(stress.where),
                     driver="stroke" if method == "none" else driver(scene),
                 )
         except MissingProperty as missing:

@@ -21,6 +21,11 @@ class EndStress(NamedTuple):
     axial: Quantity
 
     @property
+    def is_reversed(self) -> bool:
+        """Return whether nothing stands beside the amplitude."""
+        return all(isinstance(s, float) and s == 0.0 for s in (self.mean, self.axial))
+
+    @property
     def largest(self) -> Quantity:
         """Return the largest stress at this face."""
         return self.amplitude + self.mean + self.axial
@@ -54,12 +59,13 @@ def end_stresses(ask: Ask) -> tuple[str, Iterator[EndStress]]:
             return
         elastic = ask.material.elastic
         try:
-            amplitudes = ask.geometry.end_stresses(elastic, sizes, scene.travel)
-            means = ask.geometry.end_stresses(elastic, sizes, scene.mean_travel)
+            amplitudes, means = ask.geometry.stroke_stresses(
+                elastic, sizes, scene.travel, scene.middle
+            )
         except NotAvailable as error:
             raise RequirementError(f"a {ask.geometry.name} {error}") from error
         for where, amplitude in amplitudes.items():
-            mean = means[where] if scene.mean_travel > 0.0 else 0.0
+            mean = means.get(where, 0.0)
             for sign in _faces(amplitude + mean):
                 yield EndStress(where, sign * amplitude, sign * mean, axial)
 

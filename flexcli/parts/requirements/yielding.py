@@ -60,5 +60,6 @@ class Yield(FactorRequirement):
                     required=self.factor,
                     variant=allowable,
                     load=True,
+                    joint=ask.geometry.joint_of(stress.where),
                     driver=driver(ask.scene),
                 )

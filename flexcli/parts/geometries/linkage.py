@@ -1,0 +1,265 @@
+"""Linkage: rigid links on pivots and stages, each of which has its own sizes."""
+
+from collections import namedtuple
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from functools import cached_property
+from math import atan2, cos, pi, sin
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from flexcli.errors import SolveError
+from flexcli.formulas.quantity import Quantity
+from flexcli.mechanics.layout import Body, Layout, Point
+from flexcli.mechanics.linkage import Link, Linkage, Prismatic, Revolute
+from flexcli.mechanics.linkage_range import Extremes, extremes
+from flexcli.mechanics.linkage_travel import Travel, motion, travel
+from flexcli.parts.base import Angle, Length, Part, spec_error
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.any_flexure import AnyFlexure
+from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry, Sizes
+from flexcli.results import Value
+from flexcli.units import show
+
+__all__ = ["LinkageGeometry"]
+
+ROUNDING = 1e-9
+"""Mean of a joint's range, over its amplitude, that counts as none."""
+
+Place = tuple[Length, Length]
+Direction = tuple[float, float]
+Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9]*$")]
+
+
+class LinkageJoint(Part):
+    """A joint between two links: a pivot at a point, or a stage along a direction.
+
+    A joint without a flexure is ideal: it guides and has no stiffness. ``turned`` is the angle
+    from x to the flexure's axis of symmetry.
+    """
+
+    links: tuple[Name, Name]
+    at: Place = (0.0, 0.0)
+    along: Direction | None = Field(None, description="direction of a stage; a pivot has none")
+    flexure: AnyFlexure | None = None
+    turned: Angle = 0.0
+
+    @model_validator(mode="after")
+    def _flexure_fits(self) -> "LinkageJoint":
+        wanted = "rotation" if self.along is None else "translation"
+        if self.along == (0.0, 0.0):
+            raise spec_error("this direction has no length", "write e.g. [1, 0]", at=("along",))
+        if self.flexure is not None and self.flexure.motion != wanted:
+            hint = "give along: [1, 0] for a stage" if wanted == "rotation" else "take a stage"
+            raise spec_error(
+                f"a {self.flexure.name} makes no {wanted}", hint, at=("flexure", "kind")
+            )
+        return self
+
+    @property
+    def angle(self) -> float:
+        """Return the turn of the flexure's frame, in which a stage moves along y [rad]."""
+        return self.turned if self.along is None else atan2(*reversed(self.along)) - pi / 2.0
+
+
+class LinkageGeometry(Geometry):
+    """Rigid links on joints; the stroke is that of the input joint, from the assembled pose."""
+
+    is_linear: ClassVar[bool] = False
+    source: ClassVar[str] = "rigid links, each joint by its own closed form"
+
+    kind: Literal["linkage"]
+    ground: Name
+    input: Name
+    joints: Annotated[dict[Name, LinkageJoint], Field(min_length=2, max_length=100)]
+
+    @model_validator(mode="after")
+    def _moves(self) -> "LinkageGeometry":
+        try:
+            motion(self.rigid, 0.0)
+        except ValueError as error:
+            raise spec_error(str(error), "check links, ground and input") from error
+        except SolveError as error:
+            raise spec_error(str(error), error.remedy) from error
+        return self
+
+    @cached_property
+    def rigid(self) -> Linkage:
+        """Return the linkage as rigid links."""
+        names = dict.fromkeys(name for joint in self.joints.values() for name in joint.links)
+        joints = tuple(
+            Revolute(name, *joint.links, joint.at)
+            if joint.along is None
+            else Prismatic(name, *joint.links, joint.along)
+            for name, joint in self.joints.items()
+        )
+        return Linkage(tuple(map(Link, names)), joints, self.ground, self.input)
+
+    # which motion it is depends on its input, as no other geometry's does
+    @property
+    def motion(self) -> str:  # type: ignore[override]
+        """Return the kind of motion of the input."""
+        return "rotation" if self.joints[self.input].along is None else "translation"
+
+    @property
+    def posynomial(self) -> bool:  # type: ignore[override]
+        """Return whether all its flexures are."""
+        return all(flexure.posynomial for _, flexure in self.flexures())
+
+    def flexures(self) -> Iterator[tuple[str, Geometry]]:
+        """Yield the joints that are flexures, by name."""
+        for name, joint in self.joints.items():
+            if joint.flexure is not None:
+                yield name, joint.flexure
+
+    @property
+    def extents(self) -> dict[str, Extent]:
+        """Return the extents of every flexure's sizes, by symbol and joint."""
+        return {
+            f"{size}_{name}": extent
+            for name, flexure in self.flexures()
+            for size, extent in flexure.extents.items()
+        }
+
+    def label(self, name: str) -> str:
+        """Return what a size is, in words."""
+        joint = self._owner(name)
+        return f"{self._flexure(joint).label(name.removesuffix(f'_{joint}'))} at {joint}"
+
+    def _owner(self, name: str) -> str:
+        return name.rpartition("_")[2]
+
+    def _flexure(self, name: str) -> Geometry:
+        flexure = self.joints[name].flexure
+        assert flexure is not None  # only joints with a flexure have sizes
+        return flexure
+
+    def sized(self, values: Mapping[str, Quantity]) -> Sizes:
+        """Return the sizes of all flexures; what is fixed stays so."""
+        found = {name: values.get(name, extent.fixed) for name, extent in self.extents.items()}
+        return namedtuple("LinkageSizes", found)(**found)
+
+    def sizes_of(self, joint: str, sizes: Sizes) -> Sizes:
+        """Return the sizes of one joint's flexure."""
+        flexure = self._flexure(joint)
+        return flexure.sized({n: getattr(sizes, f"{n}_{joint}") for n in flexure.extents})
+
+    def _followed(self, start: float, end: float) -> Travel:
+        found = travel(self.rigid, start, end)
+        for stop in (found.low, found.high):
+            if stop.end.name != "ASKED":
+                raise NotAvailable(
+                    f"stops at {stop.input:.6g} of its input {self.input}: {stop.end.value}"
+                )
+        return found
+
+    def deflections(self, start: float, end: float) -> dict[str, Extremes]:
+        """Return the extremes of every joint's deflection over a range of the input."""
+        return extremes(self._followed(start, end), start, end)
+
+    def stiffness(self, elastic: Elastic, sizes: Sizes) -> Quantity:
+        """Return the stiffness that the joints reflect to the input at rest."""
+        ratios = motion(self.rigid, 0.0).ratios
+        found: Quantity = 0.0
+        for name, flexure in self.flexures():
+            own = flexure.stiffness(elastic, self.sizes_of(name, sizes))
+            found = found + own * float(ratios[name]) ** 2
+        return found
+
+    def stroke_stresses(
+        self, elastic: Elastic, sizes: Sizes, amplitude: float, middle: float
+    ) -> tuple[dict[str, Quantity], dict[str, Quantity]]:
+        """Return amplitude and mean of the stress at each place of every joint [Pa].
+
+        Each joint goes through its own range, whose middle need not be its rest.
+        """
+        found: tuple[dict[str, Quantity], dict[str, Quantity]] = ({}, {})
+        ranges = self.deflections(middle - amplitude, middle + amplitude)
+        for name, flexure in self.flexures():
+            least, greatest = ranges[name].least, ranges[name].greatest
+            own = self.sizes_of(name, sizes)
+            turns = ((greatest - least) / 2.0, abs(greatest + least) / 2.0)
+            for each, turn in zip(found, turns, strict=True):
+                if turn > ROUNDING * turns[0]:
+                    stresses = flexure.end_stresses(elastic, own, turn)
+                    each.update({f"{name}, {place}": s for place, s in stresses.items()})
+        return found
+
+    def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Quantity]:
+        """Return the largest stress at each place of every joint [Pa], over ± the travel."""
+        amplitudes, means = self.stroke_stresses(elastic, sizes, travel, 0.0)
+        return {place: s + means.get(place, 0.0) for place, s in amplitudes.items()}
+
+    def joint_of(self, place: str) -> str:
+        """Return the joint that a place of :meth:`end_stresses` belongs to."""
+        return place.partition(",")[0]
+
+    def volume(self, sizes: Sizes) -> Quantity:
+        """Return the volume of all flexures [m³]."""
+        each = [flexure.volume(self.sizes_of(n, sizes)) for n, flexure in self.flexures()]
+        return sum(each[1:], each[0]) if each else 0.0
+
+    def ratios(self, sizes: Sizes) -> dict[str, Quantity]:
+        """Return the ratios of every flexure's shape, by joint."""
+        return {
+            f"{ratio} {name}": value
+            for name, flexure in self.flexures()
+            for ratio, value in flexure.ratios(self.sizes_of(name, sizes)).items()
+        }
+
+    def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
+        """Return the flexures between the links; the input joint's second link is ``moving``."""
+        driven = self.joints[self.input].links
+        if self.ground not in driven:
+            raise NotAvailable("has an input between two moving links: no single body to drive")
+        moving = driven[0] if driven[1] == self.ground else driven[1]
+        named = {self.ground: GROUND, moving: MOVING}
+        middle = self.joints[self.input].at
+        bodies = [Body(named.get(name, name), middle) for name in self.rigid.moving]
+        blades = []
+        for name, joint in self.joints.items():
+            if joint.flexure is None:
+                raise NotAvailable(f"has an ideal joint {name}: give it a flexure")
+            part = joint.flexure.layout(elastic, self.sizes_of(name, sizes))
+            ends = {
+                GROUND: named.get(joint.links[0], joint.links[0]),
+                MOVING: named.get(joint.links[1], joint.links[1]),
+                **{b.name: f"{name} {b.name}" for b in part.bodies if b.name != MOVING},
+            }
+            bodies += [
+                b._replace(name=ends[b.name], point=_placed(b.point, joint))
+                for b in part.bodies
+                if b.name != MOVING
+            ]
+            blades += [
+                replace(
+                    blade,
+                    name=f"{name} {blade.name}",
+                    first=ends[blade.first],
+                    second=ends[blade.second],
+                    start=_placed(blade.start, joint),
+                    end=_placed(blade.end, joint),
+                )
+                for blade in part.blades
+            ]
+        return Layout(tuple(bodies), tuple(blades), elastic.E, elastic.shear)
+
+    def values(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Value]:
+        """Return the largest deflection of every joint over ± the travel."""
+        if travel == 0.0:
+            return {}
+        input_unit = "rad" if self.motion == "rotation" else "m"
+        found = {}
+        for name, ranges in self.deflections(-travel, travel).items():
+            unit = "rad" if self.joints[name].along is None else "m"
+            where = f"at {self.input} = {show(ranges.at_largest, input_unit)}"
+            label = f"largest deflection of {name}, {where}"
+            found[f"{name}_max"] = Value(ranges.largest, unit, label, source="rigid links")
+        return found
+
+
+def _placed(point: Point, joint: LinkageJoint) -> Point:
+    """Return a point of a flexure's frame where its joint stands."""
+    (x, y), (c, s) = point, (cos(joint.angle), sin(joint.angle))
+    return joint.at[0] + c * x - s * y, joint.at[1] + s * x + c * y
