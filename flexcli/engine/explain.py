@@ -25,9 +25,12 @@ class Topic(NamedTuple):
     cards: tuple[Card, ...]
 
 
-def _kinds() -> Iterator[type[Geometry]]:
-    union, *_ = get_args(AnyGeometry)
-    yield from get_args(union)
+def _kinds(annotation: Any = AnyGeometry) -> Iterator[type[Geometry]]:
+    """Yield the classes of a union, which may hold unions and markers itself."""
+    if isinstance(annotation, type):
+        yield annotation
+    for member in get_args(annotation):
+        yield from _kinds(member)
 
 
 def _topics() -> dict[str, Topic]:

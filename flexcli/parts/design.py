@@ -11,9 +11,17 @@ from flexcli.parts.case import Case
 from flexcli.parts.geometries import AnyGeometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import AnyMechanism, MechanismError
-from flexcli.parts.requirements import Ask, Limit, RequirementError, Requirements
+from flexcli.parts.requirements import (
+    CLOSED_FORM,
+    Answers,
+    Ask,
+    Limit,
+    RequirementError,
+    Requirements,
+)
 from flexcli.parts.scene import Scene, scene_of
 from flexcli.parts.sizing import QUANTITIES, SizeOptions
+from flexcli.parts.stops import Stops, StopsMisfit
 
 __all__ = ["DesignSpec", "Problem"]
 
@@ -42,6 +50,7 @@ class DesignSpec(Part):
     requirements: Requirements
     size: SizeOptions = SizeOptions.model_construct()
     balance: BalanceOptions = BalanceOptions.model_construct()
+    stops: Stops | None = None
 
     @model_validator(mode="before")
     @classmethod
@@ -64,6 +73,15 @@ class DesignSpec(Part):
                 "take a pivot, e.g. kind: rcc",
                 at=("geometry", "kind"),
             )
+        return self
+
+    @model_validator(mode="after")
+    def _stops_fit(self) -> "DesignSpec":
+        if self.stops is not None:
+            try:
+                self.stops.refuse_misfit(self.material, self.geometry, self.mechanism)
+            except StopsMisfit as misfit:
+                raise spec_error(str(misfit), misfit.hint, at=misfit.at) from misfit
         return self
 
     @model_validator(mode="after")
@@ -94,15 +112,15 @@ class DesignSpec(Part):
         """Return one case in the terms of each joint, or raise :class:`MechanismError`."""
         return scene_of(name, self.cases[name], self.mechanism, self.geometry)
 
-    def limits(self, sizes: Sizes) -> list[Limit]:
-        """Return every limit of every requirement in every case, on floats."""
-        return list(self._limits(sizes, closed_form=False))
+    def limits(self, sizes: Sizes, answers: Answers = CLOSED_FORM) -> list[Limit]:
+        """Return every limit of every requirement in every case, on floats, by a model."""
+        return list(self._limits(sizes, answers, closed_form=False))
 
     def closed_limits(self, sizes: Sizes) -> list[Limit]:
         """Return the limits that are closed forms, on floats, arrays or signomials."""
-        return list(self._limits(sizes, closed_form=True))
+        return list(self._limits(sizes, CLOSED_FORM, closed_form=True))
 
-    def _limits(self, sizes: Sizes, *, closed_form: bool) -> Iterator[Limit]:
+    def _limits(self, sizes: Sizes, answers: Answers, *, closed_form: bool) -> Iterator[Limit]:
         yield from self.coupling_limits()
         scenes = [self.scene(name) for name in self.cases]
         for _, requirement in self.requirements.each():
@@ -110,8 +128,8 @@ class DesignSpec(Part):
                 continue
             relevant = [s for s in scenes if requirement.applies(s)]
             for scene in relevant if requirement.per_case else scenes[:1]:
-                ask = Ask(self.material, self.geometry, self.mechanism, sizes, scene)
-                yield from requirement.limits(ask)
+                ask = Ask(self.material, self.geometry, self.mechanism, sizes, scene, answers)
+                yield from requirement.judged(ask)
 
     def coupling_limits(self) -> Iterator[Limit]:
         """Yield what a mechanism states of its coupling to the base."""
@@ -164,8 +182,8 @@ class DesignSpec(Part):
         for scene in relevant if requirement.per_case else relevant[:1]:
             try:
                 list(
-                    requirement.limits(
-                        Ask(self.material, self.geometry, self.mechanism, probe, scene)
+                    requirement.judged(
+                        Ask(self.material, self.geometry, self.mechanism, probe, scene, CLOSED_FORM)
                     )
                 )
             except RequirementError as error:

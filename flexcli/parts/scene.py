@@ -43,6 +43,16 @@ class Scene(NamedTuple):
     values: Mapping[str, Value]
 
     @property
+    def bends(self) -> bool:
+        """Return whether the case moves the joint."""
+        return self.travel > 0.0 or self.mean_travel > 0.0
+
+    @property
+    def driver(self) -> str:
+        """Return what the stresses of the case grow with."""
+        return " and ".join(["stroke"] * self.bends + ["force"] * (self.blade_force > 0.0))
+
+    @property
     def blade_force(self) -> float:
         """Return the largest axial force in a blade [N]."""
         return self.force * self.axial_share

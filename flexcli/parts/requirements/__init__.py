@@ -6,8 +6,10 @@ from typing import Annotated, Any, TypeVar
 from pydantic import BeforeValidator, Field
 
 from flexcli.parts.base import Part
-from flexcli.parts.requirements.base import Ask, Bound, Limit, Requirement, RequirementError
+from flexcli.parts.requirements.ask import Answers, Ask, EndStress, RequirementError
+from flexcli.parts.requirements.base import Bound, Limit, Requirement
 from flexcli.parts.requirements.buckling import Buckling
+from flexcli.parts.requirements.closed_form import CLOSED_FORM
 from flexcli.parts.requirements.dynamic import DynamicBuckling, DynamicLife, DynamicYield
 from flexcli.parts.requirements.fatigue import Fatigue
 from flexcli.parts.requirements.frequency import Frequency
@@ -19,7 +21,17 @@ from flexcli.parts.requirements.stiffness import Stiffness
 from flexcli.parts.requirements.support import Deflection, Support
 from flexcli.parts.requirements.yielding import Yield
 
-__all__ = ["Ask", "Bound", "Limit", "Requirement", "RequirementError", "Requirements"]
+__all__ = [
+    "CLOSED_FORM",
+    "Answers",
+    "Ask",
+    "Bound",
+    "EndStress",
+    "Limit",
+    "Requirement",
+    "RequirementError",
+    "Requirements",
+]
 
 Kind = TypeVar("Kind", bound=Requirement)
 

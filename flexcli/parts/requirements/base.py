@@ -3,36 +3,17 @@
 from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 from pydantic import model_validator
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.base import Part, Ratio, spec_error
-from flexcli.parts.geometries.base import Geometry, Sizes
-from flexcli.parts.material import Material
-from flexcli.parts.mechanisms import Mechanism
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.scene import Scene
 
-__all__ = ["Ask", "Bound", "FactorRequirement", "Limit", "Requirement", "RequirementError"]
-
-
-class RequirementError(ValueError):
-    """A requirement that this design gives no ground to judge."""
-
-    def __init__(self, text: str, hint: str = "") -> None:
-        super().__init__(text)
-        self.hint = hint
-
-
-class Ask(NamedTuple):
-    """What a requirement is judged on: floats for a check, signomials for a sizing."""
-
-    material: Material
-    geometry: Geometry
-    mechanism: Mechanism | None
-    sizes: Sizes
-    scene: Scene
+__all__ = ["Bound", "FactorRequirement", "Limit", "Requirement"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,6 +74,16 @@ class Requirement(Part):
     @abstractmethod
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the limits for one case (or for the design, where it is not per case)."""
+
+    def judged(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the limits, or raise :class:`RequirementError` for what the joint has no form of.
+
+        What a geometry cannot answer is a mistake of the spec here: it asks for it.
+        """
+        try:
+            yield from self.limits(ask)
+        except NotAvailable as error:
+            raise RequirementError(f"a {ask.geometry.name} {error}") from error
 
 
 class FactorRequirement(Requirement):

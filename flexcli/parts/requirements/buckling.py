@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from typing import ClassVar
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
-from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.scene import Scene
 
 __all__ = ["Buckling"]
@@ -28,17 +28,13 @@ class Buckling(FactorRequirement):
                 f"nothing says what holds the blades' ends in case '{scene.case}'",
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
-        try:
-            found = ask.geometry.critical(ask.material.elastic, ask.sizes, scene.ends)
-        except NotAvailable as error:
-            raise RequirementError(f"a {ask.geometry.name} {error}") from error
-        for critical in found:
+        for critical in ask.answers.critical(ask):
             yield Limit(
                 self.label,
                 scene.case,
                 f"force {scene.force_name}, buckling {critical.way}",
                 scene.force,
-                critical.force / scene.axial_share,
+                critical.force,
                 "N",
                 f"{critical.source}: {scene.ends_why}",
                 required=self.factor,

@@ -14,7 +14,8 @@ from flexcli.parts.base import QuantityOf
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.requirements.yielding import Allowable
 from flexcli.parts.scene import Scene
 from flexcli.parts.structure import Structure
@@ -144,14 +145,11 @@ class DynamicBuckling(_Dynamic):
                 f"nothing says what holds the blades' ends in case '{scene.case}'",
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
-        try:
-            critical = min(
-                ask.geometry.critical(ask.material.elastic, ask.sizes, scene.ends),
-                key=lambda found: float(found.force),
-            )
-            per_force = ask.geometry.axial_stress(1.0, ask.sizes)
-        except NotAvailable as error:
-            raise RequirementError(f"a {ask.geometry.name} {error}") from error
+        critical = min(
+            ask.geometry.critical(ask.material.elastic, ask.sizes, scene.ends),
+            key=lambda found: float(found.force),
+        )
+        per_force = ask.geometry.axial_stress(1.0, ask.sizes)
         for peak in self.peaks(ask, "axial stress"):
             yield Limit(
                 self.label,

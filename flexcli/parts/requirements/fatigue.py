@@ -6,8 +6,8 @@ from typing import ClassVar, Literal
 from flexcli.formulas.fatigue import goodman_amplitude, swt_amplitude_squared
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.material import MissingProperty
-from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
-from flexcli.parts.requirements.stresses import EndStress, driver, end_stresses
+from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError
+from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.scene import Scene
 
 __all__ = ["Fatigue"]
@@ -36,7 +36,7 @@ class Fatigue(FactorRequirement):
             )
         try:
             strength, where = material.reversed_amplitude(scene.cycles)
-            name, stresses = end_stresses(ask)
+            name, stresses = ask.answers.stresses(ask)
             for stress in stresses:
                 method = "none" if stress.is_reversed else self.mean_stress
                 meant = f"equivalent amplitude ({method}) of the {name}"
@@ -54,8 +54,8 @@ class Fatigue(FactorRequirement):
                     required=self.factor,
                     power=power,
                     load=True,
-                    joint=ask.geometry.joint_of(stress.where),
-                    driver="stroke" if method == "none" else driver(scene),
+                    joint=stress.joint,
+                    driver="stroke" if method == "none" else scene.driver,
                 )
         except MissingProperty as missing:
             raise RequirementError(

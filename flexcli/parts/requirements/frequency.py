@@ -6,7 +6,8 @@ from typing import Annotated, ClassVar
 
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.base import Bound, Limit
 
 __all__ = ["Frequency"]
 
@@ -29,7 +30,7 @@ class Frequency(Bound):
                 "a frequency needs a mass that moves", "add mechanism: {kind: payload, mass: …}"
             )
         try:
-            stiffness = ask.geometry.stiffness(ask.material.elastic, ask.sizes)
+            stiffness = ask.answers.stiffness(ask)
             mode = ask.mechanism.mode(stiffness, ask.geometry)
         except MechanismError as error:
             raise RequirementError(str(error), error.hint) from error

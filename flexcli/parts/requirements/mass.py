@@ -4,7 +4,8 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.base import Bound, Limit
 
 __all__ = ["Mass"]
 

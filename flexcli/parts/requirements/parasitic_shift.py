@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+from flexcli.parts.requirements.ask import Ask
+from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import Scene
 
 __all__ = ["ParasiticShift"]
@@ -30,10 +30,7 @@ class ParasiticShift(Bound):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the shift, with either sign, against its bound."""
         scene = ask.scene
-        try:
-            shift = ask.geometry.parasitic_shift(ask.sizes, scene.travel + scene.mean_travel)
-        except NotAvailable as error:
-            raise RequirementError(f"a {ask.geometry.name} {error}") from error
+        shift = ask.answers.parasitic_shift(ask)
         for sign in (1.0, -1.0):
             yield from self.bounds(
                 sign * shift,

@@ -4,9 +4,9 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import Scene
 
 __all__ = ["Sag"]
@@ -37,12 +37,9 @@ class Sag(Bound):
             )
         try:
             weight = ask.mechanism.hanging_mass() * scene.acceleration
-            stiffness = ask.geometry.sag_stiffness(ask.material.elastic, ask.sizes, scene.axis)
-        except (MechanismError, NotAvailable) as error:
-            text = (
-                f"a {ask.geometry.name} {error}" if isinstance(error, NotAvailable) else str(error)
-            )
-            raise RequirementError(text) from error
+        except MechanismError as error:
+            raise RequirementError(str(error)) from error
+        stiffness = ask.answers.sag_stiffness(ask)
         yield from self.bounds(
             weight / stiffness,
             case=scene.case,

@@ -6,7 +6,8 @@ from typing import Any, ClassVar
 from pydantic import field_validator
 
 from flexcli.parts.base import in_either
-from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.base import Bound, Limit
 
 __all__ = ["Stiffness"]
 
@@ -36,7 +37,7 @@ class Stiffness(Bound):
                 )
             plain[name] = given[0]
         yield from self.model_copy(update=plain).bounds(
-            ask.geometry.stiffness(ask.material.elastic, ask.sizes),
+            ask.answers.stiffness(ask),
             case="",
             quantity="stiffness of a joint",
             unit=unit,

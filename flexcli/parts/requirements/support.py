@@ -13,35 +13,46 @@ from numpy.typing import NDArray
 from pydantic import Field, field_validator, model_validator
 
 from flexcli.errors import SolveError
+from flexcli.formulas.rigid_motion import motion_at
 from flexcli.parts.base import Length, in_either, spec_error
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
-from flexcli.parts.requirements.base import Ask, Bound, Limit, RequirementError
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import Scene
 
 __all__ = ["Deflection", "Direction", "Support"]
 
 Direction = Literal["x", "y", "z", "theta_x", "theta_y", "theta_z"]
-"""Of a motion or a load: x along the axis of symmetry, z along the width of the blades."""
+"""Of a motion or a load: x along the axis of symmetry, z along the width of the blades.
+
+As in :meth:`Geometry.layout`: a stage moves along y, its blades stand along x.
+"""
 
 DIRECTIONS = get_args(Direction)
 
-Place = Annotated[tuple[Length, Length, Length], Field(description="where, from the centre")]
+Place = Annotated[
+    tuple[Length, Length, Length],
+    Field(description="where on the moving body, from the centre of a pivot, of a stage, or a tip"),
+]
 
 CENTRE = (0.0, 0.0, 0.0)
+"""The reference point of the moving body in the layout of its joint."""
 
 SOURCE = "linear beams with shear, assembled in space at rest"
 
 
 def compliance(ask: Ask, point: tuple[float, float, float]) -> NDArray[np.float64]:
-    """Return the 6×6 compliance of the joint about a point, or raise why there is none."""
+    """Return the 6×6 compliance of the joint at a point, or raise why there is none."""
     from flexcli.mechanics.support import support_compliance
 
     try:
         layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
-        return support_compliance(layout, MOVING, point)
+        (x, y), *_ = (body.point for body in layout.bodies if body.name == MOVING)
+        return support_compliance(layout, MOVING, (x + point[0], y + point[1], point[2]))
     except NotAvailable as error:
-        raise RequirementError(f"a {ask.geometry.name} {error}") from error
+        hint = "complete the geometry, or leave this requirement out"
+        raise RequirementError(f"a {ask.geometry.name} {error}", hint) from error
     except SolveError as error:
         raise RequirementError(str(error), error.remedy) from error
 
@@ -52,6 +63,10 @@ def _index(direction: Direction) -> int:
 
 def _turns(direction: Direction) -> bool:
     return direction.startswith("theta")
+
+
+def _along(direction: Direction) -> str:
+    return f"about {direction[-1]}" if _turns(direction) else f"along {direction}"
 
 
 class Support(Bound):
@@ -81,9 +96,10 @@ class Support(Bound):
         for name in ("min", "max", "equals"):
             given = getattr(self, name)
             if given is not None and given[1] != self.unit:
+                hint = "give over: for a ratio" if not given[1] else f"write e.g. {self.example}"
                 raise spec_error(
-                    f"the bound on {self.spoken} is in {self.unit or 'plain numbers'}",
-                    "give over: for a ratio" if not given[1] else "",
+                    f"the bound on the {self.spoken} is in {self.unit or 'plain numbers'}",
+                    hint,
                     at=(name,),
                 )
         return self
@@ -96,10 +112,15 @@ class Support(Bound):
         return "N*m/rad" if _turns(self.direction) else "N/m"
 
     @property
+    def example(self) -> str:
+        """Return a bound as one would write it."""
+        return {"": "100", "N/m": "1 N/um", "N*m/rad": "1 N*m/rad"}[self.unit]
+
+    @property
     def spoken(self) -> str:
         """Return what is bounded, in words."""
-        over = f" over that along {self.over}" if self.over is not None else ""
-        return f"stiffness along {self.direction}{over}"
+        over = f" over that {_along(self.over)}" if self.over is not None else ""
+        return f"stiffness {_along(self.direction)}{over}"
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the stiffness or on the ratio."""
@@ -120,7 +141,7 @@ class Support(Bound):
 
 
 class Deflection(Bound):
-    """A bound on how far a case's wrench moves the joint in a direction."""
+    """A bound on how far a case's wrench, at the centre, moves a point in a direction."""
 
     label: ClassVar[str] = "deflection"
     per_case: ClassVar[bool] = True
@@ -142,7 +163,7 @@ class Deflection(Bound):
     def _in_its_unit(self) -> "Deflection":
         if self.max[1] != self.unit:
             raise spec_error(
-                f"a deflection along {self.direction} is in {self.unit}, not {self.max[1]}",
+                f"a deflection {_along(self.direction)} is in {self.unit}, not {self.max[1]}",
                 f"write {'1 mrad' if self.unit == 'rad' else '1 um'}",
                 at=("max",),
             )
@@ -160,14 +181,14 @@ class Deflection(Bound):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the deflection, with either sign, against its bound."""
         assert ask.scene.wrench is not None  # it applies
-        C = compliance(ask, self.point)
-        moved = float(C[_index(self.direction)] @ np.array(ask.scene.wrench))
+        centre = compliance(ask, CENTRE) @ np.array(ask.scene.wrench)
+        moved = float(motion_at(self.point)[_index(self.direction)] @ centre)
         plain = self.model_copy(update={"max": self.max[0]})
         for sign in (1.0, -1.0):
             for limit in plain.bounds(
                 sign * moved,
                 case=ask.scene.case,
-                quantity=f"deflection along {self.direction} under the wrench",
+                quantity=f"deflection {_along(self.direction)} under the wrench",
                 unit=self.unit,
                 source=SOURCE,
             ):

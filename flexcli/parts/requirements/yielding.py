@@ -7,8 +7,8 @@ from pydantic import field_validator
 
 from flexcli.parts.base import spec_error
 from flexcli.parts.material import MissingProperty
-from flexcli.parts.requirements.base import Ask, FactorRequirement, Limit, RequirementError
-from flexcli.parts.requirements.stresses import driver, end_stresses
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.scene import Scene
 
 __all__ = ["Yield"]
@@ -38,8 +38,7 @@ class Yield(FactorRequirement):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the largest stress at each end against each allowable."""
-        name, stresses = end_stresses(ask)
-        found = list(stresses)
+        name, found = ask.answers.stresses(ask)
         for allowable in self.allowable:
             field = allowable.replace("-", "_")
             try:
@@ -60,6 +59,6 @@ class Yield(FactorRequirement):
                     required=self.factor,
                     variant=allowable,
                     load=True,
-                    joint=ask.geometry.joint_of(stress.where),
-                    driver=driver(ask.scene),
+                    joint=stress.joint,
+                    driver=ask.scene.driver,
                 )

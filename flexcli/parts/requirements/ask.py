@@ -1,0 +1,83 @@
+"""What a requirement is judged on: the design, the case, and the model that answers."""
+
+from abc import ABC, abstractmethod
+from typing import NamedTuple
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.parts.geometries.base import Critical, Geometry, Sizes
+from flexcli.parts.material import Material
+from flexcli.parts.mechanisms import Mechanism
+from flexcli.parts.scene import Scene
+
+__all__ = ["Answers", "Ask", "EndStress", "RequirementError"]
+
+
+class RequirementError(ValueError):
+    """A requirement that this design gives no ground to judge."""
+
+    def __init__(self, text: str, hint: str = "") -> None:
+        super().__init__(text)
+        self.hint = hint
+
+
+class EndStress(NamedTuple):
+    """Signed amplitude and mean of the stress of the stroke at one place and face, and the axial.
+
+    ``joint`` is the joint of the place, where there are several with sizes of their own.
+    """
+
+    where: str
+    amplitude: Quantity
+    mean: Quantity
+    axial: Quantity
+    joint: str = ""
+
+    @property
+    def is_reversed(self) -> bool:
+        """Return whether nothing stands beside the amplitude."""
+        return all(isinstance(s, float) and s == 0.0 for s in (self.mean, self.axial))
+
+    @property
+    def largest(self) -> Quantity:
+        """Return the largest stress at this face."""
+        return self.amplitude + self.mean + self.axial
+
+
+class Ask(NamedTuple):
+    """What a requirement is judged on: floats for a check, signomials for a sizing."""
+
+    material: Material
+    geometry: Geometry
+    mechanism: Mechanism | None
+    sizes: Sizes
+    scene: Scene
+    answers: "Answers"
+
+
+class Answers(ABC):
+    """A model of the joint: what requirements ask of it, for floats or signomials.
+
+    Each method may raise :class:`flexcli.parts.elastic.NotAvailable`.
+    """
+
+    model: str
+
+    @abstractmethod
+    def stiffness(self, ask: Ask) -> Quantity:
+        """Return the stiffness of the joint along its motion [N·m/rad or N/m]."""
+
+    @abstractmethod
+    def sag_stiffness(self, ask: Ask) -> Quantity:
+        """Return the stiffness along the case's acceleration [N/m]."""
+
+    @abstractmethod
+    def parasitic_shift(self, ask: Ask) -> Quantity:
+        """Return the signed shift at the end of the case's stroke [m]."""
+
+    @abstractmethod
+    def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
+        """Return the name of the stress that is meant, and it wherever it may be the worst."""
+
+    @abstractmethod
+    def critical(self, ask: Ask) -> tuple[Critical, ...]:
+        """Return the forces on the joint, as the case's, that buckle it [N]."""

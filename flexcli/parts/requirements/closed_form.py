@@ -1,0 +1,82 @@
+"""The closed forms of a joint as answers to its requirements."""
+
+from collections.abc import Iterator
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.numerics.signomial import Signomial
+from flexcli.parts.geometries.base import Critical
+from flexcli.parts.requirements.ask import Answers, Ask, EndStress
+
+__all__ = ["CLOSED_FORM", "ClosedForm", "stress_name"]
+
+
+class ClosedForm(Answers):
+    """Small rotation, slender blades: what the geometry's own formulas say."""
+
+    model = "closed-form"
+
+    def stiffness(self, ask: Ask) -> Quantity:
+        """Return the stiffness along the motion [N·m/rad or N/m]."""
+        return ask.geometry.stiffness(ask.material.elastic, ask.sizes)
+
+    def sag_stiffness(self, ask: Ask) -> Quantity:
+        """Return the stiffness along the case's acceleration [N/m]."""
+        return ask.geometry.sag_stiffness(ask.material.elastic, ask.sizes, ask.scene.axis)
+
+    def parasitic_shift(self, ask: Ask) -> Quantity:
+        """Return the signed shift at the end of the stroke [m]."""
+        scene = ask.scene
+        return ask.geometry.parasitic_shift(ask.sizes, scene.travel + scene.mean_travel)
+
+    def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
+        """Return the stress at every end and for either sign.
+
+        Both faces of a blade see the bending, once in tension and once in compression, so each
+        end counts with both signs, unless its sign is known for every blade: then the face in
+        tension has the larger stress, and the other would only make a convex program look like
+        none.
+        """
+        return stress_name(ask), list(_each(ask))
+
+    def critical(self, ask: Ask) -> tuple[Critical, ...]:
+        """Return the forces on the joint at which its most loaded blade buckles [N]."""
+        scene = ask.scene
+        assert scene.ends is not None  # the requirement asks for them
+        found = ask.geometry.critical(ask.material.elastic, ask.sizes, scene.ends)
+        return tuple(c._replace(force=c.force / scene.axial_share) for c in found)
+
+
+CLOSED_FORM = ClosedForm()
+
+
+def stress_name(ask: Ask) -> str:
+    """Return what the stresses of a case are, by what loads it."""
+    return {
+        (True, False): f"{ask.geometry.strain} stress",
+        (False, True): "axial stress",
+        (True, True): f"{ask.geometry.strain} stress with the axial force",
+    }[ask.scene.bends, ask.scene.blade_force > 0.0]
+
+
+def _each(ask: Ask) -> Iterator[EndStress]:
+    scene, geometry, sizes = ask.scene, ask.geometry, ask.sizes
+    axial = geometry.axial_stress(scene.blade_force, sizes) if scene.blade_force else 0.0
+    if not scene.bends:
+        yield EndStress("blade", 0.0, 0.0, axial)
+        return
+    amplitudes, means = geometry.stroke_stresses(
+        ask.material.elastic, sizes, scene.travel, scene.middle
+    )
+    for where, amplitude in amplitudes.items():
+        mean, joint = means.get(where, 0.0), geometry.joint_of(where)
+        for sign in _faces(amplitude + mean):
+            yield EndStress(where, sign * amplitude, sign * mean, axial, joint)
+
+
+def _faces(bending: Quantity) -> tuple[float, ...]:
+    """Return the signs with which the bending of an end counts."""
+    if not isinstance(bending, Signomial):
+        return (1.0, -1.0)
+    if bending.negative_part().is_zero:
+        return (1.0,)
+    return (-1.0,) if bending.positive_part().is_zero else (1.0, -1.0)
