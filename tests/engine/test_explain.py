@@ -20,7 +20,7 @@ def test_the_docstring_of_a_formula_names_every_argument_with_meaning(name):
     card = CARDS[name]
     said = sheet(card.function)
     parameters = list(inspect.signature(card.function).parameters)
-    assert [symbol.name for symbol in said.symbols] == parameters
+    assert sorted(symbol.name for symbol in said.symbols) == sorted(parameters)
     assert all(symbol.meaning for symbol in (*said.symbols, *said.gives))
     assert said.title
     assert said.equation
