@@ -1,0 +1,133 @@
+"""What is asked of a mechanism: motions held and forces applied, on the way from one to another.
+
+Everything is scaled by a length and a force of each design. A share of the way λ in [0, 1] blends
+the demand of the start (rest, or an earlier equilibrium with its reactions) into the one asked.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.layout import Layout, Load, Number
+from flexcli.mechanics.mesh import column
+
+__all__ = ["Demand", "Force", "Held", "Spring", "forces_of", "held_of", "springs_of", "weights_of"]
+
+Floats = NDArray[np.float64]
+
+Held: TypeAlias = Mapping[str, tuple[Number | None, Number | None, Number | None]]
+"""Motion (x [m], y [m], φ [rad]) of the reference point of bodies; None leaves it free."""
+
+
+class Force(NamedTuple):
+    """A force on a body at an arm [unit length] from its reference point, arrays (designs or 1, …).
+
+    Its size at λ is ``before + λ (after − before)`` times ``force`` and ``moment``.
+    """
+
+    body: int
+    arm: Floats
+    force: Floats
+    moment: Floats
+    follows: bool
+    before: Floats
+    after: Floats
+
+
+class Spring(NamedTuple):
+    """Springs from a body's point to the ground: arm (designs or 1, 2), stiffness (…, 3)."""
+
+    body: int
+    arm: Floats
+    stiffness: Floats
+
+
+class Demand(NamedTuple):
+    """Coordinates held (3 body + 0, 1, 2), their values before and after (designs, held), forces.
+
+    ``free`` are the other coordinates of the bodies.
+    """
+
+    held: NDArray[np.intp]
+    free: NDArray[np.intp]
+    before: Floats
+    after: Floats
+    forces: tuple[Force, ...]
+    springs: tuple[Spring, ...]
+
+
+def _arm(layout: Layout, body: int, point: tuple[Number, Number], length: Floats) -> Floats:
+    origin = layout.bodies[body].point
+    x, y = (column(p) - column(o) for p, o in zip(point, origin, strict=True))
+    return np.stack(np.broadcast_arrays(x, y), axis=-1) / length[:, None]
+
+
+def forces_of(
+    layout: Layout,
+    loads: Sequence[Load],
+    length: Floats,
+    force: Floats,
+    before: Number = 0.0,
+    after: Number = 1.0,
+) -> tuple[Force, ...]:
+    """Return loads in scaled form, without those on the ground."""
+    names = {body.name: i for i, body in enumerate(layout.bodies)}
+    found = []
+    for load in loads:
+        if load.body not in names:
+            raise KeyError(f"a load acts on {load.body!r}, which is no body of the layout")
+        i = names[load.body]
+        pair = np.stack(np.broadcast_arrays(*map(column, load.force)), axis=-1) / force[:, None]
+        moment = column(load.moment) / (force * length)
+        arm = _arm(layout, i, load.point, length)
+        found.append(Force(i, arm, pair, moment, load.follows, column(before), column(after)))
+    return tuple(found)
+
+
+def weights_of(layout: Layout) -> tuple[Load, ...]:
+    """Return the weight of every body with mass, at its centre of mass."""
+    a_x, a_y = layout.acceleration
+    return tuple(
+        Load(body.name, body.com, (body.mass * a_x, body.mass * a_y))
+        for body in layout.bodies
+        if np.any(np.asarray(body.mass) != 0.0)
+        and (np.any(np.asarray(a_x) != 0.0) or np.any(np.asarray(a_y) != 0.0))
+    )
+
+
+def springs_of(layout: Layout, length: Floats, force: Floats) -> tuple[Spring, ...]:
+    """Return the supports in scaled form."""
+    names = {body.name: i for i, body in enumerate(layout.bodies)}
+    found = []
+    for support in layout.supports:
+        if support.body not in names:
+            raise KeyError(f"a support holds {support.body!r}, which is no body of the layout")
+        i = names[support.body]
+        k_x, k_y, k_phi = map(column, support.stiffness)
+        scaled = (k_x * length / force, k_y * length / force, k_phi / (force * length))
+        stiffness = np.stack(np.broadcast_arrays(*scaled), axis=-1)
+        found.append(Spring(i, _arm(layout, i, support.point, length), stiffness))
+    return tuple(found)
+
+
+def held_of(
+    layout: Layout, held: Held, length: Floats
+) -> tuple[NDArray[np.intp], NDArray[np.intp], Floats]:
+    """Return the coordinates held, the free ones, and the scaled values of the held."""
+    names = [body.name for body in layout.bodies]
+    for name in held:
+        if name not in names:
+            raise KeyError(f"held is {name!r}, which is no body of the layout")
+    index, values = [], []
+    for body, name in enumerate(names):
+        for axis, value in enumerate(held.get(name, (None, None, None))):
+            if value is not None:
+                index.append(3 * body + axis)
+                values.append(column(value) / (length if axis < 2 else 1.0))
+    coordinates = np.array(index, dtype=np.intp)
+    free = np.setdiff1d(np.arange(3 * len(names)), coordinates)
+    shape = np.broadcast_shapes(length.shape, *[v.shape for v in values])
+    table = np.stack([np.broadcast_to(v, shape) for v in values], axis=-1) if values else None
+    return coordinates, free, np.zeros((*shape, 0)) if table is None else table

@@ -1,0 +1,106 @@
+"""The linear model: small motions of exact beams, on request stiffened by their axial forces."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.asked import demand_of, designs_of
+from flexcli.mechanics.assembly import Assembly, assemble
+from flexcli.mechanics.demand import Demand, Held
+from flexcli.mechanics.layout import Layout, Load, Number
+from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.si import blade_forces, body_forces, body_motions
+
+__all__ = ["LinearSolution", "linear"]
+
+Floats = NDArray[np.float64]
+
+_NODES = 24
+"""Nodes on a piece: exact to rounding for the tanh and tan of axial loads of either sign."""
+
+
+class LinearSolution(NamedTuple):
+    """Motions and reactions of the bodies (designs, bodies, 3), forces on the blades' ends.
+
+    All SI, as in :class:`flexcli.mechanics.equilibrium.Equilibrium`; NaN where a design has no
+    unique solution (``unique`` false).
+    """
+
+    motions: Floats
+    end_forces: Floats
+    reactions: Floats
+    unique: NDArray[np.bool_]
+
+
+def linear(
+    layout: Layout,
+    held: Held | None = None,
+    *,
+    loads: Sequence[Load] = (),
+    load_factor: Number = 1.0,
+    effects: Effects | None = None,
+    axial_load: bool = False,
+) -> LinearSolution:
+    """Return the small motions of a mechanism under motions and loads.
+
+    Each blade is the exact Euler (``shear`` off) or Timoshenko beam of its profile. With
+    ``axial_load`` its bending is that of a beam under the axial force of the plain linear
+    solution: tanh for tension, tan for compression, to the Euler load and beyond.
+
+    Parameters
+    ----------
+    layout, held, loads, load_factor, effects
+        As in :func:`flexcli.mechanics.equilibrium.solve`.
+    axial_load : bool
+        Whether axial forces stiffen the blades.
+
+    Returns
+    -------
+    LinearSolution
+        Motions, forces and reactions.
+
+    Notes
+    -----
+    Second-order effects of the motions (shortening, rotated levers) are left out. Axial forces
+    that the motions cause, and not the loads, are those of the plain linear solution.
+
+    """
+    assembly = assemble(layout, Effects() if effects is None else effects, _NODES)
+    demand = demand_of(assembly, {} if held is None else held, loads, load_factor)
+    designs = designs_of(assembly, demand)
+    rest = np.zeros((designs, assembly.size))
+    first = _about(assembly, demand, rest)
+    if not axial_load:
+        return first[1]
+    return _about(assembly, demand, _axial(assembly, first[0]))[1]
+
+
+def _about(assembly: Assembly, demand: Demand, x: Floats) -> tuple[Floats, LinearSolution]:
+    """Return the solution linearised about a state."""
+    rows, share = np.arange(x.shape[0]), np.ones(x.shape[0])
+    step = assembly.step(x, share, rows, demand)
+    at = assembly.linearise(x, share, rows, demand)
+    change = step[:, assembly.turns :]
+    residual = at.residual + np.einsum("nij,nj->ni", at.matrix, change)
+    found = x + step
+    return found, LinearSolution(
+        motions=body_motions(assembly, found, rows),
+        end_forces=blade_forces(assembly, found, rows),
+        reactions=body_forces(assembly, demand.held, residual, rows),
+        unique=np.all(np.isfinite(step), axis=1),
+    )
+
+
+def _axial(assembly: Assembly, x: Floats) -> Floats:
+    """Return the straight state with only the axial forces of x."""
+    _, forces, _ = assembly.split(x)
+    straight = np.zeros_like(x)
+    kept = np.zeros_like(forces)
+    for mesh, place in zip(assembly.meshes, assembly.places, strict=True):
+        index = list(mesh.blades)
+        N = np.sum(forces[:, index, :2] * place.along, axis=-1)
+        kept[:, index, :2] = N[..., None] * place.along
+    straight[:, assembly.turns : assembly.turns + 3 * assembly.blades] = kept.reshape(len(x), -1)
+    return straight

@@ -1,0 +1,41 @@
+"""Motion of any point of a body: centre shift, runout, travel of an end."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.element import turned
+from flexcli.mechanics.layout import Point
+from flexcli.mechanics.mesh import column
+from flexcli.mechanics.state import Equilibrium
+
+__all__ = ["point_motion"]
+
+Floats = NDArray[np.float64]
+
+
+def point_motion(state: Equilibrium, body: str, point: Point) -> Floats:
+    """Return how far a point of a body has moved.
+
+    ``u_P = u + (R(φ) − 1) a`` with the arm a from the reference point at rest.
+
+    Parameters
+    ----------
+    state : Equilibrium
+        The designs in equilibrium.
+    body : str
+        Name of the body.
+    point : Point
+        Where the point is at rest [m]; for a pivot its centre: the motion is the centre shift.
+
+    Returns
+    -------
+    array, shape (designs, 2)
+        Motion along x and y [m].
+
+    """
+    index = [b.name for b in state.layout.bodies].index(body)
+    motion = state.motions[:, index]
+    origin = state.layout.bodies[index].point
+    x, y = (column(p) - column(o) for p, o in zip(point, origin, strict=True))
+    arm = np.broadcast_to(np.stack(np.broadcast_arrays(x, y), axis=-1), (state.designs, 2))
+    return np.asarray(motion[:, :2] + turned(arm, motion[:, 2])[1])

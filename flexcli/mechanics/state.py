@@ -1,0 +1,144 @@
+"""The answer of the exact solver: designs in equilibrium, or how far they came and why."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.errors import SolveError
+from flexcli.mechanics.assembly import Assembly, Linearised
+from flexcli.mechanics.demand import Demand
+from flexcli.mechanics.layout import Layout
+from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.si import blade_forces, body_forces, body_motions
+
+__all__ = ["Equilibrium", "Outcome", "Part"]
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.intp]
+
+
+class Outcome(Enum):
+    """How the solution of one design ended, with the remedy."""
+
+    CONVERGED = "converged"
+    TURNED = (
+        "the path from rest turns or branches before the demand is met: "
+        "hold a motion in place of the load, or follow the path by arc length"
+    )
+    SINGULAR = (
+        "the mechanism at rest has no unique answer: hold or support every body, and let blades "
+        "extend where more of them than needed share a load"
+    )
+    INACCURATE = (
+        "the finest nodes do not reach the tolerance: ask for less, or take out what makes the "
+        "forces so large (blades held against stretching, boundary layers)"
+    )
+
+
+class Part(NamedTuple):
+    """Designs ``rows`` that ended at the same number of nodes: unknowns x at the share λ."""
+
+    assembly: Assembly
+    demand: Demand
+    rows: Integers
+    x: Floats
+    share: Floats
+
+    def linearise(self) -> Linearised:
+        """Return the equations about the solution."""
+        return self.assembly.linearise(self.x, self.share, self.rows, self.demand)
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """Designs in equilibrium; the first axis of every array is the design, also for one alone.
+
+    A design that could not go all the way is in equilibrium at the share ``reached`` of what was
+    asked, and its ``outcome`` says why: call ``checked`` before relying on numbers.
+    """
+
+    layout: Layout
+    effects: Effects
+    outcome: tuple[Outcome, ...]
+    reached: Floats
+    iterations: Integers
+    estimated_error: Floats
+    nodes: Integers
+    seconds: float
+    parts: tuple[Part, ...]
+
+    @property
+    def designs(self) -> int:
+        """Return the number of designs."""
+        return len(self.outcome)
+
+    @property
+    def converged(self) -> NDArray[np.bool_]:
+        """Return which designs meet the demand within the tolerance."""
+        return np.array([o is Outcome.CONVERGED for o in self.outcome])
+
+    def checked(self) -> "Equilibrium":
+        """Return this when every design converged.
+
+        Raises
+        ------
+        SolveError
+            Naming the first design that did not, and why.
+        """
+        for i, outcome in enumerate(self.outcome):
+            if outcome is not Outcome.CONVERGED:
+                cause, remedy = str(outcome.value).split(": ", 1)
+                where = f"design {i}, at {self.reached[i]:.4g} of the demand: " * (self.designs > 1)
+                raise SolveError(outcome.name.lower(), where + cause, remedy)
+        return self
+
+    def scatter(self, values: Sequence[Floats]) -> Floats:
+        """Return one array of all designs from arrays of the parts."""
+        shape = values[0].shape[1:]
+        whole = np.zeros((self.designs, *shape))
+        for part, value in zip(self.parts, values, strict=True):
+            whole[part.rows] = value
+        return whole
+
+    @cached_property
+    def linearised(self) -> tuple[Linearised, ...]:
+        """Return the equations of each part about its solution."""
+        return tuple(part.linearise() for part in self.parts)
+
+    @cached_property
+    def residual(self) -> Floats:
+        """Return the largest residual in scaled equations (designs,) [-]."""
+        values = []
+        for part, at in zip(self.parts, self.linearised, strict=True):
+            k_f = 3 * part.assembly.blades
+            rows = np.concatenate([np.arange(k_f), k_f + part.demand.free])
+            values.append(np.max(np.abs(at.residual * at.row_scale)[:, rows], axis=1))
+        return self.scatter(values)
+
+    @cached_property
+    def motions(self) -> Floats:
+        """Return (x [m], y [m], φ [rad]) of each body's reference point (designs, bodies, 3)."""
+        return self.scatter([body_motions(p.assembly, p.x, p.rows) for p in self.parts])
+
+    @cached_property
+    def end_forces(self) -> Floats:
+        """Return force (x, y) [N] and moment [N·m] on each blade's end (designs, blades, 3)."""
+        return self.scatter([blade_forces(p.assembly, p.x, p.rows) for p in self.parts])
+
+    @cached_property
+    def reactions(self) -> Floats:
+        """Return what holds each body at its reference point (designs, bodies, 3) [N, N, N·m].
+
+        Zero on free coordinates.
+        """
+        return self.scatter(
+            [
+                body_forces(part.assembly, part.demand.held, at.residual, part.rows)
+                for part, at in zip(self.parts, self.linearised, strict=True)
+            ]
+        )

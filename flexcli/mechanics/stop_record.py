@@ -1,0 +1,222 @@
+"""Peaks, work, losses and momentum of the segments of a run, gathered in batches."""
+
+from collections import defaultdict
+from functools import lru_cache
+from math import ceil
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from numpy.typing import NDArray
+
+from flexcli.mechanics.hertz_contact import HertzPass
+from flexcli.mechanics.modal_blade import ModalBlade
+from flexcli.mechanics.stop_phases import Contact, Phase
+from flexcli.mechanics.stop_result import History, Peaks
+from flexcli.numerics.linear_response import LinearResponse
+from flexcli.numerics.response_batch import ResponseBatch, greatest_values
+
+__all__ = ["Record"]
+
+Floats = NDArray[np.float64]
+
+_BATCH = 512
+"""Segments gathered before they are evaluated together."""
+_NODES_PER_RADIAN = 0.5
+_FEWEST_NODES, _MOST_NODES = 8, 256
+"""Gauss points: exact to rounding for a product of motions that turn by one radian per 2 nodes."""
+_PEAKS = Peaks._fields
+_LEAST_SHARE = 0.8
+"""A segment whose samples stay below that share of the greatest value can't exceed it."""
+
+
+@lru_cache(maxsize=32)
+def _gauss(count: int) -> tuple[Floats, Floats]:
+    nodes, weights = leggauss(count)
+    return (nodes + 1.0) / 2.0, weights / 2.0
+
+
+class _Segment(NamedTuple):
+    start: float
+    length: float
+    contact: int
+    response: LinearResponse
+
+
+class Record:
+    """Sums over the segments of a run.
+
+    ``work`` of the base, ``damped`` in the blade, ``dashpots`` [J]; the integrals of the base's
+    acceleration, of q and of the signed push of the stops (times their side) are the terms of
+    momentum; ``impulses`` are those of the pushes, by contact.
+    """
+
+    def __init__(self, blade: ModalBlade, keep_history: bool) -> None:
+        """Start at zero."""
+        self._blade = blade
+        self._segments: dict[tuple[int, int], list[_Segment]] = defaultdict(list)
+        self._phases: dict[int, Phase] = {}
+        self._waiting = 0
+        self._samples: list[tuple[Floats, ...]] | None = [] if keep_history else None
+        self.work = self.damped = self.dashpots = 0.0
+        self.base_integral = 0.0
+        self.push_integral = 0.0
+        self.q_integral = np.zeros(blade.angular.size)
+        self.impulses: dict[int, float] = defaultdict(float)
+        self._most = dict.fromkeys(_PEAKS, 0.0)
+
+    def add(
+        self, phase: Phase, response: LinearResponse, start: float, length: float, contact: int
+    ) -> None:
+        """Take a segment: the response from its own zero to a length, part of a contact or −1."""
+        rates = np.abs(phase.system.roots).max(initial=0.0)
+        rates += max((abs(rate) for rate, _ in response.piece.terms), default=0.0)
+        count = ceil((_FEWEST_NODES + _NODES_PER_RADIAN * 2.0 * rates * length) / 8.0) * 8
+        key = id(phase), min(count, _MOST_NODES)
+        self._phases[id(phase)] = phase
+        self._segments[key].append(_Segment(start, length, contact, response))
+        self._waiting += 1
+        if self._waiting >= _BATCH:
+            self.flush()
+
+    def flush(self) -> None:
+        """Evaluate the segments that wait."""
+        for (identity, count), segments in self._segments.items():
+            self._evaluate(self._phases[identity], count, segments)
+        self._segments.clear()
+        self._waiting = 0
+
+    def _evaluate(self, phase: Phase, count: int, segments: list[_Segment]) -> None:
+        blade = self._blade
+        batch = ResponseBatch([s.response for s in segments])
+        lengths = np.array([s.length for s in segments])
+        nodes, weights = _gauss(count)
+        inner = lengths[:, None] * nodes
+        times = np.concatenate([np.zeros((lengths.size, 1)), inner, lengths[:, None]], axis=1)
+        y = batch.amplitudes(times)
+        a = batch.signal(times)
+        shapes = phase.shapes
+        z = (shapes @ y).real
+        q = phase.origin[:, None] + z
+        rate = (shapes @ (phase.system.roots[:, None] * y)).real
+        push = phase.force.constant + (phase.force.on_y @ y).real + phase.force.direct * a
+
+        def integral(values: Floats) -> Floats:
+            total: Floats = (values[..., 1:-1] * weights).sum(axis=-1) * (
+                lengths if values.ndim == 2 else lengths[:, None]
+            )
+            return total
+
+        self.work -= float(integral(a * np.einsum("n,snt->st", blade.base, rate)).sum())
+        rates_lost = np.einsum("n,snt->st", np.diagonal(blade.damper), rate**2)
+        self.damped += float(integral(rates_lost).sum())
+        if phase.dashpot:
+            at_stop = np.einsum("n,snt->st", blade.stop, rate)
+            self.dashpots += phase.dashpot * float(integral(at_stop**2).sum())
+        self.base_integral += float(integral(a).sum())
+        self.q_integral += integral(q).sum(axis=0)
+        impulses = integral(push)
+        self.push_integral += phase.side * float(impulses.sum())
+        if phase.contact is not Contact.FREE:
+            for segment, impulse in zip(segments, impulses, strict=True):
+                self.impulses[segment.contact] += float(impulse)
+        self._see_peaks(phase, batch, times, y, a)
+        if self._samples is not None:
+            starts = np.array([s.start for s in segments])
+            tip, at_stop, _, force = self._outputs(phase, y, a)
+            self._samples.append(
+                tuple(v.ravel() for v in (starts[:, None] + times, tip, at_stop, force))
+            )
+
+    def _outputs(self, phase: Phase, y: NDArray[np.complex128], a: Floats) -> tuple[Floats, ...]:
+        """Return tip, deflection at the stop, moment at the clamp and push."""
+        blade = self._blade
+        push = phase.force.constant + (phase.force.on_y @ y).real + phase.force.direct * a
+        modal = np.stack([blade.tip, blade.base_moment])
+        moving = (modal @ phase.shapes @ y).real
+        rest = modal @ phase.origin
+        at_stop = phase.deflection.constant + (phase.deflection.on_y @ y).real
+        return (
+            rest[0] + moving[:, 0] - phase.side * blade.tip_residual * push,
+            at_stop - phase.side * blade.stop_residual * push,
+            rest[1] + moving[:, 1] - phase.side * blade.moment_residual * push,
+            push,
+        )
+
+    def _see_peaks(
+        self,
+        phase: Phase,
+        batch: ResponseBatch,
+        times: Floats,
+        y: NDArray[np.complex128],
+        a: Floats,
+    ) -> None:
+        """Refine the greatest values of each segment."""
+        samples = self._outputs(phase, y, a)
+
+        def refined(index: int, sign: float) -> float:
+            def function(t: Floats) -> Floats:
+                return sign * self._outputs(phase, batch.amplitudes(t), batch.signal(t))[index]
+
+            return float(greatest_values(function, times, sign * samples[index])[0].max())
+
+        for name, index, sign in (
+            ("tip_above", 0, 1.0),
+            ("tip_below", 0, -1.0),
+            ("at_stop", 1, 1.0),
+            ("at_stop", 1, -1.0),
+            ("base_moment", 2, 1.0),
+            ("base_moment", 2, -1.0),
+            ("force", 3, 1.0),
+        ):
+            hopeless = _LEAST_SHARE * self._most[name]
+            if float((sign * samples[index]).max()) > hopeless:
+                self._most[name] = max(self._most[name], refined(index, sign))
+
+    def add_hertz(self, found: HertzPass, side: int, start: float, contact: int) -> None:
+        """Take a pass through a Hertzian contact; its peaks are those of its samples."""
+        blade, most = self._blade, self._most
+        self.work += found.work
+        self.damped += found.damped
+        self.base_integral += found.base_integral
+        self.push_integral += side * found.impulse
+        self.q_integral += found.q_integral
+        self.impulses[contact] += found.impulse
+        push = found.pushes
+        tip = blade.tip @ found.motions - side * blade.tip_residual * push
+        at_stop = blade.stop @ found.motions - side * blade.stop_residual * push
+        moment = blade.base_moment @ found.motions - side * blade.moment_residual * push
+        for name, values in (
+            ("tip_above", tip),
+            ("tip_below", -tip),
+            ("at_stop", np.abs(at_stop)),
+            ("base_moment", np.abs(moment)),
+            ("force", push),
+        ):
+            most[name] = max(most[name], float(values.max()))
+        if self._samples is not None:
+            self._samples.append((start + found.times, tip, at_stop, push))
+
+    def strike(self, side: int, impulse: float) -> None:
+        """Take an impact on a rigid stop."""
+        self.push_integral += side * impulse
+        self._most["impulse"] = max(self._most["impulse"], impulse)
+
+    def peaks(self) -> Peaks:
+        """Return the greatest values since they were last taken."""
+        self.flush()
+        return Peaks(**self._most)
+
+    def take_peaks(self) -> Peaks:
+        """Return the greatest values since they were last taken, and take them."""
+        peaks = self.peaks()
+        self._most = dict.fromkeys(_PEAKS, 0.0)
+        return peaks
+
+    def history(self) -> History | None:
+        """Return the samples so far, in order of time."""
+        if not self._samples:
+            return None
+        columns = [np.concatenate(column) for column in zip(*self._samples, strict=True)]
+        order = np.argsort(columns[0], kind="stable")
+        return History(*(column[order] for column in columns))

@@ -1,0 +1,135 @@
+"""Stress along every blade at both faces, by bending alone and with the axial force."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.along import Section, along, flexible_pieces
+from flexcli.mechanics.state import Equilibrium, Part
+
+__all__ = ["BladeStress", "Peak", "blade_stress", "greatest_stress"]
+
+Floats = NDArray[np.float64]
+
+_POINTS = 33
+"""Places on a piece; crowded towards its ends, where the largest stress mostly is."""
+
+_ZOOMS = 6
+"""Times that the neighbours of the largest sample are sampled again: to rounding."""
+
+_SHARE = (np.sin(np.linspace(-np.pi / 2.0, np.pi / 2.0, _POINTS)) + 1.0) / 2.0
+
+
+class BladeStress(NamedTuple):
+    """Stress along one blade (designs, points) [Pa] at places s [m] from its start.
+
+    ``bending`` is 6M/(b h²) with the sign of the moment, which is positive when it turns the end
+    anticlockwise and then stretches the face on the right of the way from start to end.
+    """
+
+    s: Floats
+    bending: Floats
+    axial: Floats
+
+    @property
+    def left(self) -> Floats:
+        """Return the stress at the left face [Pa]."""
+        return self.axial - self.bending
+
+    @property
+    def right(self) -> Floats:
+        """Return the stress at the right face [Pa]."""
+        return self.axial + self.bending
+
+
+class Peak(NamedTuple):
+    """Greatest magnitudes in each blade (designs, blades) [Pa], and where [m from its start].
+
+    ``bending`` is of the bending stress alone, ``total`` of the stress at either face.
+    """
+
+    bending: Floats
+    bending_at: Floats
+    total: Floats
+    total_at: Floats
+
+
+def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> BladeStress:
+    """Return the stress along a blade, at ``points`` places on each of its flexible pieces.
+
+    ``σ = N/(b h) ± 6M/(b h²)``, elastic and without stress concentration.
+
+    Parameters
+    ----------
+    state : Equilibrium
+        The designs in equilibrium.
+    blade : str
+        Name of the blade.
+    points : int
+        Places on each piece, its ends among them.
+
+    Returns
+    -------
+    BladeStress
+        Place, bending stress and axial stress.
+
+    """
+    index = [b.name for b in state.layout.blades].index(blade)
+    values = []
+    for part in state.parts:
+        u = np.tile(np.linspace(-1.0, 1.0, points), (part.rows.size, 1))
+        found = [
+            _stress(along(state, part, index, segment, u))
+            for segment in flexible_pieces(part, index)
+        ]
+        values.append(np.concatenate(found, axis=-1))
+    return BladeStress(*np.moveaxis(state.scatter(values), 1, 0))
+
+
+def greatest_stress(state: Equilibrium) -> Peak:
+    """Return the largest bending stress, and the largest stress at either face, of each blade.
+
+    Sampled on each piece, then between the neighbours of the largest sample, again and again.
+
+    Parameters
+    ----------
+    state : Equilibrium
+        The designs in equilibrium.
+
+    Returns
+    -------
+    Peak
+        Both maxima with their places.
+
+    """
+    values = []
+    for part in state.parts:
+        blades = range(part.assembly.blades)
+        peaks = [_peak(state, part, blade, w) for w in (0.0, 1.0) for blade in blades]
+        table = np.stack(peaks, axis=-1).reshape(part.rows.size, 2, 2, part.assembly.blades)
+        values.append(np.swapaxes(table, 1, 2).reshape(part.rows.size, 4, -1))
+    return Peak(*np.moveaxis(state.scatter(values), 1, 0))
+
+
+def _stress(at: Section) -> Floats:
+    """Return place, bending stress and axial stress (designs, 3, points)."""
+    return np.stack([at.s, 6.0 * at.M / (at.b * at.h**2), at.N / (at.b * at.h)], axis=1)
+
+
+def _peak(state: Equilibrium, part: Part, blade: int, axial_share: float) -> Floats:
+    """Return the maximum of ``|bending| + axial_share |axial|`` and its place (designs, 2)."""
+    designs = part.rows.size
+    best, each = np.zeros((designs, 2)), np.arange(designs)
+    for segment in flexible_pieces(part, blade):
+        low, high = np.full(designs, -1.0), np.ones(designs)
+        for _ in range(_ZOOMS):
+            u = low[:, None] + (high - low)[:, None] * _SHARE
+            s, bending, axial = np.moveaxis(_stress(along(state, part, blade, segment, u)), 1, 0)
+            value = np.abs(bending) + axial_share * np.abs(axial)
+            top = np.argmax(value, axis=1)
+            better = value[each, top] > best[:, 0]
+            best[better] = np.stack([value[each, top], s[each, top]], axis=-1)[better]
+            low = u[each, np.maximum(top - 1, 0)]
+            high = u[each, np.minimum(top + 1, _POINTS - 1)]
+    return best

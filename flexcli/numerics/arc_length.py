@@ -1,0 +1,146 @@
+"""Following one path of solutions by its arc length, past points at which the parameter turns."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Hyperplane", "correct_on", "follow"]
+
+Floats = NDArray[np.float64]
+
+Steps = Callable[[Floats, float], tuple[Floats, Floats]]
+"""``steps(x, λ)`` gives Newton's step at constant λ and dx/dλ, both (m,)."""
+
+_MOST_ITERATIONS = 12
+_WANTED = 4
+"""Iterations of a corrector that suit the step; fewer lengthen it, more shorten it."""
+
+
+class Hyperplane(NamedTuple):
+    """Points (x, λ) with ``tangent·(x − x_0) weight + slope (λ − λ_0) = 0``."""
+
+    x: Floats
+    parameter: float
+    tangent: Floats
+    slope: float
+    weight: Floats
+
+
+def correct_on(
+    plane: Hyperplane, steps: Steps, tolerance: float
+) -> tuple[Floats, float, int] | None:
+    """Return where the path meets the hyperplane, from its foot, and the iterations; or None.
+
+    Parameters
+    ----------
+    plane : Hyperplane
+        Its foot is the first guess.
+    steps : callable
+        Newton's step at constant λ and dx/dλ.
+    tolerance : float
+        Length of the step [-] that ends the iteration.
+
+    Returns
+    -------
+    tuple or None
+        x, λ and iterations; None when the steps don't shrink.
+
+    """
+    x, parameter = plane.x.copy(), plane.parameter
+    before = np.inf
+    for count in range(1, _MOST_ITERATIONS + 1):
+        step, rate = steps(x, parameter)
+        gap = plane.tangent @ (plane.weight * (x - plane.x + step))
+        gap += plane.slope * (parameter - plane.parameter)
+        d = -gap / (plane.tangent @ (plane.weight * rate) + plane.slope)
+        change = step + rate * d
+        size = max(float(np.sqrt(change @ (plane.weight * change))), abs(float(d)))
+        if not np.isfinite(size) or (count > 2 and size > before):
+            return None
+        x, parameter, before = x + change, parameter + float(d), size
+        if size <= tolerance:
+            return x, parameter, count
+    return None
+
+
+def follow(
+    steps: Steps,
+    start: tuple[Floats, float],
+    weight: Floats,
+    *,
+    stride: float,
+    longest: float,
+    goal: Callable[[Floats, float], bool],
+    tolerance: float,
+    most: int,
+) -> list[Hyperplane]:
+    """Return the points of a path, each with its tangent, from the start until the goal is met.
+
+    Parameters
+    ----------
+    steps : callable
+        Newton's step at constant λ and dx/dλ.
+    start : tuple
+        A solution x (m,) and its λ; the path leaves it towards larger λ.
+    weight : array, shape (m,)
+        Weight of each unknown in the arc length; λ has weight one.
+    stride, longest : float
+        First and longest step of arc length [-].
+    goal : callable
+        ``goal(x, λ)`` says whether the path has gone far enough.
+    tolerance : float
+        Length of the error of a point [-].
+    most : int
+        Most points.
+
+    Returns
+    -------
+    list of Hyperplane
+        The points; the last meets the goal unless the path was lost or ``most`` reached.
+
+    References
+    ----------
+    Allgower & Georg (2003), Introduction to Numerical Continuation Methods, chapter 4.
+
+    """
+    x, parameter = start
+    points = [_tangent(steps, x, parameter, weight, None)]
+    while len(points) < most and not goal(points[-1].x, points[-1].parameter):
+        last = points[-1]
+        guess = last._replace(
+            x=last.x + stride * last.tangent, parameter=last.parameter + stride * last.slope
+        )
+        found = correct_on(guess, steps, tolerance)
+        if found is not None:
+            x, parameter, count = found
+            point = _tangent(steps, x, parameter, weight, last)
+            # a sharp bend means that the path was lost for another one
+            bend = point.tangent @ (weight * last.tangent) + point.slope * last.slope
+            if bend > _STRAIGHT:
+                points.append(point)
+                stride = min(longest, stride * float(np.clip(_WANTED / count, 0.5, 2.0)))
+                continue
+        stride /= 2.0
+        if stride < _SHORTEST * longest:
+            break
+    return points
+
+
+_STRAIGHT = 0.9
+"""Cosine of the largest angle between the tangents of two neighbours."""
+
+_SHORTEST = 1e-6
+
+
+def _tangent(
+    steps: Steps, x: Floats, parameter: float, weight: Floats, last: Hyperplane | None
+) -> Hyperplane:
+    """Return the point with the unit tangent that goes on in the direction of the last."""
+    _, rate = steps(x, parameter)
+    length = float(np.sqrt(rate @ (weight * rate) + 1.0))
+    tangent, slope = rate / length, 1.0 / length
+    if last is not None and tangent @ (weight * last.tangent) + slope * last.slope < 0.0:
+        tangent, slope = -tangent, -slope
+    return Hyperplane(x, parameter, tangent, slope, weight)

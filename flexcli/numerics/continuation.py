@@ -1,0 +1,106 @@
+"""Following solutions of many designs as a parameter goes from 0 to 1, with step control."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.numerics.newton import CONTRACTION, NewtonEnd, NewtonResult
+
+__all__ = ["TRUST", "March", "march"]
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.intp]
+
+TRUST = 0.3
+"""Longest correction [-] of a step along the tangent: further off, another branch may be met."""
+
+_SMALLEST = 1e-5
+"""Share of the way below which a step is no longer halved: the path turns or ends here."""
+
+_BENT = 0.05
+"""Correction [-] above which a step has to lead back."""
+
+_MOST_STEPS = 400
+
+
+class March(NamedTuple):
+    """Points reached (designs, m), the parameter there (1: all the way), how, iterations."""
+
+    x: Floats
+    reached: Floats
+    end: NDArray[np.object_]
+    iterations: Integers
+    last_step: Floats
+
+
+def march(
+    correct: Callable[[Floats, Floats, Integers], NewtonResult],
+    step: Callable[[Floats, Floats, Integers], Floats],
+    length: Callable[[Floats, Floats], Floats],
+    start: Floats,
+) -> March:
+    """Return where the path from ``start`` at parameter 0 leads at parameter 1.
+
+    Parameters
+    ----------
+    correct : callable
+        ``correct(x, parameter, rows)`` runs Newton's method from x at the parameters given, for
+        the designs ``rows``; its first step must be the tangent of the path.
+    step, length : callable
+        One step of Newton's method at the parameters given, and its length.
+    start : array, shape (designs, m)
+        Solutions at parameter 0.
+
+    Returns
+    -------
+    March
+        The last solution found of each design and the parameter it belongs to.
+
+    Notes
+    -----
+    A step's correction grows with the square of its length: after a step that was corrected by c
+    the next one is ``√(TRUST/2c)`` as long, between a tenth and three times. A step along a bent
+    path must lead back: one step of Newton's method from its end to the parameter of its start,
+    along the tangent there, must come as near as the step itself was allowed to be off. From
+    behind a limit point it does not.
+
+    References
+    ----------
+    Allgower & Georg (2003), Introduction to Numerical Continuation Methods, section 6.1.
+
+    """
+    x = start.copy()
+    designs = x.shape[0]
+    reached = np.zeros(designs)
+    stride = np.ones(designs)
+    end = np.full(designs, NewtonEnd.CONVERGED, dtype=object)
+    iterations = np.zeros(designs, dtype=np.intp)
+    last_step = np.zeros(designs)
+    rows = np.arange(designs)
+    for _ in range(_MOST_STEPS):
+        target = np.minimum(1.0, reached[rows] + stride[rows])
+        found = correct(x[rows], target, rows)
+        iterations[rows] += found.iterations
+        good = found.converged
+        bent = np.flatnonzero(good & (found.bend > _BENT))
+        if bent.size:
+            back = found.x[bent] + step(found.x[bent], reached[rows[bent]], rows[bent])
+            origin = x[rows[bent]]
+            off = length(origin, back - origin)
+            allowed = np.minimum(TRUST, CONTRACTION * length(origin, found.x[bent] - origin))
+            good[bent] = off <= allowed
+        there = rows[good]
+        x[there], reached[there] = found.x[good], target[good]
+        last_step[there] = found.last_step[good]
+        end[rows] = found.end
+        measured = good | (found.end == NewtonEnd.FAR)
+        wanted = np.sqrt(TRUST / 2.0 / np.maximum(found.bend, 1e-3 * TRUST))
+        factor = np.where(measured, np.clip(wanted, 0.1, 3.0), 0.25)
+        factor = np.where(good, factor, np.minimum(factor, 0.5))
+        stride[rows] *= factor
+        rows = rows[(reached[rows] < 1.0) & (stride[rows] >= _SMALLEST)]
+        if rows.size == 0:
+            break
+    return March(x, reached, end, iterations, last_step)

@@ -1,0 +1,141 @@
+"""Newton's method for many designs at once: each converges, or fails, alone."""
+
+from collections.abc import Callable
+from enum import Enum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["CONTRACTION", "NewtonEnd", "NewtonResult", "newton"]
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.intp]
+
+_REACH = 3.0
+"""Longest step; a longer one is shortened to it (the unknowns are scaled to order one)."""
+
+_RESTLESS = 3
+"""Steps in a row that may be longer than the one before."""
+
+CONTRACTION = 0.5
+"""Second step over the first that Newton's method keeps on the path it started from."""
+
+_FLOOR = 1e-9
+"""Length below which a step that no longer shrinks is rounding, and the design is done."""
+
+
+class NewtonEnd(Enum):
+    """How the iteration of one design ended."""
+
+    CONVERGED = "converged"
+    SINGULAR = "the Jacobian is singular"
+    DIVERGED = "the steps stopped shrinking"
+    FAR = "the first correction is longer than allowed"
+
+
+class NewtonResult(NamedTuple):
+    """Points reached (designs, m), how each ended, iterations, lengths of two steps.
+
+    ``bend`` is the length of the second step, zero where the first was enough; ``last_step`` that
+    of the last.
+    """
+
+    x: Floats
+    end: NDArray[np.object_]
+    iterations: Integers
+    last_step: Floats
+    bend: Floats
+
+    @property
+    def converged(self) -> NDArray[np.bool_]:
+        """Return which designs converged."""
+        return np.asarray(self.end == NewtonEnd.CONVERGED)
+
+
+def newton(
+    step: Callable[[Floats, Integers], Floats],
+    length: Callable[[Floats, Floats], Floats],
+    start: Floats,
+    *,
+    tolerance: float,
+    scale: Floats | None = None,
+    trust: float = np.inf,
+    most: int = 30,
+) -> NewtonResult:
+    """Return where Newton's method leads from each row of ``start``.
+
+    A design is done when the step that would come next, ``|s_k| (|s_k|/|s_{k−1}|)²`` by the
+    quadratic convergence seen so far (``100 |s_0|²`` after the first step), is below the tolerance
+    times the scale.
+
+    Parameters
+    ----------
+    step : callable
+        ``step(x, rows)`` gives the Newton steps of the points x, which belong to the designs
+        ``rows``; NaN where the Jacobian is singular.
+    length : callable
+        ``length(x, s)`` gives the length [-] of each step, in scaled unknowns.
+    start : array, shape (designs, m)
+        Starting points.
+    tolerance : float
+        Length [-] of the error at which a design is done, over its scale.
+    scale : array, shape (designs,), optional
+        Length [-] of what each design is about, by default zero; the length of the point itself
+        where that is longer, but at most one.
+    trust : float
+        Longest second step [-]. From a solution nearby the first step is the tangent of the
+        path, the second measures how far the path bends away: beyond this, or half the first,
+        another branch may be near, and the design ends as FAR. Without it, any solution will do.
+    most : int
+        Most iterations.
+
+    Returns
+    -------
+    NewtonResult
+        Points, ends, iterations and last steps of all designs.
+
+    References
+    ----------
+    Deuflhard (2011), Newton Methods for Nonlinear Problems, sections 2.1 and 5.1.
+
+    """
+    x = start.copy()
+    designs = x.shape[0]
+    end = np.full(designs, NewtonEnd.DIVERGED, dtype=object)
+    iterations = np.zeros(designs, dtype=np.intp)
+    last = np.full(designs, np.inf)
+    bend = np.zeros(designs)
+    restless = np.zeros(designs, dtype=np.intp)
+    least = np.zeros(designs) if scale is None else scale
+    rows = np.arange(designs)
+    for count in range(most):
+        # a design that diverges may overflow: it ends by its length, and warns of nothing
+        with np.errstate(all="ignore"):
+            s = step(x[rows], rows)
+            size = length(x[rows], s)
+        iterations[rows] += 1
+        sound = np.isfinite(size)
+        end[rows[~sound]] = NewtonEnd.SINGULAR
+        far = np.zeros_like(sound)
+        if count == 1:
+            bend[rows] = size
+            far = sound & (
+                np.isfinite(trust) & (size > np.minimum(trust, CONTRACTION * last[rows]))
+            )
+            end[rows[far]] = NewtonEnd.FAR
+        keep = sound & ~far
+        rows, s, size = rows[keep], s[keep], size[keep]
+        x[rows] += s * np.minimum(1.0, _REACH / np.maximum(size, _REACH))[:, None]
+        before = last[rows]
+        last[rows] = size
+        ratio = size / np.where(before > 0.0, before, 1.0)
+        unit = np.minimum(1.0, np.maximum(least[rows], length(x[rows], x[rows])))
+        ahead = 100.0 * size**2 if count == 0 else size * np.minimum(ratio, 1.0) ** 2
+        done = (ahead <= tolerance * unit) | ((size <= _FLOOR * unit) & (ratio > 0.5))
+        end[rows[done]] = NewtonEnd.CONVERGED
+        restless[rows] = np.where(ratio > 1.0, restless[rows] + 1, 0)
+        rows = rows[~done & (restless[rows] < _RESTLESS)]
+        if rows.size == 0:
+            break
+    return NewtonResult(x, end, iterations, last, bend)

@@ -1,0 +1,84 @@
+"""A slender sample of every flexure that a spec can name, at any scale and of any sizes."""
+
+from collections.abc import Callable
+from typing import Annotated, Any, get_args, get_origin
+
+from pydantic import TypeAdapter
+
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries import AnyGeometry, Geometry
+from flexcli.parts.geometries.any_flexure import AnyFlexure
+
+ELASTIC = Elastic(114e9, 0.34)
+
+BLADE = {"h": 0.1, "l": 20.0, "b": 5.0}
+NOTCHED = {"e": 0.05, "r": 2.0, "l": 40.0, "b": 5.0}
+BENT = {"half_angle": "40 deg"}
+
+SAMPLES: dict[str, dict[str, Any]] = {
+    "cantilever": BLADE,
+    "guided-blade": BLADE,
+    "moment-blade": BLADE,
+    "rcc": {**BLADE, **BENT, "p": 3.0},
+    "cross-spring": {**BLADE, **BENT, "p": -6.0},
+    "unseparated-cross": {**BLADE, **BENT, "crossing": 0.4},
+    "three-blade": {**BLADE, "p": 1.0},
+    "star": {**BLADE, "angles": ["-50 deg", "0 deg", "60 deg"], "p": 2.0},
+    "leaf-spring-stage": {**BLADE, "blades": 3, "spacing": 15.0},
+    "necked-down-stage": {**BLADE, "l_c": 4.0, "blades": 3, "spacing": 15.0},
+    "notch-hinge": {"e": 0.05, "r": 2.0, "b": 5.0},
+    "elliptic-hinge": {"e": 0.05, "depth": 1.0, "l": 6.0, "b": 5.0},
+    "filleted-hinge": {"h": 0.1, "r": 0.5, "l": 10.0, "b": 5.0},
+    "hinged-stage": {**NOTCHED, "limbs": 3, "spacing": 15.0},
+    "hinged-pivot": {**NOTCHED, **BENT, "p": -10.0},
+    "torsion-bar": {"h": 0.5, "l": 20.0, "b": 4.0, "bars": 2, "warping": "restrained"},
+    "round-torsion-bar": {"d": 0.5, "l": 20.0, "bars": 2},
+    "torsion-star": {"h": 0.2, "l": 20.0, "b": 4.0, "strips": 3},
+}
+"""What a spec says of each kind: the numbers that are not counts or shares are lengths in mm."""
+
+RATIOS = {"crossing", "delta"}
+
+
+def kinds(union: Any = AnyGeometry) -> dict[str, type[Geometry]]:
+    """Return every geometry of a union of unions by the name that a spec gives it."""
+    if get_origin(union) is Annotated:
+        return kinds(get_args(union)[0])
+    if get_args(union):
+        return {name: kind for each in get_args(union) for name, kind in kinds(each).items()}
+    return {get_args(union.model_fields["kind"].annotation)[0]: union}
+
+
+def spec(kind: str, scale: float = 1.0, **changes: Any) -> dict[str, Any]:
+    """Return what a spec says of a sample, all its lengths times a scale."""
+    said = {**SAMPLES[kind], **changes}
+    return {
+        "kind": kind,
+        **{
+            name: f"{value * scale!r} mm"
+            if isinstance(value, float) and name not in RATIOS
+            else value
+            for name, value in said.items()
+        },
+    }
+
+
+ADAPTER: TypeAdapter[Geometry] = TypeAdapter(AnyFlexure)
+
+
+def geometry(kind: str, scale: float = 1.0, **changes: Any) -> Geometry:
+    """Return a sample as the part that a spec makes of it."""
+    return ADAPTER.validate_python(spec(kind, scale, **changes))
+
+
+def travel(part: Geometry) -> float:
+    """Return a small travel of a sample: 10 mrad, or 0.1 mm."""
+    return 1e-2 if part.motion == "rotation" else 1e-4
+
+
+def asked(form: Callable[..., Any], *arguments: Any) -> Any:
+    """Return what a part answers, or why it has no answer."""
+    try:
+        return form(*arguments)
+    except NotAvailable as reason:
+        return reason
