@@ -1,6 +1,6 @@
 """The balanced design: every kind of load requirement exactly at its limit."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -13,9 +13,18 @@ from flexcli.numerics.lexicographic import log_value
 from flexcli.numerics.ratios import Equality, Ratio, Settled
 from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.numerics.square_system import solve_square
+from flexcli.parts.requirements import Limit
 from flexcli.results import Sensitivity
 
-__all__ = ["Balanced", "NotBalanced", "balanced"]
+__all__ = [
+    "ACTIVE",
+    "Balanced",
+    "NotBalanced",
+    "balanced",
+    "cannot_balance",
+    "kind_of",
+    "smallest_of",
+]
 
 ACTIVE = 1e-9
 """Log utilisation above which another row of the same requirement would be violated."""
@@ -47,25 +56,45 @@ def balanced(program: SizingProgram, volume: Signomial) -> Balanced | NotBalance
     one row governs; every choice of governing rows is tried, the others of the kind must hold.
     """
     groups = _load_rows(program)
-    if not groups:
-        return NotBalanced("no load requirement (fatigue, buckling, yield) moves with what is free")
-    if len(groups) > len(program.names):
-        return NotBalanced(
-            f"{len(groups)} load requirements ({', '.join(groups)}) cannot all be active on "
-            f"{len(program.names)} free dimensions"
-        )
+    refusal = cannot_balance(groups, len(program.names))
+    if refusal is not None:
+        return refusal
     candidates = [
         found for rows in product(*groups.values()) for found in _with_active(program, rows, volume)
     ]
+    return smallest_of(
+        candidates, groups, lambda x: _violated(program, x), lambda x: float(volume.at(**x))
+    )
+
+
+def cannot_balance(kinds: Collection[str], free: int) -> NotBalanced | None:
+    """Return why so many kinds of load requirement have no balanced design, if they have none."""
+    if not kinds:
+        return NotBalanced("no load requirement (fatigue, buckling, yield) moves with what is free")
+    if len(kinds) > free:
+        return NotBalanced(
+            f"{len(kinds)} load requirements ({', '.join(kinds)}) cannot all be active on "
+            f"{free} free dimensions"
+        )
+    return None
+
+
+def smallest_of(
+    candidates: Sequence[Balanced],
+    kinds: Collection[str],
+    violated: Callable[[dict[str, float]], list[str]],
+    volume: Callable[[dict[str, float]], float],
+) -> Balanced | NotBalanced:
+    """Return the candidate of least volume among those that violate nothing, or why none does."""
     if not candidates:
         return NotBalanced(
-            f"{', '.join(groups)} cannot all be at their limit together: no size does it"
+            f"{', '.join(kinds)} cannot all be at their limit together: no size does it"
         )
-    allowed = [c for c in candidates if not _violated(program, c.x)]
+    allowed = [c for c in candidates if not violated(c.x)]
     if not allowed:
-        broken = _violated(program, candidates[0].x)
+        broken = violated(candidates[0].x)
         return NotBalanced(f"the balanced design violates {', '.join(broken)}")
-    best = min(allowed, key=lambda c: float(volume.at(**c.x)))
+    best = min(allowed, key=lambda c: volume(c.x))
     return Balanced(best.x, best.active, best.sensitivities, best.condition, len(allowed) - 1)
 
 
@@ -74,8 +103,13 @@ def _load_rows(program: SizingProgram) -> dict[str, list[Ratio]]:
     for row in program.constraints:
         limit = program.rows[row.name].limit
         if limit is not None and limit.load and isinstance(row, Ratio):
-            groups.setdefault(limit.requirement, []).append(row)
+            groups.setdefault(kind_of(limit), []).append(row)
     return {name: _governing(rows) for name, rows in groups.items()}
+
+
+def kind_of(limit: Limit) -> str:
+    """Return what a balanced design makes active once: a requirement, in each joint of its own."""
+    return f"{limit.requirement} of {limit.joint}" if limit.joint else limit.requirement
 
 
 def _governing(rows: list[Ratio]) -> list[Ratio]:

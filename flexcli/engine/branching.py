@@ -1,9 +1,10 @@
 """Branch and bound: the best design with some sizes on a grid and the others continuous."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from math import ceil, floor
+from typing import NamedTuple, TypeAlias
 
 from flexcli.engine.optimum import optimum
 from flexcli.engine.program import SizingProgram
@@ -12,7 +13,7 @@ from flexcli.numerics.ratios import Equality, Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, as_signomial, variables
 from flexcli.parts.sizing import Grid
 
-__all__ = ["Branched", "branch"]
+__all__ = ["MOST_PROGRAMS", "NO_BETTER", "Bounds", "Branched", "Relaxations", "branch", "search"]
 
 MOST_PROGRAMS, MOST_CURVED = 400, 40
 """Relaxations solved at the most, where all rows are convex and where some are not: the latter
@@ -33,6 +34,9 @@ class Branched:
     x: dict[str, float] | None
     proved: bool
     solved: int
+
+
+Bounds: TypeAlias = dict[str, tuple[float | None, float | None]]
 
 
 def branch(
@@ -83,16 +87,40 @@ def _search(
     objectives: Sequence[Signomial],
     rows: Sequence[Ratio | Settled],
 ) -> Branched:
+    def relaxed(bounds: Bounds) -> Solution:
+        return optimum(program, objectives[:1], [*rows, *_as_rows(bounds)], ())
+
+    def held(sizes: Mapping[str, float]) -> Solution:
+        equal = [
+            Equality(f"{name} on its grid", variables(name)[0], as_signomial(size))
+            for name, size in sizes.items()
+        ]
+        return optimum(program, objectives, rows, equal)
+
+    return search(
+        grids, Relaxations(relaxed, held, MOST_CURVED if program.curved else MOST_PROGRAMS)
+    )
+
+
+class Relaxations(NamedTuple):
+    """The best continuous sizes within further bounds, and with some held; how many to solve."""
+
+    relaxed: Callable[[Bounds], Solution]
+    held: Callable[[Mapping[str, float]], Solution]
+    most: int
+
+
+def search(grids: Mapping[str, Grid], solves: Relaxations) -> Branched:
+    """Return the best point whose sizes are on their grids, the others continuous."""
     best: dict[str, float] | None = None
-    least, solved, proved = float("inf"), 0, not program.curved
-    allowed = MOST_CURVED if program.curved else MOST_PROGRAMS
-    open_bounds: list[dict[str, tuple[float | None, float | None]]] = [{}]
+    least, solved, proved = float("inf"), 0, True
+    open_bounds: list[Bounds] = [{}]
     while open_bounds:
-        if solved >= allowed:
+        if solved >= solves.most:
             return Branched(best, False, solved)
         bounds = open_bounds.pop()
         solved += 1
-        relaxed = optimum(program, objectives[:1], [*rows, *_as_rows(bounds)], ())
+        relaxed = solves.relaxed(bounds)
         proved &= relaxed.outcome in (Outcome.CONVERGED, Outcome.INFEASIBLE)
         proved &= relaxed.certificate == "global"
         if not relaxed.converged or relaxed.objective >= least * (1.0 - NO_BETTER):
@@ -102,14 +130,11 @@ def _search(
             open_bounds.extend(_children(bounds, *split))
             continue
         solved += 1
-        leaf = _leaf(program, grids, objectives, rows, relaxed)
+        sizes = {name: _nearest(grid, relaxed.x[name]) for name, grid in grids.items()}
+        leaf = solves.held(sizes)
         if leaf.converged and leaf.objective < least:
-            held = {name: _nearest(grid, leaf.x[name]) for name, grid in grids.items()}
-            best, least = leaf.x | held, leaf.objective
+            best, least = leaf.x | sizes, leaf.objective
     return Branched(best, proved, solved)
-
-
-Bounds = dict[str, tuple[float | None, float | None]]
 
 
 def _as_rows(bounds: Bounds) -> Iterator[Ratio | Settled]:
@@ -161,22 +186,3 @@ def _neighbours(grid: Grid, size: float) -> tuple[float | None, float | None]:
 
 def _nearest(grid: Grid, size: float) -> float:
     return min((s for s in _neighbours(grid, size) if s is not None), key=lambda s: abs(s - size))
-
-
-def _leaf(
-    program: SizingProgram,
-    grids: Mapping[str, Grid],
-    objectives: Sequence[Signomial],
-    rows: Sequence[Ratio | Settled],
-    relaxed: Solution,
-) -> Solution:
-    """Return the best continuous sizes for the grid values that a relaxation came to."""
-    held = [
-        Equality(
-            f"{name} on its grid",
-            variables(name)[0],
-            as_signomial(_nearest(grid, relaxed.x[name])),
-        )
-        for name, grid in grids.items()
-    ]
-    return optimum(program, objectives, rows, held)

@@ -4,20 +4,22 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from math import prod
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine import assess
-from flexcli.engine.branching import branch
+from flexcli.engine.branching import Branched, branch
 from flexcli.engine.optimum import optimum
 from flexcli.engine.program import SizingProgram
 from flexcli.numerics.ratios import Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, variables
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Grid
 
-__all__ = ["GridPoint", "best_on_grid"]
+__all__ = ["Box", "GridPoint", "GridTask", "best_on_grid", "posynomial_task"]
 
 Floats = NDArray[np.float64]
 Merit = Callable[[Mapping[str, Floats]], Floats]
@@ -50,30 +52,58 @@ class GridPoint:
     judged: int
 
 
-def best_on_grid(
-    design: DesignSpec,
-    program: SizingProgram,
-    grids: Mapping[str, Grid],
-    objectives: Sequence[Signomial] | None,
-    centre: Mapping[str, float],
-) -> GridPoint:
-    """Return the feasible grid point of least objective, ties broken by the next objectives.
+class GridTask(NamedTuple):
+    """What the search on a grid is for.
 
-    Without objectives it is the one nearest to the centre, by the sum of |ln ratio| of the sizes.
+    ``merits`` are what to make smallest, in order; none stands for the distance from the centre.
+    ``better`` bounds all feasible designs whose first merit is at most a value, ``branch`` solves
+    with some sizes continuous; ``curved`` where neither can prove anything. ``judged``
+    tells that the limits are those by which designs are judged, so that points can be, one by one.
+    """
+
+    complete: Callable[[Mapping[str, Floats]], Sizes]
+    merits: Sequence[Merit] | None
+    better: Callable[[float], Box | None]
+    branch: Callable[[], Branched]
+    curved: bool
+    judged: bool
+
+
+def best_on_grid(
+    design: DesignSpec, grids: Mapping[str, Grid], centre: Mapping[str, float], task: GridTask
+) -> GridPoint:
+    """Return the feasible grid point of least merit, ties broken by the next merits.
+
+    Without merits it is the one nearest to the centre, by the sum of |ln ratio| of the sizes.
     When every free dimension is on a grid, its points are judged one by one: boxes about the
     centre grow until one holds a feasible point, then everything that could be better is judged.
     When a dimension stays continuous, or that is too many points, branch and bound decides.
     """
-    grids = {name: grid for name, grid in grids.items() if name in program.names}
     point = GridPoint(None, False, 0)
-    if set(grids) == set(program.names):
-        merits = [_distance(centre)] if objectives is None else [_value(o) for o in objectives]
-        point = _judged_one_by_one(design, program, grids, merits, objectives, centre)
-        if point.proved or (point.x is not None and program.curved):
+    if task.judged and set(grids) == set(centre):
+        point = _judged_one_by_one(design, grids, centre, task)
+        if point.proved or (point.x is not None and task.curved):
             return point
-    other = branch(program, grids, objectives, centre)
+    other = task.branch()
     x = other.x if other.x is not None else point.x
     return GridPoint(x, other.proved, point.judged + other.solved)
+
+
+def posynomial_task(
+    program: SizingProgram,
+    grids: Mapping[str, Grid],
+    objectives: Sequence[Signomial] | None,
+    centre: Mapping[str, float],
+) -> GridTask:
+    """Return the search for the least objective of a geometric program, or for the nearest."""
+    return GridTask(
+        program.complete,
+        None if objectives is None else [_value(o) for o in objectives],
+        lambda best: None if objectives is None else _box_of_better(program, objectives[0], best),
+        lambda: branch(program, grids, objectives, centre),
+        curved=bool(program.curved),
+        judged=True,
+    )
 
 
 def _value(objective: Signomial) -> Merit:
@@ -88,32 +118,25 @@ def _distance(centre: Mapping[str, float]) -> Merit:
 
 
 def _judged_one_by_one(
-    design: DesignSpec,
-    program: SizingProgram,
-    grids: Mapping[str, Grid],
-    merits: Sequence[Merit],
-    objectives: Sequence[Signomial] | None,
-    centre: Mapping[str, float],
+    design: DesignSpec, grids: Mapping[str, Grid], centre: Mapping[str, float], task: GridTask
 ) -> GridPoint:
+    merits = [_distance(centre)] if task.merits is None else task.merits
     judged, width = 0, _first_width(grids, centre)
     best: dict[str, float] | None = None
     while best is None and width <= WIDEST_WINDOW:
-        best, count = _judge(design, program, grids, _window(centre, width), merits)
+        best, count = _judge(design, task.complete, grids, _window(centre, width), merits)
         if count == 0:
             break
         judged, width = judged + count, width * 2.0
     if best is None:
         return GridPoint(None, False, judged)
-    reached = float(merits[0]({name: np.asarray(size) for name, size in best.items()}))
-    box = (
-        _window(centre, reached)
-        if objectives is None
-        else _box_of_better(program, objectives[0], reached)
-    )
+    reached = float(merits[0]({name: np.array([size]) for name, size in best.items()}).flat[0])
+    box = _window(centre, reached) if task.merits is None else task.better(reached)
     if box is None:
         return GridPoint(best, False, judged)
-    better, count = _judge(design, program, grids, box, merits)
-    return GridPoint(better or best, count > 0, judged + count)
+    better, count = _judge(design, task.complete, grids, box, merits)
+    proved = count > 0 and (task.merits is None or not task.curved)
+    return GridPoint(better or best, proved, judged + count)
 
 
 def _first_width(grids: Mapping[str, Grid], centre: Mapping[str, float]) -> float:
@@ -165,7 +188,7 @@ class _Axis:
 
 def _judge(
     design: DesignSpec,
-    program: SizingProgram,
+    complete: Callable[[Mapping[str, Floats]], Sizes],
     grids: Mapping[str, Grid],
     box: Box,
     merits: Sequence[Merit],
@@ -181,7 +204,7 @@ def _judge(
     for start in range(0, size, assess.CHUNK):
         places = np.unravel_index(np.arange(start, min(start + assess.CHUNK, size)), shape)
         x = {name: values[name][at] for name, at in zip(values, places, strict=True)}
-        holds = _feasible(design, program, x)
+        holds = _feasible(design, complete(x), x)
         if holds.any():
             found.append(_first_by(merits, {name: at[holds] for name, at in x.items()}))
     if not found:
@@ -199,10 +222,7 @@ def _first_by(merits: Sequence[Merit], x: dict[str, Floats]) -> dict[str, Floats
     return {name: at[:1] for name, at in x.items()}
 
 
-def _feasible(
-    design: DesignSpec, program: SizingProgram, x: Mapping[str, Floats]
-) -> NDArray[np.bool_]:
-    sizes = program.complete(x)
+def _feasible(design: DesignSpec, sizes: Sizes, x: Mapping[str, Floats]) -> NDArray[np.bool_]:
     holds = np.ones(next(iter(x.values())).shape, dtype=bool)
     for name, extent in design.geometry.extents.items():
         if name in x:

@@ -1,12 +1,13 @@
 """The best continuous design: an optimum with its certificate, or why there is none."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from math import log, log1p
+from typing import Protocol, TypeAlias
 
 import numpy as np
 
-from flexcli.engine.program import SizingProgram
+from flexcli.engine.program import Row, SizingProgram
 from flexcli.errors import SolveError
 from flexcli.numerics.condensation import condense
 from flexcli.numerics.convex_program import Status
@@ -22,15 +23,34 @@ __all__ = [
     "active_rows",
     "certificate",
     "explain_conflict",
+    "moved",
     "optimum",
     "refuse_undetermined",
     "refuse_unsolved",
+    "relaxations",
     "sensitivities",
+    "undetermined",
 ]
 
 STEP = 1e-4
 """Relative change of a demand in the central difference of a sensitivity: its error is of order
 1e-8, far below what is printed, and the solver's own 1e-12 divided by it is too."""
+
+
+class HasRows(Protocol):
+    """Free dimensions, targets by their keys, and what each key stands for."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the free dimensions."""
+
+    @property
+    def targets(self) -> tuple[str, ...]:
+        """Return the keys of the targets."""
+
+    @property
+    def rows(self) -> dict[str, Row]:
+        """Return what each key stands for."""
 
 
 def optimum(
@@ -54,7 +74,7 @@ def optimum(
     return minimize_lexicographic([t, *rest], rows, equalities, (*program.names, "t"), starts)
 
 
-def refuse_unsolved(solution: Solution, program: SizingProgram) -> None:
+def refuse_unsolved(solution: Solution, program: HasRows) -> None:
     """Raise :class:`SolveError` for outcomes that are neither a design nor a conflict."""
     if solution.outcome is Outcome.UNBOUNDED:
         names = ", ".join(n for n in solution.runaway if n in program.names) or "a dimension"
@@ -80,8 +100,13 @@ def refuse_undetermined(
         for x in variables(name)
         if optimum(program, [x], rows, program.equalities).outcome is Outcome.UNBOUNDED
     ]
-    names = ", ".join(loose or smallest.runaway)
-    raise SolveError(
+    raise undetermined(loose or smallest.runaway)
+
+
+def undetermined(loose: Sequence[str]) -> SolveError:
+    """Return the error of dimensions that neither the objective nor the volume holds."""
+    names = ", ".join(loose)
+    return SolveError(
         "undetermined",
         f"nothing holds {names}: the objective does not depend on it, and the volume that would "
         "break the tie falls without limit",
@@ -89,9 +114,9 @@ def refuse_undetermined(
     )
 
 
-def active_rows(solution: Solution, program: SizingProgram) -> tuple[str, ...]:
+def active_rows(solution: Solution, program: HasRows) -> tuple[str, ...]:
     """Return the names of what holds a solution: constraints at their limit, and all targets."""
-    keys = (*solution.active, *(row.name for row in program.equalities))
+    keys = (*solution.active, *program.targets)
     return tuple(program.rows[key].name for key in keys if key in program.rows)
 
 
@@ -112,7 +137,7 @@ def sensitivities(
     A bound tightens by 1 %, a target grows by 1 %.
     """
     found = []
-    for name in (*solution.active, *(target.name for target in program.equalities)):
+    for name in (*solution.active, *program.targets):
         if name not in program.rows:
             continue
         row = program.rows[name]
@@ -135,8 +160,9 @@ def sensitivities(
         high, low = ends
         if high is None or low is None:
             continue
-        on = {name: _slope(high[name], low[name]) for name in ("objective", *program.names)}
-        found.append(Sensitivity(row.name, row.driver, on))
+        found.append(
+            Sensitivity(row.name, row.driver, moved(high, low, ("objective", *program.names)))
+        )
     return tuple(found)
 
 
@@ -172,41 +198,62 @@ def _nearby(
     return x | {"objective": float(goal.at(**x))}
 
 
-def _slope(high: float, low: float) -> float:
-    """Return d ln(value) / d ln(demand) from both sides of the optimum."""
-    return log(high / low) / (2.0 * log1p(STEP))
+def moved(
+    high: Mapping[str, float], low: Mapping[str, float], names: Sequence[str]
+) -> dict[str, float]:
+    """Return d ln(value) / d ln(demand) of each value from both sides of the optimum."""
+    return {name: log(high[name] / low[name]) / (2.0 * log1p(STEP)) for name in names}
 
 
 def explain_conflict(program: SizingProgram) -> tuple[tuple[Relaxation, ...], str]:
     """Return the smallest set of rows that conflict, each with its nearest relaxation."""
     found = conflict(program.constraints, program.equalities, program.names)
-    together = {program.rows[name].requirement: name for name in reversed(found.members)}
-    rows = [_relaxation(program, name, found.members) for name in reversed(together.values())]
+
+    def nearest(name: str, among: Sequence[str] | None) -> tuple[float, bool] | None:
+        return _nearest_relaxation(program if among is None else _only(program, among), name)
+
     sure = "no smaller set conflicts" if found.smallest else "a smaller set may conflict"
     if found.certificate == "local":
         sure += "; found from many starts, not proved, as the problem is not convex"
-    return tuple(rows), sure
+    return relaxations(program.rows, found.members, nearest), sure
 
 
-def _relaxation(program: SizingProgram, name: str, members: Sequence[str]) -> Relaxation:
-    """Return how far the requirement of one row must give way, alone, for all others to hold.
+Nearest: TypeAlias = Callable[[str, Sequence[str] | None], tuple[float, bool] | None]
+"""The least factor by which the requirement of a row must give way, and a target's direction, for
+all rows, or for those named, to hold; nothing where that does not help."""
+
+
+def relaxations(
+    rows: Mapping[str, Row], members: Sequence[str], nearest: Nearest
+) -> tuple[Relaxation, ...]:
+    """Return how far each requirement of a conflict must give way, alone, for all others to hold.
 
     Where that does not help, because others conflict as well, how far it must to end this one.
     """
-    row = program.rows[name]
-    found = _nearest_relaxation(program, name)
-    if found is not None:
-        return Relaxation(row.name, found[0], row.relaxed(found[0], upward=found[1]))
-    alone = replace(
+    together = {rows[name].requirement: name for name in reversed(members)}
+    found = []
+    for name in reversed(together.values()):
+        row = rows[name]
+        alone = nearest(name, None)
+        if alone is not None:
+            text = row.relaxed(alone[0], upward=alone[1])
+            found.append(Relaxation(row.name, alone[0], text))
+            continue
+        ended = nearest(name, members)
+        text = "giving way alone does not help"
+        if ended is not None:
+            text = row.relaxed(ended[0], upward=ended[1])
+            text = f"{text} ends this conflict, but others remain"
+        found.append(Relaxation(row.name, None, text))
+    return tuple(found)
+
+
+def _only(program: SizingProgram, names: Sequence[str]) -> SizingProgram:
+    return replace(
         program,
-        constraints=tuple(c for c in program.constraints if c.name in members),
-        equalities=tuple(e for e in program.equalities if e.name in members),
+        constraints=tuple(c for c in program.constraints if c.name in names),
+        equalities=tuple(e for e in program.equalities if e.name in names),
     )
-    ended = _nearest_relaxation(alone, name)
-    if ended is None:
-        return Relaxation(row.name, None, "giving way alone does not help")
-    text = row.relaxed(ended[0], upward=ended[1])
-    return Relaxation(row.name, None, f"{text} ends this conflict, but others remain")
 
 
 def _nearest_relaxation(program: SizingProgram, name: str) -> tuple[float, bool] | None:
@@ -224,11 +271,11 @@ def _nearest_relaxation(program: SizingProgram, name: str) -> tuple[float, bool]
     found: list[tuple[float, bool]] = []
     if row.limit is not None and row.limit.tolerance is not None:
         outward = [*rows, at_most("no nearer", 1.0, t)]
-        for upward, moved in (
+        for upward, target in (
             (True, row.equality(name, more=t)),
             (False, row.equality(name, less=t)),
         ):
-            solution = optimum(wider, [t], outward, [*targets, moved])
+            solution = optimum(wider, [t], outward, [*targets, target])
             if solution.converged:
                 found.append((solution.x["t"], upward))
     else:

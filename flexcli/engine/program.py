@@ -1,6 +1,6 @@
 """A design as a geometric program: limits and bounds as rows over the free dimensions."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 
@@ -13,7 +13,7 @@ from flexcli.parts.requirements import Limit
 from flexcli.parts.sizing import Objective
 from flexcli.units import show
 
-__all__ = ["Row", "SizingProgram", "objective_of", "sizing_program"]
+__all__ = ["Row", "SizingProgram", "bounds_of", "objective_of", "sizing_program", "ties"]
 
 
 DIGITS = 4
@@ -104,6 +104,11 @@ class SizingProgram:
     rows: dict[str, Row] = field(default_factory=dict)
 
     @property
+    def targets(self) -> tuple[str, ...]:
+        """Return the keys of the targets."""
+        return tuple(row.name for row in self.equalities)
+
+    @property
     def curved(self) -> tuple[str, ...]:
         """Return the names of what is not convex in the logarithms."""
         rows: list[Ratio | Equality] = [r for r in self.constraints if isinstance(r, Ratio)]
@@ -129,7 +134,6 @@ class SizingProgram:
 
 def sizing_program(design: DesignSpec) -> SizingProgram:
     """Return the geometric program of a design's requirements and bounds."""
-    extents = design.geometry.extents
     names = design.geometry.free
     symbols = dict(zip(names, variables(*names), strict=True)) if names else {}
     sizes = design.geometry.sized(symbols)
@@ -145,16 +149,22 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
             equalities.append(row.equality(key))
         else:
             constraints.append(row.constraint(key))
-    for name in names:
-        extent = extents[name]
-        for side, size in (("least", extent.least), ("most", extent.most)):
-            if size is None:
-                continue
-            key = f"{side} {name}"
-            low, high = (size, symbols[name]) if side == "least" else (symbols[name], size)
-            rows[key] = Row(key, low, high, bound=size)
-            constraints.append(rows[key].constraint(key))
+    for key, row in bounds_of(design, symbols).items():
+        rows[key] = row
+        constraints.append(row.constraint(key))
     return SizingProgram(names, sizes, tuple(constraints), tuple(equalities), rows)
+
+
+def bounds_of(design: DesignSpec, sizes: Mapping[str, Quantity]) -> dict[str, Row]:
+    """Return the bounds on the free dimensions, whose sizes are given, as rows by their keys."""
+    rows: dict[str, Row] = {}
+    for name in design.geometry.free:
+        extent, x = design.geometry.extents[name], sizes[name]
+        if extent.least is not None:
+            rows[f"least {name}"] = Row(f"least {name}", extent.least, x, bound=extent.least)
+        if extent.most is not None:
+            rows[f"most {name}"] = Row(f"most {name}", x, extent.most, bound=extent.most)
+    return rows
 
 
 def objective_of(design: DesignSpec, objective: Objective, sizes: Sizes) -> Signomial:
@@ -178,3 +188,9 @@ def objective_of(design: DesignSpec, objective: Objective, sizes: Sizes) -> Sign
     if objective.minimize is not None:
         return as_signomial(by_name[objective.minimize])
     return as_signomial(1.0 / by_name[objective.maximize or ""])
+
+
+def ties(sizes: Iterable[str]) -> list[str]:
+    """Return what breaks ties after the volume: shortest, then narrowest, then thinnest."""
+    order = {"l": 0, "b": 1, "h": 2}
+    return sorted(sizes, key=lambda name: order.get(name, 3))

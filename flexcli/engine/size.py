@@ -1,31 +1,24 @@
 """The verb size: choose the free dimensions, then judge the chosen design like any other."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from time import perf_counter
 
 from flexcli.engine import assess
-from flexcli.engine.balanced import Balanced, NotBalanced, balanced
+from flexcli.engine.balanced import Balanced, NotBalanced
 from flexcli.engine.check import MODEL
-from flexcli.engine.grid import GridPoint, best_on_grid
-from flexcli.engine.optimum import (
-    active_rows,
-    certificate,
-    explain_conflict,
-    optimum,
-    refuse_undetermined,
-    refuse_unsolved,
-    sensitivities,
-)
-from flexcli.engine.program import SizingProgram, objective_of, sizing_program
+from flexcli.engine.grid import GridPoint
+from flexcli.engine.number_program import LimitsOf, number_sizing
+from flexcli.engine.number_route import NumberRoute
+from flexcli.engine.posynomial_route import PosynomialRoute
+from flexcli.engine.route import Route
 from flexcli.numerics.geometric_program import Outcome, Solution
-from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Objective
 from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value
 
-__all__ = ["size"]
+__all__ = ["size", "size_by"]
 
 LARGE_SENSITIVITY = 3.0
 """Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
@@ -33,11 +26,53 @@ LARGE_SENSITIVITY = 3.0
 
 def size(design: DesignSpec, spec: str) -> Result:
     """Return the sized design with margins, or the conflict that leaves none."""
+    if design.geometry.posynomial:
+        return _sized(design, spec, PosynomialRoute(design))
+    return size_by(design, spec)
+
+
+def size_by(
+    design: DesignSpec,
+    spec: str,
+    limits_of: LimitsOf | None = None,
+    *,
+    base: LimitsOf | None = None,
+    starts: Iterable[Mapping[str, float]] = (),
+    noise: float = 1e-14,
+) -> Result:
+    """Return the design sized by limits that are numbers, or the conflict that leaves none.
+
+    Parameters
+    ----------
+    design : DesignSpec
+        The design whose free dimensions are chosen.
+    spec : str
+        Its name in the result.
+    limits_of : callable, optional
+        Its limits at many sizes, the closed forms if not given; see :func:`number_sizing`, also
+        for what follows.
+    base : callable, optional
+        A cheaper model of the same limits, which is corrected to them.
+    starts : iterable of mapping
+        Free sizes [m] to start from instead of a search between the bounds.
+    noise : float
+        Relative error [-] of the limits' numbers that changes from design to design.
+
+    Returns
+    -------
+    Result
+        The sized design, judged by its closed forms.
+
+    """
+    sizing = number_sizing(design, limits_of, base=base, starts=starts, noise=noise)
+    return _sized(design, spec, NumberRoute(design, sizing))
+
+
+def _sized(design: DesignSpec, spec: str, route: Route) -> Result:
     started = perf_counter()
-    program = sizing_program(design)
     given = design.fixed_sizes()
-    chosen = _choose(design, program) if given is None else _Choice(given, _nothing_free())
-    result = _infeasible(design, spec, program) if chosen is None else _judged(design, spec, chosen)
+    chosen = _choose(design, route) if given is None else _Choice(given, _nothing_free())
+    result = _infeasible(design, spec, route) if chosen is None else _judged(design, spec, chosen)
     assert result.cost is not None  # both branches measure
     return replace(result, cost=replace(result.cost, seconds=perf_counter() - started))
 
@@ -67,86 +102,62 @@ def _nothing_free() -> SizingResult:
     return SizingResult("none: every size is given", "nothing to choose")
 
 
-def _choose(design: DesignSpec, program: SizingProgram) -> _Choice | None:
+def _choose(design: DesignSpec, route: Route) -> _Choice | None:
     """Return the chosen design, or nothing when the requirements conflict."""
-    volume = objective_of(design, "least-volume", program.sizes)
-    smallest = _solve(program, [volume, *_ties(program)])
+    smallest = route.least("least-volume")
     if smallest.outcome is Outcome.INFEASIBLE:
         return None
     if design.size.objective == "balanced":
-        return _choose_balanced(design, program, volume, smallest)
-    return _choose_optimum(design, program, volume, smallest, design.size.objective)
-
-
-def _ties(program: SizingProgram) -> list[Signomial]:
-    """Return what breaks ties after the volume: shortest, then narrowest, then thinnest."""
-    order = {"l": 0, "b": 1, "h": 2}
-    sizes = sorted(program.sizes._asdict().items(), key=lambda item: order.get(item[0], 3))
-    return [as_signomial(size) for _, size in sizes]
-
-
-def _solve(program: SizingProgram, objectives: list[Signomial]) -> Solution:
-    return optimum(program, objectives, program.constraints, program.equalities)
+        return _choose_balanced(design, route, smallest)
+    return _choose_optimum(design, route, smallest, design.size.objective)
 
 
 def _choose_optimum(
-    design: DesignSpec,
-    program: SizingProgram,
-    volume: Signomial,
-    smallest: Solution,
-    objective: Objective,
+    design: DesignSpec, route: Route, smallest: Solution, objective: Objective
 ) -> _Choice:
-    goal = objective_of(design, objective, program.sizes)
     name = objective if isinstance(objective, str) else _spoken(objective.model_dump())
-    objectives = [goal, volume, *_ties(program)]
-    solution = smallest if name == "least-volume" else _solve(program, objectives)
-    refuse_unsolved(solution, program)
-    if not (solution.unique or smallest.converged):
-        refuse_undetermined(goal, solution, smallest, program)
+    solution = smallest if name == "least-volume" else route.least(objective)
+    route.refuse(objective, solution, smallest)
     remarks = []
     if solution.tie_breakers:
         remarks.append(
             "the optimum is not unique: of all equally good designs this one has the least "
             "volume, then the shortest, narrowest and thinnest blades"
         )
-    ideal = program.complete({n: solution.x[n] for n in program.names})
     sizing = SizingResult(
         objective=name,
-        certificate=certificate(solution, program),
-        active=active_rows(solution, program),
-        sensitivities=sensitivities(program, objectives, solution),
+        certificate=route.certificate(solution),
+        active=route.active(solution),
+        sensitivities=route.sensitivities(objective, solution),
         remarks=tuple(remarks),
     )
-    others = [] if name == "least-volume" else _least_volume(design, program, smallest)
+    others = [] if name == "least-volume" else _least_volume(design, route, smallest)
     return _on_grid(
-        design, program, sizing, ideal, objectives, others,
+        design, route, sizing, route.complete(solution.x), objective, others,
         iterations=solution.iterations, label="optimum",
     )  # fmt: skip
 
 
-def _least_volume(design: DesignSpec, program: SizingProgram, smallest: Solution) -> list[Design]:
+def _least_volume(design: DesignSpec, route: Route, smallest: Solution) -> list[Design]:
     """Return the design of least volume to compare with, where there is one."""
     if not smallest.converged:
         return []
-    x = {n: smallest.x[n] for n in program.names}
-    return [_design(design, "least volume", program.complete(x))]
+    return [_design(design, "least volume", route.complete(smallest.x))]
 
 
 def _spoken(objective: Mapping[str, str | None]) -> str:
     return " ".join(f"{verb} {name}" for verb, name in objective.items() if name)
 
 
-def _choose_balanced(
-    design: DesignSpec, program: SizingProgram, volume: Signomial, smallest: Solution
-) -> _Choice:
-    found = balanced(program, volume)
+def _choose_balanced(design: DesignSpec, route: Route, smallest: Solution) -> _Choice:
+    found = route.balanced()
     if isinstance(found, NotBalanced):
-        chosen = _choose_optimum(design, program, volume, smallest, "least-volume")
+        chosen = _choose_optimum(design, route, smallest, "least-volume")
         text = f"no balanced design: {found.reason}; sized for least volume instead"
         chosen.notes = (*chosen.notes, Note("no-balanced-design", text))
         return chosen
-    ideal = program.complete(found.x)
-    least = _least_volume(design, program, smallest)
+    ideal = route.complete(found.x)
+    least = _least_volume(design, route, smallest)
     remarks = ["there is no least volume to compare with: nothing holds it"]
     if least:
         more = float(design.geometry.volume(ideal)) / least[0].volume - 1.0
@@ -161,7 +172,7 @@ def _choose_balanced(
         sensitivities=found.sensitivities,
         remarks=tuple(remarks),
     )
-    chosen = _on_grid(design, program, sizing, ideal, None, least, iterations=0, label="balanced")
+    chosen = _on_grid(design, route, sizing, ideal, None, least, iterations=0, label="balanced")
     chosen.notes = (*chosen.notes, *_conditioning(found))
     return chosen
 
@@ -178,10 +189,10 @@ def _conditioning(found: Balanced) -> tuple[Note, ...]:
 
 def _on_grid(
     design: DesignSpec,
-    program: SizingProgram,
+    route: Route,
     sizing: SizingResult,
     ideal: Sizes,
-    objectives: list[Signomial] | None,
+    objective: Objective | None,
     others: list[Design],
     *,
     iterations: int,
@@ -189,14 +200,14 @@ def _on_grid(
 ) -> _Choice:
     """Return the choice as it can be made: on the grid where the spec has one.
 
-    Without objectives the point nearest to the ideal blade is taken.
+    Without an objective the point nearest to the ideal blade is taken.
     """
-    grids = design.size.rounding
+    grids = {name: grid for name, grid in design.size.rounding.items() if name in route.names}
     designs = [_design(design, label, ideal), *others]
-    if not any(name in grids for name in program.names):
+    if not grids:
         return _Choice(ideal, replace(sizing, designs=tuple(designs)), iterations=iterations)
-    centre = {name: float(getattr(ideal, name)) for name in program.names}
-    point = best_on_grid(design, program, grids, objectives, centre)
+    centre = {name: float(getattr(ideal, name)) for name in route.names}
+    point = route.on_grid(grids, objective, centre)
     if point.x is None:
         text = "the manufacturing grid has no feasible design"
         if not point.proved:
@@ -204,14 +215,14 @@ def _on_grid(
         note = Note("no-grid-point", f"{text}: take a finer grid or more stock sizes")
         designed = replace(sizing, designs=tuple(designs))
         return _Choice(ideal, designed, ideal, (note,), iterations, failed_grid=True)
-    blade = program.complete(point.x)
+    blade = route.complete(point.x)
     designs.append(_design(design, "on the grid", blade))
     return _Choice(
         blade,
         replace(
             sizing,
             designs=tuple(designs),
-            remarks=(*sizing.remarks, _grid_remark(design, blade, ideal, point, objectives)),
+            remarks=(*sizing.remarks, _grid_remark(design, blade, ideal, point, objective)),
         ),
         ideal,
         iterations=iterations,
@@ -223,9 +234,9 @@ def _grid_remark(
     blade: Sizes,
     ideal: Sizes,
     point: GridPoint,
-    objectives: list[Signomial] | None,
+    objective: Objective | None,
 ) -> str:
-    what = "of the least objective" if objectives else "nearest to the balanced design"
+    what = "of the least objective" if objective else "nearest to the balanced design"
     price = float(design.geometry.volume(blade)) / float(design.geometry.volume(ideal)) - 1.0
     sure = "proved" if point.proved else "best of those searched"
     return (
@@ -281,8 +292,8 @@ def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
     return found
 
 
-def _infeasible(design: DesignSpec, spec: str, program: SizingProgram) -> Result:
-    conflict, sure = explain_conflict(program)
+def _infeasible(design: DesignSpec, spec: str, route: Route) -> Result:
+    conflict, sure = route.conflict()
     objective = design.size.objective
     return Result(
         command="size",

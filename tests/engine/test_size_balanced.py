@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from strategies import BEND, CASES, LOADS, PUSH, crossed, design, rcc
 
+from flexcli.engine.balanced import kind_of
 from flexcli.engine.size import size
 from flexcli.errors import SolveError
+from flexcli.parts.requirements import Limit
 from flexcli.spec.load import load_design
 
 BALANCED = {"objective": "balanced"}
@@ -180,3 +182,12 @@ def test_a_crossed_pivot_balances_with_the_stress_of_the_deciding_end():
             ends.append(sized(design(crossed(p="-2 mm", **sizes), LOADS, cases, size=BALANCED))[1])
         slopes = np.log(ends[0] / ends[1]) / log((1 + step) / (1 - step))
         assert [rows["stroke"][n] for n in "hlb"] == pytest.approx(slopes, rel=1e-4)
+
+
+def test_a_kind_of_load_counts_once_in_each_joint_with_sizes_of_its_own():
+    def kind(requirement, joint):
+        return kind_of(Limit(requirement, "", "", 1.0, 1.0, "", "", joint=joint))
+
+    assert kind("fatigue", "") == "fatigue"
+    assert kind("fatigue", "A") != kind("fatigue", "B")
+    assert kind("fatigue", "A") != kind("yield", "A")
