@@ -6,7 +6,15 @@ from typing import Annotated
 
 import typer
 
-from flexcli.cli.common import DEFAULT_SPEC, Format, FormatOption, attempt, finish
+from flexcli.cli.common import (
+    DEFAULT_SPEC,
+    Format,
+    FormatOption,
+    Model,
+    ModelOption,
+    attempt,
+    finish,
+)
 from flexcli.errors import Finding, SpecError
 from flexcli.results import Result
 
@@ -20,18 +28,20 @@ def run(
         list[Path] | None,
         typer.Argument(help=f"Designs or folders of them; {DEFAULT_SPEC} if left out."),
     ] = None,
+    model: ModelOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
     """Check given designs: every requirement with demand, capacity, factor and margin."""
     from flexcli.spec.folder import designs_in
 
     paths = designs_in(specs or [Path(DEFAULT_SPEC)])
-    results = [attempt(NAME, path, partial(_check, path)) for path in paths]
+    results = [attempt(NAME, path, partial(_check, path, model)) for path in paths]
     finish(NAME, results, style, many=len(specs or []) > 1 or len(paths) != 1)
 
 
-def _check(path: Path) -> Result:
+def _check(path: Path, model: Model | None) -> Result:
     from flexcli.engine.check import check
+    from flexcli.engine.models import answers_of
     from flexcli.spec.given import given_sizes
     from flexcli.spec.load import load_design
 
@@ -39,4 +49,5 @@ def _check(path: Path) -> Result:
         hint = "a design has flexure, material, geometry, cases and requirements"
         raise SpecError([Finding(str(path), "there is no design in this folder", hint)])
     design, document = load_design(path)
-    return check(design, given_sizes(design, document), str(path))
+    answers = answers_of((model or Model.CLOSED_FORM).value)
+    return check(design, given_sizes(design, document), str(path), answers)

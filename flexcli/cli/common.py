@@ -20,6 +20,8 @@ __all__ = [
     "DEFAULT_SPEC",
     "Format",
     "FormatOption",
+    "Model",
+    "ModelOption",
     "SpecArgument",
     "attempt",
     "fail",
@@ -40,6 +42,18 @@ class Format(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
     JSON = "json"
 
 
+class Model(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
+    """The model of the joint that judges a design."""
+
+    CLOSED_FORM = "closed-form"
+    LINEAR = "linear"
+    EXACT = "exact"
+
+
+ModelOption = Annotated[
+    Model | None,
+    typer.Option("--model", help="Model of the joint; the closed form if left out."),
+]
 FormatOption = Annotated[
     Format, typer.Option("--format", help="Text for people, JSON for scripts (on stdout, alone).")
 ]

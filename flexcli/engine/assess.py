@@ -1,6 +1,6 @@
 """Judge a blade by every requirement: one design into checks, or many at once into factors."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,8 +10,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import EFFECTS, Setting
 from flexcli.parts.geometries import NotAvailable, Sizes
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.requirements import Limit
-from flexcli.parts.scene import Scene
+from flexcli.parts.requirements import CLOSED_FORM, Answers, Ask, Limit
 from flexcli.results import Check, EffectRow, Note, Value
 from flexcli.units import show
 
@@ -127,28 +126,34 @@ def _margin(limit: Limit) -> NDArray[np.float64]:
     return np.asarray(ratio / required(limit))
 
 
-def values(design: DesignSpec, sizes: Sizes) -> dict[str, Value]:
-    """Return the named numbers of a design: blade, cases, joint and mechanism."""
+def values(design: DesignSpec, sizes: Sizes, answers: Answers = CLOSED_FORM) -> dict[str, Value]:
+    """Return the named numbers of a design by a model: sizes, cases, joint and mechanism."""
     geometry, material = design.geometry, design.material
     found = {
         name: Value(float(size), "m", geometry.label(name), model="given")
         for name, size in sizes._asdict().items()
     }
     found |= case_values(design)
-    stiffness = float(geometry.stiffness(material.elastic, sizes))
+    asks = [
+        Ask(material, geometry, design.mechanism, sizes, design.scene(name), answers)
+        for name in design.cases
+    ]
+    stiffness = float(answers.stiffness(asks[0]))
     symbol = "k_pivot" if geometry.motion == "rotation" else "k_stage"
     found[symbol] = Value(
-        stiffness, geometry.stiffness_unit, "stiffness of a joint", source=geometry.source
+        stiffness, geometry.stiffness_unit, "stiffness of a joint", answers.model, geometry.source
     )
     found["volume"] = Value(
         float(geometry.volume(sizes)), "m^3", "volume of what flexes in a joint"
     )
     found |= geometry.values(material.elastic, sizes, _largest_travel(design))
     found |= _admissible(design, sizes)
+    for ask in asks:
+        found |= _shift(ask, found)
     if design.mechanism is not None:
         found.update(design.mechanism.values(stiffness, geometry))
-        for name in design.cases:
-            found.update(_sag(design, sizes, design.scene(name)))
+        for ask in asks:
+            found.update(_sag(ask))
     return found
 
 
@@ -177,21 +182,33 @@ def case_values(design: DesignSpec) -> dict[str, Value]:
     return found
 
 
-def _sag(design: DesignSpec, sizes: Sizes, scene: Scene) -> dict[str, Value]:
-    """Return sag and stiffness along a steady acceleration, where there is a closed form."""
-    if scene.acceleration == 0.0 or design.mechanism is None:
+def _shift(ask: Ask, known: Mapping[str, Value]) -> dict[str, Value]:
+    """Return the parasitic shift at the end of a case's stroke, where the model has it."""
+    if not ask.scene.bends:
         return {}
     try:
-        stiffness = float(design.geometry.sag_stiffness(design.material.elastic, sizes, scene.axis))
-        weight = design.mechanism.hanging_mass() * scene.acceleration
+        shift = float(ask.answers.parasitic_shift(ask))
+    except NotAvailable:
+        return {}
+    name = "shift" if "shift" not in known else f"shift_{ask.scene.case}"
+    label = "parasitic shift at full stroke, positive towards the base"
+    return {name: Value(shift, "m", label, ask.answers.model, ask.geometry.source)}
+
+
+def _sag(ask: Ask) -> dict[str, Value]:
+    """Return sag and stiffness along a steady acceleration, where the model has them."""
+    scene = ask.scene
+    if scene.acceleration == 0.0 or ask.mechanism is None:
+        return {}
+    try:
+        stiffness = float(ask.answers.sag_stiffness(ask))
+        weight = ask.mechanism.hanging_mass() * scene.acceleration
     except (NotAvailable, MechanismError):
         return {}
-    source = design.geometry.source
+    source, axis, model = ask.geometry.source, scene.axis, ask.answers.model
     return {
-        f"k_{scene.axis}": Value(stiffness, "N/m", f"stiffness along {scene.axis}", source=source),
-        f"sag_{scene.axis}": Value(
-            weight / stiffness, "m", f"sag along {scene.axis}", source="m a / K"
-        ),
+        f"k_{axis}": Value(stiffness, "N/m", f"stiffness along {axis}", model, source),
+        f"sag_{axis}": Value(weight / stiffness, "m", f"sag along {axis}", model, "m a / K"),
     }
 
 

@@ -3,31 +3,45 @@
 from time import perf_counter
 
 from flexcli.engine import assess
+from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
+from flexcli.parts.requirements import CLOSED_FORM, Answers, Limit, RequirementError
 from flexcli.results import Cost, Result, Status
 
-__all__ = ["check"]
+__all__ = ["check", "judged_by"]
 
 MODEL = "closed-form"
 
 
-def check(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
-    """Return the checks of one blade with values, effects and warnings."""
+def check(design: DesignSpec, sizes: Sizes, spec: str, answers: Answers = CLOSED_FORM) -> Result:
+    """Return the checks of one blade by a model, with values, effects and warnings."""
     started = perf_counter()
     rows = assess.effects(design, sizes)
-    found = assess.checks(design.limits(sizes))
+    found = assess.checks(judged_by(design, sizes, answers))
     passed = all(check.passed for check in found)
     return Result(
         command="check",
         spec=spec,
         status=Status.PASS if passed else Status.FAIL,
         title=design.title,
-        values=assess.values(design, sizes),
+        values=assess.values(design, sizes, answers),
         checks=found,
         effects=rows,
         warnings=assess.warnings(design, sizes, rows),
         cost=Cost(
-            perf_counter() - started, MODEL, max((row.estimate for row in rows), default=None)
+            perf_counter() - started,
+            answers.model,
+            max((row.estimate for row in rows), default=None),
         ),
     )
+
+
+def judged_by(design: DesignSpec, sizes: Sizes, answers: Answers) -> list[Limit]:
+    """Return every limit by a model; what it cannot answer is a :class:`SolveError`."""
+    try:
+        return design.limits(sizes, answers)
+    except RequirementError as error:
+        raise SolveError(
+            f"{answers.model}-has-no-answer", str(error), error.hint or "take another model"
+        ) from error

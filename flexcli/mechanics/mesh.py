@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import SolveError
 from flexcli.formulas.profile import Piece
 from flexcli.mechanics.layout import Blade, Layout
 from flexcli.numerics.collocation import gauss_nodes, integration_matrix
@@ -130,7 +131,14 @@ def _one(index: int, blade: Blade, layout: Layout, effects: Effects, nodes: int)
     per_h = np.where(rigid, 0.0, thinnest / np.where(rigid, 1.0, thickness))
     w = w_u * ds
     c = per_h**3 / flexible
-    b, E, G = column(blade.b), column(layout.E), column(layout.G)
+    if effects.shear and layout.G is None:
+        raise SolveError(
+            "no-shear-modulus",
+            "the layout has no shear modulus",
+            "give the material a poisson_ratio, or leave shear out",
+        )
+    b, E = column(blade.b), column(layout.E)
+    G = column(np.inf if layout.G is None else layout.G)
     EI = (E * b)[:, None] * thinnest**3 / 12.0 / flexible
     # EI/(EA l²) and EI/(κGA l²)
     axial = thinnest**2 / (12.0 * flexible * l[:, None] ** 2) * per_h

@@ -21,7 +21,8 @@ class Scene(NamedTuple):
     ``travel`` and ``mean_travel`` are rotations [rad] or translations [m] of the joint,
     ``middle`` is the mean travel with the sign of the stroke; ``force``
     is the largest force on a joint in its plane [N], ``axial_share`` the largest axial force in a
-    blade per unit of it.
+    blade per unit of it. ``forces`` are its parts, each with its direction from the joint's axis
+    of symmetry [rad].
     """
 
     case: str
@@ -40,6 +41,7 @@ class Scene(NamedTuple):
     shock: Shock | None
     lock: str | None
     wrench: tuple[float, ...] | None
+    forces: tuple[tuple[float, float], ...]
     values: Mapping[str, Value]
 
     @property
@@ -73,6 +75,10 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
     if ends is None and case.lock is not None:
         ends, why = "clamped-clamped", f"lock: {case.lock} keeps both ends from turning"
     steady = case.acceleration
+    load = case.load.force if case.load is not None else 0.0
+    acting = [(load, case.load.direction)] if case.load is not None and load else []
+    if force > load:
+        acting.append((force - load, getattr(mechanism, "bisector", 0.0)))
     return Scene(
         case=name,
         travel=travel,
@@ -90,6 +96,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         shock=case.shock,
         lock=case.lock,
         wrench=case.wrench.components if case.wrench else None,
+        forces=tuple(acting),
         values=values,
     )
 

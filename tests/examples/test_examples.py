@@ -35,11 +35,16 @@ def run(folder, expected):
 
 
 def found(document, path):
-    kind, name, *attribute = path.split(".")
+    """Return a number and its unit: values.NAME, 1/values.RATIO or checks.NAME.ATTRIBUTE."""
+    kind, name, *attribute = path.removeprefix("1/").split(".")
     if kind == "values":
-        return document["values"][name]["value"], document["values"][name]["unit"]
+        value, unit = document["values"][name]["value"], document["values"][name]["unit"]
+        if not path.startswith("1/"):
+            return value, unit
+        assert unit == "", "a reciprocal is read of a ratio"
+        return 1.0 / value, unit
     (check,) = (c for c in document["checks"] if c["name"] == name)
-    return check[attribute[0]], ""
+    return check[attribute[0]], check["unit"] if attribute[0] in ("demand", "capacity") else ""
 
 
 def half_digit(printed, decimals):

@@ -1,12 +1,12 @@
 """Generalised cross-spring pivot: two blades that cross, or would, at any place."""
 
-from math import pi
+from math import pi, tan
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from flexcli.formulas import pivot
-from flexcli.formulas.card import Card
+from flexcli.formulas import pivot, wittrick
+from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.symmetric_pivot import CARDS, stiffness_ratio, stroke_ratio
 from flexcli.parts.base import Length, QuantityOf, spec_error
@@ -17,6 +17,9 @@ from flexcli.results import Value
 
 __all__ = ["CrossSpringPivot"]
 
+LEADING = "|9δ² + 9δ + 1| tan² α/θ"
+"""The shift's leading term over some ten times the next one, near Wittrick's crossing."""
+
 
 class CrossSpringPivot(BladePivot):
     """Cross-spring pivot of separate blades: the centre is placed by p or by delta = p/l."""
@@ -26,7 +29,16 @@ class CrossSpringPivot(BladePivot):
         "Henein & Thalmann, Dimensioning of flexure joints; Zhao & Bi 2010, Mech. Mach. Theory 45"
     )
 
-    cards: ClassVar[tuple[Card, ...]] = (*pivot.CARDS, *CARDS)
+    cards: ClassVar[tuple[Card, ...]] = (*pivot.CARDS, *CARDS, *wittrick.CARDS)
+    validity: ClassVar[tuple[Range, ...]] = (
+        SLENDER,
+        Range(
+            LEADING,
+            least=1.0,
+            why="the leading term of the parasitic shift all but vanishes at Wittrick's crossing; "
+            "the next order in the rotation rules (shift_across)",
+        ),
+    )
 
     kind: Literal["cross-spring"]
     p: Length | None = None
@@ -64,9 +76,23 @@ class CrossSpringPivot(BladePivot):
             l=sizes.l, p=self.offset(sizes), theta=travel, half_angle=self.half_angle
         )
 
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
+        """Return what its closed forms are valid in; for its shift only where it turns."""
+        found = super().indicators(sizes, travel)
+        if travel == 0.0:
+            return found
+        delta = found["delta"]
+        bracket = abs(9.0 * delta * (delta + 1.0) + 1.0)
+        return {**found, LEADING: bracket * tan(self.half_angle) ** 2 / travel}
+
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
-        """Return δ, and stiffness and stroke over those of the symmetric pivot."""
+        """Return δ, what is left of the shift at its zeros, and ratios to the symmetric pivot."""
         delta = float(self.offset(sizes) / sizes.l)
+        left = {}
+        if self.indicators(sizes, travel).get(LEADING, 1.0) < 1.0:
+            shift = wittrick.shift_across(l=sizes.l, theta=travel, half_angle=self.half_angle)
+            text = "shift across the bisector, next order in the rotation"
+            left["shift_across"] = Value(abs(float(shift)), "m", text)
         return {
             **super().values(elastic, sizes, travel),
             "stiffness_ratio": Value(
@@ -75,4 +101,5 @@ class CrossSpringPivot(BladePivot):
             "stroke_ratio": Value(
                 float(stroke_ratio(delta)), "", "stroke over that of the symmetric pivot"
             ),
+            **left,
         }

@@ -55,6 +55,13 @@ class _Hinged(Geometry):
         CONCENTRATION, alias="stress-concentration", description="K_t of the throats, or none"
     )
 
+    @model_validator(mode="after")
+    def _hinges_fit(self) -> "_Hinged":
+        radius, limb = self.r.fixed, self.l.fixed
+        if radius is not None and limb is not None and 2.0 * radius > limb:
+            raise spec_error("the hinges of a limb overlap", "r is at most l/2", at=("r",))
+        return self
+
     def hinge(self, elastic: Elastic, sizes: LimbSizes) -> tuple[Quantity, Quantity]:
         """Return stiffness of a hinge [N·m/rad] and reach of its bending about its centre [m]."""
         C = circular_compliance(E=elastic.E, b=sizes.b, e=sizes.e, r=sizes.r)

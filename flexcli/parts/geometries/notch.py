@@ -5,14 +5,21 @@ from collections.abc import Mapping
 from typing import Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from flexcli.formulas import notch, notch_compliance, notch_law, stress_concentration
+from flexcli.formulas import (
+    hinge_shift,
+    notch,
+    notch_compliance,
+    notch_law,
+    stress_concentration,
+)
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import Filleted, Notch, Profile
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
+from flexcli.parts.base import spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
 from flexcli.results import Value
@@ -49,12 +56,16 @@ class _Hinge(Geometry):
     def throat(self, sizes: Any) -> tuple[Quantity, Quantity]:
         """Return thickness of the throat and radius of the notch there [m]."""
 
-    def compliance(self, elastic: Elastic, sizes: Any) -> Quantity:
-        """Return the planar compliance about the middle of the hinge, without shear."""
+    def _column(self, sizes: Any) -> tuple[Profile, Quantity]:
+        """Return the profile of each design, with a trailing axis along the hinge, and length."""
         profile, l = self.profile(
             sizes._make(np.asarray(size, dtype=np.float64)[..., None] for size in sizes)
         )
-        length = np.asarray(l, dtype=np.float64)[..., 0]
+        return profile, np.asarray(l, dtype=np.float64)[..., 0]
+
+    def compliance(self, elastic: Elastic, sizes: Any) -> Quantity:
+        """Return the planar compliance about the middle of the hinge, without shear."""
+        profile, length = self._column(sizes)
         return notch_compliance.planar_compliance(
             profile, E=elastic.E, l=length, b=sizes.b, a=length / 2.0
         )
@@ -83,6 +94,11 @@ class _Hinge(Geometry):
     def indicators(self, sizes: Any, travel: float) -> dict[str, Quantity]:
         """Return what its closed forms are valid in: shape and rotation."""
         return {**self.ratios(sizes), "theta": travel}
+
+    def parasitic_shift(self, sizes: Any, travel: float) -> Quantity:
+        """Return the shift of the middle along the hinge, away from the base [m]."""
+        profile, l = self._column(sizes)
+        return hinge_shift.profile_shift(profile, l=l, theta=travel)
 
     def layout(self, elastic: Elastic, sizes: Any) -> Layout:
         """Return the hinge along x, its middle in the origin."""
@@ -124,6 +140,7 @@ class CircularHinge(_Hinge):
         *notch.CARDS[2:],
         *notch_compliance.CARDS,
         *notch_law.CARDS,
+        *hinge_shift.CARDS,
         *stress_concentration.CARDS,
     )
     validity: ClassVar[tuple[Range, ...]] = (
@@ -240,6 +257,13 @@ class FilletedHinge(_Hinge):
     r: Extent
     l: Extent
     b: Extent
+
+    @model_validator(mode="after")
+    def _fillets_fit(self) -> "FilletedHinge":
+        fillet, whole = self.r.fixed, self.l.fixed
+        if fillet is not None and whole is not None and 2.0 * fillet > whole:
+            raise spec_error("two fillets are longer than the hinge", "r is at most l/2", at=("r",))
+        return self
 
     def profile(self, sizes: FilletedSizes) -> tuple[Profile, Quantity]:
         """Return the blade with its fillets."""

@@ -4,6 +4,7 @@ from typing import ClassVar, Literal
 
 from flexcli.formulas import single_blade as blade
 from flexcli.formulas.card import Card
+from flexcli.formulas.hinge_shift import BLADE_CARDS, blade_shift
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.stage import shortening
@@ -108,7 +109,7 @@ class MomentBlade(_SingleBlade):
     """A clamped blade that a moment turns at its free tip."""
 
     motion: ClassVar[str] = "rotation"
-    cards: ClassVar[tuple[Card, ...]] = blade.MOMENT_CARDS
+    cards: ClassVar[tuple[Card, ...]] = (*blade.MOMENT_CARDS, *BLADE_CARDS)
 
     kind: Literal["moment-blade"]
 
@@ -120,3 +121,7 @@ class MomentBlade(_SingleBlade):
         """Return the bending stress, the same all along [Pa]."""
         h, l, _ = sizes
         return {"all along": blade.moment_stress(E=elastic.E, h=h, l=l, theta=travel)}
+
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
+        """Return the shift of its middle along the blade, away from the clamp [m]."""
+        return blade_shift(l=sizes.l, theta=travel)

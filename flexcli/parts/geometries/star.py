@@ -4,6 +4,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from flexcli.formulas import pivot
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.base import Angle, Length, QuantityOf, spec_error
 from flexcli.parts.geometries.base import Blade
@@ -26,6 +27,18 @@ class StarPivot(BladePivot):
     def _one_centre(self) -> "StarPivot":
         if (self.p is None) == (self.delta is None):
             raise spec_error("the centre is placed by p or by delta", "give one, e.g. p: 2 mm")
+        return self
+
+    @model_validator(mode="after")
+    def _holds_its_centre(self) -> "StarPivot":
+        try:
+            pivot.axial_share(self.angles, 0.0)
+        except ValueError as error:
+            raise spec_error(
+                "parallel blades leave the centre free across them",
+                "give a blade another direction, e.g. angles: [45 deg, -45 deg]",
+                at=("angles",),
+            ) from error
         return self
 
     @property

@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Literal
 
 from flexcli.formulas import pivot
 from flexcli.formulas import unseparated as joined
-from flexcli.formulas.card import Card
+from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import QuantityOf
@@ -26,6 +26,9 @@ class UnseparatedPivot(BladePivot):
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints"
 
     cards: ClassVar[tuple[Card, ...]] = joined.CARDS
+    validity: ClassVar[tuple[Range, ...]] = (
+        Range("part l/h", least=10.0, why="a part of a blade this short is no slender beam"),
+    )
 
     kind: Literal["unseparated-cross"]
     half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
@@ -53,22 +56,23 @@ class UnseparatedPivot(BladePivot):
         return {"crossing": crossing, "ends": ends}
 
     def s_bending_share(self, sizes: Blade) -> float:
-        """Return ¾, that of a pivot with its centre at the end of the blades."""
-        return 0.75
+        """Return ¾ (1/c + 1/(1 − c)): ¾ of each part, whose Φ is that of its own length."""
+        return 0.75 / self.crossing + 0.75 / (1.0 - self.crossing)
 
     def spring(self, elastic: Elastic, sizes: Blade) -> Spring:
         """Refuse: the small cross between the halves makes it no single spring."""
         raise NotAvailable("has no linear spring in its plane yet")
-
-    def axial_share(self, direction: float) -> float:
-        """Return the axial force in a half-blade per force on the pivot, as of one pair [-]."""
-        return super().axial_share(direction)
 
     def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
         """Return the signed shift of the centre along the bisector [m], leading order."""
         return joined.unseparated_shift(
             l=sizes.l, crossing=self.crossing, theta=travel, half_angle=self.half_angle
         )
+
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
+        """Return what its closed forms are valid in, with l/h of the shorter part."""
+        part = min(self.crossing, 1.0 - self.crossing) * sizes.l / sizes.h
+        return {**super().indicators(sizes, travel), "part l/h": part}
 
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
         """Return four part-blades around the cross."""
@@ -84,11 +88,15 @@ class UnseparatedPivot(BladePivot):
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return stiffness and stroke over those of the same blades, separated."""
-        ratio = self.stiffness(elastic, sizes) / pivot.rotational_stiffness(
-            E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, p=-0.5 * sizes.l
-        )
+        same = {"E": elastic.E, "h": sizes.h, "l": sizes.l, "p": -0.5 * sizes.l}
+        stiffer = self.stiffness(elastic, sizes) / pivot.rotational_stiffness(b=sizes.b, **same)
+        stress, *_ = pivot.end_stresses(theta=1.0, **same)
+        stroke = stress / self.end_stresses(elastic, sizes, 1.0)["crossing"]
         return {
             "stiffness_ratio": Value(
-                float(ratio), "", "stiffness over that of the same blades, separated"
-            )
+                float(stiffer), "", "stiffness over that of the same blades, separated"
+            ),
+            "stroke_ratio": Value(
+                float(stroke), "", "stroke over that of the same blades, separated"
+            ),
         }

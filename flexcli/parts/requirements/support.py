@@ -48,13 +48,15 @@ def compliance(ask: Ask, point: tuple[float, float, float]) -> NDArray[np.float6
 
     try:
         layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
+        if layout.G is None:
+            raise NotAvailable("needs material.poisson_ratio for its shear and torsion")
         (x, y), *_ = (body.point for body in layout.bodies if body.name == MOVING)
         return support_compliance(layout, MOVING, (x + point[0], y + point[1], point[2]))
     except NotAvailable as error:
-        hint = "complete the geometry, or leave this requirement out"
+        hint = "complete the design, or leave this requirement out"
         raise RequirementError(f"a {ask.geometry.name} {error}", hint) from error
     except SolveError as error:
-        raise RequirementError(str(error), error.remedy) from error
+        raise RequirementError(error.text, error.remedy) from error
 
 
 def _index(direction: Direction) -> int:
@@ -96,10 +98,10 @@ class Support(Bound):
         for name in ("min", "max", "equals"):
             given = getattr(self, name)
             if given is not None and given[1] != self.unit:
-                hint = "give over: for a ratio" if not given[1] else f"write e.g. {self.example}"
+                ratio = "" if given[1] else ", or give over: for a ratio"
                 raise spec_error(
                     f"the bound on the {self.spoken} is in {self.unit or 'plain numbers'}",
-                    hint,
+                    f"write e.g. {self.example}{ratio}",
                     at=(name,),
                 )
         return self

@@ -1,0 +1,150 @@
+"""Support and deflection as a spec asks for them, against closed forms of one direction."""
+
+import pytest
+from geometries_for_tests import spec
+from strategies import TITANIUM, Inconsistent, design
+
+from flexcli.engine.check import check
+
+E, G = 114e9, 114e9 / 2.68
+H, L, B = 1e-4, 20e-3, 5e-3
+AREA, TURN = B * H, B * H**3 / 12.0
+SHEAR = 2.4 * 1.34 * (H / L) ** 2
+"""Φ of a blade between clamps."""
+
+ROUNDING = 1e-9
+"""Of a compliance in which stiffnesses of very different size meet."""
+
+STROKE = {"work": {"stroke": {"translation": "0.1 mm", "cycles": 1e6}}}
+
+
+def checks_of(kind, requirements, cases=None, **changes):
+    geometry = spec(kind, **changes)
+    moves = geometry["kind"] not in ("leaf-spring-stage", "guided-blade", "cantilever")
+    turn = {"work": {"stroke": {"rotation": "1 deg", "cycles": 1e6}}}
+    found = design(geometry, requirements, cases or (turn if moves else STROKE))
+    return check(found, found.fixed_sizes(), "spec").checks
+
+
+def measured(kind, direction, bound, **support):
+    """Return the stiffness that is compared with a bound it does not reach."""
+    (found,) = checks_of(kind, {"support": {"direction": direction, "min": bound, **support}})
+    assert found.demand != found.capacity
+    return found.capacity
+
+
+def test_stage_is_as_stiff_along_its_blades_as_they_stretch():
+    found = measured("leaf-spring-stage", "x", "1 N/um")
+    assert found == pytest.approx(3 * E * AREA / L, rel=ROUNDING)
+
+
+def test_stage_along_its_stroke_is_stated_at_its_own_middle():
+    """About another point a force along the stroke would tilt it and seem softer."""
+    found = measured("leaf-spring-stage", "y", "1 N/m")
+    assert found == pytest.approx(3 * E * B * H**3 / L**3 / (1 + SHEAR), rel=ROUNDING)
+
+
+def test_stage_turns_by_the_stretch_of_its_blades_on_their_arms():
+    found = measured("leaf-spring-stage", "theta_z", "1 N*m/rad")
+    arms = 2 * E * AREA / L * 15e-3**2
+    assert found == pytest.approx(arms + 3 * E * TURN / L, rel=ROUNDING)
+
+
+def test_cantilever_is_stated_at_its_tip():
+    found = measured("cantilever", "y", "1 N/m")
+    assert found == pytest.approx(3 * E * TURN / L**3 / (1 + SHEAR / 4), rel=ROUNDING)
+
+
+def test_a_point_is_counted_from_the_tip():
+    """Half-way back a force bends the blade's two halves alike: 1/C = 12EI/l³, and its shear."""
+    place = {"point": ["-10 mm", "0 mm", "0 mm"]}
+    found = measured("cantilever", "y", "1 N/m", **place)
+    assert found == pytest.approx(12 * E * TURN / L**3 / (1 + SHEAR), rel=ROUNDING)
+
+
+def test_ratio_of_two_directions_is_that_of_their_stiffnesses():
+    """Lecture's "high stiffness-ratio": (l/h)² of a leaf spring, with its shear."""
+    (found,) = checks_of(
+        "leaf-spring-stage", {"support": {"direction": "x", "over": "y", "min": 1e4}}
+    )
+    assert found.name == "support x/y (min)"
+    assert found.capacity == pytest.approx((L / H) ** 2 * (1 + SHEAR), rel=ROUNDING)
+    assert found.unit == ""
+    assert found.passed
+
+
+def test_ratio_of_two_rotations_is_a_ratio_too():
+    each = [measured("leaf-spring-stage", axis, "1 N*m/rad") for axis in ("theta_x", "theta_z")]
+    (found,) = checks_of(
+        "leaf-spring-stage", {"support": {"direction": "theta_x", "over": "theta_z", "max": 1.0}}
+    )
+    assert found.demand == pytest.approx(each[0] / each[1], rel=ROUNDING)
+
+
+def test_several_supports_make_a_check_each():
+    rows = [{"direction": axis, "min": "1 N/m"} for axis in ("x", "y", "z")]
+    found = checks_of("rcc", {"support": rows})
+    assert [check.name for check in found] == [f"support {a} (min)" for a in "xyz"]
+
+
+def loaded(kind, wrench, deflection):
+    case = {"load": {"wrench": wrench}}
+    (found,) = checks_of(kind, {"deflection": deflection}, case)
+    return found
+
+
+def test_force_along_the_blades_stretches_them():
+    found = loaded("leaf-spring-stage", {"x": "30 N"}, {"direction": "x", "max": "1 um"})
+    assert found.demand == pytest.approx(30.0 * L / (3 * E * AREA), rel=ROUNDING)
+    assert found.name == "deflection x (max)"
+    assert found.case == "load"
+
+
+@pytest.mark.parametrize("force", ["30 N", "-30 N"])
+def test_deflection_counts_whichever_way_it_goes(force):
+    found = loaded("leaf-spring-stage", {"x": force}, {"direction": "x", "max": "0.1 um"})
+    assert found.demand > 0.0
+    assert not found.passed
+
+
+def test_wrench_acts_at_the_centre_and_the_point_is_only_watched():
+    """A moment M on a pivot turns it by M/K and moves a point at a distance by the arm."""
+    turned = loaded("rcc", {"theta_z": "1 N*mm"}, {"direction": "theta_z", "max": "1 rad"})
+    place = {"point": ["8 mm", "0 mm", "0 mm"]}
+    moved = loaded("rcc", {"theta_z": "1 N*mm"}, {"direction": "y", "max": "1 m", **place})
+    assert moved.demand == pytest.approx(8e-3 * turned.demand, rel=1e-3)
+    pushed = loaded("rcc", {"x": "1 N"}, {"direction": "x", "max": "1 um", **place})
+    centre = loaded("rcc", {"x": "1 N"}, {"direction": "x", "max": "1 um"})
+    assert pushed.demand == pytest.approx(centre.demand, rel=ROUNDING)
+
+
+def test_loads_of_a_wrench_add():
+    each = [
+        loaded("cantilever", wrench, {"direction": "y", "max": "1 mm"}).demand
+        for wrench in ({"y": "10 mN"}, {"theta_z": "0.1 N*mm"})
+    ]
+    both = loaded(
+        "cantilever", {"y": "10 mN", "theta_z": "0.1 N*mm"}, {"direction": "y", "max": "1 mm"}
+    )
+    assert both.demand == pytest.approx(sum(each), rel=ROUNDING)
+
+
+@pytest.mark.parametrize(
+    ("kind", "changes", "material", "text"),
+    [
+        ("leaf-spring-stage", {"spacing": None}, TITANIUM, "needs spacing"),
+        ("hinged-stage", {"spacing": None}, TITANIUM, "needs spacing"),
+        ("torsion-bar", {}, TITANIUM, "not made of straight blades"),
+        ("rcc", {}, {"youngs_modulus": "114 GPa"}, "material.poisson_ratio"),
+    ],
+)
+def test_what_is_missing_is_named(kind, changes, material, text):
+    motion = "translation" if kind.endswith("stage") else "rotation"
+    stroke = {motion: "0.1 mm" if motion == "translation" else "1 deg", "cycles": 1e6}
+    with pytest.raises(Inconsistent, match=text):
+        design(
+            spec(kind, **changes),
+            {"support": {"direction": "x", "min": "1 N/um"}},
+            {"work": {"stroke": stroke}},
+            material=material,
+        )
