@@ -11,6 +11,14 @@ from flexcli.parts.geometries.any_flexure import AnyFlexure
 
 ELASTIC = Elastic(114e9, 0.34)
 
+MATERIAL = {
+    "name": "titanium",
+    "youngs_modulus": "114 GPa",
+    "yield_strength": "800 MPa",
+    "poisson_ratio": 0.34,
+    "density": "4430 kg/m^3",
+}
+
 BLADE = {"h": 0.1, "l": 20.0, "b": 5.0}
 NOTCHED = {"e": 0.05, "r": 2.0, "l": 40.0, "b": 5.0}
 BENT = {"half_angle": "40 deg"}

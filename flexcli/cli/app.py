@@ -8,7 +8,18 @@ import traceback
 import typer
 
 from flexcli import __version__
-from flexcli.cli import asd, balance, check, explain, materials, schema, size, validate
+from flexcli.cli import (
+    asd,
+    balance,
+    check,
+    explain,
+    materials,
+    schema,
+    simulate,
+    size,
+    stops,
+    validate,
+)
 
 __all__ = ["app", "main"]
 
@@ -26,7 +37,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for verb in (size, check, balance, explain, validate, materials, schema):
+for verb in (size, check, simulate, balance, stops, explain, validate, materials, schema):
     app.command(name=verb.NAME)(verb.run)
 app.add_typer(asd.app)
 

@@ -8,6 +8,8 @@ import typer
 from flexcli.cli.common import (
     Format,
     FormatOption,
+    Model,
+    ModelOption,
     SpecArgument,
     attempt,
     finish,
@@ -23,6 +25,7 @@ NAME = "size"
 
 def run(
     spec: SpecArgument = None,
+    model: ModelOption = None,
     style: FormatOption = Format.TEXT,
     write: Annotated[
         Path | None, typer.Option("--write", help="Save the sized design as a spec for check.")
@@ -30,18 +33,24 @@ def run(
 ) -> None:
     """Choose blade thickness h, length l and width b; print margins and what holds them."""
     path = spec_path(spec)
-    result = attempt(NAME, path, lambda: _size(path, write))
+    result = attempt(NAME, path, lambda: _size(path, write, model))
     finish(NAME, [result], style, many=False)
 
 
-def _size(path: Path, write: Path | None) -> Result:
+def _size(path: Path, write: Path | None, model: Model | None) -> Result:
+    from flexcli.engine.corrected import size_by_model
+    from flexcli.engine.models import answers_of
     from flexcli.engine.size import size
     from flexcli.spec.load import load_design
     from flexcli.spec.save import sized_text
 
     design, document = load_design(path)
-    result = size(design, str(path))
+    if model in (None, Model.CLOSED_FORM):
+        result = size(design, str(path))
+    else:
+        result = size_by_model(design, str(path), answers_of(model.value))
     if write is not None and result.checks:
-        sizes = {name: result.values[name].value for name in design.geometry.extents}
+        geometry = design.geometry
+        sizes = {geometry.place(name): result.values[name].value for name in geometry.extents}
         write_file(write, sized_text(path, document, write, sizes))
     return result

@@ -23,6 +23,7 @@ __all__ = [
     "blades_of",
     "case_demand",
     "driven_axis",
+    "forces_on",
     "held_in",
     "layout_of",
     "over_stroke",
@@ -48,7 +49,7 @@ def driven_axis(geometry: Geometry) -> int:
     return 2 if geometry.motion == "rotation" else 1
 
 
-def _forces_on(scene: Scene, sign: Any, centre: Point) -> list[Load]:
+def forces_on(scene: Scene, sign: Any, centre: Point) -> list[Load]:
     """Return the forces of a case at the joint's centre, all with one sign (or an array)."""
     return [
         Load(MOVING, centre, (sign * force * cos(direction), sign * force * sin(direction)))
@@ -81,7 +82,7 @@ def case_demand(ask: Ask, layout: Layout) -> tuple[Held, list[Load]]:
     if not scene.forces:
         ends, signs = ends[:2], signs[:2]
     centre = next(body.point for body in layout.bodies if body.name == MOVING)
-    return held_in(ask, ends), _forces_on(scene, signs, centre)
+    return held_in(ask, ends), forces_on(scene, signs, centre)
 
 
 def over_stroke(ask: Ask, effects: Effects, tolerance: float) -> Equilibrium:

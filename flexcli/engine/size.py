@@ -6,7 +6,7 @@ from time import perf_counter
 
 from flexcli.engine import assess
 from flexcli.engine.balanced import Balanced, NotBalanced
-from flexcli.engine.check import MODEL
+from flexcli.engine.check import MODEL, judged_by
 from flexcli.engine.grid import GridPoint
 from flexcli.engine.number_program import LimitsOf, number_sizing
 from flexcli.engine.number_route import NumberRoute
@@ -15,6 +15,7 @@ from flexcli.engine.route import Route
 from flexcli.numerics.geometric_program import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
+from flexcli.parts.requirements import CLOSED_FORM, Answers
 from flexcli.parts.sizing import Objective
 from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value
 
@@ -24,11 +25,14 @@ LARGE_SENSITIVITY = 3.0
 """Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
 
 
-def size(design: DesignSpec, spec: str) -> Result:
-    """Return the sized design with margins, or the conflict that leaves none."""
+def size(design: DesignSpec, spec: str, answers: Answers = CLOSED_FORM) -> Result:
+    """Return the sized design with margins, or the conflict that leaves none.
+
+    It is chosen by the closed forms; ``answers`` is the model that judges what was chosen.
+    """
     if design.geometry.posynomial:
-        return _sized(design, spec, PosynomialRoute(design))
-    return size_by(design, spec)
+        return _sized(design, spec, PosynomialRoute(design), answers)
+    return _sized(design, spec, NumberRoute(design, number_sizing(design)), answers)
 
 
 def size_by(
@@ -65,14 +69,17 @@ def size_by(
 
     """
     sizing = number_sizing(design, limits_of, base=base, starts=starts, noise=noise)
-    return _sized(design, spec, NumberRoute(design, sizing))
+    return _sized(design, spec, NumberRoute(design, sizing), CLOSED_FORM)
 
 
-def _sized(design: DesignSpec, spec: str, route: Route) -> Result:
+def _sized(design: DesignSpec, spec: str, route: Route, answers: Answers) -> Result:
     started = perf_counter()
     given = design.fixed_sizes()
     chosen = _choose(design, route) if given is None else _Choice(given, _nothing_free())
-    result = _infeasible(design, spec, route) if chosen is None else _judged(design, spec, chosen)
+    if chosen is None:
+        result = _infeasible(design, spec, route)
+    else:
+        result = _judged(design, spec, chosen, answers)
     assert result.cost is not None  # both branches measure
     return replace(result, cost=replace(result.cost, seconds=perf_counter() - started))
 
@@ -250,12 +257,16 @@ def _design(design: DesignSpec, label: str, blade: Sizes) -> Design:
     return Design(label, sizes, float(design.geometry.volume(blade)))
 
 
-def _judged(design: DesignSpec, spec: str, chosen: _Choice) -> Result:
+def _judged(design: DesignSpec, spec: str, chosen: _Choice, answers: Answers) -> Result:
     blade = chosen.sizes._make(float(x) for x in chosen.sizes)
     rows = assess.effects(design, blade)
-    found = assess.checks(design.limits(blade))
+    found = assess.checks(judged_by(design, blade, answers))
     sized = _sized_values(design, chosen)
-    values = {**sized, **assess.values(design, blade), **sized}  # sized ones first, and kept
+    values = {
+        **sized,
+        **assess.values(design, blade, answers),
+        **sized,
+    }  # sized ones first, and kept
     passed = all(check.passed for check in found)
     status = Status.PASS if passed else Status.FAIL
     return Result(
@@ -267,7 +278,9 @@ def _judged(design: DesignSpec, spec: str, chosen: _Choice) -> Result:
         checks=() if chosen.failed_grid else found,
         effects=rows,
         warnings=(*chosen.notes, *assess.warnings(design, blade, rows)),
-        cost=Cost(0.0, MODEL, max((r.estimate for r in rows), default=None), chosen.iterations),
+        cost=Cost(
+            0.0, answers.model, max((r.estimate for r in rows), default=None), chosen.iterations
+        ),
         sizing=chosen.sizing,
     )
 

@@ -61,6 +61,39 @@ class NeckedDown(Profile):
         return first, _straight(l - self.hinge, self.hinge, self.h, self.h)
 
 
+class _Throat:
+    """A quarter of an ellipse that leaves a throat: sine and thickness against u in [−1, 1].
+
+    The place along the half-axis is sin φ of it, and with t = tan(φ/2) the thickness is
+    e + 4 depth t²/(1 + t²), whose throat is √(e/(e + 4 depth)) wide: t = width · sinh(A v),
+    v = (u + 1)/2, spreads it over the nodes.
+    """
+
+    def __init__(self, e: Number, depth: Number) -> None:
+        self.e, self.depth = e, depth
+        self.width = np.sqrt(e / (e + 4.0 * depth))
+        self.stretch = np.arcsinh(1.0 / self.width)
+
+    def _tangent(self, u: Floats) -> Floats:
+        return np.asarray(self.width * np.sinh(self.stretch * (u + 1.0) / 2.0))
+
+    def sine(self, u: Floats) -> Floats:
+        """Return sin φ."""
+        t = self._tangent(u)
+        return np.asarray(2.0 * t / (1.0 + t**2))
+
+    def sine_slope(self, u: Floats) -> Floats:
+        """Return d(sin φ)/du."""
+        t = self._tangent(u)
+        growth = self.width * self.stretch / 2.0 * np.cosh(self.stretch * (u + 1.0) / 2.0)
+        return np.asarray(2.0 * (1.0 - t**2) / (1.0 + t**2) ** 2 * growth)
+
+    def thickness(self, u: Floats) -> Floats:
+        """Return h(u) [m]."""
+        t = self._tangent(u)
+        return np.asarray(self.e + 4.0 * self.depth * t**2 / (1.0 + t**2))
+
+
 @dataclass(frozen=True, eq=False)
 class Notch(Profile):
     """Two opposite half-ellipses with a throat of thickness e [m].
@@ -73,32 +106,15 @@ class Notch(Profile):
     depth: Number
 
     def pieces(self, l: Number) -> tuple[Piece, ...]:
-        """Return the two sides of the throat.
-
-        With s/(l/2) − 1 = sin φ and t = tan(φ/2) the thickness is e + 4 depth t²/(1 + t²), whose
-        throat is √(e/(e + 4 depth)) wide: t = width · sinh(A u) spreads it over the nodes.
-        """
-        width = np.sqrt(self.e / (self.e + 4.0 * self.depth))
-        stretch = np.arcsinh(1.0 / width)
+        """Return the two sides of the throat."""
+        curve = _Throat(self.e, self.depth)
 
         def half(side: float) -> Piece:
-            def tangent(u: Floats) -> Floats:
-                return np.asarray(width * np.sinh(stretch * (u + 1.0) / 2.0))
-
-            def position(u: Floats) -> Floats:
-                t = tangent(side * u)
-                return np.asarray(l / 2.0 * (1.0 + side * 2.0 * t / (1.0 + t**2)))
-
-            def slope(u: Floats) -> Floats:
-                t = tangent(side * u)
-                growth = width * stretch / 2.0 * np.cosh(stretch * (side * u + 1.0) / 2.0)
-                return np.asarray(l * (1.0 - t**2) / (1.0 + t**2) ** 2 * growth)
-
-            def thickness(u: Floats) -> Floats:
-                t = tangent(side * u)
-                return np.asarray(self.e + 4.0 * self.depth * t**2 / (1.0 + t**2))
-
-            return Piece(position, slope, thickness)
+            return Piece(
+                lambda u: np.asarray(l / 2.0 * (1.0 + side * curve.sine(side * u))),
+                lambda u: np.asarray(l / 2.0 * curve.sine_slope(side * u)),
+                lambda u: curve.thickness(side * u),
+            )
 
         return half(-1.0), half(1.0)
 
@@ -111,18 +127,15 @@ class Filleted(Profile):
     r: Number
 
     def pieces(self, l: Number) -> tuple[Piece, ...]:
-        """Return fillet, straight middle and fillet; φ is the angle along the quarter circle."""
+        """Return fillet, straight middle and fillet; the nodes crowd where a fillet begins."""
+        curve = _Throat(self.h, self.r)
 
         def fillet(side: float) -> Piece:
             start, reach = (self.r, -self.r) if side < 0.0 else (l - self.r, self.r)
-
-            def angle(u: Floats) -> Floats:
-                return np.asarray(np.pi / 4.0 * (side * u + 1.0))
-
             return Piece(
-                lambda u: np.asarray(start + reach * np.sin(angle(u))),
-                lambda u: np.asarray(self.r * np.cos(angle(u)) * np.pi / 4.0),
-                lambda u: np.asarray(self.h + 4.0 * self.r * np.sin(angle(u) / 2.0) ** 2),
+                lambda u: np.asarray(start + reach * curve.sine(side * u)),
+                lambda u: np.asarray(self.r * curve.sine_slope(side * u)),
+                lambda u: curve.thickness(side * u),
             )
 
         middle = _straight(self.r, l - 2.0 * self.r, self.h, self.h)

@@ -1,9 +1,10 @@
 """A design: material, geometry, mechanism, cases and requirements, joined and consistent."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any, Literal, NamedTuple
 
-from pydantic import Field, model_validator
+from pydantic import Field, PrivateAttr, model_validator
 
 from flexcli.parts.balancing import BalanceOptions
 from flexcli.parts.base import Part, spec_error
@@ -11,6 +12,7 @@ from flexcli.parts.case import Case
 from flexcli.parts.geometries import AnyGeometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import AnyMechanism, MechanismError
+from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.requirements import (
     CLOSED_FORM,
     Answers,
@@ -19,6 +21,7 @@ from flexcli.parts.requirements import (
     RequirementError,
     Requirements,
 )
+from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.scene import Scene, scene_of
 from flexcli.parts.sizing import QUANTITIES, SizeOptions
 from flexcli.parts.stops import Stops, StopsMisfit
@@ -52,6 +55,8 @@ class DesignSpec(Part):
     balance: BalanceOptions = BalanceOptions.model_construct()
     stops: Stops | None = None
 
+    _corrections: Mapping[str, float] = PrivateAttr(default_factory=dict)
+
     @model_validator(mode="before")
     @classmethod
     def _single_case(cls, data: Any) -> Any:
@@ -66,6 +71,12 @@ class DesignSpec(Part):
 
     @model_validator(mode="after")
     def _joints_fit(self) -> "DesignSpec":
+        if isinstance(self.mechanism, TipMass) and self.geometry.kind != TipMass.joint_kind:
+            raise spec_error(
+                f"a tip mass sits on a cantilever, not on a {self.geometry.kind}",
+                "take kind: cantilever, or another mechanism",
+                at=("geometry", "kind"),
+            )
         wanted = self.mechanism.joint_motion if self.mechanism else None
         if wanted is not None and wanted != self.geometry.motion:
             raise spec_error(
@@ -117,11 +128,30 @@ class DesignSpec(Part):
         return list(self._limits(sizes, answers, closed_form=False))
 
     def closed_limits(self, sizes: Sizes) -> list[Limit]:
-        """Return the limits that are closed forms, on floats, arrays or signomials."""
-        return list(self._limits(sizes, CLOSED_FORM, closed_form=True))
+        """Return the limits that are closed forms, on floats, arrays or signomials.
+
+        A corrected design scales the demand of each check, so that they say what a finer model
+        does.
+        """
+        limits = self._limits(sizes, CLOSED_FORM, closed_form=True)
+        if not self._corrections:
+            return list(limits)
+        scale = self._corrections
+        return [
+            replace(limit, demand=limit.demand * scale.get(limit.name, 1.0) ** limit.power)
+            for limit in limits
+        ]
+
+    def corrected(self, corrections: Mapping[str, float]) -> "DesignSpec":
+        """Return the design with the demand of its closed limits scaled, check by check."""
+        design = self.model_copy()
+        design._corrections = dict(corrections)
+        return design
 
     def _limits(self, sizes: Sizes, answers: Answers, *, closed_form: bool) -> Iterator[Limit]:
         yield from self.coupling_limits()
+        for text, small, large in self.geometry.fits(sizes):
+            yield Limit("geometry", "", text, small, large, "m", "the joint's own shape")
         scenes = [self.scene(name) for name in self.cases]
         for _, requirement in self.requirements.each():
             if closed_form and not requirement.closed_form:
@@ -179,11 +209,12 @@ class DesignSpec(Part):
                 f"no case has what '{requirement.label}' is about",
                 "add a case that loads it, or take the requirement out",
             )
+        answers = CLOSED_FORM if self.geometry.closed_forms else STAND_IN
         for scene in relevant if requirement.per_case else relevant[:1]:
             try:
                 list(
                     requirement.judged(
-                        Ask(self.material, self.geometry, self.mechanism, probe, scene, CLOSED_FORM)
+                        Ask(self.material, self.geometry, self.mechanism, probe, scene, answers)
                     )
                 )
             except RequirementError as error:

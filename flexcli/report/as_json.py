@@ -8,6 +8,7 @@ from typing import Any
 from flexcli import __version__
 from flexcli.errors import Finding
 from flexcli.report.balance_json import balance_document
+from flexcli.report.stops_json import stops_document
 from flexcli.results import Result, SizingResult, Status
 
 __all__ = ["FORMAT", "document", "dumps", "summary"]
@@ -73,11 +74,13 @@ def document(result: Result) -> dict[str, Any]:
         content["sizing"] = _sizing(result.sizing)
     if result.responses:
         content["responses"] = list(result.responses)
-    for key in ("profiles", "breakpoints", "worst_cases"):
+    for key in ("profiles", "breakpoints", "worst_cases", "sweeps"):
         if getattr(result, key):
             content[key] = list(getattr(result, key))
     if result.balance is not None:
         content["balance"] = balance_document(result.balance)
+    if result.stops is not None:
+        content["stops"] = stops_document(result.stops)
     if result.cost is not None:
         content["cost"] = {
             "seconds": result.cost.seconds,

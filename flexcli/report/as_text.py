@@ -11,6 +11,8 @@ from flexcli.errors import Finding
 from flexcli.report.asd import profile_list, profile_sheet, worst_cases
 from flexcli.report.balance_text import balance_tables
 from flexcli.report.response_text import response_tables
+from flexcli.report.stops_text import stops_tables
+from flexcli.report.sweep_text import sweep_table
 from flexcli.report.tables import table as _table
 from flexcli.results import Check, Result, SizingResult, Status, Value
 from flexcli.units import STANDARD_GRAVITY, show
@@ -38,6 +40,9 @@ def print_result(result: Result, console: Console) -> None:
     if result.balance is not None:
         for part in balance_tables(result.balance):
             console.print(part)
+    if result.stops is not None:
+        for part in stops_tables(result.stops):
+            console.print(part)
     if result.breakpoints:
         console.print(profile_sheet(result.profiles[0], result.breakpoints))
     elif result.profiles:
@@ -46,6 +51,8 @@ def print_result(result: Result, console: Console) -> None:
         console.print(worst_cases(result.worst_cases))
     for response in result.responses:
         console.print(response_tables(response))
+    for sweep in result.sweeps:
+        console.print(sweep_table(sweep))
     if result.checks:
         console.print(_checks(result.checks))
     if result.sizing is not None and result.sizing.sensitivities:

@@ -30,11 +30,21 @@ from flexcli.results.result import (
     Result,
     Status,
 )
+from flexcli.results.simulation import SweepPoint, SweepResult
 from flexcli.results.sizing import (
     Design,
     Relaxation,
     Sensitivity,
     SizingResult,
+)
+from flexcli.results.stops import (
+    StopHistory,
+    StopHold,
+    StopPlace,
+    StopSimulation,
+    StopsResult,
+    StopSweep,
+    SweepStep,
 )
 from flexcli.results.vibration import (
     BreakpointRow,
@@ -67,7 +77,16 @@ __all__ = [
     "Sensitivity",
     "SizingResult",
     "Status",
+    "StopHistory",
+    "StopHold",
+    "StopPlace",
+    "StopSimulation",
+    "StopSweep",
+    "StopsResult",
     "StrokeRow",
+    "SweepPoint",
+    "SweepResult",
+    "SweepStep",
     "SymbolRow",
     "TableRow",
     "TransferRow",

@@ -7,7 +7,9 @@ from enum import Enum
 from flexcli.errors import Finding
 from flexcli.results.balance import BalanceResult
 from flexcli.results.judgement import Check, EffectRow, Note, Value
+from flexcli.results.simulation import SweepResult
 from flexcli.results.sizing import SizingResult
+from flexcli.results.stops import StopsResult
 from flexcli.results.vibration import BreakpointRow, CaseResponse, ProfileRow, WorstCaseRow
 
 __all__ = ["Cost", "Result", "Status"]
@@ -56,4 +58,6 @@ class Result:
     profiles: tuple[ProfileRow, ...] = ()
     breakpoints: tuple[BreakpointRow, ...] = ()
     worst_cases: tuple[WorstCaseRow, ...] = ()
+    sweeps: tuple[SweepResult, ...] = ()
     balance: BalanceResult | None = None
+    stops: StopsResult | None = None

@@ -15,12 +15,13 @@ def given_sizes(design: DesignSpec, document: Document) -> Sizes:
         return sizes
     findings = []
     for name in design.geometry.free:
-        place, _ = document.position.closest(("geometry", name))
+        path = ("geometry", *design.geometry.place(name))
+        place, _ = document.position.closest(path)
         findings.append(
             finding_at(
                 place,
                 document.lines,
-                f"geometry.{name}",
+                ".".join(path),
                 f"{name} is free, and there is no design to judge",
                 "give its size, or let 'flexure size' choose it (--write saves the result)",
             )

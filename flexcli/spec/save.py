@@ -1,6 +1,7 @@
 """A sized design as the text of a spec."""
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -13,18 +14,29 @@ from flexcli.units import written
 __all__ = ["sized_text"]
 
 
-def sized_text(path: Path, document: Document, target: Path, sizes: dict[str, float]) -> str:
-    """Return a design with its blade fixed, to be written to ``target`` and read by check.
+def sized_text(
+    path: Path, document: Document, target: Path, sizes: Mapping[tuple[str, ...], float]
+) -> str:
+    """Return a design with its sizes fixed, to be written to ``target`` and read by check.
+
+    ``sizes`` are by their place in the geometry.
 
     What the spec named stays named, with paths made to start at the folder it is written to;
     a geometry that it named is written out, because its blade changes.
     """
     spec = _moved(read_document(path).value, path.parent, target.parent)
-    spec["geometry"] = {
-        **document.value["geometry"],
-        **{name: written(value, "length") for name, value in sizes.items()},
-    }
+    geometry = document.value["geometry"]
+    for place, value in sizes.items():
+        geometry = _with(geometry, place, written(value, "length"))
+    spec["geometry"] = geometry
     return yaml.safe_dump(spec, sort_keys=False, allow_unicode=True, width=100)
+
+
+def _with(value: Any, place: tuple[str, ...], new: Any) -> Any:
+    """Return a mapping with the value at a place replaced."""
+    if not place:
+        return new
+    return {**value, place[0]: _with(value[place[0]], place[1:], new)}
 
 
 def _moved(value: Any, folder: Path, target: Path) -> Any:

@@ -1,4 +1,4 @@
-"""Joints and stages that a spec can name: any flexure, or a linkage of them."""
+"""Joints and stages that a spec can name: any flexure, a linkage of them, or one drawn freely."""
 
 from typing import Annotated, TypeAlias
 
@@ -7,6 +7,7 @@ from pydantic import Field
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.any_flexure import AnyFlexure
 from flexcli.parts.geometries.base import Blade, Critical, Extent, Geometry, Sizes
+from flexcli.parts.geometries.free_layout import FreeLayout
 from flexcli.parts.geometries.linkage import LinkageGeometry
 
 __all__ = [
@@ -20,4 +21,6 @@ __all__ = [
     "Sizes",
 ]
 
-AnyGeometry: TypeAlias = Annotated[AnyFlexure | LinkageGeometry, Field(discriminator="kind")]
+AnyGeometry: TypeAlias = Annotated[
+    AnyFlexure | LinkageGeometry | FreeLayout, Field(discriminator="kind")
+]

@@ -89,6 +89,8 @@ class Geometry(Part):
     """Its formulas, as ``explain`` prints them."""
     validity: ClassVar[tuple[Range, ...]] = ()
     """Where its closed forms hold, in terms of :meth:`ratios`."""
+    closed_forms: ClassVar[bool] = True
+    """Whether it has closed forms at all; else the exact model judges it unless told otherwise."""
     posynomial: ClassVar[bool] = True
     """Whether its closed forms are arithmetic that signomials can take part in."""
     is_linear: ClassVar[bool] = True
@@ -116,6 +118,10 @@ class Geometry(Part):
     def label(self, name: str) -> str:
         """Return what a size is, in words."""
         return self.labels[name]
+
+    def place(self, name: str) -> tuple[str, ...]:
+        """Return where a size stands in the geometry's spec."""
+        return (name,)
 
     def sized(self, values: Mapping[str, Quantity]) -> Sizes:
         """Return the sizes of given values by symbol; what is fixed stays so."""
@@ -163,6 +169,10 @@ class Geometry(Part):
     @abstractmethod
     def ratios(self, sizes: Sizes) -> dict[str, Quantity]:
         """Return the ratios of its shape, such as l/h and b/h, that can be bounded [-]."""
+
+    def fits(self, sizes: Sizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
+        """Return what must be no longer than what, for the joint to exist, in words and [m]."""
+        return ()
 
     def axial_share(self, direction: float) -> float:
         """Return the largest axial force in a blade per force on the joint in its plane [-].

@@ -81,6 +81,10 @@ class _Hinged(Geometry):
         """Return N/(e b) in a throat [Pa]."""
         return force / (sizes.e * sizes.b)
 
+    def fits(self, sizes: LimbSizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
+        """Return that the hinges of a limb do not overlap."""
+        return (("two half hinges in a limb, 2 r ≤ l", 2.0 * sizes.r, sizes.l),)
+
     def ratios(self, sizes: LimbSizes) -> dict[str, Quantity]:
         """Return e/r, b/e and the share of the hinges in a limb."""
         return {

@@ -127,6 +127,11 @@ class LinkageGeometry(Geometry):
         joint = self._owner(name)
         return f"{self._flexure(joint).label(name.removesuffix(f'_{joint}'))} at {joint}"
 
+    def place(self, name: str) -> tuple[str, ...]:
+        """Return where a size stands: in the flexure of its joint."""
+        joint = self._owner(name)
+        return "joints", joint, "flexure", name.removesuffix(f"_{joint}")
+
     def _owner(self, name: str) -> str:
         return name.rpartition("_")[2]
 
@@ -199,6 +204,14 @@ class LinkageGeometry(Geometry):
         """Return the volume of all flexures [m³]."""
         each = [flexure.volume(self.sizes_of(n, sizes)) for n, flexure in self.flexures()]
         return sum(each[1:], each[0]) if each else 0.0
+
+    def fits(self, sizes: Sizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
+        """Return what every flexure needs to exist."""
+        return tuple(
+            (f"{name}: {text}", small, large)
+            for name, flexure in self.flexures()
+            for text, small, large in flexure.fits(self.sizes_of(name, sizes))
+        )
 
     def ratios(self, sizes: Sizes) -> dict[str, Quantity]:
         """Return the ratios of every flexure's shape, by joint."""

@@ -94,6 +94,10 @@ class NeckedDownStage(Geometry):
         """Return the volume of the hinges [m³]; the middles are bodies."""
         return self.blades * 2.0 * sizes.h * sizes.l_c * sizes.b
 
+    def fits(self, sizes: NeckedSizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
+        """Return that two hinges fit in a blade."""
+        return (("two hinges in a blade, 2 l_c ≤ l", 2.0 * sizes.l_c, sizes.l),)
+
     def ratios(self, sizes: NeckedSizes) -> dict[str, Quantity]:
         """Return ξ and the aspect ratios of a hinge."""
         return {

@@ -266,8 +266,8 @@ class FilletedHinge(_Hinge):
         return self
 
     def profile(self, sizes: FilletedSizes) -> tuple[Profile, Quantity]:
-        """Return the blade with its fillets."""
-        return Filleted(sizes.h, sizes.r), sizes.l
+        """Return the blade with its fillets, which end at its middle at the latest."""
+        return Filleted(sizes.h, np.minimum(sizes.r, sizes.l / 2.0)), sizes.l
 
     def throat(self, sizes: FilletedSizes) -> tuple[Quantity, Quantity]:
         """Return h and r, at the start of a fillet."""
@@ -277,6 +277,10 @@ class FilletedHinge(_Hinge):
         """Return the volume of the blade and its fillets [m³]."""
         h, r, l, b = sizes
         return b * (l * h + 4.0 * r**2 * (1.0 - np.pi / 4.0))
+
+    def fits(self, sizes: FilletedSizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
+        """Return that the fillets fit in the hinge."""
+        return (("two fillets in the hinge, 2 r ≤ l", 2.0 * sizes.r, sizes.l),)
 
     def ratios(self, sizes: FilletedSizes) -> dict[str, Quantity]:
         """Return l/h, b/h and the share of the fillets in the length."""

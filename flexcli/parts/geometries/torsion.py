@@ -190,6 +190,10 @@ class TorsionStar(_Torsion):
         h, l, b = sizes
         return self.bars * l * (self.strips * h * b - (self.strips - 1) * h**2)
 
+    def fits(self, sizes: Blade) -> tuple[tuple[str, Quantity, Quantity], ...]:
+        """Return that a strip is no thicker than wide."""
+        return (("a strip's thickness in its width, h ≤ b", sizes.h, sizes.b),)
+
     def ratios(self, sizes: Blade) -> dict[str, Quantity]:
         """Return l/h and b/h."""
         return {"l/h": sizes.l / sizes.h, "b/h": sizes.b / sizes.h}

@@ -63,7 +63,9 @@ def test_balance_refuses_it_by_name():
 
 def test_a_frequency_with_an_offset_needs_the_length():
     design = stopped()
-    free = design.geometry.model_copy(update={"l": design.geometry.l.model_copy(update={"fixed": None})})
+    free = design.geometry.model_copy(
+        update={"l": design.geometry.l.model_copy(update={"fixed": None})}
+    )
     body = TipMass(**BODY)
     with pytest.raises(MechanismError, match="needs the blade's length"):
         body.mode(1.0, free)
@@ -77,7 +79,7 @@ def test_a_frequency_with_an_offset_needs_the_length():
     lambda body: body.structure(None, None, None, "tip"),
 ])  # fmt: skip
 def test_a_locked_tip_mass_is_refused(ask):
-    with pytest.raises(MechanismError, match="unload|loads no blade"):
+    with pytest.raises(MechanismError, match=r"unload|loads no blade"):
         ask(TipMass(**BODY))
 
 

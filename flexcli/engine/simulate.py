@@ -1,0 +1,134 @@
+"""The verb simulate: the joint over its stroke, in exact equilibrium at every travel."""
+
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.engine import assess
+from flexcli.engine.check import judged_by
+from flexcli.engine.exact_answers import TOLERANCE, ExactAnswers, driven_stiffness
+from flexcli.engine.joint_states import blades_of, driven_axis, forces_on, held_in, layout_of
+from flexcli.errors import SolveError
+from flexcli.mechanics.energy import strain_energy
+from flexcli.mechanics.equilibrium import solve
+from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.points import point_motion
+from flexcli.mechanics.stability import is_stable
+from flexcli.mechanics.state import Equilibrium, Outcome
+from flexcli.mechanics.stresses import greatest_stress
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries import Sizes
+from flexcli.parts.geometries.base import MOVING
+from flexcli.parts.requirements import Ask
+from flexcli.results import Cost, Result, Status, SweepPoint, SweepResult, Value
+
+__all__ = ["simulate"]
+
+Floats = NDArray[np.float64]
+
+
+def simulate(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result:
+    """Return the sweep of every case that has a stroke, and the margins by the exact model.
+
+    Raises
+    ------
+    SolveError
+        When no case has a stroke, or the joint is not made of blades and bodies.
+
+    """
+    started = perf_counter()
+    answers = ExactAnswers()
+    asks = [
+        Ask(design.material, design.geometry, design.mechanism, sizes, design.scene(name), answers)
+        for name in design.cases
+    ]
+    moving = [ask for ask in asks if ask.scene.bends]
+    if not moving:
+        raise SolveError(
+            "no-stroke", "no case moves the joint", "add stroke: to a case, e.g. {rotation: 5 deg}"
+        )
+    try:
+        sweeps = tuple(_sweep(ask, points) for ask in moving)
+        values = assess.values(design, sizes, answers)
+    except NotAvailable as error:
+        text = f"a {design.geometry.name} {error}"
+        raise SolveError("no-layout", text, "take a joint that is made of blades") from error
+    checks = assess.checks(judged_by(design, sizes, answers))
+    reached = not any(sweep.missed for sweep in sweeps)
+    passed = reached and all(check.passed for check in checks)
+    errors = [p.estimated_error for sweep in sweeps for p in sweep.points]
+    return Result(
+        command="simulate",
+        spec=spec,
+        status=Status.PASS if passed else Status.FAIL,
+        title=design.title,
+        values={**values, **_at_ends(design, sweeps)},
+        checks=checks,
+        sweeps=sweeps,
+        warnings=assess.warnings(design, sizes, ()),
+        cost=Cost(perf_counter() - started, answers.model, max(errors, default=None)),
+    )
+
+
+def _sweep(ask: Ask, points: int) -> SweepResult:
+    scene, layout = ask.scene, layout_of(ask)
+    travels = np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points)
+    centre = next(body.point for body in layout.bodies if body.name == MOVING)
+    state = solve(
+        layout,
+        held_in(ask, travels),
+        loads=forces_on(scene, 1.0, centre),
+        effects=blades_of(layout, Effects()),
+        tolerance=TOLERANCE,
+    )
+    missed = [i for i, outcome in enumerate(state.outcome) if outcome is not Outcome.CONVERGED]
+    why = ""
+    if missed:
+        cause = str(state.outcome[missed[0]].value)
+        why = f"{len(missed)} of {points} travels were not reached: {cause}"
+    return SweepResult(scene.case, ask.geometry.motion, _points(ask, state, travels), why)
+
+
+def _points(ask: Ask, state: Equilibrium, travels: Floats) -> tuple[SweepPoint, ...]:
+    layout = state.layout
+    names = [body.name for body in layout.bodies]
+    index = names.index(MOVING)
+    shift = point_motion(state, MOVING, layout.bodies[index].point)
+    peak = greatest_stress(state)
+    worst = np.argmax(peak.total, axis=1)
+    effort = state.reactions[:, index, driven_axis(ask.geometry)]
+    stiffness, energy, stable = driven_stiffness(state, ask), strain_energy(state), is_stable(state)
+    return tuple(
+        SweepPoint(
+            travel=float(travels[i]),
+            effort=float(effort[i]),
+            stiffness=float(stiffness[i]),
+            shift_x=float(shift[i, 0]),
+            shift_y=float(shift[i, 1]),
+            bending=float(peak.bending[i].max()),
+            total=float(peak.total[i, worst[i]]),
+            blade=layout.blades[worst[i]].name,
+            energy=float(energy[i]),
+            stable=bool(stable[i]),
+            outcome=state.outcome[i].name.lower(),
+            estimated_error=float(state.estimated_error[i]),
+        )
+        for i in range(state.designs)
+        if state.outcome[i] is Outcome.CONVERGED
+    )
+
+
+def _at_ends(design: DesignSpec, sweeps: tuple[SweepResult, ...]) -> dict[str, Value]:
+    """Return how the stiffness changes over the stroke, case by case."""
+    found = {}
+    unit = design.geometry.stiffness_unit
+    for sweep in sweeps:
+        stiffness = [point.stiffness for point in sweep.points]
+        if stiffness:
+            suffix = "" if len(sweeps) == 1 else f"_{sweep.case}"
+            for name, value in (("k_least", min(stiffness)), ("k_most", max(stiffness))):
+                label = f"{name[2:]} stiffness over the stroke"
+                found[name + suffix] = Value(value, unit, label, "exact")
+    return found

@@ -1,0 +1,140 @@
+"""The thickness of a blade as a spec draws it; where it is thinnest may be left to sizing."""
+
+from abc import abstractmethod
+from itertools import pairwise
+from typing import Annotated, Any, ClassVar, Literal, TypeAlias
+
+from pydantic import Field, model_validator
+
+from flexcli.formulas import profile as shapes
+from flexcli.formulas.quantity import Quantity
+from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
+from flexcli.parts.geometries.base import Extent
+
+__all__ = ["AnyProfile", "BladeProfile", "ConstantProfile"]
+
+Fraction = Annotated[float, QuantityOf("ratio", at_least=0.0)]
+
+
+class BladeProfile(Part):
+    """A thickness profile; its ``symbol`` names the thickness that is a size."""
+
+    symbol: ClassVar[str] = "h"
+
+    @property
+    def extent(self) -> Extent | None:
+        """Return the thickness that may be chosen, nothing where the profile fixes all."""
+        found: Extent = getattr(self, self.symbol)
+        return found
+
+    @abstractmethod
+    def shape(self, size: Any) -> shapes.Profile:
+        """Return the thickness along the blade for a value of its size [m]."""
+
+    def thinnest(self, size: Quantity) -> Quantity:
+        """Return the least thickness [m]."""
+        return size
+
+    def misfit(self, l: float) -> str:
+        """Return why the profile does not fit on a length [m], nothing where it does."""
+        return ""
+
+
+class ConstantProfile(BladeProfile):
+    """The same thickness h everywhere."""
+
+    kind: Literal["constant"]
+    h: Extent
+
+    def shape(self, size: Any) -> shapes.Profile:
+        """Return h."""
+        return shapes.Constant(size)
+
+
+class NeckedDownProfile(BladeProfile):
+    """Hinges of thickness h and length l_c at both ends of a rigid middle."""
+
+    kind: Literal["necked-down"]
+    h: Extent
+    l_c: PositiveLength
+
+    def shape(self, size: Any) -> shapes.Profile:
+        """Return the two hinges."""
+        return shapes.NeckedDown(size, self.l_c)
+
+    def misfit(self, l: float) -> str:
+        """Return that two hinges are longer than the blade."""
+        return "two hinges are longer than the blade" if 2.0 * self.l_c > l else ""
+
+
+class NotchProfile(BladeProfile):
+    """Two opposite half-ellipses as long as the blade leave a throat of thickness e."""
+
+    symbol: ClassVar[str] = "e"
+
+    kind: Literal["notch"]
+    e: Extent
+    depth: PositiveLength = Field(description="half the blade's length for circular notches")
+
+    def shape(self, size: Any) -> shapes.Profile:
+        """Return the two half-ellipses."""
+        return shapes.Notch(size, self.depth)
+
+
+class FilletedProfile(BladeProfile):
+    """Thickness h between quarter circles of radius r at both roots."""
+
+    kind: Literal["filleted"]
+    h: Extent
+    r: PositiveLength
+
+    def shape(self, size: Any) -> shapes.Profile:
+        """Return the blade with its fillets."""
+        return shapes.Filleted(size, self.r)
+
+    def misfit(self, l: float) -> str:
+        """Return that two fillets are longer than the blade."""
+        return "two fillets are longer than the blade" if 2.0 * self.r > l else ""
+
+
+class TabulatedProfile(BladeProfile):
+    """Thicknesses h at fractions of the length, straight lines between them."""
+
+    kind: Literal["tabulated"]
+    at: tuple[Fraction, ...] = Field(description="from 0 at the blade's start to 1 at its end")
+    h: tuple[PositiveLength, ...]
+
+    @model_validator(mode="after")
+    def _is_a_table(self) -> "TabulatedProfile":
+        if len(self.at) < 2 or self.at[0] != 0.0 or self.at[-1] != 1.0:
+            raise spec_error(
+                "a table of thicknesses runs from 0 to 1", "e.g. at: [0, 0.5, 1]", at=("at",)
+            )
+        if any(one >= other for one, other in pairwise(self.at)):
+            raise spec_error("these fractions do not rise", "put them in order", at=("at",))
+        if len(self.h) != len(self.at):
+            raise spec_error(
+                f"{len(self.h)} thicknesses stand at {len(self.at)} places",
+                "give one for each",
+                at=("h",),
+            )
+        return self
+
+    @property
+    def extent(self) -> None:
+        """Return nothing: the table fixes the thickness."""
+        return
+
+    def shape(self, size: Any) -> shapes.Profile:
+        """Return the table."""
+        return shapes.Tabulated(self.at, self.h)
+
+    def thinnest(self, size: Quantity) -> Quantity:
+        """Return the least thickness of the table [m]."""
+        return min(self.h)
+
+
+AnyProfile: TypeAlias = Annotated[
+    ConstantProfile | NeckedDownProfile | NotchProfile | FilletedProfile | TabulatedProfile,
+    Field(discriminator="kind"),
+]

@@ -1,0 +1,192 @@
+"""Layout: a mechanism that the spec draws itself, as rigid bodies and the blades between them."""
+
+from collections import namedtuple
+from collections.abc import Mapping
+from math import cos, pi, sin
+from typing import Annotated, Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field, ValidationError, model_validator
+from pydantic_core import InitErrorDetails
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.mechanics.layout import Blade, Body, Layout, Number, Point, Support
+from flexcli.numerics.collocation import gauss_nodes
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Geometry, Sizes
+from flexcli.parts.geometries.layout_faults import Drawing, faults
+from flexcli.parts.geometries.layout_parts import (
+    DrawnBlade,
+    DrawnBody,
+    DrawnSupport,
+    Motion,
+    Name,
+    Place,
+)
+
+__all__ = ["FreeLayout"]
+
+_NODES = 24
+"""Gauss nodes on a piece of a blade for its volume: rounding for every profile."""
+
+
+class FreeLayout(Geometry):
+    """Bodies and blades as drawn, in one plane; the stroke moves the body that ``moving`` names.
+
+    The spec draws it in coordinates of its own. The model takes a pivot's ``centre`` as its
+    origin and keeps the directions; it turns a stage until its travel is along y. Directions of
+    loads and of requirements are those of the model, and a stage's shift is positive to the left
+    of its travel.
+    """
+
+    closed_forms: ClassVar[bool] = False
+    posynomial: ClassVar[bool] = False
+    is_linear: ClassVar[bool] = False
+    source: ClassVar[str] = "the bodies and blades of the spec"
+
+    kind: Literal["layout"]
+    bodies: Annotated[dict[Name, DrawnBody], Field(min_length=1, max_length=100)]
+    blades: Annotated[dict[Name, DrawnBlade], Field(min_length=1, max_length=300)]
+    moving: Name = Field(description="body that the stroke moves")
+    moves: Motion = Field(alias="motion", description="rotation, or {translation: direction}")
+    centre: Place | None = Field(None, description="of a rotation; where the moving body is at")
+    supports: tuple[DrawnSupport, ...] = ()
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> "FreeLayout":
+        along = self.moves.translation
+        drawing = Drawing(self.bodies, self.blades, self.supports, self.moving, along, self.centre)
+        found = [InitErrorDetails(type=fault, input=None) for fault in faults(drawing)]
+        if found:
+            raise ValidationError.from_exception_data("layout", found)
+        return self
+
+    # which motion it is depends on the drawing, as no other geometry's but a linkage's does
+    @property
+    def motion(self) -> str:  # type: ignore[override]
+        """Return the kind of motion of the moving body."""
+        return "rotation" if self.moves.translation is None else "translation"
+
+    @property
+    def extents(self) -> dict[str, Extent]:
+        """Return the thicknesses by symbol and blade."""
+        return {
+            _size(name, blade): extent
+            for name, blade in self.blades.items()
+            if (extent := blade.thickness.extent) is not None
+        }
+
+    def label(self, name: str) -> str:
+        """Return what a size is, in words."""
+        return f"thickness of blade {name.partition('_')[2].replace('_', '-')}"
+
+    def sized(self, values: Mapping[str, Quantity]) -> Sizes:
+        """Return the thicknesses; what is fixed stays so."""
+        found = {name: values.get(name, extent.fixed) for name, extent in self.extents.items()}
+        return namedtuple("LayoutSizes", found)(**found)
+
+    def stiffness(self, elastic: Elastic, sizes: Sizes) -> Quantity:
+        """Refuse: what is drawn freely has no closed form."""
+        raise NotAvailable("is described by its bodies and blades: take --model linear or exact")
+
+    def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Quantity]:
+        """Refuse: what is drawn freely has no closed form."""
+        raise NotAvailable("is described by its bodies and blades: take --model linear or exact")
+
+    def parasitic_shift(self, sizes: Sizes, travel: float) -> Quantity:
+        """Refuse: a shift is of second order, beyond closed forms and the linear model."""
+        raise NotAvailable("has its shift from --model exact alone")
+
+    def critical(self, elastic: Elastic, sizes: Sizes, ends: str) -> tuple[Critical, ...]:
+        """Refuse: nothing says which blade carries how much of the force."""
+        raise NotAvailable("has no closed form for its buckling")
+
+    def axial_share(self, direction: float) -> float:
+        """Return 1: all of a force goes into the blades; the model says how much into each."""
+        return 1.0
+
+    def volume(self, sizes: Sizes) -> Quantity:
+        """Return the volume of all blades, without their rigid parts [m³]."""
+        u, weight = gauss_nodes(_NODES)
+        return sum(
+            blade.b * (piece.thickness(u) * piece.slope(u)) @ weight
+            for name, blade in self.blades.items()
+            for piece in blade.thickness.shape(_column(self._of(name, sizes))).pieces(blade.length)
+        )
+
+    def ratios(self, sizes: Sizes) -> dict[str, Quantity]:
+        """Return l/h and b/h of every blade where it is thinnest."""
+        found: dict[str, Quantity] = {}
+        for name, blade in self.blades.items():
+            h = blade.thickness.thinnest(self._of(name, sizes))
+            found |= {f"l/h {name}": blade.length / h, f"b/h {name}": blade.b / h}
+        return found
+
+    def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
+        """Return the drawing in the model's frame; the moving body's point is a pivot's centre."""
+        return Layout(
+            bodies=tuple(self._body(name, body) for name, body in self.bodies.items()),
+            blades=tuple(
+                Blade(
+                    name,
+                    self._called(blade.between[0]),
+                    self._called(blade.between[1]),
+                    self._placed(blade.start),
+                    self._placed(blade.end),
+                    blade.thickness.shape(_column(self._of(name, sizes))),
+                    blade.b,
+                    blade.z,
+                )
+                for name, blade in self.blades.items()
+            ),
+            E=elastic.E,
+            G=elastic.shear,
+            supports=tuple(self._support(support) for support in self.supports),
+        )
+
+    def _body(self, name: str, body: DrawnBody) -> Body:
+        at = self._centre if name == self.moving and self.motion == "rotation" else body.at
+        com = body.at if body.com is None else body.com
+        return Body(
+            self._called(name), self._placed(at), body.mass, body.inertia, self._placed(com)
+        )
+
+    def _support(self, support: DrawnSupport) -> Support:
+        stiffness = (support.x or 0.0, support.y or 0.0, support.theta or 0.0)
+        if abs(sin(self._turn)) > 0.5:
+            # a quarter turn; on any other turn both are equal
+            stiffness = (stiffness[1], stiffness[0], stiffness[2])
+        return Support(self._called(support.body), self._placed(support.at), stiffness)
+
+    def _called(self, name: str) -> str:
+        return MOVING if name == self.moving else GROUND if name == GROUND else name
+
+    def _of(self, name: str, sizes: Sizes) -> Any:
+        """Return the size of a blade, nothing where it is tabulated."""
+        return getattr(sizes, _size(name, self.blades[name]), None)
+
+    @property
+    def _centre(self) -> Point:
+        return self.centre if self.centre is not None else self.bodies[self.moving].at
+
+    @property
+    def _turn(self) -> float:
+        """Return the turn from the drawing to the model [rad]."""
+        along = self.moves.translation
+        return 0.0 if along is None else pi / 2.0 - along
+
+    def _placed(self, point: Point) -> Point:
+        x, y = point
+        if self.motion == "rotation":
+            return x - self._centre[0], y - self._centre[1]
+        c, s = cos(self._turn), sin(self._turn)
+        return c * x - s * y, s * x + c * y
+
+
+def _size(name: str, blade: DrawnBlade) -> str:
+    return f"{blade.thickness.symbol}_{name.replace('-', '_')}"
+
+
+def _column(size: Any) -> Number:
+    """Return a thickness with a trailing axis along the blade where it is of many designs."""
+    return size if size is None or np.ndim(size) == 0 else np.asarray(size)[..., None]

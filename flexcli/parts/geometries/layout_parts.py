@@ -1,0 +1,109 @@
+"""What a layout in a spec is drawn of: bodies, blades between them, springs to the ground."""
+
+from math import hypot
+from typing import Annotated, Any, TypeAlias
+
+from pydantic import Field, model_validator
+
+from flexcli.parts.base import (
+    Angle,
+    Inertia,
+    Length,
+    Mass,
+    Part,
+    PositiveLength,
+    RotationalStiffness,
+    Stiffness,
+    spec_error,
+)
+from flexcli.parts.geometries.base import Extent
+from flexcli.parts.geometries.blade_profile import AnyProfile, BladeProfile, ConstantProfile
+
+__all__ = ["DrawnBlade", "DrawnBody", "DrawnSupport", "Motion", "Name", "Place"]
+
+Name: TypeAlias = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9-]*$")]
+Place: TypeAlias = tuple[Length, Length]
+
+
+class Motion(Part):
+    """What the moving body does: a rotation, or a translation in a direction from x."""
+
+    translation: Angle | None = Field(None, description="direction of travel, from x")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _read(cls, data: Any) -> Any:
+        if data == "rotation":
+            return {}
+        if not isinstance(data, dict) or set(data) != {"translation"}:
+            raise spec_error(
+                "a motion is a rotation, or a translation in a direction",
+                "write rotation, or {translation: 90 deg}",
+            )
+        return data
+
+
+class DrawnBody(Part):
+    """A rigid body: its point, its mass and its inertia about its centre of mass."""
+
+    at: Place
+    mass: Mass = 0.0
+    inertia: Inertia = 0.0
+    com: Place | None = Field(None, description="centre of mass; at, if left out")
+
+
+class DrawnBlade(Part):
+    """A straight blade from one body to another, or to the ground."""
+
+    between: tuple[Name, Name]
+    start: Place = Field(alias="from")
+    end: Place = Field(alias="to")
+    b: PositiveLength
+    z: Length = Field(0.0, description="height of its middle over the plane of the mechanism")
+    h: Extent | None = Field(None, description="a constant thickness; else give a profile")
+    profile: AnyProfile | None = None
+
+    @model_validator(mode="after")
+    def _is_a_blade(self) -> "DrawnBlade":
+        if self.between[0] == self.between[1]:
+            raise spec_error(
+                f"both ends of this blade are on {self.between[0]}", "name two bodies, or ground",
+                at=("between",),
+            )  # fmt: skip
+        if self.length == 0.0:
+            raise spec_error("this blade has no length", "give its two ends", at=("to",))
+        if (self.h is None) == (self.profile is None):
+            raise spec_error("a thickness is h or a profile", "give one of them, e.g. h: 0.2 mm")
+        misfit = self.thickness.misfit(self.length)
+        if misfit:
+            raise spec_error(misfit, "draw it longer, or shorten them", at=("profile",))
+        return self
+
+    @property
+    def length(self) -> float:
+        """Return its length [m]."""
+        return hypot(self.end[0] - self.start[0], self.end[1] - self.start[1])
+
+    @property
+    def thickness(self) -> BladeProfile:
+        """Return its profile, which is constant where h is given."""
+        if self.profile is not None:
+            return self.profile
+        assert self.h is not None  # one of both is given
+        return ConstantProfile.model_construct(kind="constant", h=self.h)
+
+
+class DrawnSupport(Part):
+    """Springs from a body to the ground at a point: along x, along y and in rotation."""
+
+    body: Name
+    at: Place
+    x: Stiffness | None = None
+    y: Stiffness | None = None
+    theta: RotationalStiffness | None = None
+
+    @model_validator(mode="after")
+    def _is_a_spring(self) -> "DrawnSupport":
+        if self.x is self.y is self.theta is None:
+            raise spec_error("a support without stiffness", "give x, y or theta, e.g. x: 1 N/um")
+        return self

@@ -1,0 +1,37 @@
+"""What a static sweep of a joint over its stroke found."""
+
+from typing import NamedTuple
+
+__all__ = ["SweepPoint", "SweepResult"]
+
+
+class SweepPoint(NamedTuple):
+    """The joint at one travel: what drives it, how stiff it is there, where it went, stresses.
+
+    ``effort`` is the moment or force of the drive, ``stiffness`` its tangent with all else free;
+    ``shift`` is the motion (x, y) of the centre or of the stage's own point. ``bending`` is the
+    largest bending stress, ``total`` the largest at either face with the axial force, each with
+    the blade that has it. ``stable`` says whether the body stands by itself, the drive held.
+    """
+
+    travel: float
+    effort: float
+    stiffness: float
+    shift_x: float
+    shift_y: float
+    bending: float
+    total: float
+    blade: str
+    energy: float
+    stable: bool
+    outcome: str
+    estimated_error: float
+
+
+class SweepResult(NamedTuple):
+    """The sweep of one case; ``missed`` says which travels were not reached, and why."""
+
+    case: str
+    motion: str
+    points: tuple[SweepPoint, ...]
+    missed: str = ""

@@ -1,0 +1,115 @@
+"""The exact and the linear model answer requirements: closed forms are their limit."""
+
+import pytest
+from geometries_for_tests import MATERIAL, SAMPLES, spec
+from strategies import crossed, design, rcc, stage
+
+from flexcli.engine import assess
+from flexcli.engine.check import check
+from flexcli.engine.exact_answers import ExactAnswers
+from flexcli.engine.linear_answers import LinearAnswers
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.requirements import CLOSED_FORM, Ask
+from flexcli.results import Status
+
+WITHOUT_LAYOUT = {"torsion-bar", "round-torsion-bar", "torsion-star"}
+TURNS = {"rcc", "cross-spring", "unseparated-cross", "three-blade", "star", "moment-blade",
+         "notch-hinge", "elliptic-hinge", "filleted-hinge", "hinged-pivot"}  # fmt: skip
+
+
+def ask_of(kind, answers, travel=1e-3):
+    stroke = {"rotation": f"{travel!r} rad"} if kind in TURNS else {"translation": f"{travel!r} mm"}
+    said = spec(kind)
+    if "stress-concentration" in said or kind in {
+        "notch-hinge", "elliptic-hinge", "filleted-hinge", "hinged-stage", "hinged-pivot"
+    }:  # fmt: skip
+        said["stress-concentration"] = "none"
+    found = design(said, {"yield": 1}, {"turn": {"stroke": stroke}}, material=MATERIAL)
+    sizes = found.fixed_sizes()
+    return Ask(found.material, found.geometry, None, sizes, found.scene("turn"), answers)
+
+
+@pytest.mark.parametrize("kind", sorted(set(SAMPLES) - WITHOUT_LAYOUT))
+@pytest.mark.parametrize("answers", [LinearAnswers(), ExactAnswers()], ids=["linear", "exact"])
+def test_closed_forms_are_the_limit_of_a_small_stroke(kind, answers):
+    fine, coarse = ask_of(kind, answers), ask_of(kind, CLOSED_FORM)
+    k, k_closed = answers.stiffness(fine), float(CLOSED_FORM.stiffness(coarse))
+    assert k == pytest.approx(k_closed, rel=5e-3)  # shear of slender blades
+    _, stresses = answers.stresses(fine)
+    _, closed = CLOSED_FORM.stresses(coarse)
+    most = max(abs(float(s.largest)) for s in stresses)
+    # hinges at the ends of limbs bend about their own centres: c/l is left out of their stress
+    assert most == pytest.approx(max(abs(float(s.largest)) for s in closed), rel=2e-2)
+
+
+@pytest.mark.parametrize("kind", ["rcc", "cross-spring", "unseparated-cross", "leaf-spring-stage",
+                                  "guided-blade", "cantilever", "necked-down-stage"])  # fmt: skip
+def test_the_shift_has_the_size_and_the_sign_of_its_leading_term(kind):
+    answers = ExactAnswers()
+    shift = answers.parasitic_shift(ask_of(kind, answers, travel=0.05))
+    closed = float(CLOSED_FORM.parasitic_shift(ask_of(kind, CLOSED_FORM, travel=0.05)))
+    assert shift == pytest.approx(closed, rel=0.02)
+
+
+def test_what_is_not_made_of_blades_says_so():
+    ask = ask_of("torsion-bar", ExactAnswers())
+    with pytest.raises(NotAvailable, match="straight blades"):
+        ExactAnswers().stiffness(ask)
+
+
+LOADED = {
+    "push": {"load": {"force": "10 N", "direction": "0 deg"}, "ends": "clamped-clamped"},
+}
+
+
+def critical(geometry, ends, answers):
+    case = {"push": {"load": {"force": "10 N"}, "ends": ends}}
+    found = design(geometry, {"buckling": 1}, case, material=MATERIAL)
+    limits = found.limits(found.fixed_sizes(), answers)
+    return min(float(limit.capacity) for limit in limits)
+
+
+def test_a_locked_rcc_pivot_buckles_at_eulers_load():
+    slender = rcc(h="50 um", l="20 mm", b="5 mm")
+    exact = critical(slender, "clamped-clamped", ExactAnswers())
+    assert exact == pytest.approx(critical(slender, "clamped-clamped", CLOSED_FORM), rel=1e-3)
+
+
+def test_the_three_holds_of_an_rcc_pivot_are_three_numbers():
+    slender = rcc(h="50 um", l="20 mm", b="5 mm")
+    locked, guided, free = (
+        critical(slender, ends, ExactAnswers())
+        for ends in ("clamped-clamped", "clamped-guided", "clamped-free")
+    )
+    assert free < 0.9 * guided
+    assert guided <= locked * (1 + 1e-6)
+
+
+def test_a_stage_buckles_at_eulers_load_of_guided_blades():
+    slender = stage(h="50 um", l="20 mm", b="5 mm", spacing="30 mm")
+    exact = critical(slender, "clamped-free", ExactAnswers())
+    closed = critical(slender, "clamped-guided", CLOSED_FORM)
+    assert exact == pytest.approx(closed, rel=2e-3)
+
+
+def test_the_closed_form_stress_of_a_pivot_is_on_the_unsafe_side():
+    cases = {"turn": {"stroke": {"rotation": "10 deg"}}}
+    pivot = design(
+        crossed(delta=-0.5, h="0.1 mm", l="20 mm", b="5 mm"), {"yield": 1}, cases, material=MATERIAL
+    )
+    off = design(rcc(h="0.1 mm", l="20 mm", b="5 mm"), {"yield": 1}, cases, material=MATERIAL)
+    for one, least in ((pivot, 1.0), (off, 1.01)):
+        sizes = one.fixed_sizes()
+        closed = assess.checks(one.limits(sizes))[0].demand
+        exact = assess.checks(one.limits(sizes, ExactAnswers()))[0].demand
+        assert exact > least * closed
+
+
+def test_check_says_which_model_made_each_number():
+    cases = {"turn": {"stroke": {"rotation": "5 deg"}}}
+    one = design(rcc(h="0.1 mm", l="20 mm", b="5 mm"), {"yield": 1}, cases, material=MATERIAL)
+    result = check(one, one.fixed_sizes(), "spec", ExactAnswers())
+    assert result.status is Status.PASS
+    assert result.cost.model == "exact"
+    assert result.values["k_pivot"].model == "exact"
+    assert result.values["shift"].model == "exact"
