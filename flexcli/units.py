@@ -109,6 +109,7 @@ DIMENSIONS = _dimensions(
     Dimension("expansion", "1/K", "8.6e-6 1/K", {"1/K": "1", "ppm/K": "1e-6"}),
     Dimension("decibel", "dB", "3 dB", {"dB": "1"}),
     Dimension("slope", "dB/oct", "6 dB/oct", {"dB/oct": "1", "dB/octave": "1"}),
+    Dimension("sweep rate", "Hz/s", "0.05 Hz/s", {"Hz/s": "1"}),
     Dimension("ratio", "", "2.5", {"": "1", "%": "1e-2"}),
 )
 

@@ -41,7 +41,7 @@ def run(
 
 def _check(path: Path, model: Model | None) -> Result:
     from flexcli.engine.check import check
-    from flexcli.engine.models import answers_of
+    from flexcli.engine.models import answers_for
     from flexcli.spec.given import given_sizes
     from flexcli.spec.load import load_design
 
@@ -49,5 +49,5 @@ def _check(path: Path, model: Model | None) -> Result:
         hint = "a design has flexure, material, geometry, cases and requirements"
         raise SpecError([Finding(str(path), "there is no design in this folder", hint)])
     design, document = load_design(path)
-    answers = answers_of((model or Model.CLOSED_FORM).value)
+    answers = answers_for(design.geometry, model.value if model else None)
     return check(design, given_sizes(design, document), str(path), answers)

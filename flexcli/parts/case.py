@@ -6,6 +6,7 @@ from pydantic import model_validator
 
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.base import Acceleration, Angle, Force, Part, QuantityOf, spec_error
+from flexcli.parts.excitation import Sine, Sweep
 from flexcli.parts.shock import Shock
 from flexcli.parts.stroke import Stroke
 
@@ -56,14 +57,21 @@ class Case(Part):
     acceleration: SteadyAcceleration | None = None
     asd: RandomVibration | None = None
     shock: Shock | None = None
+    sine: Sine | None = None
+    sweep: Sweep | None = None
     lock: str | None = None
     ends: EndCondition | None = None
 
     @model_validator(mode="after")
     def _asks_something(self) -> "Case":
-        if not any((self.stroke, self.load, self.wrench, self.acceleration, self.asd, self.shock)):
+        if not self.vibrates and not any((self.stroke, self.load, self.wrench, self.acceleration)):
             raise spec_error(
                 "this case loads nothing",
-                "give it a stroke, a load, an acceleration, an asd or a shock",
+                "give it a stroke, a load, an acceleration, an asd, a shock, a sine or a sweep",
             )
         return self
+
+    @property
+    def vibrates(self) -> bool:
+        """Return whether the base is shaken."""
+        return any((self.asd, self.shock, self.sine, self.sweep))

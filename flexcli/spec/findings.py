@@ -152,11 +152,11 @@ class _Meant(NamedTuple):
 
 def _meant(model: Any, loc: Path) -> _Meant:
     key, here = str(loc[-1]), _keys_at(model, loc[:-1])
-    close = _close(key, here)
-    if close is not None:
-        return _Meant(f"did you mean '{close}'?", close)
-    homes = _homes(model)
+    close, homes = _close(key, here), _homes(model)
     elsewhere = key if key in homes else _close(key, homes, cutoff=0.75)
+    # a key that belongs elsewhere may be nearer than any that may stand here
+    if close is not None and _close(key, (close, elsewhere or close)) == close:
+        return _Meant(f"did you mean '{close}'?", close)
     if elsewhere is None:
         return _Meant(nearest(key, here))
     home = max(homes[elsewhere], key=lambda path: _shared(path, loc))

@@ -39,6 +39,7 @@ _REFERENCES = {
     ("cases", "*", "stroke"): "stroke",
     ("cases", "*", "asd", "profile"): "asd",
     ("balance", "asd", "profile"): "asd",
+    ("stops", "contact", "material"): "material",
 }
 """Where a design may name a spec instead of holding it."""
 

@@ -1,0 +1,125 @@
+"""A tip mass: a rigid body on the end of a cantilever, its centre beyond the blade's end."""
+
+from math import pi, sqrt
+from typing import Annotated, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.section import second_moment
+from flexcli.formulas.single_freedom import SingleFreedom
+from flexcli.parts.base import Inertia, Length, QuantityOf
+from flexcli.parts.elastic import Elastic
+from flexcli.parts.geometries.base import Geometry, Sizes
+from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
+from flexcli.parts.stroke import Stroke
+from flexcli.parts.structure import Structure
+from flexcli.results import Value
+
+__all__ = ["TipMass"]
+
+BodyMass = Annotated[float, QuantityOf("mass", above=0.0)]
+SOURCE = "massless cantilever with a body beyond its end, T ± √(T² − 4D)"
+
+
+class TipMass(Mechanism):
+    """A body on the end of a cantilever that bends along x; y is along the blade."""
+
+    joints: ClassVar[int] = 1
+    joint_motion: ClassVar[str | None] = None
+    joint_kind: ClassVar[str] = "cantilever"
+
+    kind: Literal["tip-mass"]
+    mass: BodyMass
+    offset: Length = Field(0.0, description="of its centre beyond the end of the blade")
+    inertia: Inertia = Field(0.0, description="about its centre, around the axis of bending")
+
+    @property
+    def is_point(self) -> bool:
+        """Return whether it is a mass point on the blade's end."""
+        return self.offset == 0.0 and self.inertia == 0.0
+
+    def equivalent_mass(self, l: float) -> float:
+        """Return k/ω² of the first mode on a blade of length l [kg]."""
+        m, a, r = self.mass, self.offset / l, self.inertia / l**2
+        trace = m * (1.0 + 3.0 * a * (1.0 + a)) + 3.0 * r
+        return (trace + sqrt(trace**2 - 3.0 * m * r)) / 2.0
+
+    def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:
+        """Return the stroke of the blade's end, a translation."""
+        if stroke.motion != "translation":
+            raise MechanismError(
+                "stroke", "the end of a cantilever is moved, not turned", "give translation:"
+            )
+        return stroke.amplitude, stroke.mean
+
+    def mode(self, joint_stiffness: Quantity, geometry: Geometry) -> Mode:
+        """Return the tip's stiffness with the equivalent mass of the first mode."""
+        if self.is_point:
+            return Mode(joint_stiffness, self.mass)
+        length = geometry.extents["l"].fixed
+        if length is None:
+            raise MechanismError(
+                "mechanism",
+                "the frequency with an offset or inertia needs the blade's length",
+                "give geometry.l, or leave offset and inertia out",
+            )
+        return Mode(joint_stiffness, self.equivalent_mass(length))
+
+    def locked_forces(self, body: str, acceleration: float) -> dict[str, float]:
+        """Refuse: a locked tip mass loads no blade."""
+        raise MechanismError("lock", f"locking '{body}' would unload the blade", "leave it out")
+
+    def free_force(self, acceleration: float) -> float:
+        """Return mass times acceleration, along the blade."""
+        return self.mass * acceleration
+
+    def hanging_mass(self) -> float:
+        """Return the mass."""
+        return self.mass
+
+    def structure(
+        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, lock: str | None
+    ) -> Structure:
+        """Return the body on the end of a massless blade, shaken along x."""
+        if lock is not None:
+            raise MechanismError("lock", "a locked tip mass loads no blade", "leave the lock out")
+        h, l, b = sizes
+        rigidity = elastic.E * second_moment(b, h)
+        # coordinates: deflection and slope of the blade's end
+        bending = rigidity / l**3 * np.array([[12.0, -6.0 * l], [-6.0 * l, 4.0 * l**2]])
+        m, c = self.mass, self.offset
+        moment = rigidity / l**2 * np.array([[6.0, -2.0 * l]])  # at the clamp
+        return Structure(
+            mass=np.array([[m, m * c], [m * c, self.inertia + m * c**2]]),
+            stiffness=bending,
+            influence={"x": np.array([1.0, 0.0])},
+            outputs={
+                "force blade": bending[:1],
+                "axial stress blade": np.zeros((1, 2)),
+                "stress blade": moment * 6.0 / (b * h**2),
+                "travel": np.array([[1.0, 0.0]]),
+            },
+        )
+
+    def freedom(
+        self,
+        joint_stiffness: float,
+        geometry: Geometry,
+        *,
+        balanced: bool = True,
+        shift: float = 0.0,
+    ) -> SingleFreedom:
+        """Refuse: there is nothing to balance on a single blade."""
+        raise MechanismError(
+            "mechanism", "a tip mass on one blade cannot be balanced", "take flexure stops"
+        )
+
+    def values(self, joint_stiffness: float, geometry: Geometry) -> dict[str, Value]:
+        """Return the natural frequency where the blade's length is known."""
+        if not self.is_point and geometry.extents["l"].fixed is None:
+            return {}
+        mode = self.mode(joint_stiffness, geometry)
+        frequency = sqrt(mode.stiffness / mode.mass) / (2 * pi)
+        return {"f_0": Value(frequency, "Hz", "natural frequency", source=SOURCE)}

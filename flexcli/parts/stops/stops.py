@@ -1,0 +1,126 @@
+"""End stops along a blade, as a spec writes them: where, how far away, and what they must keep."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from flexcli.formulas.stop_line import allowed_travel
+from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
+from flexcli.parts.geometries import Geometry, Sizes
+from flexcli.parts.material import Material, MissingProperty
+from flexcli.parts.mechanisms import Mechanism
+from flexcli.parts.mechanisms.free_value import Free, OrFree
+from flexcli.parts.mechanisms.tip_mass import TipMass
+from flexcli.parts.stops.contact import AnyContact, Ball, Cylinder, Rigid
+from flexcli.parts.stops.strength import Strength
+
+__all__ = ["Stops", "StopsMisfit"]
+
+Place = Annotated[float | Free, OrFree("length", above=0.0)]
+
+
+class StopsMisfit(ValueError):
+    """Stops that do not fit the rest of the design; ``at`` is the path of what is at fault."""
+
+    def __init__(self, at: tuple[str, ...], text: str, hint: str) -> None:
+        super().__init__(text)
+        self.at = at
+        self.hint = hint
+
+
+class Simulation(Part):
+    """How ``flexure stops --simulate`` verifies the stops."""
+
+    modes: Annotated[int, Field(strict=True, ge=1, le=20)] = 1
+    confidence: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] = Field(
+        0.8, description="that one more exposure shows no higher peak (random vibration)"
+    )
+    seed: Annotated[int, Field(strict=True, ge=0)] = 0
+
+
+class Stops(Part):
+    """The section ``stops``; height and gap are given, or free for the tool to choose."""
+
+    height: Place = Field(Free(), description="above the clamped end of the blade")
+    gap: Place = Field(Free(), description="between the blade at rest and a stop")
+    sides: Literal["both", "one"] = "both"
+    smallest_gap: PositiveLength | None = Field(
+        None, alias="smallest-gap", description="that manufacturing and assembly allow"
+    )
+    travel: PositiveLength | None = Field(
+        None, description="of the tip to each side; left out, what the free blade's base bears"
+    )
+    contact: AnyContact = Rigid.model_construct(kind="rigid")
+    bending: Strength | None = Field(None, description="factor on the blade's bending stress")
+    shear: Strength | None = Field(
+        None, description="factor on the shear below a contact, against half the strength (Tresca)"
+    )
+    simulation: Simulation = Simulation.model_construct()
+
+    @model_validator(mode="after")
+    def _is_one_task(self) -> "Stops":
+        if self.travel is None and self.bending is None:
+            raise spec_error(
+                "nothing says how far the tip may go", "give travel, or bending: a factor"
+            )
+        if self.shear is not None and not self.contact.has_stress:
+            raise spec_error(
+                f"a {self.contact.kind} contact has no stress",
+                "give the contact its shape: kind: ball or cylinder",
+                at=("shear",),
+            )
+        smallest = self.smallest_gap
+        if smallest is not None and isinstance(self.gap, float) and self.gap < smallest:
+            raise spec_error("the gap is below smallest-gap", "change one of them", at=("gap",))
+        impacts = isinstance(self.contact, Rigid) and self.contact.restitution is not None
+        if impacts and self.simulation.modes < 2:
+            raise spec_error(
+                "a rigid stop with a restitution needs two modes or more: in one, the tip stops "
+                "with the blade",
+                "give simulation: (modes: 2), or leave the restitution out",
+                at=("contact", "restitution"),
+            )
+        return self
+
+    def allowed(self, material: Material, sizes: Sizes) -> float:
+        """Return the deflection of the tip allowed to each side [m]."""
+        if self.travel is not None:
+            return self.travel
+        assert self.bending is not None  # one of them is given
+        sigma = self.bending.of(material) / self.bending.factor
+        return float(allowed_travel(E=material.E, h=sizes.h, L=sizes.l, sigma=sigma))
+
+    def refuse_misfit(
+        self, material: Material, geometry: Geometry, mechanism: Mechanism | None
+    ) -> None:
+        """Raise :class:`StopsMisfit` where the design has no ground for these stops."""
+        if not isinstance(mechanism, TipMass):
+            raise StopsMisfit(
+                ("stops",),
+                "stops hold a cantilever with a mass on its end",
+                "give mechanism: (kind: tip-mass, mass: …)",
+            )
+        for key, strength in (("bending", self.bending), ("shear", self.shear)):
+            try:
+                if strength is not None:
+                    strength.of(material)
+            except MissingProperty as missing:
+                raise StopsMisfit(
+                    ("stops", key),
+                    str(missing),
+                    f"give material.{missing.field}, or name another allowable",
+                ) from missing
+        if isinstance(self.contact, Ball | Cylinder):
+            bodies = ((("material",), material), (("stops", "contact"), self.contact.material))
+            for at, body in bodies:
+                if body.elastic.nu is None:
+                    raise StopsMisfit(
+                        at, "a contact's stress needs Poisson's ratio", "add poisson_ratio"
+                    )
+        length = geometry.extents["l"].fixed
+        height = self.height
+        if length is not None and isinstance(height, float) and height >= length:
+            raise StopsMisfit(
+                ("stops", "height"), "the stop does not stand along the blade",
+                f"write less than {length * 1e3:g} mm",
+            )  # fmt: skip

@@ -1,0 +1,135 @@
+"""The answer of ``flexure stops`` as text for a terminal."""
+
+from collections.abc import Iterator
+
+from rich.console import RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from flexcli.report.tables import table
+from flexcli.results import StopPlace, StopSimulation, StopsResult, StopSweep, SweepStep
+from flexcli.units import show
+
+__all__ = ["stops_tables"]
+
+MOST_STEPS = 25
+"""Steps of a frequency response that a terminal gets; CSV and JSON have all."""
+
+
+def stops_tables(stops: StopsResult) -> Iterator[RenderableType]:
+    """Yield the stop, the operating line, and what was simulated."""
+    if stops.outcome == "infeasible":
+        yield Text.assemble(("no stop does: ", "bold red"), stops.reason)
+        yield Text(f"remedy: {stops.remedy}")
+    height, gap = show(stops.chosen.L_a, "m", 5), show(stops.chosen.delta_G, "m")
+    yield Text(f"{stops.chosen.name}: height {height}, gap {gap}", "bold")
+    yield _line(stops.places)
+    if stops.holds:
+        yield _holds(stops)
+    for simulation in stops.simulations:
+        yield _simulation(simulation)
+    for sweep in stops.sweeps:
+        yield from _sweep(sweep)
+
+
+def _line(places: tuple[StopPlace, ...]) -> Table:
+    heads = ("stop", "height", "gap", "π5", "tip touches", "force", "bending", "shear")
+    rows = table("Operating line, tip at the end of its travel", *heads, numbers=range(1, 8))
+    for place in places:
+        rows.add_row(
+            place.name,
+            show(place.L_a, "m", 4),
+            show(place.delta_G, "m", 3),
+            f"{place.pi_5:.3g}",
+            show(place.tip_at_contact, "m", 3),
+            show(place.R_stop, "N", 3),
+            show(place.bending, "Pa", 3),
+            "" if place.tau_hertz is None else show(place.tau_hertz, "Pa", 3),
+        )
+    return rows
+
+
+def _holds(stops: StopsResult) -> Table:
+    rows = table("Heights at which each limit holds", "limit", "heights")
+    for hold in stops.holds:
+        ranges = (f"{show(least, 'm')} to {show(most, 'm')}" for least, most in hold.ranges)
+        rows.add_row(hold.name, ", ".join(ranges) or "nowhere")
+    return rows
+
+
+def _simulation(found: StopSimulation) -> Table:
+    """Return one case as a table of two columns."""
+    rows = table(f"Simulated: {found.case}", "", "", numbers=[1])
+    rows.add_row("excitation", f"{found.kind}, Q = {found.q:g}")
+    done = show(found.duration, "s")
+    if not found.is_complete:
+        done = f"interrupted after {done} of {show(found.planned, 's')}"
+    rows.add_row("time", done)
+    if found.outcome:
+        rows.add_row("ended", found.outcome)
+    if found.confidence is not None:
+        rows.add_row("confidence", f"{found.confidence:.1%}, seed {found.seed}")
+    rows.add_row("peak of the tip", show(found.travel, "m"))
+    rows.add_row("range over gap, π5", f"{found.pi_5:.4g}")
+    rows.add_row("stop", found.law)
+    if found.contacts:
+        share = f"{found.contact_share:.1%} of the time, up to {show(found.fastest, 'm/s', 3)}"
+        rows.add_row("contacts", f"{found.contacts}, {share}")
+    else:
+        rows.add_row("contacts", "none")
+    if found.impulse:
+        rows.add_row("greatest impulse", f"{found.impulse:.3g} N·s")
+    rows.add_row("force on the stop", show(found.force, "N"))
+    stresses = [show(stress, "Pa") for stress in (found.sigma_base, found.sigma_contact)]
+    rows.add_row("bending at base, stop", ", ".join(stresses))
+    if found.p_hertz is not None and found.tau_hertz is not None:
+        contact = f"{show(found.p_hertz, 'Pa')}, {show(found.tau_hertz, 'Pa')}"
+        rows.add_row("contact pressure, shear", contact)
+    rest = f"energy {found.energy_residual:.0e}, momentum {found.impulse_residual:.0e}"
+    rows.add_row("unaccounted for", rest)
+    rows.add_row("events", f"{found.events} in {show(found.seconds, 's', 3)}")
+    return rows
+
+
+def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
+    yield Text(f"Frequency response with stops: {sweep.case}, {sweep.how}", "bold")
+    for way, band in (("up", sweep.contact_up), ("down", sweep.contact_down)):
+        if band is None:
+            yield Text(f"  going {way} the blade does not touch")
+        else:
+            yield Text(f"  going {way} it touches from {_band(band)}")
+    if sweep.metastable is not None:
+        yield Text(f"  metastable: {_band(sweep.metastable)} (two motions are possible)")
+    heads = ("frequency", "tip, up", "tip, down", "force, up", "force, down")
+    rows = table("", *heads, numbers=range(5))
+    pairs = _by_frequency(sweep.steps)
+    every = -(-len(pairs) // MOST_STEPS)
+    for frequency, (up, down) in pairs[::every]:
+        steps = (up, down)
+        rows.add_row(
+            show(frequency, "Hz", 5),
+            *("" if step is None else _settled(step) for step in steps),
+            *("" if step is None else show(step.force, "N", 3) for step in steps),
+        )
+    yield rows
+    if not all(step.settled for step in sweep.steps):
+        yield Text("* not settled: beats, or chaos", "dim")
+    if every > 1:
+        yield Text(f"every {every}. of {len(pairs)} steps; --csv and JSON have all", "dim")
+
+
+def _settled(step: SweepStep) -> str:
+    return show(step.travel, "m") + ("" if step.settled else " *")
+
+
+def _band(ends: tuple[float, float]) -> str:
+    return f"{show(ends[0], 'Hz', 5)} to {show(ends[1], 'Hz', 5)}"
+
+
+def _by_frequency(
+    steps: tuple[SweepStep, ...],
+) -> list[tuple[float, tuple[SweepStep | None, SweepStep | None]]]:
+    """Return both ways beside each other, frequencies rising."""
+    up = {step.frequency: step for step in steps if step.up}
+    down = {step.frequency: step for step in steps if not step.up}
+    return [(f, (up.get(f), down.get(f))) for f in sorted(up.keys() | down.keys())]

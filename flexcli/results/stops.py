@@ -1,0 +1,141 @@
+"""What sizing an end stop found out, and what its simulation did."""
+
+from typing import NamedTuple
+
+__all__ = [
+    "StopHistory",
+    "StopHold",
+    "StopPlace",
+    "StopSimulation",
+    "StopSweep",
+    "StopsResult",
+    "SweepStep",
+]
+
+
+class StopPlace(NamedTuple):
+    """A height and gap with the statics of the blade whose tip is at the end of its travel, SI.
+
+    ``F`` holds the tip there; ``F_contact`` brings the blade to the stop, ``F_excess`` is the
+    rest, ``R_stop`` pushes on the stop. ``sigma_onset`` is the stress at the base when it touches.
+    """
+
+    name: str
+    L_a: float
+    delta_G: float  # noqa: N815 - the source's symbol
+    k_contact: float
+    pi_1: float
+    pi_5: float
+    pi_5_threshold: float
+    tip_at_contact: float
+    F: float
+    F_contact: float
+    F_excess: float
+    R_stop: float
+    sigma_onset: float
+    sigma_base: float
+    sigma_contact: float
+    p_hertz: float | None
+    tau_hertz: float | None
+
+    @property
+    def bending(self) -> float:
+        """Return the greatest bending stress on the way [Pa]."""
+        return max(self.sigma_onset, abs(self.sigma_base), self.sigma_contact)
+
+
+class StopHold(NamedTuple):
+    """Ranges of heights [m] in which a limit holds on the operating line."""
+
+    name: str
+    ranges: tuple[tuple[float, float], ...]
+
+
+class StopSimulation(NamedTuple):
+    """What one case did to the blade between its stops, SI.
+
+    ``confidence`` is that one more exposure shows no higher peak (random only); ``pi_5`` the range
+    of the tip over the gap (of a sine once steady, as it was measured); the residuals are what
+    energy (as a share of what moved) and momentum leave unaccounted for.
+    """
+
+    case: str
+    kind: str
+    law: str
+    q: float
+    modes: int
+    seed: int | None
+    planned: float
+    duration: float
+    outcome: str
+    confidence: float | None
+    travel: float
+    pi_5: float
+    force: float
+    impulse: float
+    contacts: int
+    contact_share: float
+    fastest: float
+    sigma_base: float
+    sigma_contact: float
+    p_hertz: float | None
+    tau_hertz: float | None
+    energy_residual: float
+    impulse_residual: float
+    events: int
+    seconds: float
+
+    @property
+    def is_complete(self) -> bool:
+        """Return whether all that was planned was run."""
+        return self.duration >= self.planned * (1.0 - 1e-9)
+
+
+class SweepStep(NamedTuple):
+    """A step of a frequency response [Hz, m, N, 1 per period]; ``up`` is the way it came."""
+
+    up: bool
+    frequency: float
+    travel: float
+    force: float
+    contacts: float
+    settled: bool
+
+
+class StopSweep(NamedTuple):
+    """The frequency response with stops, up and down.
+
+    ``contact_up`` and ``contact_down`` are the lowest and highest frequency of contact each way;
+    between the ends of ``metastable`` the blade touches or not, depending on where it came from.
+    """
+
+    case: str
+    how: str
+    steps: tuple[SweepStep, ...]
+    contact_up: tuple[float, float] | None
+    contact_down: tuple[float, float] | None
+    metastable: tuple[float, float] | None
+
+
+class StopHistory(NamedTuple):
+    """Samples of one case: time [s], tip and deflection at the stop [m], push of the stops [N]."""
+
+    case: str
+    time: tuple[float, ...]
+    tip: tuple[float, ...]
+    at_stop: tuple[float, ...]
+    force: tuple[float, ...]
+
+
+class StopsResult(NamedTuple):
+    """The answer of ``flexure stops`` beside its values."""
+
+    outcome: str
+    chosen: StopPlace
+    places: tuple[StopPlace, ...]
+    reason: str = ""
+    remedy: str = ""
+    holds: tuple[StopHold, ...] = ()
+    simulations: tuple[StopSimulation, ...] = ()
+    sweeps: tuple[StopSweep, ...] = ()
+    histories: tuple[StopHistory, ...] = ()

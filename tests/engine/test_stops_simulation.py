@@ -1,0 +1,240 @@
+"""Stops verified in time: closed forms, the engine asked directly, and runs that end early."""
+
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from stop_designs import LENGTH, MASS, SINE, E, I, stopped
+
+from flexcli.engine.stop_excitation import exposures
+from flexcli.engine.stop_scene import stop_scene
+from flexcli.engine.stop_simulation import simulated
+from flexcli.engine.stop_statics import force_at_travel, stop_place, task_of
+from flexcli.engine.stops import stops
+from flexcli.errors import SolveError
+from flexcli.formulas.peaks import peak_factor
+from flexcli.formulas.stopped_cantilever import load_at_travel
+from flexcli.mechanics.cantilever_modes import cantilever_modes
+from flexcli.mechanics.stop_laws import LinearStop, Stops
+from flexcli.mechanics.stopped_vibration import StoppedVibration, simulate
+from flexcli.numerics.signal_pieces import sine
+from flexcli.parts.response import random_response
+from flexcli.results import Status
+
+K = 3 * E * I / LENGTH**3
+OMEGA = sqrt(K / MASS)
+PLACE = {"height": "17 mm", "gap": "36 um"}
+FAR = {"height": "17 mm", "gap": "10 mm"}
+BALANCE = 1e-12
+FLAT = [{"frequency": "20 Hz", "level": "0.01 g^2/Hz"},
+        {"frequency": "400 Hz", "level": "0.01 g^2/Hz"}]  # fmt: skip
+RANDOM = {"launch": {"asd": {"profile": {"points": FLAT}, "q": 30, "duration": "0.3 s"}}}
+
+
+def on(*_):
+    return True
+
+
+def run(limits, *, watch=on, seed=None, keep_history=False, **changes):
+    design = stopped(limits, **changes)
+    sizes = design.fixed_sizes()
+    result = stops(design, sizes, "spec")
+    return simulated(result, design, sizes, watch, seed=seed, keep_history=keep_history)
+
+
+def only(result):
+    (found,) = result.stops.simulations
+    return found
+
+
+def check(result, name):
+    (found,) = (c for c in result.checks if c.name == f"{name} (simulated)")
+    return found
+
+
+def test_a_sine_between_far_stops_ends_at_q_times_the_static_travel():
+    found = only(run(FAR))
+    assert found.contacts == 0
+    assert found.travel == pytest.approx(30 * 1.5 * 9.80665 / OMEGA**2, rel=2e-3)
+    assert found.sigma_base == pytest.approx(
+        K * found.travel * LENGTH * 1.25e-3 / (2 * I), rel=1e-9
+    )
+
+
+def test_it_is_what_the_engine_gives_when_asked_directly():
+    found = only(run(PLACE))
+    blade = cantilever_modes(E=E, I=I, L=LENGTH, L_a=17e-3, m=MASS, quality=30.0)
+    direct = simulate(
+        blade,
+        Stops(LinearStop(), 36e-6, 36e-6),
+        sine(amplitude=1.5 * 9.80665, angular=2 * pi * 176.0, duration=found.planned),
+    )
+    assert found.travel == pytest.approx(direct.peaks.travel, rel=1e-9)
+    assert found.force == pytest.approx(direct.peaks.force, rel=1e-9)
+    assert found.contacts == direct.contacts.time.size > 100
+
+
+@pytest.mark.parametrize("height", ["16 mm", "20 mm", "24 mm"])
+def test_the_plateau_hardly_knows_the_damping_and_lies_above_the_threshold(height):
+    # figure 8.7: one ratio for a stop, whatever drives it; no contact exists below the threshold
+    low, high = (only(run({"height": height}, mechanism={"damping": {"q": q}})) for q in (20, 80))
+    assert low.pi_5 == pytest.approx(high.pi_5, rel=0.02)
+    place = run({"height": height}).stops.chosen
+    assert place.pi_5_threshold < high.pi_5 < 1.02 * place.pi_5
+    # on the way there it goes farther
+    assert high.travel > 1.02 * high.pi_5 * place.delta_G / 2
+
+
+def test_a_velocity_shock_goes_as_far_as_its_energy():
+    case = {"kick": {"shock": {"velocity": "0.1 m/s", "q": 1e6}}}
+    quick = {"damping": {"q": 50}}
+    found = only(run(FAR, cases=case, mechanism=quick))
+    first = np.exp(-pi / 2 / 100)  # a quarter of a cycle at ζ = 1/100
+    assert found.travel == pytest.approx(0.1 / OMEGA * first, rel=1e-3)
+
+
+@pytest.mark.parametrize("turned", [1, -1])
+def test_on_one_side_a_shock_comes_with_either_sign(turned):
+    pulse = {"drop": {"shock": {"half-sine": {"acceleration": "30 g", "duration": "3 ms"}}}}
+    result = run({**PLACE, "sides": "one"}, cases=pulse)
+    both = result.stops.simulations
+    assert [row.kind.endswith("turned round") for row in both] == [False, True]
+    assert check(result, "travel").demand == max(row.travel for row in both)
+    assert all(row.energy_residual < BALANCE for row in both)
+
+
+@pytest.mark.parametrize(
+    "contact",
+    [{"kind": "rigid"}, {"kind": "spring", "stiffness": "2 N/um", "restitution": 0.5},
+     {"kind": "rigid", "restitution": 0.5}],
+)  # fmt: skip
+def test_energy_and_momentum_are_accounted_for(contact):
+    options = {"contact": contact, "simulation": {"modes": 2}}
+    body = {"offset": "3 mm", "inertia": "150 g*mm^2"}
+    case = {"near": {"sine": {"acceleration": "3 g", "frequency": "150 Hz"}}}
+    found = only(run({**PLACE, **options}, mechanism=body, cases=case))
+    assert found.contacts > 20
+    assert found.energy_residual < BALANCE
+    assert found.impulse_residual < BALANCE
+    assert (found.impulse > 0.0) is (contact == {"kind": "rigid", "restitution": 0.5})
+
+
+@pytest.mark.parametrize("restitution", [0.2, 0.5, 0.9])
+def test_the_dashpot_of_a_spring_gives_its_restitution(restitution):
+    contact = {"kind": "spring", "stiffness": "1 N/um", "restitution": restitution}
+    undamped = {"damping": {"q": 1e9}}
+    design = stopped({**PLACE, "contact": contact, "sides": "one"}, mechanism=undamped)
+    sizes = design.fixed_sizes()
+    task = task_of(design, design.stops, sizes)
+    place = stop_place(task, "", 28.4e-3, 1e-9)
+    blade, found, _ = stop_scene(design, design.mechanism, task, sizes, place, "resonance")
+    run = StoppedVibration(blade, found, rate=[1e-3])
+    half = pi / OMEGA
+    for _ in run.run(sine(amplitude=1e-30, angular=OMEGA, duration=2.5 * half)):
+        pass
+    speed = run.result().contacts.speed
+    # next to the tip the blade's own spring is 1 % of the stop's
+    assert speed[1] / speed[0] == pytest.approx(restitution, rel=0.02)
+
+
+def test_random_is_the_same_for_a_seed_and_only_for_it():
+    one, same, other = (only(run(PLACE, cases=RANDOM, seed=seed)) for seed in (1, 1, 2))
+    assert one.travel == same.travel != other.travel
+    assert (one.seed, other.seed) == (1, 2)
+
+
+def test_the_peak_between_far_stops_is_that_of_a_gaussian_of_the_modes_rms():
+    case = {"launch": {"asd": {**RANDOM["launch"]["asd"], "duration": "4 s"}}}
+    found = only(run({**FAR, "simulation": {"confidence": "50 %"}}, cases=case))
+    design = stopped(FAR, cases=case)
+    sizes = design.fixed_sizes()
+    structure = design.mechanism.structure(design.geometry, design.material.elastic, sizes, None)
+    rms = random_response(structure, design.cases["launch"].asd).outputs["travel"].rms
+    # the greatest of some 700 peaks in clumps of Q/π scatters by a tenth or so
+    expected = rms * float(peak_factor(OMEGA / (2 * pi), found.duration))
+    assert found.contacts == 0
+    assert found.travel == pytest.approx(expected, rel=0.2)
+
+
+def test_what_shakes_along_the_blade_does_not_bend_it():
+    along = {"launch": {"asd": {**RANDOM["launch"]["asd"], "axis": "x and y"}}}
+    assert only(run(PLACE, cases=along)).travel == only(run(PLACE, cases=RANDOM)).travel
+    only_y = {"launch": {"asd": {**RANDOM["launch"]["asd"], "axis": "y"}}}
+    result = run(PLACE, cases=only_y | SINE)
+    assert [row.case for row in result.stops.simulations] == ["resonance"]
+    assert "travel_free_launch" not in result.values
+
+
+def test_random_lasts_until_its_confidence_is_reached():
+    found = only(run({**PLACE, "simulation": {"confidence": "70 %"}}, cases=RANDOM))
+    assert found.planned == pytest.approx(3 * 0.3)
+    assert found.confidence == pytest.approx(0.75, rel=1e-6)
+    assert found.is_complete
+
+
+@given(st.floats(0.01, 0.999))
+def test_as_many_exposures_as_the_confidence_asks_and_no_more(confidence):
+    count = exposures(confidence)
+    assert count / (count + 1) >= confidence * (1 - 1e-9)
+    assert (count - 1) / count < confidence
+
+
+def test_the_highest_of_alike_exposures_is_the_next_one_in_one_of_n_plus_one():
+    peaks = np.random.default_rng(5).gumbel(size=(20_000, 10))
+    assert (peaks[:, -1] > peaks[:, :-1].max(axis=1)).mean() == pytest.approx(0.1, abs=0.007)
+
+
+def test_what_was_done_before_an_interruption_is_kept_and_is_no_proof():
+    gentle = {"launch": {"asd": {**RANDOM["launch"]["asd"], "scale": "-20 dB"}}}
+    whole = run(PLACE, cases=gentle)
+    result = run(PLACE, cases=gentle, watch=lambda case, share: share < 0.3)
+    found = only(result)
+    assert whole.status is Status.PASS
+    assert result.status is Status.FAIL
+    assert 0.29 < found.duration / found.planned < 0.32
+    assert found.confidence == pytest.approx(1 - 1 / (1 + found.duration / 0.3))
+    assert check(result, "completed").factor == pytest.approx(found.duration / found.planned)
+    assert check(result, "travel").passed
+    assert "interrupted" in [note.code for note in result.warnings]
+
+
+def test_a_history_is_kept_where_it_is_asked():
+    result = run(PLACE, cases=RANDOM, keep_history=True)
+    (history,) = result.stops.histories
+    assert history.case == "launch"
+    assert max(map(abs, history.tip)) == pytest.approx(only(result).travel, rel=0.02)
+    assert run(PLACE, cases=RANDOM).stops.histories == ()
+
+
+@pytest.mark.parametrize(
+    ("cases", "changes", "words"),
+    [({"x": {"stroke": {"translation": "1 um"}}}, {}, "no case shakes the base"),
+     (SINE, {"damping": None}, "how the tip mass is damped"),
+     ({"x": {"asd": {"profile": {"points": FLAT}, "q": 30}}}, {}, "how long the vibration lasts"),
+     ({"x": {"shock": {"srs": [{"frequency": "10 Hz", "acceleration": "1 g"},
+                               {"frequency": "1 kHz", "acceleration": "9 g"}]}}},
+      {}, "no motion in time")],
+)  # fmt: skip
+def test_what_cannot_be_run_in_time_is_named(cases, changes, words):
+    with pytest.raises(SolveError, match=words):
+        run(PLACE, cases=cases, mechanism=changes)
+
+
+@given(st.floats(1e-6, 1e-3), st.floats(2e-3, 27e-3), st.floats(0.0, 1e-4))
+def test_the_force_at_a_travel_is_that_of_the_statics(travel, height, gap):
+    design = stopped()
+    task = task_of(design, design.stops, design.fixed_sizes())
+    place = stop_place(task, "", height, gap)
+    expected = load_at_travel(delta=travel, E=E, I=I, L_a=height, L_b=LENGTH - height, d=gap)
+    assert force_at_travel(task, place, 0.0, travel) == pytest.approx(float(expected), rel=1e-6)
+
+
+def test_a_force_beyond_the_end_moves_the_tip_by_its_moment_too():
+    design = stopped()
+    task = task_of(design, design.stops, design.fixed_sizes())
+    place = stop_place(task, "", 17e-3, 1.0)
+    c, force = 5e-3, 0.7
+    travel = force * (LENGTH**3 / 3 + c * LENGTH**2 / 2) / (E * I)
+    assert force_at_travel(task, place, c, travel) == pytest.approx(force, rel=1e-12)

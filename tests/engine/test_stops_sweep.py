@@ -1,0 +1,68 @@
+"""The frequency response with stops: where the blade touches, and the range with two motions."""
+
+import pytest
+from stop_designs import SINE, stopped
+
+from flexcli.engine import stop_sweep
+from flexcli.engine.stop_sweep import swept
+from flexcli.engine.stops import stops
+from flexcli.errors import SolveError
+
+PLACE = {"height": "17 mm", "gap": "36 um"}
+SWEEP = {"from": "160 Hz", "to": "230 Hz", "rate": "100 Hz/s", "acceleration": "2 g"}
+
+
+@pytest.fixture(autouse=True)
+def _few_steps(monkeypatch):
+    monkeypatch.setattr(stop_sweep, "STEPS", 15)
+    monkeypatch.setattr(stop_sweep, "MOST_WINDOWS", 4)
+
+
+def run(cases, stops_=PLACE, watch=lambda *_: True):
+    design = stopped(stops_, cases=cases)
+    sizes = design.fixed_sizes()
+    return swept(stops(design, sizes, "spec"), design, sizes, watch).stops.sweeps
+
+
+def test_stops_stiffen_going_up_keeps_contact_longer_than_going_down_finds_it():
+    (sweep,) = run(SINE)
+    assert sweep.contact_up[1] > sweep.contact_down[1]
+    assert sweep.metastable == (sweep.contact_down[1], sweep.contact_up[1])
+    inside = [s for s in sweep.steps if sweep.metastable[0] < s.frequency < sweep.metastable[1]]
+    up, down = (max(s.travel for s in inside if s.up is way) for way in (True, False))
+    assert up > 1.5 * down
+
+
+def test_between_far_stops_both_ways_are_the_same():
+    (sweep,) = run(SINE, {"height": "17 mm", "gap": "10 mm"})
+    assert sweep.metastable is sweep.contact_up is sweep.contact_down is None
+    up, down = ([s.travel for s in sweep.steps if s.up is way] for way in (True, False))
+    assert up == pytest.approx(down[::-1], rel=0.05)
+
+
+@pytest.mark.parametrize("rate", ["100 Hz/s", "40 oct/min"])
+def test_a_sweep_runs_at_its_own_rate_both_ways(rate):
+    (sweep,) = run({"climb": {"sweep": {**SWEEP, "rate": rate}}})
+    frequencies = [[s.frequency for s in sweep.steps if s.up is way] for way in (True, False)]
+    assert frequencies[0] == frequencies[1][::-1] == sorted(frequencies[0])
+    assert len(frequencies[0]) == 15
+    assert sweep.metastable is not None
+
+
+def test_a_sweep_that_falls_comes_back_up():
+    falling = {**SWEEP, "from": "230 Hz", "to": "160 Hz"}
+    (sweep,) = run({"fall": {"sweep": falling}})
+    assert not sweep.steps[0].up
+    assert sweep.metastable is not None
+
+
+def test_an_interrupted_response_keeps_its_steps():
+    (sweep,) = run(SINE, watch=lambda case, share: share < 0.2)
+    assert len(sweep.steps) == 6
+    assert "interrupted after 6 of 30 steps" in sweep.how
+    assert sweep.metastable is None
+
+
+def test_without_a_sine_there_is_no_response():
+    with pytest.raises(SolveError, match="no case has a sine"):
+        run({"kick": {"shock": {"velocity": "0.1 m/s"}}})

@@ -1,0 +1,102 @@
+"""The answer of ``flexure stops`` as text and CSV, from results made by hand."""
+
+from io import StringIO
+
+import pytest
+from rich.console import Console
+
+from flexcli.report.stops_csv import history_csv, sweep_csv
+from flexcli.report.stops_json import stops_document
+from flexcli.report.stops_text import stops_tables
+from flexcli.results import (
+    StopHistory,
+    StopHold,
+    StopPlace,
+    StopSimulation,
+    StopsResult,
+    StopSweep,
+    SweepStep,
+)
+
+PLACE = StopPlace("chosen", 15e-3, 33e-6, 5e4, 5.0, 6.1, 5.9, 97e-6, 1.1, 0.95, 0.15, 0.37, 13e6,
+                  12e6, 7e6, 42e6, 13e6)  # fmt: skip
+RUN = StopSimulation(
+    case="launch", kind="random, 4 exposures of 60 s", law="rigid", q=30.0, modes=1, seed=0,
+    planned=240.0, duration=240.0, outcome="", confidence=0.8, travel=1e-4, pi_5=6.0, force=3.0,
+    impulse=0.0, contacts=12, contact_share=0.05, fastest=0.03, sigma_base=1e7, sigma_contact=2e7,
+    p_hertz=None, tau_hertz=None, energy_residual=1e-15, impulse_residual=1e-15, events=24,
+    seconds=1.0,
+)  # fmt: skip
+
+
+def step(up, frequency, settled=True):
+    return SweepStep(up, frequency, 1e-4, 2.0, 2.0, settled)
+
+
+def told(stops):
+    text = StringIO()
+    console = Console(file=text, width=150)
+    for part in stops_tables(stops):
+        console.print(part)
+    return text.getvalue()
+
+
+def result(**changes):
+    return StopsResult("chosen", PLACE, (PLACE,))._replace(**changes)
+
+
+def test_what_has_no_stop_says_why_and_what_would_do():
+    text = told(result(outcome="infeasible", reason="nowhere: bending", remedy="more travel"))
+    assert "no stop does: nowhere: bending" in text
+    assert "remedy: more travel" in text
+
+
+def test_limits_have_every_range_in_which_they_hold():
+    rows = (StopHold("contact shear", ((15e-3, 18e-3), (25e-3, 25.6e-3))), StopHold("bending", ()))
+    text = told(result(holds=rows))
+    assert "15 mm to 18 mm, 25 mm to 25.6 mm" in text
+    assert "nowhere" in text
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [({}, "80.0%, seed 0"),
+     ({"duration": 30.0}, "interrupted after 30 s of 240 s"),
+     ({"contacts": 0}, "none"),
+     ({"impulse": 2e-3, "force": 0.0}, "0.002 N·s"),
+     ({"outcome": "contacts follow each other"}, "contacts follow each other"),
+     ({"p_hertz": 4e7, "tau_hertz": 1.2e7}, "40 MPa, 12 MPa")],
+)  # fmt: skip
+def test_a_simulation_tells_how_it_went(changes, words):
+    assert words in told(result(simulations=(RUN._replace(**changes),)))
+
+
+def test_a_response_tells_its_bands_and_shows_both_ways_beside_each_other():
+    steps = (step(True, 100.0), step(True, 110.0, settled=False), step(False, 110.0))
+    sweep = StopSweep("s", "stepped", steps, (100.0, 110.0), None, None)
+    text = told(result(sweeps=(sweep,)))
+    assert "going up it touches from 100 Hz to 110 Hz" in text
+    assert "going down the blade does not touch" in text
+    assert "* not settled" in text
+    twice = sweep._replace(contact_down=(100.0, 104.0), metastable=(104.0, 110.0))
+    assert "metastable: 104 Hz to 110 Hz" in told(result(sweeps=(twice,)))
+
+
+def test_a_long_response_is_thinned_and_says_so():
+    steps = tuple(step(True, 100.0 + n) for n in range(60))
+    text = told(result(sweeps=(StopSweep("s", "stepped", steps, None, None, None),)))
+    assert "every 3. of 60 steps" in text
+
+
+def test_csv_keeps_every_digit():
+    history = StopHistory("a", (0.1, 0.2), (1 / 3, -1e-5), (0.0, 0.0), (0.0, 2.5))
+    rows = history_csv(result(histories=(history,))).splitlines()
+    assert rows[0] == "case,time_s,tip_m,at_stop_m,force_N"
+    assert float(rows[1].split(",")[2]) == 1 / 3
+    sweep = StopSweep("s", "", (step(False, 1 / 7, settled=False),), None, None, None)
+    assert sweep_csv(result(sweeps=(sweep,))).splitlines()[1].endswith("false")
+
+
+def test_json_leaves_histories_to_the_csv_file():
+    history = StopHistory("a", (0.1,), (0.0,), (0.0,), (0.0,))
+    assert "histories" not in stops_document(result(histories=(history,)))
