@@ -7,7 +7,15 @@ small rotation of slender blades (h ≪ l, shear and axial extension left out).
 
 from math import atan2, cos, pi, sin
 
-from flexcli.formulas.card import SLENDER, SMALL_ROTATION, Card, Range
+from flexcli.formulas.card import SLENDER, Card, Range
+from flexcli.formulas.pivot_limits import (
+    SHIFT_LIMITS,
+    SHIFT_TURN,
+    STIFF_TURN,
+    STIFFNESS_LIMITS,
+    STRESS_LIMITS,
+    STRESS_TURN,
+)
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import second_moment
 
@@ -237,14 +245,22 @@ CARDS = (
         "pivot-stiffness",
         rotational_stiffness,
         {**_BLADE, "b": 10e-3, "blades": 2},
-        (SLENDER, SMALL_ROTATION),
+        (SLENDER, STIFF_TURN),
+        {"stiffness-limits": STIFFNESS_LIMITS},
     ),
-    Card("pivot-stress", end_stresses, {**_BLADE, "theta": 0.0205}, (SLENDER, SMALL_ROTATION)),
+    Card(
+        "pivot-stress",
+        end_stresses,
+        {**_BLADE, "theta": 0.0205},
+        (SLENDER, STRESS_TURN),
+        {"stress-limits": STRESS_LIMITS},
+    ),
     Card(
         "pivot-shift",
         parasitic_shift,
         {"l": 17.5e-3, "p": 2e-3, "theta": 0.0205, "half_angle": pi / 4.0},
-        (SMALL_ROTATION,),
+        (SHIFT_TURN,),
+        {"shift-limits": SHIFT_LIMITS},
     ),
     Card("blade-shares", axial_share, {"angles": (pi / 4.0, -pi / 4.0), "direction": 0.0}),
     Card(

@@ -1,8 +1,8 @@
 """Two crossed blades joined where they cross: two pivots of p = 0, one after the other."""
 
-from math import cos, pi
+from math import cos, pi, radians
 
-from flexcli.formulas.card import SLENDER, SMALL_ROTATION, Card
+from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import second_moment
 
@@ -120,23 +120,42 @@ def unseparated_shift(
 
 _BLADE = {"E": 114e9, "h": 637e-6, "l": 17.5e-3}
 
+_STIFF_TURN = Range(
+    "theta",
+    most=radians(17.0),
+    unit="rad",
+    why="stiffness 1 % off at 17° (crossing 0.3) and 21° (0.5), 5 % at 40° and 48°; α = 45°",
+)
+_STRESS_TURN = Range(
+    "theta",
+    most=radians(9.0),
+    unit="rad",
+    why="true stress 1 % higher at 9° (crossing 0.3) and 13° (0.5), never 5 % up to 60°; α = 45°",
+)
+_SHIFT_TURN = Range(
+    "theta",
+    most=radians(16.5),
+    unit="rad",
+    why="shift 5 % off at 16.5° (crossing 0.3) and 23° (0.5), 1 % at 7.4° and 10.3°; α = 45°",
+)
+
 CARDS = (
     Card(
         "unseparated-stiffness",
         unseparated_stiffness,
         {**_BLADE, "b": 10e-3},
-        (SLENDER, SMALL_ROTATION),
+        (SLENDER, _STIFF_TURN),
     ),
     Card(
         "unseparated-stress",
         unseparated_stresses,
         {**_BLADE, "theta": 0.0205},
-        (SLENDER, SMALL_ROTATION),
+        (SLENDER, _STRESS_TURN),
     ),
     Card(
         "unseparated-shift",
         unseparated_shift,
         {"l": 17.5e-3, "crossing": 0.5, "theta": 0.0205, "half_angle": pi / 4.0},
-        (SMALL_ROTATION,),
+        (_SHIFT_TURN,),
     ),
 )

@@ -1,0 +1,250 @@
+"""What a large rotation adds to the closed forms of a pivot of two blades, by the next power of θ.
+
+Derivation: the elastica θ'' = p sin θ − f cos θ of one blade is solved in powers of the pivot's
+rotation ε, with its end's motion (w, φ) and its axial force p all of order ε [units l, EI/l²]:
+
+    f = 12w − 6φ + p (6w/5 − φ/10) + p² (φ/1400 − w/700)
+          + 432w³/35 − 54w²φ/7 + 72wφ²/35 − φ³/7
+    m = 4φ − 6w + p (2φ/15 − w/10) + p² (w/1400 − 11φ/6300)
+          − 18w³/7 + 72w²φ/35 − 3wφ²/7 − 8φ³/35
+    λ = 3w²/5 − wφ/10 + φ²/15 + p (wφ − w²)/700 − 11pφ²/6300 + quartic terms
+
+(the terms linear in w, φ are the beam constraint model of Awtar, Slocum & Sevincer 2007), and
+inserted in equilibrium and closure of the body: ``λ_i = (1 + δ)(1 − cos θ) − d·e_i``,
+``w_i = (1 + δ) sin θ + d·n_i``, ``Σ(p_i e_i + f_i n_i) = 0``, for the shift d of the centre. With
+``γ = 1 + 2δ`` the first order of the axial forces is ``p = ∓6γ θ cot α``: it grows with θ itself,
+and so does the stress of one of the blades.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from flexcli.formulas.card import Card, Range
+from flexcli.formulas.quantity import Quantity
+
+__all__ = [
+    "CARDS",
+    "LARGE_ROTATION",
+    "Parts",
+    "moment_change",
+    "moment_parts",
+    "stiffness_change",
+    "stress_bound",
+    "stress_change",
+]
+
+
+LARGE_ROTATION = (
+    Range("theta", most=0.35, unit="rad", why="the change is the next term only"),
+    Range("delta", -2.0, 1.0, "the axial force of the blades outgrows the expansion"),
+)
+"""Where the next term alone tells what is left out."""
+
+
+class Parts(NamedTuple):
+    """A next-order term by powers of cot α: their sum is the term, that of magnitudes a bound."""
+
+    square: Quantity
+    none: Quantity
+    inverse: Quantity
+
+    @property
+    def total(self) -> Quantity:
+        """Return the sum."""
+        return self.square + self.none + self.inverse
+
+    @property
+    def bound(self) -> Quantity:
+        """Return the sum of the magnitudes, which no chance cancellation makes small."""
+        return np.abs(self.square) + np.abs(self.none) + np.abs(self.inverse)
+
+
+def moment_parts(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Parts:
+    """Return the parts of the relative change of the moment, see :func:`moment_change`."""
+    gamma, cot = 1.0 + 2.0 * p / l, 1.0 / np.tan(half_angle)
+    share = theta**2 / (2.0 * (1.0 + 3.0 * gamma**2))
+    return Parts(
+        square=-share * gamma**2 * cot**2 * (9.0 * gamma**2 + 35.0) / 175.0,
+        none=-share * 2.0 * gamma**2 * (243.0 * gamma**2 - 175.0) / 175.0,
+        inverse=share * (9.0 * gamma**2 - 5.0) ** 2 / (75.0 * cot**2),
+    )
+
+
+def moment_change(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
+    """Return the relative change that a large rotation makes to the moment over the rotation.
+
+    ``M/(Kθ) − 1 = θ²/(2(1 + 3γ²)) · (−γ²(9γ² + 35) cot²α/175 − 2γ²(243γ² − 175)/175
+    + (9γ² − 5)² tan²α/75)`` with ``γ = 1 + 2δ``.
+
+    Parameters
+    ----------
+    l, p : Quantity
+        Length of a blade and distance from the centre to the inner ends [m].
+    theta : Quantity
+        Rotation [rad].
+    half_angle : Quantity
+        Half the angle between the blades [rad].
+
+    Returns
+    -------
+    change : Quantity
+        True over closed-form secant stiffness, less one [-].
+
+    Notes
+    -----
+    The centre is free to shift; slender blades. The next term is of order θ⁴. It softens but for
+    wide angles: the symmetric pivot (γ = 0) stiffens by θ² tan²α/6.
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> round(float(6.0 * moment_change(l=1.0, p=-0.5, theta=0.1, half_angle=pi / 4)), 9)
+    0.01
+
+    References
+    ----------
+    Derived, see the module; first terms as Haringx (1949), Applied Scientific Research A1.
+
+    """
+    return moment_parts(l=l, p=p, theta=theta, half_angle=half_angle).total
+
+
+def stiffness_change(
+    *, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity
+) -> Quantity:
+    """Return the relative change that a large rotation makes to the tangent stiffness.
+
+    ``(dM/dθ)/K − 1``, three times that of the moment over the rotation.
+
+    Parameters
+    ----------
+    l, p : Quantity
+        Length of a blade and distance from the centre to the inner ends [m].
+    theta : Quantity
+        Rotation [rad].
+    half_angle : Quantity
+        Half the angle between the blades [rad].
+
+    Returns
+    -------
+    change : Quantity
+        True over closed-form stiffness, less one [-].
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> round(float(2.0 * stiffness_change(l=1.0, p=-0.5, theta=0.1, half_angle=pi / 4)), 9)
+    0.01
+
+    References
+    ----------
+    Derivative of :func:`moment_change` times the rotation.
+
+    """
+    return 3.0 * moment_change(l=l, p=p, theta=theta, half_angle=half_angle)
+
+
+def stress_change(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
+    """Return the relative change that a large rotation makes to the largest bending stress.
+
+    ``σ/σ₀ − 1 = max|1 + 3γ ± s₁ θ + s₂ θ²|/(1 + 3|γ|) − 1`` over both blades and, with −γ for γ,
+    their outer ends; ``s₁ = (3γ² + 5γ) cot α/10 − (9γ² − 5) tan α/10``,
+    ``s₂ = −γ(18γ² + 35γ + 35) cot²α/700 − γ(342γ² + 105γ − 175)/700
+    + (3γ + 5)(9γ² − 5) tan²α/300``.
+
+    Parameters
+    ----------
+    l, p : Quantity
+        Length of a blade and distance from the centre to the inner ends [m].
+    theta : Quantity
+        Rotation [rad].
+    half_angle : Quantity
+        Half the angle between the blades [rad].
+
+    Returns
+    -------
+    change : Quantity
+        True over closed-form stress, less one [-].
+
+    Notes
+    -----
+    The rotation compresses one blade and stretches the other: the closed form is on the unsafe
+    side by a share that grows with θ itself. The next term is of order θ³.
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> change = stress_change(l=1.0, p=0.0, theta=1e-4, half_angle=pi / 4)
+    >>> round(float(change / 1e-4), 4)
+    0.1
+
+    References
+    ----------
+    Derived, see the module.
+
+    """
+    gamma, cot = 1.0 + 2.0 * p / l, 1.0 / np.tan(half_angle)
+    most: Quantity = 0.0
+    for side in (gamma, -gamma):
+        odd, even = _end_moment(side, theta, cot)
+        most = np.maximum(most, np.abs(1.0 + 3.0 * side + even.total) + np.abs(odd))
+    return most / (1.0 + 3.0 * np.abs(gamma)) - 1.0
+
+
+def stress_bound(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
+    """Return the sum of the magnitudes in ``stress_change``, which nothing cancels.
+
+    ``(|s₁| θ + Σ|s₂ terms| θ²)/(1 + 3|γ|)``, the larger of both ends.
+
+    Parameters
+    ----------
+    l, p : Quantity
+        Length of a blade and distance from the centre to the inner ends [m].
+    theta : Quantity
+        Rotation [rad].
+    half_angle : Quantity
+        Half the angle between the blades [rad].
+
+    Returns
+    -------
+    change : Quantity
+        Size of the change of the largest bending stress [-].
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> bound = stress_bound(l=1.0, p=0.0, theta=1e-4, half_angle=pi / 4)
+    >>> round(float(bound / 1e-4), 4)
+    0.15
+
+    References
+    ----------
+    Derived, see the module.
+
+    """
+    gamma, cot = 1.0 + 2.0 * p / l, 1.0 / np.tan(half_angle)
+    inner, outer = (_end_moment(side, theta, cot) for side in (gamma, -gamma))
+    sizes = [np.abs(odd) + even.bound for odd, even in (inner, outer)]
+    most = np.maximum(*sizes)
+    return most / (1.0 + 3.0 * np.abs(gamma))
+
+
+def _end_moment(gamma: Quantity, theta: Quantity, cot: Quantity) -> tuple[Quantity, Parts]:
+    """Return the next terms of the inner end's moment, odd and even in θ, over EI θ/l."""
+    odd = (3.0 * gamma**2 + 5.0 * gamma) * cot - (9.0 * gamma**2 - 5.0) / cot
+    square, none = theta**2 * gamma * cot**2, theta**2 * gamma
+    return odd * theta / 10.0, Parts(
+        square=-square * (18.0 * gamma**2 + 35.0 * gamma + 35.0) / 700.0,
+        none=-none * (342.0 * gamma**2 + 105.0 * gamma - 175.0) / 700.0,
+        inverse=theta**2 * (3.0 * gamma + 5.0) * (9.0 * gamma**2 - 5.0) / (300.0 * cot**2),
+    )
+
+
+_PIVOT = {"l": 17.5e-3, "p": 2e-3, "theta": 0.1, "half_angle": 0.7}
+
+CARDS = (
+    Card("pivot-moment-at-large-rotation", moment_change, _PIVOT, LARGE_ROTATION),
+    Card("pivot-stiffness-at-large-rotation", stiffness_change, _PIVOT, LARGE_ROTATION),
+    Card("pivot-stress-at-large-rotation", stress_change, _PIVOT, LARGE_ROTATION),
+)
