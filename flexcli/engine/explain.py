@@ -1,20 +1,79 @@
 """The verb explain: the formulas of a part, or one formula, with validity and a worked case."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
 from difflib import get_close_matches
 from math import isinf
 from typing import Any, NamedTuple, get_args
 
+import numpy as np
+
 from flexcli.errors import Finding, SpecError
-from flexcli.formulas import buckling, miles
+from flexcli.formulas import (
+    blade_mass,
+    blade_shear,
+    buckling,
+    constant_blade,
+    hertz,
+    hinged_next_order,
+    impact,
+    line_contact,
+    miles,
+    pi_law,
+    pi_terms,
+    pivot_next_order,
+    pivot_next_shift,
+    pivot_under_load,
+    plate_widening,
+    point_contact,
+    stage_next_order,
+    star_next_order,
+    stop_design,
+    stop_line,
+    stop_stiffness,
+    stopped_bending,
+    stopped_cantilever,
+    thick_pivot,
+    tip_mass,
+    tip_mass_beam,
+    unseparated_next_order,
+)
 from flexcli.formulas.card import Card, Range, Symbol, Table, sheet
 from flexcli.parts.geometries import AnyGeometry, Geometry
 from flexcli.results import Explanation, FormulaRow, SymbolRow, TableRow, ValidityRow
 
 __all__ = ["explain", "topics"]
 
-GENERAL = (*buckling.CARDS, *miles.CARDS)
-"""Formulas of no geometry of their own."""
+GENERAL: tuple[Card, ...] = (
+    *blade_mass.CARDS,
+    *blade_shear.CARDS,
+    *buckling.CARDS,
+    *constant_blade.CARDS,
+    *hertz.CARDS,
+    *hinged_next_order.CARDS,
+    *impact.CARDS,
+    *line_contact.CARDS,
+    *miles.CARDS,
+    *pi_law.CARDS,
+    *pi_terms.CARDS,
+    *pivot_next_order.CARDS,
+    *pivot_next_shift.CARDS,
+    *pivot_under_load.CARDS,
+    *plate_widening.CARDS,
+    *point_contact.CARDS,
+    *stage_next_order.CARDS,
+    *star_next_order.CARDS,
+    *stop_design.CARDS,
+    *stop_line.CARDS,
+    *stop_stiffness.CARDS,
+    *stopped_bending.CARDS,
+    *stopped_cantilever.CARDS,
+    *thick_pivot.CARDS,
+    *tip_mass.CARDS,
+    *tip_mass_beam.CARDS,
+    *unseparated_next_order.CARDS,
+)
+"""Formulas of no geometry of their own, and what comes after the first term of a joint's."""
 
 
 class Topic(NamedTuple):
@@ -103,7 +162,10 @@ def _symbol(symbol: Symbol, value: Any) -> SymbolRow:
     spoken: float | str | None
     if value is None or isinstance(value, str):
         spoken = value
-    elif isinstance(value, tuple | list):
+    elif is_dataclass(value):
+        numbers = {f.name: getattr(value, f.name) for f in fields(value)}
+        spoken = ", ".join(f"{name} {float(each):.4g}" for name, each in numbers.items())
+    elif np.ndim(value):
         spoken = ", ".join(f"{float(each):.4g}" for each in value)
     else:
         spoken = float(value)

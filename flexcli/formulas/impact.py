@@ -51,6 +51,10 @@ def reduced_mass(m_1: Quantity, m_2: Quantity) -> Quantity:
     >>> reduced_mass(2.0, 2.0), reduced_mass(0.001, float("inf"))
     (1.0, 0.001)
 
+    References
+    ----------
+    Two bodies and their centre of mass; any mechanics text, e.g. Landau & Lifshitz (1976), § 13.
+
     """
     return 1.0 / (1.0 / m_1 + 1.0 / m_2)
 

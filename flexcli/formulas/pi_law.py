@@ -135,6 +135,11 @@ def contact_threshold(share: Quantity) -> Quantity:
     >>> float(contact_threshold(1.0)), float(contact_threshold(0.5))
     (2.0, 6.4)
 
+    References
+    ----------
+    From the shape of a cantilever under a tip force,
+    :func:`flexcli.formulas.stop_stiffness.bent_shape`.
+
     """
     (height,) = positive(share=share)
     return 2.0 / bent_shape(height)

@@ -176,6 +176,10 @@ def height_share(pi_1: Quantity) -> Quantity:
     >>> round(float(height_share(4.0 / 0.875)), 12)
     0.5
 
+    References
+    ----------
+    Inverse of :func:`stiffness_ratio`, a cubic with three real roots (Cardano, trigonometric form).
+
     """
     (ratio,) = positive(pi_1=pi_1)
     if (ratio < 1.0).any():

@@ -91,6 +91,11 @@ def massless_frequencies(
     >>> round(float(2 * pi * f_1), 12), float(f_2)
     (1.0, inf)
 
+    References
+    ----------
+    Two by two eigenproblem of the tip's compliance (Timoshenko 1955, Strength of Materials, Part I)
+    with the body's mass matrix about the end.
+
     """
     flexibility = L / (E * I)
     half_sum = flexibility * (m * (L**2 / 3.0 + c * (L + c)) + J) / 2.0

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from mechanisms_for_tests import pivot
 
+from flexcli.formulas.pivot_next_shift import shift_across
 from flexcli.formulas.symmetric_pivot import WITTRICK
-from flexcli.formulas.wittrick import shift_across
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.mesh import Effects
 
@@ -23,13 +23,14 @@ def exact(delta, half_angle, theta):
 
 
 @pytest.mark.parametrize("half_angle", np.radians([20.0, 35.0, 45.0, 60.0, 70.0]))
-@pytest.mark.parametrize(("delta", "sign"), [(WITTRICK, 1.0), (-1.0 - WITTRICK, -1.0)])
-def test_what_is_left_is_the_cube_of_the_rotation_across_the_bisector(half_angle, delta, sign):
+@pytest.mark.parametrize("delta", [WITTRICK, -1.0 - WITTRICK])
+def test_what_is_left_is_the_cube_of_the_rotation_across_the_bisector(half_angle, delta):
     theta = np.radians(1.0)
     along, across = exact(delta, half_angle, theta)
-    assert across == pytest.approx(
-        sign * shift_across(l=L, theta=theta, half_angle=half_angle), rel=NEXT_ORDER
-    )
+    formula = abs(shift_across(l=L, p=delta * L, theta=theta, half_angle=half_angle))
+    assert abs(across) == pytest.approx(formula, rel=NEXT_ORDER)
+    root = 5**0.5 / 315 * np.cos(half_angle) / np.sin(half_angle) ** 2
+    assert formula == pytest.approx(root * theta**3 * L, rel=1e-9)
     assert abs(along) < 0.1 * abs(across)
 
 

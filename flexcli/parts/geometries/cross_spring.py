@@ -1,18 +1,18 @@
 """Generalised cross-spring pivot: two blades that cross, or would, at any place."""
 
-from math import pi, tan
+from math import tan
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from flexcli.formulas import pivot, wittrick
+from flexcli.formulas import pivot
 from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.symmetric_pivot import CARDS, stiffness_ratio, stroke_ratio
 from flexcli.parts.base import Length, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
-from flexcli.parts.geometries.pivots import BladePivot, crossing_pair
+from flexcli.parts.geometries.pivots import PairPivot
 from flexcli.results import Value
 
 __all__ = ["CrossSpringPivot"]
@@ -21,7 +21,7 @@ LEADING = "|9δ² + 9δ + 1| tan² α/θ"
 """The shift's leading term over some ten times the next one, near Wittrick's crossing."""
 
 
-class CrossSpringPivot(BladePivot):
+class CrossSpringPivot(PairPivot):
     """Cross-spring pivot of separate blades: the centre is placed by p or by delta = p/l."""
 
     also: ClassVar[tuple[str, ...]] = ("generalized-cross-spring", "generalised-cross-spring")
@@ -29,7 +29,7 @@ class CrossSpringPivot(BladePivot):
         "Henein & Thalmann, Dimensioning of flexure joints; Zhao & Bi 2010, Mech. Mach. Theory 45"
     )
 
-    cards: ClassVar[tuple[Card, ...]] = (*pivot.CARDS, *CARDS, *wittrick.CARDS)
+    cards: ClassVar[tuple[Card, ...]] = (*pivot.CARDS, *CARDS)
     validity: ClassVar[tuple[Range, ...]] = (
         SLENDER,
         Range(
@@ -43,7 +43,6 @@ class CrossSpringPivot(BladePivot):
     kind: Literal["cross-spring"]
     p: Length | None = None
     delta: Annotated[float, QuantityOf("ratio")] | None = None
-    half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
     pairs: Annotated[int, Field(strict=True, ge=1, le=1000)] = Field(
         1, description="of equal blades, side by side along the axis"
     )
@@ -59,7 +58,7 @@ class CrossSpringPivot(BladePivot):
     @property
     def blade_angles(self) -> tuple[float, ...]:
         """Return the directions from the bisector [rad]."""
-        return crossing_pair(self.half_angle) * self.pairs
+        return super().blade_angles * self.pairs
 
     def heights(self, sizes: Blade) -> tuple[float, ...]:
         """Return heights of blades that touch each other's planes, in the order of the pairs."""
@@ -69,12 +68,6 @@ class CrossSpringPivot(BladePivot):
     def offset(self, sizes: Blade) -> Quantity:
         """Return p [m], as given or as delta times the length."""
         return self.p if self.p is not None else self.delta * sizes.l
-
-    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
-        """Return the signed shift of the centre along the bisector [m], leading order."""
-        return pivot.parasitic_shift(
-            l=sizes.l, p=self.offset(sizes), theta=travel, half_angle=self.half_angle
-        )
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
         """Return what its closed forms are valid in; for its shift only where it turns."""
@@ -86,13 +79,8 @@ class CrossSpringPivot(BladePivot):
         return {**found, LEADING: bracket * tan(self.half_angle) ** 2 / travel}
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
-        """Return δ, what is left of the shift at its zeros, and ratios to the symmetric pivot."""
+        """Return δ, the shift across, and ratios to the symmetric pivot."""
         delta = float(self.offset(sizes) / sizes.l)
-        left = {}
-        if self.indicators(sizes, travel).get(LEADING, 1.0) < 1.0:
-            shift = wittrick.shift_across(l=sizes.l, theta=travel, half_angle=self.half_angle)
-            text = "shift across the bisector, next order in the rotation"
-            left["shift_across"] = Value(abs(float(shift)), "m", text)
         return {
             **super().values(elastic, sizes, travel),
             "stiffness_ratio": Value(
@@ -101,5 +89,4 @@ class CrossSpringPivot(BladePivot):
             "stroke_ratio": Value(
                 float(stroke_ratio(delta)), "", "stroke over that of the symmetric pivot"
             ),
-            **left,
         }

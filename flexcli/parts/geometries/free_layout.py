@@ -31,7 +31,7 @@ _NODES = 24
 
 
 class FreeLayout(Geometry):
-    """Bodies and blades as drawn, in one plane; the stroke moves the body that ``moving`` names.
+    """Rigid bodies and the blades between them as the spec draws them; the stroke moves one.
 
     The spec draws it in coordinates of its own. The model takes a pivot's ``centre`` as its
     origin and keeps the directions; it turns a stage until its travel is along y. Directions of

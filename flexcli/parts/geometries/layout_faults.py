@@ -96,8 +96,8 @@ def _loose(drawing: Drawing) -> Iterator[PydanticCustomError]:
         for name in drawing.bodies:
             if name in group:
                 yield spec_error(
-                    f"nothing holds body {name} to the ground",
-                    "lead blades from it to the ground, or to a body that has such",
+                    f"body {name} is not held to the ground",
+                    "lead a blade from it to what is held, or give it springs in x, y and theta",
                     at=("bodies", name),
                 )
 

@@ -1,23 +1,24 @@
 """What the pivots of equal blades that point at one centre have in common."""
 
 from abc import abstractmethod
-from math import cos, sin
-from typing import ClassVar
+from math import cos, pi, sin
+from typing import Annotated, ClassVar
 
-from flexcli.formulas import pivot
+from flexcli.formulas import pivot, pivot_next_shift, thick_pivot
 from flexcli.formulas.card import Card
 from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
+from flexcli.parts.base import QuantityOf
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade
 from flexcli.parts.geometries.blades import BladeGeometry
 from flexcli.parts.structure import Spring
 from flexcli.results import Value
 
-__all__ = ["BladePivot", "crossing_pair"]
+__all__ = ["BladePivot", "PairPivot"]
 
 
 class BladePivot(BladeGeometry):
@@ -111,6 +112,29 @@ class BladePivot(BladeGeometry):
         return {"delta": Value(float(self.offset(sizes) / sizes.l), "", "place of the centre, p/l")}
 
 
-def crossing_pair(half_angle: float) -> tuple[float, ...]:
-    """Return the angles of two blades at ± the half-angle from the bisector [rad]."""
-    return (half_angle, -half_angle)
+class PairPivot(BladePivot):
+    """A pivot of pairs of blades at ± a half-angle from their bisector."""
+
+    half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
+
+    @property
+    def blade_angles(self) -> tuple[float, ...]:
+        """Return the two directions from the bisector [rad]."""
+        return (self.half_angle, -self.half_angle)
+
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
+        """Return the signed shift of the centre along the bisector [m], leading order."""
+        return pivot.parasitic_shift(
+            l=sizes.l, p=self.offset(sizes), theta=travel, half_angle=self.half_angle
+        )
+
+    def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
+        """Return δ and the shift across the bisector, which the shift along it leaves out."""
+        found, (h, l, _), p = super().values(elastic, sizes, travel), sizes, self.offset(sizes)
+        across = pivot_next_shift.shift_across(l=l, p=p, theta=travel, half_angle=self.half_angle)
+        if elastic.nu is not None:
+            across = across + thick_pivot.shift_across(
+                h=h, l=l, p=p, theta=travel, half_angle=self.half_angle, poisson_ratio=elastic.nu
+            )
+        text = "parasitic shift across the bisector, by θ³ and by stretching"
+        return {**found, "shift_across": Value(abs(float(across)), "m", text)}

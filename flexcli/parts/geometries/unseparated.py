@@ -1,6 +1,5 @@
 """Unseparated cross-spring pivot: crossed blades joined where they cross, cut from one plane."""
 
-from math import pi
 from typing import Annotated, ClassVar, Literal
 
 from flexcli.formulas import pivot
@@ -11,7 +10,7 @@ from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade
-from flexcli.parts.geometries.pivots import BladePivot, crossing_pair
+from flexcli.parts.geometries.pivots import PairPivot
 from flexcli.parts.structure import Spring
 from flexcli.results import Value
 
@@ -20,7 +19,7 @@ __all__ = ["UnseparatedPivot"]
 CROSS = "cross"
 
 
-class UnseparatedPivot(BladePivot):
+class UnseparatedPivot(PairPivot):
     """Two RCC pivots of p = 0 in series: l is the length of a blade from end to end."""
 
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints"
@@ -31,14 +30,8 @@ class UnseparatedPivot(BladePivot):
     )
 
     kind: Literal["unseparated-cross"]
-    half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
     crossing: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] = 0.5
     """Share of the blades on the side of the base."""
-
-    @property
-    def blade_angles(self) -> tuple[float, ...]:
-        """Return the two directions from the bisector [rad]."""
-        return crossing_pair(self.half_angle)
 
     def offset(self, sizes: Blade) -> Quantity:
         """Return minus the length on the side of the base [m]."""
