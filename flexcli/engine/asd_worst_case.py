@@ -45,6 +45,7 @@ def environments(
     design: DesignSpec, qualities: Sequence[float] = (), duration: float | None = None
 ) -> list[Environment]:
     """Return every vibration of a design, with its own Q and duration or with those given."""
+    _refuse_overdamped(qualities)
     return [
         _environment(case, use.profile.name, use, q, duration)
         for case, loads in design.cases.items()
@@ -57,10 +58,18 @@ def exposed(
     name: str, profile: ASDProfile, qualities: Sequence[float], duration: float | None = None
 ) -> list[Environment]:
     """Return a profile as it is, with every Q given."""
+    _refuse_overdamped(qualities)
     return [
         _environment("", name, RandomVibration(profile=profile, q=q), q, duration)
         for q in qualities
     ]
+
+
+def _refuse_overdamped(qualities: Sequence[float]) -> None:
+    for q in qualities:
+        if q < CRITICAL:
+            text = f"Q = {q:g} is below {CRITICAL:g}, critical damping: nothing resonates"
+            raise SolveError("overdamped", text, f"give a Q of at least {CRITICAL:g}")
 
 
 def _environment(
@@ -75,10 +84,6 @@ def _environment(
 def worst_case(found: Sequence[Environment], spec: str, title: str = "") -> Result:
     """Return Miles' worst case and the exact response of every environment; the greatest leads."""
     started = perf_counter()
-    overdamped = next((each.q for each in found if each.q < CRITICAL), None)
-    if overdamped is not None:
-        text = f"Q = {overdamped:g} is below {CRITICAL:g}, critical damping: nothing resonates"
-        raise SolveError("overdamped", text, f"give a Q of at least {CRITICAL:g}")
     rows = [_row(each) for each in found]
     lead = max(rows, key=lambda row: row.g_rms_worst)
     notes = dict.fromkeys(

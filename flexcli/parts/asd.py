@@ -298,7 +298,7 @@ class RandomVibration(Part):
     """
 
     profile: ASDProfile
-    q: Ratio
+    q: Annotated[float, QuantityOf("ratio", at_least=0.5)]
     sigma: Ratio = 3.0
     scale: Gain = 0.0
     tolerance: Margin = 0.0

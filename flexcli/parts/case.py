@@ -35,6 +35,12 @@ class Wrench(Part):
     theta_y: Annotated[float, QuantityOf("moment")] = 0.0
     theta_z: Annotated[float, QuantityOf("moment")] = 0.0
 
+    @model_validator(mode="after")
+    def _loads_something(self) -> "Wrench":
+        if not any(self.components):
+            raise spec_error("this wrench is zero", "give it a force or a moment, e.g. z: 3 N")
+        return self
+
     @property
     def components(self) -> tuple[float, ...]:
         """Return (F_x, F_y, F_z, M_x, M_y, M_z) [N, N·m]."""
