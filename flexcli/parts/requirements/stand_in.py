@@ -1,0 +1,37 @@
+"""Answers that stand for any: a requirement is tried on them where no closed form can answer."""
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.parts.geometries.base import Critical
+from flexcli.parts.requirements.ask import Answers, Ask, EndStress
+
+__all__ = ["STAND_IN"]
+
+
+class _StandIn(Answers):
+    """One of everything, so that only what the material and the mechanism lack is refused."""
+
+    model = "stand-in"
+
+    def stiffness(self, ask: Ask) -> Quantity:
+        """Return 1."""
+        return 1.0
+
+    def sag_stiffness(self, ask: Ask) -> Quantity:
+        """Return 1."""
+        return 1.0
+
+    def parasitic_shift(self, ask: Ask) -> Quantity:
+        """Return 1."""
+        return 1.0
+
+    def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
+        """Return one place with a mean beside its amplitude where the stroke has one."""
+        mean = 1.0 if ask.scene.mean_travel else 0.0
+        return "stress", [EndStress("blade", 1.0, mean, 0.0)]
+
+    def critical(self, ask: Ask) -> tuple[Critical, ...]:
+        """Return 1 N."""
+        return (Critical("in the plane", 1.0, "stand-in"),)
+
+
+STAND_IN = _StandIn()
