@@ -52,7 +52,10 @@ class Model(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
 
 ModelOption = Annotated[
     Model | None,
-    typer.Option("--model", help="Model of the joint; the closed form if left out."),
+    typer.Option(
+        "--model",
+        help="Model of the joint; by the spec's accuracy, or the closed form, if left out.",
+    ),
 ]
 FormatOption = Annotated[
     Format, typer.Option("--format", help="Text for people, JSON for scripts (on stdout, alone).")

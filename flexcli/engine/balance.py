@@ -51,6 +51,9 @@ def balance(design: DesignSpec, spec: str) -> Result:
     mechanism = design.mechanism
     if mechanism is None:
         raise SolveError("no-mass", "nothing that moves has a mass", "add a mechanism")
+    if not design.geometry.closed_forms:
+        text = f"a {design.geometry.name} has no closed forms to be balanced by"
+        raise SolveError("no-closed-forms", text, "take a joint of the catalogue")
     try:
         states = freedoms(design, mechanism)
     except MechanismError as error:

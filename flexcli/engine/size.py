@@ -12,6 +12,7 @@ from flexcli.engine.number_program import LimitsOf, number_sizing
 from flexcli.engine.number_route import NumberRoute
 from flexcli.engine.posynomial_route import PosynomialRoute
 from flexcli.engine.route import Route
+from flexcli.errors import SolveError
 from flexcli.numerics.geometric_program import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
@@ -29,7 +30,19 @@ def size(design: DesignSpec, spec: str, answers: Answers = CLOSED_FORM) -> Resul
     """Return the sized design with margins, or the conflict that leaves none.
 
     It is chosen by the closed forms; ``answers`` is the model that judges what was chosen.
+
+    Raises
+    ------
+    SolveError
+        When the geometry has no closed forms, beside what a sizing may run into.
+
     """
+    if not design.geometry.closed_forms:
+        raise SolveError(
+            "no-closed-forms",
+            f"a {design.geometry.name} has no closed forms to be sized by",
+            "give its sizes and judge them with 'flexure check' or 'flexure simulate'",
+        )
     if design.geometry.posynomial:
         return _sized(design, spec, PosynomialRoute(design), answers)
     return _sized(design, spec, NumberRoute(design, number_sizing(design)), answers)
