@@ -18,6 +18,7 @@ __all__ = [
     "QuantityError",
     "parse_quantity",
     "show",
+    "shown_unit",
     "written",
     "written_in",
 ]
@@ -283,9 +284,20 @@ _SHOWN = {
     "m/s^2": (("m/s²", 1.0),),
     "m^3": (("mm³", 1e-9),),
     "s": (("ms", 1e-3), ("s", 1.0), ("h", 3600.0)),
+    "N*m": (("N·mm", 1e-3), ("N·m", 1.0)),
     "N*m/rad": (("N·mm/rad", 1e-3), ("N·m/rad", 1.0)),
     "N/m": (("N/m", 1.0), ("N/mm", 1e3), ("N/µm", 1e6)),
 }
+
+
+def shown_unit(value: float, unit: str) -> tuple[str, float]:
+    """Return the unit in which a person reads an SI value, and its size in SI."""
+    scales = _SHOWN.get(unit, ((unit, 1.0),))
+    name, factor = scales[0]
+    for name_next, factor_next in scales[1:]:
+        if abs(value) >= 0.9995 * factor_next:
+            name, factor = name_next, factor_next
+    return name, factor
 
 
 def show(value: float, unit: str, digits: int = 4) -> str:
@@ -293,10 +305,7 @@ def show(value: float, unit: str, digits: int = 4) -> str:
     scales = _SHOWN.get(unit)
     if scales is None:
         return f"{value:.{digits}g} {unit}".rstrip()
-    name, factor = scales[0]
-    for name_next, factor_next in scales[1:]:
-        if abs(value) >= 0.9995 * factor_next:
-            name, factor = name_next, factor_next
+    name, factor = shown_unit(value, unit)
     if value == 0.0:
         return "0 " + next((scale for scale, size in scales if size == 1.0), name)
     number = f"{value / factor:.{digits}g}"

@@ -1,5 +1,6 @@
 """The verb simulate: the joint over its stroke, in exact equilibrium at every travel."""
 
+from math import pi, sqrt
 from time import perf_counter
 
 import numpy as np
@@ -21,6 +22,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.geometries.base import MOVING
+from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements import Ask
 from flexcli.results import Cost, Result, Status, SweepPoint, SweepResult, Value
 
@@ -111,6 +113,7 @@ def _points(ask: Ask, state: Equilibrium, travels: Floats) -> tuple[SweepPoint, 
             total=float(peak.total[i, worst[i]]),
             blade=layout.blades[worst[i]].name,
             energy=float(energy[i]),
+            frequency=_frequency(ask, float(stiffness[i])),
             stable=bool(stable[i]),
             outcome=state.outcome[i].name.lower(),
             estimated_error=float(state.estimated_error[i]),
@@ -118,6 +121,17 @@ def _points(ask: Ask, state: Equilibrium, travels: Floats) -> tuple[SweepPoint, 
         for i in range(state.designs)
         if state.outcome[i] is Outcome.CONVERGED
     )
+
+
+def _frequency(ask: Ask, stiffness: float) -> float | None:
+    """Return √(k/m)/2π of the mechanism's own motion with a joint's tangent stiffness [Hz]."""
+    if ask.mechanism is None or stiffness <= 0.0:
+        return None
+    try:
+        mode = ask.mechanism.mode(stiffness, ask.geometry)
+    except MechanismError:
+        return None
+    return sqrt(float(mode.stiffness) / mode.mass) / (2.0 * pi)
 
 
 def _at_ends(design: DesignSpec, sweeps: tuple[SweepResult, ...]) -> dict[str, Value]:

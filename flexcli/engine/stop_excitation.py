@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.random_base import random_samples
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.random_base import random_samples
 from flexcli.numerics.signal_pieces import (
     Piece,
     half_sine,

@@ -7,9 +7,9 @@ from flexcli.engine.stop_excitation import Excitation, excitation
 from flexcli.engine.stop_scene import stop_scene
 from flexcli.engine.stop_statics import StopTask, force_at_travel
 from flexcli.formulas.stopped_bending import bending_stress
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.stop_result import Peaks, StopOutcome
-from flexcli.mechanics.stopped_vibration import StoppedVibration
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.result import Peaks, StopOutcome
+from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.mechanisms.tip_mass import TipMass

@@ -6,9 +6,8 @@ from scipy.optimize import brentq
 
 from flexcli.engine.stop_damping import case_quality
 from flexcli.engine.stop_statics import StopTask
-from flexcli.mechanics.cantilever_modes import cantilever_modes
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.stop_laws import (
+from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
+from flexcli.mechanics.stopping.laws import (
     AnyStopLaw,
     HertzStop,
     LinearStop,
@@ -17,6 +16,7 @@ from flexcli.mechanics.stop_laws import (
     damped_stop_restitution,
     stiffness_on_blade,
 )
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.mechanisms.tip_mass import TipMass

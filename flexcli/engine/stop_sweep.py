@@ -12,10 +12,10 @@ from flexcli.engine.stop_scene import stop_scene
 from flexcli.engine.stop_simulation import Watch
 from flexcli.engine.stop_statics import task_of
 from flexcli.errors import SolveError
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.stop_laws import Stops
-from flexcli.mechanics.stop_response import steady_steps
-from flexcli.mechanics.stopped_vibration import StoppedVibration
+from flexcli.mechanics.stopping.laws import Stops
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.response import steady_steps
+from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.excitation import Sweep

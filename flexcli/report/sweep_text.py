@@ -9,7 +9,7 @@ from rich.text import Text
 
 from flexcli.report.tables import table as new_table
 from flexcli.results import SweepPoint, SweepResult
-from flexcli.units import show
+from flexcli.units import shown_unit
 
 __all__ = ["sweep_csv", "sweep_table"]
 
@@ -26,21 +26,34 @@ def _units(sweep: SweepResult) -> dict[str, str]:
         "bending": "Pa",
         "total": "Pa",
         "energy": "J",
+        "frequency": "Hz",
     }
 
 
 def sweep_table(sweep: SweepResult) -> RenderableType:
     """Return the sweep of one case as a table."""
     units = _units(sweep)
-    columns = ("travel", "effort", "stiffness", "shift_x", "shift_y", "bending", "total")
-    found = new_table(
-        f"Over the stroke, {sweep.case}",
-        "travel", "moment" if sweep.motion == "rotation" else "force", "stiffness", "shift x",
-        "shift y", "bending", "at faces", numbers=range(7),
-    )  # fmt: skip
+    columns = {
+        "travel": "travel",
+        "effort": "moment" if sweep.motion == "rotation" else "force",
+        "stiffness": "stiffness",
+        "shift_x": "shift x",
+        "shift_y": "shift y",
+        "bending": "bending",
+        "total": "at faces",
+    }
+    if not sweep.points:
+        return Text(sweep.missed, "yellow")
+    if all(point.frequency is not None for point in sweep.points):
+        columns["frequency"] = "frequency"
+    scales = {
+        name: shown_unit(max(abs(getattr(p, name)) for p in sweep.points), units[name])
+        for name in columns
+    }
+    heads = [f"{title}\n[{scales[name][0]}]" for name, title in columns.items()]
+    found = new_table(f"Over the stroke, {sweep.case}", *heads, numbers=range(len(heads)))
     for point in sweep.points:
-        cells = [show(getattr(point, name), units[name]) for name in columns]
-        found.add_row(*cells)
+        found.add_row(*(f"{getattr(point, name) / scales[name][1]:.5g}" for name in columns))
     notes = [Text(sweep.missed, "yellow")] if sweep.missed else []
     if not all(point.stable for point in sweep.points):
         notes.append(Text("unstable where the drive is let go", "yellow"))

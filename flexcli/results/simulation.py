@@ -11,7 +11,9 @@ class SweepPoint(NamedTuple):
     ``effort`` is the moment or force of the drive, ``stiffness`` its tangent with all else free;
     ``shift`` is the motion (x, y) of the centre or of the stage's own point. ``bending`` is the
     largest bending stress, ``total`` the largest at either face with the axial force, each with
-    the blade that has it. ``stable`` says whether the body stands by itself, the drive held.
+    the blade that has it. ``frequency`` is that of the mechanism's own motion about this
+    travel, by the tangent, where a mechanism moves masses. ``stable`` says whether the body
+    stands by itself, the drive held.
     """
 
     travel: float
@@ -23,6 +25,7 @@ class SweepPoint(NamedTuple):
     total: float
     blade: str
     energy: float
+    frequency: float | None
     stable: bool
     outcome: str
     estimated_error: float

@@ -13,9 +13,9 @@ from time import perf_counter
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.stop_laws import LinearStop, Stops
-from flexcli.mechanics.stopped_vibration import simulate
+from flexcli.mechanics.stopping.laws import LinearStop, Stops
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.vibration import simulate
 from flexcli.numerics.signal_pieces import Piece
 
 PERIODS = 20

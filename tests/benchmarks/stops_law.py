@@ -12,9 +12,9 @@ from math import pi, sqrt
 
 import numpy as np
 
-from flexcli.mechanics.cantilever_modes import cantilever_modes
-from flexcli.mechanics.stop_laws import LinearStop, Stops
-from flexcli.mechanics.stop_response import stepped_response
+from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
+from flexcli.mechanics.stopping.laws import LinearStop, Stops
+from flexcli.mechanics.stopping.response import stepped_response
 
 E, L, b, h, m = 69e9, 25.5e-3, 9.837e-3, 1.057e-3, 11.1e-3
 BASE = 0.5e-6

@@ -12,9 +12,9 @@ from pydantic import Field, model_validator
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Body, Layout, Point
-from flexcli.mechanics.linkage import Link, Linkage, Prismatic, Revolute
-from flexcli.mechanics.linkage_range import Extremes, extremes
-from flexcli.mechanics.linkage_travel import Travel, motion, travel
+from flexcli.mechanics.linkages.extremes import Extremes, extremes
+from flexcli.mechanics.linkages.linkage import Link, Linkage, Prismatic, Revolute
+from flexcli.mechanics.linkages.travel import Travel, motion, travel
 from flexcli.parts.base import Angle, Length, Part, spec_error
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.any_flexure import AnyFlexure

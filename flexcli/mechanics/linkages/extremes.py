@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.linkage_travel import Travel
+from flexcli.mechanics.linkages.travel import Travel
 
 __all__ = ["Extremes", "extremes"]
 
@@ -65,8 +65,8 @@ def extremes(travel: Travel, start: float, end: float) -> dict[str, Extremes]:
 
     Examples
     --------
-    >>> from flexcli.mechanics.linkage import Link, Linkage, Prismatic, Revolute
-    >>> from flexcli.mechanics.linkage_travel import travel
+    >>> from flexcli.mechanics.linkages.linkage import Link, Linkage, Prismatic, Revolute
+    >>> from flexcli.mechanics.linkages.travel import travel
     >>> stage = Linkage(
     ...     tuple(map(Link, ("base", "crank", "rod", "stage"))),
     ...     (Revolute("theta", "crank", "base", (0.0, 0.0)),

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from oscillators import oscillator
 
-from flexcli.mechanics.stop_laws import LinearStop, Stops
-from flexcli.mechanics.stop_response import stepped_response
+from flexcli.mechanics.stopping.laws import LinearStop, Stops
+from flexcli.mechanics.stopping.response import stepped_response
 
 ANGULAR = np.array([0.9, 1.0, 1.1, 1.2])
 

@@ -11,7 +11,7 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.linkage import Joint, Linkage, Prismatic, Revolute
+from flexcli.mechanics.linkages.linkage import Joint, Linkage, Prismatic, Revolute
 
 __all__ = ["Loops", "loops"]
 

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from scipy.integrate import DOP853
 from scipy.optimize import brentq
 
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.stop_laws import HertzStop
+from flexcli.mechanics.stopping.laws import HertzStop
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.numerics.signal_pieces import Piece
 
 __all__ = ["HertzContact", "HertzPass"]

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.linkage import Linkage
-from flexcli.mechanics.linkage_equations import Loops, loops
-from flexcli.mechanics.linkage_mobility import require_one_freedom
-from flexcli.mechanics.linkage_motion import Motion, moved
+from flexcli.mechanics.linkages.equations import Loops, loops
+from flexcli.mechanics.linkages.linkage import Linkage
+from flexcli.mechanics.linkages.mobility import require_one_freedom
+from flexcli.mechanics.linkages.motion import Motion, moved
 from flexcli.numerics.loop_closure import Curve, follow, solve_at
 
 __all__ = ["End", "Stop", "Travel", "motion", "travel"]
@@ -108,7 +108,7 @@ def travel(linkage: Linkage, start: float, end: float) -> Travel:
 
     Examples
     --------
-    >>> from flexcli.mechanics.linkage import Link, Prismatic, Revolute
+    >>> from flexcli.mechanics.linkages.linkage import Link, Prismatic, Revolute
     >>> slider_crank = Linkage(
     ...     tuple(map(Link, ("base", "crank", "rod", "stage"))),
     ...     (Revolute("theta", "base", "crank", (0.0, 0.0)),

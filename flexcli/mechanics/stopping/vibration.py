@@ -7,15 +7,15 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from flexcli.mechanics.contact_log import ContactLog
-from flexcli.mechanics.hertz_contact import HertzContact, HertzPass
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.stop_balance import MotionState, balance
-from flexcli.mechanics.stop_heads import StopHeads
-from flexcli.mechanics.stop_laws import HertzStop, RigidStop, Stops, refuse_start
-from flexcli.mechanics.stop_phases import Contact, Phase, phases_of
-from flexcli.mechanics.stop_record import Record
-from flexcli.mechanics.stop_result import (
+from flexcli.mechanics.stopping.balance import MotionState, balance
+from flexcli.mechanics.stopping.contact_log import ContactLog
+from flexcli.mechanics.stopping.heads import StopHeads
+from flexcli.mechanics.stopping.hertz_contact import HertzContact, HertzPass
+from flexcli.mechanics.stopping.laws import HertzStop, RigidStop, Stops, refuse_start
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.phases import Contact, Phase, phases_of
+from flexcli.mechanics.stopping.record import Record
+from flexcli.mechanics.stopping.result import (
     Peaks,
     Progress,
     RunCost,

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from flexcli.mechanics.stop_result import Contacts
+from flexcli.mechanics.stopping.result import Contacts
 
 __all__ = ["ContactLog"]
 

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.stop_laws import LinearStop, RigidStop, Stops, stiffness_on_blade
+from flexcli.mechanics.stopping.laws import LinearStop, RigidStop, Stops, stiffness_on_blade
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.numerics.linear_system import LinearSystem, second_order_system
 
 __all__ = ["Contact", "Phase", "free_phase", "held_phase", "phases_of", "spring_phase"]

@@ -18,9 +18,9 @@ from linkages import (
 )
 
 from flexcli.errors import SolveError
-from flexcli.mechanics import linkage_travel as module
-from flexcli.mechanics.linkage import Link, Linkage, Prismatic, Revolute
-from flexcli.mechanics.linkage_travel import End, motion, travel
+from flexcli.mechanics.linkages import travel as module
+from flexcli.mechanics.linkages.linkage import Link, Linkage, Prismatic, Revolute
+from flexcli.mechanics.linkages.travel import End, motion, travel
 
 ROUNDING = 1e-12  # some ten roundings of angles of order 1, over sines of 0.1
 SLOPE = 1e-11

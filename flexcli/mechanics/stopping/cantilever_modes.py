@@ -5,7 +5,7 @@ from numpy.polynomial import Legendre
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
-from flexcli.mechanics.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.numerics.modes import natural_modes
 
 __all__ = ["cantilever_modes"]

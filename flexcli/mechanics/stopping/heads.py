@@ -2,7 +2,7 @@
 
 from math import exp
 
-from flexcli.mechanics.stop_phases import Phase
+from flexcli.mechanics.stopping.phases import Phase
 from flexcli.numerics.exponential_sum import Term
 
 __all__ = ["StopHeads"]

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from flexcli.mechanics.random_base import random_samples
+from flexcli.mechanics.stopping.random_base import random_samples
 
 PROFILE = ([20.0, 60.0, 100.0], [0.5, 2.0, 2.0])
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.linkage import Linkage
-from flexcli.mechanics.linkage_equations import Loops, loops
+from flexcli.mechanics.linkages.equations import Loops, loops
+from flexcli.mechanics.linkages.linkage import Linkage
 from flexcli.numerics.loop_closure import Solution
 
 __all__ = ["Motion", "moved"]

@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.linkage import Linkage
-from flexcli.mechanics.linkage_equations import loops
+from flexcli.mechanics.linkages.equations import loops
+from flexcli.mechanics.linkages.linkage import Linkage
 
 __all__ = ["freedoms", "require_one_freedom"]
 
@@ -26,7 +26,7 @@ def freedoms(linkage: Linkage) -> int:
 
     Examples
     --------
-    >>> from flexcli.mechanics.linkage import Link, Revolute
+    >>> from flexcli.mechanics.linkages.linkage import Link, Revolute
     >>> hub = Revolute("hub", "base", "arm", (0.0, 0.0))
     >>> freedoms(Linkage((Link("base"), Link("arm")), (hub,), ground="base", input="hub"))
     1

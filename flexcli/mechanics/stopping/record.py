@@ -9,10 +9,10 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
-from flexcli.mechanics.hertz_contact import HertzPass
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.stop_phases import Contact, Phase
-from flexcli.mechanics.stop_result import History, Peaks
+from flexcli.mechanics.stopping.hertz_contact import HertzPass
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.phases import Contact, Phase
+from flexcli.mechanics.stopping.result import History, Peaks
 from flexcli.numerics.linear_response import LinearResponse
 from flexcli.numerics.response_batch import ResponseBatch, greatest_values
 

@@ -6,10 +6,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.stop_laws import Stops
-from flexcli.mechanics.stop_result import Peaks, StopOutcome
-from flexcli.mechanics.stopped_vibration import StoppedVibration
+from flexcli.mechanics.stopping.laws import Stops
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.result import Peaks, StopOutcome
+from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.numerics.signal_pieces import sine
 
 __all__ = ["SteppedResponse", "steady_steps", "stepped_response"]

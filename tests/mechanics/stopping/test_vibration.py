@@ -8,11 +8,11 @@ from oscillators import oscillator, quiet
 from scipy.integrate import solve_ivp
 
 from flexcli.errors import SolveError
-from flexcli.mechanics import stopped_vibration
-from flexcli.mechanics.cantilever_modes import cantilever_modes
-from flexcli.mechanics.stop_laws import HertzStop, LinearStop, RigidStop, Stops
-from flexcli.mechanics.stop_result import StopOutcome
-from flexcli.mechanics.stopped_vibration import StoppedVibration, simulate
+from flexcli.mechanics.stopping import vibration
+from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
+from flexcli.mechanics.stopping.laws import HertzStop, LinearStop, RigidStop, Stops
+from flexcli.mechanics.stopping.result import StopOutcome
+from flexcli.mechanics.stopping.vibration import StoppedVibration, simulate
 from flexcli.numerics.signal_pieces import linear_samples, polynomial, sine
 
 BALANCE = 1e-11
@@ -260,7 +260,7 @@ def test_what_was_done_before_an_interruption_is_kept():
 
 
 def test_contacts_without_end_are_an_outcome(monkeypatch):
-    monkeypatch.setattr(stopped_vibration, "MOST_EVENTS", 50)
+    monkeypatch.setattr(vibration, "MOST_EVENTS", 50)
     stops = Stops(RigidStop(1.0), above=1.0, below=inf)
     result = simulate(oscillator(), stops, polynomial([-10.0], 1e3))
     assert result.outcome is StopOutcome.TOO_MANY_EVENTS

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from oscillators import oscillator, quiet
 
-from flexcli.mechanics.cantilever_modes import cantilever_modes
-from flexcli.mechanics.stop_laws import (
+from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
+from flexcli.mechanics.stopping.laws import (
     HertzStop,
     LinearStop,
     RigidStop,
@@ -15,7 +15,7 @@ from flexcli.mechanics.stop_laws import (
     damped_stop_restitution,
     stiffness_on_blade,
 )
-from flexcli.mechanics.stopped_vibration import simulate
+from flexcli.mechanics.stopping.vibration import simulate
 
 SLOW = 1e-4
 """Frequency of the blade against that of the stop: its own spring adds some 1e-7."""

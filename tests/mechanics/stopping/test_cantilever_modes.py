@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.mechanics import cantilever_modes as module
-from flexcli.mechanics.cantilever_modes import cantilever_modes
+from flexcli.mechanics.stopping import cantilever_modes as module
+from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
 
 E, I, L, m = 60e9, 1e-13, 20e-3, 5e-3
 CANTILEVER_ROOTS = (1.8751041, 4.6940911, 7.8547574, 10.9955407)

@@ -5,7 +5,7 @@ from math import asin, exp, inf, pi, sqrt
 from typing import TypeAlias
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
 
 __all__ = [
     "AnyStopLaw",

@@ -5,9 +5,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.modal_blade import ModalBlade
-from flexcli.mechanics.stop_record import Record
-from flexcli.mechanics.stop_result import Balance
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.record import Record
+from flexcli.mechanics.stopping.result import Balance
 
 __all__ = ["MotionState", "balance"]
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.mechanics.linkage_motion import Motion
+from flexcli.mechanics.linkages.motion import Motion
 
 __all__ = ["Reflected", "reflected"]
 
@@ -52,8 +52,8 @@ def reflected(motion: Motion, stiffnesses: Mapping[str, Quantity]) -> Reflected:
 
     Examples
     --------
-    >>> from flexcli.mechanics.linkage import Link, Linkage, Revolute
-    >>> from flexcli.mechanics.linkage_travel import motion
+    >>> from flexcli.mechanics.linkages.linkage import Link, Linkage, Revolute
+    >>> from flexcli.mechanics.linkages.travel import motion
     >>> parallelogram = Linkage(
     ...     tuple(map(Link, ("base", "crank", "stage", "rocker"))),
     ...     (Revolute("A", "base", "crank", (0.0, 0.0)),

@@ -6,10 +6,10 @@ import pytest
 from linkages import crank_stage, four_bar, slider_crank
 
 from flexcli.errors import SolveError
-from flexcli.mechanics import linkage as description
-from flexcli.mechanics import linkage_mobility as mobility
-from flexcli.mechanics.linkage import Link, Linkage, Prismatic, Revolute
-from flexcli.mechanics.linkage_mobility import freedoms, require_one_freedom
+from flexcli.mechanics.linkages import linkage as description
+from flexcli.mechanics.linkages import mobility
+from flexcli.mechanics.linkages.linkage import Link, Linkage, Prismatic, Revolute
+from flexcli.mechanics.linkages.mobility import freedoms, require_one_freedom
 
 
 @pytest.mark.parametrize("module", [description, mobility])

@@ -12,9 +12,9 @@ from linkages import crank_stage, four_bar, placed_four_bar, quick_return, slide
 
 from flexcli.errors import SolveError
 from flexcli.formulas.pivot import end_stresses
-from flexcli.mechanics import linkage_range as module
-from flexcli.mechanics.linkage_range import extremes
-from flexcli.mechanics.linkage_travel import travel
+from flexcli.mechanics.linkages import extremes as module
+from flexcli.mechanics.linkages.extremes import extremes
+from flexcli.mechanics.linkages.travel import travel
 
 ROUNDING = 1e-13
 PLACE = 1e-9

@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from linkages import crank_stage, four_bar, slider_crank
 
-from flexcli.mechanics import linkage_stiffness as module
-from flexcli.mechanics.linkage_stiffness import reflected
-from flexcli.mechanics.linkage_travel import motion, travel
+from flexcli.mechanics.linkages import stiffness as module
+from flexcli.mechanics.linkages.stiffness import reflected
+from flexcli.mechanics.linkages.travel import motion, travel
 from flexcli.numerics.quadrature import gauss_rule
 
 ROUNDING = 1e-12

@@ -1,0 +1,1 @@
+"""A blade that vibrates between end stops: exact between contacts, event by event."""
