@@ -27,7 +27,8 @@ Integers = NDArray[np.intp]
 def designs_of(assembly: Assembly, demand: Demand) -> int:
     """Return the number of designs of the whole: the longest first axis of any number."""
     arrays = [assembly.length, assembly.force, demand.after, demand.before]
-    arrays += [a for place in assembly.places for a in place]
+    for place in assembly.places:
+        arrays += [place.start.real, place.end.real, place.along.real, place.scale]
     arrays += [a for mesh in assembly.meshes for a in mesh[2:]]
     for force in demand.forces:
         arrays += [force.arm, force.force, force.moment, force.before, force.after]

@@ -11,16 +11,17 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.beam import Condensed, condense
 from flexcli.mechanics.demand import Demand
-from flexcli.mechanics.element import Attachment, element, turned
+from flexcli.mechanics.element import Attachment, element
 from flexcli.mechanics.layout import Layout
-from flexcli.mechanics.mesh import Effects, Mesh, column, meshes, pick
+from flexcli.mechanics.mesh import Effects, Mesh, column, meshes, pick, refined
 from flexcli.mechanics.outer_forces import apply_force, apply_spring
 from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
 from flexcli.numerics.stack import solve_stack
 
-__all__ = ["Assembly", "Linearised", "assemble", "finer"]
+__all__ = ["Assembly", "Linearised", "assemble", "at_nodes", "finer"]
 
 Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
 Integers = NDArray[np.intp]
 
 
@@ -36,7 +37,7 @@ class Linearised(NamedTuple):
     matrix: Floats
     row_scale: Floats
     blades: tuple[Condensed, ...]
-    frames: tuple[Floats, ...]
+    frames: tuple[Complexes, ...]
     local: tuple[Floats, ...]
 
 
@@ -94,10 +95,10 @@ class Assembly(NamedTuple):
         """Return the forces of the blades of mesh k in the frames of their starts."""
         return _in_frame(self.frame(motions, k, rows), forces[:, list(self.meshes[k].blades)])
 
-    def frame(self, motions: Floats, k: int, rows: Integers) -> Floats:
+    def frame(self, motions: Floats, k: int, rows: Integers) -> Complexes:
         """Return the directions of the blades of mesh k, turned with the bodies at their starts."""
         phi = self.poses(motions)[:, self.first[list(self.meshes[k].blades)], 2]
-        return turned(pick(self.places[k].along, rows), phi)[0]
+        return np.asarray(pick(self.places[k].along, rows) * np.exp(1j * phi))
 
     def poses(self, motions: Floats) -> Floats:
         """Return the motions with the ground's behind."""
@@ -119,7 +120,7 @@ class Assembly(NamedTuple):
             local.append(_in_frame(frames[k], forces[:, index]))
             blade = condense(mesh, rows, rotations[k], local[k])
             condensed.append(blade)
-            place = Attachment(*(pick(a, rows) for a in self.places[k]))
+            place = self.places[k].of(rows)
             i, j = self.first[index], self.second[index]
             gradient, H = element(place, blade, forces[:, index], poses[:, i], poses[:, j])
             weight = np.broadcast_to(pick(self.weights[k], rows), gradient.shape[:2])
@@ -252,7 +253,8 @@ def assemble(layout: Layout, effects: Effects, nodes: int) -> Assembly:
             rows.append(np.stack(np.broadcast_arrays(*values), axis=-1) / l[:, None])
         table = np.stack(np.broadcast_arrays(*rows), axis=1)
         scale = length[:, None] / mesh.l
-        places.append(Attachment(table[..., :2], table[..., 2:4], table[..., 4:], scale))
+        arms = table[..., ::2] + 1j * table[..., 1::2]
+        places.append(Attachment(arms[..., 0], arms[..., 1], arms[..., 2], scale))
         weights.append(mesh.EI / mesh.l / (force * length)[:, None])
     return Assembly(
         layout=layout,
@@ -269,12 +271,17 @@ def assemble(layout: Layout, effects: Effects, nodes: int) -> Assembly:
     )
 
 
-def _in_frame(along: Floats, force: Floats) -> Floats:
+def at_nodes(assembly: Assembly, nodes: int) -> Assembly:
+    """Return the same layout at another number of Gauss nodes on each piece."""
+    layout, effects = assembly.layout, assembly.effects
+    found = tuple(refined(mesh, layout, effects, nodes) for mesh in assembly.meshes)
+    return assembly._replace(nodes=nodes, meshes=found)
+
+
+def _in_frame(along: Complexes, force: Floats) -> Floats:
     """Return forces and end moments with the forces resolved along and across the direction."""
-    local = force.copy()
-    local[..., 0] = along[..., 0] * force[..., 0] + along[..., 1] * force[..., 1]
-    local[..., 1] = along[..., 0] * force[..., 1] - along[..., 1] * force[..., 0]
-    return local
+    turned = np.conj(along) * (force[..., 0] + 1j * force[..., 1])
+    return np.stack([turned.real, turned.imag, force[..., 2]], axis=-1)
 
 
 def finer(coarse: Assembly, fine: Assembly, x: Floats) -> Floats:

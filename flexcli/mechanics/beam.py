@@ -115,20 +115,25 @@ def condense(mesh: Mesh, rows: Integers, psi: Floats, q: Floats) -> Condensed:
     effect[..., 1, :] = w * at.f_y
     effect[..., 2, :] = far_turn * at.f_psi
     through = effect @ solution
-    F = through[..., 1:].copy()
-    skew = np.sum(w * rho * at.sin * at.cos, axis=-1)
-    F[..., 0, 0] += np.sum(w * (axial * at.cos**2 + shear * at.sin**2), axis=-1)
-    F[..., 1, 1] += np.sum(w * (axial * at.sin**2 + shear * at.cos**2), axis=-1)
-    F[..., 0, 1] += skew
-    F[..., 1, 0] += skew
-    F[..., 2, 0] += np.sum(far_turn * at.f_x, axis=-1)
-    F[..., 2, 1] += np.sum(far_turn * at.f_y, axis=-1)
-    end_turn = pick(mesh.end_turn, rows)
+    # what the forces do with the rotations held: all sums over the nodes at once
+    sums = np.empty((*psi.shape[:-1], 8, K))
+    sums[..., 0, :] = axial - rho * at.sin**2
+    sums[..., 1, :] = shear + rho * at.sin**2
+    sums[..., 2, :] = rho * at.sin * at.cos
+    sums[..., 3, :], sums[..., 4, :] = at.shortening, at.rise
+    sums[..., 5, :], sums[..., 6, :], sums[..., 7, :] = at.f, at.f_x, at.f_y
+    weights = np.stack(np.broadcast_arrays(w, far_turn), axis=-1)
+    total = sums @ weights
+    F, end_turn = through[..., 1:].copy(), pick(mesh.end_turn, rows)
+    F[..., 0, 0] += total[..., 0, 0]
+    F[..., 1, 1] += total[..., 1, 0]
+    F[..., 0, 1] += total[..., 2, 0]
+    F[..., 1, 0] += total[..., 2, 0]
+    F[..., 2, :2] += total[..., 6:, 1]
     F[..., 2, 2] += end_turn
     motion = through[..., 0].copy()
-    motion[..., 0] += np.sum(w * at.shortening, axis=-1)
-    motion[..., 1] += np.sum(w * at.rise, axis=-1)
-    motion[..., 2] += end_turn * q[..., 2] + np.sum(far_turn * at.f, axis=-1)
+    motion[..., :2] += total[..., 3:5, 0]
+    motion[..., 2] += end_turn * q[..., 2] + total[..., 5, 1]
     return Condensed(motion, F, solution[..., 0], solution[..., 1:])
 
 

@@ -17,23 +17,39 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.mechanics.beam import Condensed
+from flexcli.mechanics.mesh import pick
 
-__all__ = ["Attachment", "element", "turned"]
+__all__ = ["Attachment", "element", "turned", "turning"]
 
 Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
 
 
 class Attachment(NamedTuple):
-    """Where blades sit (designs or 1, blades, ...): lengths in those of the blade, at rest.
+    """Where blades sit (designs or 1, blades): lengths in those of the blade, at rest.
 
-    ``start`` and ``end`` are the ends from the reference points of their bodies (2), ``along``
-    the direction (2), ``scale`` the unit of the bodies' positions over the length of the blade.
+    ``start`` and ``end`` are the ends x + iy from the reference points of their bodies, ``along``
+    the direction, ``scale`` the unit of the bodies' positions over the length of the blade.
     """
 
-    start: Floats
-    end: Floats
-    along: Floats
+    start: Complexes
+    end: Complexes
+    along: Complexes
     scale: Floats
+
+    def of(self, rows: NDArray[np.intp]) -> "Attachment":
+        """Return those of the designs ``rows``."""
+        return Attachment(
+            pick(self.start, rows),
+            pick(self.end, rows),
+            pick(self.along, rows),
+            pick(self.scale, rows),
+        )
+
+
+def turning(phi: Floats) -> Complexes:
+    """Return ``exp(iφ) − 1`` in full relative precision: how far a unit vector moves by turning."""
+    return np.asarray(-2.0 * np.sin(phi / 2.0) ** 2 + 1j * np.sin(phi))
 
 
 def turned(vector: Floats, phi: Floats) -> tuple[Floats, Floats]:
@@ -66,51 +82,48 @@ def element(
         Order: ν_x, ν_y, m, then x, y, φ of the start's body, then of the end's.
 
     """
-    nu, m = force[..., :2], force[..., 2]
-    phi_i, phi_j = pose_i[..., 2], pose_j[..., 2]
-    along, along_moved = turned(at.along, phi_i)
-    a_i, a_i_moved = turned(at.start, phi_i)
-    a_j, a_j_moved = turned(at.end, phi_j)
-    R = np.empty((*nu.shape, 2))
-    R[..., :, 0] = along
-    R[..., 0, 1], R[..., 1, 1] = -along[..., 1], along[..., 0]
-    bent = np.sum(R * blade.motion[..., None, :2], axis=-1)
-    reach = along + bent
-    lever = a_i + reach
+    nu, m = _complex(force), force[..., 2]
+    turn_i, turn_j = turning(pose_i[..., 2]), turning(pose_j[..., 2])
+    along_moved, a_j_moved = at.along * turn_i, at.end * turn_j
+    along = at.along + along_moved
+    bent = along * _complex(blade.motion)
+    lever = at.start * (1.0 + turn_i) + along + bent
+    a_j = at.end + a_j_moved
     # flexibility in global axes
-    F = np.empty_like(blade.F)
-    half = R @ blade.F[..., :2, :]
-    F[..., :2, :2] = half[..., :2] @ np.swapaxes(R, -1, -2)
-    F[..., :2, 2] = half[..., 2]
-    F[..., 2, :2] = half[..., 2]
-    F[..., 2, 2] = blade.F[..., 2, 2]
-    p = np.stack([nu[..., 1], -nu[..., 0]], axis=-1)
-    give = np.sum(F[..., :2] * p[..., None, :], axis=-1)
+    T = np.zeros(blade.F.shape)
+    T[..., 0, 0] = T[..., 1, 1] = along.real
+    T[..., 1, 0], T[..., 0, 1] = along.imag, -along.imag
+    T[..., 2, 2] = 1.0
+    F = T @ blade.F @ np.swapaxes(T, -1, -2)
+    # a turn of the start turns the force in its frame by −iν
+    p = np.zeros(force.shape)
+    p[..., 0], p[..., 1] = nu.imag, -nu.real
+    give = (F @ p[..., None])[..., 0]
+    pull, moment = at.scale * nu, np.conj(lever) * nu
+    far = np.conj(a_j) * nu
+    gap = at.scale * (_complex(pose_j) - _complex(pose_i)) + a_j_moved - along_moved - bent
+    gap -= at.start * turn_i
     gradient = np.empty((*m.shape, 9))
-    apart = at.scale[..., None] * (pose_j[..., :2] - pose_i[..., :2])
-    gradient[..., :2] = apart + a_j_moved - a_i_moved - along_moved - bent
-    gradient[..., 2] = phi_j - phi_i - blade.motion[..., 2]
-    pull = at.scale[..., None] * nu
-    gradient[..., 3:5] = -pull
-    gradient[..., 5] = -m - _cross(lever, nu)
-    gradient[..., 6:8] = pull
-    gradient[..., 8] = m + _cross(a_j, nu)
+    gradient[..., 0], gradient[..., 1] = gap.real, gap.imag
+    gradient[..., 2] = pose_j[..., 2] - pose_i[..., 2] - blade.motion[..., 2]
+    gradient[..., 6], gradient[..., 7] = pull.real, pull.imag
+    gradient[..., 3:5] = -gradient[..., 6:8]
+    gradient[..., 5] = -m - moment.imag
+    gradient[..., 8] = m + far.imag
     H = np.zeros((*m.shape, 9, 9))
     H[..., :3, :3] = -F
-    for i in (0, 1):
-        H[..., i, 3 + i] = -at.scale
-        H[..., i, 6 + i] = at.scale
-    H[..., 0, 5] = lever[..., 1] - give[..., 0]
-    H[..., 1, 5] = -lever[..., 0] - give[..., 1]
-    H[..., 2, 5] = -1.0 - give[..., 2]
-    H[..., 0, 8] = -a_j[..., 1]
-    H[..., 1, 8] = a_j[..., 0]
-    H[..., 2, 8] = 1.0
+    H[..., 0, 6] = H[..., 1, 7] = at.scale
+    H[..., 0, 3] = H[..., 1, 4] = -at.scale
+    H[..., :3, 5] = -give
+    H[..., 0, 5] += lever.imag
+    H[..., 1, 5] -= lever.real
+    H[..., 2, 5] -= 1.0
+    H[..., 0, 8], H[..., 1, 8], H[..., 2, 8] = -a_j.imag, a_j.real, 1.0
     H[..., 3:, :3] = np.swapaxes(H[..., :3, 3:], -1, -2)
-    H[..., 5, 5] = np.sum(lever * nu, axis=-1) - np.sum(give[..., :2] * p, axis=-1)
-    H[..., 8, 8] = -np.sum(a_j * nu, axis=-1)
+    H[..., 5, 5] = moment.real - np.sum(give * p, axis=-1)
+    H[..., 8, 8] = -far.real
     return gradient, H
 
 
-def _cross(a: Floats, b: Floats) -> Floats:
-    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
+def _complex(vector: Floats) -> Complexes:
+    return np.asarray(vector[..., 0] + 1j * vector[..., 1])

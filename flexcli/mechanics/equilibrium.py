@@ -20,8 +20,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.mechanics.asked import demand_of, designs_of
-from flexcli.mechanics.assembly import Assembly, assemble, finer
+from flexcli.mechanics.assembly import Assembly, assemble, at_nodes, finer
 from flexcli.mechanics.demand import Demand, Held
+from flexcli.mechanics.falling import ways_to_fall
 from flexcli.mechanics.layout import Layout, Load, Number
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.state import Equilibrium, Outcome, Part
@@ -36,6 +37,9 @@ Integers = NDArray[np.intp]
 LEVELS = (8, 12, 18, 27, 40, 60, 90, 135)
 """Gauss nodes on a piece, level by level; each level tells the error of the one before."""
 
+_NOTHING = 1e-280
+"""Size of the unknowns below which numbers have no digits left, and no error."""
+
 _NEWTON = 1e-3
 """Newton's tolerance over the tolerance asked."""
 
@@ -49,6 +53,7 @@ def solve(
     effects: Effects | None = None,
     tolerance: float = 1e-9,
     start: Equilibrium | None = None,
+    levels: Sequence[int] = LEVELS,
 ) -> Equilibrium:
     """Return the equilibrium on the path from rest, or from ``start``, to the motions and loads.
 
@@ -69,6 +74,8 @@ def solve(
         largest (lengths in mean blade lengths) [-].
     start : Equilibrium, optional
         Where the path begins: an equilibrium of the same layout, whatever was held or loaded.
+    levels : sequence of int
+        Gauss nodes on a piece, level by level; a single one is taken as it is, its error unknown.
 
     Returns
     -------
@@ -84,7 +91,7 @@ def solve(
     begun = perf_counter()
     effects = Effects() if effects is None else effects
     held = {} if held is None else held
-    coarse = assemble(layout, effects, LEVELS[0])
+    coarse = assemble(layout, effects, levels[0])
     demand = demand_of(coarse, held, loads, load_factor, start)
     designs = designs_of(coarse, demand)
     x = np.zeros((designs, coarse.size))
@@ -94,16 +101,16 @@ def solve(
     scale = coarse.length_of(x, x)
     path = _march(coarse, demand, x, scale, tolerance)
     iterations, error = path.iterations.copy(), np.full(designs, np.inf)
-    nodes = np.full(designs, LEVELS[0], dtype=np.intp)
+    nodes = np.full(designs, levels[0], dtype=np.intp)
     came = path.reached > 0.0
     outcome = [_outcome(path, i) for i in range(designs)]
     parts: list[Part] = []
-    _keep(parts, coarse, demand, ~came, path.x, path.reached)
+    _keep(parts, coarse, demand, ~came | (len(levels) == 1), path.x, path.reached)
     rows, x, share = np.flatnonzero(came), path.x[came], path.reached[came]
-    for level in LEVELS[1:]:
+    for level in levels[1:]:
         if rows.size == 0:
             break
-        fine = assemble(layout, effects, level)
+        fine = at_nodes(coarse, level)
         guess = finer(coarse, fine, x)
         found = _newton(fine, demand, guess, share, rows, scale[rows], tolerance)
         iterations[rows] += found.iterations
@@ -114,7 +121,7 @@ def solve(
         nodes[rows] = level
         # a path that ended by turning ends where no digit is sure
         done = (found.converged & (change <= tolerance)) | (share < 1.0)
-        last = level == LEVELS[-1]
+        last = level == levels[-1]
         _keep(parts, fine, demand, done | last, kept, share, rows)
         for i in rows[~done & (share == 1.0)] if last else ():
             outcome[i] = Outcome.INACCURATE
@@ -163,7 +170,10 @@ def _march(assembly: Assembly, demand: Demand, x: Floats, scale: Floats, toleran
     def step(at: Floats, share: Floats, rows: Integers) -> Floats:
         return assembly.step(at, share, rows, demand)
 
-    return march(correct, step, assembly.length_of, x)
+    def kind(at: Floats, share: Floats, rows: Integers) -> Integers:
+        return ways_to_fall(assembly, demand, assembly.linearise(at, share, rows, demand), at, rows)
+
+    return march(correct, step, assembly.length_of, kind, x)
 
 
 def _outcome(path: March, design: int) -> Outcome:
@@ -194,5 +204,5 @@ def difference(coarse: Assembly, fine: Assembly, x: Floats, y: Floats, scale: Fl
     for a, b in zip(coarse.split(x)[1:], fine.split(y)[1:], strict=True):
         size = np.maximum(scale, np.max(np.abs(b), axis=(1, 2), initial=0.0))
         far = np.max(np.abs(b - a), axis=(1, 2), initial=0.0)
-        change = np.maximum(change, far / np.where(size > 0.0, size, 1.0))
+        change = np.maximum(change, far / np.maximum(size, _NOTHING))
     return change

@@ -100,7 +100,8 @@ def _axial(assembly: Assembly, x: Floats) -> Floats:
     kept = np.zeros_like(forces)
     for mesh, place in zip(assembly.meshes, assembly.places, strict=True):
         index = list(mesh.blades)
-        N = np.sum(forces[:, index, :2] * place.along, axis=-1)
-        kept[:, index, :2] = N[..., None] * place.along
+        along = np.stack([place.along.real, place.along.imag], axis=-1)
+        N = np.sum(forces[:, index, :2] * along, axis=-1)
+        kept[:, index, :2] = N[..., None] * along
     straight[:, assembly.turns : assembly.turns + 3 * assembly.blades] = kept.reshape(len(x), -1)
     return straight

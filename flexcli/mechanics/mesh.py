@@ -4,9 +4,10 @@ Everything of a blade is scaled: lengths by its length l, forces by EI/l², mome
 EI the mean flexural rigidity l/∫ds/EI(s), so that no number depends on units or on h/l.
 """
 
+import functools
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,9 +17,10 @@ from flexcli.formulas.profile import Piece
 from flexcli.mechanics.layout import Blade, Layout
 from flexcli.numerics.collocation import gauss_nodes, integration_matrix
 
-__all__ = ["SHEAR_FACTOR", "Effects", "Mesh", "Segment", "column", "meshes", "pick"]
+__all__ = ["SHEAR_FACTOR", "Effects", "Mesh", "Segment", "column", "meshes", "pick", "refined"]
 
 Floats = NDArray[np.float64]
+Kind = TypeVar("Kind", np.float64, np.complex128)
 
 SHEAR_FACTOR = 5.0 / 6.0
 """κ of a rectangular section, as in the closed forms (Przemieniecki 1968, section 5.6)."""
@@ -48,11 +50,12 @@ class Segment(NamedTuple):
 class Mesh(NamedTuple):
     """Blades with the same pieces, at K nodes each; arrays (designs or 1, blades or 1, ...).
 
-    ``w`` are the weights ds, ``c`` the flexural compliance, ``axial`` and ``shear`` the other
-    two, ``rho`` their difference, ``h`` the thickness [m] (0: rigid). ``J`` integrates from the
-    start to the nodes and ``back`` from the nodes to the end; ``turn = J c`` and ``A = J c back``
-    give the rotation made by the end moment and by the transverse force, ``end_turn`` and
-    ``far_turn`` the same at the end of the blade.
+    ``l``, ``b`` and the least thickness ``thinnest`` in [m], ``EI`` in [N·m²] and ``flexible``,
+    the mean of (thinnest/h)³, do not depend on the nodes. ``w`` are the weights ds, ``c`` the
+    flexural compliance, ``axial`` and ``shear`` the other two, ``rho`` their difference. ``back``
+    integrates from the nodes to the end; ``turn = J c`` and ``A = J c back``, with J that
+    integrates from the start to the nodes, give the rotation made by the end moment and by the
+    transverse force, ``end_turn`` and ``far_turn`` the same at the end of the blade.
     """
 
     blades: tuple[int, ...]
@@ -60,13 +63,13 @@ class Mesh(NamedTuple):
     l: Floats
     EI: Floats
     b: Floats
-    h: Floats
+    thinnest: Floats
+    flexible: Floats
     w: Floats
     c: Floats
     axial: Floats
     shear: Floats
     rho: Floats
-    J: Floats
     back: Floats
     turn: Floats
     A: Floats
@@ -84,87 +87,152 @@ def column(value: Any) -> Floats:
     return np.atleast_1d(np.asarray(value, dtype=np.float64))
 
 
-def pick(values: Floats, rows: NDArray[np.intp]) -> Floats:
+def pick(values: NDArray[Kind], rows: NDArray[np.intp]) -> NDArray[Kind]:
     """Return the designs ``rows`` of an array whose first axis is designs, or 1 for all alike."""
     return values if values.shape[0] == 1 else values[rows]
 
 
 def meshes(layout: Layout, effects: Effects, nodes: int) -> tuple[Mesh, ...]:
     """Return the blades at ``nodes`` Gauss nodes a piece, those with equal pieces together."""
-    rows = [_one(i, blade, layout, effects, nodes) for i, blade in enumerate(layout.blades)]
-    kinds: dict[tuple[int, ...], list[Mesh]] = {}
-    for row in rows:
-        kinds.setdefault(tuple(s.nodes for s in row.segments[0]), []).append(row)
-    return tuple(_joined(alike) for alike in kinds.values())
+    kinds: dict[tuple[int, ...], list[_Blank]] = {}
+    for i, blade in enumerate(layout.blades):
+        blank = _blank(i, blade, layout, nodes)
+        kinds.setdefault(tuple(s.nodes for s in blank.segments), []).append(blank)
+    return tuple(
+        _at_nodes(
+            tuple(blank.number for blank in alike),
+            tuple(blank.segments for blank in alike),
+            [_agreed([blank.units[i] for blank in alike], (0,)) for i in range(5)],
+            layout,
+            effects,
+        )
+        for alike in kinds.values()
+    )
 
 
-def _one(index: int, blade: Blade, layout: Layout, effects: Effects, nodes: int) -> Mesh:
+def refined(mesh: Mesh, layout: Layout, effects: Effects, nodes: int) -> Mesh:
+    """Return the same blades at another number of Gauss nodes a piece."""
+    segments = []
+    for pieces in mesh.segments:
+        first, found = 0, []
+        for piece, _, _ in pieces:
+            count = 1 if piece is None else nodes
+            found.append(Segment(piece, first, count))
+            first += count
+        segments.append(tuple(found))
+    units = (mesh.l, mesh.EI, mesh.b, mesh.thinnest, mesh.flexible)
+    return _at_nodes(mesh.blades, tuple(segments), units, layout, effects)
+
+
+class _Blank(NamedTuple):
+    """A blade with its pieces and units: l, EI, b, thinnest, flexible (designs or 1,)."""
+
+    number: int
+    segments: tuple[Segment, ...]
+    units: tuple[Floats, ...]
+
+
+def _blank(index: int, blade: Blade, layout: Layout, nodes: int) -> _Blank:
     dx, dy = (column(e - s) for s, e in zip(blade.start, blade.end, strict=True))
     l = np.hypot(dx, dy)
     segments = _segments(blade.profile.pieces(l[:, None]), l, nodes)
-    total = segments[-1].first + segments[-1].nodes
-    u, _ = gauss_nodes(nodes)
-    h, slope = [], []
-    J_u, w_u = np.zeros((total, total)), np.zeros(total)
-    at_end = np.array([-1.0, 1.0])
-    end = np.zeros((1, 1))
-    for segment in segments:
-        here = slice(segment.first, segment.first + segment.nodes)
-        w_u[here] = gauss_nodes(segment.nodes)[1]
-        J_u[here, here] = integration_matrix(segment.nodes)
-        J_u[here.stop :, here] = w_u[here]
-        if segment.piece is None:
-            following = [s.piece for s in segments if s.first >= here.stop and s.piece is not None]
-            start = following[0].position(at_end)[..., :1] if following else l[:, None]
-            h.append(np.zeros_like(end))
-            slope.append((start - end) / 2.0)
-            end = start
-        else:
-            h.append(np.atleast_2d(segment.piece.thickness(u)))
-            slope.append(np.atleast_2d(segment.piece.slope(u)))
-            end = np.atleast_2d(segment.piece.position(at_end))[:, 1:]
-    designs = max(np.broadcast_shapes(l.shape, *[a.shape[:1] for a in (*h, *slope)]))
-    thickness = _side_by_side(h, designs)
-    ds = _side_by_side(slope, designs) / l[:, None]
-    rigid = thickness == 0.0
     thinnest, flexible = _rigidity([s.piece for s in segments if s.piece is not None], l)
-    per_h = np.where(rigid, 0.0, thinnest / np.where(rigid, 1.0, thickness))
+    b = column(blade.b)
+    EI = column(layout.E) * b * thinnest**3 / 12.0 / flexible
+    return _Blank(index, segments, (l, EI, b, thinnest, flexible))
+
+
+def _at_nodes(
+    blades: tuple[int, ...],
+    segments: tuple[tuple[Segment, ...], ...],
+    units: Sequence[Floats],
+    layout: Layout,
+    effects: Effects,
+) -> Mesh:
+    l, EI, b, thinnest, flexible = units
+    each = [_thickness(pieces, l[:, min(i, l.shape[1] - 1)]) for i, pieces in enumerate(segments)]
+    h, slope = (_agreed([pair[i] for pair in each], (0, 1)) for i in (0, 1))
+    rigid = h == 0.0
+    per_h = np.where(rigid, 0.0, thinnest[..., None] / np.where(rigid, 1.0, h))
+    ds = _collapsed(slope / l[..., None])
+    c = _collapsed(per_h**3 / flexible[..., None])
+    # EI/(EA l²) and EI/(κGA l²)
+    axial = (thinnest**2 / (12.0 * flexible * l**2))[..., None] * per_h
+    shear = axial * _shear_softness(layout, effects)
+    axial = _collapsed(axial * effects.extension)
+    J_u, w_u = _reference(tuple((s.nodes, s.piece is None) for s in segments[0]))
     w = w_u * ds
-    c = per_h**3 / flexible
-    if effects.shear and layout.G is None:
+    J = J_u * ds[..., None, :]
+    back = w[..., None, :] - J
+    J_c = J * c[..., None, :]
+    return Mesh(
+        blades=blades,
+        segments=segments,
+        l=l,
+        EI=EI,
+        b=b,
+        thinnest=thinnest,
+        flexible=flexible,
+        w=w,
+        c=c,
+        axial=axial,
+        shear=_collapsed(shear),
+        rho=_collapsed(axial - shear),
+        back=back,
+        turn=J_c.sum(axis=-1),
+        A=J_c @ back,
+        end_turn=np.sum(w * c, axis=-1),
+        far_turn=((w * c)[..., None, :] @ back)[..., 0, :],
+    )
+
+
+def _shear_softness(layout: Layout, effects: Effects) -> Floats:
+    """Return E/(κG), zero when blades do not shear (designs or 1, 1, 1)."""
+    if not effects.shear:
+        return np.zeros((1, 1, 1))
+    if layout.G is None:
         raise SolveError(
             "no-shear-modulus",
             "the layout has no shear modulus",
             "give the material a poisson_ratio, or leave shear out",
         )
-    b, E = column(blade.b), column(layout.E)
-    G = column(np.inf if layout.G is None else layout.G)
-    EI = (E * b)[:, None] * thinnest**3 / 12.0 / flexible
-    # EI/(EA l²) and EI/(κGA l²)
-    axial = thinnest**2 / (12.0 * flexible * l[:, None] ** 2) * per_h
-    shear = axial * (E / (SHEAR_FACTOR * G))[:, None]
-    axial, shear = axial * effects.extension, shear * effects.shear
-    J = J_u * ds[:, None, :]
-    back = w[:, None, :] - J
-    J_c = J * c[:, None, :]
-    arrays = {
-        "l": l,
-        "EI": EI[:, 0],
-        "b": b,
-        "h": thickness,
-        "w": w,
-        "c": c,
-        "axial": axial,
-        "shear": shear,
-        "rho": axial - shear,
-        "J": J,
-        "back": back,
-        "turn": J_c.sum(axis=-1),
-        "A": J_c @ back,
-        "end_turn": np.sum(w * c, axis=-1),
-        "far_turn": ((w * c)[:, None, :] @ back)[:, 0],
-    }
-    return Mesh((index,), (segments,), **{name: a[:, None] for name, a in arrays.items()})
+    return np.asarray(column(layout.E) / (SHEAR_FACTOR * column(layout.G)))[:, None, None]
+
+
+@functools.cache
+def _reference(pattern: tuple[tuple[int, bool], ...]) -> tuple[Floats, Floats]:
+    """Return the matrix that integrates over u from the start, and the weights of the nodes."""
+    total = sum(count for count, _ in pattern)
+    J, w, first = np.zeros((total, total)), np.zeros(total), 0
+    for count, _ in pattern:
+        here = slice(first, first + count)
+        w[here] = gauss_nodes(count)[1]
+        J[here, here] = integration_matrix(count)
+        J[here.stop :, here] = w[here]
+        first = here.stop
+    return J, w
+
+
+def _thickness(segments: tuple[Segment, ...], l: Floats) -> tuple[Floats, Floats]:
+    """Return thickness [m] (0: rigid) and ds/du [m] at the nodes of a blade, (designs or 1, K)."""
+    at_end = np.array([-1.0, 1.0])
+    end = np.zeros((1, 1))
+    h, slope = [], []
+    for i, segment in enumerate(segments):
+        if segment.piece is None:
+            following = [s.piece for s in segments[i:] if s.piece is not None]
+            start = following[0].position(at_end)[..., :1] if following else l[:, None]
+            h.append(np.zeros_like(end))
+            slope.append((start - end) / 2.0)
+            end = start
+        else:
+            u = gauss_nodes(segment.nodes)[0]
+            h.append(np.atleast_2d(segment.piece.thickness(u)))
+            slope.append(np.atleast_2d(segment.piece.slope(u)))
+            if segment is not segments[-1]:
+                end = np.atleast_2d(segment.piece.position(at_end))[:, 1:]
+    designs = max(a.shape[0] for a in (*h, *slope))
+    return _side_by_side(h, designs), _side_by_side(slope, designs)
 
 
 def _segments(pieces: Sequence[Piece], l: Floats, nodes: int) -> tuple[Segment, ...]:
@@ -190,38 +258,30 @@ def _rigidity(pieces: Sequence[Piece], l: Floats) -> tuple[Floats, Floats]:
     """
     u, weight = gauss_nodes(_FINE)
     h = [np.atleast_2d(piece.thickness(u)) for piece in pieces]
-    thinnest = np.min(np.stack([np.min(a, axis=1) for a in np.broadcast_arrays(*h)]), axis=0)
+    thinnest = functools.reduce(np.minimum, [np.min(a, axis=1) for a in h])
     flexible = sum(
         (np.atleast_2d(piece.slope(u)) / l[:, None] * (thinnest[:, None] / a) ** 3) @ weight
         for piece, a in zip(pieces, h, strict=True)
     )
-    return thinnest[:, None], np.asarray(flexible)[:, None]
+    return thinnest, np.asarray(flexible)
 
 
 def _side_by_side(parts: Sequence[Floats], designs: int) -> Floats:
     return np.concatenate([np.broadcast_to(p, (designs, p.shape[1])) for p in parts], axis=1)
 
 
-_OF_NODES = Mesh._fields[Mesh._fields.index("w") :]
+def _agreed(alike: Sequence[Floats], axes: tuple[int, ...]) -> Floats:
+    """Return one array of all blades, the second axis, from those of each."""
+    designs = max(a.shape[0] for a in alike)
+    joined = np.stack([np.broadcast_to(a, (designs, *a.shape[1:])) for a in alike], axis=1)
+    return _collapsed(joined, axes)
 
 
-def _joined(alike: Sequence[Mesh]) -> Mesh:
-    """Return one mesh of all blades with equal segments; an axis on which all agree gets 1."""
-
-    def together(name: str) -> Floats:
-        parts = [getattr(mesh, name) for mesh in alike]
-        designs = max(p.shape[0] for p in parts)
-        joined = np.concatenate(
-            [np.broadcast_to(p, (designs, *p.shape[1:])) for p in parts], axis=1
-        )
-        for axis in (0, 1) if name in _OF_NODES else (0,):
-            first = joined[:1] if axis == 0 else joined[:, :1]
-            if joined.shape[axis] > 1 and np.array_equal(
-                joined, np.broadcast_to(first, joined.shape)
-            ):
-                joined = first
-        return np.ascontiguousarray(joined)
-
-    blades = tuple(mesh.blades[0] for mesh in alike)
-    segments = tuple(mesh.segments[0] for mesh in alike)
-    return Mesh(blades, segments, **{name: together(name) for name in Mesh._fields[2:]})
+def _collapsed(values: Floats, axes: tuple[int, ...] = (0, 1)) -> Floats:
+    """Return an array in which an axis on which all agree has length 1."""
+    for axis in axes:
+        if values.shape[axis] > 1:
+            first = values[:1] if axis == 0 else values[:, :1]
+            if (values == first).all():
+                values = first
+    return np.ascontiguousarray(values)

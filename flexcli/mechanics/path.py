@@ -7,15 +7,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.mechanics.asked import demand_of
-from flexcli.mechanics.assembly import Assembly, assemble, finer
+from flexcli.mechanics.assembly import Assembly, assemble, at_nodes, finer
 from flexcli.mechanics.demand import Demand, Held
 from flexcli.mechanics.equilibrium import LEVELS, difference, solve
+from flexcli.mechanics.falling import ways_of_one
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.state import Equilibrium, Outcome, Part
 from flexcli.numerics.arc_length import Steps, correct_on, follow
 
-__all__ = ["Trace", "sweep", "trace"]
+__all__ = ["Trace", "arc_weight", "state_of", "steps_of", "sweep", "trace"]
 
 Floats = NDArray[np.float64]
 
@@ -113,26 +114,25 @@ def trace(
 
     """
     effects = Effects() if effects is None else effects
-    coarse, fine = (assemble(layout, effects, nodes) for nodes in LEVELS[1:3])
+    coarse = assemble(layout, effects, LEVELS[1])
+    fine = at_nodes(coarse, LEVELS[2])
     demand = demand_of(coarse, {} if held is None else held, loads)
-    weight = np.zeros(coarse.size)
-    weight[: coarse.turns] = 1.0 / coarse.turns
-    weight[coarse.turns + 3 * coarse.blades :] = 1.0
     refined: list[Equilibrium] = []
 
     def far_enough(x: Floats, share: float) -> bool:
         if until is None:
             return share >= 1.0
         part = Part(coarse, demand, np.arange(1), x[None], np.array([share]))
-        return until(_state(layout, effects, part, np.inf, 0))
+        return until(state_of(layout, effects, part, np.inf, 0))
 
     points = follow(
-        _steps(coarse, demand),
+        steps_of(coarse, demand),
         (np.zeros(coarse.size), 0.0),
-        weight,
+        arc_weight(coarse),
         stride=_FIRST,
         longest=_LONGEST,
         goal=far_enough,
+        kind=lambda x, share: ways_of_one(coarse, demand, x, share),
         tolerance=_TOLERANCE,
         most=most,
     )
@@ -144,18 +144,28 @@ def trace(
             tangent=finer(coarse, fine, point.tangent[None])[0],
             weight=dense,
         )
-        found = correct_on(plane, _steps(fine, demand), _TOLERANCE)
+        found = correct_on(plane, steps_of(fine, demand), _TOLERANCE)
         if found is None:
             break
         x, share, count = found
         error = difference(coarse, fine, point.x[None], x[None], np.zeros(1))
         part = Part(fine, demand, np.arange(1), x[None], np.array([share]))
-        refined.append(_state(layout, effects, part, float(error[0]), count))
+        refined.append(state_of(layout, effects, part, float(error[0]), count))
     complete = len(refined) == len(points) and far_enough(points[-1].x, points[-1].parameter)
     return Trace(np.array([float(s.parts[0].share[0]) for s in refined]), tuple(refined), complete)
 
 
-def _steps(assembly: Assembly, demand: Demand) -> Steps:
+def arc_weight(assembly: Assembly) -> Floats:
+    """Return the weights in arc length: rotations in the mean, motions, no forces."""
+    weight = np.zeros(assembly.size)
+    weight[: assembly.turns] = 1.0 / assembly.turns
+    weight[assembly.turns + 3 * assembly.blades :] = 1.0
+    return weight
+
+
+def steps_of(assembly: Assembly, demand: Demand) -> Steps:
+    """Return the steps of one mechanism for following its path by arc length."""
+
     def steps(x: Floats, share: float) -> tuple[Floats, Floats]:
         step, rate = assembly.steps(x[None], np.array([share]), np.arange(1), demand)
         return step[0], rate[0]
@@ -163,9 +173,10 @@ def _steps(assembly: Assembly, demand: Demand) -> Steps:
     return steps
 
 
-def _state(
+def state_of(
     layout: Layout, effects: Effects, part: Part, error: float, iterations: int
 ) -> Equilibrium:
+    """Return a point of a path as an equilibrium."""
     return Equilibrium(
         layout=layout,
         effects=effects,

@@ -7,28 +7,41 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.beam import local
-from flexcli.mechanics.demand import Held
-from flexcli.mechanics.equilibrium import solve
+from flexcli.mechanics.asked import demand_of
+from flexcli.mechanics.assembly import Assembly, at_nodes, finer
+from flexcli.mechanics.critical_point import (
+    CriticalPoint,
+    Point,
+    Search,
+    first_critical,
+    lost_path,
+    on_finer,
+)
+from flexcli.mechanics.demand import Demand, Held
+from flexcli.mechanics.equilibrium import LEVELS, solve
+from flexcli.mechanics.falling import closing_and_balance, row_units, ways_of_one
 from flexcli.mechanics.layout import Layout, Load
-from flexcli.mechanics.mesh import Effects, pick
+from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.path import arc_weight, state_of, steps_of
 from flexcli.mechanics.state import Equilibrium, Part
-from flexcli.mechanics.tangent import free_compliance
+from flexcli.numerics.arc_length import follow
 
 __all__ = ["Critical", "critical_load", "is_stable", "unstable_directions"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
-_MOST_SOLVES = 120
-_STEPS = 8
-"""Steps to the largest factor; two critical points within one step count as the first."""
+_FIRST, _LONGEST, _MOST = 0.02, 0.125, 300
+"""First and longest step of arc length, over the largest factor; two losses of stability that are
+made good within one step are not seen."""
 
-_GROWN = 1e4
-"""Growth of a compliance that means the bodies move in the critical mode."""
+_STILL = 1e-6
+"""Motion of the bodies in a mode, over the forces in it, below which only blades buckle."""
 
-_TOLERANCE = 1e-10
-"""Width of the bracket over the critical factor at which the search ends."""
+_CORRECTION = 1e-12
+
+_LEVEL = 1e-4
+"""Slope of the load over the arc length below which the load turns."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,64 +50,27 @@ class Critical:
 
     ``mode`` is the motion (x [m], y [m], φ [rad]) of each body in the direction of falling, with
     a largest entry (lengths in mean blade lengths) of one, zero when only blades buckle between
-    bodies that stand still.
+    bodies that stand still. ``turns`` tells a limit point, where the load has its maximum and the
+    mechanism snaps, from a branching point, past which it buckles away from its path.
+    ``estimated_error`` is that of the factor, relative.
     """
 
     factor: float
     state: Equilibrium
     multiplicity: int
     mode: Floats
+    turns: bool
+    estimated_error: float
 
 
 def unstable_directions(state: Equilibrium) -> Integers:
-    """Return in how many independent ways each design would fall if let go (designs,).
-
-    The number of negative eigenvalues of the second derivative of the whole energy, bodies and
-    sections of the blades alike: ``Σ n(blade with its end free) + n(S) − 3 blades``, with S the
-    matrix of closing and balance, by the inertia of its Schur complements.
-
-    Notes
-    -----
-    Loads that follow a body have no energy; the symmetric part of S decides then, which finds
-    loss by divergence but not by flutter. Held coordinates stay held.
-
-    """
-    values = []
-    for part, at in zip(state.parts, state.linearised, strict=True):
-        k_f = 3 * part.assembly.blades
-        unknown = np.concatenate([np.arange(k_f), k_f + part.demand.free])
-        S = at.matrix[:, unknown[:, None], unknown]
-        size = np.max(np.abs(S), axis=-1)
-        balance = 1.0 / np.sqrt(np.where(size > 0.0, size, 1.0))
-        S = S * balance[:, :, None] * balance[:, None, :]
-        negative = np.sum(np.linalg.eigvalsh((S + np.swapaxes(S, -1, -2)) / 2.0) < 0.0, axis=-1)
-        values.append((negative - k_f + _free_ended(part)).astype(np.float64))
-    return np.rint(state.scatter(values)).astype(np.intp)
+    """Return in how many independent ways each design would fall if let go (designs,)."""
+    return state.unstable
 
 
 def is_stable(state: Equilibrium) -> NDArray[np.bool_]:
     """Return which designs stand by themselves, their held coordinates held (designs,)."""
-    return np.asarray(unstable_directions(state) == 0)
-
-
-def _free_ended(part: Part) -> Integers:
-    """Return how many unstable directions the blades of each design have, their ends let go."""
-    assembly = part.assembly
-    rotations, forces, motions = assembly.split(part.x)
-    count = np.zeros(part.rows.size, dtype=np.intp)
-    for k, mesh in enumerate(assembly.meshes):
-        q = assembly.local_forces(forces, motions, k, part.rows)
-        # for the eigenvalues of A f_ψ beyond one; they are real, A being symmetric in its weights
-        f_psi = local(mesh, part.rows, rotations[k], q).f_psi
-        matrix = pick(mesh.A, part.rows) * f_psi[..., None, :]
-        bound = np.max(np.sum(np.abs(matrix), axis=-1), axis=-1)
-        doubtful = bound >= 1.0
-        if np.any(doubtful):
-            eigenvalues = np.linalg.eigvals(matrix[doubtful]).real
-            beyond = np.zeros(doubtful.shape, dtype=np.intp)
-            beyond[doubtful] = np.sum(eigenvalues > 1.0, axis=-1)
-            count += beyond.sum(axis=-1)
-    return count
+    return np.asarray(state.unstable == 0)
 
 
 def critical_load(
@@ -105,12 +81,13 @@ def critical_load(
     most: float,
     effects: Effects | None = None,
     tolerance: float = 1e-9,
+    levels: Sequence[int] = LEVELS,
 ) -> Critical:
     """Return the least factor in (0, most] on a load pattern at which an equilibrium is critical.
 
-    The path runs from the equilibrium under the layout's own loads and what is held; the factor
-    is where the number of unstable directions changes. What ``held`` holds decides which load
-    this is: a body locked, free to turn, or free in the plane are three different numbers.
+    The path runs from the equilibrium under the layout's own loads and what is held, by arc length,
+    to where a first direction gets unstable. What ``held`` holds decides which load this is: a body
+    locked, free to turn, or free in the plane are three different numbers.
 
     Parameters
     ----------
@@ -122,7 +99,7 @@ def critical_load(
         The loads that grow together.
     most : float
         Largest factor of interest [-].
-    effects, tolerance
+    effects, tolerance, levels
         As in :func:`flexcli.mechanics.equilibrium.solve`.
 
     Returns
@@ -134,65 +111,121 @@ def critical_load(
     ------
     SolveError
         ``unstable-start`` when the mechanism falls without the pattern, ``no-critical-load``
-        when nothing is critical up to ``most``.
+        when nothing is critical up to ``most``, ``lost-path`` when the path ends before,
+        ``inaccurate`` when the finest nodes leave the factor unsure; what ``solve`` says of the
+        equilibrium without the pattern.
+
+    References
+    ----------
+    Allgower & Georg (2003), Introduction to Numerical Continuation Methods, chapters 4 and 5.
 
     """
-
-    def at(factor: float, start: Equilibrium | None) -> Equilibrium:
-        return solve(
-            layout,
-            held,
-            loads=pattern,
-            load_factor=factor,
-            effects=effects,
-            tolerance=tolerance,
-            start=start,
-        )
-
-    below = at(0.0, None).checked()
-    if not is_stable(below)[0]:
+    effects = Effects() if effects is None else effects
+    held = {} if held is None else held
+    rest = solve(layout, held, effects=effects, tolerance=tolerance, levels=levels).checked()
+    if rest.unstable[0]:
         raise SolveError(
             "unstable-start",
             "the mechanism is unstable before the load pattern acts",
             "hold more of its motions, or lessen its own loads",
         )
-    at_rest = below
-    low, high, jump = 0.0, most, 0
-    for _ in range(_MOST_SOLVES):
-        factor = (low + high) / 2.0 if jump else min(low + most / _STEPS, most)
-        state = at(factor, below)
-        fell = int(unstable_directions(state)[0]) if state.converged[0] else 1
-        if fell:
-            high, jump = factor, fell
-        else:
-            low, below = factor, state
-        if low >= most:
-            raise SolveError(
-                "no-critical-load",
-                f"no equilibrium up to {most:g} times the pattern is critical",
-                "raise the largest factor, or turn the pattern round",
-            )
-        if jump and high - low <= _TOLERANCE * high:
-            break
-    return Critical(low, below, jump, _mode(at_rest, below))
+    coarse = rest.parts[0].assembly
+    demand = demand_of(coarse, held, pattern, most, rest)
+    search, low, high = _stretch(coarse, demand, rest.parts[0].x[0], most)
+    found = first_critical(search, low, high)
+    if len(levels) == 1:
+        return _critical(search, found, np.inf, most)
+    for nodes in (level for level in levels if level > coarse.nodes):
+        fine = at_nodes(coarse, nodes)
+        plane = search.plane._replace(
+            x=finer(search.assembly, fine, search.plane.x[None])[0],
+            tangent=finer(search.assembly, fine, search.plane.tangent[None])[0],
+            weight=arc_weight(fine),
+        )
+        again = search._replace(assembly=fine, plane=plane)
+        better = on_finer(search, again, found)
+        error = abs(better.parameter / found.parameter - 1.0)
+        search, found = again, better
+        if error <= tolerance:
+            return _critical(search, found, error, most)
+    raise SolveError(
+        "inaccurate",
+        "the finest nodes do not settle the critical load",
+        "ask for less accuracy",
+    )
 
 
-def _mode(at_rest: Equilibrium, state: Equilibrium) -> Floats:
-    """Return the motion of the bodies whose compliance grew without end (bodies, 3)."""
-    part = state.parts[0]
-    free = part.demand.free
-    mode = np.zeros(3 * part.assembly.bodies)
-    if free.size:
-        unit = np.where(free % 3 == 2, 1.0, float(part.assembly.length[0]))
-        values, vectors = _softest(state, unit)
-        if values > _GROWN * _softest(at_rest, unit)[0]:
-            mode[free] = vectors / vectors[np.argmax(np.abs(vectors))] * unit
+def _stretch(
+    assembly: Assembly, demand: Demand, x: Floats, most: float
+) -> tuple[Search, Point, Point]:
+    """Return the first step of the path over which stability is lost, and its ends."""
+    known: list[tuple[Floats, int]] = []
+
+    def ways(x: Floats, parameter: float) -> int:
+        if not (known and known[-1][0] is x):
+            known.append((x, ways_of_one(assembly, demand, x, parameter)))
+        return known[-1][1]
+
+    points = follow(
+        steps_of(assembly, demand),
+        (x, 0.0),
+        arc_weight(assembly),
+        stride=_FIRST,
+        longest=_LONGEST,
+        goal=lambda x, parameter: parameter >= 1.0 or ways(x, parameter) > 0,
+        kind=ways,
+        tolerance=_CORRECTION,
+        most=_MOST,
+    )
+    last = points[-1]
+    fell = ways(last.x, last.parameter) > 0
+    if not fell and last.parameter >= 1.0:
+        raise _none_up_to(most)
+    if not fell:
+        raise lost_path()
+    before = points[-2]
+    s = float(before.tangent @ (before.weight * (last.x - before.x)))
+    s += before.slope * (last.parameter - before.parameter)
+    at = assembly.linearise(before.x[None], np.array([before.parameter]), np.arange(1), demand)
+    unit = row_units(closing_and_balance(assembly, demand, at))[0]
+    search = Search(assembly, demand, before, _LONGEST, unit)
+    return (
+        search,
+        search.point(before.x, before.parameter, 0.0),
+        search.point(last.x, last.parameter, s),
+    )
+
+
+def _critical(search: Search, found: CriticalPoint, error: float, most: float) -> Critical:
+    if found.parameter > 1.0:
+        raise _none_up_to(most)
+    side, assembly = found.before, search.assembly
+    part = Part(assembly, search.demand, np.arange(1), side.x[None], np.array([side.parameter]))
+    layout, effects = assembly.layout, assembly.effects
+    return Critical(
+        factor=found.parameter * most,
+        state=state_of(layout, effects, part, error, 0),
+        multiplicity=found.after.ways,
+        mode=_mode(search, found.null * search.unit),
+        turns=bool(abs(found.slope) < _LEVEL * search.plane.slope),
+        estimated_error=error,
+    )
+
+
+def _none_up_to(most: float) -> SolveError:
+    return SolveError(
+        "no-critical-load",
+        f"no equilibrium up to {most:g} times the pattern is critical",
+        "raise the largest factor, or turn the pattern round",
+    )
+
+
+def _mode(search: Search, null: Floats) -> Floats:
+    """Return the motion of the bodies in the null vector of closing and balance (bodies, 3)."""
+    assembly, free = search.assembly, search.demand.free
+    mode = np.zeros(3 * assembly.bodies)
+    forces, motions = null[: 3 * assembly.blades], null[3 * assembly.blades :]
+    if np.max(np.abs(motions), initial=0.0) > _STILL * np.max(np.abs(forces)):
+        largest = motions[np.argmax(np.abs(motions))]
+        mode[free] = motions / largest * np.where(free % 3 == 2, 1.0, assembly.length[0])
     return mode.reshape(-1, 3)
-
-
-def _softest(state: Equilibrium, unit: Floats) -> tuple[float, Floats]:
-    """Return the largest scaled compliance of the free coordinates and its direction."""
-    G = free_compliance(state)[0] / np.outer(unit, unit)
-    values, vectors = np.linalg.eigh((G + G.T) / 2.0)
-    most = int(np.argmax(np.abs(values)))
-    return float(abs(values[most])), vectors[:, most]

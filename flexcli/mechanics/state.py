@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from flexcli.errors import SolveError
 from flexcli.mechanics.assembly import Assembly, Linearised
 from flexcli.mechanics.demand import Demand
+from flexcli.mechanics.falling import ways_to_fall
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.si import blade_forces, body_forces, body_motions
@@ -59,7 +60,9 @@ class Equilibrium:
     """Designs in equilibrium; the first axis of every array is the design, also for one alone.
 
     A design that could not go all the way is in equilibrium at the share ``reached`` of what was
-    asked, and its ``outcome`` says why: call ``checked`` before relying on numbers.
+    asked, and its ``outcome`` says why: call ``checked`` before relying on numbers. One that went
+    straight on through a branching point (a column past its Euler load) is in equilibrium, and
+    ``unstable`` tells that it does not stay there.
     """
 
     layout: Layout
@@ -109,6 +112,18 @@ class Equilibrium:
     def linearised(self) -> tuple[Linearised, ...]:
         """Return the equations of each part about its solution."""
         return tuple(part.linearise() for part in self.parts)
+
+    @cached_property
+    def unstable(self) -> Integers:
+        """Return in how many independent ways each design would fall if let go (designs,).
+
+        Zero where the equilibrium is stable, its held coordinates held.
+        """
+        values = [
+            ways_to_fall(part.assembly, part.demand, at, part.x, part.rows).astype(np.float64)
+            for part, at in zip(self.parts, self.linearised, strict=True)
+        ]
+        return np.rint(self.scatter(values)).astype(np.intp)
 
     @cached_property
     def residual(self) -> Floats:

@@ -17,6 +17,9 @@ _MOST_ITERATIONS = 12
 _WANTED = 4
 """Iterations of a corrector that suit the step; fewer lengthen it, more shorten it."""
 
+_FLOOR = 1e-6
+"""Length below which a step that no longer shrinks is rounding (much near critical points)."""
+
 
 class Hyperplane(NamedTuple):
     """Points (x, λ) with ``tangent·(x − x_0) weight + slope (λ − λ_0) = 0``."""
@@ -57,10 +60,11 @@ def correct_on(
         d = -gap / (plane.tangent @ (plane.weight * rate) + plane.slope)
         change = step + rate * d
         size = max(float(np.sqrt(change @ (plane.weight * change))), abs(float(d)))
-        if not np.isfinite(size) or (count > 2 and size > before):
+        restless = size > before
+        if not np.isfinite(size) or (count > 2 and restless and size > _FLOOR):
             return None
         x, parameter, before = x + change, parameter + float(d), size
-        if size <= tolerance:
+        if size <= tolerance or (restless and size <= _FLOOR):
             return x, parameter, count
     return None
 
@@ -73,6 +77,7 @@ def follow(
     stride: float,
     longest: float,
     goal: Callable[[Floats, float], bool],
+    kind: Callable[[Floats, float], int],
     tolerance: float,
     most: int,
 ) -> list[Hyperplane]:
@@ -90,6 +95,10 @@ def follow(
         First and longest step of arc length [-].
     goal : callable
         ``goal(x, λ)`` says whether the path has gone far enough.
+    kind : callable
+        ``kind(x, λ)`` gives a number that changes only where λ turns or paths branch: elsewhere a
+        step is shortened until nothing but a branching point can lie on it, so that a path which
+        bends sharply away from such a point is not left for its other half.
     tolerance : float
         Length of the error of a point [-].
     most : int
@@ -107,6 +116,7 @@ def follow(
     """
     x, parameter = start
     points = [_tangent(steps, x, parameter, weight, None)]
+    here = kind(x, parameter)
     while len(points) < most and not goal(points[-1].x, points[-1].parameter):
         last = points[-1]
         guess = last._replace(
@@ -118,8 +128,13 @@ def follow(
             point = _tangent(steps, x, parameter, weight, last)
             # a sharp bend means that the path was lost for another one
             bend = point.tangent @ (weight * last.tangent) + point.slope * last.slope
-            if bend > _STRAIGHT:
+            off = x - guess.x
+            astray = float(np.hypot(np.sqrt(off @ (weight * off)), parameter - guess.parameter))
+            there = kind(x, parameter)
+            sound = there == here or point.slope * last.slope < 0.0 or stride <= _CLOSE * longest
+            if bend > _STRAIGHT and astray < _ASTRAY * stride and sound:
                 points.append(point)
+                here = there
                 stride = min(longest, stride * float(np.clip(_WANTED / count, 0.5, 2.0)))
                 continue
         stride /= 2.0
@@ -131,7 +146,13 @@ def follow(
 _STRAIGHT = 0.9
 """Cosine of the largest angle between the tangents of two neighbours."""
 
+_ASTRAY = 0.3
+"""Distance of a point from where the tangent led, over the step, above which it is not trusted."""
+
 _SHORTEST = 1e-6
+
+_CLOSE = 0.02
+"""Step over the longest on which the kind may change without a turn."""
 
 
 def _tangent(

@@ -19,10 +19,10 @@ TRUST = 0.3
 _SMALLEST = 1e-5
 """Share of the way below which a step is no longer halved: the path turns or ends here."""
 
-_BENT = 0.05
-"""Correction [-] above which a step has to lead back."""
+_BENT = 0.02
+"""Correction [-] above which a step has to lead back, to a solution of the same kind."""
 
-_MOST_STEPS = 400
+_MOST_STEPS = 120
 
 
 class March(NamedTuple):
@@ -39,6 +39,7 @@ def march(
     correct: Callable[[Floats, Floats, Integers], NewtonResult],
     step: Callable[[Floats, Floats, Integers], Floats],
     length: Callable[[Floats, Floats], Floats],
+    kind: Callable[[Floats, Floats, Integers], Integers],
     start: Floats,
 ) -> March:
     """Return where the path from ``start`` at parameter 0 leads at parameter 1.
@@ -50,6 +51,9 @@ def march(
         the designs ``rows``; its first step must be the tangent of the path.
     step, length : callable
         One step of Newton's method at the parameters given, and its length.
+    kind : callable
+        ``kind(x, parameter, rows)`` gives a number for each solution that stays the same along a
+        path without critical points (the number of negative directions; zero where stable).
     start : array, shape (designs, m)
         Solutions at parameter 0.
 
@@ -64,7 +68,8 @@ def march(
     the next one is ``√(TRUST/2c)`` as long, between a tenth and three times. A step along a bent
     path must lead back: one step of Newton's method from its end to the parameter of its start,
     along the tangent there, must come as near as the step itself was allowed to be off. From
-    behind a limit point it does not.
+    behind a limit point it does not. Nor may it lead to an unstable solution of another kind; a
+    short step may, so that a path which goes straight on through a branching point is followed.
 
     References
     ----------
@@ -91,6 +96,12 @@ def march(
             off = length(origin, back - origin)
             allowed = np.minimum(TRUST, CONTRACTION * length(origin, found.x[bent] - origin))
             good[bent] = off <= allowed
+            # the ground state needs no comparison: to gain stability is no jump
+            led = bent[good[bent]]
+            at = kind(found.x[led], target[led], rows[led])
+            led, at = led[at > 0], at[at > 0]
+            if led.size:
+                good[led] = at == kind(x[rows[led]], reached[rows[led]], rows[led])
         there = rows[good]
         x[there], reached[there] = found.x[good], target[good]
         last_step[there] = found.last_step[good]

@@ -19,7 +19,7 @@ _RESTLESS = 3
 """Steps in a row that may be longer than the one before."""
 
 CONTRACTION = 0.5
-"""Second step over the first that Newton's method keeps on the path it started from."""
+"""Step over the one before with which Newton's method stays on the path it started from."""
 
 _FLOOR = 1e-9
 """Length below which a step that no longer shrinks is rounding, and the design is done."""
@@ -31,7 +31,7 @@ class NewtonEnd(Enum):
     CONVERGED = "converged"
     SINGULAR = "the Jacobian is singular"
     DIVERGED = "the steps stopped shrinking"
-    FAR = "the first correction is longer than allowed"
+    FAR = "a correction is longer than allowed"
 
 
 class NewtonResult(NamedTuple):
@@ -85,8 +85,9 @@ def newton(
         where that is longer, but at most one.
     trust : float
         Longest second step [-]. From a solution nearby the first step is the tangent of the
-        path, the second measures how far the path bends away: beyond this, or half the first,
-        another branch may be near, and the design ends as FAR. Without it, any solution will do.
+        path, the second measures how far the path bends away: beyond this, or where any step is
+        longer than half the one before, another branch may be near, and the design ends as FAR.
+        Without it, any solution will do.
     most : int
         Most iterations.
 
@@ -117,12 +118,11 @@ def newton(
         iterations[rows] += 1
         sound = np.isfinite(size)
         end[rows[~sound]] = NewtonEnd.SINGULAR
-        far = np.zeros_like(sound)
         if count == 1:
             bend[rows] = size
-            far = sound & (
-                np.isfinite(trust) & (size > np.minimum(trust, CONTRACTION * last[rows]))
-            )
+        far = np.zeros_like(sound)
+        if count > 0 and np.isfinite(trust):
+            far = sound & (size > np.minimum(trust, np.maximum(CONTRACTION * last[rows], _FLOOR)))
             end[rows[far]] = NewtonEnd.FAR
         keep = sound & ~far
         rows, s, size = rows[keep], s[keep], size[keep]

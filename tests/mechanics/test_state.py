@@ -1,4 +1,4 @@
-"""What is read off an equilibrium: stiffness, stability, modes, stresses, path, linear limit."""
+"""What is read off an equilibrium: stiffness, modes, stresses, path, linear limit."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -7,36 +7,30 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from mechanisms_for_tests import E, G, cantilever, pivot
+from mechanisms_for_tests import E, cantilever, pivot
 from scipy.linalg import eigh
 
-from flexcli.errors import SolveError
-from flexcli.formulas.buckling import euler_load
 from flexcli.formulas.pivot import end_stresses
 from flexcli.formulas.planar_joint import joint_stiffness
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
-from flexcli.mechanics.equilibrium import LEVELS, Outcome, solve
-from flexcli.mechanics.layout import Blade, Body, Layout, Load, Support
+from flexcli.mechanics.equilibrium import LEVELS, solve
+from flexcli.mechanics.layout import Body, Load, Support
 from flexcli.mechanics.linear import linear
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.modes import mass_matrix, vibration
-from flexcli.mechanics.path import sweep, trace
+from flexcli.mechanics.path import sweep
 from flexcli.mechanics.points import point_motion
-from flexcli.mechanics.stability import critical_load, is_stable, unstable_directions
 from flexcli.mechanics.stresses import blade_stress, greatest_stress
 from flexcli.mechanics.tangent import body_stiffness, free_compliance, held_stiffness
 
 SLENDER = Effects(extension=False, shear=False)
 l, h, b = 20e-3, 1e-4, 10e-3
 EI = E * b * h**3 / 12.0
-THIN = 1e-6
-"""Thickness at which a blade is next to inextensible."""
-PUSH = Load("tip", (l, 0.0), (-EI / l**2, 0.0))
 
 states = {
     "bent": {"held": {"out": (None, None, 0.3)}},
     "loaded": {"loads": [Load("out", (1e-3, 2e-3), (2 * EI / l**2, EI / l**2), 0.5 * EI / l)]},
-    "held across": {"held": {"out": (None, 1e-5, None)}},
+    "held across": {"held": {"out": (None, 5e-7, None)}},
 }
 
 
@@ -81,91 +75,6 @@ def test_the_moment_over_the_stroke_is_the_integral_of_its_stiffness():
     stiffness = held_stiffness(solve(pivot(), {"out": (None, None, theta)}).checked())[:, 0, 0]
     moment = solve(pivot(), {"out": (None, None, 0.5)}).checked().reactions[0, 0, 2]
     assert 0.25 * weights @ stiffness == pytest.approx(moment, rel=1e-9)
-
-
-ENDS = {
-    "clamped-free": {},
-    "clamped-pinned": {"tip": (None, 0.0, None)},
-    "clamped-guided": {"tip": (None, None, 0.0)},
-    "clamped-clamped": {"tip": (None, 0.0, 0.0)},
-}
-
-
-@pytest.mark.parametrize("ends", ENDS)
-def test_a_blade_buckles_at_eulers_load(ends):
-    found = critical_load(cantilever(), ENDS[ends], [PUSH], most=50.0, effects=SLENDER)
-    expected = euler_load(E=E, I=b * h**3 / 12.0, l=l, ends=ends) * l**2 / EI
-    assert found.factor == pytest.approx(expected, rel=1e-9)
-    assert found.multiplicity == 1
-    blade_alone = ends == "clamped-clamped"
-    assert (np.max(np.abs(found.mode)) == 0.0) == blade_alone
-
-
-def test_a_blade_is_unstable_in_as_many_ways_as_euler_loads_passed():
-    """Cantilever: (2i − 1)² π²/4."""
-    loads = [0.9, 1.1, 8.9, 9.1, 24.9, 25.1]
-    factor = np.pi**2 / 4.0 * np.array(loads)
-    state = solve(cantilever(), loads=[PUSH], load_factor=factor, effects=SLENDER)
-    assert unstable_directions(state).tolist() == [0, 1, 1, 2, 2, 3]
-    assert is_stable(state).tolist() == [True, False, False, False, False, False]
-
-
-def test_what_is_held_decides_the_critical_load_of_a_pivot():
-    """Radial load towards the blades: locked, both blades buckle clamped at 4π²EI/l²·2 cos α."""
-    push = [Load("out", (0.0, 0.0), (EI * (THIN / h) ** 3 / l**2, 0.0))]
-    locked, turning = (
-        critical_load(pivot(h=THIN), held, push, most=80.0)
-        for held in ({"out": (None, 0.0, 0.0)}, {"out": (None, 0.0, None)})
-    )
-    assert locked.factor == pytest.approx(4.0 * np.pi**2 * 2.0 * np.cos(np.pi / 4), rel=1e-6)
-    assert locked.multiplicity == 2
-    assert turning.factor < 0.5 * locked.factor
-    assert abs(turning.mode[0, 2]) == 1.0
-
-
-def test_no_critical_load_is_said_to_be_none():
-    with pytest.raises(SolveError, match="critical"):
-        critical_load(cantilever(), {}, [PUSH], most=1.0)
-    pull = replace(cantilever(), loads=(replace_force(PUSH, 3.0),))
-    with pytest.raises(SolveError, match="unstable before"):
-        critical_load(pull, {}, [PUSH], most=1.0)
-
-
-def replace_force(load, factor):
-    return load._replace(force=tuple(factor * f for f in load.force))
-
-
-def arch(rise=2e-3, thickness=2e-4):
-    blades = tuple(
-        Blade(str(s), "ground", "top", (s * l, 0.0), (0.0, rise), Constant(thickness), b)
-        for s in (-1, 1)
-    )
-    return Layout((Body("top", (0.0, rise)),), blades, E, G)
-
-
-def test_the_path_of_a_shallow_arch_turns_twice_and_ends_stable():
-    rise = 2e-3
-    push = [Load("top", (0.0, rise), (0.0, -100.0))]
-    held = {"top": (0.0, None, 0.0)}
-    path = trace(arch(rise), held, loads=push)
-    assert path.complete
-    assert len(path.turns) == 2
-    assert is_stable(path.states[0])[0]
-    assert is_stable(path.states[-1])[0]
-    assert not is_stable(path.states[len(path.states) // 2])[0]
-    # flat, its thrust is level and balances no load
-    flat = int(np.argmin([abs(s.motions[0, 0, 1] + rise) for s in path.states]))
-    assert abs(path.share[flat]) < 0.1 * path.share.max()
-    one = path.states[3]
-    again = solve(arch(rise), held, loads=push, load_factor=path.share[3]).checked()
-    assert one.motions == pytest.approx(again.motions, rel=1e-8)
-
-
-def test_a_load_beyond_the_limit_point_is_a_named_outcome():
-    push = [Load("top", (0.0, 2e-3), (0.0, -23.0))]
-    result = solve(arch(), {"top": (0.0, None, 0.0)}, loads=push)
-    assert result.outcome == (Outcome.TURNED,)
-    assert 0.9 < result.reached[0] < 1.0
 
 
 def test_frequency_of_a_pivot_is_that_of_its_stiffness_and_inertia():

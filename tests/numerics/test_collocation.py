@@ -68,6 +68,7 @@ def test_arc_length_goes_round_a_circle():
         stride=0.1,
         longest=0.2,
         goal=lambda x, _: bool(x[0] > 0.9),
+        kind=lambda x, _: int(x[0] > 0.0),
         tolerance=1e-12,
         most=100,
     )

@@ -74,7 +74,10 @@ def test_a_march_stops_at_the_limit_point_and_goes_on_elsewhere():
             trust=0.3,
         )
 
-    found = march(correct, step, length, np.zeros((2, 1)))
+    def kind(x, share, rows):
+        return (x[:, 0] > 1.0).astype(np.intp)
+
+    found = march(correct, step, length, kind, np.zeros((2, 1)))
     assert found.reached[0] == 1.0
     assert found.x[0, 0] - found.x[0, 0] ** 3 / 3.0 == pytest.approx(0.5, rel=1e-13)
     assert found.reached[1] == pytest.approx(2.0 / 3.0, abs=1e-3)

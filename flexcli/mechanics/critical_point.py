@@ -1,0 +1,195 @@
+"""The first point of a path at which its energy loses a direction: a root along the arc length."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.errors import SolveError
+from flexcli.mechanics.assembly import Assembly, finer
+from flexcli.mechanics.demand import Demand
+from flexcli.mechanics.falling import closing_and_balance, ways_to_fall
+from flexcli.mechanics.path import steps_of
+from flexcli.numerics.arc_length import Hyperplane, correct_on
+
+__all__ = ["CriticalPoint", "Point", "Search", "first_critical", "lost_path", "on_finer"]
+
+Floats = NDArray[np.float64]
+
+_ASIDE = 1e-6
+"""How far to either side of a critical point the path is looked at, over the longest step.
+
+Nearer, rounding grows as the equations get singular; the error of what is read off between the two
+sides is the square."""
+
+_CORRECTION = 1e-12
+_MOST = 60
+
+_REAL = 1e-3
+"""Imaginary part of a ratio, over its size, that rounding gives to modes that meet."""
+
+_ALONE = np.arange(1)
+
+
+class Point(NamedTuple):
+    """An equilibrium on the plane s: λ, unknowns, ways to fall, and P (see ``Search.point``)."""
+
+    s: float
+    parameter: float
+    x: Floats
+    P: Floats
+    ways: int
+
+
+class CriticalPoint(NamedTuple):
+    """Where a path gets critical: λ there, its two sides, and the null vector of P.
+
+    ``slope`` is dλ/ds: zero where the load itself turns.
+    """
+
+    parameter: float
+    before: Point
+    after: Point
+    null: Floats
+    slope: float
+
+
+class Search(NamedTuple):
+    """A stretch of a path: planes at the distances s from ``plane``, which is normal to it.
+
+    ``length`` is the longest step along the path, ``unit`` are those of blade forces and free
+    motions in S.
+    """
+
+    assembly: Assembly
+    demand: Demand
+    plane: Hyperplane
+    length: float
+    unit: Floats
+
+    def point(self, x: Floats, parameter: float, s: float) -> Point:
+        """Return an equilibrium on the plane s as a point of the path.
+
+        ``P = (S⁻¹ + Z)⁻¹`` with Z a unit compliance of every body and a unit stiffness of every
+        blade added: singular where S⁻¹ is infinite, and finite before, where S⁻¹ has the signs of
+        Z. S itself has poles, where a blade with its ends let go would buckle.
+        """
+        at = self.assembly.linearise(x[None], np.array([parameter]), _ALONE, self.demand)
+        ways = int(ways_to_fall(self.assembly, self.demand, at, x[None], _ALONE)[0])
+        S = closing_and_balance(self.assembly, self.demand, at)[0] * np.outer(self.unit, self.unit)
+        Z = np.ones(self.unit.size)
+        Z[: 3 * self.assembly.blades] = -1.0
+        P = np.linalg.solve(np.eye(Z.size) + S * Z, S)
+        return Point(s, parameter, x, P, ways)
+
+    def at(self, s: float, low: Point, high: Point) -> Point:
+        """Return the equilibrium on the plane s, from the straight line through two points."""
+        share = (s - low.s) / (high.s - low.s)
+        foot = self.plane._replace(
+            x=low.x + share * (high.x - low.x),
+            parameter=low.parameter + share * (high.parameter - low.parameter),
+        )
+        found = correct_on(foot, steps_of(self.assembly, self.demand), _CORRECTION)
+        if found is None:
+            raise lost_path()
+        return self.point(found[0], found[1], s)
+
+
+def lost_path() -> SolveError:
+    """Return what is said where no equilibrium is found on the way."""
+    return SolveError(
+        "lost-path",
+        "the path of the load pattern is lost before anything is critical",
+        "lessen what is held, or trace the path by arc length to see where it goes",
+    )
+
+
+def first_critical(search: Search, low: Point, high: Point) -> CriticalPoint:
+    """Return the first critical point between two points of a path, stable and unstable.
+
+    Where ``P v = 0``: by the linear eigenvalue problem on the straight line through P at the two
+    newest points, between sides that the number of ways to fall tells apart, and by halves where
+    no such line crosses between them.
+
+    Parameters
+    ----------
+    search : Search
+        The stretch of the path.
+    low, high : Point
+        Its ends.
+
+    Returns
+    -------
+    CriticalPoint
+        The point; the equilibrium before it is stable.
+
+    Raises
+    ------
+    SolveError
+        ``lost-path`` where no equilibrium is found between.
+
+    References
+    ----------
+    Ruhe (1973), Algorithms for the nonlinear eigenvalue problem, section 3 (successive linear
+    problems); Dekker (1969), Finding a zero by means of successive linear interpolation.
+
+    """
+    aside = _ASIDE * search.length
+    older, newest, halve = low, high, False
+    for _ in range(_MOST):
+        s, _ = _crossing(older, newest, low.s, high.s)
+        if high.s - low.s <= 2.0 * aside:
+            return _between(low, high)
+        if halve or not np.isfinite(s):
+            older, newest, halve = newest, search.at((low.s + high.s) / 2.0, low, high), False
+        elif min(s - low.s, high.s - s) <= aside:
+            before, after = search.at(s - aside, low, high), search.at(s + aside, low, high)
+            if before.ways == 0 < after.ways:
+                return _between(before, after)
+            older, newest, halve = low, before if before.ways else after, True
+        else:
+            width = high.s - low.s
+            older, newest = newest, search.at(s, low, high)
+            # an end that stands still is brought nearer by halves
+            halve = max(newest.s - low.s, high.s - newest.s) > 0.9 * width
+        low, high = (low, newest) if newest.ways else (newest, high)
+    raise lost_path()
+
+
+def on_finer(search: Search, fine: Search, found: CriticalPoint) -> CriticalPoint:
+    """Return a critical point again, with more nodes."""
+    sides = [
+        side._replace(x=finer(search.assembly, fine.assembly, side.x[None])[0])
+        for side in (found.before, found.after)
+    ]
+    aside, reach = _ASIDE * search.length, 1.0
+    while reach * aside < search.length:
+        middle = (found.before.s + found.after.s) / 2.0
+        low, high = (fine.at(middle + side * reach * aside, *sides) for side in (-1.0, 1.0))
+        if low.ways == 0 < high.ways:
+            return _between(low, high) if reach == 1.0 else first_critical(fine, low, high)
+        reach *= 30.0
+    raise lost_path()
+
+
+def _crossing(one: Point, other: Point, least: float, most: float) -> tuple[float, Floats]:
+    """Return the first s between bounds at which P is singular if it is straight, and Pv = 0.
+
+    ``P_2 v = μ P_1 v`` has μ < 0 where v changes sides, whatever the units; infinite where none.
+    """
+    ratios, vectors = np.linalg.eig(np.linalg.solve(one.P, other.P))
+    real = np.abs(ratios.imag) <= _REAL * (1.0 + np.abs(ratios))
+    share = 1.0 / np.where(real & (ratios.real != 1.0), 1.0 - ratios.real, 1e-300)
+    s = one.s + share * (other.s - one.s)
+    s = np.where((s > least) & (s < most), s, np.inf)
+    first = int(np.argmin(s))
+    return float(s[first]), vectors[:, first].real
+
+
+def _between(before: Point, after: Point) -> CriticalPoint:
+    """Return the critical point on the straight line between its two sides."""
+    s, null = _crossing(before, after, before.s, after.s)
+    if not np.isfinite(s):
+        raise lost_path()
+    slope = (after.parameter - before.parameter) / (after.s - before.s)
+    return CriticalPoint(before.parameter + slope * (s - before.s), before, after, null, slope)
