@@ -1,5 +1,6 @@
 """The joint of a case in exact equilibrium: at the ends of its stroke, under its forces."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from math import cos, sin
 from typing import Any
@@ -9,8 +10,8 @@ from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.mechanics.demand import Held
-from flexcli.mechanics.equilibrium import solve
-from flexcli.mechanics.layout import Layout, Load, Point
+from flexcli.mechanics.equilibrium import LEVELS, solve
+from flexcli.mechanics.layout import Layout, Load, Point, Support
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.state import Equilibrium
 from flexcli.parts.elastic import NotAvailable
@@ -32,6 +33,9 @@ __all__ = [
 ]
 
 Floats = NDArray[np.float64]
+
+RIGHT = 1e-9
+"""Sine of twice an angle that counts as a right one."""
 
 
 def layout_of(ask: Ask) -> Layout:
@@ -85,28 +89,38 @@ def case_demand(ask: Ask, layout: Layout) -> tuple[Held, list[Load]]:
     return held_in(ask, ends), forces_on(scene, signs, centre)
 
 
-def over_stroke(ask: Ask, effects: Effects, tolerance: float) -> Equilibrium:
+def over_stroke(
+    ask: Ask, effects: Effects, tolerance: float, levels: Sequence[int] = LEVELS
+) -> Equilibrium:
     """Return the exact equilibria of a case's states."""
     layout = layout_of(ask)
     held, loads = case_demand(ask, layout)
     return solved(
-        layout, held, loads=loads, effects=blades_of(layout, effects), tolerance=tolerance
-    )
+        layout, held, loads=loads,
+        effects=blades_of(layout, effects), tolerance=tolerance, levels=levels,
+    )  # fmt: skip
 
 
-def at_rest(ask: Ask, effects: Effects, tolerance: float) -> Equilibrium:
+def at_rest(
+    ask: Ask, effects: Effects, tolerance: float, levels: Sequence[int] = LEVELS
+) -> Equilibrium:
     """Return the joint at rest, its driven motion held."""
     layout = layout_of(ask)
     held = {MOVING: ask.geometry.held(0.0)}
-    return solved(layout, held, effects=blades_of(layout, effects), tolerance=tolerance)
+    return solved(
+        layout, held, effects=blades_of(layout, effects), tolerance=tolerance, levels=levels
+    )
 
 
 def solved(layout: Layout, held: Held, **demand: Any) -> Equilibrium:
     """Return an equilibrium, or say why there is none where a requirement asks."""
     try:
-        return solve(layout, held, **demand).checked()
+        state = solve(layout, held, **demand).checked()
     except SolveError as error:
         raise NotAvailable(f"has no exact equilibrium: {error}") from error
+    if state.unstable.any():
+        raise NotAvailable("has no stable exact equilibrium: the forces of the case buckle it")
+    return state
 
 
 def turned(layout: Layout, angle: float) -> Layout:
@@ -124,4 +138,15 @@ def turned(layout: Layout, angle: float) -> Layout:
             replace(blade, start=place(blade.start), end=place(blade.end))
             for blade in layout.blades
         ),
+        supports=tuple(_turned_support(support, place, angle) for support in layout.supports),
     )
+
+
+def _turned_support(support: Support, place: Callable[[Point], Point], angle: float) -> Support:
+    """Return a support turned by an angle; springs that differ turn by right angles only."""
+    along, across, turn = support.stiffness
+    if along != across and abs(sin(2.0 * angle)) > RIGHT:
+        raise NotAvailable("has supports whose springs differ: no oblique load on them")
+    if along != across and abs(sin(angle)) > 0.5:
+        along, across = across, along
+    return support._replace(point=place(support.point), stiffness=(along, across, turn))

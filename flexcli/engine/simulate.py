@@ -1,5 +1,6 @@
 """The verb simulate: the joint over its stroke, in exact equilibrium at every travel."""
 
+from collections.abc import Mapping
 from math import pi, sqrt
 from time import perf_counter
 
@@ -18,6 +19,7 @@ from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.stability import is_stable
 from flexcli.mechanics.state import Equilibrium, Outcome
 from flexcli.mechanics.stresses import greatest_stress
+from flexcli.mechanics.tangent import body_stiffness
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
@@ -29,6 +31,9 @@ from flexcli.results import Cost, Result, Status, SweepPoint, SweepResult, Value
 __all__ = ["simulate"]
 
 Floats = NDArray[np.float64]
+
+SECANT_STEPS, SETTLED = 30, 1e-9
+"""The stress is nearly in proportion to the stroke: each step keeps two digits more."""
 
 
 def simulate(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result:
@@ -66,7 +71,7 @@ def simulate(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result
         spec=spec,
         status=Status.PASS if passed else Status.FAIL,
         title=design.title,
-        values={**values, **_at_ends(design, sweeps)},
+        values={**values, **_at_ends(design, sweeps), **_admissible(moving[0], values)},
         checks=checks,
         sweeps=sweeps,
         warnings=assess.warnings(design, sizes, ()),
@@ -101,12 +106,16 @@ def _points(ask: Ask, state: Equilibrium, travels: Floats) -> tuple[SweepPoint, 
     peak = greatest_stress(state)
     worst = np.argmax(peak.total, axis=1)
     effort = state.reactions[:, index, driven_axis(ask.geometry)]
+    plane = _in_plane(state, driven_axis(ask.geometry), driven_stiffness(state, ask))
     stiffness, energy, stable = driven_stiffness(state, ask), strain_energy(state), is_stable(state)
     return tuple(
         SweepPoint(
             travel=float(travels[i]),
             effort=float(effort[i]),
             stiffness=float(stiffness[i]),
+            stiffness_x=float(plane[i, 0]),
+            stiffness_y=float(plane[i, 1]),
+            stiffness_phi=float(plane[i, 2]),
             shift_x=float(shift[i, 0]),
             shift_y=float(shift[i, 1]),
             bending=float(peak.bending[i].max()),
@@ -121,6 +130,47 @@ def _points(ask: Ask, state: Equilibrium, travels: Floats) -> tuple[SweepPoint, 
         for i in range(state.designs)
         if state.outcome[i] is Outcome.CONVERGED
     )
+
+
+def _admissible(ask: Ask, values: Mapping[str, Value]) -> dict[str, Value]:
+    """Return the stroke at which the stress at the faces reaches the strength, by the secant.
+
+    It starts from the closed form's; where the path ends before, nothing is said.
+    """
+    name = "theta_adm" if ask.geometry.motion == "rotation" else "x_adm"
+    if name not in values:
+        return {}
+    layout, closed = layout_of(ask), values[name]
+    unit_stress = max(
+        abs(float(stress))
+        for stress in ask.geometry.end_stresses(ask.material.elastic, ask.sizes, 1.0).values()
+    )
+    strength, travel = closed.value * unit_stress, closed.value
+    for _ in range(SECANT_STEPS):
+        state = solve(
+            layout,
+            {MOVING: ask.geometry.held(travel)},
+            effects=blades_of(layout, Effects()),
+            tolerance=TOLERANCE,
+        )
+        if not state.converged[0]:
+            return {}
+        stress = float(greatest_stress(state).total.max())
+        if abs(stress / strength - 1.0) < SETTLED:
+            return {name: closed._replace(value=travel, model="exact")}
+        travel *= strength / stress
+    return {}
+
+
+def _in_plane(state: Equilibrium, driven: int, own: Floats) -> Floats:
+    """Return the stiffness along x, along y and in rotation, the drive held (designs, 3)."""
+    K = body_stiffness(state, MOVING)
+    free = [axis for axis in range(3) if axis != driven]
+    C = np.linalg.inv(K[:, free][:, :, free])
+    found = np.empty((state.designs, 3))
+    found[:, free] = 1.0 / np.diagonal(C, axis1=1, axis2=2)
+    found[:, driven] = own
+    return found
 
 
 def _frequency(ask: Ask, stiffness: float) -> float | None:

@@ -9,6 +9,8 @@ class SweepPoint(NamedTuple):
     """The joint at one travel: what drives it, how stiff it is there, where it went, stresses.
 
     ``effort`` is the moment or force of the drive, ``stiffness`` its tangent with all else free;
+    ``stiffness_x``, ``_y`` and ``_phi`` are those of the body's point in the plane, all else free
+    but the drive, which stays held (along the drive it is its own tangent again);
     ``shift`` is the motion (x, y) of the centre or of the stage's own point. ``bending`` is the
     largest bending stress, ``total`` the largest at either face with the axial force, each with
     the blade that has it. ``frequency`` is that of the mechanism's own motion about this
@@ -19,6 +21,9 @@ class SweepPoint(NamedTuple):
     travel: float
     effort: float
     stiffness: float
+    stiffness_x: float
+    stiffness_y: float
+    stiffness_phi: float
     shift_x: float
     shift_y: float
     bending: float

@@ -79,3 +79,22 @@ def test_a_design_without_a_stroke_says_what_is_missing():
     )  # fmt: skip
     with pytest.raises(SolveError, match="no case moves"):
         simulate(one, one.fixed_sizes(), "spec", 3)
+
+
+def test_the_admissible_stroke_is_where_the_real_stress_reaches_the_strength():
+    result = swept(rcc(h="0.1 mm", l="20 mm", b="5 mm"), {"rotation": "2 deg"}, 3)
+    reached = result.values["theta_adm"]
+    assert reached.model == "exact"
+    at_it = swept(rcc(h="0.1 mm", l="20 mm", b="5 mm"), {"rotation": f"{reached.value!r} rad"}, 3)
+    assert at_it.sweeps[0].points[-1].total == pytest.approx(800e6, rel=1e-8)
+
+
+def test_the_stiffness_in_the_plane_is_that_of_the_blades():
+    l, h, b, E = 20e-3, 0.1e-3, 5e-3, 114e9
+    (sweep,) = swept(
+        stage(h="0.1 mm", l="20 mm", b="5 mm", spacing="30 mm"), {"translation": "1 um"}, 3
+    ).sweeps
+    rest = sweep.points[1]
+    assert rest.stiffness_x == pytest.approx(2 * E * h * b / l, rel=1e-3)
+    assert rest.stiffness_y == rest.stiffness
+    assert rest.stiffness_phi == pytest.approx(2 * E * h * b / l * 15e-3**2, rel=1e-3)
