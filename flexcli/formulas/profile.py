@@ -14,11 +14,25 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Constant", "Filleted", "NeckedDown", "Notch", "Piece", "Profile", "Tabulated"]
+__all__ = [
+    "Constant",
+    "Filleted",
+    "NeckedDown",
+    "Notch",
+    "Piece",
+    "Profile",
+    "Tabulated",
+    "per_design",
+]
 
 Floats: TypeAlias = NDArray[np.float64]
 Number: TypeAlias = Any
 """A float, or an array of shape (designs, 1)."""
+
+
+def per_design(x: Any) -> Number:
+    """Return a number of many designs, shape (designs,), as a profile takes it."""
+    return x[:, None] if np.ndim(x) == 1 else x
 
 
 class Piece(NamedTuple):

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from flexcli.formulas import hinged_pivot, hinged_stage, notch
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
-from flexcli.formulas.profile import Notch
+from flexcli.formulas.profile import Notch, per_design
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
@@ -97,7 +97,7 @@ class _Hinged(Geometry):
         """Return the two hinges of a limb between two centres; the limb is a body."""
         (x_0, y_0), (x_1, y_1) = start, end
         u, v = (x_1 - x_0) / sizes.l, (y_1 - y_0) / sizes.l
-        r, profile = sizes.r, Notch(sizes.e, sizes.r)
+        r, profile = sizes.r, Notch(per_design(sizes.e), per_design(sizes.r))
         return [
             Strip(
                 f"{name} {place}", first, second,

@@ -7,7 +7,7 @@ from pydantic import Field
 from flexcli.formulas import stage
 from flexcli.formulas.card import Card
 from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
-from flexcli.formulas.profile import Constant
+from flexcli.formulas.profile import Constant, per_design
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
@@ -88,7 +88,7 @@ class LeafSpringStage(BladeGeometry):
         """Return the blades along x; the stage's point is at half their height."""
         h, l, b = sizes
         blades = tuple(
-            Strip(f"blade {index}", GROUND, MOVING, (0.0, y), (l, y), Constant(h), b)
+            Strip(f"blade {index}", GROUND, MOVING, (0.0, y), (l, y), Constant(per_design(h)), b)
             for index, y in enumerate(self.places(), 1)
         )
         return Layout((Body(MOVING, (l / 2.0, 0.0)),), blades, elastic.E, elastic.shear)

@@ -7,7 +7,7 @@ from pydantic import Field, model_validator
 
 from flexcli.formulas import necked_buckling, necked_choice, necked_size, necked_stage
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.profile import NeckedDown
+from flexcli.formulas.profile import NeckedDown, per_design
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import axial_stress
 from flexcli.mechanics.layout import Blade as Strip
@@ -152,7 +152,7 @@ class NeckedDownStage(Geometry):
             Strip(
                 f"blade {index + 1}", GROUND, MOVING,
                 (0.0, (index - middle) * self.spacing), (l, (index - middle) * self.spacing),
-                NeckedDown(h, l_c), b,
+                NeckedDown(per_design(h), per_design(l_c)), b,
             )
             for index in range(self.blades)
         )  # fmt: skip

@@ -15,7 +15,7 @@ from flexcli.formulas import (
     stress_concentration,
 )
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.profile import Filleted, Notch, Profile
+from flexcli.formulas.profile import Filleted, Notch, Profile, per_design
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
@@ -102,7 +102,8 @@ class _Hinge(Geometry):
 
     def layout(self, elastic: Elastic, sizes: Any) -> Layout:
         """Return the hinge along x, its middle in the origin."""
-        profile, l = self.profile(sizes)
+        profile, _ = self.profile(sizes._make(per_design(size) for size in sizes))
+        _, l = self.profile(sizes)
         strip = Strip("hinge", GROUND, MOVING, (-l / 2.0, 0.0), (l / 2.0, 0.0), profile, sizes.b)
         return Layout((Body(MOVING, (0.0, 0.0)),), (strip,), elastic.E, elastic.shear)
 

@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar
 from flexcli.formulas import pivot, pivot_next_shift, thick_pivot
 from flexcli.formulas.card import Card
 from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
-from flexcli.formulas.profile import Constant
+from flexcli.formulas.profile import Constant, per_design
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
@@ -100,7 +100,7 @@ class BladePivot(BladeGeometry):
     ) -> Strip:
         """Return a blade along a ray from the centre, between two distances from it [m]."""
         start, end = ((r * cos(angle), r * sin(angle)) for r in reach)
-        return Strip(name, *bodies, start, end, Constant(sizes.h), sizes.b, z)
+        return Strip(name, *bodies, start, end, Constant(per_design(sizes.h)), sizes.b, z)
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
         """Return what its closed forms are valid in: shape, rotation, place of the crossing."""

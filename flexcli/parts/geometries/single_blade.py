@@ -5,7 +5,7 @@ from typing import ClassVar, Literal
 from flexcli.formulas import single_blade as blade
 from flexcli.formulas.card import Card
 from flexcli.formulas.hinge_shift import BLADE_CARDS, blade_shift
-from flexcli.formulas.profile import Constant
+from flexcli.formulas.profile import Constant, per_design
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.stage import shortening
 from flexcli.mechanics.layout import Blade as Strip
@@ -34,7 +34,7 @@ class _SingleBlade(BladeGeometry):
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
         """Return the blade along x, its tip on the moving body."""
         h, l, b = sizes
-        strip = Strip("blade", GROUND, MOVING, (0.0, 0.0), (l, 0.0), Constant(h), b)
+        strip = Strip("blade", GROUND, MOVING, (0.0, 0.0), (l, 0.0), Constant(per_design(h)), b)
         return Layout((Body(MOVING, (l, 0.0)),), (strip,), elastic.E, elastic.shear)
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
