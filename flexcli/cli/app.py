@@ -9,6 +9,7 @@ import typer
 
 from flexcli import __version__
 from flexcli.cli import (
+    accuracy,
     asd,
     balance,
     check,
@@ -37,7 +38,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for verb in (size, check, simulate, balance, stops, explain, validate, materials, schema):
+for verb in (size, check, simulate, accuracy, balance, stops, explain, validate, materials, schema):
     app.command(name=verb.NAME)(verb.run)
 app.add_typer(asd.app)
 

@@ -1,11 +1,12 @@
 """The exact model of a joint: geometrically exact blades between its bodies, at full stroke."""
 
-from collections.abc import Iterator
-from math import inf
+from collections.abc import Iterator, Sequence
+from math import inf, pi
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.coverage import COVERAGE
 from flexcli.engine.face_stress import POINTS, worst_of_stroke
 from flexcli.engine.joint_states import (
     at_rest,
@@ -19,8 +20,9 @@ from flexcli.engine.joint_states import (
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.demand import Held
+from flexcli.mechanics.equilibrium import LEVELS
 from flexcli.mechanics.layout import Layout, Load
-from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.mesh import Effects, meshes
 from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.stability import critical_load
 from flexcli.mechanics.state import Equilibrium
@@ -45,22 +47,39 @@ HOLDS = {
 }
 """What the ends of a blade mean for the body: which critical load of the joint is asked."""
 
-REACH = 12.0
-"""How far a critical load is looked for, over that of blades clamped at both ends."""
+REACH = 6.0
+"""How far a critical load is looked for, over what all blades clamped at both ends would bear."""
 
 
 class ExactAnswers(Answers):
-    """Any rotation, stretching and shear of the blades; stress at both faces all along them."""
+    """Any rotation, stretching and shear of the blades; stress at both faces all along them.
+
+    ``levels`` are the Gauss nodes on a piece, level by level until the tolerance is met; a single
+    one is taken as it is.
+    """
 
     model = "exact"
+    covers = COVERAGE["exact"].can
+    always = COVERAGE["exact"].always
 
-    def __init__(self, effects: Effects | None = None, tolerance: float = TOLERANCE) -> None:
+    def __init__(
+        self,
+        effects: Effects | None = None,
+        tolerance: float = TOLERANCE,
+        levels: Sequence[int] = LEVELS,
+    ) -> None:
         self.effects = Effects() if effects is None else effects
         self.tolerance = tolerance
+        self.levels = levels
 
     def stiffness(self, ask: Ask) -> Quantity:
         """Return the stiffness along the motion at rest, shear and stretching included."""
-        state = at_rest(ask, self.effects, self.tolerance)
+        state = at_rest(ask, self.effects, self.tolerance, self.levels)
+        return float(driven_stiffness(state, ask)[0])
+
+    def stiffness_at_end(self, ask: Ask) -> float:
+        """Return the tangent of the effort at the end of the stroke, under the case's forces."""
+        state = over_stroke(ask, self.effects, self.tolerance, self.levels)
         return float(driven_stiffness(state, ask)[0])
 
     def sag_stiffness(self, ask: Ask) -> Quantity:
@@ -69,7 +88,8 @@ class ExactAnswers(Answers):
             return self.stiffness(ask)
         from flexcli.mechanics.support import support_compliance
 
-        index = {"x": 0, "y": 1, "z": 2}[ask.scene.axis]
+        # a case's x is along the stroke, its y along the axis of symmetry
+        index = {"x": 1, "y": 0, "z": 2}[ask.scene.axis]
         try:
             C = support_compliance(layout_of(ask), MOVING, (0.0, 0.0, 0.0))
         except SolveError as error:
@@ -85,6 +105,7 @@ class ExactAnswers(Answers):
             {MOVING: geometry.held(reach)},
             effects=blades_of(layout, self.effects),
             tolerance=self.tolerance,
+            levels=self.levels,
         )
         if geometry.motion == "translation":
             at = next(b.point for b in layout.bodies if b.name == MOVING)
@@ -97,7 +118,7 @@ class ExactAnswers(Answers):
         return "stress at the faces, bending with the axial force", list(self._each(ask))
 
     def _each(self, ask: Ask) -> Iterator[EndStress]:
-        state = over_stroke(ask, self.effects, self.tolerance)
+        state = over_stroke(ask, self.effects, self.tolerance, self.levels)
         for blade in state.layout.blades:
             found = blade_stress(state, blade.name, POINTS)
             faces = {"left": found.left, "right": found.right}
@@ -120,11 +141,11 @@ class ExactAnswers(Answers):
     def _critical(self, ask: Ask, layout: Layout, sign: float) -> Critical:
         scene = ask.scene
         ends = scene.ends or ""
-        locked = min(
-            float(c.force)
-            for c in ask.geometry.critical(ask.material.elastic, ask.sizes, "clamped-clamped")
+        clamped = sum(
+            4.0 * pi**2 * float(np.sum(mesh.EI / mesh.l**2))
+            for mesh in meshes(layout, blades_of(layout, self.effects), LEVELS[0])
         )
-        most = REACH * locked / scene.axial_share
+        most = REACH * clamped
         centre = next(b.point for b in layout.bodies if b.name == MOVING)
         load = Load(MOVING, centre, (sign, 0.0))
         source = f"exact model, the body {HOLDS[ends]}"
@@ -132,6 +153,7 @@ class ExactAnswers(Answers):
             reached = critical_load(
                 layout, _hold(ends), [load], most=most,
                 effects=blades_of(layout, self.effects), tolerance=self.tolerance,
+                levels=self.levels,
             )  # fmt: skip
         except SolveError as error:
             if error.code != "no-critical-load":

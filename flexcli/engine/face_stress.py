@@ -12,8 +12,9 @@ __all__ = ["POINTS", "blade_places", "worst_of_stroke"]
 
 Floats = NDArray[np.float64]
 
-POINTS = 33
-"""Places along each piece of a blade at which both ends of the stroke are compared."""
+POINTS = 257
+"""Places along each piece of a blade at which both ends of the stroke are compared: the greatest
+stress of a notch, which lies beside its throat, is found to some 1e-6."""
 
 
 def blade_places(blade: Blade, l: float) -> tuple[Floats, Floats]:

@@ -81,6 +81,8 @@ def document(result: Result) -> dict[str, Any]:
         content["balance"] = balance_document(result.balance)
     if result.stops is not None:
         content["stops"] = stops_document(result.stops)
+    if result.accuracy is not None:
+        content["accuracy"] = result.accuracy
     if result.cost is not None:
         content["cost"] = {
             "seconds": result.cost.seconds,

@@ -8,6 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from flexcli.errors import Finding
+from flexcli.report.accuracy_text import accuracy_tables
 from flexcli.report.asd import profile_list, profile_sheet, worst_cases
 from flexcli.report.balance_text import balance_tables
 from flexcli.report.response_text import response_tables
@@ -35,7 +36,10 @@ def print_result(result: Result, console: Console) -> None:
     console.print(_heading(result))
     if result.sizing is not None:
         console.print(_sizing(result.sizing, result.values))
-    if result.values and len(result.worst_cases) < 2:
+    if result.accuracy is not None:
+        for part in accuracy_tables(result.accuracy):
+            console.print(part)
+    elif result.values and len(result.worst_cases) < 2:
         console.print(_values(result))
     if result.balance is not None:
         for part in balance_tables(result.balance):

@@ -13,11 +13,17 @@ _BITS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
 _MARGIN = 9
 
 
-def curve(x: Sequence[float], y: Sequence[float], *, linear: bool) -> str:
+def curve(
+    x: Sequence[float],
+    y: Sequence[float],
+    *,
+    linear: bool,
+    units: tuple[str, str] = ("Hz", "g²/Hz"),
+) -> str:
     """Return lines of text that show y over x, both positive, on log-log axes.
 
     Between points the curve is straight on log-log axes, or on linear ones where ``linear``.
-    The vertical axis spans whole decades.
+    The vertical axis spans whole decades; ``units`` stand beside the axes.
     """
     left, right = log10(x[0]), log10(x[-1])
     low, high = floor(log10(min(y)) + 1e-9), ceil(log10(max(y)) - 1e-9)
@@ -38,9 +44,9 @@ def curve(x: Sequence[float], y: Sequence[float], *, linear: bool) -> str:
         f"{labels.get(index, ''):>{_MARGIN - 2}} ┤" + "".join(chr(_BRAILLE + bits) for bits in row)
         for index, row in enumerate(cells)
     ]
-    ends = f"{10**left:g}", f"{10**right:g} Hz"
+    ends = f"{10**left:.4g}", f"{10**right:.4g} {units[0]}"
     foot = " " * _MARGIN + ends[0] + " " * max(1, _COLUMNS - len("".join(ends))) + ends[1]
-    return "\n".join(["g²/Hz".rjust(_MARGIN), *rows, foot])
+    return "\n".join([units[1].rjust(_MARGIN), *rows, foot])
 
 
 def _samples(

@@ -3,6 +3,12 @@
 Rows are named tuples: making a dataclass costs several times as much at every start.
 """
 
+from flexcli.results.accuracy import (
+    AccuracyResult,
+    ModelAccuracy,
+    QuantityAccuracy,
+    Reading,
+)
 from flexcli.results.balance import (
     BalanceResult,
     CouplingTerm,
@@ -25,6 +31,7 @@ from flexcli.results.judgement import (
     Property,
     Value,
 )
+from flexcli.results.plan import AuditRow, ModelRow, Plan
 from flexcli.results.result import (
     Cost,
     Result,
@@ -56,6 +63,8 @@ from flexcli.results.vibration import (
 )
 
 __all__ = [
+    "AccuracyResult",
+    "AuditRow",
     "BalanceResult",
     "BreakpointRow",
     "CaseResponse",
@@ -68,10 +77,15 @@ __all__ = [
     "FormulaRow",
     "GravityRow",
     "ModeResult",
+    "ModelAccuracy",
+    "ModelRow",
     "Note",
     "OutputResult",
+    "Plan",
     "ProfileRow",
     "Property",
+    "QuantityAccuracy",
+    "Reading",
     "Relaxation",
     "Result",
     "Sensitivity",

@@ -1,5 +1,7 @@
 """What a design is judged by: values, checks, effects left out, notes."""
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 __all__ = ["Check", "EffectRow", "Note", "Property", "Value"]
@@ -40,13 +42,20 @@ class Check(NamedTuple):
 
 
 class EffectRow(NamedTuple):
-    """What a model leaves out: its dimensionless indicator and what that may change."""
+    """An effect in the model or left out: its dimensionless indicator and what that may change.
+
+    ``estimates`` are relative changes by what is reported, ``estimate`` the largest of them;
+    ``asked`` is what the spec says of it, ``models`` which could carry it.
+    """
 
     name: str
     on: bool
     indicator: float
     estimate: float
     reason: str
+    estimates: Mapping[str, float] = MappingProxyType({})
+    asked: str = "auto"
+    models: tuple[str, ...] = ()
 
 
 class Note(NamedTuple):

@@ -5,8 +5,10 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from flexcli.errors import Finding
+from flexcli.results.accuracy import AccuracyResult
 from flexcli.results.balance import BalanceResult
 from flexcli.results.judgement import Check, EffectRow, Note, Value
+from flexcli.results.plan import AuditRow, Plan
 from flexcli.results.simulation import SweepResult
 from flexcli.results.sizing import SizingResult
 from flexcli.results.stops import StopsResult
@@ -61,3 +63,6 @@ class Result:
     sweeps: tuple[SweepResult, ...] = ()
     balance: BalanceResult | None = None
     stops: StopsResult | None = None
+    accuracy: AccuracyResult | None = None
+    plan: Plan | None = None
+    audit: tuple[AuditRow, ...] = ()

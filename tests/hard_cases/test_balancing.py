@@ -41,12 +41,13 @@ def arm(*sides, least=None):
 
 
 @pytest.mark.parametrize("exponent", [-3, -10, -30, -200])
-def test_a_mass_that_tends_to_zero_needs_an_arm_that_grows_as_its_inverse(exponent):
+def test_a_mass_that_tends_to_zero_needs_an_arm_that_grows_as_its_inverse(exponent, kept):
     """The arm goes to infinity: an absolute tolerance on the moment would stop short of it."""
     mass = 10.0**exponent
     solution = balance(stage((mass, 0.0), (mass, 0.0)), [arm(0, 1)], 0.0)
     assert solution.met
     assert solution.found[0] * 2 * mass == pytest.approx(NEEDED, rel=ROUNDING)
+    kept(solution.found[0] * 2 * mass, NEEDED)
     assert left(solution) < ROUNDING
 
 
@@ -65,12 +66,13 @@ def test_a_mass_of_zero_says_that_it_has_no_moment():
 
 
 @pytest.mark.parametrize("off", [1e-3, 1e-6, 1e-9])
-def test_arms_of_nearly_opposite_sign_balance_with_masses_that_grow(off):
+def test_arms_of_nearly_opposite_sign_balance_with_masses_that_grow(off, kept):
     """The rate is a difference of nearly equal arms: it loses digits, but not its sign."""
     start = stage((1.0, 0.02 * (1 + off)), (1.0, -0.02))
     solution = balance(start, [Unknown("mass", (0, 1), Free(None, None))], 0.0)
     assert solution.met
     assert solution.found[0] == pytest.approx(NEEDED / (0.02 * off), rel=1e-15 / off)
+    kept(solution.found[0], NEEDED / (0.02 * off))
 
 
 def test_arms_of_exactly_opposite_sign_cancel_and_say_so():
@@ -83,11 +85,12 @@ def test_arms_of_exactly_opposite_sign_cancel_and_say_so():
         assert "cancel each other" in solution.reason
 
 
-def test_one_balancing_mass_on_one_side_does_the_work_of_two():
+def test_one_balancing_mass_on_one_side_does_the_work_of_two(kept):
     """A formula for two equal sides divides by two."""
     one = balance(stage((0.07, 0.0), None), [arm(0)], 0.0)
     two = balance(stage((0.035, 0.0), (0.035, 0.0)), [arm(0, 1)], 0.0)
     assert one.found[0] == pytest.approx(two.found[0], rel=ROUNDING)
+    kept(one.found[0], two.found[0])
     assert left(one) < ROUNDING
     assert one.stage.levers[1].balance == NO_RIDER
 
@@ -134,7 +137,7 @@ def design(**mechanism):
     )  # fmt: skip
 
 
-def test_the_verb_balances_pivots_of_zero_stiffness():
+def test_the_verb_balances_pivots_of_zero_stiffness(kept):
     """No stiffness means no frequency to divide by, and a displacement that is still finite."""
     spec = design(**{"pivot-stiffness": "0 N*m/rad"})
     result = balance_verb(spec, "spec")
@@ -145,3 +148,4 @@ def test_the_verb_balances_pivots_of_zero_stiffness():
     free = rms_displacement(applied.frequency, applied.level)
     share = values["tau_coupling"] / values["m_eq_final"]
     assert values["x_rms_final"] == pytest.approx(free * share, rel=ROUNDING)
+    kept(values["x_rms_final"], free * share)

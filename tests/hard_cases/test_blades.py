@@ -25,13 +25,14 @@ E, L, B, P, THETA = 114e9, 17.5e-3, 10e-3, 2e-3, 0.0205
 
 
 @pytest.mark.parametrize("ratio", RATIOS)
-def test_stiffness_and_stress_keep_their_digits_from_film_to_block(ratio):
+def test_stiffness_and_stress_keep_their_digits_from_film_to_block(ratio, kept):
     """Powers of h/l span fifteen decades: a formula that adds before it divides loses them."""
     h = ratio * L
     e, hh, l, b, p, theta = map(Fraction, (E, h, L, B, P, THETA))
     stiffness = 2 * 4 * e * b * hh**3 / 12 / l * (1 + 3 * p / l + 3 * (p / l) ** 2)
     found = rotational_stiffness(E=E, h=h, l=L, b=B, p=P)
     assert found == pytest.approx(float(stiffness), rel=FEW_ROUNDINGS)
+    kept(found, float(stiffness))
     inner, outer = end_stresses(E=E, h=h, l=L, p=P, theta=THETA)
     assert inner == pytest.approx(float(e * hh * theta / l * (2 + 3 * p / l)), rel=FEW_ROUNDINGS)
     assert outer == pytest.approx(float(e * hh * theta / l * (1 + 3 * p / l)), rel=FEW_ROUNDINGS)
@@ -62,17 +63,18 @@ def slender(ratio, write):
 
 
 @pytest.mark.parametrize("ratio", RATIOS)
-def test_micrometres_and_metres_give_the_same_digits(ratio):
+def test_micrometres_and_metres_give_the_same_digits(ratio, kept):
     """A wrong unit is wrong by 1e6; one converted twice is wrong in its last digits alone."""
     metres = slender(ratio, lambda x: f"{x!r} m")
     micrometres = slender(ratio, lambda x: f"{x * 1e6!r} um")
     assert micrometres == pytest.approx(metres, rel=SIZED)
+    kept(micrometres, metres)
     assert metres[0] / metres[1] == pytest.approx(ratio, rel=SIZED)
 
 
 @pytest.mark.parametrize("geometry", [rcc, crossed])
 @pytest.mark.parametrize("scale", [1e-3, 1e3])
-def test_a_design_a_thousand_times_smaller_has_the_same_shape(geometry, scale):
+def test_a_design_a_thousand_times_smaller_has_the_same_shape(geometry, scale, kept):
     """Similar designs differ by a shift of logarithms alone: bounds or starts in SI would show."""
 
     def sized(scale):
@@ -89,3 +91,4 @@ def test_a_design_a_thousand_times_smaller_has_the_same_shape(geometry, scale):
 
     # where the volume is flat about its least, sizes are known to the root of its digits
     assert sized(scale) / scale == pytest.approx(sized(1.0), rel=1e-7)
+    kept(sized(scale) / scale, sized(1.0))

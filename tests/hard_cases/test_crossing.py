@@ -37,22 +37,24 @@ def bracket(delta):
 
 
 @pytest.mark.parametrize("zero", ZEROS)
-def test_at_a_zero_of_the_shift_only_rounding_is_left(zero):
+def test_at_a_zero_of_the_shift_only_rounding_is_left(zero, kept):
     """Three terms of size one cancel: what is left must be rounding of one, not of a square."""
     assert abs(shift(zero) / UNIT - bracket(zero)) < 4 * ROUNDING
+    kept(shift(zero), 0.0, scale=UNIT)
 
 
 @pytest.mark.parametrize("zero", ZEROS)
 @pytest.mark.parametrize("off", [-1e-6, 1e-6])
-def test_beside_a_zero_the_shift_has_its_slope_and_sign(zero, off):
+def test_beside_a_zero_the_shift_has_its_slope_and_sign(zero, off, kept):
     """The relative error grows as the inverse of the distance, and no more; the sign is right."""
     found = shift(zero + off) / UNIT
     assert found == pytest.approx(bracket(zero + off), rel=4 * ROUNDING / (sqrt(45) * abs(off)))
     assert (found > 0) == ((off > 0) == (zero > -0.5))
+    kept(found, bracket(zero + off))
 
 
 @pytest.mark.parametrize("zero", ZEROS)
-def test_a_bound_on_the_shift_costs_nothing_at_a_zero(zero):
+def test_a_bound_on_the_shift_costs_nothing_at_a_zero(zero, kept):
     """A row whose demand is rounding, of either sign, must neither bind nor divide by zero."""
     asked = {"fatigue": 2.5}
     free = {"l": {"free": ["5 mm", "50 mm"]}, "b": "5 mm", "h": "0.1 mm"}
@@ -61,6 +63,7 @@ def test_a_bound_on_the_shift_costs_nothing_at_a_zero(zero):
     bounded = size(design(crossed(delta=zero, **free), shifted, {"bend": BEND}), "spec")
     assert bounded.status.value == "pass"
     assert bounded.values["l"].value == pytest.approx(plain.values["l"].value, rel=SIZED)
+    kept(bounded.values["l"].value, plain.values["l"].value)
 
 
 def test_the_symmetric_pivot_is_the_softest_and_its_ends_are_stressed_alike():
@@ -88,7 +91,7 @@ def test_sizing_passes_through_the_symmetric_pivot(delta):
 
 
 @pytest.mark.parametrize("end", [0, 1])
-def test_on_both_sides_of_minus_two_thirds_the_other_end_decides(end):
+def test_on_both_sides_of_minus_two_thirds_the_other_end_decides(end, kept):
     """The one-ended formula gives an infinite, then a negative stroke here; the factor must be
     smooth, and the stress of the outer end.
     """
@@ -101,4 +104,5 @@ def test_on_both_sides_of_minus_two_thirds_the_other_end_decides(end):
         factors.append(found.factor)
     travel = spec.scene("bend").travel
     assert factors[1] == pytest.approx(500e6 / (114e9 * 0.01 * travel), rel=SIZED)
+    kept(factors[1], 500e6 / (114e9 * 0.01 * travel))
     assert factors == pytest.approx([factors[1]] * 3, rel=4 * SIDES)

@@ -30,13 +30,14 @@ SIZED = 1e-12
 
 
 @pytest.mark.parametrize("delta", [-0.5, -0.3, 0.0, 0.118, 2.0])
-def test_a_pivot_mounted_the_other_way_round_swaps_its_ends(delta):
+def test_a_pivot_mounted_the_other_way_round_swaps_its_ends(delta, kept):
     """From base to body or back is one pivot: δ and −1 − δ must not differ but in names."""
     there, back = delta * L, (-1 - delta) * L
     given = {"E": E, "h": H, "l": L}
     assert rotational_stiffness(**given, b=B, p=back) == pytest.approx(
         rotational_stiffness(**given, b=B, p=there), rel=10 * ROUNDING
     )
+    kept(*(rotational_stiffness(**given, b=B, p=p) for p in (there, back)))
     inner, outer = end_stresses(**given, p=there, theta=0.02)
     scale = abs(inner) + abs(outer)
     assert end_stresses(**given, p=back, theta=0.02) == pytest.approx(
@@ -91,7 +92,7 @@ def test_a_stage_seen_from_the_other_side_couples_alike():
     assert other.coupling_y.value == pytest.approx(-one.coupling_y.value, rel=ROUNDING)
 
 
-def test_the_response_of_a_mirrored_stage_is_mirrored():
+def test_the_response_of_a_mirrored_stage_is_mirrored(kept):
     """Solid 1 and solid 3 change places, and so must the forces on their pivots."""
     pivot = RCCPivot(kind="rcc", p="2 mm", half_angle="45 deg", h="0.6 mm", l="17 mm", b="10 mm")
     heavy, light = (
@@ -114,6 +115,7 @@ def test_the_response_of_a_mirrored_stage_is_mirrored():
     for name, value in one.items():
         mirrored = " ".join(swap.get(word, word) for word in name.split())
         assert other[mirrored] == pytest.approx(value, rel=EIGEN)
+        kept(other[mirrored], value)
 
 
 LENGTHS = {"m": 1.0, "mm": 1e3, "um": 1e6}
@@ -121,7 +123,7 @@ LENGTHS = {"m": 1.0, "mm": 1e3, "um": 1e6}
 
 @pytest.mark.parametrize("unit", ["mm", "um"])
 @pytest.mark.parametrize("objective", ["balanced", "least-volume"])
-def test_a_design_written_in_other_units_is_sized_to_the_same_digits(unit, objective):
+def test_a_design_written_in_other_units_is_sized_to_the_same_digits(unit, objective, kept):
     """A default or a start with a unit of its own would move the answer by a little."""
 
     def sized(unit):
@@ -131,6 +133,7 @@ def test_a_design_written_in_other_units_is_sized_to_the_same_digits(unit, objec
         return [result.values[name].value for name in "hlb"]
 
     assert sized(unit) == pytest.approx(sized("m"), rel=SIZED)
+    kept(sized(unit), sized("m"))
 
 
 @pytest.mark.parametrize(

@@ -50,7 +50,7 @@ def test_two_modes_1e_6_apart_with_the_same_sign_are_one_of_twice_the_size(Q):
 
 
 @pytest.mark.parametrize("Q", [10.0, 1e3])
-def test_two_modes_1e_6_apart_of_opposite_sign_leave_their_difference(Q):
+def test_two_modes_1e_6_apart_of_opposite_sign_leave_their_difference(Q, kept):
     """The sum cancels to 1e-6 Q of each: a response built from mean squares keeps nothing."""
     pair = 2 * pi * 100.0 * np.array([1.0, 1.0 + APART])
     found = moment(pair, [1.0, -1.0], Q)
@@ -62,6 +62,7 @@ def test_two_modes_1e_6_apart_of_opposite_sign_leave_their_difference(Q):
     exact = float((np.abs(gap / (first * second)) ** 2 * 2.0) @ width)
     # rounding of each over what is left of both
     assert found == pytest.approx(exact, rel=max(PANELS, 1e-15 / (APART * Q) * 1e2))
+    kept(found, exact)
 
 
 def _panels(fn, Q):
@@ -96,11 +97,12 @@ def vibration(low, high, **use):
 
 @pytest.mark.parametrize("Q", [0.5, 10.0, 1e3, 1e6])
 @pytest.mark.parametrize("fn", [20.0, 2000.0])
-def test_a_mode_at_the_band_s_end_is_the_single_oscillator(fn, Q):
+def test_a_mode_at_the_band_s_end_is_the_single_oscillator(fn, Q, kept):
     """Half of its resonance is in the band: a panel that begins there must not be dropped."""
     found = sqrt(moment([2 * pi * fn], [1.0], Q))
     single = oscillator_response(FREQUENCY, LEVEL, fn, Q)
     assert found == pytest.approx(float(single.relative_displacement), rel=1e-9)
+    kept(found, single.relative_displacement)
 
 
 def test_a_massless_coordinate_has_no_mode_and_follows_the_others():
@@ -114,7 +116,7 @@ def test_a_massless_coordinate_has_no_mode_and_follows_the_others():
     assert nearly.angular[0] == pytest.approx(float(without.angular[0]), rel=1e-14)
 
 
-def test_a_payload_without_inertia_responds_as_one_whose_inertia_tends_to_zero():
+def test_a_payload_without_inertia_responds_as_one_whose_inertia_tends_to_zero(kept):
     """Its rotation has no mass: the mode leaves for infinity, and what it carried stays."""
     pivot = RCCPivot(kind="rcc", p="2 mm", half_angle="45 deg", h="0.6 mm", l="17 mm", b="10 mm")
     blade = Blade(0.6e-3, 17e-3, 10e-3)
@@ -126,3 +128,4 @@ def test_a_payload_without_inertia_responds_as_one_whose_inertia_tends_to_zero()
         found.append(response.outputs["stress joint"].rms)
     assert found[0] == pytest.approx(found[1], rel=EIGEN)
     assert found[0] > 0.0
+    kept(*found)

@@ -31,12 +31,14 @@ def falling(slope):
 
 
 @pytest.mark.parametrize("off", [-1e-9, -1e-12, 0.0, 1e-12, 1e-9])
-def test_the_area_passes_slope_minus_one_without_a_hole(off):
+def test_the_area_passes_slope_minus_one_without_a_hole(off, kept):
     """The power rule divides by m + 1: zero at −1, and digits gone on both sides of it."""
     run = np.log(HIGH / LOW)
     exact = LOW * run * (1 + off * run / 2)  # the next term is 1e-18
     # a level of 100^(−1 + off) is rounded to 1e-16, and so is the slope it stands for
-    assert float(spectral_moment(*falling(-1 + off))) == pytest.approx(exact, rel=ROUNDING)
+    found = float(spectral_moment(*falling(-1 + off)))
+    assert found == pytest.approx(exact, rel=ROUNDING)
+    kept(found, exact)
 
 
 @pytest.mark.parametrize(("off", "where"), [(-1e-9, LOW), (0.0, LOW), (1e-9, HIGH)])
@@ -48,7 +50,7 @@ def test_miles_worst_case_at_slope_minus_one_is_the_lowest_of_equal_frequencies(
 
 
 @pytest.mark.parametrize("Q", QUALITIES)
-def test_the_exact_response_is_smooth_through_slope_minus_one(Q):
+def test_the_exact_response_is_smooth_through_slope_minus_one(Q, kept):
     """A formula with a special case at −1 jumps beside it."""
     found = [
         float(oscillator_response(*falling(-1 + off), 200.0, Q).absolute_acceleration)
@@ -56,6 +58,7 @@ def test_the_exact_response_is_smooth_through_slope_minus_one(Q):
     ]
     assert found[0] == pytest.approx(found[2], rel=5e-9)
     assert found[1] == pytest.approx((found[0] + found[2]) / 2, rel=10 * PANELS)
+    kept(found[1], (found[0] + found[2]) / 2)
 
 
 def test_a_step_has_no_area_and_both_of_its_levels():
@@ -67,7 +70,7 @@ def test_a_step_has_no_area_and_both_of_its_levels():
 
 
 @pytest.mark.parametrize("Q", QUALITIES)
-def test_the_two_halves_of_a_step_respond_as_the_whole(Q):
+def test_the_two_halves_of_a_step_respond_as_the_whole(Q, kept):
     """An integration over a step, or a resonance on it, counts its edge twice or not at all."""
     f, g = [20.0, 100.0, 100.0, 500.0], [1.0, 1.0, 9.0, 9.0]
     whole = oscillator_response(f, g, 100.0, Q)
@@ -76,9 +79,10 @@ def test_the_two_halves_of_a_step_respond_as_the_whole(Q):
     ]
     together = sqrt(sum(float(half.absolute_acceleration) ** 2 for half in halves))
     assert float(whole.absolute_acceleration) == pytest.approx(together, rel=PANELS)
+    kept(whole.absolute_acceleration, together)
 
 
-def test_a_step_is_the_limit_of_a_steep_line():
+def test_a_step_is_the_limit_of_a_steep_line(kept):
     """A line over 1e-12 of its frequency has a slope of 1e12: powers of it overflow."""
     step = ([20.0, 100.0, 100.0, 500.0], [1.0, 1.0, 9.0, 9.0])
     steep = ([20.0, 100.0, 100.0 * (1 + 1e-12), 500.0], [1.0, 1.0, 9.0, 9.0])
@@ -88,6 +92,7 @@ def test_a_step_is_the_limit_of_a_steep_line():
         for profile in (steep, step)
     )
     assert found == pytest.approx(exact, rel=1e-11)
+    kept(found, exact)
 
 
 def test_a_profile_that_ends_at_the_frequency_asked_has_its_level_there():
@@ -122,11 +127,12 @@ def flat_band_integral(start, end, Q):
 
 @pytest.mark.parametrize("Q", QUALITIES)
 @pytest.mark.parametrize("fn", [2.0, 20.0, 200.0, 2000.0, 2e4])
-def test_every_quality_factor_gives_the_closed_form_of_a_flat_band(Q, fn):
+def test_every_quality_factor_gives_the_closed_form_of_a_flat_band(Q, fn, kept):
     """A resonance 1e-6 wide falls between the points of any fixed grid; none at all at Q = 1/2."""
     found = oscillator_response([LOW, HIGH], [0.2, 0.2], fn, Q).pseudo_acceleration
     exact = 0.2 * fn * flat_band_integral(LOW / fn, HIGH / fn, Q)
     assert float(found) ** 2 == pytest.approx(exact, rel=CONDENSED)
+    kept(float(found) ** 2, exact)
 
 
 @pytest.mark.parametrize("Q", QUALITIES)

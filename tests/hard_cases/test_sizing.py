@@ -31,7 +31,7 @@ def at_stroke(theta, force, size_keys=BALANCED):
 
 
 @pytest.mark.parametrize("below", [1e-2, 1e-4, 1e-5])
-def test_just_below_the_largest_stroke_the_balanced_design_keeps_its_digits(below):
+def test_just_below_the_largest_stroke_the_balanced_design_keeps_its_digits(below, kept):
     """The denominator is a difference of two numbers that agree to 1/below: it spreads rounding."""
     theta = LARGEST * (1 - below)
     force = 6.4e12  # large enough that b stays above h
@@ -40,6 +40,7 @@ def test_just_below_the_largest_stroke_the_balanced_design_keeps_its_digits(belo
     exact = np.array([h, SLENDER * h, force * S / (h * SIGMA * sqrt(2))])
     assert result.sizing.objective == "balanced"
     assert found == pytest.approx(exact, rel=ROUNDING / below)
+    kept(found, exact)
 
 
 @pytest.mark.parametrize("off", [0.0, 1e-12, 1e-6, 1e-2])
@@ -53,16 +54,17 @@ def test_at_the_largest_stroke_and_above_it_says_so_and_takes_the_least_volume(o
     assert (found > 0).all()
 
 
-def test_the_least_volume_passes_the_largest_stroke_smoothly():
+def test_the_least_volume_passes_the_largest_stroke_smoothly(kept):
     """Nothing happens to the least volume where the balanced design goes to infinity."""
     beside = [
         at_stroke(LARGEST * (1 + off), 640.0, {"objective": "least-volume"})[1]
         for off in (-1e-9, 0.0, 1e-9)
     ]
     np.testing.assert_allclose(beside[0], beside[2], rtol=1e-8)
+    kept(beside[1], (beside[0] + beside[2]) / 2.0)
 
 
-def test_a_section_narrower_than_thick_buckles_across_its_width():
+def test_a_section_narrower_than_thick_buckles_across_its_width(kept):
     """A model with one axis of buckling thickens the blade without limit as it narrows it."""
     result = size(design(rcc(p="0 mm"), LOADS, size=BALANCED), "spec")
     h, l, b = (result.values[name].value for name in "hlb")
@@ -72,6 +74,7 @@ def test_a_section_narrower_than_thick_buckles_across_its_width():
     capacity = 4 * pi**2 * E * h * b**3 / 12 / l**2 * sqrt(2)
     assert buckling.factor == pytest.approx(capacity / 640.0, rel=1e-12)
     assert buckling.factor == pytest.approx(S, rel=BOUND_KEPT)
+    kept(buckling.factor, S)
 
 
 def test_on_a_square_section_both_axes_buckle_alike():

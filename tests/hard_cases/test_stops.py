@@ -7,10 +7,10 @@ import pytest
 from oscillators import oscillator, quiet
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.cantilever_modes import cantilever_modes
-from flexcli.mechanics.stop_laws import HertzStop, LinearStop, RigidStop, Stops
-from flexcli.mechanics.stop_result import StopOutcome
-from flexcli.mechanics.stopped_vibration import StoppedVibration, simulate
+from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
+from flexcli.mechanics.stopping.laws import HertzStop, LinearStop, RigidStop, Stops
+from flexcli.mechanics.stopping.result import StopOutcome
+from flexcli.mechanics.stopping.vibration import StoppedVibration, simulate
 from flexcli.numerics.signal_pieces import polynomial, sine
 
 KEPT = 1e-9
@@ -18,8 +18,8 @@ KEPT = 1e-9
 
 
 @pytest.mark.parametrize("ratio", [10.0, 1e3, 1e6])
-def test_a_stiff_stop_keeps_the_energy_over_a_thousand_cycles(ratio):
-    # a stepping method must resolve the stiff part, or make and lose energy at each contact
+def test_a_stiff_stop_keeps_the_energy_over_a_thousand_cycles(ratio, kept):
+    """A stepping method must resolve the stiff part, or make and lose energy at each contact."""
     stops = Stops(LinearStop(ratio - 1.0), above=1.0, below=1.0)
     free, speed = 4.0 * asin(1.0 / 1.1), sqrt(1.1**2 - 1.0)
     stiff = 4.0 * np.arctan2(sqrt(ratio) * speed, 1.0) / sqrt(ratio)
@@ -29,12 +29,14 @@ def test_a_stiff_stop_keeps_the_energy_over_a_thousand_cycles(ratio):
     assert abs(result.balance.energy_residual) < KEPT * result.balance.start
     kinetic_and_strain = result.balance.kinetic + result.balance.strain
     assert kinetic_and_strain == pytest.approx(result.balance.start, rel=KEPT)
+    kept(kinetic_and_strain, result.balance.start)
     # the last cycle begins where the closed form has it
     assert result.contacts.time[-2] == pytest.approx((cycles - 1) * (free + stiff) + free / 4)
 
 
-def test_a_stop_next_to_the_tip_is_a_million_times_stiffer_and_costs_no_more():
-    # the overhang's compliance vanishes as its cube: time steps would too
+def test_a_stop_next_to_the_tip_is_a_million_times_stiffer_and_costs_no_more(kept):
+    """The overhang's compliance vanishes as its cube: time steps would too."""
+
     def run(height):
         blade = cantilever_modes(E=60e9, I=1e-12, L=28.5e-3, L_a=height, m=8e-3, quality=30.0)
         pieces = sine(amplitude=15.0, angular=float(blade.angular[0]), duration=0.3)
@@ -46,28 +48,31 @@ def test_a_stop_next_to_the_tip_is_a_million_times_stiffer_and_costs_no_more():
     assert evaluations[0] < 3.0 * evaluations[1]
     moved = high.balance.base_work + high.balance.damped
     assert abs(high.balance.energy_residual) < 1e-11 * moved
+    kept(high.balance.energy_residual, 0.0, scale=moved)
 
 
 @pytest.mark.parametrize("law", [RigidStop(0.7), LinearStop(1e6), HertzStop(1e5)])
 @pytest.mark.parametrize("miss", [-1e-10, 0.0, 1e-10])
-def test_a_grazing_contact_neither_hangs_nor_moves_the_peak(law, miss):
-    # at the top of the swing the speed is zero: a search for a sign change finds none, or two
+def test_a_grazing_contact_neither_hangs_nor_moves_the_peak(law, miss, kept):
+    """At the top of the swing the speed is zero: a search for a sign change finds none, or two."""
     stops = Stops(law, above=1.0 + miss, below=inf)
     result = simulate(oscillator(), stops, quiet(40 * pi, 20), rate=[1.0])
     assert result.outcome is StopOutcome.COMPLETE
     assert result.cost.events < 200
     assert result.peaks.travel == pytest.approx(1.0, abs=1e-9)
+    kept(result.peaks.travel, 1.0 + min(miss, 0.0))
 
 
 @pytest.mark.parametrize("restitution", [0.1, 0.5, 0.9])
-def test_chatter_comes_to_rest_at_its_accumulation_point(restitution):
-    # infinitely many bounces in a finite time: an event loop without a rule never ends
+def test_chatter_comes_to_rest_at_its_accumulation_point(restitution, kept):
+    """Infinitely many bounces in a finite time: an event loop without a rule never ends."""
     g, blade = 10.0, oscillator(angular=1e-5)
     result = simulate(blade, Stops(RigidStop(restitution), 1.0, inf), polynomial([-g], 20.0))
     fall = sqrt(2.0 / g)
     rest = fall * (1.0 + restitution) / (1.0 - restitution)
     assert result.outcome is StopOutcome.COMPLETE
     assert result.contacts.time[-1] == pytest.approx(rest, rel=1e-7)
+    kept(result.contacts.time[-1], rest)
     assert result.contacts.duration[-1] > 0.0
     assert result.q[0] == pytest.approx(1.0, rel=1e-9)
 
@@ -75,13 +80,15 @@ def test_chatter_comes_to_rest_at_its_accumulation_point(restitution):
 @pytest.mark.parametrize("law", [RigidStop(0.5), LinearStop(1e3), HertzStop(1e4)])
 @pytest.mark.parametrize("side", [1, -1])
 def test_a_start_inside_a_stop_is_a_named_error(law, side):
-    # the penalty of an overlap at the start would fling the blade away
+    """The penalty of an overlap at the start would fling the blade away."""
     with pytest.raises(SolveError, match="start between the stops") as raised:
         StoppedVibration(oscillator(), Stops(law, 1.0, 1.0), q=[side * 1.001])
     assert raised.value.code == "start-inside-stop"
 
 
-def test_a_start_on_the_stop_is_allowed_and_leaves_it():
+def test_a_start_on_the_stop_is_allowed_and_leaves_it(kept):
+    """A distance of zero is inside by rounding, or a first event at time zero without end."""
     result = simulate(oscillator(), Stops(RigidStop(1.0), 1.0, 1.0), quiet(pi, 1), q=[1.0])
     assert result.outcome is StopOutcome.COMPLETE
     assert result.peaks.tip_below == pytest.approx(1.0, rel=1e-12)
+    kept(result.peaks.tip_below, 1.0)

@@ -1,0 +1,94 @@
+"""What accuracy costs, on screen: each quantity by each model, all together, and the curve."""
+
+from collections.abc import Iterator
+from math import inf
+
+from rich.console import RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from flexcli.report.curve import curve
+from flexcli.report.tables import table
+from flexcli.results import AccuracyResult, ModelAccuracy, QuantityAccuracy
+from flexcli.units import show
+
+__all__ = ["accuracy_tables", "told_error"]
+
+DIGITS = 8
+"""Of values, so that models can be told apart."""
+
+LEAVES_OUT = (
+    "errors are against exact plane beams; what those leave out (wide blades that bend as plates, "
+    "clamps that give) is in no column"
+)
+
+
+def accuracy_tables(found: AccuracyResult) -> Iterator[RenderableType]:
+    """Yield a table for each quantity, one of the whole, the curve and what to take."""
+    for quantity in found.quantities:
+        yield _quantity(quantity)
+    yield _whole(found)
+    front = sorted((m for m in found.models if m.pareto), key=lambda m: m.seconds)
+    if len(front) > 1:
+        yield _curve(found, front)
+    take = found.recommended or "no model"
+    yield Text(f"within {told_error(found.accuracy)}, all quantities: {take}", "bold")
+    yield Text(LEAVES_OUT, "dim")
+
+
+def told_error(error: float, bound: float = 0.0) -> str:
+    """Return a relative error for people: in % while that is short, at least the finest's own."""
+    if error == inf:
+        return "–"
+    if error < bound:
+        return f"≤ {bound:.1e}"
+    return f"{error * 100.0:.2g} %" if 1e-4 <= error < 10.0 else f"{error:.1e}"
+
+
+def _seconds(row: ModelAccuracy) -> tuple[str, str]:
+    return show(row.seconds, "s", 3), f"{show(row.least, 's', 3)} … {show(row.most, 's', 3)}"
+
+
+def _quantity(quantity: QuantityAccuracy) -> Table:
+    title = f"{quantity.name}, {quantity.label} (finest known to {quantity.bound:.1e})"
+    rows = table(title, "", "model", "value", "error", "time", "spread", numbers=range(2, 6))
+    for reading in quantity.readings:
+        marks = ("•" if reading.pareto else " ") + ("←" * (reading.model == quantity.recommended))
+        rows.add_row(
+            marks,
+            reading.model,
+            show(reading.value, quantity.unit, DIGITS),
+            told_error(reading.error, quantity.bound),
+            show(reading.seconds, "s", 3),
+            f"{show(reading.least, 's', 3)} … {show(reading.most, 's', 3)}",
+        )
+    return rows
+
+
+def _whole(found: AccuracyResult) -> Table:
+    bound = _bound(found)
+    title = f"All quantities, median of {found.runs} runs (• Pareto set, ← the cheapest that does)"
+    rows = table(
+        title, "", "model", "largest error", "time", "spread", "no answer", numbers=range(2, 5)
+    )
+    for model in found.models:
+        marks = ("•" if model.pareto else " ") + ("←" * (model.model == found.recommended))
+        told = _seconds(model) if not model.missing else ("–", "–")
+        error = told_error(model.error, bound)
+        rows.add_row(marks, model.model, error, *told, ", ".join(model.missing))
+    return rows
+
+
+def _bound(found: AccuracyResult) -> float:
+    return max(quantity.bound for quantity in found.quantities)
+
+
+def _curve(found: AccuracyResult, front: list[ModelAccuracy]) -> Text:
+    bound = _bound(found)
+    drawn = curve(
+        [model.seconds for model in front],
+        [max(model.error, bound) for model in front],
+        linear=False,
+        units=("s", "error"),
+    )
+    return Text(drawn)

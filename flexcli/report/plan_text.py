@@ -1,0 +1,65 @@
+"""A plan and its audit as tables."""
+
+from collections.abc import Iterator, Sequence
+from math import isfinite
+
+from rich.console import RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from flexcli.report.tables import table
+from flexcli.results import AuditRow, Plan
+
+__all__ = ["audit_table", "plan_tables"]
+
+
+def plan_tables(plan: Plan, *, whole: bool) -> Iterator[RenderableType]:
+    """Yield the effects with what they change of each number, and the models; or it in short."""
+    if not whole:
+        yield Text(_short(plan))
+        return
+    names = plan.reported
+    effects = table(
+        "Effects", "effect", "", "asked", *names, "why", numbers=range(3, 3 + len(names))
+    )
+    for row in plan.effects:
+        shares = (share(row.estimates[n]) if n in row.estimates else "" for n in names)
+        mark = Text("on", "green") if row.on else Text("off", "dim")
+        effects.add_row(row.name, mark, row.asked, *shares, row.reason)
+    yield effects
+    models = table("Models", "", "model", "cost", "error", "does not carry", numbers=[2, 3])
+    for model in plan.models:
+        taken = "→" if model.name == plan.model else ""
+        cells = (f"{model.cost:.3g}", share(model.error), ", ".join(model.missing))
+        models.add_row(taken, model.name, *cells)
+    yield models
+    yield Text(_short(plan))
+
+
+def audit_table(rows: Sequence[AuditRow]) -> Table:
+    """Return what each effect truly changes beside its estimate."""
+    found = table(
+        "Audit", "effect", "", "number", "estimate", "true", "plan", "how", numbers=[3, 4]
+    )
+    for row in rows:
+        true = "?" if row.true is None else f"{row.true:+.2%}" if abs(row.true) < 10.0 else "> 10"  # noqa: PLR2004
+        verdict = {True: Text("right", "green"), False: Text("WRONG", "bold red"), None: Text("")}
+        on = "on" if row.on else "off"
+        found.add_row(
+            row.effect, on, row.quantity, share(row.estimate), true, verdict[row.right], row.how
+        )
+    return found
+
+
+def share(value: float) -> str:
+    """Return a relative change in a few characters."""
+    if not isfinite(value):
+        return "∞"
+    return f"{value:.2%}" if value == 0.0 or value >= 1e-4 else f"{value * 100.0:.1g}%"  # noqa: PLR2004
+
+
+def _short(plan: Plan) -> str:
+    asked = f"accuracy {share(plan.accuracy)}" if isfinite(plan.accuracy) else "effects as asked"
+    on = ", ".join(plan.on) or "no effect"
+    error = share(plan.estimated_error)
+    return f"plan: {asked}; {on} on; {plan.model} model at cost {plan.cost:.3g}; error ≤ {error}"

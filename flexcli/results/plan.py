@@ -1,0 +1,58 @@
+"""What is simulated and by which model, decided before anything is solved; and its audit."""
+
+from typing import NamedTuple
+
+from flexcli.results.judgement import EffectRow, Note
+
+__all__ = ["AuditRow", "ModelRow", "Plan"]
+
+
+class ModelRow(NamedTuple):
+    """A model that could be taken: its declared cost in closed forms, and its error.
+
+    ``missing`` names the effects that are on and that it cannot carry.
+    """
+
+    name: str
+    cost: float
+    error: float
+    missing: tuple[str, ...]
+
+
+class Plan(NamedTuple):
+    """Effects on and off with their reasons, the models in question and the one that is taken.
+
+    ``tolerance`` is that of the exact model. ``estimated_error`` is the largest relative error of
+    a reported number: what is left out, and what the model itself is off by.
+    """
+
+    accuracy: float
+    reported: tuple[str, ...]
+    effects: tuple[EffectRow, ...]
+    models: tuple[ModelRow, ...]
+    model: str
+    cost: float
+    estimated_error: float
+    tolerance: float
+    notes: tuple[Note, ...] = ()
+
+    @property
+    def on(self) -> tuple[str, ...]:
+        """Return the names of the effects that are on."""
+        return tuple(row.name for row in self.effects if row.on)
+
+
+class AuditRow(NamedTuple):
+    """What an effect truly changes in one reported number, beside its estimate; relative.
+
+    ``right`` tells whether the plan was: left out it must change less than the accuracy. Nothing
+    stands for what no model can tell.
+    """
+
+    effect: str
+    on: bool
+    quantity: str
+    estimate: float
+    true: float | None
+    right: bool | None
+    how: str
