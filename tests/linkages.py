@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from flexcli.mechanics.linkage import Link, Linkage, Prismatic, Revolute
+from flexcli.mechanics.linkages.linkage import Link, Linkage, Prismatic, Revolute
 
 
 def four_bar(A, B, C, D, drive="A"):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from flexcli.mechanics.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.numerics.signal_pieces import Piece
 
 

@@ -16,9 +16,9 @@ from flexcli.engine.stops import stops
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import peak_factor
 from flexcli.formulas.stopped_cantilever import load_at_travel
-from flexcli.mechanics.cantilever_modes import cantilever_modes
-from flexcli.mechanics.stop_laws import LinearStop, Stops
-from flexcli.mechanics.stopped_vibration import StoppedVibration, simulate
+from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
+from flexcli.mechanics.stopping.laws import LinearStop, Stops
+from flexcli.mechanics.stopping.vibration import StoppedVibration, simulate
 from flexcli.numerics.signal_pieces import sine
 from flexcli.parts.response import random_response
 from flexcli.results import Status
