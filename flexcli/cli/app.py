@@ -15,6 +15,7 @@ from flexcli.cli import (
     check,
     explain,
     materials,
+    plan,
     schema,
     simulate,
     size,
@@ -38,7 +39,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for verb in (size, check, simulate, accuracy, balance, stops, explain, validate, materials, schema):
+for verb in (size, check, simulate, plan, accuracy, balance, stops, explain, validate, materials, schema):
     app.command(name=verb.NAME)(verb.run)
 app.add_typer(asd.app)
 

@@ -49,5 +49,10 @@ def _check(path: Path, model: Model | None) -> Result:
         hint = "a design has flexure, material, geometry, cases and requirements"
         raise SpecError([Finding(str(path), "there is no design in this folder", hint)])
     design, document = load_design(path)
+    if design.accuracy is not None or design.effects:
+        from flexcli.engine.by_plan import check_by_plan
+
+        sizes = given_sizes(design, document)
+        return check_by_plan(design, sizes, str(path), model.value if model else None)
     answers = answers_for(design.geometry, model.value if model else None)
     return check(design, given_sizes(design, document), str(path), answers)

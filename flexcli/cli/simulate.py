@@ -44,7 +44,13 @@ def _simulate(path: Path, points: int, table: Path | None) -> Result:
     from flexcli.spec.load import load_design
 
     design, document = load_design(path)
-    result = simulate(design, given_sizes(design, document), str(path), points)
+    sizes = given_sizes(design, document)
+    result = simulate(design, sizes, str(path), points)
+    if design.accuracy is not None or design.effects:
+        from flexcli.engine.by_plan import told
+        from flexcli.engine.plan import plan
+
+        result = told(result, plan(design, sizes, "exact"))
     if table is not None:
         write_file(table, sweep_csv(result.sweeps))
     return result

@@ -45,7 +45,11 @@ def _size(path: Path, write: Path | None, model: Model | None) -> Result:
     from flexcli.spec.save import sized_text
 
     design, document = load_design(path)
-    if model in (None, Model.CLOSED_FORM):
+    if design.accuracy is not None or design.effects:
+        from flexcli.engine.by_plan import size_by_plan
+
+        result = size_by_plan(design, str(path), model.value if model else None, size_by_model)
+    elif model in (None, Model.CLOSED_FORM):
         result = size(design, str(path))
     else:
         result = size_by_model(design, str(path), answers_of(model.value))

@@ -59,6 +59,11 @@ def _stops(path: Path, simulate: bool, sweep: bool, seed: int | None, csv: Path 
     design, document = load_design(path)
     sizes = given_sizes(design, document)
     result = stops(design, sizes, str(path))
+    if design.accuracy is not None or design.effects:
+        from flexcli.engine.by_plan import told
+        from flexcli.engine.plan import plan
+
+        result = told(result, plan(design, sizes, "closed-form"))
     if not (simulate or sweep):
         return result
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.card import outside
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.effects import EFFECTS, Setting
+from flexcli.parts.effects import MODEL_EFFECTS, Setting
 from flexcli.parts.geometries import NotAvailable, Sizes
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements import CLOSED_FORM, Answers, Ask, Limit
@@ -21,6 +21,8 @@ __all__ = [
     "effects",
     "factor",
     "factors",
+    "reported",
+    "setting",
     "values",
     "warnings",
 ]
@@ -152,6 +154,9 @@ def values(design: DesignSpec, sizes: Sizes, answers: Answers = CLOSED_FORM) -> 
         found |= _shift(ask, found)
     if design.mechanism is not None:
         found.update(design.mechanism.values(stiffness, geometry))
+        if "f_0" in found:
+            f_0, factor = found["f_0"], answers.frequency_factor(asks[0])
+            found["f_0"] = f_0._replace(value=f_0.value * factor, model=answers.model)
         for ask in asks:
             found.update(_sag(ask))
     return found
@@ -212,12 +217,47 @@ def _sag(ask: Ask) -> dict[str, Value]:
     }
 
 
+def setting(design: DesignSpec, sizes: Sizes) -> Setting:
+    """Return a design as effects are estimated on it."""
+    scenes = tuple(design.scene(name) for name in design.cases)
+    return Setting(
+        design.material, design.geometry, design.mechanism, sizes, scenes, design.stops
+    )
+
+
+def reported(design: DesignSpec, given: Setting) -> tuple[str, ...]:
+    """Return which numbers of the joint a design reports, of those that effects change."""
+    asked = design.requirements
+    shift = design.geometry.closed_forms and any(s.bends for s in given.scenes)
+    held = any(s.blade_force for s in given.scenes)
+    hangs = asked.sag is not None or any(s.acceleration for s in given.scenes)
+    has = {
+        "stiffness": True,
+        "stress": bool(asked.fatigue or asked.yielding),
+        "shift": shift,
+        "buckling": asked.buckling is not None and held,
+        "sag": design.mechanism is not None and hangs,
+        "frequency": design.mechanism is not None,
+    }
+    return tuple(name for name, there in has.items() if there)
+
+
 def effects(design: DesignSpec, sizes: Sizes) -> tuple[EffectRow, ...]:
     """Return what the closed forms leave out of this design."""
-    scenes = tuple(design.scene(name) for name in design.cases)
-    hangs = design.requirements.sag is not None
-    setting = Setting(design.material, design.geometry, sizes, scenes, hangs)
-    return tuple(row for effect in EFFECTS if (row := effect.row(setting)) is not None)
+    given = setting(design, sizes)
+    names = reported(design, given)
+    rows = []
+    for effect in MODEL_EFFECTS:
+        indicator = effect.indicator(given)
+        if indicator is None:
+            continue
+        all_estimates = effect.estimates(given)
+        estimates = {name: all_estimates[name] for name in names if name in all_estimates}
+        most = max(estimates, key=lambda name: estimates[name], default="")
+        reason = f"{indicator.text}; most in {most}" if most else indicator.text
+        size = estimates.get(most, 0.0)
+        rows.append(EffectRow(effect.name, False, indicator.value, size, reason, estimates))
+    return tuple(rows)
 
 
 def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> tuple[Note, ...]:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.coverage import COVERAGE
 from flexcli.engine.exact_answers import ExactAnswers
 from flexcli.engine.face_stress import blade_places, worst_of_stroke
 from flexcli.engine.joint_states import blades_of, case_demand, driven_axis, layout_of
@@ -24,6 +25,8 @@ class LinearAnswers(Answers):
     """Small motion of the assembled blades; shift and buckling are those of the closed forms."""
 
     model = "linear"
+    covers = COVERAGE["linear"].can
+    always = COVERAGE["linear"].always
 
     def __init__(self, effects: Effects | None = None) -> None:
         self.effects = Effects() if effects is None else effects

@@ -2,13 +2,14 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from typing import Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
 
 from pydantic import Field, PrivateAttr, model_validator
 
 from flexcli.parts.balancing import BalanceOptions
-from flexcli.parts.base import Part, spec_error
+from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.case import Case
+from flexcli.parts.effects import EFFECTS, SCENE_EFFECTS
 from flexcli.parts.geometries import AnyGeometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import AnyMechanism, MechanismError
@@ -29,6 +30,8 @@ from flexcli.parts.stops import Stops, StopsMisfit
 __all__ = ["DesignSpec", "Problem"]
 
 CASE_KEYS = tuple(Case.model_fields)
+EffectName: TypeAlias = Literal[tuple(effect.key for effect in EFFECTS)]  # type: ignore[valid-type]
+Wish: TypeAlias = Literal["auto", "on", "off"]
 
 
 class Problem(NamedTuple):
@@ -54,6 +57,10 @@ class DesignSpec(Part):
     size: SizeOptions = SizeOptions.model_construct()
     balance: BalanceOptions = BalanceOptions.model_construct()
     stops: Stops | None = None
+    accuracy: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] | None = Field(
+        None, description="of every reported number; effects are on where it needs them"
+    )
+    effects: dict[EffectName, Wish] = Field({}, description="auto where left out")
 
     _corrections: Mapping[str, float] = PrivateAttr(default_factory=dict)
 
@@ -115,13 +122,35 @@ class DesignSpec(Part):
             _refuse_unknown(objective.maximize, sizes, ("size", "objective", "maximize"))
         return self
 
+    @model_validator(mode="after")
+    def _scene_effects_are_there(self) -> "DesignSpec":
+        for effect in SCENE_EFFECTS:
+            wish = self.effects.get(effect.key, "auto")
+            if wish == "on" or (wish == "off" and not effect.excludes):
+                raise spec_error(
+                    f"'{effect.key}' is on exactly where the design states it",
+                    "leave it out here, and change what the cases or the mechanism state",
+                    at=("effects", effect.key),
+                )
+        return self
+
     def fixed_sizes(self) -> Sizes | None:
         """Return the sizes when all are fixed, else nothing."""
         return None if self.geometry.free else self.geometry.sized({})
 
     def scene(self, name: str) -> Scene:
         """Return one case in the terms of each joint, or raise :class:`MechanismError`."""
-        return scene_of(name, self.cases[name], self.mechanism, self.geometry)
+        case, out = self.cases[name], self._left_out()
+        if out:
+            case = case.model_copy(update=dict.fromkeys(out))
+        return scene_of(name, case, self.mechanism, self.geometry)
+
+    def _left_out(self) -> list[str]:
+        """Return the keys of the cases that the spec's effects leave out."""
+        if not self.effects:
+            return []
+        off = [e for e in SCENE_EFFECTS if self.effects.get(e.key) == "off"]
+        return [key for effect in off for key in effect.excludes]
 
     def limits(self, sizes: Sizes, answers: Answers = CLOSED_FORM) -> list[Limit]:
         """Return every limit of every requirement in every case, on floats, by a model."""

@@ -8,6 +8,7 @@ from typing import Any
 from flexcli import __version__
 from flexcli.errors import Finding
 from flexcli.report.balance_json import balance_document
+from flexcli.report.plan_json import plan_document
 from flexcli.report.stops_json import stops_document
 from flexcli.results import Result, SizingResult, Status
 
@@ -64,6 +65,9 @@ def document(result: Result) -> dict[str, Any]:
                 "indicator": effect.indicator,
                 "estimate": effect.estimate,
                 "reason": effect.reason,
+                "estimates": dict(effect.estimates),
+                "asked": effect.asked,
+                "models": list(effect.models),
             }
             for effect in result.effects
         ],
@@ -83,6 +87,10 @@ def document(result: Result) -> dict[str, Any]:
         content["stops"] = stops_document(result.stops)
     if result.accuracy is not None:
         content["accuracy"] = result.accuracy
+    if result.plan is not None:
+        content["plan"] = plan_document(result.plan)
+    if result.audit:
+        content["audit"] = list(result.audit)
     if result.cost is not None:
         content["cost"] = {
             "seconds": result.cost.seconds,

@@ -11,6 +11,7 @@ from flexcli.errors import Finding
 from flexcli.report.accuracy_text import accuracy_tables
 from flexcli.report.asd import profile_list, profile_sheet, worst_cases
 from flexcli.report.balance_text import balance_tables
+from flexcli.report.plan_text import audit_table, plan_tables
 from flexcli.report.response_text import response_tables
 from flexcli.report.stops_text import stops_tables
 from flexcli.report.sweep_text import sweep_table
@@ -61,8 +62,13 @@ def print_result(result: Result, console: Console) -> None:
         console.print(_checks(result.checks))
     if result.sizing is not None and result.sizing.sensitivities:
         console.print(_sensitivities(result.sizing))
-    if result.effects:
+    if result.plan is not None:
+        for part in plan_tables(result.plan, whole=result.command == "plan"):
+            console.print(part)
+    if result.effects and result.command != "plan":
         console.print(_effects(result))
+    if result.audit:
+        console.print(audit_table(result.audit))
     for note in result.warnings:
         console.print(Text.assemble(("warning ", "yellow"), f"{note.text} [{note.code}]"))
     if result.cost is not None:

@@ -1,11 +1,48 @@
-"""Effects that the closed forms leave out; a new one is a file here and a name in the tuple."""
+"""Effects that a scene may call for; a new one is a file here and a name in a tuple."""
 
+from flexcli.parts.effects.axial_extension import AxialExtension
 from flexcli.parts.effects.axial_load import AxialLoad
-from flexcli.parts.effects.base import Effect, Setting
+from flexcli.parts.effects.base import Effect, Indicator, ModelEffect, SceneEffect, Setting
+from flexcli.parts.effects.blade_mass import BladeMass
+from flexcli.parts.effects.blade_tension import BladeTension
+from flexcli.parts.effects.damping import DampedMotion
+from flexcli.parts.effects.end_stops import EndStops
+from flexcli.parts.effects.gravity import Gravity
 from flexcli.parts.effects.large_rotation import LargeRotation
 from flexcli.parts.effects.plate import PlateWidening
+from flexcli.parts.effects.random_vibration import RandomVibration
 from flexcli.parts.effects.shear import Shear
+from flexcli.parts.effects.shock import ShockLoad
 
-__all__ = ["EFFECTS", "Effect", "Setting"]
+__all__ = [
+    "EFFECTS",
+    "MODEL_EFFECTS",
+    "SCENE_EFFECTS",
+    "Effect",
+    "Indicator",
+    "ModelEffect",
+    "SceneEffect",
+    "Setting",
+]
 
-EFFECTS: tuple[Effect, ...] = (Shear(), LargeRotation(), PlateWidening(), AxialLoad())
+MODEL_EFFECTS: tuple[ModelEffect, ...] = (
+    Shear(),
+    AxialExtension(),
+    BladeTension(),
+    LargeRotation(),
+    AxialLoad(),
+    PlateWidening(),
+    BladeMass(),
+)
+"""What models of the blades carry or leave out."""
+
+SCENE_EFFECTS: tuple[SceneEffect, ...] = (
+    Gravity(),
+    RandomVibration(),
+    ShockLoad(),
+    DampedMotion(),
+    EndStops(),
+)
+"""What a scene states or not."""
+
+EFFECTS: tuple[Effect, ...] = (*MODEL_EFFECTS, *SCENE_EFFECTS)

@@ -1,26 +1,36 @@
 """Axial load: a force along the blades stiffens or softens their bending."""
 
-from flexcli.parts.effects.base import Effect, Setting
-from flexcli.results import EffectRow
+from typing import ClassVar
 
-__all__ = ["AxialLoad"]
+from flexcli.formulas.section import second_moment
+from flexcli.parts.bending import Change, Changes
+from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
+
+__all__ = ["AxialLoad", "largest_load"]
 
 
-class AxialLoad(Effect):
-    """Where a case both bends and loads the blades, stiffness changes by about N/N_cr."""
+class AxialLoad(ModelEffect):
+    """Where a case both bends and loads the blades; the stiffness is stated without load."""
 
-    name = "axial load"
+    name: ClassVar[str] = "axial load"
 
-    def row(self, setting: Setting) -> EffectRow | None:
-        """Return the largest N/N_cr (clamped–guided) of the cases that bend under load."""
-        loads = [s.blade_force for s in setting.scenes if s.travel and s.blade_force]
-        if not loads or setting.blade is None:
-            return None
-        elastic, sizes = setting.material.elastic, setting.sizes
-        critical = min(
-            float(c.force) for c in setting.geometry.critical(elastic, sizes, "clamped-guided")
-        )
-        ratio = max(loads) / critical
-        return EffectRow(
-            self.name, False, ratio, ratio, f"N/N_cr = {ratio:.2g}; bending stiffness changes by it"
-        )
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return the largest N l²/(E I) of the cases that bend under load."""
+        n = largest_load(setting)
+        return Indicator(n, f"N l²/EI = {n:.2g}") if n else None
+
+    def changes(self, setting: Setting) -> Changes:
+        """Return how far the end moments at a given travel change, the load either way."""
+        bending, n = setting.bending, largest_load(setting)
+        if not n or bending is None:
+            return {}
+        return {name: Change(None, bound) for name, (_, bound, _) in bending.load(n).items()}
+
+
+def largest_load(setting: Setting) -> float:
+    """Return the largest N l²/(E I) in a blade of the cases that also bend it [-]."""
+    loads = [s.blade_force for s in setting.scenes if s.bends and s.blade_force]
+    if not loads or setting.blade is None:
+        return 0.0
+    h, l, b = setting.blade
+    return float(max(loads) * l**2 / (setting.material.elastic.E * second_moment(b, h)))

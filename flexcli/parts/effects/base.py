@@ -1,14 +1,18 @@
-"""An effect that the closed forms leave out: its indicator, and what leaving it out may change."""
+"""An effect: its indicator, and what leaving it out changes in each number that is reported."""
 
 from abc import ABC, abstractmethod
-from typing import NamedTuple
+from collections.abc import Mapping
+from math import inf
+from typing import ClassVar, NamedTuple
 
+from flexcli.parts.bending import Bending, Change, Changes, bending_of
 from flexcli.parts.geometries import Blade, Geometry, Sizes
 from flexcli.parts.material import Material
+from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.scene import Scene
-from flexcli.results import EffectRow
+from flexcli.parts.stops import Stops
 
-__all__ = ["Effect", "Setting"]
+__all__ = ["Effect", "Indicator", "ModelEffect", "SceneEffect", "Setting"]
 
 
 class Setting(NamedTuple):
@@ -16,14 +20,20 @@ class Setting(NamedTuple):
 
     material: Material
     geometry: Geometry
+    mechanism: Mechanism | None
     sizes: Sizes
     scenes: tuple[Scene, ...]
-    hangs: bool
+    stops: Stops | None = None
 
     @property
     def blade(self) -> Blade | None:
         """Return the slender blade that bends, where there is one of constant thickness."""
         return self.geometry.blade(self.sizes)
+
+    @property
+    def bending(self) -> Bending | None:
+        """Return how the blades bend at the largest travel of any case."""
+        return bending_of(self.geometry, self.sizes, self.largest_travel)
 
     @property
     def poisson_bound(self) -> float:
@@ -37,11 +47,77 @@ class Setting(NamedTuple):
         return max((s.travel + s.mean_travel for s in self.scenes), default=0.0)
 
 
-class Effect(ABC):
-    """One effect; estimates are relative changes of the most affected reported number."""
+class Indicator(NamedTuple):
+    """A dimensionless number that tells how much of an effect there is, and in words."""
 
-    name: str
+    value: float
+    text: str
+
+
+class Effect(ABC):
+    """One effect; a stateless object, listed in the tuple of this package."""
+
+    name: ClassVar[str]
+    excludes: ClassVar[tuple[str, ...]] = ()
+    """Keys of a case that ``effects: {name: off}`` takes out of it."""
+
+    @property
+    def key(self) -> str:
+        """Return its name in a spec."""
+        return self.name.replace(" ", "-")
 
     @abstractmethod
-    def row(self, setting: Setting) -> EffectRow | None:
-        """Return the effect on this design, or nothing when the design can't have it."""
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return how much of it there is, or nothing where the design can't have it."""
+
+
+class SceneEffect(Effect):
+    """What a scene has or has not: it is on exactly when a case, or the design, states it."""
+
+
+class ModelEffect(Effect):
+    """What a model of the blades carries or leaves out."""
+
+    cost: ClassVar[float] = 1.0
+    """Of correcting a closed form by it, in closed forms."""
+    needs: ClassVar[str] = ""
+    """The property of the material without which no model can carry it."""
+
+    @abstractmethod
+    def changes(self, setting: Setting) -> Changes:
+        """Return what it changes; a frequency and a sag follow from the stiffness."""
+
+    def lacks(self, setting: Setting) -> str:
+        """Return what is needed to carry it and is not given, or nothing."""
+        missing = self.needs and getattr(setting.material, self.needs) is None
+        return f"material.{self.needs}" if missing else ""
+
+    def all_changes(self, setting: Setting) -> dict[str, Change]:
+        """Return the changes of stiffness, stress, shift, buckling, and what follows from them."""
+        found = dict(self.changes(setting))
+        stiffness = found.get("stiffness")
+        if stiffness is not None:
+            value, bound, error = stiffness
+            half = None if value is None else (1.0 + value) ** 0.5 - 1.0
+            inverse = None if value is None else 1.0 / (1.0 + value) - 1.0
+            found.setdefault("frequency", Change(half, bound / 2.0, error / 2.0))
+            found.setdefault("sag", Change(inverse, _grown(bound, bound), error))
+        return found
+
+    def estimates(self, setting: Setting) -> Mapping[str, float]:
+        """Return the most that each number changes without it, as a share of the number.
+
+        The bound of the leading terms is the first of a geometric series: each further order is
+        smaller by the bound itself, or by what the bending says.
+        """
+        bending = setting.bending
+        ratio = bending.ratio if bending is not None else 0.0
+        return {
+            name: _grown(change.bound, max(change.bound, ratio))
+            for name, change in self.all_changes(setting).items()
+        }
+
+
+def _grown(bound: float, ratio: float) -> float:
+    """Return the sum of a geometric series, endless where it does not converge."""
+    return bound / (1.0 - ratio) if ratio < 1.0 else inf if bound else 0.0

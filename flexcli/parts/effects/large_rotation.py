@@ -1,24 +1,29 @@
 """Large rotation of the blades."""
 
-from flexcli.parts.effects.base import Effect, Setting
-from flexcli.results import EffectRow
+from typing import ClassVar
+
+from flexcli.parts.bending import Changes
+from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
 __all__ = ["LargeRotation"]
 
 
-class LargeRotation(Effect):
-    """The closed forms are the first term in the rotation; the next is of its square."""
+class LargeRotation(ModelEffect):
+    """The closed forms are the first term in the travel; the stiffness is stated at rest."""
 
-    name = "large rotation"
+    name: ClassVar[str] = "large rotation"
+    cost: ClassVar[float] = 3.0
 
-    def row(self, setting: Setting) -> EffectRow | None:
-        """Return θ² (or the square of stroke/l), the order of what comes next."""
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return θ, or the stroke over the length."""
         travel = setting.largest_travel
         turns = setting.geometry.motion == "rotation"
-        if travel == 0.0 or (not turns and setting.blade is None):
+        if travel == 0.0 or setting.blade is None:
             return None
-        angle = travel if setting.blade is None or turns else travel / setting.blade.l
-        name = "θ" if turns else "stroke/l"
-        return EffectRow(
-            self.name, False, angle, angle**2, f"{name} = {angle:.2g}; order of its square"
-        )
+        angle = travel if turns else travel / float(setting.blade.l)
+        return Indicator(angle, f"{'θ' if turns else 'stroke/l'} = {angle:.2g}")
+
+    def changes(self, setting: Setting) -> Changes:
+        """Return the terms of next order of stress and shift."""
+        bending = setting.bending
+        return bending.rotation() if bending is not None else {}

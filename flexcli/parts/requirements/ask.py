@@ -1,7 +1,7 @@
 """What a requirement is judged on: the design, the case, and the model that answers."""
 
 from abc import ABC, abstractmethod
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
@@ -61,6 +61,14 @@ class Answers(ABC):
     """
 
     model: str
+    covers: ClassVar[frozenset[str]] = frozenset()
+    """Names of the effects that it can carry, and leave out."""
+    always: ClassVar[frozenset[str]] = frozenset()
+    """Names of the effects that it cannot leave out."""
+
+    def frequency_factor(self, ask: Ask) -> float:
+        """Return what it knows of a frequency besides the stiffness, as a factor [-]."""
+        return 1.0
 
     @abstractmethod
     def stiffness(self, ask: Ask) -> Quantity:

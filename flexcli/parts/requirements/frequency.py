@@ -34,8 +34,9 @@ class Frequency(Bound):
             mode = ask.mechanism.mode(stiffness, ask.geometry)
         except MechanismError as error:
             raise RequirementError(str(error), error.hint) from error
+        factor = ask.answers.frequency_factor(ask)
         yield from self.bounds(
-            mode.stiffness / (mode.mass * (2.0 * pi) ** 2),
+            mode.stiffness * (factor**2 / (mode.mass * (2.0 * pi) ** 2)),
             case="",
             quantity="natural frequency",
             unit="Hz",
