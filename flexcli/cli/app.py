@@ -39,7 +39,19 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
-for verb in (size, check, simulate, plan, accuracy, balance, stops, explain, validate, materials, schema):
+for verb in (
+    size,
+    check,
+    simulate,
+    plan,
+    accuracy,
+    balance,
+    stops,
+    explain,
+    validate,
+    materials,
+    schema,
+):
     app.command(name=verb.NAME)(verb.run)
 app.add_typer(asd.app)
 

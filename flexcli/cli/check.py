@@ -49,7 +49,7 @@ def _check(path: Path, model: Model | None) -> Result:
         hint = "a design has flexure, material, geometry, cases and requirements"
         raise SpecError([Finding(str(path), "there is no design in this folder", hint)])
     design, document = load_design(path)
-    if design.accuracy is not None or design.effects:
+    if design.is_planned:
         from flexcli.engine.by_plan import check_by_plan
 
         sizes = given_sizes(design, document)

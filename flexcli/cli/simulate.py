@@ -46,7 +46,7 @@ def _simulate(path: Path, points: int, table: Path | None) -> Result:
     design, document = load_design(path)
     sizes = given_sizes(design, document)
     result = simulate(design, sizes, str(path), points)
-    if design.accuracy is not None or design.effects:
+    if design.is_planned:
         from flexcli.engine.by_plan import told
         from flexcli.engine.plan import plan
 

@@ -45,7 +45,7 @@ def _size(path: Path, write: Path | None, model: Model | None) -> Result:
     from flexcli.spec.save import sized_text
 
     design, document = load_design(path)
-    if design.accuracy is not None or design.effects:
+    if design.is_planned:
         from flexcli.engine.by_plan import size_by_plan
 
         result = size_by_plan(design, str(path), model.value if model else None, size_by_model)

@@ -59,7 +59,7 @@ def _stops(path: Path, simulate: bool, sweep: bool, seed: int | None, csv: Path 
     design, document = load_design(path)
     sizes = given_sizes(design, document)
     result = stops(design, sizes, str(path))
-    if design.accuracy is not None or design.effects:
+    if design.is_planned:
         from flexcli.engine.by_plan import told
         from flexcli.engine.plan import plan
 

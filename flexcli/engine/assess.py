@@ -220,9 +220,7 @@ def _sag(ask: Ask) -> dict[str, Value]:
 def setting(design: DesignSpec, sizes: Sizes) -> Setting:
     """Return a design as effects are estimated on it."""
     scenes = tuple(design.scene(name) for name in design.cases)
-    return Setting(
-        design.material, design.geometry, design.mechanism, sizes, scenes, design.stops
-    )
+    return Setting(design.material, design.geometry, design.mechanism, sizes, scenes, design.stops)
 
 
 def reported(design: DesignSpec, given: Setting) -> tuple[str, ...]:

@@ -134,6 +134,11 @@ class DesignSpec(Part):
                 )
         return self
 
+    @property
+    def is_planned(self) -> bool:
+        """Return whether the spec asks for an accuracy, or has a say in the effects."""
+        return self.accuracy is not None or bool(self.effects)
+
     def fixed_sizes(self) -> Sizes | None:
         """Return the sizes when all are fixed, else nothing."""
         return None if self.geometry.free else self.geometry.sized({})

@@ -22,18 +22,31 @@ LEAVES_OUT = (
     "clamps that give) is in no column"
 )
 
+LEAVES_OUT_IN_TIME = (
+    "errors in time are against the event-driven simulation of the same modes; what those leave "
+    "out (modes not kept, large rotation) is in no column"
+)
+
 
 def accuracy_tables(found: AccuracyResult) -> Iterator[RenderableType]:
     """Yield a table for each quantity, one of the whole, the curve and what to take."""
+    yield from _ladder(found, "")
+    yield Text(LEAVES_OUT, "dim")
+    if found.in_time is not None:
+        yield from _ladder(found.in_time, " in time")
+        yield Text(LEAVES_OUT_IN_TIME, "dim")
+
+
+def _ladder(found: AccuracyResult, where: str) -> Iterator[RenderableType]:
+    """Yield the tables of one ladder, its curve and what to take."""
     for quantity in found.quantities:
         yield _quantity(quantity)
-    yield _whole(found)
+    yield _whole(found, where)
     front = sorted((m for m in found.models if m.pareto), key=lambda m: m.seconds)
     if len(front) > 1:
         yield _curve(found, front)
     take = found.recommended or "no model"
-    yield Text(f"within {told_error(found.accuracy)}, all quantities: {take}", "bold")
-    yield Text(LEAVES_OUT, "dim")
+    yield Text(f"within {told_error(found.accuracy)}, all quantities{where}: {take}", "bold")
 
 
 def told_error(error: float, bound: float = 0.0) -> str:
@@ -65,9 +78,10 @@ def _quantity(quantity: QuantityAccuracy) -> Table:
     return rows
 
 
-def _whole(found: AccuracyResult) -> Table:
+def _whole(found: AccuracyResult, where: str) -> Table:
     bound = _bound(found)
-    title = f"All quantities, median of {found.runs} runs (• Pareto set, ← the cheapest that does)"
+    marked = "(• Pareto set, ← the cheapest that does)"
+    title = f"All quantities{where}, median of {found.runs} runs {marked}"
     rows = table(
         title, "", "model", "largest error", "time", "spread", "no answer", numbers=range(2, 5)
     )

@@ -42,7 +42,7 @@ def audit_table(rows: Sequence[AuditRow]) -> Table:
         "Audit", "effect", "", "number", "estimate", "true", "plan", "how", numbers=[3, 4]
     )
     for row in rows:
-        true = "?" if row.true is None else f"{row.true:+.2%}" if abs(row.true) < 10.0 else "> 10"  # noqa: PLR2004
+        true = "?" if row.true is None else f"{row.true:+.2%}" if abs(row.true) < 10.0 else "> 10"
         verdict = {True: Text("right", "green"), False: Text("WRONG", "bold red"), None: Text("")}
         on = "on" if row.on else "off"
         found.add_row(
@@ -55,7 +55,7 @@ def share(value: float) -> str:
     """Return a relative change in a few characters."""
     if not isfinite(value):
         return "∞"
-    return f"{value:.2%}" if value == 0.0 or value >= 1e-4 else f"{value * 100.0:.1g}%"  # noqa: PLR2004
+    return f"{value:.2%}" if value == 0.0 or value >= 1e-4 else f"{value * 100.0:.1g}%"
 
 
 def _short(plan: Plan) -> str:

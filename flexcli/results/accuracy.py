@@ -55,7 +55,7 @@ class AccuracyResult(NamedTuple):
     """Errors and times of all models; ``recommended`` is the cheapest that meets the accuracy.
 
     It is empty where no model meets it. ``unsettled`` names quantities without a sure finest
-    value, which take no part.
+    value, which take no part. ``in_time`` is the same of the design's motions between stops.
     """
 
     accuracy: float
@@ -65,3 +65,4 @@ class AccuracyResult(NamedTuple):
     models: tuple[ModelAccuracy, ...]
     recommended: str
     unsettled: tuple[str, ...]
+    in_time: "AccuracyResult | None" = None

@@ -1,5 +1,6 @@
 """What is simulated and by which model, decided before anything is solved; and its audit."""
 
+from math import isfinite
 from typing import NamedTuple
 
 from flexcli.results.judgement import EffectRow, Note
@@ -35,6 +36,11 @@ class Plan(NamedTuple):
     estimated_error: float
     tolerance: float
     notes: tuple[Note, ...] = ()
+
+    @property
+    def known_error(self) -> float | None:
+        """Return the estimated error where there is one, that is where it is finite."""
+        return self.estimated_error if isfinite(self.estimated_error) else None
 
     @property
     def on(self) -> tuple[str, ...]:

@@ -1,0 +1,68 @@
+"""The verbs run by the plan of the spec: its model judges, its effects are told with the result."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from flexcli.engine.check import check
+from flexcli.engine.plan import plan, planned_answers
+from flexcli.engine.size import size
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.geometries import Sizes
+from flexcli.parts.requirements import CLOSED_FORM, Answers
+from flexcli.results import Plan, Result
+
+__all__ = ["check_by_plan", "size_by_plan", "told"]
+
+ROUNDS = 3
+"""Sizes that a plan is made for before the last one is taken."""
+
+LEFT_OUT = "effect-left-out"
+"""The warning of results without a plan; a plan says what is left out, and why."""
+
+
+def check_by_plan(design: DesignSpec, sizes: Sizes, spec: str, model: str | None) -> Result:
+    """Return the checks of given sizes by the model of the plan, or the one insisted on."""
+    found = plan(design, sizes, model)
+    return told(check(design, sizes, spec, planned_answers(found)), found)
+
+
+def size_by_plan(
+    design: DesignSpec,
+    spec: str,
+    model: str | None,
+    by_model: Callable[[DesignSpec, str, Answers], Result],
+) -> Result:
+    """Return the design sized by the model that the sized design calls for.
+
+    The closed forms size it first; the plan is made for what they find, and once more for what
+    its own model finds, until it asks for nothing else.
+    """
+    result, judge = size(design, spec), CLOSED_FORM.model
+    for _ in range(ROUNDS):
+        sizes = _sizes(design, result)
+        if sizes is None:
+            return result
+        found = plan(design, sizes, model)
+        answers = planned_answers(found)
+        if answers.model == judge:
+            break
+        result, judge = by_model(design, spec, answers), answers.model
+    return told(result, found)
+
+
+def told(result: Result, found: Plan) -> Result:
+    """Return a result with its plan: effects on and off, notes, the error that is left."""
+    kept = tuple(note for note in result.warnings if note.code != LEFT_OUT)
+    cost = result.cost
+    if cost is not None:
+        cost = replace(cost, estimated_error=found.known_error)
+    warnings = (*kept, *found.notes)
+    return replace(result, effects=found.effects, warnings=warnings, cost=cost, plan=found)
+
+
+def _sizes(design: DesignSpec, result: Result) -> Sizes | None:
+    """Return the sizes that a sizing chose, if any."""
+    free = design.geometry.free
+    if any(name not in result.values for name in free):
+        return None
+    return design.geometry.sized({name: result.values[name].value for name in free})

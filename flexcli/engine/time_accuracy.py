@@ -1,0 +1,220 @@
+"""What accuracy costs in time: a stopped blade's first periods by every method and tolerance."""
+
+from collections.abc import Callable, Iterable, Iterator
+from itertools import chain
+from math import pi
+from time import perf_counter
+from typing import NamedTuple
+
+import numpy as np
+
+from flexcli.engine.compared import Settled, Timed, compared, relative_bound
+from flexcli.engine.stop_choice import choose
+from flexcli.engine.stop_excitation import excitation
+from flexcli.engine.stop_scene import stop_scene
+from flexcli.engine.stop_statics import task_of
+from flexcli.engine.time_ladder import (
+    RIGID_PENALTY,
+    Method,
+    Motion,
+    TimePeaks,
+    event_driven,
+    penalty_run,
+)
+from flexcli.mechanics.stopping.laws import RigidStop
+from flexcli.numerics.signal_pieces import Piece
+from flexcli.parts.case import Case
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.geometries import Sizes
+from flexcli.parts.mechanisms.tip_mass import TipMass
+from flexcli.parts.stops import Rigid
+from flexcli.results import AccuracyResult, Note
+
+__all__ = [
+    "PERIODS",
+    "TimeNumber",
+    "TimeRung",
+    "accuracy_in_time",
+    "bounded",
+    "motions",
+    "time_ladder",
+    "time_notes",
+]
+
+PERIODS = 6
+"""Length of a run in periods of the first mode: short enough for the slowest method."""
+METHODS: tuple[Method, ...] = ("Radau", "DOP853")
+TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)
+CONTROLS = (1e-12, 1e-11)
+"""Tolerances of the control run, finer than any in the ladder, and of the run that bounds it."""
+ROUNDING = 1e-12
+"""Least error of a finest value: what is left of sixteen digits after many events."""
+CUT = 0.381966
+"""Share of a piece at which the control of a rigid stop cuts it: no multiple of anything."""
+
+NUMBERS = (
+    ("tip_peak", "peak of the tip", "m"),
+    ("F_peak", "peak force on a stop", "N"),
+    ("t_contact", "start of the last contact", "s"),
+)
+"""The numbers of a run, in the order of its peaks."""
+
+
+class TimeNumber(NamedTuple):
+    """A number of a motion."""
+
+    name: str
+    label: str
+    unit: str
+
+
+class TimeRung(NamedTuple):
+    """A method by the name that reports give it."""
+
+    name: str
+    by: Callable[[Motion], TimePeaks]
+
+
+def accuracy_in_time(
+    design: DesignSpec, sizes: Sizes, runs: int, asked: float
+) -> AccuracyResult | None:
+    """Return what accuracy costs in time, for designs with stops that a sine or shock shakes."""
+    shaken = list(motions(design, sizes))
+    settled: list[Settled[TimeNumber]] = []
+    unsettled: list[str] = []
+    columns: list[tuple[int, int]] = []
+    for i, motion in enumerate(shaken):
+        for j, (number, value, bound) in enumerate(bounded(motion)):
+            if bound is None:
+                unsettled.append(number.name)
+            else:
+                settled.append(Settled(number, value, bound))
+                columns.append((i, j))
+    if not settled:
+        return None
+    rungs = time_ladder()
+    times = _timed(shaken, rungs, runs, columns)
+    return compared(settled, rungs, times, asked, tuple(unsettled))
+
+
+def time_ladder() -> tuple[TimeRung, ...]:
+    """Return general integrators from coarse to fine, and the event-driven run."""
+    general = [
+        TimeRung(f"{method} at {tolerance:.0e}", _general(method, tolerance))
+        for method in METHODS
+        for tolerance in TOLERANCES
+    ]
+    return (*general, TimeRung("event-driven", lambda motion: event_driven(motion)[0]))
+
+
+def _general(method: Method, tolerance: float) -> Callable[[Motion], TimePeaks]:
+    return lambda motion: penalty_run(motion, method, tolerance)
+
+
+def motions(design: DesignSpec, sizes: Sizes) -> Iterator[Motion]:
+    """Yield the first periods, from rest, of every sine and shock between the chosen stops."""
+    mechanism = design.mechanism
+    if design.stops is None or not isinstance(mechanism, TipMass):
+        return
+    asked = {name: alone for name, case in design.cases.items() if (alone := _short(case))}
+    if not asked:
+        return
+    task = task_of(design, design.stops, sizes)
+    place = choose(task).place
+    signs = (1,) if design.stops.sides == "both" else (1, -1)
+    for name, case in asked.items():
+        blade, stops, _ = stop_scene(design, mechanism, task, sizes, place, name)
+        all_shaken = [
+            shaken
+            for sign in signs
+            for shaken in excitation(name, case, blade, design.stops.simulation, sign)
+        ]
+        window = PERIODS * 2.0 * pi / float(blade.angular[0])
+        for count, shaken in enumerate(all_shaken, 1):
+            yield Motion(
+                name=name if len(all_shaken) == 1 else f"{name}_{count}",
+                label=f"{name}, {shaken.kind}, first {PERIODS} periods of the blade",
+                blade=blade,
+                stops=stops,
+                pieces=tuple(_first(chain.from_iterable(shaken.legs), window)),
+                rate=np.zeros(blade.angular.size) if shaken.rate is None else shaken.rate,
+            )
+
+
+def _short(case: Case) -> Case | None:
+    """Return a case with its sine and its shock in time only, or nothing where it has neither."""
+    shock = None if case.shock is None or case.shock.srs else case.shock
+    if case.sine is None and shock is None:
+        return None
+    return case.model_copy(update={"asd": None, "sweep": None, "shock": shock})
+
+
+def _first(pieces: Iterable[Piece], window: float) -> Iterator[Piece]:
+    """Yield pieces up to a time."""
+    left = window
+    for piece in pieces:
+        yield piece._replace(duration=min(piece.duration, left))
+        left -= piece.duration
+        if left <= 1e-9 * window:
+            return
+
+
+def bounded(motion: Motion) -> Iterator[tuple[TimeNumber, float, float | None]]:
+    """Yield each number by the event-driven run and its bound, nothing where it is unsure.
+
+    The bound is the distance to a control, the control's own error, and the share of the energy
+    that the run lost account of. The control is a general integrator under the same law, whose
+    error is at most its distance from a coarser one; a rigid stop has no other law, so that its
+    control is the same run with every piece cut in two.
+    """
+    finest, residual = event_driven(motion)
+    if isinstance(motion.stops.law, RigidStop):
+        control, _ = event_driven(motion._replace(pieces=tuple(_cut(motion.pieces))))
+        coarser = control
+    else:
+        control, coarser = (penalty_run(motion, "DOP853", tolerance) for tolerance in CONTROLS)
+    for (name, label, unit), value, near, far in zip(
+        NUMBERS, finest, control, coarser, strict=True
+    ):
+        number = TimeNumber(f"{name}_{motion.name}", f"{label}, {motion.label}", unit)
+        own = abs(near - far) / abs(near) if near else 0.0
+        yield number, value, relative_bound(value, near, own + residual + ROUNDING)
+
+
+def _cut(pieces: Iterable[Piece]) -> Iterator[Piece]:
+    for piece in pieces:
+        yield piece._replace(duration=CUT * piece.duration)
+        yield piece.after(CUT * piece.duration)
+
+
+def _timed(
+    shaken: list[Motion],
+    rungs: tuple[TimeRung, ...],
+    runs: int,
+    columns: list[tuple[int, int]],
+) -> Timed:
+    """Return the numbers of every method, and the seconds of the run that gives them.
+
+    The methods take turns, so that a busy machine slows all of them alike.
+    """
+    seconds = np.empty((runs, len(rungs), len(shaken)))
+    values = np.empty((len(rungs), len(shaken), len(NUMBERS)))
+    for run in range(runs):
+        for i, rung in enumerate(rungs):
+            for j, motion in enumerate(shaken):
+                begun = perf_counter()
+                values[i, j] = rung.by(motion)
+                seconds[run, i, j] = perf_counter() - begun
+    of, which = np.array(columns).T
+    return Timed(values[:, of, which], seconds[:, :, of], seconds.sum(axis=2))
+
+
+def time_notes(design: DesignSpec) -> Iterator[Note]:
+    """Yield what the penalty stands for where the stop has no law of force."""
+    contact = design.stops.contact if design.stops is not None else None
+    if isinstance(contact, Rigid) and contact.restitution is not None:
+        text = (
+            "in time a rigid stop with a restitution is an impulse; general integrators see a "
+            f"spring {RIGID_PENALTY:g} times as stiff as the blade there: that is in their error"
+        )
+        yield Note("penalty-for-rigid", text)

@@ -1,0 +1,143 @@
+"""Pivots of two crossing blades, or of pairs of them: a body that turns about their centre."""
+
+from math import inf, pi, tan
+
+from flexcli.formulas import (
+    pivot,
+    pivot_next_order,
+    pivot_next_shift,
+    thick_pivot,
+    thick_shift,
+)
+from flexcli.formulas.beam_column import s_bending, uniform_bending
+from flexcli.parts.bending.base import Bending, Change, Changes, whole
+
+__all__ = ["Pair", "under_tension"]
+
+
+class Pair(Bending):
+    """Blades at ± a half-angle, the inner ends p from the centre, turned by θ."""
+
+    def __init__(self, *, h: float, l: float, p: float, theta: float, half_angle: float) -> None:
+        self.h = h
+        self.l = l
+        self.theta = theta
+        self.blade = {"l": l, "p": p, "half_angle": half_angle}
+        self.gamma = 1.0 + 2.0 * p / l
+        self.stretch = (h / (l * tan(half_angle))) ** 2
+        self.straightens = h / l / tan(half_angle)
+        self.leading = (5.0 - 9.0 * self.gamma**2) / 60.0  # of the shift over l θ²/cos α
+        self.most = 1.0 + 3.0 * abs(self.gamma)
+
+    @property
+    def ratio(self) -> float:
+        """Return θ, or what the next order of the stress is of the first where that is more."""
+        turn = {**self.blade, "theta": self.theta}
+        return max(abs(self.theta), float(pivot_next_order.stress_bound(**turn)))
+
+    def shear(self, Phi: float) -> Changes:
+        """Return what softer S-shaped bending changes, exactly at small rotation."""
+        found = self._softer(Phi)
+        if self.theta:
+            curved = 3.0 * self.gamma**2 / 20.0
+            bracket = -curved * (thick_shift.shear_factor(Phi) - 1.0)
+            along = whole(self._of_leading(bracket))
+            less = Phi / (1.0 + Phi) * self._across**2  # what stretching shifts across shears away
+            found["shift"] = Change(along.value, along.bound + less, less)
+        return found
+
+    def extension(self) -> Changes:
+        """Return what stretching changes: it softens like shear, and shifts the centre across."""
+        found = self._softer(self.stretch)
+        if self.theta:
+            bracket = thick_shift.pivot_stretch(h=self.h, **self.blade)
+            found["shift"] = self._shifted(self._of_leading(bracket), self._across)
+        return found
+
+    def stretched(self, n: float) -> Changes:
+        """Return 6ε tan α/(θ(1 + 3|γ|)), ε = n(h/l)²/12; cot α for a force across the bisector.
+
+        It adds at one end of the stroke and takes away at the other.
+        """
+        if not self.theta:
+            return {}
+        tangent = tan(self.blade["half_angle"])
+        strain = n * (self.h / self.l) ** 2 / 12.0
+        share = 6.0 * strain * max(tangent, 1.0 / tangent) / (abs(self.theta) * self.most)
+        return {"stress": Change(share, share, share)}
+
+    def rotation(self) -> Changes:
+        """Return the next order in θ of stress and shift."""
+        if not self.theta:
+            return {}
+        turn = {**self.blade, "theta": self.theta}
+        stress = float(pivot_next_order.stress_change(**turn))
+        bound = float(pivot_next_order.stress_bound(**turn))
+        first = float(pivot.parasitic_shift(**turn))
+        if first == 0.0:
+            shift = Change(None, inf)
+        else:
+            along = pivot_next_shift.shift_parts(**turn)
+            across = float(pivot_next_shift.shift_across(**turn)) / first
+            bends = float(along.bound) / abs(first)
+            shift = self._shifted(float(along.total) / first, across, bends)
+        return {"stress": Change(stress, max(bound, abs(stress))), "shift": shift}
+
+    def tension(self) -> Changes:
+        """Return σ = N/(h b) of N = 6γθ cot α EI/l² over the bending: γ cot α (h/l)/(1 + 3|γ|)."""
+        share = abs(self.gamma) * self.straightens / self.most
+        return {"stress": whole(share)} if self.theta else {}
+
+    def load(self, n: float) -> Changes:
+        """Return how an axial force of either sign changes the moments of a blade."""
+        return {"stress": whole(under_tension(n, self.gamma))}
+
+    def _softer(self, Phi: float) -> dict[str, Change]:
+        """Return the changes where the S-shaped part is divided by 1 + Φ.
+
+        So are the axial forces, by which the stress grows at large rotation.
+        """
+        soft, gamma = Phi / (1.0 + Phi), abs(self.gamma)
+        bends = 3.0 * gamma**2
+        found = {"stiffness": whole(-bends / (1.0 + bends) * soft)}
+        if self.theta:
+            value = -3.0 * gamma / self.most * soft
+            turned = soft * self.rotation()["stress"].bound
+            found["stress"] = Change(value, abs(value) + turned, turned)
+        return found
+
+    @property
+    def _across(self) -> float:
+        """Return the shift across that stretching makes over that along; Φ = 0 for ν = −1."""
+        turn = {**self.blade, "theta": self.theta}
+        first = abs(float(pivot.parasitic_shift(**turn)))
+        across = abs(float(thick_pivot.shift_across(h=self.h, poisson_ratio=-1.0, **turn)))
+        return across / first if first else inf
+
+    def _of_leading(self, bracket: float) -> float:
+        return bracket / self.leading if self.leading else inf
+
+    @staticmethod
+    def _shifted(along: float, across: float, bound: float | None = None) -> Change:
+        """Return the change of the length of the shift by motions along and across it, as shares.
+
+        Those across add as squares, whose double product with another effect's is as large again:
+        nobody knows it here, so it counts as an error.
+        """
+        if not across < inf:
+            return Change(None, inf)
+        value = ((1.0 + along) ** 2 + across**2) ** 0.5 - 1.0
+        size = abs(along) if bound is None else bound
+        return Change(value, size + across**2, across**2 / 2.0)
+
+
+def under_tension(n: float, gamma: float) -> float:
+    """Return the most that axial forces ±n EI/l² change the end moments of a turned blade."""
+    if n >= pi**2:  # compression buckles a guided blade
+        return inf
+    most = 1.0 + 3.0 * abs(gamma)
+    moments = (
+        float(uniform_bending(sign * n)) + 3.0 * abs(gamma) * float(s_bending(sign * n))
+        for sign in (1.0, -1.0)
+    )
+    return max(abs(moment / most - 1.0) for moment in moments)

@@ -1,0 +1,28 @@
+"""Blade tension: the stroke of a pivot pulls one blade and pushes the other."""
+
+from typing import ClassVar
+
+from flexcli.parts.bending import Changes
+from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
+
+__all__ = ["BladeTension"]
+
+
+class BladeTension(ModelEffect):
+    """Axial stress beside the bending stress, of first order in h/l."""
+
+    name: ClassVar[str] = "blade tension"
+
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return h/l of a pivot that turns."""
+        if setting.blade is None or setting.geometry.motion != "rotation":
+            return None
+        if not setting.largest_travel:
+            return None
+        slender = float(setting.blade.h / setting.blade.l)
+        return Indicator(slender, f"h/l = {slender:.2g}")
+
+    def changes(self, setting: Setting) -> Changes:
+        """Return the axial stress over that of the bending."""
+        bending = setting.bending
+        return bending.tension() if bending is not None else {}

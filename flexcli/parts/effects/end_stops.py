@@ -1,0 +1,22 @@
+"""End stops beside the blade."""
+
+from typing import ClassVar
+
+from flexcli.parts.effects.base import Indicator, SceneEffect, Setting
+
+__all__ = ["EndStops"]
+
+
+class EndStops(SceneEffect):
+    """On where the design has stops."""
+
+    name: ClassVar[str] = "end stops"
+
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return the travel that the stops allow over the length of the blade."""
+        if setting.stops is None or setting.blade is None:
+            return None
+        if setting.stops.travel is None:
+            return Indicator(0.0, "as far as the bending allows")
+        share = setting.stops.travel / float(setting.blade.l)
+        return Indicator(share, f"travel/l = {share:.2g}")

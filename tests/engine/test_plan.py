@@ -1,0 +1,185 @@
+"""Plans: what they leave out, which model they take, and that they keep what they promise."""
+
+from typing import Any
+
+import pytest
+from random_scenes import scenes
+
+from flexcli.engine.audit import audit
+from flexcli.engine.by_plan import check_by_plan, size_by_plan
+from flexcli.engine.check import check
+from flexcli.engine.corrected import size_by_model
+from flexcli.engine.exact_answers import ExactAnswers
+from flexcli.engine.plan import plan, planned_answers
+from flexcli.errors import SolveError
+from flexcli.parts.design import DesignSpec
+
+MATERIAL = {"name": "titanium", "youngs_modulus": "114 GPa", "yield_strength": "900 MPa"}
+PIVOT = {
+    "kind": "cross-spring", "delta": -0.3, "half_angle": "45 deg",
+    "h": "0.3 mm", "l": "10 mm", "b": "2 mm",
+}  # fmt: skip
+TURN = {"rotation": "4 deg"}
+BEAMS = {"plate-widening": "off"}
+CONTROL = ExactAnswers(tolerance=1e-12, levels=(10, 15, 22, 33, 50))
+"""As fine as can be, on other nodes than those of the model that is judged."""
+
+
+def design_of(geometry: dict[str, Any] = PIVOT, stroke: Any = TURN, **more: Any) -> DesignSpec:
+    poisson = more.pop("poisson", {"poisson_ratio": 0.33})
+    return DesignSpec.model_validate(
+        {
+            "flexure": 1,
+            "material": {**MATERIAL, **poisson},
+            "geometry": geometry,
+            "cases": {"work": {"stroke": stroke, **more.pop("case", {})}},
+            "requirements": {"yield": 1.0},
+            **more,
+        }
+    )
+
+
+def row(found, name):
+    return next(effect for effect in found.effects if effect.name == name)
+
+
+def planned(design, **options):
+    return plan(design, design.fixed_sizes(), **options)
+
+
+def test_finer_accuracies_take_other_models_at_rising_cost_and_keep_their_promise():
+    taken, costs = [], []
+    for accuracy in (0.1, 0.01, 0.001, 1e-6):
+        design = design_of(accuracy=accuracy, effects=BEAMS)
+        sizes, found = design.fixed_sizes(), planned(design)
+        result = check(design, sizes, "", planned_answers(found))
+        truth = check(design, sizes, "", CONTROL)
+        for name in ("k_pivot", "shift"):
+            assert result.values[name].value == pytest.approx(
+                truth.values[name].value, rel=accuracy
+            )
+        assert result.checks[0].demand == pytest.approx(truth.checks[0].demand, rel=accuracy)
+        taken.append((planned_answers(found).model, found.tolerance))
+        costs.append(found.cost)
+    assert len(set(taken)) == 4
+    assert costs == sorted(set(costs))
+
+
+def test_nothing_that_a_plan_leaves_out_matters_and_little_of_the_rest_is_idle():
+    left, wrong, switched, idle = 0, 0, 0, 0
+    for design in scenes(50, seed=7):
+        found = planned(design)
+        rows = audit(design, design.fixed_sizes(), found)
+        wrong += sum(row.right is False for row in rows)
+        for effect in found.effects:
+            true = [r.true for r in rows if r.effect == effect.name and r.true is not None]
+            left += not effect.on
+            if effect.on and true:
+                switched += 1
+                idle += max(map(abs, true)) < found.accuracy / 10.0
+    assert left > 50
+    assert wrong == 0
+    assert switched > 30
+    assert idle <= switched / 10
+
+
+def test_what_is_left_out_stays_in_half_of_the_accuracy_all_together():
+    for design in scenes(40, seed=3):
+        found = planned(design)
+        for name in found.reported:
+            left = [e.estimates.get(name, 0.0) for e in found.effects if not e.on]
+            assert sum(left) <= design.accuracy / 2.0
+
+
+def test_a_plan_says_when_no_model_is_accurate_enough():
+    found = planned(design_of(accuracy=1e-6))
+    assert [note.code for note in found.notes] == ["accuracy-not-reached"]
+    assert found.estimated_error > 1e-6
+
+
+def test_what_the_material_does_not_tell_is_left_out_with_a_warning():
+    found = planned(design_of(accuracy=1e-4, poisson={}))
+    assert not row(found, "shear").on
+    assert "needs material.poisson_ratio" in row(found, "shear").reason
+    assert [note.code for note in found.notes][:2] == ["effect-needs"] * 2
+
+
+@pytest.mark.parametrize("wish", ["on", "off"])
+def test_the_spec_has_the_last_word(wish):
+    found = planned(design_of(accuracy=0.01, effects={"shear": wish}))
+    assert row(found, "shear").on == (wish == "on")
+    assert row(found, "shear").reason.endswith(f"{wish} by the spec")
+
+
+def test_without_an_accuracy_only_what_is_asked_for_is_on():
+    assert planned(design_of(effects={"shear": "on"})).on == ("shear",)
+
+
+def test_a_model_that_is_insisted_on_tells_what_it_does_not_carry():
+    found = planned(design_of(accuracy=1e-3, effects=BEAMS), model="linear")
+    assert found.model == "linear"
+    assert "effect-not-in-model" in [note.code for note in found.notes]
+    assert not row(found, "large rotation").on
+
+
+def test_a_model_that_the_joint_has_not_is_refused():
+    bar = {"kind": "round-torsion-bar", "d": "0.5 mm", "l": "20 mm", "bars": 2}
+    with pytest.raises(SolveError, match="has no exact model"):
+        planned(design_of(bar, accuracy=0.01), model="exact")
+
+
+def test_where_nobody_knows_what_closed_forms_leave_out_the_exact_model_is_taken():
+    hinge = {"kind": "notch-hinge", "e": "0.1 mm", "r": "2 mm", "b": "5 mm"}
+    found = planned(design_of(hinge, {"rotation": "1 deg"}, accuracy=0.01))
+    assert found.model == "exact"
+
+
+def test_without_another_model_the_unknown_error_is_told():
+    bar = {"kind": "round-torsion-bar", "d": "0.5 mm", "l": "20 mm", "bars": 2}
+    found = planned(design_of(bar, {"rotation": "1 deg"}, accuracy=0.01))
+    assert found.model == "closed-form"
+    assert found.known_error is None
+    assert "accuracy-not-reached" in [note.code for note in found.notes]
+
+
+def test_check_by_a_plan_tells_its_error_and_no_effects_of_closed_forms():
+    design = design_of({**PIVOT, "h": "0.6 mm"}, accuracy=0.3, effects=BEAMS)
+    result = check_by_plan(design, design.fixed_sizes(), "", None)
+    assert result.plan is not None
+    assert result.cost.estimated_error == result.plan.estimated_error
+    assert "effect-left-out" not in [note.code for note in result.warnings]
+
+
+def test_a_scene_that_lacks_an_effect_runs_no_code_for_it(monkeypatch):
+    def refuse(*_: Any, **__: Any) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr("flexcli.mechanics.equilibrium.solve", refuse)
+    monkeypatch.setattr("flexcli.engine.joint_states.solve", refuse)
+    monkeypatch.setattr("flexcli.parts.scene.miles_worst_case", refuse)
+    monkeypatch.setattr("flexcli.parts.bending.pair.under_tension", refuse)
+    monkeypatch.setattr("flexcli.parts.effects.blade_mass.pivot_inertia", refuse)
+    design = design_of(accuracy=0.1)
+    assert check_by_plan(design, design.fixed_sizes(), "", None).checks
+    exact = design_of(accuracy=1e-6)
+    with pytest.raises(AssertionError):  # that would have been called
+        check_by_plan(exact, exact.fixed_sizes(), "", None)
+
+
+def test_sizing_by_a_plan_meets_the_requirement_by_the_model_that_it_calls_for():
+    geometry = {**PIVOT, "h": {"free": ["0.05 mm", "1 mm"]}}
+    design = design_of(
+        geometry, accuracy=0.01, effects=BEAMS,
+        requirements={"stiffness": {"min": "1 N*m/rad"}, "yield": 1.0},
+    )  # fmt: skip
+    result = size_by_plan(design, "", None, size_by_model)
+    assert result.plan.model in result.cost.model
+    assert all(one.passed for one in result.checks)
+    sizes = design.geometry.sized({"h": result.values["h"].value})
+    assert plan(design, sizes).on == result.plan.on
+
+
+def test_sizing_by_a_plan_returns_a_conflict_as_it_is():
+    geometry = {**PIVOT, "h": {"free": ["0.05 mm", "0.06 mm"]}}
+    design = design_of(geometry, accuracy=0.01, requirements={"stiffness": {"min": "100 N*m/rad"}})
+    assert size_by_plan(design, "", None, size_by_model).plan is None

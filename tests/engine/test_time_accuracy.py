@@ -1,0 +1,162 @@
+"""What accuracy costs in time: errors fall with the tolerance, bounds are honest, notes told."""
+
+import json
+from math import asin, atan2, pi, sqrt
+
+import numpy as np
+import pytest
+from stop_designs import BALL, REST, SINE, stopped
+
+from flexcli.engine import time_accuracy as verb
+from flexcli.engine.accuracy import accuracy
+from flexcli.engine.time_accuracy import PERIODS, accuracy_in_time, bounded, motions
+from flexcli.engine.time_ladder import Motion, penalty_run
+from flexcli.mechanics.stopping.laws import LinearStop, Stops
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.numerics.signal_pieces import Piece
+from flexcli.report.as_json import document, dumps
+from flexcli.results import Status
+
+PLACE = {"height": "17 mm", "gap": "36 um"}
+KICK = {"kick": {"shock": {"velocity": "0.1 m/s", "q": 50}}}
+PULSE = {"half-sine": {"acceleration": "30 g", "duration": "3 ms"}}
+FLAT = {"points": [{"frequency": "20 Hz", "level": "0.01 g^2/Hz"},
+                   {"frequency": "400 Hz", "level": "0.01 g^2/Hz"}]}  # fmt: skip
+BODY = {"offset": "3 mm", "inertia": "150 g*mm^2"}
+NAMES = ("tip_peak", "F_peak", "t_contact")
+
+
+def run(one, asked=0.01):
+    return accuracy_in_time(one, one.fixed_sizes(), 1, asked)
+
+
+def moved(one):
+    return list(motions(one, one.fixed_sizes()))
+
+
+@pytest.fixture
+def quick(monkeypatch):
+    """Leave the slow end of the ladder out."""
+    monkeypatch.setattr(verb, "TOLERANCES", (1e-4, 1e-6))
+
+
+@pytest.fixture(scope="module")
+def found():
+    return run(stopped(PLACE))
+
+
+def test_errors_fall_with_the_tolerance_of_either_method(found):
+    for method in ("Radau", "DOP853"):
+        for quantity in found.quantities:
+            errors = [r.error for r in quantity.readings if r.model.startswith(method)]
+            assert len(errors) == 4
+            assert errors[0] > 1e-6
+            assert errors[-1] < 1e-4 * errors[0]
+            assert errors[-1] < 1e-8
+
+
+def test_the_numbers_are_named_by_their_case_and_tell_their_window(found):
+    assert [q.name for q in found.quantities] == [f"{name}_resonance" for name in NAMES]
+    assert all(f"first {PERIODS} periods" in q.label for q in found.quantities)
+    assert [q.unit for q in found.quantities] == ["m", "N", "s"]
+    assert found.finest == found.models[-1].model == "event-driven"
+    assert found.unsettled == ()
+
+
+def test_all_three_numbers_of_a_run_take_its_time(found):
+    for i, model in enumerate(found.models):
+        assert {q.readings[i].seconds for q in found.quantities} == {model.seconds}
+
+
+def test_the_bound_on_a_swing_between_springs_holds_against_its_closed_form():
+    # unit oscillator, springs nine times as stiff at ±1, from the middle at a speed of 1.1
+    touch, at, k = asin(1 / 1.1), sqrt(1.1**2 - 1), 9.0
+    period = 4 * touch + 4 * atan2(at / sqrt(k + 1), 1 / (k + 1)) / sqrt(k + 1)
+    travel = (k + sqrt(k * k - (k + 1) * (k - 1.1**2))) / (k + 1)
+    one = np.ones(1)
+    blade = ModalBlade(angular=one, damping=0 * one, base=one, tip=one, stop=one, base_moment=one)
+    pieces = (Piece(3 * period, ()),)
+    motion = Motion("free", "free", blade, Stops(LinearStop(k), 1.0, 1.0), pieces, np.array([1.1]))
+    truth = (travel, k * (travel - 1), 2.5 * period + touch)
+    for (_, value, bound), true in zip(bounded(motion), truth, strict=True):
+        assert abs(value / true - 1.0) <= bound < 1e-9
+
+
+@pytest.mark.parametrize("contact", [{"kind": "rigid"}, BALL], ids=["line", "ball"])
+def test_the_bound_between_real_stops_holds_against_a_finer_control(contact):
+    (motion,) = moved(stopped({**PLACE, "contact": contact}))
+    truth = penalty_run(motion, "DOP853", 2e-13)
+    for (_, value, bound), true in zip(bounded(motion), truth, strict=True):
+        assert abs(value / true - 1.0) <= bound < 1e-4
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_finer_accuracy_takes_a_finer_method():
+    fine = run(stopped({**PLACE, "contact": BALL}), 1e-4)
+    errors = {model.model: model.error for model in fine.models}
+    assert errors[fine.recommended] < 1e-4 < errors["DOP853 at 1e-04"]
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_rigid_stop_has_no_peak_force_and_its_penalty_a_model_error():
+    stops = {**PLACE, "contact": {"kind": "rigid", "restitution": 0.5}, "simulation": {"modes": 2}}
+    one = stopped(stops, cases={**KICK, **REST}, mechanism=BODY)
+    result = accuracy(one, one.fixed_sizes(), "spec", 1)
+    in_time = result.accuracy.in_time
+    assert in_time.unsettled == ("F_peak_kick",)
+    assert "penalty-for-rigid" in [note.code for note in result.warnings]
+    (last,) = (q for q in in_time.quantities if q.name == "t_contact_kick")
+    fine = [r.error for r in last.readings if r.model.endswith("1e-06")]
+    # the contact takes time that an impulse does not, whatever the tolerance
+    assert all(1e-3 < error < 1e-2 for error in fine)
+
+
+@pytest.mark.usefixtures("quick")
+def test_far_stops_leave_the_tip_to_compare():
+    far = run(stopped({"height": "17 mm", "gap": "10 mm"}))
+    assert [q.name for q in far.quantities] == ["tip_peak_resonance"]
+    assert far.unsettled == ("F_peak_resonance", "t_contact_resonance")
+
+
+def test_on_one_side_a_shock_is_two_motions_and_each_begins_at_rest():
+    one = stopped({**PLACE, "sides": "one"}, cases={"drop": {"shock": PULSE}})
+    both = moved(one)
+    assert [motion.name for motion in both] == ["drop_1", "drop_2"]
+    assert both[1].label.startswith("drop, half-sine shock, turned round")
+    assert not any(motion.rate.any() for motion in both)
+
+
+def test_every_motion_is_as_long_as_its_window():
+    for cases in (SINE, KICK, {"drop": {"shock": PULSE}}):
+        (motion,) = moved(stopped(PLACE, cases=cases))
+        turned = sum(piece.duration for piece in motion.pieces) * motion.blade.angular[0]
+        assert turned == pytest.approx(2.0 * pi * PERIODS, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "case",
+    [{"asd": {"profile": FLAT, "q": 30, "duration": "1 s"}},
+     {"shock": {"srs": [{"frequency": "10 Hz", "acceleration": "5 g"},
+                        {"frequency": "1 kHz", "acceleration": "50 g"}]}}],
+    ids=["random", "spectrum"],
+)  # fmt: skip
+def test_what_is_neither_periodic_nor_short_runs_no_code_in_time(case, monkeypatch):
+    def refuse(*_, **__):
+        raise AssertionError
+
+    for name in ("stop_scene", "excitation", "event_driven", "penalty_run"):
+        monkeypatch.setattr(verb, name, refuse)
+    assert run(stopped(PLACE, cases={"one": case})) is None
+
+
+@pytest.mark.usefixtures("quick")
+def test_json_has_the_ladder_in_time_beside_that_at_rest():
+    one = stopped(PLACE, cases={**SINE, **REST})
+    result = accuracy(one, one.fixed_sizes(), "spec", 1)
+    assert result.status is Status.PASS
+    content = json.loads(dumps(document(result)))
+    in_time = content["accuracy"]["in_time"]
+    assert [q["name"] for q in in_time["quantities"]] == [f"{name}_resonance" for name in NAMES]
+    assert content["values"]["tip_peak_resonance"]["model"] == "event-driven"
+    assert content["values"]["k_stage"]["model"] == content["accuracy"]["finest"]
+    assert in_time["recommended"] in [model["model"] for model in in_time["models"]]

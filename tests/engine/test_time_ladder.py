@@ -1,0 +1,154 @@
+"""General integrators with a penalty contact: closed forms, laws of force, events and order."""
+
+from math import asin, atan2, pi, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from flexcli.engine.time_ladder import (
+    RIGID_PENALTY,
+    Motion,
+    event_driven,
+    penalty_law,
+    penalty_run,
+    rigid_damping,
+    stretches,
+)
+from flexcli.mechanics.stopping.laws import (
+    HertzStop,
+    LinearStop,
+    RigidStop,
+    Stops,
+    damped_stop_restitution,
+)
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.numerics.signal_pieces import Piece, half_sine, linear_samples, sine
+
+SPEED, RATIO, SWINGS = 1.1, 10.0, 3
+
+
+def blade(**changes):
+    """Give an oscillator of unit mass and stiffness, without damping."""
+    one = np.ones(1)
+    given = {"angular": one, "damping": 0 * one, "base": one, "tip": one, "stop": one,
+             "base_moment": one}  # fmt: skip
+    return ModalBlade(**{**given, **changes})
+
+
+def free(law, length, *, speed=SPEED, **changes):
+    """Give a free swing from the middle between stops at ±1."""
+    motion = (blade(**changes), Stops(law, 1.0, 1.0), (Piece(length, ()),), np.array([speed]))
+    return Motion("swing", "swing", *motion)
+
+
+def bilinear():
+    """Give a swing between springs, with its greatest travel and its last touch."""
+    touch, at = asin(1 / SPEED), sqrt(SPEED**2 - 1)
+    against = 2 * atan2(at / sqrt(RATIO), 1 / RATIO)
+    period = 4 * touch + 2 * against / sqrt(RATIO)
+    # k (x − 1)² + x² = v²: the root beyond the stop
+    k = RATIO - 1
+    travel = (k + sqrt(k * k - RATIO * (k - SPEED**2))) / RATIO
+    motion = free(LinearStop(RATIO - 1.0), SWINGS * period)
+    return motion, travel, (SWINGS - 1) * period + period / 2 + touch
+
+
+@pytest.mark.parametrize("method", ["Radau", "DOP853"])
+def test_a_swing_between_springs_tends_to_its_closed_form(method):
+    motion, travel, last = bilinear()
+    errors = []
+    for tolerance in (1e-4, 1e-6, 1e-8, 1e-10):
+        found = penalty_run(motion, method, tolerance)
+        force = (RATIO - 1) * (travel - 1)
+        errors.append(
+            max(abs(found.tip / travel - 1), abs(found.force / force - 1),
+                abs(found.last_contact / last - 1))
+        )  # fmt: skip
+    assert errors[0] > 1e-6
+    assert errors[-1] < 1e-8
+    # a local error of a tolerance makes a global one that goes down with it
+    assert np.polyfit([-4, -6, -8, -10], np.log10(errors), 1)[0] > 0.6
+
+
+def test_the_event_driven_run_is_at_its_closed_form():
+    motion, travel, last = bilinear()
+    found, residual = event_driven(motion)
+    assert found.tip == pytest.approx(travel, rel=1e-13)
+    assert found.last_contact == pytest.approx(last, rel=1e-13)
+    assert residual < 1e-13
+
+
+@given(st.floats(-9, 3), st.floats(-6, 6), st.floats(-6, 6))
+def test_the_push_of_a_ball_is_hertz_on_what_the_compliances_leave(approach, stiffness, softness):
+    x, k, C = 10.0**approach, 10.0**stiffness, 10.0**softness
+    # half of the compliance is the mount's, half that of the left-out modes
+    push = penalty_law(blade(stop_residual=C / 2), HertzStop(k, compliance=C / 2))
+    F = push(x, 0.0)
+    assert (F / k) ** (2 / 3) + C * F == pytest.approx(x, rel=1e-12)
+
+
+def test_a_ball_that_dissipates_pushes_more_on_the_way_in_and_never_pulls():
+    push = penalty_law(blade(), HertzStop(2.0, dissipation=0.1))
+    assert push(1.0, 1.0) == pytest.approx(1.1 * 2.0, rel=1e-14)
+    assert push(1.0, -11.0) == 0.0
+
+
+def test_a_damped_spring_lies_in_series_with_the_left_out_modes_and_never_pulls():
+    push = penalty_law(blade(stop_residual=0.5), LinearStop(2.0, damping=3.0))
+    assert push(0.1, 0.2) == pytest.approx(0.1 / (0.5 + 0.5) + 3.0 * 0.2, rel=1e-14)
+    assert push(0.1, -1.0) == 0.0
+
+
+@given(st.floats(0.14, 1.0))
+def test_the_penalty_of_a_rigid_stop_bounces_with_its_restitution(e):
+    assert damped_stop_restitution(rigid_damping(e)) == pytest.approx(e, rel=1e-6)
+
+
+def test_a_deader_bounce_than_critical_damping_gives_is_that_of_critical_damping():
+    assert damped_stop_restitution(rigid_damping(0.05)) == pytest.approx(np.exp(-2), rel=1e-3)
+
+
+def test_the_penalty_of_a_rigid_stop_differs_by_the_length_of_its_contact():
+    swing = free(RigidStop(0.8), 2 * pi)
+    sharp, _ = event_driven(swing)
+    soft = penalty_run(swing, "DOP853", 1e-10)
+    # a contact lasts up to half a cycle on its spring, in which the blade's own turns it too
+    contact = pi / sqrt(RIGID_PENALTY)
+    assert sharp.tip == pytest.approx(1.0, rel=1e-12)
+    assert 1.0 < soft.tip < 1.0 + SPEED / sqrt(RIGID_PENALTY)
+    assert 0.0 < soft.last_contact - sharp.last_contact < 2.0 * contact
+    assert sharp.force == 0.0 < soft.force
+
+
+def test_no_contact_has_no_time_and_no_force():
+    found = penalty_run(free(LinearStop(9.0), 2 * pi, speed=0.5), "DOP853", 1e-10)
+    assert found.tip == pytest.approx(0.5, rel=1e-9)
+    assert found.force == 0.0
+    assert np.isnan(found.last_contact)
+
+
+def test_periods_of_a_sine_are_one_stretch_of_the_same_signal():
+    pieces = list(sine(amplitude=3.0, angular=7.0, duration=5.0))
+    (whole,) = stretches(pieces)
+    assert len(pieces) == 6
+    assert whole.duration == pytest.approx(5.0, rel=1e-14)
+    assert whole(4.9) == pytest.approx(3.0 * np.sin(7.0 * 4.9), rel=1e-12)
+
+
+def test_a_pulse_and_a_sawtooth_are_cut_where_they_jump():
+    pulse = [*half_sine(amplitude=1.0, width=0.1, duration=1.0), Piece(1.0, ())]
+    assert [p.duration for p in stretches(pulse)] == pytest.approx([0.1, 1.9])
+    assert len(stretches(linear_samples([0.0, 1.0, 0.5, 1.5], 0.1))) == 3
+    teeth = [*linear_samples([0.0, 1.0], 0.1)] * 3
+    assert len(stretches(teeth)) == 3
+
+
+def test_stretches_change_nothing_but_the_restarts():
+    motion = free(LinearStop(9.0), 1.0)._replace(
+        pieces=tuple(sine(amplitude=0.3, angular=1.1, duration=20.0)), rate=np.zeros(1)
+    )
+    exact, _ = event_driven(motion)
+    found = penalty_run(motion, "DOP853", 1e-11)
+    assert found == pytest.approx(exact, rel=1e-8)
