@@ -56,9 +56,9 @@ def accuracy(
     in_time = accuracy_in_time(design, sizes, runs, target)
     found = still._replace(in_time=in_time)
     ladders = [each for each in (still, in_time) if each is not None]
-    notes = [note for each in ladders for note in _notes(each)]
+    notes = list(_notes(still, ""))
     if in_time is not None:
-        notes += time_notes(design)
+        notes += [*_notes(in_time, ", in time"), *time_notes(design)]
     return Result(
         command="accuracy",
         spec=spec,
@@ -133,12 +133,12 @@ def timed(settled: Sequence[Settled[Number]], rungs: Sequence[Rung], runs: int) 
     return Timed(values, seconds)
 
 
-def _notes(found: AccuracyResult) -> tuple[Note, ...]:
+def _notes(found: AccuracyResult, where: str) -> tuple[Note, ...]:
     notes = [
         Note("no-sure-value", f"{name} takes no part: the finest model has no sure value of it")
         for name in found.unsettled
     ]
     if not found.recommended:
-        text = f"no model is within {found.accuracy:g} of the finest"
+        text = f"no model is within {found.accuracy:g} of the finest{where}"
         notes.append(Note("accuracy-not-met", text))
     return tuple(notes)

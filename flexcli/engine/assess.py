@@ -37,6 +37,28 @@ NOTABLE = 0.05
 STRENGTHS = ("admissible_stress", "fatigue_amplitude", "yield_strength")
 """What an admissible stroke is stated for: the first that the material gives."""
 
+QUANTITY_OF = {
+    "k_pivot": "stiffness",
+    "k_stage": "stiffness",
+    "k_eq": "stiffness",
+    "k_least": "stiffness",
+    "k_most": "stiffness",
+    "theta_adm": "stress",
+    "x_adm": "stress",
+    "shift": "shift",
+    "k_x": "sag",
+    "k_y": "sag",
+    "k_z": "sag",
+    "sag": "sag",
+    "f_0": "frequency",
+    "f_init": "frequency",
+    "f_final": "frequency",
+}
+"""Which of the quantities that effects change a value is, by the start of its name."""
+
+DEFINED = ("volume", "delta", "xi", "theta_stroke", "x_stroke", "theta_mean", "x_mean")
+"""Values that are what the spec says, in other words."""
+
 CHUNK = 65_536
 """Designs per pass of :func:`factors`, which bounds its memory."""
 
@@ -240,8 +262,10 @@ def reported(design: DesignSpec, given: Setting) -> tuple[str, ...]:
     return tuple(name for name, there in has.items() if there)
 
 
-def effects(design: DesignSpec, sizes: Sizes) -> tuple[EffectRow, ...]:
-    """Return what the closed forms leave out of this design."""
+def effects(
+    design: DesignSpec, sizes: Sizes, answers: Answers = CLOSED_FORM
+) -> tuple[EffectRow, ...]:
+    """Return the effects that this design can have, and which of them the model leaves out."""
     given = setting(design, sizes)
     names = reported(design, given)
     rows = []
@@ -254,8 +278,30 @@ def effects(design: DesignSpec, sizes: Sizes) -> tuple[EffectRow, ...]:
         most = max(estimates, key=lambda name: estimates[name], default="")
         reason = f"{indicator.text}; most in {most}" if most else indicator.text
         size = estimates.get(most, 0.0)
-        rows.append(EffectRow(effect.name, False, indicator.value, size, reason, estimates))
+        carried = effect.name in answers.covers | answers.always
+        rows.append(EffectRow(effect.name, carried, indicator.value, size, reason, estimates))
     return tuple(rows)
+
+
+def left_out(rows: Iterable[EffectRow]) -> dict[str, float]:
+    """Return the estimated error of each reported quantity: all together that is left out."""
+    found: dict[str, float] = {}
+    for row in rows:
+        for name, estimate in row.estimates.items():
+            found[name] = found.get(name, 0.0) + (0.0 if row.on else estimate)
+    return found
+
+
+def with_errors(values: Mapping[str, Value], errors: Mapping[str, float]) -> dict[str, Value]:
+    """Return values with their estimated errors, from those of the quantities they are of."""
+
+    def error(name: str, value: Value) -> float | None:
+        if value.model == "given" or name.startswith(DEFINED):
+            return 0.0
+        kind = next((k for start, k in QUANTITY_OF.items() if name.startswith(start)), "")
+        return errors.get(kind)
+
+    return {name: v._replace(estimated_error=error(name, v)) for name, v in values.items()}
 
 
 def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> tuple[Note, ...]:
@@ -276,7 +322,7 @@ def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> t
     notes.extend(
         Note("effect-left-out", f"{row.name}, left out, may change results by {row.estimate:.0%}")
         for row in rows
-        if row.estimate >= NOTABLE
+        if row.estimate >= NOTABLE and not row.on
     )
     return tuple(notes)
 

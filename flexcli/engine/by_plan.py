@@ -2,7 +2,9 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from math import isfinite
 
+from flexcli.engine import assess
 from flexcli.engine.check import check
 from flexcli.engine.plan import plan, planned_answers
 from flexcli.engine.size import size
@@ -57,7 +59,11 @@ def told(result: Result, found: Plan) -> Result:
     if cost is not None:
         cost = replace(cost, estimated_error=found.known_error)
     warnings = (*kept, *found.notes)
-    return replace(result, effects=found.effects, warnings=warnings, cost=cost, plan=found)
+    known = {name: error for name, error in found.errors.items() if isfinite(error)}
+    values = assess.with_errors(result.values, known)
+    return replace(
+        result, values=values, effects=found.effects, warnings=warnings, cost=cost, plan=found
+    )
 
 
 def _sizes(design: DesignSpec, result: Result) -> Sizes | None:

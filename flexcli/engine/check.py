@@ -17,7 +17,8 @@ MODEL = "closed-form"
 def check(design: DesignSpec, sizes: Sizes, spec: str, answers: Answers = CLOSED_FORM) -> Result:
     """Return the checks of one blade by a model, with values, effects and warnings."""
     started = perf_counter()
-    rows = assess.effects(design, sizes)
+    rows = assess.effects(design, sizes, answers)
+    errors = assess.left_out(rows)
     found = assess.checks(judged_by(design, sizes, answers))
     passed = all(check.passed for check in found)
     return Result(
@@ -25,14 +26,14 @@ def check(design: DesignSpec, sizes: Sizes, spec: str, answers: Answers = CLOSED
         spec=spec,
         status=Status.PASS if passed else Status.FAIL,
         title=design.title,
-        values=assess.values(design, sizes, answers),
+        values=assess.with_errors(assess.values(design, sizes, answers), errors),
         checks=found,
         effects=rows,
         warnings=assess.warnings(design, sizes, rows),
         cost=Cost(
             perf_counter() - started,
             answers.model,
-            max((row.estimate for row in rows), default=None),
+            max(errors.values(), default=None),
         ),
     )
 

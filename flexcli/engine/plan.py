@@ -16,6 +16,7 @@ from flexcli.engine.plan_models import (
     candidates,
     carries,
     error_of,
+    errors_of,
     tolerance_for,
 )
 from flexcli.errors import SolveError
@@ -79,6 +80,7 @@ def plan(
         model=chosen.name,
         cost=chosen.cost,
         estimated_error=error_of(chosen, known, carried),
+        errors=errors_of(chosen, known, carried),
         tolerance=tolerance,
         notes=tuple(_notes(known, chosen, on, asked)),
     )

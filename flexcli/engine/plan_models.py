@@ -8,7 +8,7 @@ from flexcli.engine.coverage import COARSE, COVERAGE, FINE, OUTER
 from flexcli.parts.effects import ModelEffect, Setting
 from flexcli.parts.elastic import NotAvailable
 
-__all__ = ["Candidate", "Known", "candidates", "carries", "error_of", "tolerance_for"]
+__all__ = ["Candidate", "Known", "candidates", "carries", "error_of", "errors_of", "tolerance_for"]
 
 
 class Known(NamedTuple):
@@ -78,14 +78,19 @@ def carries(model: str, known: Known) -> bool:
     return known.name in covers.can | covers.always and not borrows
 
 
-def error_of(model: Candidate, known: list[Known], on: set[str]) -> float:
-    """Return the largest error of a number: the model's own, and what it leaves out."""
+def errors_of(model: Candidate, known: list[Known], on: set[str]) -> dict[str, float]:
+    """Return the error of each reported quantity: the model's own, and what it leaves out."""
     out = [k for k in known if (k.name not in on or k.name in model.missing)]
     left = [k for k in out if k.name not in model.always]
-    return max(
-        (own + sum(k.estimates.get(name, 0.0) for k in left) for name, own in model.errors.items()),
-        default=0.0,
-    )
+    return {
+        name: own + sum(k.estimates.get(name, 0.0) for k in left)
+        for name, own in model.errors.items()
+    }
+
+
+def error_of(model: Candidate, known: list[Known], on: set[str]) -> float:
+    """Return the largest error of a quantity."""
+    return max(errors_of(model, known, on).values(), default=0.0)
 
 
 def tolerance_for(setting: Setting, names: tuple[str, ...], asked: float) -> float:

@@ -65,16 +65,21 @@ def simulate(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result
     checks = assess.checks(judged_by(design, sizes, answers))
     reached = not any(sweep.missed for sweep in sweeps)
     passed = reached and all(check.passed for check in checks)
+    effects = assess.effects(design, sizes, answers)
     errors = [p.estimated_error for sweep in sweeps for p in sweep.points]
     return Result(
         command="simulate",
         spec=spec,
         status=Status.PASS if passed else Status.FAIL,
         title=design.title,
-        values={**values, **_at_ends(design, sweeps), **_admissible(moving[0], values)},
+        values=assess.with_errors(
+            {**values, **_at_ends(design, sweeps), **_admissible(moving[0], values)},
+            assess.left_out(effects),
+        ),
         checks=checks,
         sweeps=sweeps,
-        warnings=assess.warnings(design, sizes, ()),
+        effects=effects,
+        warnings=assess.warnings(design, sizes, effects),
         cost=Cost(perf_counter() - started, answers.model, max(errors, default=None)),
     )
 

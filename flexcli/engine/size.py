@@ -272,7 +272,8 @@ def _design(design: DesignSpec, label: str, blade: Sizes) -> Design:
 
 def _judged(design: DesignSpec, spec: str, chosen: _Choice, answers: Answers) -> Result:
     blade = chosen.sizes._make(float(x) for x in chosen.sizes)
-    rows = assess.effects(design, blade)
+    rows = assess.effects(design, blade, answers)
+    errors = assess.left_out(rows)
     found = assess.checks(judged_by(design, blade, answers))
     sized = _sized_values(design, chosen)
     values = {
@@ -287,13 +288,11 @@ def _judged(design: DesignSpec, spec: str, chosen: _Choice, answers: Answers) ->
         spec=spec,
         status=Status.INFEASIBLE if chosen.failed_grid else status,
         title=design.title,
-        values=values,
+        values=assess.with_errors(values, errors),
         checks=() if chosen.failed_grid else found,
         effects=rows,
         warnings=(*chosen.notes, *assess.warnings(design, blade, rows)),
-        cost=Cost(
-            0.0, answers.model, max((r.estimate for r in rows), default=None), chosen.iterations
-        ),
+        cost=Cost(0.0, answers.model, max(errors.values(), default=None), chosen.iterations),
         sizing=chosen.sizing,
     )
 

@@ -1,48 +1,24 @@
 """What accuracy costs in time: a stopped blade's first periods by every method and tolerance."""
 
 from collections.abc import Callable, Iterable, Iterator
-from itertools import chain
-from math import pi
 from time import perf_counter
 from typing import NamedTuple
 
 import numpy as np
 
 from flexcli.engine.compared import Settled, Timed, compared, relative_bound
-from flexcli.engine.stop_choice import choose
-from flexcli.engine.stop_excitation import excitation
-from flexcli.engine.stop_scene import stop_scene
-from flexcli.engine.stop_statics import task_of
-from flexcli.engine.time_ladder import (
-    RIGID_PENALTY,
-    Method,
-    Motion,
-    TimePeaks,
-    event_driven,
-    penalty_run,
-)
+from flexcli.engine.penalty_law import RIGID_PENALTY
+from flexcli.engine.time_ladder import Method, TimePeaks, event_driven, penalty_run
+from flexcli.engine.time_motions import Motion, motions
 from flexcli.mechanics.stopping.laws import RigidStop
 from flexcli.numerics.signal_pieces import Piece
-from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.stops import Rigid
 from flexcli.results import AccuracyResult, Note
 
-__all__ = [
-    "PERIODS",
-    "TimeNumber",
-    "TimeRung",
-    "accuracy_in_time",
-    "bounded",
-    "motions",
-    "time_ladder",
-    "time_notes",
-]
+__all__ = ["TimeNumber", "TimeRung", "accuracy_in_time", "bounded", "time_ladder", "time_notes"]
 
-PERIODS = 6
-"""Length of a run in periods of the first mode: short enough for the slowest method."""
 METHODS: tuple[Method, ...] = ("Radau", "DOP853")
 TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)
 CONTROLS = (1e-12, 1e-11)
@@ -109,54 +85,6 @@ def time_ladder() -> tuple[TimeRung, ...]:
 
 def _general(method: Method, tolerance: float) -> Callable[[Motion], TimePeaks]:
     return lambda motion: penalty_run(motion, method, tolerance)
-
-
-def motions(design: DesignSpec, sizes: Sizes) -> Iterator[Motion]:
-    """Yield the first periods, from rest, of every sine and shock between the chosen stops."""
-    mechanism = design.mechanism
-    if design.stops is None or not isinstance(mechanism, TipMass):
-        return
-    asked = {name: alone for name, case in design.cases.items() if (alone := _short(case))}
-    if not asked:
-        return
-    task = task_of(design, design.stops, sizes)
-    place = choose(task).place
-    signs = (1,) if design.stops.sides == "both" else (1, -1)
-    for name, case in asked.items():
-        blade, stops, _ = stop_scene(design, mechanism, task, sizes, place, name)
-        all_shaken = [
-            shaken
-            for sign in signs
-            for shaken in excitation(name, case, blade, design.stops.simulation, sign)
-        ]
-        window = PERIODS * 2.0 * pi / float(blade.angular[0])
-        for count, shaken in enumerate(all_shaken, 1):
-            yield Motion(
-                name=name if len(all_shaken) == 1 else f"{name}_{count}",
-                label=f"{name}, {shaken.kind}, first {PERIODS} periods of the blade",
-                blade=blade,
-                stops=stops,
-                pieces=tuple(_first(chain.from_iterable(shaken.legs), window)),
-                rate=np.zeros(blade.angular.size) if shaken.rate is None else shaken.rate,
-            )
-
-
-def _short(case: Case) -> Case | None:
-    """Return a case with its sine and its shock in time only, or nothing where it has neither."""
-    shock = None if case.shock is None or case.shock.srs else case.shock
-    if case.sine is None and shock is None:
-        return None
-    return case.model_copy(update={"asd": None, "sweep": None, "shock": shock})
-
-
-def _first(pieces: Iterable[Piece], window: float) -> Iterator[Piece]:
-    """Yield pieces up to a time."""
-    left = window
-    for piece in pieces:
-        yield piece._replace(duration=min(piece.duration, left))
-        left -= piece.duration
-        if left <= 1e-9 * window:
-            return
 
 
 def bounded(motion: Motion) -> Iterator[tuple[TimeNumber, float, float | None]]:

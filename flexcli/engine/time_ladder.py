@@ -5,60 +5,28 @@ The general integrator sees each stop as a penalty: a force of approach and spee
 
 from collections.abc import Callable, Iterable, Iterator
 from itertools import chain, pairwise
-from math import acos, acosh, cos, cosh, inf, nan, sqrt
+from math import inf, isnan, nan
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
-from scipy.optimize import brentq, minimize_scalar
+from scipy.optimize import minimize_scalar
 
-from flexcli.engine.stop_scene import MOST_DAMPING
-from flexcli.mechanics.stopping.laws import (
-    AnyStopLaw,
-    HertzStop,
-    RigidStop,
-    Stops,
-    damped_stop_restitution,
-    stiffness_on_blade,
-)
-from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.engine.penalty_law import penalty_law
+from flexcli.engine.time_motions import Motion
 from flexcli.mechanics.stopping.vibration import simulate
 from flexcli.numerics.signal_pieces import Piece
 
-__all__ = [
-    "RIGID_PENALTY",
-    "Method",
-    "Motion",
-    "TimePeaks",
-    "event_driven",
-    "penalty_law",
-    "penalty_run",
-    "rigid_damping",
-    "stretches",
-]
+__all__ = ["Method", "TimePeaks", "event_driven", "penalty_run", "stretches"]
 
 Floats = NDArray[np.float64]
 Method: TypeAlias = Literal["Radau", "DOP853"]
-Push: TypeAlias = Callable[[float, float], float]
 
-RIGID_PENALTY = 1e4
-"""Stiffness of the spring for a rigid stop, over that of the blade at the stop."""
 PER_STEP = 8
 """Places in a step of the integrator among which the greatest values are sought."""
 SAME = 1e-9
 """Two signals whose terms differ by that share are one."""
-
-
-class Motion(NamedTuple):
-    """A blade between stops, what shakes its base, and its modal rates at the start."""
-
-    name: str
-    label: str
-    blade: ModalBlade
-    stops: Stops
-    pieces: tuple[Piece, ...]
-    rate: Floats
 
 
 class TimePeaks(NamedTuple):
@@ -77,49 +45,6 @@ def event_driven(motion: Motion) -> tuple[TimePeaks, float]:
     last = float(times[-1]) if times.size else nan
     peaks = TimePeaks(found.peaks.travel, found.peaks.force, last)
     return peaks, abs(balance.energy_residual) / (moved or 1.0)
-
-
-def penalty_law(blade: ModalBlade, law: AnyStopLaw) -> Push:
-    """Return the push [N] of a stop on the modes for an approach [m] > 0 and its rate [m/s].
-
-    The left-out modes and the stop's mount lie in series with the contact. A rigid stop with a
-    restitution has no such law: a spring ``RIGID_PENALTY`` as stiff as the blade at the stop takes
-    its place, beside the dashpot that gives one mode that restitution.
-    """
-    if isinstance(law, HertzStop):
-        return _hertz_push(law, blade.stop_residual)
-    if isinstance(law, RigidStop):
-        k = RIGID_PENALTY / float((blade.stop**2 / blade.angular**2).sum())
-        mass = 1.0 / float(blade.stop @ blade.stop)
-        c = 2.0 * rigid_damping(law.restitution) * sqrt(k * mass)
-    else:
-        k, c = stiffness_on_blade(blade, law.stiffness), law.damping
-    return lambda approach, speed: max(k * approach + c * speed, 0.0)
-
-
-def rigid_damping(restitution: float) -> float:
-    """Return the damping ratio of the penalty that bounces with a restitution.
-
-    Next to critical it bounces with 1/e², the least: below that the bounce is in its model error.
-    """
-    least = damped_stop_restitution(MOST_DAMPING)
-    if restitution <= least:
-        return MOST_DAMPING
-    return float(brentq(lambda r: damped_stop_restitution(r) - restitution, 0.0, MOST_DAMPING))
-
-
-def _hertz_push(law: HertzStop, residual: float) -> Push:
-    hardness = (law.compliance + residual) * law.stiffness
-
-    def push(approach: float, speed: float) -> float:
-        # δ + C k δ^(3/2) = x is a depressed cubic of 1/√δ, with one positive root
-        size = sqrt(3.0 * approach)
-        turn = 1.5 * hardness * size
-        root = cosh(acosh(turn) / 3.0) if turn >= 1.0 else cos(acos(turn) / 3.0)
-        elastic = law.stiffness * (0.5 * size / root) ** 3
-        return max(elastic * (1.0 + law.dissipation * speed), 0.0)
-
-    return push
 
 
 def stretches(pieces: Iterable[Piece]) -> list[Piece]:
@@ -181,7 +106,7 @@ def penalty_run(motion: Motion, method: Method, tolerance: float) -> TimePeaks:
         tip = max(tip, _greatest(tip_at, times, np.abs(tips)))
         force = max(force, _greatest(push_at, times, np.abs(pushes)))
         touched = max(chain.from_iterable(found.t_events), default=nan)
-        last = begun + touched if touched == touched else last
+        last = last if isnan(touched) else float(begun + touched)
         state, begun = found.y[:, -1], begun + piece.duration
     return TimePeaks(tip, force, last)
 

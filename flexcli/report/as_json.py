@@ -38,6 +38,7 @@ def document(result: Result) -> dict[str, Any]:
                 "unit": value.unit,
                 "label": value.label,
                 "model": value.model,
+                "estimated_error": value.estimated_error,
                 "source": value.source,
             }
             for name, value in result.values.items()

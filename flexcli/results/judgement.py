@@ -8,13 +8,17 @@ __all__ = ["Check", "EffectRow", "Note", "Property", "Value"]
 
 
 class Value(NamedTuple):
-    """One named number in SI, with the model that made it."""
+    """One named number in SI, with the model that made it and its estimated relative error.
+
+    Nothing stands for an error that nobody can estimate, zero for what is given or defined.
+    """
 
     value: float
     unit: str
     label: str
     model: str = "closed-form"
     source: str = ""
+    estimated_error: float | None = None
 
 
 class Check(NamedTuple):

@@ -1,5 +1,6 @@
 """What is simulated and by which model, decided before anything is solved; and its audit."""
 
+from collections.abc import Mapping
 from math import isfinite
 from typing import NamedTuple
 
@@ -23,8 +24,9 @@ class ModelRow(NamedTuple):
 class Plan(NamedTuple):
     """Effects on and off with their reasons, the models in question and the one that is taken.
 
-    ``tolerance`` is that of the exact model. ``estimated_error`` is the largest relative error of
-    a reported number: what is left out, and what the model itself is off by.
+    ``tolerance`` is that of the exact model. ``errors`` are the relative errors of the reported
+    quantities: what is left out, and what the model itself is off by; ``estimated_error`` is the
+    largest of them.
     """
 
     accuracy: float
@@ -35,6 +37,7 @@ class Plan(NamedTuple):
     cost: float
     estimated_error: float
     tolerance: float
+    errors: Mapping[str, float]
     notes: tuple[Note, ...] = ()
 
     @property

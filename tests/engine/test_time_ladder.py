@@ -1,27 +1,21 @@
-"""General integrators with a penalty contact: closed forms, laws of force, events and order."""
+"""General integrators with a penalty contact: closed forms, order, what their model leaves."""
 
 from math import asin, atan2, pi, sqrt
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
+from flexcli.engine.penalty_law import RIGID_PENALTY
 from flexcli.engine.time_ladder import (
-    RIGID_PENALTY,
-    Motion,
     event_driven,
-    penalty_law,
     penalty_run,
-    rigid_damping,
     stretches,
 )
+from flexcli.engine.time_motions import Motion
 from flexcli.mechanics.stopping.laws import (
-    HertzStop,
     LinearStop,
     RigidStop,
     Stops,
-    damped_stop_restitution,
 )
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.numerics.signal_pieces import Piece, half_sine, linear_samples, sine
@@ -78,36 +72,6 @@ def test_the_event_driven_run_is_at_its_closed_form():
     assert found.tip == pytest.approx(travel, rel=1e-13)
     assert found.last_contact == pytest.approx(last, rel=1e-13)
     assert residual < 1e-13
-
-
-@given(st.floats(-9, 3), st.floats(-6, 6), st.floats(-6, 6))
-def test_the_push_of_a_ball_is_hertz_on_what_the_compliances_leave(approach, stiffness, softness):
-    x, k, C = 10.0**approach, 10.0**stiffness, 10.0**softness
-    # half of the compliance is the mount's, half that of the left-out modes
-    push = penalty_law(blade(stop_residual=C / 2), HertzStop(k, compliance=C / 2))
-    F = push(x, 0.0)
-    assert (F / k) ** (2 / 3) + C * F == pytest.approx(x, rel=1e-12)
-
-
-def test_a_ball_that_dissipates_pushes_more_on_the_way_in_and_never_pulls():
-    push = penalty_law(blade(), HertzStop(2.0, dissipation=0.1))
-    assert push(1.0, 1.0) == pytest.approx(1.1 * 2.0, rel=1e-14)
-    assert push(1.0, -11.0) == 0.0
-
-
-def test_a_damped_spring_lies_in_series_with_the_left_out_modes_and_never_pulls():
-    push = penalty_law(blade(stop_residual=0.5), LinearStop(2.0, damping=3.0))
-    assert push(0.1, 0.2) == pytest.approx(0.1 / (0.5 + 0.5) + 3.0 * 0.2, rel=1e-14)
-    assert push(0.1, -1.0) == 0.0
-
-
-@given(st.floats(0.14, 1.0))
-def test_the_penalty_of_a_rigid_stop_bounces_with_its_restitution(e):
-    assert damped_stop_restitution(rigid_damping(e)) == pytest.approx(e, rel=1e-6)
-
-
-def test_a_deader_bounce_than_critical_damping_gives_is_that_of_critical_damping():
-    assert damped_stop_restitution(rigid_damping(0.05)) == pytest.approx(np.exp(-2), rel=1e-3)
 
 
 def test_the_penalty_of_a_rigid_stop_differs_by_the_length_of_its_contact():

@@ -82,6 +82,8 @@ class ModelEffect(Effect):
     """Of correcting a closed form by it, in closed forms."""
     needs: ClassVar[str] = ""
     """The property of the material without which no model can carry it."""
+    is_whole: ClassVar[bool] = False
+    """Whether its bounds are of all that it changes, not of leading terms."""
 
     @abstractmethod
     def changes(self, setting: Setting) -> Changes:
@@ -110,6 +112,8 @@ class ModelEffect(Effect):
         The bound of the leading terms is the first of a geometric series: each further order is
         smaller by the bound itself, or by what the bending says.
         """
+        if self.is_whole:
+            return {name: change.bound for name, change in self.all_changes(setting).items()}
         bending = setting.bending
         ratio = bending.ratio if bending is not None else 0.0
         return {

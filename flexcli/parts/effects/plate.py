@@ -19,6 +19,7 @@ class PlateWidening(ModelEffect):
 
     name: ClassVar[str] = "plate widening"
     needs: ClassVar[str] = "poisson_ratio"
+    is_whole: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return b/h."""
