@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 
-from flexcli.engine import assess
+from flexcli.engine import left_out
 from flexcli.engine.exact_answers import ExactAnswers
 from flexcli.engine.linear_answers import LinearAnswers
 from flexcli.errors import SolveError
@@ -38,7 +38,7 @@ def audit(design: DesignSpec, sizes: Sizes, found: Plan) -> tuple[AuditRow, ...]
     """Return true contributions beside the estimates of a plan, and whether it was right."""
     asks = [
         Ask(design.material, design.geometry, design.mechanism, sizes, scene, CLOSED_FORM)
-        for scene in assess.setting(design, sizes).scenes
+        for scene in left_out.setting(design, sizes).scenes
     ]
     rows: list[AuditRow] = []
     for effect in found.effects:

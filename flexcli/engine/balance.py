@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from time import perf_counter
 
 from flexcli.engine import assess
+from flexcli.engine import values as design_values
 from flexcli.engine.base_motion import (
     gravity_rows,
     reaction_values,
@@ -68,7 +69,7 @@ def balance(design: DesignSpec, spec: str) -> Result:
     if options.asd is not None:
         left = {name.removeprefix("tau_"): value.value for name, value in residuals.items()}
         values |= vibration_values(states, options.asd, left)
-    values |= assess.case_values(design)
+    values |= design_values.case_values(design)
     values |= reaction_values(states)
     checks = assess.checks(design.coupling_limits())
     quality = _quality(design, mechanism)

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from math import isfinite
 
-from flexcli.engine import assess
+from flexcli.engine import values as design_values
 from flexcli.engine.check import check
 from flexcli.engine.plan import plan, planned_answers
 from flexcli.engine.size import size
@@ -60,7 +60,7 @@ def told(result: Result, found: Plan) -> Result:
         cost = replace(cost, estimated_error=found.known_error)
     warnings = (*kept, *found.notes)
     known = {name: error for name, error in found.errors.items() if isfinite(error)}
-    values = assess.with_errors(result.values, known)
+    values = design_values.with_errors(result.values, known)
     return replace(
         result, values=values, effects=found.effects, warnings=warnings, cost=cost, plan=found
     )

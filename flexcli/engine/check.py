@@ -2,7 +2,8 @@
 
 from time import perf_counter
 
-from flexcli.engine import assess
+from flexcli.engine import assess, left_out
+from flexcli.engine import values as design_values
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
@@ -17,8 +18,8 @@ MODEL = "closed-form"
 def check(design: DesignSpec, sizes: Sizes, spec: str, answers: Answers = CLOSED_FORM) -> Result:
     """Return the checks of one blade by a model, with values, effects and warnings."""
     started = perf_counter()
-    rows = assess.effects(design, sizes, answers)
-    errors = assess.left_out(rows)
+    rows = left_out.effects(design, sizes, answers)
+    errors = left_out.errors(rows)
     found = assess.checks(judged_by(design, sizes, answers))
     passed = all(check.passed for check in found)
     return Result(
@@ -26,10 +27,10 @@ def check(design: DesignSpec, sizes: Sizes, spec: str, answers: Answers = CLOSED
         spec=spec,
         status=Status.PASS if passed else Status.FAIL,
         title=design.title,
-        values=assess.with_errors(assess.values(design, sizes, answers), errors),
+        values=design_values.with_errors(design_values.values(design, sizes, answers), errors),
         checks=found,
         effects=rows,
-        warnings=assess.warnings(design, sizes, rows),
+        warnings=left_out.warnings(design, sizes, rows),
         cost=Cost(
             perf_counter() - started,
             answers.model,

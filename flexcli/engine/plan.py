@@ -8,7 +8,7 @@ half is for the model.
 from collections.abc import Iterator
 from math import inf
 
-from flexcli.engine import assess
+from flexcli.engine import left_out
 from flexcli.engine.corrections import Corrected
 from flexcli.engine.plan_models import (
     Candidate,
@@ -59,8 +59,8 @@ def plan(
         When the joint does not have the model insisted on, or none at all.
 
     """
-    setting = assess.setting(design, sizes)
-    names = assess.reported(design, setting)
+    setting = left_out.setting(design, sizes)
+    names = left_out.reported(design, setting)
     asked = design.accuracy or accuracy or inf
     known = list(_known(design, setting, names))
     on = _wanted(known, asked)

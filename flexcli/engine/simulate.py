@@ -7,7 +7,8 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine import assess
+from flexcli.engine import assess, left_out
+from flexcli.engine import values as design_values
 from flexcli.engine.check import judged_by
 from flexcli.engine.exact_answers import TOLERANCE, ExactAnswers, driven_stiffness
 from flexcli.engine.joint_states import blades_of, driven_axis, forces_on, held_in, layout_of
@@ -58,28 +59,28 @@ def simulate(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result
         )
     try:
         sweeps = tuple(_sweep(ask, points) for ask in moving)
-        values = assess.values(design, sizes, answers)
+        values = design_values.values(design, sizes, answers)
     except NotAvailable as error:
         text = f"a {design.geometry.name} {error}"
         raise SolveError("no-layout", text, "take a joint that is made of blades") from error
     checks = assess.checks(judged_by(design, sizes, answers))
     reached = not any(sweep.missed for sweep in sweeps)
     passed = reached and all(check.passed for check in checks)
-    effects = assess.effects(design, sizes, answers)
+    effects = left_out.effects(design, sizes, answers)
     errors = [p.estimated_error for sweep in sweeps for p in sweep.points]
     return Result(
         command="simulate",
         spec=spec,
         status=Status.PASS if passed else Status.FAIL,
         title=design.title,
-        values=assess.with_errors(
+        values=design_values.with_errors(
             {**values, **_at_ends(design, sweeps), **_admissible(moving[0], values)},
-            assess.left_out(effects),
+            left_out.errors(effects),
         ),
         checks=checks,
         sweeps=sweeps,
         effects=effects,
-        warnings=assess.warnings(design, sizes, effects),
+        warnings=left_out.warnings(design, sizes, effects),
         cost=Cost(perf_counter() - started, answers.model, max(errors, default=None)),
     )
 

@@ -4,7 +4,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from time import perf_counter
 
-from flexcli.engine import assess
+from flexcli.engine import assess, left_out
+from flexcli.engine import values as design_values
 from flexcli.engine.balanced import Balanced, NotBalanced
 from flexcli.engine.check import MODEL, judged_by
 from flexcli.engine.grid import GridPoint
@@ -272,13 +273,13 @@ def _design(design: DesignSpec, label: str, blade: Sizes) -> Design:
 
 def _judged(design: DesignSpec, spec: str, chosen: _Choice, answers: Answers) -> Result:
     blade = chosen.sizes._make(float(x) for x in chosen.sizes)
-    rows = assess.effects(design, blade, answers)
-    errors = assess.left_out(rows)
+    rows = left_out.effects(design, blade, answers)
+    errors = left_out.errors(rows)
     found = assess.checks(judged_by(design, blade, answers))
     sized = _sized_values(design, chosen)
     values = {
         **sized,
-        **assess.values(design, blade, answers),
+        **design_values.values(design, blade, answers),
         **sized,
     }  # sized ones first, and kept
     passed = all(check.passed for check in found)
@@ -288,10 +289,10 @@ def _judged(design: DesignSpec, spec: str, chosen: _Choice, answers: Answers) ->
         spec=spec,
         status=Status.INFEASIBLE if chosen.failed_grid else status,
         title=design.title,
-        values=assess.with_errors(values, errors),
+        values=design_values.with_errors(values, errors),
         checks=() if chosen.failed_grid else found,
         effects=rows,
-        warnings=(*chosen.notes, *assess.warnings(design, blade, rows)),
+        warnings=(*chosen.notes, *left_out.warnings(design, blade, rows)),
         cost=Cost(0.0, answers.model, max(errors.values(), default=None), chosen.iterations),
         sizing=chosen.sizing,
     )

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import pi
 from time import perf_counter
 
-from flexcli.engine import assess
+from flexcli.engine import assess, left_out
 from flexcli.engine.free_travel import free_travel
 from flexcli.engine.stop_choice import Choice, choose, on_line
 from flexcli.engine.stop_statics import SOURCE, StopTask, place_limits, stop_place, task_of
@@ -72,7 +72,7 @@ def stops(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
     ends = tuple(_ends(task))
     checks = assess.checks(place_limits(task, choice.place))
     passed = choice.outcome != "infeasible" and all(check.passed for check in checks)
-    rows = assess.effects(design, sizes)
+    rows = left_out.effects(design, sizes)
     return Result(
         command="stops",
         spec=spec,
@@ -81,7 +81,10 @@ def stops(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
         values=_values(design, mechanism, task, choice.place, ends) | _free_values(free),
         checks=checks,
         effects=rows,
-        warnings=(*assess.warnings(design, sizes, rows), *_notes(design, task, choice.place, free)),
+        warnings=(
+            *left_out.warnings(design, sizes, rows),
+            *_notes(design, task, choice.place, free),
+        ),
         cost=Cost(perf_counter() - started, MODEL, None),
         stops=StopsResult(
             outcome=choice.outcome,

@@ -157,6 +157,11 @@ class DesignSpec(Part):
         off = [e for e in SCENE_EFFECTS if self.effects.get(e.key) == "off"]
         return [key for effect in off for key in effect.excludes]
 
+    def largest_travel(self) -> float:
+        """Return the largest travel of a joint in any case, from rest [rad or m]."""
+        scenes = [self.scene(name) for name in self.cases]
+        return max((scene.travel + scene.mean_travel for scene in scenes), default=0.0)
+
     def limits(self, sizes: Sizes, answers: Answers = CLOSED_FORM) -> list[Limit]:
         """Return every limit of every requirement in every case, on floats, by a model."""
         return list(self._limits(sizes, answers, closed_form=False))

@@ -1,13 +1,13 @@
-"""Designs in a batch: one exact solve of many equals many of one, and one that fails fails alone."""
+"""A batch of designs: one exact solve equals many, and a design that fails fails alone."""
 
 import numpy as np
 import pytest
+from geometries_for_tests import ELASTIC, SAMPLES, geometry
 
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.state import Outcome
 from flexcli.parts.geometries.base import MOVING
-from geometries_for_tests import ELASTIC, SAMPLES, geometry
 
 KINDS = sorted(set(SAMPLES) - {"torsion-bar", "round-torsion-bar", "torsion-star"})
 
@@ -17,7 +17,9 @@ def test_a_batch_equals_its_designs_one_by_one(kind):
     joint = geometry(kind)
     one = joint.sized({})
     scales = np.array([0.9, 1.0, 1.2])
-    many = one._make(size * (scales if i == 0 else 1.0 + 0.0 * scales) for i, size in enumerate(one))
+    many = one._make(
+        size * (scales if i == 0 else 1.0 + 0.0 * scales) for i, size in enumerate(one)
+    )
     travel = 0.05 if joint.motion == "rotation" else 0.02 * getattr(one, "l", 1e-3)
     held = {MOVING: joint.held(travel)}
     together = solve(joint.layout(ELASTIC, many), held, effects=Effects())

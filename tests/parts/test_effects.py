@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from geometries_for_tests import SAMPLES, geometry, spec
 
-from flexcli.engine import assess
+from flexcli.engine import left_out
 from flexcli.engine.corrections import Corrected
 from flexcli.engine.coverage import COVERAGE, OUTER
 from flexcli.engine.exact_answers import ExactAnswers
@@ -43,7 +43,7 @@ def design_of(geometry: dict[str, Any], stroke: dict[str, Any], **more: Any) -> 
 
 
 def setting_of(design: DesignSpec) -> Setting:
-    return assess.setting(design, design.fixed_sizes())
+    return left_out.setting(design, design.fixed_sizes())
 
 
 def named(name: str) -> ModelEffect:

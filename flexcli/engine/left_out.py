@@ -1,0 +1,101 @@
+"""What the model of a design leaves out, and what a reviewer must know beside the margins."""
+
+from collections.abc import Iterable, Iterator
+
+from flexcli.formulas.card import outside
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.effects import MODEL_EFFECTS, Setting
+from flexcli.parts.geometries import Sizes
+from flexcli.parts.requirements import CLOSED_FORM, Answers
+from flexcli.results import EffectRow, Note
+from flexcli.units import show
+
+__all__ = ["NOTABLE", "effects", "errors", "reported", "setting", "warnings"]
+
+NOTABLE = 0.05
+"""An effect left out that may change a number by more than this is a warning, not only a row."""
+
+
+def setting(design: DesignSpec, sizes: Sizes) -> Setting:
+    """Return a design as effects are estimated on it."""
+    scenes = tuple(design.scene(name) for name in design.cases)
+    return Setting(design.material, design.geometry, design.mechanism, sizes, scenes, design.stops)
+
+
+def reported(design: DesignSpec, given: Setting) -> tuple[str, ...]:
+    """Return which numbers of the joint a design reports, of those that effects change."""
+    asked = design.requirements
+    shift = design.geometry.closed_forms and any(s.bends for s in given.scenes)
+    held = any(s.blade_force for s in given.scenes)
+    hangs = asked.sag is not None or any(s.acceleration for s in given.scenes)
+    has = {
+        "stiffness": True,
+        "stress": bool(asked.fatigue or asked.yielding),
+        "shift": shift,
+        "buckling": asked.buckling is not None and held,
+        "sag": design.mechanism is not None and hangs,
+        "frequency": design.mechanism is not None,
+    }
+    return tuple(name for name, there in has.items() if there)
+
+
+def effects(
+    design: DesignSpec, sizes: Sizes, answers: Answers = CLOSED_FORM
+) -> tuple[EffectRow, ...]:
+    """Return the effects that this design can have, and which of them the model leaves out."""
+    given = setting(design, sizes)
+    names = reported(design, given)
+    rows = []
+    for effect in MODEL_EFFECTS:
+        indicator = effect.indicator(given)
+        if indicator is None:
+            continue
+        all_estimates = effect.estimates(given)
+        estimates = {name: all_estimates[name] for name in names if name in all_estimates}
+        most = max(estimates, key=lambda name: estimates[name], default="")
+        reason = f"{indicator.text}; most in {most}" if most else indicator.text
+        size = estimates.get(most, 0.0)
+        carried = effect.name in answers.covers | answers.always
+        rows.append(EffectRow(effect.name, carried, indicator.value, size, reason, estimates))
+    return tuple(rows)
+
+
+def errors(rows: Iterable[EffectRow]) -> dict[str, float]:
+    """Return the estimated error of each reported quantity: all together that is left out."""
+    found: dict[str, float] = {}
+    for row in rows:
+        for name, estimate in row.estimates.items():
+            found[name] = found.get(name, 0.0) + (0.0 if row.on else estimate)
+    return found
+
+
+def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> tuple[Note, ...]:
+    """Return what a reviewer must know beside the margins."""
+    notes: list[Note] = []
+    if design.mechanism is not None:
+        notes.extend(design.mechanism.notes())
+    placeholders = design.material.placeholders()
+    if placeholders:
+        text = f"placeholder values, not physical: material.{', material.'.join(placeholders)}"
+        notes.append(Note("placeholder-material", text))
+    if design.requirements.fatigue is not None:
+        single = design.material.fatigue_amplitude
+        if single is not None and single.stress_ratio is None:
+            text = "the source of the fatigue amplitude states no stress ratio; read as R = −1"
+            notes.append(Note("stress-ratio-unstated", text))
+    notes.extend(_outside_validity(design, sizes))
+    notes.extend(
+        Note("effect-left-out", f"{row.name}, left out, may change results by {row.estimate:.0%}")
+        for row in rows
+        if row.estimate >= NOTABLE and not row.on
+    )
+    return tuple(notes)
+
+
+def _outside_validity(design: DesignSpec, sizes: Sizes) -> Iterator[Note]:
+    """Yield where the design leaves the range in which its closed forms hold."""
+    geometry = design.geometry
+    at = geometry.indicators(sizes, design.largest_travel())
+    for limits in outside(geometry.validity, {name: float(x) for name, x in at.items()}):
+        text = f"{limits.quantity} = {show(float(at[limits.quantity]), limits.unit)} is outside "
+        yield Note("outside-validity", f"{text}{limits.spoken}: {limits.why}")

@@ -1,0 +1,137 @@
+"""The named numbers of a design by a model, each with its estimated error."""
+
+from collections.abc import Mapping
+
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.geometries import NotAvailable, Sizes
+from flexcli.parts.mechanisms import MechanismError
+from flexcli.parts.requirements import CLOSED_FORM, Answers, Ask
+from flexcli.results import Value
+
+__all__ = ["DEFINED", "QUANTITY_OF", "STRENGTHS", "case_values", "values", "with_errors"]
+
+STRENGTHS = ("admissible_stress", "fatigue_amplitude", "yield_strength")
+"""What an admissible stroke is stated for: the first that the material gives."""
+
+QUANTITY_OF = {
+    "k_pivot": "stiffness",
+    "k_stage": "stiffness",
+    "k_eq": "stiffness",
+    "k_least": "stiffness",
+    "k_most": "stiffness",
+    "theta_adm": "stress",
+    "x_adm": "stress",
+    "shift": "shift",
+    "k_x": "sag",
+    "k_y": "sag",
+    "k_z": "sag",
+    "sag": "sag",
+    "f_0": "frequency",
+    "f_init": "frequency",
+    "f_final": "frequency",
+}
+"""Which of the quantities that effects change a value is, by the start of its name."""
+
+DEFINED = ("volume", "delta", "xi", "theta_stroke", "x_stroke", "theta_mean", "x_mean")
+"""Values that are what the spec says, in other words."""
+
+
+def values(design: DesignSpec, sizes: Sizes, answers: Answers = CLOSED_FORM) -> dict[str, Value]:
+    """Return the named numbers of a design by a model: sizes, cases, joint and mechanism."""
+    geometry, material = design.geometry, design.material
+    found = {
+        name: Value(float(size), "m", geometry.label(name), model="given")
+        for name, size in sizes._asdict().items()
+    }
+    found |= case_values(design)
+    asks = [
+        Ask(material, geometry, design.mechanism, sizes, design.scene(name), answers)
+        for name in design.cases
+    ]
+    stiffness = float(answers.stiffness(asks[0]))
+    symbol = "k_pivot" if geometry.motion == "rotation" else "k_stage"
+    found[symbol] = Value(
+        stiffness, geometry.stiffness_unit, "stiffness of a joint", answers.model, geometry.source
+    )
+    found["volume"] = Value(
+        float(geometry.volume(sizes)), "m^3", "volume of what flexes in a joint"
+    )
+    found |= geometry.values(material.elastic, sizes, design.largest_travel())
+    found |= _admissible(design, sizes)
+    for ask in asks:
+        found |= _shift(ask, found)
+    if design.mechanism is not None:
+        found.update(design.mechanism.values(stiffness, geometry))
+        if "f_0" in found:
+            f_0, factor = found["f_0"], answers.frequency_factor(asks[0])
+            found["f_0"] = f_0._replace(value=f_0.value * factor, model=answers.model)
+        for ask in asks:
+            found.update(_sag(ask))
+    return found
+
+
+def with_errors(values: Mapping[str, Value], errors: Mapping[str, float]) -> dict[str, Value]:
+    """Return values with their estimated errors, from those of the quantities they are of."""
+
+    def error(name: str, value: Value) -> float | None:
+        if value.model == "given" or name.startswith(DEFINED):
+            return 0.0
+        kind = next((k for start, k in QUANTITY_OF.items() if name.startswith(start)), "")
+        return errors.get(kind)
+
+    return {name: v._replace(estimated_error=error(name, v)) for name, v in values.items()}
+
+
+def case_values(design: DesignSpec) -> dict[str, Value]:
+    """Return what the cases ask of each joint; names that differ between cases end in theirs."""
+    found: dict[str, Value] = {}
+    for name in design.cases:
+        for key, value in design.scene(name).values.items():
+            found[key if key not in found or found[key] == value else f"{key}_{name}"] = value
+    return found
+
+
+def _admissible(design: DesignSpec, sizes: Sizes) -> dict[str, Value]:
+    """Return the travel at which the stress reaches the strength that the material states."""
+    geometry, material = design.geometry, design.material
+    strength = next((name for name in STRENGTHS if getattr(material, name) is not None), None)
+    if strength is None or not geometry.is_linear:
+        return {}
+    try:
+        stresses = geometry.end_stresses(material.elastic, sizes, 1.0)
+    except NotAvailable:
+        return {}
+    most = max(abs(float(stress)) for stress in stresses.values())
+    symbol, unit = ("theta", "rad") if geometry.motion == "rotation" else ("x", "m")
+    text = f"stroke at which the stress reaches the {strength.replace('_', ' ')}"
+    return {f"{symbol}_adm": Value(material.strength(strength) / most, unit, text)}
+
+
+def _shift(ask: Ask, known: Mapping[str, Value]) -> dict[str, Value]:
+    """Return the parasitic shift at the end of a case's stroke, where the model has it."""
+    if not ask.scene.bends:
+        return {}
+    try:
+        shift = float(ask.answers.parasitic_shift(ask))
+    except NotAvailable:
+        return {}
+    name = "shift" if "shift" not in known else f"shift_{ask.scene.case}"
+    label = "parasitic shift at full stroke, positive towards the base"
+    return {name: Value(shift, "m", label, ask.answers.model, ask.geometry.source)}
+
+
+def _sag(ask: Ask) -> dict[str, Value]:
+    """Return sag and stiffness along a steady acceleration, where the model has them."""
+    scene = ask.scene
+    if scene.acceleration == 0.0 or ask.mechanism is None:
+        return {}
+    try:
+        stiffness = float(ask.answers.sag_stiffness(ask))
+        weight = ask.mechanism.hanging_mass() * scene.acceleration
+    except (NotAvailable, MechanismError):
+        return {}
+    source, axis, model = ask.geometry.source, scene.axis, ask.answers.model
+    return {
+        f"k_{axis}": Value(stiffness, "N/m", f"stiffness along {axis}", model, source),
+        f"sag_{axis}": Value(weight / stiffness, "m", f"sag along {axis}", model, "m a / K"),
+    }
