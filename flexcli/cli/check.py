@@ -50,7 +50,7 @@ def _check(path: Path, model: Model | None) -> Result:
         raise SpecError([Finding(str(path), "there is no design in this folder", hint)])
     design, document = load_design(path)
     if design.is_planned:
-        from flexcli.engine.by_plan import check_by_plan
+        from flexcli.engine.planning.by_plan import check_by_plan
 
         sizes = given_sizes(design, document)
         return check_by_plan(design, sizes, str(path), model.value if model else None)

@@ -40,7 +40,7 @@ def run(
 
 
 def _plan(path: Path, model: Model | None, *, audit: bool) -> Result:
-    from flexcli.engine.planned import planned
+    from flexcli.engine.planning.planned import planned
     from flexcli.spec.load import load_design
 
     design, document = load_design(path)

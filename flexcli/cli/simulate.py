@@ -47,8 +47,8 @@ def _simulate(path: Path, points: int, table: Path | None) -> Result:
     sizes = given_sizes(design, document)
     result = simulate(design, sizes, str(path), points)
     if design.is_planned:
-        from flexcli.engine.by_plan import told
         from flexcli.engine.plan import plan
+        from flexcli.engine.planning.by_plan import told
 
         result = told(result, plan(design, sizes, "exact"))
     if table is not None:

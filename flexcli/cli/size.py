@@ -38,15 +38,15 @@ def run(
 
 
 def _size(path: Path, write: Path | None, model: Model | None) -> Result:
-    from flexcli.engine.corrected import size_by_model
     from flexcli.engine.models import answers_of
     from flexcli.engine.size import size
+    from flexcli.engine.sizing.corrected import size_by_model
     from flexcli.spec.load import load_design
     from flexcli.spec.save import sized_text
 
     design, document = load_design(path)
     if design.is_planned:
-        from flexcli.engine.by_plan import size_by_plan
+        from flexcli.engine.planning.by_plan import size_by_plan
 
         result = size_by_plan(design, str(path), model.value if model else None, size_by_model)
     elif model in (None, Model.CLOSED_FORM):

@@ -60,16 +60,16 @@ def _stops(path: Path, simulate: bool, sweep: bool, seed: int | None, csv: Path 
     sizes = given_sizes(design, document)
     result = stops(design, sizes, str(path))
     if design.is_planned:
-        from flexcli.engine.by_plan import told
         from flexcli.engine.plan import plan
+        from flexcli.engine.planning.by_plan import told
 
         result = told(result, plan(design, sizes, "closed-form"))
     if not (simulate or sweep):
         return result
 
     from flexcli.cli.progress import watched
-    from flexcli.engine.stop_simulation import simulated
-    from flexcli.engine.stop_sweep import swept
+    from flexcli.engine.stopping.simulation import simulated
+    from flexcli.engine.stopping.sweep import swept
     from flexcli.report.stops_csv import history_csv, sweep_csv
 
     with watched() as watch:

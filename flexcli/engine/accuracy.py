@@ -5,8 +5,8 @@ from time import perf_counter
 
 import numpy as np
 
-from flexcli.engine.compared import Settled, Timed, compared, relative_bound
-from flexcli.engine.ladder import (
+from flexcli.engine.comparing.compared import Settled, Timed, compared, relative_bound
+from flexcli.engine.comparing.ladder import (
     CONTROL_LEVELS,
     FINEST,
     Finest,
@@ -15,8 +15,8 @@ from flexcli.engine.ladder import (
     ladder,
     numbers,
 )
+from flexcli.engine.comparing.time_accuracy import accuracy_in_time, time_notes
 from flexcli.engine.plan import ACCURACY
-from flexcli.engine.time_accuracy import accuracy_in_time, time_notes
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable

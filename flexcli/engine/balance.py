@@ -5,7 +5,7 @@ from time import perf_counter
 
 from flexcli.engine import assess
 from flexcli.engine import values as design_values
-from flexcli.engine.base_motion import (
+from flexcli.engine.balancing.base_motion import (
     gravity_rows,
     reaction_values,
     sag_values,
@@ -13,9 +13,9 @@ from flexcli.engine.base_motion import (
     transfer_rows,
     vibration_values,
 )
-from flexcli.engine.coupling_tolerance import coupling_terms, tolerance_values
-from flexcli.engine.freedom import Freedom, freedoms
-from flexcli.engine.over_stroke import over_stroke, shift_coupling
+from flexcli.engine.balancing.coupling_tolerance import coupling_terms, tolerance_values
+from flexcli.engine.balancing.freedom import Freedom, freedoms
+from flexcli.engine.balancing.over_stroke import over_stroke, shift_coupling
 from flexcli.errors import SolveError
 from flexcli.formulas.transfer import natural_frequency
 from flexcli.parts.design import DesignSpec

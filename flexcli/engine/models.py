@@ -12,11 +12,11 @@ MODELS = ("closed-form", "linear", "exact")
 def answers_of(model: str) -> Answers:
     """Return the model of a name; the solvers are imported for the models that need them."""
     if model == "linear":
-        from flexcli.engine.linear_answers import LinearAnswers
+        from flexcli.engine.answers.linear import LinearAnswers
 
         return LinearAnswers()
     if model == "exact":
-        from flexcli.engine.exact_answers import ExactAnswers
+        from flexcli.engine.answers.exact import ExactAnswers
 
         return ExactAnswers()
     return CLOSED_FORM

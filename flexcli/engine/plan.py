@@ -9,8 +9,7 @@ from collections.abc import Iterator
 from math import inf
 
 from flexcli.engine import left_out
-from flexcli.engine.corrections import Corrected
-from flexcli.engine.plan_models import (
+from flexcli.engine.planning.candidates import (
     Candidate,
     Known,
     candidates,
@@ -19,6 +18,7 @@ from flexcli.engine.plan_models import (
     errors_of,
     tolerance_for,
 )
+from flexcli.engine.planning.corrections import Corrected
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, SCENE_EFFECTS, Setting
@@ -91,8 +91,8 @@ def planned_answers(found: Plan) -> Answers:
     on = set(found.on)
     inner: Answers = CLOSED_FORM
     if found.model != CLOSED_FORM.model:
-        from flexcli.engine.exact_answers import ExactAnswers
-        from flexcli.engine.linear_answers import LinearAnswers
+        from flexcli.engine.answers.exact import ExactAnswers
+        from flexcli.engine.answers.linear import LinearAnswers
         from flexcli.mechanics.mesh import Effects
 
         blades = Effects(extension="axial extension" in on, shear="shear" in on)

@@ -9,9 +9,15 @@ from numpy.typing import NDArray
 
 from flexcli.engine import assess, left_out
 from flexcli.engine import values as design_values
+from flexcli.engine.answers.exact import TOLERANCE, ExactAnswers, driven_stiffness
+from flexcli.engine.answers.joint_states import (
+    blades_of,
+    driven_axis,
+    forces_on,
+    held_in,
+    layout_of,
+)
 from flexcli.engine.check import judged_by
-from flexcli.engine.exact_answers import TOLERANCE, ExactAnswers, driven_stiffness
-from flexcli.engine.joint_states import blades_of, driven_axis, forces_on, held_in, layout_of
 from flexcli.errors import SolveError
 from flexcli.mechanics.energy import strain_energy
 from flexcli.mechanics.equilibrium import solve

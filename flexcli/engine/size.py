@@ -6,13 +6,13 @@ from time import perf_counter
 
 from flexcli.engine import assess, left_out
 from flexcli.engine import values as design_values
-from flexcli.engine.balanced import Balanced, NotBalanced
 from flexcli.engine.check import MODEL, judged_by
-from flexcli.engine.grid import GridPoint
-from flexcli.engine.number_program import LimitsOf, number_sizing
-from flexcli.engine.number_route import NumberRoute
-from flexcli.engine.posynomial_route import PosynomialRoute
-from flexcli.engine.route import Route
+from flexcli.engine.sizing.balanced import Balanced, NotBalanced
+from flexcli.engine.sizing.grid import GridPoint
+from flexcli.engine.sizing.number_program import LimitsOf, number_sizing
+from flexcli.engine.sizing.number_route import NumberRoute
+from flexcli.engine.sizing.posynomial_route import PosynomialRoute
+from flexcli.engine.sizing.route import Route
 from flexcli.errors import SolveError
 from flexcli.numerics.geometric_program import Outcome, Solution
 from flexcli.parts.design import DesignSpec

@@ -5,9 +5,9 @@ from math import pi
 from time import perf_counter
 
 from flexcli.engine import assess, left_out
-from flexcli.engine.free_travel import free_travel
-from flexcli.engine.stop_choice import Choice, choose, on_line
-from flexcli.engine.stop_statics import SOURCE, StopTask, place_limits, stop_place, task_of
+from flexcli.engine.stopping.choice import Choice, choose, on_line
+from flexcli.engine.stopping.free_travel import free_travel
+from flexcli.engine.stopping.statics import SOURCE, StopTask, place_limits, stop_place, task_of
 from flexcli.errors import SolveError
 from flexcli.formulas.card import Range, outside
 from flexcli.formulas.pi_law import FACTOR, MEASURED

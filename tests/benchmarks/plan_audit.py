@@ -12,10 +12,10 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from random_scenes import MATERIAL, scenes
 
-from flexcli.engine.audit import audit
+from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.engine.check import check
-from flexcli.engine.exact_answers import ExactAnswers
 from flexcli.engine.plan import plan, planned_answers
+from flexcli.engine.planning.audit import audit
 from flexcli.parts.design import DesignSpec
 
 PIVOT = {

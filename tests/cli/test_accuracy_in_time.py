@@ -6,7 +6,7 @@ import pytest
 from typer.testing import CliRunner
 
 from flexcli.cli.app import app
-from flexcli.engine import time_accuracy
+from flexcli.engine.comparing import time_accuracy
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "boundary-control" / "flexure.yaml"
 

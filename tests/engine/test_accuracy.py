@@ -10,7 +10,7 @@ from strategies import crossed, design, rcc, stage
 
 from flexcli.engine import accuracy as verb
 from flexcli.engine.accuracy import Settled, Timed, accuracy, compared, timed
-from flexcli.engine.ladder import CONTROL_LEVELS, Finest, Number, Rung, ladder, numbers
+from flexcli.engine.comparing.ladder import CONTROL_LEVELS, Finest, Number, Rung, ladder, numbers
 from flexcli.engine.plan import ACCURACY
 from flexcli.errors import SolveError
 from flexcli.mechanics.equilibrium import LEVELS

@@ -5,8 +5,8 @@ from math import nan
 import numpy as np
 import pytest
 
-from flexcli.engine.compared import UNSURE, Settled, Timed, compared, relative_bound
-from flexcli.engine.time_accuracy import TimeNumber
+from flexcli.engine.comparing.compared import UNSURE, Settled, Timed, compared, relative_bound
+from flexcli.engine.comparing.time_accuracy import TimeNumber
 
 
 class Model:

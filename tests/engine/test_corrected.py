@@ -4,10 +4,10 @@ import pytest
 from geometries_for_tests import MATERIAL
 from strategies import design, rcc
 
-from flexcli.engine.corrected import size_by_model
-from flexcli.engine.exact_answers import ExactAnswers
-from flexcli.engine.linear_answers import LinearAnswers
+from flexcli.engine.answers.exact import ExactAnswers
+from flexcli.engine.answers.linear import LinearAnswers
 from flexcli.engine.size import size
+from flexcli.engine.sizing.corrected import size_by_model
 from flexcli.results import Status
 
 CASES = {"turn": {"stroke": {"rotation": "8 deg"}}}

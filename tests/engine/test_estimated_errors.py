@@ -5,8 +5,8 @@ import pytest
 from geometries_for_tests import MATERIAL
 from strategies import crossed, design, rcc, stage
 
+from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.engine.check import check
-from flexcli.engine.exact_answers import ExactAnswers
 
 DESIGNS = 60
 

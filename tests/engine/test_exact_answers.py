@@ -5,9 +5,9 @@ from geometries_for_tests import MATERIAL, SAMPLES, spec
 from strategies import crossed, design, rcc, stage
 
 from flexcli.engine import assess
+from flexcli.engine.answers.exact import ExactAnswers
+from flexcli.engine.answers.linear import LinearAnswers
 from flexcli.engine.check import check
-from flexcli.engine.exact_answers import ExactAnswers
-from flexcli.engine.linear_answers import LinearAnswers
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import CLOSED_FORM, Ask
 from flexcli.results import Status

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.engine.penalty_law import RIGID_PENALTY, penalty_law, rigid_damping
+from flexcli.engine.comparing.penalty_law import RIGID_PENALTY, penalty_law, rigid_damping
 from flexcli.mechanics.stopping.laws import (
     HertzStop,
     LinearStop,

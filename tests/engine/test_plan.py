@@ -5,12 +5,12 @@ from typing import Any
 import pytest
 from random_scenes import scenes
 
-from flexcli.engine.audit import audit
-from flexcli.engine.by_plan import check_by_plan, size_by_plan
+from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.engine.check import check
-from flexcli.engine.corrected import size_by_model
-from flexcli.engine.exact_answers import ExactAnswers
 from flexcli.engine.plan import plan, planned_answers
+from flexcli.engine.planning.audit import audit
+from flexcli.engine.planning.by_plan import check_by_plan, size_by_plan
+from flexcli.engine.sizing.corrected import size_by_model
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 
@@ -155,7 +155,7 @@ def test_a_scene_that_lacks_an_effect_runs_no_code_for_it(monkeypatch):
         raise AssertionError
 
     monkeypatch.setattr("flexcli.mechanics.equilibrium.solve", refuse)
-    monkeypatch.setattr("flexcli.engine.joint_states.solve", refuse)
+    monkeypatch.setattr("flexcli.engine.answers.joint_states.solve", refuse)
     monkeypatch.setattr("flexcli.parts.scene.miles_worst_case", refuse)
     monkeypatch.setattr("flexcli.parts.bending.pair.under_tension", refuse)
     monkeypatch.setattr("flexcli.parts.effects.blade_mass.pivot_inertia", refuse)

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from strategies import LOADS, crossed, design, rcc, specs
 
 from flexcli.engine import assess
-from flexcli.engine.program import objective_of, sizing_program
+from flexcli.engine.sizing.program import objective_of, sizing_program
 from flexcli.numerics.ratios import Ratio, Settled
 from flexcli.parts.geometries import Blade
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from strategies import BEND, CASES, LOADS, PUSH, crossed, design, rcc
 
-from flexcli.engine.balanced import kind_of
 from flexcli.engine.size import size
+from flexcli.engine.sizing.balanced import kind_of
 from flexcli.errors import SolveError
 from flexcli.parts.requirements import Limit
 from flexcli.spec.load import load_design

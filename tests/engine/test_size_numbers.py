@@ -11,8 +11,8 @@ from hypothesis import HealthCheck, assume, given, settings
 from strategies import CASES, LOADS, PUSH, crossed, design, rcc, specs
 
 from flexcli.engine import assess
-from flexcli.engine.number_program import one_by_one
 from flexcli.engine.size import size, size_by
+from flexcli.engine.sizing.number_program import one_by_one
 from flexcli.errors import SolveError
 from flexcli.parts.geometries.rcc import RCCPivot
 

@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from stop_designs import LENGTH, MASS, SINE, E, I, stopped
 
-from flexcli.engine.stop_excitation import exposures
-from flexcli.engine.stop_scene import stop_scene
-from flexcli.engine.stop_simulation import simulated
-from flexcli.engine.stop_statics import force_at_travel, stop_place, task_of
+from flexcli.engine.stopping.excitation import exposures
+from flexcli.engine.stopping.scene import stop_scene
+from flexcli.engine.stopping.simulation import simulated
+from flexcli.engine.stopping.statics import force_at_travel, stop_place, task_of
 from flexcli.engine.stops import stops
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import peak_factor

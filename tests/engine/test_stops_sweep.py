@@ -3,8 +3,8 @@
 import pytest
 from stop_designs import SINE, stopped
 
-from flexcli.engine import stop_sweep
-from flexcli.engine.stop_sweep import swept
+from flexcli.engine.stopping import sweep as module
+from flexcli.engine.stopping.sweep import swept
 from flexcli.engine.stops import stops
 from flexcli.errors import SolveError
 
@@ -14,8 +14,8 @@ SWEEP = {"from": "160 Hz", "to": "230 Hz", "rate": "100 Hz/s", "acceleration": "
 
 @pytest.fixture(autouse=True)
 def _few_steps(monkeypatch):
-    monkeypatch.setattr(stop_sweep, "STEPS", 15)
-    monkeypatch.setattr(stop_sweep, "MOST_WINDOWS", 4)
+    monkeypatch.setattr(module, "STEPS", 15)
+    monkeypatch.setattr(module, "MOST_WINDOWS", 4)
 
 
 def run(cases, stops_=PLACE, watch=lambda *_: True):

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from stop_designs import BALL, REST, SINE, stopped
 
-from flexcli.engine import time_accuracy as verb
-from flexcli.engine import time_motions
 from flexcli.engine.accuracy import accuracy
-from flexcli.engine.time_accuracy import accuracy_in_time, bounded
-from flexcli.engine.time_ladder import penalty_run
-from flexcli.engine.time_motions import PERIODS, Motion, motions
+from flexcli.engine.comparing import time_accuracy as verb
+from flexcli.engine.comparing import time_motions
+from flexcli.engine.comparing.time_accuracy import accuracy_in_time, bounded
+from flexcli.engine.comparing.time_ladder import penalty_run
+from flexcli.engine.comparing.time_motions import PERIODS, Motion, motions
 from flexcli.mechanics.stopping.laws import LinearStop, Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.numerics.signal_pieces import Piece

@@ -5,13 +5,13 @@ from math import asin, atan2, pi, sqrt
 import numpy as np
 import pytest
 
-from flexcli.engine.penalty_law import RIGID_PENALTY
-from flexcli.engine.time_ladder import (
+from flexcli.engine.comparing.penalty_law import RIGID_PENALTY
+from flexcli.engine.comparing.time_ladder import (
     event_driven,
     penalty_run,
     stretches,
 )
-from flexcli.engine.time_motions import Motion
+from flexcli.engine.comparing.time_motions import Motion
 from flexcli.mechanics.stopping.laws import (
     LinearStop,
     RigidStop,

@@ -5,7 +5,7 @@ from math import pi
 import pytest
 from stop_designs import REST, SINE, stopped
 
-from flexcli.engine.time_motions import PERIODS, motions
+from flexcli.engine.comparing.time_motions import PERIODS, motions
 
 PLACE = {"height": "17 mm", "gap": "36 um"}
 PULSE = {"shock": {"half-sine": {"acceleration": "30 g", "duration": "3 ms"}}}

@@ -6,10 +6,10 @@ import pytest
 from geometries_for_tests import SAMPLES, geometry, spec
 
 from flexcli.engine import left_out
-from flexcli.engine.corrections import Corrected
-from flexcli.engine.coverage import COVERAGE, OUTER
-from flexcli.engine.exact_answers import ExactAnswers
-from flexcli.engine.linear_answers import LinearAnswers
+from flexcli.engine.answers.exact import ExactAnswers
+from flexcli.engine.answers.linear import LinearAnswers
+from flexcli.engine.planning.corrections import Corrected
+from flexcli.engine.planning.coverage import COVERAGE, OUTER
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import EFFECTS, MODEL_EFFECTS, SCENE_EFFECTS, ModelEffect, Setting

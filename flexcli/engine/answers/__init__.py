@@ -1,0 +1,1 @@
+"""The models that answer for a joint beside its closed forms."""

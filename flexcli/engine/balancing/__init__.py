@@ -1,0 +1,1 @@
+"""What balancing a mechanism computes."""

@@ -1,0 +1,1 @@
+"""How models and methods are timed and compared with the finest."""

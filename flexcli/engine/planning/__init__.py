@@ -1,0 +1,1 @@
+"""How the effects and the model of a design are planned, and audited."""

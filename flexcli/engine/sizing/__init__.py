@@ -1,0 +1,1 @@
+"""How sizes are chosen: by convex programs on closed forms, or on numbers alone."""

@@ -1,0 +1,1 @@
+"""How an end stop is chosen, and the scene in time between stops."""

@@ -1,0 +1,125 @@
+"""One run of a blade between its stops: driven leg by leg, told as a row of the result."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from flexcli.engine.stopping.excitation import Excitation, excitation
+from flexcli.engine.stopping.scene import stop_scene
+from flexcli.engine.stopping.statics import StopTask, force_at_travel
+from flexcli.formulas.stopped_bending import bending_stress
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.result import Peaks, StopOutcome
+from flexcli.mechanics.stopping.vibration import StoppedVibration
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.geometries import Sizes
+from flexcli.parts.mechanisms.tip_mass import TipMass
+from flexcli.parts.stops.stops import Simulation
+from flexcli.results import StopHistory, StopPlace, StopSimulation
+
+__all__ = ["StopRun", "stop_runs"]
+
+LOOK_UP = 32
+"""Pieces between two reports on how far a run is."""
+
+
+@dataclass(frozen=True, eq=False)
+class StopRun:
+    """A case ready to run: ``law`` says in words how the stop pushes back."""
+
+    task: StopTask
+    mechanism: TipMass
+    place: StopPlace
+    case: str
+    law: str
+    blade: ModalBlade
+    shaken: Excitation
+    engine: StoppedVibration
+
+    def told(self, go_on: Callable[[float], bool]) -> StopSimulation:
+        """Run for as long as it is told to go on, and return what came of it."""
+        most, last = self._driven(go_on)
+        found = self.engine.result()
+        task, shaken, balance = self.task, self.shaken, found.balance
+        exposed = found.duration / shaken.exposure if shaken.exposure else None
+        moved = balance.start + abs(balance.base_work) + balance.damped + balance.lost_at_stops
+        contact = task.stops.contact.stress(most.force, task.elastic)
+        load = force_at_travel(task, self.place, self.mechanism.offset, most.travel)
+        arm = task.L - self.place.L_a + self.mechanism.offset
+        stopped = found.outcome is StopOutcome.TOO_MANY_EVENTS
+        ranged = last if shaken.settles else most
+        return StopSimulation(
+            case=self.case,
+            kind=shaken.kind,
+            law=self.law,
+            q=0.5 / float(self.blade.damping[0]),
+            modes=self.blade.angular.size,
+            seed=shaken.seed,
+            planned=shaken.planned,
+            duration=found.duration,
+            outcome=f"{found.outcome.cause}: {found.outcome.remedy}" if stopped else "",
+            confidence=exposed / (exposed + 1.0) if exposed is not None else None,
+            travel=most.travel,
+            pi_5=(ranged.tip_above + ranged.tip_below) / self.place.delta_G,
+            force=most.force,
+            impulse=most.impulse,
+            contacts=found.contacts.time.size,
+            contact_share=found.contact_time / found.duration if found.duration else 0.0,
+            fastest=float(found.contacts.speed.max(initial=0.0)),
+            sigma_base=float(bending_stress(M=most.base_moment, I=task.I, h=task.h)),
+            sigma_contact=float(bending_stress(M=load * arm, I=task.I, h=task.h)),
+            p_hertz=contact.pressure if contact else None,
+            tau_hertz=contact.shear if contact else None,
+            energy_residual=abs(balance.energy_residual) / (moved or 1.0),
+            impulse_residual=balance.impulse_residual,
+            events=found.cost.events,
+            seconds=found.cost.seconds,
+        )
+
+    def history(self) -> StopHistory | None:
+        """Return the samples, where they were kept."""
+        history = self.engine.result().history
+        if history is None:
+            return None
+        return StopHistory(self.case, *(tuple(column.tolist()) for column in history))
+
+    def _driven(self, go_on: Callable[[float], bool]) -> tuple[Peaks, Peaks]:
+        """Run leg after leg, and return the peaks of all and of the last."""
+        engine, count = self.engine, 0
+        most = last = engine.take_peaks()
+        for leg in self.shaken.legs:
+            for progress in engine.run(leg):
+                count += 1
+                if count % LOOK_UP == 0 and not go_on(progress.time / self.shaken.planned):
+                    last = engine.take_peaks()
+                    return _higher(most, last), last
+            last = engine.take_peaks()
+            most = _higher(most, last)
+            if engine.outcome is StopOutcome.TOO_MANY_EVENTS:
+                break
+        return most, last
+
+
+def _higher(one: Peaks, other: Peaks) -> Peaks:
+    return Peaks(*map(max, one, other))
+
+
+def stop_runs(
+    design: DesignSpec,
+    task: StopTask,
+    sizes: Sizes,
+    place: StopPlace,
+    *,
+    options: Simulation,
+    keep_history: bool,
+) -> Iterator[StopRun]:
+    """Yield the runs of every case; with a stop on one side a sine or shock has either sign."""
+    mechanism = design.mechanism
+    assert isinstance(mechanism, TipMass)  # the design refuses others
+    for name, case in design.cases.items():
+        if not case.vibrates:
+            continue
+        blade, stops, law = stop_scene(design, mechanism, task, sizes, place, name)
+        for sign in (1,) if task.stops.sides == "both" else (1, -1):
+            for shaken in excitation(name, case, blade, options, sign):
+                engine = StoppedVibration(blade, stops, rate=shaken.rate, keep_history=keep_history)
+                yield StopRun(task, mechanism, place, name, law, blade, shaken, engine)

@@ -1,0 +1,87 @@
+"""A blade between its stops as the time engine takes it: modes, law of the stops, damping."""
+
+from math import inf, sqrt
+
+from scipy.optimize import brentq
+
+from flexcli.engine.stopping.damping import case_quality
+from flexcli.engine.stopping.statics import StopTask
+from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
+from flexcli.mechanics.stopping.laws import (
+    AnyStopLaw,
+    HertzStop,
+    LinearStop,
+    RigidStop,
+    Stops,
+    damped_stop_restitution,
+    stiffness_on_blade,
+)
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.geometries import Sizes
+from flexcli.parts.mechanisms.tip_mass import TipMass
+from flexcli.parts.stops import Ball, Contact, Rigid, Spring
+from flexcli.results import StopPlace
+
+__all__ = ["stop_scene"]
+
+MOST_DAMPING = 1.0 - 1e-9
+"""Damping ratio of a dashpot next to critical, where the bounce is the least."""
+
+
+def stop_scene(
+    design: DesignSpec,
+    mechanism: TipMass,
+    task: StopTask,
+    sizes: Sizes,
+    place: StopPlace,
+    case: str,
+) -> tuple[ModalBlade, Stops, str]:
+    """Return modes and stops of one case, and the law in words."""
+    density = design.material.density
+    volume = float(design.geometry.volume(sizes))
+    blade = cantilever_modes(
+        E=task.elastic.E,
+        I=task.I,
+        L=task.L,
+        L_a=place.L_a,
+        m=mechanism.mass,
+        blade_mass=density.value * volume if density is not None else 0.0,
+        c=mechanism.offset,
+        J=mechanism.inertia,
+        modes=task.stops.simulation.modes,
+        quality=case_quality(mechanism, case, design.cases[case]),
+    )
+    contact = task.stops.contact
+    law, words = _law(contact, task, blade)
+    if isinstance(law, RigidStop):
+        blade = blade.truncated()
+    below = place.delta_G if task.stops.sides == "both" else inf
+    return blade, Stops(law, above=place.delta_G, below=below), words
+
+
+def _law(contact: Contact, task: StopTask, blade: ModalBlade) -> tuple[AnyStopLaw, str]:
+    """Return how a contact pushes back; a line contact has no law of its own and is rigid."""
+    if isinstance(contact, Ball):
+        stiffness = 4.0 / 3.0 * contact.modulus(task.elastic) * sqrt(contact.radius)
+        return HertzStop(stiffness), "ball, Hertz, elastic"
+    if isinstance(contact, Spring):
+        damping = _dashpot(contact, blade)
+        return LinearStop(
+            contact.stiffness, damping
+        ), f"spring, restitution {contact.restitution:g}"
+    if isinstance(contact, Rigid) and contact.restitution is not None:
+        return RigidStop(contact.restitution), f"rigid, restitution {contact.restitution:g}"
+    return LinearStop(), "rigid, the blade's own compliance against it"
+
+
+def _dashpot(contact: Spring, blade: ModalBlade) -> float:
+    """Return the damping [N·s/m] beside a spring that gives the kept modes its restitution."""
+    if contact.restitution == 1.0:
+        return 0.0
+    mass = 1.0 / float(blade.stop @ blade.stop)
+    stiffness = stiffness_on_blade(blade, contact.stiffness)
+    ratio = float(
+        brentq(lambda r: damped_stop_restitution(r) - contact.restitution, 0.0, MOST_DAMPING)
+    )
+    return 2.0 * ratio * sqrt(stiffness * mass)
