@@ -36,6 +36,19 @@ def _gauss(count: int) -> tuple[Floats, Floats]:
     return (nodes + 1.0) / 2.0, weights / 2.0
 
 
+def _crest(times: Floats, values: Floats) -> float:
+    """Return the greatest value of samples, of the parabola through it and its neighbours."""
+    top = int(np.argmax(values))
+    if not 0 < top < values.size - 1:
+        return float(values[top])
+    (a, b), (below, above) = ((v[top - 1] - v[top], v[top + 1] - v[top]) for v in (times, values))
+    if a == 0.0 or b == 0.0:
+        return float(values[top])
+    slope = (below / a * b - above / b * a) / (b - a)
+    bend = (above / b - below / a) / (b - a)
+    return float(values[top] - slope**2 / (4.0 * bend)) if bend < 0.0 else float(values[top])
+
+
 class _Segment(NamedTuple):
     start: float
     length: float
@@ -174,7 +187,7 @@ class Record:
                 self._most[name] = max(self._most[name], refined(index, sign))
 
     def add_hertz(self, found: HertzPass, side: int, start: float, contact: int) -> None:
-        """Take a pass through a Hertzian contact; its peaks are those of its samples."""
+        """Take a pass through a Hertzian contact; its peaks are crests through its samples."""
         blade, most = self._blade, self._most
         self.work += found.work
         self.damped += found.damped
@@ -193,7 +206,7 @@ class Record:
             ("base_moment", np.abs(moment)),
             ("force", push),
         ):
-            most[name] = max(most[name], float(values.max()))
+            most[name] = max(most[name], _crest(found.times, values))
         if self._samples is not None:
             self._samples.append((start + found.times, tip, at_stop, push))
 
