@@ -45,12 +45,12 @@ def _simulate(path: Path, points: int, table: Path | None) -> Result:
 
     design, document = load_design(path)
     sizes = given_sizes(design, document)
-    result = simulate(design, sizes, str(path), points)
     if design.is_planned:
-        from flexcli.engine.plan import plan
-        from flexcli.engine.planning.by_plan import told
+        from flexcli.engine.planning.by_plan import simulate_by_plan
 
-        result = told(result, plan(design, sizes, "exact"))
+        result = simulate_by_plan(design, sizes, str(path), points)
+    else:
+        result = simulate(design, sizes, str(path), points)
     if table is not None:
         write_file(table, sweep_csv(result.sweeps))
     return result

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from time import perf_counter
 
-from flexcli.engine import assess
+from flexcli.engine import assess, left_out
 from flexcli.engine import values as design_values
 from flexcli.engine.balancing.base_motion import (
     gravity_rows,
@@ -77,15 +77,17 @@ def balance(design: DesignSpec, spec: str) -> Result:
     if stage is None:
         values |= sag_values(gravity, states[-1])
     solved = stage.balancing if stage else None
+    sizes = design.fixed_sizes()
+    errors = left_out.errors(left_out.effects(design, sizes)) if sizes is not None else {}
     return Result(
         command="balance",
         spec=spec,
         status=_status(solved, passed=all(check.passed for check in checks)),
         title=design.title,
-        values=values,
+        values=design_values.with_errors(values, errors),
         checks=checks,
         warnings=tuple(_notes(stage, states, stroke, values)),
-        cost=Cost(perf_counter() - started, MODEL, None),
+        cost=Cost(perf_counter() - started, MODEL, max(errors.values(), default=None)),
         balance=BalanceResult(
             outcome=_outcome(solved),
             motion=mechanism.shaken_by(design.geometry),

@@ -82,7 +82,7 @@ def plan(
         estimated_error=error_of(chosen, known, carried),
         errors=errors_of(chosen, known, carried),
         tolerance=tolerance,
-        notes=tuple(_notes(known, chosen, on, asked)),
+        notes=(*_notes(known, chosen, on, asked), *_excluded(setting, on)),
     )
 
 
@@ -186,6 +186,15 @@ def _scene_rows(setting: Setting) -> Iterator[EffectRow]:
         if found is not None:
             reason = f"{found.text}; the scene has it"
             yield EffectRow(effect.name, True, found.value, 0.0, reason)
+
+
+def _excluded(setting: Setting, on: set[str]) -> Iterator[Note]:
+    """Yield what is on but cannot be beside what the scene has."""
+    for effect in SCENE_EFFECTS:
+        shut_out = sorted(effect.shuts_out & on)
+        if shut_out and effect.indicator(setting) is not None:
+            text = f"{effect.name}: the scene in time has no {', '.join(shut_out)}"
+            yield Note("effect-excluded", text)
 
 
 def _notes(known: list[Known], model: Candidate, on: set[str], asked: float) -> Iterator[Note]:

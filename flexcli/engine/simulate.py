@@ -1,7 +1,7 @@
 """The verb simulate: the joint over its stroke, in exact equilibrium at every travel."""
 
 from collections.abc import Mapping
-from math import pi, sqrt
+from math import inf, pi, sqrt
 from time import perf_counter
 
 import numpy as np
@@ -39,12 +39,18 @@ __all__ = ["simulate"]
 
 Floats = NDArray[np.float64]
 
+ALL = Effects()
+
 SECANT_STEPS, SETTLED = 30, 1e-9
 """The stress is nearly in proportion to the stroke: each step keeps two digits more."""
 
 
-def simulate(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result:
+def simulate(
+    design: DesignSpec, sizes: Sizes, spec: str, points: int, blades: Effects = ALL
+) -> Result:
     """Return the sweep of every case that has a stroke, and the margins by the exact model.
+
+    ``blades`` are the deformations that they have besides bending.
 
     Raises
     ------
@@ -53,7 +59,7 @@ def simulate(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result
 
     """
     started = perf_counter()
-    answers = ExactAnswers()
+    answers = ExactAnswers(blades)
     asks = [
         Ask(design.material, design.geometry, design.mechanism, sizes, design.scene(name), answers)
         for name in design.cases
@@ -64,7 +70,7 @@ def simulate(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result
             "no-stroke", "no case moves the joint", "add stroke: to a case, e.g. {rotation: 5 deg}"
         )
     try:
-        sweeps = tuple(_sweep(ask, points) for ask in moving)
+        sweeps = tuple(_sweep(ask, points, blades) for ask in moving)
         values = design_values.values(design, sizes, answers)
     except NotAvailable as error:
         text = f"a {design.geometry.name} {error}"
@@ -80,7 +86,7 @@ def simulate(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result
         status=Status.PASS if passed else Status.FAIL,
         title=design.title,
         values=design_values.with_errors(
-            {**values, **_at_ends(design, sweeps), **_admissible(moving[0], values)},
+            {**values, **_at_ends(design, sweeps), **_admissible(moving[0], values, blades)},
             left_out.errors(effects),
         ),
         checks=checks,
@@ -91,7 +97,7 @@ def simulate(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result
     )
 
 
-def _sweep(ask: Ask, points: int) -> SweepResult:
+def _sweep(ask: Ask, points: int, blades: Effects) -> SweepResult:
     scene, layout = ask.scene, layout_of(ask)
     travels = np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points)
     centre = next(body.point for body in layout.bodies if body.name == MOVING)
@@ -99,7 +105,7 @@ def _sweep(ask: Ask, points: int) -> SweepResult:
         layout,
         held_in(ask, travels),
         loads=forces_on(scene, 1.0, centre),
-        effects=blades_of(layout, Effects()),
+        effects=blades_of(layout, blades),
         tolerance=TOLERANCE,
     )
     missed = [i for i, outcome in enumerate(state.outcome) if outcome is not Outcome.CONVERGED]
@@ -144,7 +150,7 @@ def _points(ask: Ask, state: Equilibrium, travels: Floats) -> tuple[SweepPoint, 
     )
 
 
-def _admissible(ask: Ask, values: Mapping[str, Value]) -> dict[str, Value]:
+def _admissible(ask: Ask, values: Mapping[str, Value], blades: Effects) -> dict[str, Value]:
     """Return the stroke at which the stress at the faces reaches the strength, by the secant.
 
     It starts from the closed form's; where the path ends before, nothing is said.
@@ -162,7 +168,7 @@ def _admissible(ask: Ask, values: Mapping[str, Value]) -> dict[str, Value]:
         state = solve(
             layout,
             {MOVING: ask.geometry.held(travel)},
-            effects=blades_of(layout, Effects()),
+            effects=blades_of(layout, blades),
             tolerance=TOLERANCE,
         )
         if not state.converged[0]:
@@ -178,9 +184,10 @@ def _in_plane(state: Equilibrium, driven: int, own: Floats) -> Floats:
     """Return the stiffness along x, along y and in rotation, the drive held (designs, 3)."""
     K = body_stiffness(state, MOVING)
     free = [axis for axis in range(3) if axis != driven]
-    C = np.linalg.inv(K[:, free][:, :, free])
-    found = np.empty((state.designs, 3))
-    found[:, free] = 1.0 / np.diagonal(C, axis1=1, axis2=2)
+    found = np.full((state.designs, 3), inf)  # between blades that do not stretch
+    if np.isfinite(K).all():
+        C = np.linalg.inv(K[:, free][:, :, free])
+        found[:, free] = 1.0 / np.diagonal(C, axis1=1, axis2=2)
     found[:, driven] = own
     return found
 

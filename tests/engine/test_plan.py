@@ -183,3 +183,50 @@ def test_sizing_by_a_plan_returns_a_conflict_as_it_is():
     geometry = {**PIVOT, "h": {"free": ["0.05 mm", "0.06 mm"]}}
     design = design_of(geometry, accuracy=0.01, requirements={"stiffness": {"min": "100 N*m/rad"}})
     assert size_by_plan(design, "", None, size_by_model).plan is None
+
+
+def test_the_simulation_of_a_stroke_has_the_effects_of_its_plan_and_no_others(monkeypatch):
+    from flexcli.engine.planning.by_plan import simulate_by_plan
+
+    geometry = {
+        "kind": "rcc", "p": "2 mm", "half_angle": "45 deg",
+        "h": "1 mm", "l": "20 mm", "b": "5 mm",
+    }  # fmt: skip
+
+    def swept(**effects):
+        spec = DesignSpec.model_validate(
+            {
+                "flexure": 1,
+                "material": {**MATERIAL, "poisson_ratio": 0.34},
+                "geometry": geometry,
+                "stroke": {"rotation": "2 deg"},
+                "requirements": {"yield": 0.1},
+                "effects": {"plate-widening": "off", **effects},
+            }
+        )
+        return simulate_by_plan(spec, spec.fixed_sizes(), "spec", 3).sweeps[0].points[1].stiffness
+
+    both = swept(shear="on", **{"axial-extension": "on"})
+    neither = swept(shear="off", **{"axial-extension": "off"})
+    closed = 8 * 114e9 * 5e-3 * 1e-9 / 12 / 20e-3 * (3 * 0.1**2 + 3 * 0.1 + 1)
+    assert neither == pytest.approx(closed, rel=1e-9)
+    assert both < 0.995 * neither
+
+
+def test_stops_shut_out_what_their_modes_have_not():
+    from flexcli.engine.plan import plan
+
+    spec = DesignSpec.model_validate(
+        {
+            "flexure": 1,
+            "material": {**MATERIAL, "poisson_ratio": 0.34},
+            "geometry": {"kind": "cantilever", "h": "0.2 mm", "l": "20 mm", "b": "5 mm"},
+            "mechanism": {"kind": "tip-mass", "mass": "1 g", "damping": {"q": 30}},
+            "stroke": {"translation": "4 mm"},
+            "requirements": {"yield": 0.1},
+            "stops": {"travel": "5 mm"},
+            "accuracy": "0.1 %",
+        }
+    )
+    notes = plan(spec, spec.fixed_sizes()).notes
+    assert any(note.code == "effect-excluded" and "large rotation" in note.text for note in notes)

@@ -13,7 +13,7 @@ from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import CLOSED_FORM, Answers
 from flexcli.results import Plan, Result
 
-__all__ = ["check_by_plan", "size_by_plan", "told"]
+__all__ = ["check_by_plan", "simulate_by_plan", "size_by_plan", "told"]
 
 ROUNDS = 3
 """Sizes that a plan is made for before the last one is taken."""
@@ -50,6 +50,16 @@ def size_by_plan(
             break
         result, judge = by_model(design, spec, answers), answers.model
     return told(result, found)
+
+
+def simulate_by_plan(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result:
+    """Return the sweep over the stroke with the effects of the plan and no others."""
+    from flexcli.engine.simulate import simulate
+    from flexcli.mechanics.mesh import Effects
+
+    found = plan(design, sizes, "exact")
+    blades = Effects(extension="axial extension" in found.on, shear="shear" in found.on)
+    return told(simulate(design, sizes, spec, points, blades), found)
 
 
 def told(result: Result, found: Plan) -> Result:

@@ -74,6 +74,9 @@ class Effect(ABC):
 class SceneEffect(Effect):
     """What a scene has or has not: it is on exactly when a case, or the design, states it."""
 
+    shuts_out: ClassVar[frozenset[str]] = frozenset()
+    """Effects of the blades that the solver of such a scene cannot have beside it."""
+
 
 class ModelEffect(Effect):
     """What a model of the blades carries or leaves out."""

@@ -11,6 +11,8 @@ class EndStops(SceneEffect):
     """On where the design has stops."""
 
     name: ClassVar[str] = "end stops"
+    shuts_out: ClassVar[frozenset[str]] = frozenset({"large rotation", "axial load"})
+    """The blade between stops moves in the modes of small motion."""
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return the travel that the stops allow over the length of the blade."""
