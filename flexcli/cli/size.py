@@ -48,7 +48,7 @@ def _size(path: Path, write: Path | None, model: Model | None) -> Result:
     if design.is_planned:
         from flexcli.engine.planning.by_plan import size_by_plan
 
-        result = size_by_plan(design, str(path), model.value if model else None, size_by_model)
+        result = size_by_plan(design, str(path), model.value if model else None)
     elif model in (None, Model.CLOSED_FORM):
         result = size(design, str(path))
     else:

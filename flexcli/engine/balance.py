@@ -69,7 +69,7 @@ def balance(design: DesignSpec, spec: str) -> Result:
     if options.asd is not None:
         left = {name.removeprefix("tau_"): value.value for name, value in residuals.items()}
         values |= vibration_values(states, options.asd, left)
-    values |= design_values.case_values(design)
+    values |= design_values.case_values(map(design.scene, design.cases))
     values |= reaction_values(states)
     checks = assess.checks(design.coupling_limits())
     quality = _quality(design, mechanism)

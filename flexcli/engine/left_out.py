@@ -95,7 +95,7 @@ def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> t
 def _outside_validity(design: DesignSpec, sizes: Sizes) -> Iterator[Note]:
     """Yield where the design leaves the range in which its closed forms hold."""
     geometry = design.geometry
-    at = geometry.indicators(sizes, design.largest_travel())
+    at = geometry.indicators(sizes, setting(design, sizes).largest_travel)
     for limits in outside(geometry.validity, {name: float(x) for name, x in at.items()}):
         text = f"{limits.quantity} = {show(float(at[limits.quantity]), limits.unit)} is outside "
         yield Note("outside-validity", f"{text}{limits.spoken}: {limits.why}")

@@ -60,11 +60,7 @@ def simulate(
     """
     started = perf_counter()
     answers = ExactAnswers(blades)
-    asks = [
-        Ask(design.material, design.geometry, design.mechanism, sizes, design.scene(name), answers)
-        for name in design.cases
-    ]
-    moving = [ask for ask in asks if ask.scene.bends]
+    moving = [ask for ask in design.asks(sizes, answers) if ask.scene.bends]
     if not moving:
         raise SolveError(
             "no-stroke", "no case moves the joint", "add stroke: to a case, e.g. {rotation: 5 deg}"
@@ -100,11 +96,10 @@ def simulate(
 def _sweep(ask: Ask, points: int, blades: Effects) -> SweepResult:
     scene, layout = ask.scene, layout_of(ask)
     travels = np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points)
-    centre = next(body.point for body in layout.bodies if body.name == MOVING)
     state = solve(
         layout,
         held_in(ask, travels),
-        loads=forces_on(scene, 1.0, centre),
+        loads=forces_on(scene, 1.0, layout.body(MOVING).point),
         effects=blades_of(layout, blades),
         tolerance=TOLERANCE,
     )
@@ -117,15 +112,13 @@ def _sweep(ask: Ask, points: int, blades: Effects) -> SweepResult:
 
 
 def _points(ask: Ask, state: Equilibrium, travels: Floats) -> tuple[SweepPoint, ...]:
-    layout = state.layout
-    names = [body.name for body in layout.bodies]
-    index = names.index(MOVING)
-    shift = point_motion(state, MOVING, layout.bodies[index].point)
+    layout, axis = state.layout, driven_axis(ask.geometry)
+    shift = point_motion(state, MOVING, layout.body(MOVING).point)
     peak = greatest_stress(state)
     worst = np.argmax(peak.total, axis=1)
-    effort = state.reactions[:, index, driven_axis(ask.geometry)]
-    plane = _in_plane(state, driven_axis(ask.geometry), driven_stiffness(state, ask))
+    effort = state.reactions[:, layout.index(MOVING), axis]
     stiffness, energy, stable = driven_stiffness(state, ask), strain_energy(state), is_stable(state)
+    plane = _in_plane(state, axis, stiffness)
     return tuple(
         SweepPoint(
             travel=float(travels[i]),
@@ -155,15 +148,11 @@ def _admissible(ask: Ask, values: Mapping[str, Value], blades: Effects) -> dict[
 
     It starts from the closed form's; where the path ends before, nothing is said.
     """
-    name = "theta_adm" if ask.geometry.motion == "rotation" else "x_adm"
-    if name not in values:
+    name, stated = f"{ask.geometry.travel_symbol}_adm", design_values.stated_strength(ask.material)
+    if name not in values or stated is None:
         return {}
     layout, closed = layout_of(ask), values[name]
-    unit_stress = max(
-        abs(float(stress))
-        for stress in ask.geometry.end_stresses(ask.material.elastic, ask.sizes, 1.0).values()
-    )
-    strength, travel = closed.value * unit_stress, closed.value
+    (_, strength), travel = stated, closed.value
     for _ in range(SECANT_STEPS):
         state = solve(
             layout,

@@ -1,14 +1,23 @@
 """The named numbers of a design by a model, each with its estimated error."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import NotAvailable, Sizes
+from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements import CLOSED_FORM, Answers, Ask
+from flexcli.parts.scene import Scene, largest_travel
 from flexcli.results import Value
 
-__all__ = ["DEFINED", "QUANTITY_OF", "STRENGTHS", "case_values", "values", "with_errors"]
+__all__ = [
+    "DEFINED",
+    "QUANTITY_OF",
+    "case_values",
+    "stated_strength",
+    "values",
+    "with_errors",
+]
 
 STRENGTHS = ("admissible_stress", "fatigue_amplitude", "yield_strength")
 """What an admissible stroke is stated for: the first that the material gives."""
@@ -43,11 +52,9 @@ def values(design: DesignSpec, sizes: Sizes, answers: Answers = CLOSED_FORM) -> 
         name: Value(float(size), "m", geometry.label(name), model="given")
         for name, size in sizes._asdict().items()
     }
-    found |= case_values(design)
-    asks = [
-        Ask(material, geometry, design.mechanism, sizes, design.scene(name), answers)
-        for name in design.cases
-    ]
+    asks = design.asks(sizes, answers)
+    scenes = [ask.scene for ask in asks]
+    found |= case_values(scenes)
     stiffness = float(answers.stiffness(asks[0]))
     symbol = "k_pivot" if geometry.motion == "rotation" else "k_stage"
     found[symbol] = Value(
@@ -56,7 +63,7 @@ def values(design: DesignSpec, sizes: Sizes, answers: Answers = CLOSED_FORM) -> 
     found["volume"] = Value(
         float(geometry.volume(sizes)), "m^3", "volume of what flexes in a joint"
     )
-    found |= geometry.values(material.elastic, sizes, design.largest_travel())
+    found |= geometry.values(material.elastic, sizes, largest_travel(scenes))
     found |= _admissible(design, sizes)
     for ask in asks:
         found |= _shift(ask, found)
@@ -82,29 +89,36 @@ def with_errors(values: Mapping[str, Value], errors: Mapping[str, float]) -> dic
     return {name: v._replace(estimated_error=error(name, v)) for name, v in values.items()}
 
 
-def case_values(design: DesignSpec) -> dict[str, Value]:
+def case_values(scenes: Iterable[Scene]) -> dict[str, Value]:
     """Return what the cases ask of each joint; names that differ between cases end in theirs."""
     found: dict[str, Value] = {}
-    for name in design.cases:
-        for key, value in design.scene(name).values.items():
-            found[key if key not in found or found[key] == value else f"{key}_{name}"] = value
+    for scene in scenes:
+        for key, value in scene.values.items():
+            is_new = key not in found or found[key] == value
+            found[key if is_new else f"{key}_{scene.case}"] = value
     return found
+
+
+def stated_strength(material: Material) -> tuple[str, float] | None:
+    """Return what an admissible stroke is stated for, with its name, where the material has it."""
+    name = next((name for name in STRENGTHS if getattr(material, name) is not None), None)
+    return (name, material.strength(name)) if name is not None else None
 
 
 def _admissible(design: DesignSpec, sizes: Sizes) -> dict[str, Value]:
     """Return the travel at which the stress reaches the strength that the material states."""
     geometry, material = design.geometry, design.material
-    strength = next((name for name in STRENGTHS if getattr(material, name) is not None), None)
-    if strength is None or not geometry.is_linear:
+    stated = stated_strength(material)
+    if stated is None or not geometry.is_linear:
         return {}
     try:
         stresses = geometry.end_stresses(material.elastic, sizes, 1.0)
     except NotAvailable:
         return {}
     most = max(abs(float(stress)) for stress in stresses.values())
-    symbol, unit = ("theta", "rad") if geometry.motion == "rotation" else ("x", "m")
-    text = f"stroke at which the stress reaches the {strength.replace('_', ' ')}"
-    return {f"{symbol}_adm": Value(material.strength(strength) / most, unit, text)}
+    name, strength = stated
+    text = f"stroke at which the stress reaches the {name.replace('_', ' ')}"
+    return {f"{geometry.travel_symbol}_adm": Value(strength / most, geometry.travel_unit, text)}
 
 
 def _shift(ask: Ask, known: Mapping[str, Value]) -> dict[str, Value]:

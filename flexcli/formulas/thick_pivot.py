@@ -6,6 +6,8 @@ that a force f = 6γθ/(1 + Φ*) across each blade and ∓f cot α along it keep
 
 import numpy as np
 
+from flexcli.formulas.blade_shear import s_bending_share
+from flexcli.formulas.blade_shear import stiffness_change as relieved
 from flexcli.formulas.card import Card
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import shear_parameter
@@ -87,9 +89,8 @@ def stiffness_change(
     As :func:`give`.
 
     """
-    s_bending = 3.0 * (1.0 + 2.0 * p / l) ** 2
     Phi = give(h=h, l=l, half_angle=half_angle, poisson_ratio=poisson_ratio)
-    return -s_bending / (1.0 + s_bending) * Phi / (1.0 + Phi)
+    return relieved(Phi=Phi, share=s_bending_share(p / l))
 
 
 def stress_change(

@@ -83,3 +83,11 @@ class Layout:
     supports: tuple[Support, ...] = ()
     loads: tuple[Load, ...] = ()
     acceleration: Point = (0.0, 0.0)
+
+    def index(self, name: str) -> int:
+        """Return where a body stands among those that may move; it must be one of them."""
+        return [body.name for body in self.bodies].index(name)
+
+    def body(self, name: str) -> Body:
+        """Return a body that may move."""
+        return self.bodies[self.index(name)]

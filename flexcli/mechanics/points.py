@@ -33,7 +33,7 @@ def point_motion(state: Equilibrium, body: str, point: Point) -> Floats:
         Motion along x and y [m].
 
     """
-    index = [b.name for b in state.layout.bodies].index(body)
+    index = state.layout.index(body)
     motion = state.motions[:, index]
     origin = state.layout.bodies[index].point
     x, y = (column(p) - column(o) for p, o in zip(point, origin, strict=True))

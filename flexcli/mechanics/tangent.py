@@ -37,7 +37,7 @@ def body_stiffness(state: Equilibrium, body: str) -> Floats:
     them, and the array holds NaN; its compliance is always there.
 
     """
-    index = [b.name for b in state.layout.bodies].index(body)
+    index = state.layout.index(body)
     own = 3 * index + np.arange(3)
     values = []
     for part in state.parts:

@@ -157,10 +157,13 @@ class DesignSpec(Part):
         off = [e for e in SCENE_EFFECTS if self.effects.get(e.key) == "off"]
         return [key for effect in off for key in effect.excludes]
 
-    def largest_travel(self) -> float:
-        """Return the largest travel of a joint in any case, from rest [rad or m]."""
-        scenes = [self.scene(name) for name in self.cases]
-        return max((scene.travel + scene.mean_travel for scene in scenes), default=0.0)
+    def ask(self, scene: Scene, sizes: Sizes, answers: Answers) -> Ask:
+        """Return what a requirement of one case is judged on."""
+        return Ask(self.material, self.geometry, self.mechanism, sizes, scene, answers)
+
+    def asks(self, sizes: Sizes, answers: Answers) -> list[Ask]:
+        """Return what is asked in every case."""
+        return [self.ask(self.scene(name), sizes, answers) for name in self.cases]
 
     def limits(self, sizes: Sizes, answers: Answers = CLOSED_FORM) -> list[Limit]:
         """Return every limit of every requirement in every case, on floats, by a model."""
@@ -197,8 +200,7 @@ class DesignSpec(Part):
                 continue
             relevant = [s for s in scenes if requirement.applies(s)]
             for scene in relevant if requirement.per_case else scenes[:1]:
-                ask = Ask(self.material, self.geometry, self.mechanism, sizes, scene, answers)
-                yield from requirement.judged(ask)
+                yield from requirement.judged(self.ask(scene, sizes, answers))
 
     def coupling_limits(self) -> Iterator[Limit]:
         """Yield what a mechanism states of its coupling to the base."""
@@ -251,11 +253,7 @@ class DesignSpec(Part):
         answers = CLOSED_FORM if self.geometry.closed_forms else STAND_IN
         for scene in relevant if requirement.per_case else relevant[:1]:
             try:
-                list(
-                    requirement.judged(
-                        Ask(self.material, self.geometry, self.mechanism, probe, scene, answers)
-                    )
-                )
+                list(requirement.judged(self.ask(scene, probe, answers)))
             except RequirementError as error:
                 yield Problem(path, str(error), error.hint)
 

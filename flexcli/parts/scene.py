@@ -1,6 +1,6 @@
 """What one case asks of each joint: travel, force, what holds the blades' ends."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from math import copysign
 from typing import NamedTuple
 
@@ -12,7 +12,7 @@ from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.parts.shock import Shock
 from flexcli.results import Value
 
-__all__ = ["Scene", "scene_of"]
+__all__ = ["Scene", "largest_travel", "scene_of"]
 
 
 class Scene(NamedTuple):
@@ -58,6 +58,11 @@ class Scene(NamedTuple):
     def blade_force(self) -> float:
         """Return the largest axial force in a blade [N]."""
         return self.force * self.axial_share
+
+
+def largest_travel(scenes: Iterable[Scene]) -> float:
+    """Return the largest travel of the joint in any case, from rest [rad or m]."""
+    return max((scene.travel + scene.mean_travel for scene in scenes), default=0.0)
 
 
 def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geometry) -> Scene:
@@ -117,7 +122,7 @@ def _joint_travel(
             f"the motion of this joint is a {geometry.motion}",
             f"give {geometry.motion}:, or a mechanism that turns one into the other",
         )
-    symbol, unit = ("theta", "rad") if geometry.motion == "rotation" else ("x", "m")
+    symbol, unit = geometry.travel_symbol, geometry.travel_unit
     values[f"{symbol}_stroke"] = Value(travel, unit, "stroke of each joint (amplitude)")
     if mean:
         values[f"{symbol}_mean"] = Value(mean, unit, "middle of the stroke from rest")

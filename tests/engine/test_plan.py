@@ -10,7 +10,6 @@ from flexcli.engine.check import check
 from flexcli.engine.plan import plan, planned_answers
 from flexcli.engine.planning.audit import audit
 from flexcli.engine.planning.by_plan import check_by_plan, size_by_plan
-from flexcli.engine.sizing.corrected import size_by_model
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 
@@ -172,7 +171,7 @@ def test_sizing_by_a_plan_meets_the_requirement_by_the_model_that_it_calls_for()
         geometry, accuracy=0.01, effects=BEAMS,
         requirements={"stiffness": {"min": "1 N*m/rad"}, "yield": 1.0},
     )  # fmt: skip
-    result = size_by_plan(design, "", None, size_by_model)
+    result = size_by_plan(design, "", None)
     assert result.plan.model in result.cost.model
     assert all(one.passed for one in result.checks)
     sizes = design.geometry.sized({"h": result.values["h"].value})
@@ -182,7 +181,7 @@ def test_sizing_by_a_plan_meets_the_requirement_by_the_model_that_it_calls_for()
 def test_sizing_by_a_plan_returns_a_conflict_as_it_is():
     geometry = {**PIVOT, "h": {"free": ["0.05 mm", "0.06 mm"]}}
     design = design_of(geometry, accuracy=0.01, requirements={"stiffness": {"min": "100 N*m/rad"}})
-    assert size_by_plan(design, "", None, size_by_model).plan is None
+    assert size_by_plan(design, "", None).plan is None
 
 
 def test_the_simulation_of_a_stroke_has_the_effects_of_its_plan_and_no_others(monkeypatch):

@@ -108,8 +108,7 @@ class ExactAnswers(Answers):
             levels=self.levels,
         )
         if geometry.motion == "translation":
-            at = next(b.point for b in layout.bodies if b.name == MOVING)
-            return -float(point_motion(state, MOVING, at)[0, 0])
+            return -float(point_motion(state, MOVING, layout.body(MOVING).point)[0, 0])
         x, y = point_motion(state, MOVING, (0.0, 0.0))[0]
         return float(np.copysign(np.hypot(x, y), -x))
 
@@ -146,8 +145,7 @@ class ExactAnswers(Answers):
             for mesh in meshes(layout, blades_of(layout, self.effects), LEVELS[0])
         )
         most = REACH * clamped
-        centre = next(b.point for b in layout.bodies if b.name == MOVING)
-        load = Load(MOVING, centre, (sign, 0.0))
+        load = Load(MOVING, layout.body(MOVING).point, (sign, 0.0))
         source = f"exact model, the body {HOLDS[ends]}"
         try:
             reached = critical_load(

@@ -21,10 +21,11 @@ def blade_places(blade: Blade, l: float) -> tuple[Floats, Floats]:
     """Return places along the flexible pieces of a blade of length l and thickness there [m]."""
     u = np.linspace(-1.0, 1.0, POINTS)
     pieces = blade.profile.pieces(l)
-    return tuple(
+    position, thickness = (
         np.concatenate([np.broadcast_to(function(u), u.shape) for function in functions])
         for functions in ([p.position for p in pieces], [p.thickness for p in pieces])
-    )  # type: ignore[return-value] # two arrays
+    )
+    return position, thickness
 
 
 def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterator[EndStress]:

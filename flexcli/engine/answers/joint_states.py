@@ -85,8 +85,7 @@ def case_demand(ask: Ask, layout: Layout) -> tuple[Held, list[Load]]:
     signs = np.array([1.0, 1.0, -1.0, -1.0])
     if not scene.forces:
         ends, signs = ends[:2], signs[:2]
-    centre = next(body.point for body in layout.bodies if body.name == MOVING)
-    return held_in(ask, ends), forces_on(scene, signs, centre)
+    return held_in(ask, ends), forces_on(scene, signs, layout.body(MOVING).point)
 
 
 def over_stroke(

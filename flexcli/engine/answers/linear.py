@@ -37,8 +37,7 @@ class LinearAnswers(Answers):
         found = linear(
             layout, {MOVING: ask.geometry.held(1.0)}, effects=blades_of(layout, self.effects)
         )
-        index = [body.name for body in layout.bodies].index(MOVING)
-        return float(found.reactions[0, index, axis])
+        return float(found.reactions[0, layout.index(MOVING), axis])
 
     def sag_stiffness(self, ask: Ask) -> Quantity:
         """Return the stiffness along the case's acceleration [N/m]."""

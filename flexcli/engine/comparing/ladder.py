@@ -82,7 +82,7 @@ def ladder(geometry: Geometry, tolerance: float = FINEST[0]) -> tuple[Rung, ...]
 
 def numbers(design: DesignSpec, sizes: Sizes) -> Iterator[Number]:
     """Yield what is reported of a design's joint: at rest, then case by case."""
-    geometry, asks = design.geometry, _asks(design, sizes)
+    geometry, asks = design.geometry, design.asks(sizes, CLOSED_FORM)
     turns = geometry.motion == "rotation"
     stiffness, unit = ("k_pivot", "N*m/rad") if turns else ("k_stage", "N/m")
     yield Number(stiffness, "stiffness at rest", unit, _by(asks[0], _stiffness))
@@ -97,11 +97,6 @@ def numbers(design: DesignSpec, sizes: Sizes) -> Iterator[Number]:
             yield Number(f"shift{end}", f"parasitic shift, {scene.case}", "m", _by(ask, _shift))
         if scene.forces and scene.ends is not None:
             yield Number(f"F_cr{end}", f"critical force, {scene.case}", "N", _by(ask, _critical))
-
-
-def _asks(design: DesignSpec, sizes: Sizes) -> list[Ask]:
-    given = (design.material, design.geometry, design.mechanism, sizes)
-    return [Ask(*given, design.scene(name), CLOSED_FORM) for name in design.cases]
 
 
 def _by(ask: Ask, number: Callable[[Ask], float]) -> Callable[[Answers], float]:

@@ -142,6 +142,7 @@ class _Penalty:
             def approach(_: float, x: Floats, side: int = side, gap: float = gap) -> float:
                 return side * float(self._blade.stop @ x[: self._n]) - gap
 
+            # solve_ivp reads it from the function itself
             approach.direction = 1.0  # type: ignore[attr-defined]
             yield approach
 

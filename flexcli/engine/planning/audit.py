@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterator, Mapping
 
-from flexcli.engine import left_out
 from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.engine.answers.linear import LinearAnswers
 from flexcli.errors import SolveError
@@ -36,10 +35,7 @@ Number = Callable[[Answers, Ask], float]
 
 def audit(design: DesignSpec, sizes: Sizes, found: Plan) -> tuple[AuditRow, ...]:
     """Return true contributions beside the estimates of a plan, and whether it was right."""
-    asks = [
-        Ask(design.material, design.geometry, design.mechanism, sizes, scene, CLOSED_FORM)
-        for scene in left_out.setting(design, sizes).scenes
-    ]
+    asks = design.asks(sizes, CLOSED_FORM)
     rows: list[AuditRow] = []
     for effect in found.effects:
         true = _true(effect.name, asks, found.reported)

@@ -1,6 +1,5 @@
 """The verbs run by the plan of the spec: its model judges, its effects are told with the result."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from math import isfinite
 
@@ -8,9 +7,10 @@ from flexcli.engine import values as design_values
 from flexcli.engine.check import check
 from flexcli.engine.plan import plan, planned_answers
 from flexcli.engine.size import size
+from flexcli.engine.sizing.corrected import size_by_model
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import CLOSED_FORM, Answers
+from flexcli.parts.requirements import CLOSED_FORM
 from flexcli.results import Plan, Result
 
 __all__ = ["check_by_plan", "simulate_by_plan", "size_by_plan", "told"]
@@ -28,12 +28,7 @@ def check_by_plan(design: DesignSpec, sizes: Sizes, spec: str, model: str | None
     return told(check(design, sizes, spec, planned_answers(found)), found)
 
 
-def size_by_plan(
-    design: DesignSpec,
-    spec: str,
-    model: str | None,
-    by_model: Callable[[DesignSpec, str, Answers], Result],
-) -> Result:
+def size_by_plan(design: DesignSpec, spec: str, model: str | None) -> Result:
     """Return the design sized by the model that the sized design calls for.
 
     The closed forms size it first; the plan is made for what they find, and once more for what
@@ -48,7 +43,7 @@ def size_by_plan(
         answers = planned_answers(found)
         if answers.model == judge:
             break
-        result, judge = by_model(design, spec, answers), answers.model
+        result, judge = size_by_model(design, spec, answers), answers.model
     return told(result, found)
 
 

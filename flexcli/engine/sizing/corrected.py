@@ -41,10 +41,10 @@ def size_by_model(design: DesignSpec, spec: str, answers: Answers) -> Result:
     started = perf_counter()
     corrections: dict[str, float] = {}
     for rounds in range(1, ROUNDS + 1):
-        result = size(design.corrected(corrections), spec, answers)
-        chosen = _ideal(design, result)
+        corrected = design.corrected(corrections)
+        chosen = _ideal(design, size(corrected, spec))
         if chosen is None:
-            return _timed(result, started, rounds)
+            return _timed(size(corrected, spec, answers), started, rounds)
         found = _corrections(design, chosen, answers)
         change = max((abs(found[n] / corrections.get(n, 1.0) - 1.0) for n in found), default=0.0)
         if change <= SETTLED:

@@ -9,7 +9,7 @@ from flexcli.parts.bending import Bending, Change, Changes, bending_of
 from flexcli.parts.geometries import Blade, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import Scene, largest_travel
 from flexcli.parts.stops import Stops
 
 __all__ = ["Effect", "Indicator", "ModelEffect", "SceneEffect", "Setting"]
@@ -44,7 +44,7 @@ class Setting(NamedTuple):
     @property
     def largest_travel(self) -> float:
         """Return the largest travel of the joint in any case [rad or m]."""
-        return max((s.travel + s.mean_travel for s in self.scenes), default=0.0)
+        return largest_travel(self.scenes)
 
 
 class Indicator(NamedTuple):

@@ -134,6 +134,16 @@ class Geometry(Part):
         return self.sized(dict.fromkeys(self.free, 1e-3))
 
     @property
+    def travel_symbol(self) -> str:
+        """Return the symbol of its travel in the names of values."""
+        return "theta" if self.motion == "rotation" else "x"
+
+    @property
+    def travel_unit(self) -> str:
+        """Return the SI unit of its travel."""
+        return "rad" if self.motion == "rotation" else "m"
+
+    @property
     def stiffness_unit(self) -> str:
         """Return the SI unit of the stiffness along the motion."""
         return "N*m/rad" if self.motion == "rotation" else "N/m"

@@ -15,9 +15,10 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.parts.base import Length, PositiveLength, QuantityOf, spec_error
-from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
 from flexcli.parts.geometries.notch import CONCENTRATION, Concentration, throat_factor
+from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, places
 from flexcli.results import Value
 
 __all__ = ["HingedPivot", "HingedStage"]
@@ -110,7 +111,7 @@ class _Hinged(Geometry):
         ]  # fmt: skip
 
 
-class HingedStage(_Hinged):
+class HingedStage(SagsAlongStroke, _Hinged):
     """Parallel stage of n limbs with a notch hinge at each end (four hinges for two limbs)."""
 
     motion: ClassVar[str] = "translation"
@@ -139,19 +140,11 @@ class HingedStage(_Hinged):
 
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a limb per force on the stage along the limbs [-]."""
-        if direction != 0.0:
-            raise NotAvailable("takes a load along its limbs only (direction: 0 deg)")
-        return 1.0 / self.limbs
+        return force_share(direction, self.limbs, "limbs")
 
     def parasitic_shift(self, sizes: LimbSizes, travel: float) -> Quantity:
         """Return the motion towards the base, x²/(2l) as of pins [m]."""
         return travel**2 / (2.0 * sizes.l)
-
-    def sag_stiffness(self, elastic: Elastic, sizes: LimbSizes, axis: str) -> Quantity:
-        """Return the stiffness along the stroke x [N/m]."""
-        if axis != "x":
-            raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")
-        return self.stiffness(elastic, sizes)
 
     def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Quantity]:
         """Return what its closed forms are valid in: shape and stroke."""
@@ -159,11 +152,9 @@ class HingedStage(_Hinged):
 
     def layout(self, elastic: Elastic, sizes: LimbSizes) -> Layout:
         """Return limbs along x between their hinges; the stage's point is at half their height."""
-        if self.spacing is None:
-            raise NotAvailable("needs spacing: the distance from limb to limb")
-        bodies, strips, middle = [], [], (self.limbs - 1) / 2.0
-        for index in range(self.limbs):
-            y, name = (index - middle) * self.spacing, f"limb {index + 1}"
+        bodies, strips = [], []
+        for index, y in enumerate(places(self.limbs, self.spacing, "limb"), 1):
+            name = f"limb {index}"
             bodies.append(Body(name, (sizes.l / 2.0, y)))
             strips += self.limb(name, (0.0, y), (sizes.l, y), sizes)
         bodies.append(Body(MOVING, (sizes.l / 2.0, 0.0)))

@@ -12,16 +12,17 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import Length, PositiveLength
-from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade
 from flexcli.parts.geometries.blades import BladeGeometry
+from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, places
 from flexcli.parts.structure import Spring
 from flexcli.results import Value
 
 __all__ = ["LeafSpringStage"]
 
 
-class LeafSpringStage(BladeGeometry):
+class LeafSpringStage(SagsAlongStroke, BladeGeometry):
     """n parallel blades between the base and a stage that moves across them."""
 
     motion: ClassVar[str] = "translation"
@@ -63,26 +64,15 @@ class LeafSpringStage(BladeGeometry):
 
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""
-        if direction != 0.0:
-            raise NotAvailable("takes a load along its blades only (direction: 0 deg)")
-        return 1.0 / self.blades
+        return force_share(direction, self.blades, "blades")
 
     def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
         """Return the motion towards the base [m]."""
         return stage.shortening(l=sizes.l, x=travel)
 
-    def sag_stiffness(self, elastic: Elastic, sizes: Blade, axis: str) -> Quantity:
-        """Return the stiffness along the stroke x [N/m]."""
-        if axis != "x":
-            raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")
-        return self.stiffness(elastic, sizes)
-
     def places(self) -> tuple[float, ...]:
         """Return where the blades stand across the stage [m], about its middle."""
-        if self.spacing is None:
-            raise NotAvailable("needs spacing: the distance from blade to blade")
-        middle = (self.blades - 1) / 2.0
-        return tuple((index - middle) * self.spacing for index in range(self.blades))
+        return places(self.blades, self.spacing, "blade")
 
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
         """Return the blades along x; the stage's point is at half their height."""

@@ -96,12 +96,13 @@ class LinkageGeometry(Geometry):
         )
         return Linkage(tuple(map(Link, names)), joints, self.ground, self.input)
 
-    # which motion it is depends on its input, as no other geometry's does
+    # which motion it is depends on its input: no constant of the class, as it is elsewhere
     @property
     def motion(self) -> str:  # type: ignore[override]
         """Return the kind of motion of the input."""
         return "rotation" if self.joints[self.input].along is None else "translation"
 
+    # nor is whether its closed forms are posynomials, which its flexures decide
     @property
     def posynomial(self) -> bool:  # type: ignore[override]
         """Return whether all its flexures are."""

@@ -14,7 +14,8 @@ from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import PositiveLength, spec_error
 from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Geometry
+from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent
+from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, places
 from flexcli.results import Value
 
 __all__ = ["NeckedDownStage"]
@@ -36,7 +37,7 @@ class NeckedSizes(NamedTuple):
         return 2.0 * self.l_c / self.l
 
 
-class NeckedDownStage(Geometry):
+class NeckedDownStage(SagsAlongStroke):
     """n parallel blades of length l, each flexible over l_c at both ends: ξ = 2 l_c/l ≤ 1."""
 
     motion: ClassVar[str] = "translation"
@@ -113,9 +114,7 @@ class NeckedDownStage(Geometry):
 
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""
-        if direction != 0.0:
-            raise NotAvailable("takes a load along its blades only (direction: 0 deg)")
-        return 1.0 / self.blades
+        return force_share(direction, self.blades, "blades")
 
     def axial_stress(self, force: float, sizes: NeckedSizes) -> Quantity:
         """Return N/(h b) in a hinge [Pa]."""
@@ -136,26 +135,14 @@ class NeckedDownStage(Geometry):
         """Return the motion towards the base [m]."""
         return necked_stage.shortening(l=sizes.l, x=travel, xi=sizes.xi)
 
-    def sag_stiffness(self, elastic: Elastic, sizes: NeckedSizes, axis: str) -> Quantity:
-        """Return the stiffness along the stroke x [N/m]."""
-        if axis != "x":
-            raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")
-        return self.stiffness(elastic, sizes)
-
     def layout(self, elastic: Elastic, sizes: NeckedSizes) -> Layout:
         """Return the blades along x; the stage's point is at half their height."""
-        if self.spacing is None:
-            raise NotAvailable("needs spacing: the distance from blade to blade")
         h, l_c, l, b = sizes
-        middle = (self.blades - 1) / 2.0
+        profile = NeckedDown(per_design(h), per_design(l_c))
         blades = tuple(
-            Strip(
-                f"blade {index + 1}", GROUND, MOVING,
-                (0.0, (index - middle) * self.spacing), (l, (index - middle) * self.spacing),
-                NeckedDown(per_design(h), per_design(l_c)), b,
-            )
-            for index in range(self.blades)
-        )  # fmt: skip
+            Strip(f"blade {index}", GROUND, MOVING, (0.0, y), (l, y), profile, b)
+            for index, y in enumerate(places(self.blades, self.spacing, "blade"), 1)
+        )
         return Layout((Body(MOVING, (l / 2.0, 0.0)),), blades, elastic.E, elastic.shear)
 
     def values(self, elastic: Elastic, sizes: NeckedSizes, travel: float) -> dict[str, Value]:

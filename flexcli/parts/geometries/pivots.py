@@ -5,6 +5,7 @@ from math import cos, pi, sin
 from typing import Annotated, ClassVar
 
 from flexcli.formulas import pivot, pivot_next_shift, thick_pivot
+from flexcli.formulas.blade_shear import s_bending_share
 from flexcli.formulas.card import Card
 from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
 from flexcli.formulas.profile import Constant, per_design
@@ -57,8 +58,7 @@ class BladePivot(BladeGeometry):
 
     def s_bending_share(self, sizes: Blade) -> float:
         """Return 3(1 + 2δ)²/(1 + 3(1 + 2δ)²): the rest is uniform bending, free of shear."""
-        s_bending = 3.0 * (1.0 + 2.0 * self.offset(sizes) / sizes.l) ** 2
-        return float(s_bending / (1.0 + s_bending))
+        return float(s_bending_share(self.offset(sizes) / sizes.l))
 
     def spring(self, elastic: Elastic, sizes: Blade) -> Spring:
         """Return the pivot as a linear spring in its plane."""

@@ -10,9 +10,10 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.stage import shortening
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
-from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Held
 from flexcli.parts.geometries.blades import BladeGeometry
+from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share
 
 __all__ = ["Cantilever", "GuidedBlade", "MomentBlade"]
 
@@ -27,9 +28,7 @@ class _SingleBlade(BladeGeometry):
 
     def axial_share(self, direction: float) -> float:
         """Return 1 for a force along the blade."""
-        if direction != 0.0:
-            raise NotAvailable("takes a load along its blade only (direction: 0 deg)")
-        return 1.0
+        return force_share(direction, 1, "blade")
 
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
         """Return the blade along x, its tip on the moving body."""
@@ -43,7 +42,7 @@ class _SingleBlade(BladeGeometry):
         return {**self.ratios(sizes), **stroke}
 
 
-class Cantilever(_SingleBlade):
+class Cantilever(SagsAlongStroke, _SingleBlade):
     """A clamped blade that a force moves at its free tip."""
 
     motion: ClassVar[str] = "translation"
@@ -67,12 +66,6 @@ class Cantilever(_SingleBlade):
     def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
         """Return the motion of the tip towards the clamp, 3x²/(5l) as of a guided one [m]."""
         return shortening(l=sizes.l, x=travel)
-
-    def sag_stiffness(self, elastic: Elastic, sizes: Blade, axis: str) -> Quantity:
-        """Return the stiffness along the stroke x [N/m]."""
-        if axis != "x":
-            raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")
-        return self.stiffness(elastic, sizes)
 
 
 class GuidedBlade(_SingleBlade):

@@ -50,7 +50,7 @@ def compliance(ask: Ask, point: tuple[float, float, float]) -> NDArray[np.float6
         layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
         if layout.G is None:
             raise NotAvailable("needs material.poisson_ratio for its shear and torsion")
-        (x, y), *_ = (body.point for body in layout.bodies if body.name == MOVING)
+        x, y = layout.body(MOVING).point
         return support_compliance(layout, MOVING, (x + point[0], y + point[1], point[2]))
     except NotAvailable as error:
         hint = "complete the design, or leave this requirement out"
