@@ -1,15 +1,27 @@
 """Judge sizes by every requirement: one design into checks, or many at once into factors."""
 
 from collections.abc import Iterable
+from dataclasses import replace
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.requirements import Limit
-from flexcli.results import Check
+from flexcli.results import Check, Verdict
 
-__all__ = ["CHUNK", "ROUNDING", "checks", "factor", "factors", "required"]
+__all__ = [
+    "CHUNK",
+    "ROUNDING",
+    "SEVERITY",
+    "checks",
+    "factor",
+    "factors",
+    "required",
+    "span",
+    "verdict",
+]
 
 ROUNDING = 1e-9
 """A factor this little (relative) below the required one is rounding, not a failure: what a
@@ -41,7 +53,7 @@ def checks(limits: Iterable[Limit]) -> tuple[Check, ...]:
     for limit in limits:
         root = 1.0 / limit.power
         demand, capacity = float(limit.demand), float(limit.capacity)
-        found, asked = factor(limit, demand, capacity), required(limit)
+        found, asked, between = factor(limit, demand, capacity), required(limit), span(limit)
         check = Check(
             name=limit.title,
             case=limit.case,
@@ -51,12 +63,53 @@ def checks(limits: Iterable[Limit]) -> tuple[Check, ...]:
             unit=limit.unit,
             factor=found,
             required=asked,
-            passed=found >= asked * (1.0 - ROUNDING),
+            verdict=verdict(between, asked),
             source=limit.source,
+            factor_range=between,
         )
-        if limit.name not in worst or check.margin < worst[limit.name].margin:
+        if limit.name not in worst or _order(check) < _order(worst[limit.name]):
             worst[limit.name] = check
     return tuple(worst.values())
+
+
+def span(limit: Limit) -> tuple[float, float] | None:
+    """Return between which factors a limit lies by the error of its number, if that is known."""
+    if limit.error is None:
+        return None
+    demand, capacity = float(limit.demand), float(limit.capacity)
+    plain = replace(limit, tolerance=None)
+    found = factor(plain, demand, capacity)
+    low, high = (max(1.0 + error, 0.0) for error in limit.error)
+    if limit.in_capacity:
+        ends = sorted((found * low, found * high))
+    else:
+        ends = sorted((found / high if high else inf, found / low if low else inf))
+    least, most = ends
+    if limit.tolerance is None:
+        return least, most
+    if least <= 0.0:
+        return 0.0, min(max(most, 0.0), 1.0)
+    inside = [min(end, 1.0 / end) for end in ends]
+    return min(inside), 1.0 if least <= 1.0 <= most else max(inside)
+
+
+def verdict(between: tuple[float, float] | None, asked: float) -> Verdict:
+    """Return what a range of factors says of the one that is required."""
+    if between is None:
+        return Verdict.UNDECIDED
+    least = asked * (1.0 - ROUNDING)
+    if between[0] >= least:
+        return Verdict.PASS
+    return Verdict.UNDECIDED if between[1] >= least else Verdict.FAIL
+
+
+SEVERITY = {Verdict.FAIL: 0, Verdict.UNDECIDED: 1, Verdict.NOT_JUDGED: 2, Verdict.PASS: 3}
+"""Which of several limits decides a check: the worst verdict, then the least factor."""
+
+
+def _order(check: Check) -> tuple[int, float]:
+    between = check.factor_range
+    return SEVERITY[check.verdict], check.factor if between is None else between[0]
 
 
 def factors(design: DesignSpec, **sizes: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:

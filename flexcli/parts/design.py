@@ -26,6 +26,7 @@ from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.scene import Scene, scene_of
 from flexcli.parts.sizing import QUANTITIES, SizeOptions
 from flexcli.parts.stops import Stops, StopsMisfit
+from flexcli.results import EXACT
 
 __all__ = ["DesignSpec", "Problem"]
 
@@ -193,7 +194,8 @@ class DesignSpec(Part):
     def _limits(self, sizes: Sizes, answers: Answers, *, closed_form: bool) -> Iterator[Limit]:
         yield from self.coupling_limits()
         for text, small, large in self.geometry.fits(sizes):
-            yield Limit("geometry", "", text, small, large, "m", "the joint's own shape")
+            shape = "the joint's own shape"
+            yield Limit("geometry", "", text, small, large, "m", shape, error=EXACT)
         scenes = [self.scene(name) for name in self.cases]
         for _, requirement in self.requirements.each():
             if closed_form and not requirement.closed_form:
@@ -214,6 +216,7 @@ class DesignSpec(Part):
                 "kg",
                 "force balance: |τ| over that without balancing masses",
                 variant="max",
+                error=EXACT,
             )
 
     def problems(self) -> list[Problem]:

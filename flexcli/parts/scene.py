@@ -1,6 +1,7 @@
 """What one case asks of each joint: travel, force, what holds the blades' ends."""
 
 from collections.abc import Iterable, Mapping
+from enum import StrEnum
 from math import copysign
 from typing import NamedTuple
 
@@ -12,7 +13,20 @@ from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.parts.shock import Shock
 from flexcli.results import Value
 
-__all__ = ["Scene", "largest_travel", "scene_of"]
+__all__ = ["LoadKind", "Scene", "largest_travel", "scene_of"]
+
+
+class LoadKind(StrEnum):
+    """What a case can load a mechanism with, by its key in the spec."""
+
+    STROKE = "stroke"
+    LOAD = "load"
+    WRENCH = "wrench"
+    ACCELERATION = "acceleration"
+    ASD = "asd"
+    SHOCK = "shock"
+    SINE = "sine"
+    SWEEP = "sweep"
 
 
 class Scene(NamedTuple):
@@ -43,6 +57,10 @@ class Scene(NamedTuple):
     wrench: tuple[float, ...] | None
     forces: tuple[tuple[float, float], ...]
     values: Mapping[str, Value]
+    loads: frozenset[LoadKind] = frozenset()
+    """What the case states; each has to be looked at by some requirement."""
+    pushed_by: frozenset[LoadKind] = frozenset()
+    """Those of them that are in ``force``."""
 
     @property
     def bends(self) -> bool:
@@ -103,7 +121,23 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         wrench=case.wrench.components if case.wrench else None,
         forces=tuple(acting),
         values=values,
+        loads=frozenset(kind for kind in LoadKind if getattr(case, kind.value) is not None),
+        pushed_by=_pushed_by(case),
     )
+
+
+def _pushed_by(case: Case) -> frozenset[LoadKind]:
+    """Return the loads of a case that its force on the joints is made of."""
+    found = {LoadKind.LOAD} if case.load is not None else set()
+    steady, asd, shock = case.acceleration, case.asd, case.shock
+    for kind, axes in (
+        (LoadKind.ACCELERATION, (steady.axis,) if steady is not None else ()),
+        (LoadKind.ASD, asd.axes if asd is not None else ()),
+        (LoadKind.SHOCK, (shock.axis,) if shock is not None else ()),
+    ):
+        if axes and _loads_joints(case, kind.value, axes):
+            found.add(kind)
+    return frozenset(found)
 
 
 def _joint_travel(

@@ -25,11 +25,15 @@ from flexcli.results.explanation import (
     ValidityRow,
 )
 from flexcli.results.judgement import (
+    EXACT,
     Check,
     EffectRow,
+    ErrorRange,
     Note,
     Property,
+    QuantityKind,
     Value,
+    Verdict,
 )
 from flexcli.results.plan import AuditRow, ModelRow, Plan
 from flexcli.results.result import (
@@ -63,6 +67,7 @@ from flexcli.results.vibration import (
 )
 
 __all__ = [
+    "EXACT",
     "AccuracyResult",
     "AuditRow",
     "BalanceResult",
@@ -73,6 +78,7 @@ __all__ = [
     "CouplingTerm",
     "Design",
     "EffectRow",
+    "ErrorRange",
     "Explanation",
     "FormulaRow",
     "GravityRow",
@@ -85,6 +91,7 @@ __all__ = [
     "ProfileRow",
     "Property",
     "QuantityAccuracy",
+    "QuantityKind",
     "Reading",
     "Relaxation",
     "Result",
@@ -107,5 +114,6 @@ __all__ = [
     "UnknownResult",
     "ValidityRow",
     "Value",
+    "Verdict",
     "WorstCaseRow",
 ]

@@ -1,10 +1,65 @@
 """What a design is judged by: values, checks, effects left out, notes."""
 
 from collections.abc import Mapping
+from enum import StrEnum
 from types import MappingProxyType
 from typing import NamedTuple
 
-__all__ = ["Check", "EffectRow", "Note", "Property", "Value"]
+__all__ = [
+    "EXACT",
+    "Check",
+    "EffectRow",
+    "ErrorRange",
+    "Note",
+    "Property",
+    "QuantityKind",
+    "Value",
+    "Verdict",
+]
+
+
+class QuantityKind(StrEnum):
+    """What a number of a design is, where models differ in it and effects change it."""
+
+    STIFFNESS = "stiffness"
+    STRESS = "stress"
+    SHIFT = "shift"
+    BUCKLING = "buckling"
+    SAG = "sag"
+    FREQUENCY = "frequency"
+    SUPPORT = "support"
+    RESPONSE = "response"
+
+
+class ErrorRange(NamedTuple):
+    """Between which relative errors a number lies: true = number · (1 + error)."""
+
+    low: float
+    high: float
+
+    @property
+    def largest(self) -> float:
+        """Return the largest magnitude."""
+        return max(abs(self.low), abs(self.high))
+
+    def __add__(self, other: object) -> "ErrorRange":
+        """Return the range of two errors that add up."""
+        if not isinstance(other, ErrorRange):
+            return NotImplemented
+        return ErrorRange(self.low + other.low, self.high + other.high)
+
+
+EXACT = ErrorRange(0.0, 0.0)
+"""Of a number that the spec itself defines, such as a mass or a ratio of sizes."""
+
+
+class Verdict(StrEnum):
+    """What a check says of a design: the whole range of its factor has to hold for a pass."""
+
+    PASS = "pass"
+    FAIL = "fail"
+    UNDECIDED = "undecided"
+    NOT_JUDGED = "not judged"
 
 
 class Value(NamedTuple):
@@ -25,7 +80,9 @@ class Check(NamedTuple):
     """One requirement of one case: demand against capacity.
 
     ``factor`` is the factor of safety capacity/demand (for a bound, how far inside it the
-    design is), ``margin`` is factor/required − 1.
+    design is), ``margin`` is factor/required − 1. ``factor_range`` is where the factor lies by
+    the estimated error of ``model``, nothing where that error is unknown; ``seconds`` is what it
+    took to decide, models asked in vain included.
     """
 
     name: str
@@ -36,8 +93,16 @@ class Check(NamedTuple):
     unit: str
     factor: float
     required: float
-    passed: bool
+    verdict: Verdict
     source: str
+    factor_range: tuple[float, float] | None = None
+    model: str = ""
+    seconds: float = 0.0
+
+    @property
+    def passed(self) -> bool:
+        """Return whether the requirement holds for sure."""
+        return self.verdict is Verdict.PASS
 
     @property
     def margin(self) -> float:

@@ -10,6 +10,7 @@ from flexcli.engine import assess
 from flexcli.engine.check import check
 from flexcli.parts.geometries import Blade
 from flexcli.parts.requirements import Limit
+from flexcli.results import EXACT
 
 ROUNDING = 1e-12
 H, L, B = np.meshgrid([2e-4, 5e-4], [5e-3, 2e-2], [2e-3, 1e-2])
@@ -42,7 +43,7 @@ def test_shapes_broadcast_and_large_batches_are_judged_in_parts(monkeypatch):
 
 def test_rounding_below_the_required_factor_is_no_failure():
     def passes(capacity):
-        limit = Limit("x", "", "x", 1.0, capacity, "Pa", "", required=2.5)
+        limit = Limit("x", "", "x", 1.0, capacity, "Pa", "", required=2.5, error=EXACT)
         return assess.checks([limit])[0].passed
 
     assert passes(2.5 * (1.0 - 1e-10))

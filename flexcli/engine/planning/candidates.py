@@ -125,9 +125,9 @@ def _closed_form(setting: Setting, names: tuple[str, ...], wanted: list[Known]) 
             continue
         changes = each.effect.all_changes(setting)
         for name in each.estimates:
-            _, bound, error = changes[name]
+            bound = changes[name].bound
             first[name] += bound
-            errors[name] += error
+            errors[name] += changes[name].error
             if each.name == "large rotation" and bending is not None:
                 errors[name] += bound * bending.ratio
     known = 0.0 if bending is not None else inf

@@ -10,12 +10,14 @@ __all__ = ["Bending", "Change", "Changes", "whole"]
 class Change(NamedTuple):
     """Relative change of a reported number: its best value, if any, and a bound of its size.
 
-    ``error`` is how far off the value may be, besides what is of its own square.
+    ``error`` is how far off the value may be, besides what is of its own square; ``sign`` tells,
+    where only the bound is known, that the number can but rise (+1) or fall (−1).
     """
 
     value: float | None
     bound: float
     error: float = 0.0
+    sign: int = 0
 
 
 Changes: TypeAlias = Mapping[str, Change]

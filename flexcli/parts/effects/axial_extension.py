@@ -29,10 +29,12 @@ class AxialExtension(ModelEffect):
         if blade is None or bending is None:
             return {}
         found = dict(bending.extension())
-        for name, (value, bound, error) in bending.stretched(largest_load(setting)).items():
+        for name, more in bending.stretched(largest_load(setting)).items():
             first = found.get(name, whole(0.0))
-            both = None if value is None or first.value is None else first.value + value
-            found[name] = Change(both, first.bound + bound, first.error + error)
+            both = None
+            if more.value is not None and first.value is not None:
+                both = first.value + more.value
+            found[name] = Change(both, first.bound + more.bound, first.error + more.error)
         held = [s.ends for s in setting.scenes if s.blade_force and s.ends]
         if held:
             reach = min(EFFECTIVE_LENGTH[ends] for ends in held) * blade.l

@@ -24,7 +24,7 @@ class AxialLoad(ModelEffect):
         bending, n = setting.bending, largest_load(setting)
         if not n or bending is None:
             return {}
-        return {name: Change(None, bound) for name, (_, bound, _) in bending.load(n).items()}
+        return {name: Change(None, found.bound) for name, found in bending.load(n).items()}
 
 
 def largest_load(setting: Setting) -> float:

@@ -8,6 +8,7 @@ from flexcli.parts.geometries.base import Critical, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.scene import Scene
+from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["Answers", "Ask", "EndStress", "RequirementError"]
 
@@ -69,6 +70,10 @@ class Answers(ABC):
     def frequency_factor(self, ask: Ask) -> float:
         """Return what it knows of a frequency besides the stiffness, as a factor [-]."""
         return 1.0
+
+    def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
+        """Return the error of its numbers of a kind, nothing where nobody can estimate it."""
+        return None
 
     @abstractmethod
     def stiffness(self, ask: Ask) -> Quantity:

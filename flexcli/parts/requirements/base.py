@@ -11,7 +11,8 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.parts.base import Part, Ratio, spec_error
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements.ask import Ask, RequirementError
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
+from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["Bound", "FactorRequirement", "Limit", "Requirement"]
 
@@ -24,7 +25,9 @@ class Limit:
     (both ends of a blade, both signs) make one check, decided by the worst. ``power`` says that
     demand and capacity are given raised to it, so that roots stay out of the algebra. ``load``
     marks what a balanced design makes active together, in each ``joint`` that has sizes of its
-    own; ``driver`` is what the demand grows with.
+    own; ``driver`` is what the demand grows with. ``kind`` says what models differ in, and
+    ``in_capacity`` that it is the capacity which is of this kind, not the demand; ``error`` is
+    that of the number, unknown unless somebody gives it.
     """
 
     requirement: str
@@ -41,6 +44,9 @@ class Limit:
     joint: str = ""
     driver: str = ""
     tolerance: float | None = None
+    kind: QuantityKind | None = None
+    in_capacity: bool = False
+    error: ErrorRange | None = None
 
     @property
     def is_bound(self) -> bool:
@@ -70,6 +76,10 @@ class Requirement(Part):
     def applies(self, scene: Scene) -> bool:
         """Return whether this case has what the requirement is about."""
         return True
+
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return which loads of a case that it applies to its limits take into account."""
+        return frozenset()
 
     @abstractmethod
     def limits(self, ask: Ask) -> Iterator[Limit]:
@@ -132,7 +142,16 @@ class Bound(Requirement):
         return self
 
     def bounds(
-        self, value: Quantity, *, case: str, quantity: str, unit: str, source: str, power: int = 1
+        self,
+        value: Quantity,
+        *,
+        case: str,
+        quantity: str,
+        unit: str,
+        source: str,
+        power: int = 1,
+        kind: QuantityKind | None = None,
+        error: ErrorRange | None = None,
     ) -> Iterator[Limit]:
         """Yield a limit for each bound on a value given raised to ``power``."""
 
@@ -141,6 +160,7 @@ class Bound(Requirement):
                 self.label, case, quantity, demand, capacity, unit, source,
                 variant=variant, power=power,
                 tolerance=self.tolerance if variant == "equals" else None,
+                kind=kind, in_capacity=variant == "min", error=error,
             )  # fmt: skip
 
         if self.max is not None:

@@ -6,7 +6,8 @@ from typing import ClassVar
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
+from flexcli.results import QuantityKind
 
 __all__ = ["Buckling"]
 
@@ -19,6 +20,10 @@ class Buckling(FactorRequirement):
     def applies(self, scene: Scene) -> bool:
         """Return whether the case puts a force along the blades."""
         return self.covers(scene) and scene.blade_force > 0.0
+
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return what pushes the joint."""
+        return scene.pushed_by
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield force against critical force, bending across the thickness and across the width."""
@@ -40,4 +45,6 @@ class Buckling(FactorRequirement):
                 required=self.factor,
                 load=True,
                 driver="force",
+                kind=QuantityKind.BUCKLING,
+                in_capacity=True,
             )

@@ -17,8 +17,9 @@ from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.requirements.yielding import Allowable
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import Structure
+from flexcli.results import QuantityKind
 
 if TYPE_CHECKING:
     from flexcli.parts.response import RandomResponse
@@ -44,6 +45,10 @@ class _Dynamic(FactorRequirement):
     def applies(self, scene: Scene) -> bool:
         """Return whether the base moves in this case."""
         return self.covers(scene) and (scene.vibration is not None or scene.shock is not None)
+
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return what shakes the base."""
+        return scene.loads & {LoadKind.ASD, LoadKind.SHOCK}
 
     def peaks(self, ask: Ask, prefix: str) -> Iterator[_Peak]:
         """Yield the peak of every output whose name starts with the prefix."""
@@ -129,6 +134,7 @@ class DynamicYield(_Dynamic):
                 "Pa",
                 f"{peak.source}; allowable: {self.allowable}",
                 required=self.factor,
+                kind=QuantityKind.RESPONSE,
             )
 
 
@@ -160,6 +166,7 @@ class DynamicBuckling(_Dynamic):
                 "N",
                 f"{peak.source}; {critical.source}: {scene.ends_why}",
                 required=self.factor,
+                kind=QuantityKind.RESPONSE,
             )
 
 
@@ -204,4 +211,5 @@ class DynamicLife(_Dynamic):
                 "s",
                 f"{method}, S-N amplitudes at R = −1, {mean}, modal response, Q = {vibration.q:g}",
                 required=self.factor,
+                kind=QuantityKind.RESPONSE,
             )

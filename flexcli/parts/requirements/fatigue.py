@@ -8,7 +8,8 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
+from flexcli.results import QuantityKind
 
 __all__ = ["Fatigue"]
 
@@ -26,6 +27,11 @@ class Fatigue(FactorRequirement):
     def applies(self, scene: Scene) -> bool:
         """Return whether the case has a stroke that repeats."""
         return self.covers(scene) and scene.travel > 0.0
+
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return the stroke, and as its mean what pushes the joint."""
+        steady = frozenset() if self.mean_stress == "none" else scene.pushed_by
+        return steady | {LoadKind.STROKE}
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield amplitude against strength at each end."""
@@ -56,6 +62,7 @@ class Fatigue(FactorRequirement):
                     load=True,
                     joint=stress.joint,
                     driver="stroke" if method == "none" else scene.driver,
+                    kind=QuantityKind.STRESS,
                 )
         except MissingProperty as missing:
             raise RequirementError(

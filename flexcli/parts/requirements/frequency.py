@@ -8,6 +8,7 @@ from flexcli.parts.base import QuantityOf
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
+from flexcli.results import QuantityKind
 
 __all__ = ["Frequency"]
 
@@ -42,4 +43,5 @@ class Frequency(Bound):
             unit="Hz",
             source="√(k/m)/2π",
             power=2,
+            kind=QuantityKind.FREQUENCY,
         )

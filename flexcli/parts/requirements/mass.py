@@ -6,6 +6,7 @@ from typing import Annotated, ClassVar
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
+from flexcli.results import EXACT
 
 __all__ = ["Mass"]
 
@@ -31,4 +32,5 @@ class Mass(Bound):
             quantity="mass of the blades of a joint",
             unit="kg",
             source="ρ n h l b",
+            error=EXACT,
         )

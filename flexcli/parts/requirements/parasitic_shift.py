@@ -6,7 +6,8 @@ from typing import Annotated, ClassVar
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.requirements.base import Bound, Limit
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
+from flexcli.results import QuantityKind
 
 __all__ = ["ParasiticShift"]
 
@@ -27,6 +28,10 @@ class ParasiticShift(Bound):
         """Return whether the case has a stroke."""
         return scene.travel > 0.0
 
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return the stroke."""
+        return frozenset({LoadKind.STROKE})
+
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the shift, with either sign, against its bound."""
         scene = ask.scene
@@ -38,4 +43,5 @@ class ParasiticShift(Bound):
                 quantity="parasitic shift at full stroke",
                 unit="m",
                 source=ask.geometry.source,
+                kind=QuantityKind.SHIFT,
             )

@@ -7,7 +7,8 @@ from flexcli.parts.base import QuantityOf
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
+from flexcli.results import QuantityKind
 
 __all__ = ["Sag"]
 
@@ -28,6 +29,10 @@ class Sag(Bound):
         """Return whether the case has a steady acceleration."""
         return scene.acceleration > 0.0
 
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return the steady acceleration."""
+        return frozenset({LoadKind.ACCELERATION})
+
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the sag."""
         scene = ask.scene
@@ -46,4 +51,5 @@ class Sag(Bound):
             quantity=f"sag along {scene.axis}",
             unit="m",
             source=ask.geometry.source,
+            kind=QuantityKind.SAG,
         )

@@ -6,6 +6,7 @@ from typing import Annotated, ClassVar
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
+from flexcli.results import EXACT
 
 __all__ = ["Slenderness", "WidthRatio"]
 
@@ -25,7 +26,12 @@ class _Shape(Bound):
                 f"a {ask.geometry.name} has no {self.label}", f"it has {', '.join(ratios)}"
             )
         yield from self.bounds(
-            ratios[self.label], case="", quantity=self.label, unit="", source="geometry"
+            ratios[self.label],
+            case="",
+            quantity=self.label,
+            unit="",
+            source="geometry",
+            error=EXACT,
         )
 
 

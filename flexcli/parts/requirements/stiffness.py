@@ -8,6 +8,7 @@ from pydantic import field_validator
 from flexcli.parts.base import in_either
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
+from flexcli.results import QuantityKind
 
 __all__ = ["Stiffness"]
 
@@ -42,4 +43,5 @@ class Stiffness(Bound):
             quantity="stiffness of a joint",
             unit=unit,
             source=ask.geometry.source,
+            kind=QuantityKind.STIFFNESS,
         )

@@ -19,7 +19,8 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
+from flexcli.results import QuantityKind
 
 __all__ = ["Deflection", "Direction", "Support"]
 
@@ -137,7 +138,12 @@ class Support(Bound):
         }
         name = f"{self.label} {self.direction}" + (f"/{self.over}" if self.over else "")
         for limit in self.model_copy(update=plain).bounds(
-            float(value), case="", quantity=self.spoken, unit=self.unit, source=SOURCE
+            float(value),
+            case="",
+            quantity=self.spoken,
+            unit=self.unit,
+            source=SOURCE,
+            kind=QuantityKind.SUPPORT,
         ):
             yield replace(limit, requirement=name)
 
@@ -180,6 +186,10 @@ class Deflection(Bound):
         """Return whether the case has a wrench."""
         return scene.wrench is not None
 
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return the wrench."""
+        return frozenset({LoadKind.WRENCH})
+
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the deflection, with either sign, against its bound."""
         assert ask.scene.wrench is not None  # it applies
@@ -193,5 +203,6 @@ class Deflection(Bound):
                 quantity=f"deflection {_along(self.direction)} under the wrench",
                 unit=self.unit,
                 source=SOURCE,
+                kind=QuantityKind.SUPPORT,
             ):
                 yield replace(limit, requirement=f"{self.label} {self.direction}")

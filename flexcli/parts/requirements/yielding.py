@@ -9,7 +9,8 @@ from flexcli.parts.base import spec_error
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import LoadKind, Scene
+from flexcli.results import QuantityKind
 
 __all__ = ["Yield"]
 
@@ -36,6 +37,10 @@ class Yield(FactorRequirement):
             scene.travel > 0.0 or scene.mean_travel > 0.0 or scene.blade_force > 0.0
         )
 
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return the stroke and what pushes the joint."""
+        return scene.pushed_by | {LoadKind.STROKE}
+
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the largest stress at each end against each allowable."""
         name, found = ask.answers.stresses(ask)
@@ -61,4 +66,5 @@ class Yield(FactorRequirement):
                     load=True,
                     joint=stress.joint,
                     driver=ask.scene.driver,
+                    kind=QuantityKind.STRESS,
                 )
