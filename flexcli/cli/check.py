@@ -41,7 +41,6 @@ def run(
 
 def _check(path: Path, model: Model | None) -> Result:
     from flexcli.engine.check import check
-    from flexcli.engine.models import answers_for
     from flexcli.spec.given import given_sizes
     from flexcli.spec.load import load_design
 
@@ -49,10 +48,4 @@ def _check(path: Path, model: Model | None) -> Result:
         hint = "a design has flexure, material, geometry, cases and requirements"
         raise SpecError([Finding(str(path), "there is no design in this folder", hint)])
     design, document = load_design(path)
-    if design.is_planned:
-        from flexcli.engine.planning.by_plan import check_by_plan
-
-        sizes = given_sizes(design, document)
-        return check_by_plan(design, sizes, str(path), model.value if model else None)
-    answers = answers_for(design.geometry, model.value if model else None)
-    return check(design, given_sizes(design, document), str(path), answers)
+    return check(design, given_sizes(design, document), str(path), model.value if model else None)

@@ -45,6 +45,7 @@ class Format(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
 class Model(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
     """The model of the joint that judges a design."""
 
+    SOURCE = "source"
     CLOSED_FORM = "closed-form"
     LINEAR = "linear"
     EXACT = "exact"
@@ -54,7 +55,7 @@ ModelOption = Annotated[
     Model | None,
     typer.Option(
         "--model",
-        help="Model of the joint; by the spec's accuracy, or the closed form, if left out.",
+        help="Model that judges alone; each check by the cheapest that decides it, if left out.",
     ),
 ]
 FormatOption = Annotated[

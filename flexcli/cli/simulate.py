@@ -45,7 +45,7 @@ def _simulate(path: Path, points: int, table: Path | None) -> Result:
 
     design, document = load_design(path)
     sizes = given_sizes(design, document)
-    if design.is_planned:
+    if design.accuracy is not None:
         from flexcli.engine.planning.by_plan import simulate_by_plan
 
         result = simulate_by_plan(design, sizes, str(path), points)

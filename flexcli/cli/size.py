@@ -38,21 +38,12 @@ def run(
 
 
 def _size(path: Path, write: Path | None, model: Model | None) -> Result:
-    from flexcli.engine.models import answers_of
     from flexcli.engine.size import size
-    from flexcli.engine.sizing.corrected import size_by_model
     from flexcli.spec.load import load_design
     from flexcli.spec.save import sized_text
 
     design, document = load_design(path)
-    if design.is_planned:
-        from flexcli.engine.planning.by_plan import size_by_plan
-
-        result = size_by_plan(design, str(path), model.value if model else None)
-    elif model in (None, Model.CLOSED_FORM):
-        result = size(design, str(path))
-    else:
-        result = size_by_model(design, str(path), answers_of(model.value))
+    result = size(design, str(path), model.value if model else None)
     if write is not None and result.checks:
         geometry = design.geometry
         sizes = {geometry.place(name): result.values[name].value for name in geometry.extents}

@@ -59,7 +59,7 @@ def _stops(path: Path, simulate: bool, sweep: bool, seed: int | None, csv: Path 
     design, document = load_design(path)
     sizes = given_sizes(design, document)
     result = stops(design, sizes, str(path))
-    if design.is_planned:
+    if design.accuracy is not None:
         from flexcli.engine.plan import plan
         from flexcli.engine.planning.by_plan import told
 

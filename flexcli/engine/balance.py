@@ -1,6 +1,6 @@
 """The verb balance: what the motion of its base does to a mechanism, before and after balancing."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from time import perf_counter
 
 from flexcli.engine import assess, left_out
@@ -16,14 +16,17 @@ from flexcli.engine.balancing.base_motion import (
 from flexcli.engine.balancing.coupling_tolerance import coupling_terms, tolerance_values
 from flexcli.engine.balancing.freedom import Freedom, freedoms
 from flexcli.engine.balancing.over_stroke import over_stroke, shift_coupling
+from flexcli.engine.judge import status_of
 from flexcli.errors import SolveError
 from flexcli.formulas.transfer import natural_frequency
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.parts.mechanisms.force_balance import Balancing
 from flexcli.parts.mechanisms.parallel_stage import ParallelStage
+from flexcli.parts.requirements import AS_PRINTED
 from flexcli.results import (
     BalanceResult,
+    Check,
     Cost,
     CouplingTerm,
     Note,
@@ -78,11 +81,11 @@ def balance(design: DesignSpec, spec: str) -> Result:
         values |= sag_values(gravity, states[-1])
     solved = stage.balancing if stage else None
     sizes = design.fixed_sizes()
-    errors = left_out.errors(left_out.effects(design, sizes)) if sizes is not None else {}
+    errors = left_out.errors_of(design, sizes, AS_PRINTED) if sizes is not None else {}
     return Result(
         command="balance",
         spec=spec,
-        status=_status(solved, passed=all(check.passed for check in checks)),
+        status=_status(solved, checks),
         title=design.title,
         values=design_values.with_errors(values, errors),
         checks=checks,
@@ -172,10 +175,10 @@ def _quality(design: DesignSpec, mechanism: Mechanism) -> float | None:
     return design.balance.asd.q if design.balance.asd is not None else None
 
 
-def _status(solved: Balancing | None, *, passed: bool) -> Status:
+def _status(solved: Balancing | None, checks: Iterable[Check]) -> Status:
     if solved is not None and not solved.met:
         return Status.INFEASIBLE
-    return Status.PASS if passed else Status.FAIL
+    return status_of(checks)
 
 
 def _outcome(solved: Balancing | None) -> str:

@@ -1,49 +1,112 @@
-"""The verb check: judge the blade that the spec gives."""
+"""The verb check: judge the sizes that the spec gives."""
 
+from collections.abc import Iterator
+from dataclasses import replace
 from time import perf_counter
 
-from flexcli.engine import assess, left_out
+from flexcli.engine import left_out
 from flexcli.engine import values as design_values
+from flexcli.engine.judge import Judgement, judge
+from flexcli.engine.models import answers_of, rungs
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import CLOSED_FORM, Answers, Limit, RequirementError
-from flexcli.results import Cost, Result, Status
+from flexcli.parts.requirements import Answers
+from flexcli.results import Cost, Note, Result, Value, Verdict
 
-__all__ = ["check", "judged_by"]
-
-MODEL = "closed-form"
+__all__ = ["check", "judged", "told_values"]
 
 
-def check(design: DesignSpec, sizes: Sizes, spec: str, answers: Answers = CLOSED_FORM) -> Result:
-    """Return the checks of one blade by a model, with values, effects and warnings."""
+def check(design: DesignSpec, sizes: Sizes, spec: str, model: str | None = None) -> Result:
+    """Return the checks of given sizes, each by the cheapest model that decides it.
+
+    Parameters
+    ----------
+    design : DesignSpec
+        The design.
+    sizes : named tuple
+        Its sizes [m].
+    spec : str
+        Its name in the result.
+    model : str, optional
+        The model that alone judges, over that of the spec.
+
+    Returns
+    -------
+    Result
+        Checks with their verdicts, values, effects and warnings.
+
+    """
     started = perf_counter()
-    rows = left_out.effects(design, sizes, answers)
-    errors = left_out.errors(rows)
-    found = assess.checks(judged_by(design, sizes, answers))
-    passed = all(check.passed for check in found)
-    return Result(
-        command="check",
-        spec=spec,
-        status=Status.PASS if passed else Status.FAIL,
-        title=design.title,
-        values=design_values.with_errors(design_values.values(design, sizes, answers), errors),
-        checks=found,
-        effects=rows,
-        warnings=left_out.warnings(design, sizes, rows),
-        cost=Cost(
-            perf_counter() - started,
-            answers.model,
-            max(errors.values(), default=None),
-        ),
-    )
-
-
-def judged_by(design: DesignSpec, sizes: Sizes, answers: Answers) -> list[Limit]:
-    """Return every limit by a model; what it cannot answer is a :class:`SolveError`."""
-    try:
-        return design.limits(sizes, answers)
-    except RequirementError as error:
+    if not _has_something_to_judge(design):
         raise SolveError(
-            f"{answers.model}-has-no-answer", str(error), error.hint or "take another model"
-        ) from error
+            "nothing-to-judge",
+            "the requirements are empty: there is nothing to judge",
+            "ask for something, e.g. requirements: {yield: 1.5}",
+        )
+    found = judge(design, sizes, rungs(design, model))
+    result = judged("check", design, sizes, spec, found, model)
+    assert result.cost is not None  # a judgement has one
+    return replace(result, cost=replace(result.cost, seconds=perf_counter() - started))
+
+
+def judged(
+    command: str,
+    design: DesignSpec,
+    sizes: Sizes,
+    spec: str,
+    found: Judgement,
+    model: str | None = None,
+) -> Result:
+    """Return a judgement with the values of a design by the cheapest model, and its warnings."""
+    answers = answers_of(design, model or design.model or _cheapest(design))
+    values, rows = told_values(design, sizes, answers), left_out.effects(design, sizes, answers)
+    errors = [v.estimated_error for v in values.values() if v.estimated_error is not None]
+    result = Result(
+        command=command,
+        spec=spec,
+        status=found.status,
+        title=design.title,
+        values=values,
+        checks=found.checks,
+        effects=rows,
+        warnings=(*left_out.warnings(design, sizes, rows), *_open(design, found)),
+        cost=Cost(0.0, found.models, max(errors, default=None), by_model=found.by_model),
+    )
+    if design.accuracy is None or answers.model == "source":
+        return result
+    from flexcli.engine.planning.by_plan import with_planned_values
+
+    return with_planned_values(result, design, sizes, model or design.model)
+
+
+def told_values(design: DesignSpec, sizes: Sizes, answers: Answers) -> dict[str, Value]:
+    """Return the values of a design by a model, each with its estimated error."""
+    try:
+        found = design_values.values(design, sizes, answers)
+    except NotAvailable as error:
+        text = f"a {design.geometry.name} {error}"
+        raise SolveError(f"{answers.model}-has-no-answer", text, "take another model") from error
+    return design_values.with_errors(found, left_out.errors_of(design, sizes, answers))
+
+
+def _cheapest(design: DesignSpec) -> str:
+    return "closed-form" if design.geometry.closed_forms else "exact"
+
+
+def _has_something_to_judge(design: DesignSpec) -> bool:
+    coupled = any(True for _ in design.coupling_limits())
+    return coupled or any(True for _ in design.requirements.each())
+
+
+def _open(design: DesignSpec, found: Judgement) -> Iterator[Note]:
+    """Yield what would decide a check that is not decided."""
+    undecided = [c for c in found.checks if c.verdict is Verdict.UNDECIDED]
+    if undecided and design.material.poisson_ratio is None:
+        names = ", ".join(dict.fromkeys(check.name for check in undecided))
+        text = (
+            "material.poisson_ratio is not given and was taken as anything from 0 to ½; "
+            f"giving it may decide {names}"
+        )
+        yield Note("needs-poisson-ratio", text)

@@ -1,16 +1,15 @@
 """What the model of a design leaves out, and what a reviewer must know beside the margins."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
-from flexcli.formulas.card import outside
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, Setting
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import CLOSED_FORM, Answers
-from flexcli.results import EffectRow, Note
+from flexcli.parts.requirements import AS_PRINTED, Answers
+from flexcli.results import EffectRow, Note, QuantityKind
 from flexcli.units import show
 
-__all__ = ["NOTABLE", "effects", "errors", "reported", "setting", "warnings"]
+__all__ = ["NOTABLE", "effects", "errors_of", "reported", "setting", "warnings"]
 
 NOTABLE = 0.05
 """An effect left out that may change a number by more than this is a warning, not only a row."""
@@ -40,11 +39,12 @@ def reported(design: DesignSpec, given: Setting) -> tuple[str, ...]:
 
 
 def effects(
-    design: DesignSpec, sizes: Sizes, answers: Answers = CLOSED_FORM
+    design: DesignSpec, sizes: Sizes, answers: Answers = AS_PRINTED
 ) -> tuple[EffectRow, ...]:
     """Return the effects that this design can have, and which of them the model leaves out."""
     given = setting(design, sizes)
     names = reported(design, given)
+    carries = answers.carried(given)
     rows = []
     for effect in MODEL_EFFECTS:
         indicator = effect.indicator(given)
@@ -55,17 +55,25 @@ def effects(
         most = max(estimates, key=lambda name: estimates[name], default="")
         reason = f"{indicator.text}; most in {most}" if most else indicator.text
         size = estimates.get(most, 0.0)
-        carried = effect.name in answers.covers | answers.always
-        rows.append(EffectRow(effect.name, carried, indicator.value, size, reason, estimates))
+        carried = effect.name in carries
+        asked = design.effects.get(effect.key, "auto")
+        rows.append(
+            EffectRow(effect.name, carried, indicator.value, size, reason, estimates, asked)
+        )
     return tuple(rows)
 
 
-def errors(rows: Iterable[EffectRow]) -> dict[str, float]:
-    """Return the estimated error of each reported quantity: all together that is left out."""
-    found: dict[str, float] = {}
-    for row in rows:
-        for name, estimate in row.estimates.items():
-            found[name] = found.get(name, 0.0) + (0.0 if row.on else estimate)
+def errors_of(design: DesignSpec, sizes: Sizes, answers: Answers) -> dict[str, float]:
+    """Return the estimated error of a model's numbers by kind, the largest of all cases.
+
+    A kind whose error nobody can estimate is not there.
+    """
+    asks, found = design.asks(sizes, answers), {}
+    for kind in QuantityKind:
+        each = [answers.error(ask, kind) for ask in asks]
+        known = [error.largest for error in each if error is not None]
+        if len(known) == len(each):
+            found[kind.value] = max(known, default=0.0)
     return found
 
 
@@ -95,7 +103,7 @@ def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> t
 def _outside_validity(design: DesignSpec, sizes: Sizes) -> Iterator[Note]:
     """Yield where the design leaves the range in which its closed forms hold."""
     geometry = design.geometry
-    at = geometry.indicators(sizes, setting(design, sizes).largest_travel)
-    for limits in outside(geometry.validity, {name: float(x) for name, x in at.items()}):
-        text = f"{limits.quantity} = {show(float(at[limits.quantity]), limits.unit)} is outside "
+    reach = setting(design, sizes).largest_travel
+    for limits, at in geometry.outside_validity(sizes, reach):
+        text = f"{limits.quantity} = {show(at, limits.unit)} is outside "
         yield Note("outside-validity", f"{text}{limits.spoken}: {limits.why}")

@@ -1,29 +1,32 @@
 """The models of a joint, from the cheapest to the finest, by the names that a user gives them."""
 
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import NamedTuple
+
+from flexcli.engine.answers.corrected import Corrected
 from flexcli.errors import SolveError
-from flexcli.parts.geometries import Geometry
-from flexcli.parts.requirements import CLOSED_FORM, Answers
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect
+from flexcli.parts.requirements import AS_PRINTED, Answers
 
-__all__ = ["MODELS", "answers_for", "answers_of"]
+__all__ = ["LADDER", "MODELS", "Rung", "answers_of", "rungs"]
 
-MODELS = ("closed-form", "linear", "exact")
+LADDER = ("closed-form", "linear", "exact")
+"""What judges, the cheapest first."""
 
-
-def answers_of(model: str) -> Answers:
-    """Return the model of a name; the solvers are imported for the models that need them."""
-    if model == "linear":
-        from flexcli.engine.answers.linear import LinearAnswers
-
-        return LinearAnswers()
-    if model == "exact":
-        from flexcli.engine.answers.exact import ExactAnswers
-
-        return ExactAnswers()
-    return CLOSED_FORM
+MODELS = ("source", *LADDER)
 
 
-def answers_for(geometry: Geometry, model: str | None) -> Answers:
-    """Return the model asked for, else the cheapest that the geometry has.
+class Rung(NamedTuple):
+    """A model by its name, made when it is first asked."""
+
+    name: str
+    make: Callable[[], Answers]
+
+
+def rungs(design: DesignSpec, model: str | None = None) -> tuple[Rung, ...]:
+    """Return the models that may judge a design, the cheapest first; the one insisted on alone.
 
     Raises
     ------
@@ -31,7 +34,40 @@ def answers_for(geometry: Geometry, model: str | None) -> Answers:
         When closed forms are asked of a geometry that has none.
 
     """
-    if not geometry.closed_forms and model == CLOSED_FORM.model:
-        text = f"a {geometry.name} has no closed forms"
+    asked = model or design.model
+    if asked is not None:
+        return (Rung(asked, partial(answers_of, design, asked)),)
+    names = LADDER if design.geometry.closed_forms else LADDER[1:]
+    return tuple(Rung(name, partial(answers_of, design, name)) for name in names)
+
+
+def answers_of(design: DesignSpec, model: str) -> Answers:
+    """Return a model of a design's joint; solvers are imported for the models that need them.
+
+    The sources' formulas are taken as they stand; the other models get a correction for every
+    effect that they do not carry, save what the spec switches off.
+    """
+    if model in ("source", "closed-form") and not design.geometry.closed_forms:
+        text = f"a {design.geometry.name} has no closed forms"
         raise SolveError("no-closed-forms", text, "take --model linear or exact")
-    return answers_of(model or (CLOSED_FORM.model if geometry.closed_forms else "exact"))
+    heard = _heard(design.effects)
+    if model == "source":
+        return Corrected(AS_PRINTED, (), model, left_out=heard)
+    if model == "closed-form":
+        return Corrected(AS_PRINTED, heard, model)
+    from flexcli.mechanics.mesh import Effects
+
+    off = {key for key, wish in design.effects.items() if wish == "off"}
+    blades = Effects(extension="axial-extension" not in off, shear="shear" not in off)
+    if model == "linear":
+        from flexcli.engine.answers.linear import LinearAnswers
+
+        return Corrected(LinearAnswers(blades), heard, model)
+    from flexcli.engine.answers.exact import ExactAnswers
+
+    return Corrected(ExactAnswers(blades), heard, model)
+
+
+def _heard(effects: Mapping[str, str]) -> tuple[ModelEffect, ...]:
+    """Return the effects that the spec does not switch off."""
+    return tuple(e for e in MODEL_EFFECTS if effects.get(e.key) != "off")

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from math import inf
 
 from flexcli.engine import left_out
+from flexcli.engine.answers.corrected import Corrected
 from flexcli.engine.planning.candidates import (
     Candidate,
     Known,
@@ -18,12 +19,11 @@ from flexcli.engine.planning.candidates import (
     errors_of,
     tolerance_for,
 )
-from flexcli.engine.planning.corrections import Corrected
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.effects import MODEL_EFFECTS, SCENE_EFFECTS, Setting
+from flexcli.parts.effects import MODEL_EFFECTS, SCENE_EFFECTS, ModelEffect, Setting
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import CLOSED_FORM, Answers
+from flexcli.parts.requirements import AS_PRINTED, Answers
 from flexcli.results import EffectRow, ModelRow, Note, Plan
 
 __all__ = ["ACCURACY", "plan", "planned_answers"]
@@ -89,8 +89,8 @@ def plan(
 def planned_answers(found: Plan) -> Answers:
     """Return the model of a plan, with the effects that are on and no others."""
     on = set(found.on)
-    inner: Answers = CLOSED_FORM
-    if found.model != CLOSED_FORM.model:
+    inner: Answers = AS_PRINTED
+    if found.model != "closed-form":
         from flexcli.engine.answers.exact import ExactAnswers
         from flexcli.engine.answers.linear import LinearAnswers
         from flexcli.mechanics.mesh import Effects
@@ -99,7 +99,12 @@ def planned_answers(found: Plan) -> Answers:
         exact = found.model == ExactAnswers.model
         inner = ExactAnswers(blades, found.tolerance) if exact else LinearAnswers(blades)
     extra = [e for e in MODEL_EFFECTS if e.name in on and e.name not in inner.covers | inner.always]
-    return Corrected(inner, extra) if extra else inner
+    return Corrected(inner, extra, _named(inner, extra))
+
+
+def _named(inner: Answers, extra: list[ModelEffect]) -> str:
+    name = "closed-form" if inner is AS_PRINTED else inner.model
+    return f"{name} with {', '.join(e.name for e in extra)}" if extra else name
 
 
 def _known(design: DesignSpec, setting: Setting, names: tuple[str, ...]) -> Iterator[Known]:

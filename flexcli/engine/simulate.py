@@ -7,7 +7,7 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine import assess, left_out
+from flexcli.engine import left_out
 from flexcli.engine import values as design_values
 from flexcli.engine.answers.exact import TOLERANCE, ExactAnswers, driven_stiffness
 from flexcli.engine.answers.joint_states import (
@@ -17,7 +17,8 @@ from flexcli.engine.answers.joint_states import (
     held_in,
     layout_of,
 )
-from flexcli.engine.check import judged_by
+from flexcli.engine.judge import judge
+from flexcli.engine.models import answers_of, rungs
 from flexcli.errors import SolveError
 from flexcli.mechanics.energy import strain_energy
 from flexcli.mechanics.equilibrium import solve
@@ -40,6 +41,8 @@ __all__ = ["simulate"]
 Floats = NDArray[np.float64]
 
 ALL = Effects()
+
+EXACT_MODEL = ExactAnswers.model
 
 SECANT_STEPS, SETTLED = 30, 1e-9
 """The stress is nearly in proportion to the stroke: each step keeps two digits more."""
@@ -71,25 +74,29 @@ def simulate(
     except NotAvailable as error:
         text = f"a {design.geometry.name} {error}"
         raise SolveError("no-layout", text, "take a joint that is made of blades") from error
-    checks = assess.checks(judged_by(design, sizes, answers))
+    found = judge(design, sizes, rungs(design, EXACT_MODEL))
     reached = not any(sweep.missed for sweep in sweeps)
-    passed = reached and all(check.passed for check in checks)
-    effects = left_out.effects(design, sizes, answers)
+    effects = left_out.effects(design, sizes, answers_of(design, EXACT_MODEL))
     errors = [p.estimated_error for sweep in sweeps for p in sweep.points]
     return Result(
         command="simulate",
         spec=spec,
-        status=Status.PASS if passed else Status.FAIL,
+        status=found.status if reached or found.status is not Status.PASS else Status.FAIL,
         title=design.title,
         values=design_values.with_errors(
             {**values, **_at_ends(design, sweeps), **_admissible(moving[0], values, blades)},
-            left_out.errors(effects),
+            left_out.errors_of(design, sizes, answers_of(design, EXACT_MODEL)),
         ),
-        checks=checks,
+        checks=found.checks,
         sweeps=sweeps,
         effects=effects,
         warnings=left_out.warnings(design, sizes, effects),
-        cost=Cost(perf_counter() - started, answers.model, max(errors, default=None)),
+        cost=Cost(
+            perf_counter() - started,
+            answers.model,
+            max(errors, default=None),
+            by_model=found.by_model,
+        ),
     )
 
 

@@ -4,10 +4,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from time import perf_counter
 
-from flexcli.engine import assess, left_out
-from flexcli.engine import values as design_values
-from flexcli.engine.check import MODEL, judged_by
+from flexcli.engine.check import judged
+from flexcli.engine.judge import judge
+from flexcli.engine.models import Rung, rungs
 from flexcli.engine.sizing.balanced import Balanced, NotBalanced
+from flexcli.engine.sizing.decided import corrections_at, difference
 from flexcli.engine.sizing.grid import GridPoint
 from flexcli.engine.sizing.number_program import LimitsOf, number_sizing
 from flexcli.engine.sizing.number_route import NumberRoute
@@ -17,25 +18,45 @@ from flexcli.errors import SolveError
 from flexcli.numerics.geometric_program import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import CLOSED_FORM, Answers
-from flexcli.parts.sizing import Objective
+from flexcli.parts.sizing import Correction, Objective
 from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value
 
 __all__ = ["size", "size_by"]
+
+ROUNDS = 15
+SETTLED = 1e-7
+"""Change of every correction (relative) at which the rounds end; the rest is added to it, so that
+the models that judge find the requirement met."""
+
+GRID_ROUNDS = 8
+"""Grid points that the models that judge may refuse before the last one is shown as it is."""
+
+EASING = (1.0, 1.1, 1.5, 3.0, 10.0, 100.0)
+"""By what the requirements are eased to find where a design that seems infeasible is judged."""
 
 LARGE_SENSITIVITY = 3.0
 """Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
 
 
-def size(design: DesignSpec, spec: str, answers: Answers = CLOSED_FORM) -> Result:
+def size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
     """Return the sized design with margins, or the conflict that leaves none.
 
-    It is chosen by the closed forms; ``answers`` is the model that judges what was chosen.
+    The sources' formulas choose, corrected in rounds until they say what the models that judge
+    say of their choice; then the choice is judged like any other design.
+
+    Parameters
+    ----------
+    design : DesignSpec
+        The design whose free dimensions are chosen.
+    spec : str
+        Its name in the result.
+    model : str, optional
+        The model that alone judges, over that of the spec.
 
     Raises
     ------
     SolveError
-        When the geometry has no closed forms, beside what a sizing may run into.
+        When the geometry has no closed forms, or a sizing has no answer.
 
     """
     if not design.geometry.closed_forms:
@@ -44,9 +65,14 @@ def size(design: DesignSpec, spec: str, answers: Answers = CLOSED_FORM) -> Resul
             f"a {design.geometry.name} has no closed forms to be sized by",
             "give its sizes and judge them with 'flexure check' or 'flexure simulate'",
         )
-    if design.geometry.posynomial:
-        return _sized(design, spec, PosynomialRoute(design), answers)
-    return _sized(design, spec, NumberRoute(design, number_sizing(design)), answers)
+    started = perf_counter()
+    ladder = rungs(design, model)
+    if design.fixed_sizes() is not None or (model or design.model) == "source":
+        result = _chosen_and_judged(design, spec, ladder, model)
+    else:
+        result = _decided(design, spec, ladder, model)
+    assert result.cost is not None  # every branch measures
+    return replace(result, cost=replace(result.cost, seconds=perf_counter() - started))
 
 
 def size_by(
@@ -82,20 +108,92 @@ def size_by(
         The sized design, judged by its closed forms.
 
     """
-    sizing = number_sizing(design, limits_of, base=base, starts=starts, noise=noise)
-    return _sized(design, spec, NumberRoute(design, sizing), CLOSED_FORM)
+    route = NumberRoute(
+        design, number_sizing(design, limits_of, base=base, starts=starts, noise=noise)
+    )
+    return _chosen_and_judged(design, spec, rungs(design, "source"), "source", route)
 
 
-def _sized(design: DesignSpec, spec: str, route: Route, answers: Answers) -> Result:
-    started = perf_counter()
+def _route(design: DesignSpec) -> Route:
+    if design.geometry.posynomial:
+        return PosynomialRoute(design)
+    return NumberRoute(design, number_sizing(design))
+
+
+def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str | None) -> Result:
+    """Return the design sized by formulas that say at the choice what the models that judge do."""
+    corrections: dict[str, Correction] = {}
+    remarks: tuple[Note, ...] = (
+        Note("did-not-settle", f"the sizing did not settle in {ROUNDS} rounds: not an optimum"),
+    )
+    for rounds in range(ROUNDS):
+        at = _continuous(design, corrections)
+        if at is None:
+            remarks = ()
+            break
+        found = corrections_at(design, at, ladder, slopes=rounds > 0)
+        change = difference(corrections, found, at)
+        corrections = found
+        if change <= SETTLED:
+            remarks = ()
+            break
+    result = _chosen_and_judged(_tightened(design, corrections), spec, ladder, model)
+    for _ in range(GRID_ROUNDS):
+        if not design.size.rounding or result.status in (Status.PASS, Status.INFEASIBLE):
+            break
+        at = design.geometry.sized({n: result.values[n].value for n in design.geometry.free})
+        corrections = corrections_at(design, at, ladder, slopes=True)
+        result = _chosen_and_judged(_tightened(design, corrections), spec, ladder, model)
+    return replace(result, warnings=(*remarks, *result.warnings))
+
+
+def _tightened(design: DesignSpec, corrections: Mapping[str, Correction]) -> DesignSpec:
+    """Return a corrected design with a hair more asked than the rounds may have left."""
+    hair = 1.0 + 2.0 * SETTLED
+    return design.corrected(
+        {name: each._replace(factor=each.factor * hair) for name, each in corrections.items()}
+    )
+
+
+def _continuous(design: DesignSpec, corrections: Mapping[str, Correction]) -> Sizes | None:
+    """Return the sizes chosen without a grid, else those that come nearest to what is asked.
+
+    Nothing where no easing of the requirements makes a design.
+    """
+    free = design.model_copy(update={"size": design.size.model_copy(update={"rounding": {}})})
+    probe = design.geometry.probe()
+    plain = Correction(1.0, {}, {})
+    names = {x.name for x in design.closed_limits(probe) if x.kind is not None} | set(corrections)
+    for ease in EASING:
+        eased = {name: corrections.get(name, plain) for name in names}
+        eased = {name: each._replace(factor=each.factor / ease) for name, each in eased.items()}
+        corrected = free.corrected(eased)
+        chosen = _choose(corrected, _route(corrected))
+        if chosen is not None:
+            return _ideal(chosen)
+    return None
+
+
+def _ideal(chosen: "_Choice") -> Sizes:
+    sizes = chosen.sizes if chosen.ideal is None else chosen.ideal
+    return sizes._make(float(x) for x in sizes)
+
+
+def _chosen_and_judged(
+    design: DesignSpec,
+    spec: str,
+    ladder: tuple[Rung, ...],
+    model: str | None,
+    route: Route | None = None,
+) -> Result:
     given = design.fixed_sizes()
-    chosen = _choose(design, route) if given is None else _Choice(given, _nothing_free())
+    if given is not None:
+        return _judged(design, spec, _Choice(given, _nothing_free()), ladder, model)
+    route = route or _route(design)
+    chosen = _choose(design, route)
     if chosen is None:
-        result = _infeasible(design, spec, route)
-    else:
-        result = _judged(design, spec, chosen, answers)
-    assert result.cost is not None  # both branches measure
-    return replace(result, cost=replace(result.cost, seconds=perf_counter() - started))
+        return _infeasible(design, spec, route)
+    return _judged(design, spec, chosen, ladder, model)
 
 
 class _Choice:
@@ -271,36 +369,31 @@ def _design(design: DesignSpec, label: str, blade: Sizes) -> Design:
     return Design(label, sizes, float(design.geometry.volume(blade)))
 
 
-def _judged(design: DesignSpec, spec: str, chosen: _Choice, answers: Answers) -> Result:
-    blade = chosen.sizes._make(float(x) for x in chosen.sizes)
-    rows = left_out.effects(design, blade, answers)
-    errors = left_out.errors(rows)
-    found = assess.checks(judged_by(design, blade, answers))
-    sized = _sized_values(design, chosen)
-    values = {
-        **sized,
-        **design_values.values(design, blade, answers),
-        **sized,
-    }  # sized ones first, and kept
-    passed = all(check.passed for check in found)
-    status = Status.PASS if passed else Status.FAIL
-    return Result(
-        command="size",
-        spec=spec,
-        status=Status.INFEASIBLE if chosen.failed_grid else status,
-        title=design.title,
-        values=design_values.with_errors(values, errors),
-        checks=() if chosen.failed_grid else found,
-        effects=rows,
-        warnings=(*chosen.notes, *left_out.warnings(design, blade, rows)),
-        cost=Cost(0.0, answers.model, max(errors.values(), default=None), chosen.iterations),
+def _judged(
+    design: DesignSpec,
+    spec: str,
+    chosen: _Choice,
+    ladder: tuple[Rung, ...],
+    model: str | None,
+) -> Result:
+    sizes = chosen.sizes._make(float(x) for x in chosen.sizes)
+    result = judged("size", design, sizes, spec, judge(design, sizes, ladder), model)
+    assert result.cost is not None  # a judgement has one
+    own = _sized_values(design, chosen)
+    return replace(
+        result,
+        status=Status.INFEASIBLE if chosen.failed_grid else result.status,
+        values={**own, **result.values, **own},  # sized ones first, and kept
+        checks=() if chosen.failed_grid else result.checks,
+        warnings=(*chosen.notes, *result.warnings),
+        cost=replace(result.cost, iterations=chosen.iterations),
         sizing=chosen.sizing,
     )
 
 
 def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
     """Return the chosen dimensions, and what they were before rounding."""
-    model = f"sized, {MODEL}"
+    model = "sized"
     found = {
         name: Value(float(getattr(chosen.sizes, name)), "m", design.geometry.label(name), model)
         for name in design.geometry.free
@@ -326,7 +419,7 @@ def _infeasible(design: DesignSpec, spec: str, route: Route) -> Result:
         spec=spec,
         status=Status.INFEASIBLE,
         title=design.title,
-        cost=Cost(0.0, MODEL, None),
+        cost=Cost(0.0, "closed-form", None),
         sizing=SizingResult(
             objective=objective if isinstance(objective, str) else _spoken(objective.model_dump()),
             certificate=sure,

@@ -6,7 +6,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.requirements import CLOSED_FORM, Answers, Ask
+from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
 from flexcli.parts.scene import Scene, largest_travel
 from flexcli.results import Value
 
@@ -45,7 +45,7 @@ DEFINED = ("volume", "delta", "xi", "theta_stroke", "x_stroke", "theta_mean", "x
 """Values that are what the spec says, in other words."""
 
 
-def values(design: DesignSpec, sizes: Sizes, answers: Answers = CLOSED_FORM) -> dict[str, Value]:
+def values(design: DesignSpec, sizes: Sizes, answers: Answers = AS_PRINTED) -> dict[str, Value]:
     """Return the named numbers of a design by a model: sizes, cases, joint and mechanism."""
     geometry, material = design.geometry, design.material
     found = {

@@ -1,6 +1,6 @@
 """A design: material, geometry, mechanism, cases and requirements, joined and consistent."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
 
@@ -15,16 +15,17 @@ from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import AnyMechanism, MechanismError
 from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.requirements import (
-    CLOSED_FORM,
+    AS_PRINTED,
     Answers,
     Ask,
     Limit,
+    Requirement,
     RequirementError,
     Requirements,
 )
 from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.scene import Scene, scene_of
-from flexcli.parts.sizing import QUANTITIES, SizeOptions
+from flexcli.parts.sizing import QUANTITIES, Correction, SizeOptions
 from flexcli.parts.stops import Stops, StopsMisfit
 from flexcli.results import EXACT
 
@@ -62,8 +63,11 @@ class DesignSpec(Part):
         None, description="of every reported number; effects are on where it needs them"
     )
     effects: dict[EffectName, Wish] = Field({}, description="auto where left out")
+    model: Literal["source", "closed-form", "linear", "exact"] | None = Field(
+        None, description="that judges all checks; each by the cheapest that decides, if left out"
+    )
 
-    _corrections: Mapping[str, float] = PrivateAttr(default_factory=dict)
+    _corrections: Mapping[str, Correction] = PrivateAttr(default_factory=dict)
 
     @model_validator(mode="before")
     @classmethod
@@ -135,11 +139,6 @@ class DesignSpec(Part):
                 )
         return self
 
-    @property
-    def is_planned(self) -> bool:
-        """Return whether the spec asks for an accuracy, or has a say in the effects."""
-        return self.accuracy is not None or bool(self.effects)
-
     def fixed_sizes(self) -> Sizes | None:
         """Return the sizes when all are fixed, else nothing."""
         return None if self.geometry.free else self.geometry.sized({})
@@ -166,43 +165,61 @@ class DesignSpec(Part):
         """Return what is asked in every case."""
         return [self.ask(self.scene(name), sizes, answers) for name in self.cases]
 
-    def limits(self, sizes: Sizes, answers: Answers = CLOSED_FORM) -> list[Limit]:
+    def limits(self, sizes: Sizes, answers: Answers = AS_PRINTED) -> list[Limit]:
         """Return every limit of every requirement in every case, on floats, by a model."""
         return list(self._limits(sizes, answers, closed_form=False))
 
     def closed_limits(self, sizes: Sizes) -> list[Limit]:
-        """Return the limits that are closed forms, on floats, arrays or signomials.
+        """Return the limits that are formulas, on floats, arrays or signomials.
 
-        A corrected design scales the demand of each check, so that they say what a finer model
-        does.
+        In a corrected design they say what the models that judge do, and what has no formula is
+        among them.
         """
-        limits = self._limits(sizes, CLOSED_FORM, closed_form=True)
+        limits = list(self._limits(sizes, AS_PRINTED, closed_form=True))
         if not self._corrections:
-            return list(limits)
-        scale = self._corrections
+            return limits
+        factors = {
+            name: correction.at(sizes)
+            for name, correction in self._corrections.items()
+            if not correction.alone
+        }
         return [
-            replace(limit, demand=limit.demand * scale.get(limit.name, 1.0) ** limit.power)
+            replace(limit, demand=limit.demand * factors[limit.name] ** limit.power)
+            if limit.name in factors
+            else limit
             for limit in limits
+        ] + [
+            Limit(name, "", "by value and slope", correction.at(sizes), 1.0, "", "surrogate")
+            for name, correction in self._corrections.items()
+            if correction.alone
         ]
 
-    def corrected(self, corrections: Mapping[str, float]) -> "DesignSpec":
-        """Return the design with the demand of its closed limits scaled, check by check."""
+    def corrected(self, corrections: Mapping[str, Correction]) -> "DesignSpec":
+        """Return the design with its closed limits corrected, check by check."""
         design = self.model_copy()
         design._corrections = dict(corrections)
         return design
 
     def _limits(self, sizes: Sizes, answers: Answers, *, closed_form: bool) -> Iterator[Limit]:
+        yield from self.own_limits(sizes)
+        scenes = [self.scene(name) for name in self.cases]
+        for requirement, scene in self.questions(scenes):
+            if requirement.closed_form or not closed_form:
+                yield from requirement.judged(self.ask(scene, sizes, answers))
+
+    def questions(self, scenes: Sequence[Scene]) -> Iterator[tuple[Requirement, Scene]]:
+        """Yield every requirement with each case that it is asked of; once where it is of none."""
+        for _, requirement in self.requirements.each():
+            relevant = [scene for scene in scenes if requirement.applies(scene)]
+            for scene in relevant if requirement.per_case else scenes[:1]:
+                yield requirement, scene
+
+    def own_limits(self, sizes: Sizes) -> Iterator[Limit]:
+        """Yield what the mechanism and the joint's own shape ask, whatever is required."""
         yield from self.coupling_limits()
         for text, small, large in self.geometry.fits(sizes):
             shape = "the joint's own shape"
             yield Limit("geometry", "", text, small, large, "m", shape, error=EXACT)
-        scenes = [self.scene(name) for name in self.cases]
-        for _, requirement in self.requirements.each():
-            if closed_form and not requirement.closed_form:
-                continue
-            relevant = [s for s in scenes if requirement.applies(s)]
-            for scene in relevant if requirement.per_case else scenes[:1]:
-                yield from requirement.judged(self.ask(scene, sizes, answers))
 
     def coupling_limits(self) -> Iterator[Limit]:
         """Yield what a mechanism states of its coupling to the base."""
@@ -253,7 +270,7 @@ class DesignSpec(Part):
                 f"no case has what '{requirement.label}' is about",
                 "add a case that loads it, or take the requirement out",
             )
-        answers = CLOSED_FORM if self.geometry.closed_forms else STAND_IN
+        answers = AS_PRINTED if self.geometry.closed_forms else STAND_IN
         for scene in relevant if requirement.per_case else relevant[:1]:
             try:
                 list(requirement.judged(self.ask(scene, probe, answers)))

@@ -1,12 +1,14 @@
 """What to choose the blades by: the objective and the grid that they can be made on."""
 
-from typing import Annotated, Any, ClassVar, Literal, TypeAlias
+from collections.abc import Mapping
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, TypeAlias
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
+from flexcli.formulas.quantity import Quantity
 from flexcli.parts.base import Part, PositiveLength, spec_error
 
-__all__ = ["QUANTITIES", "Grid", "Minimize", "Objective", "SizeOptions"]
+__all__ = ["QUANTITIES", "Correction", "Grid", "Minimize", "Objective", "SizeOptions"]
 
 Named = Literal["balanced", "least-volume", "least-stiffness", "shortest"]
 QUANTITIES = ("volume", "mass", "k_pivot")
@@ -33,6 +35,26 @@ class Grid(Part):
                 "a grid is a step or a list of sizes", "write 1 um, or [0.2 mm, 0.3 mm]"
             )
         return {"step": data}
+
+
+class Correction(NamedTuple):
+    """How many times more a check uses of what it allows than its formulas say, near a design.
+
+    ``factor`` · Π (x/x₀)^slope over the sizes x, ``about`` are the x₀ [m]. Where no formula
+    stands behind it (``alone``), it is itself what is used.
+    """
+
+    factor: float
+    about: Mapping[str, float]
+    slopes: Mapping[str, float]
+    alone: bool = False
+
+    def at(self, sizes: Any) -> Quantity:
+        """Return the correction at sizes: floats, arrays or signomials."""
+        found: Quantity = self.factor
+        for name, slope in self.slopes.items():
+            found = found * (getattr(sizes, name) * (1.0 / self.about[name])) ** slope
+        return found
 
 
 class Minimize(Part):

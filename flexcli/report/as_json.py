@@ -52,9 +52,13 @@ def document(result: Result) -> dict[str, Any]:
                 "capacity": check.capacity,
                 "unit": check.unit,
                 "factor": check.factor,
+                "factor_range": check.factor_range,
                 "required": check.required,
                 "margin": check.margin,
+                "verdict": check.verdict.value,
                 "pass": check.passed,
+                "model": check.model,
+                "cost": check.seconds,
                 "source": check.source,
             }
             for check in result.checks
@@ -116,7 +120,7 @@ def finding(found: Finding) -> dict[str, Any]:
 
 def summary(command: str, results: Sequence[Result]) -> dict[str, Any]:
     """Return many results under the worst status of them."""
-    worst = max((r.status for r in results), key=lambda s: s.exit_code, default=Status.PASS)
+    worst = max((r.status for r in results), key=list(Status).index, default=Status.PASS)
     return {
         "flexure": FORMAT,
         "command": command,

@@ -23,6 +23,7 @@ __all__ = ["findings_text", "print_findings", "print_result", "print_summary"]
 
 _STYLE = {
     Status.PASS: "bold green",
+    Status.UNDECIDED: "bold yellow",
     Status.FAIL: "bold red",
     Status.INFEASIBLE: "bold red",
     Status.ERROR: "bold red",
@@ -104,7 +105,7 @@ def _checks(checks: Sequence[Check]) -> Group:
     )  # fmt: skip
     for check in checks:
         mark = Text("pass", "green") if check.passed else Text("FAIL", "bold red")
-        name = _label(check)
+        name = check.full_name
         table.add_row(
             mark,
             name,
@@ -114,12 +115,8 @@ def _checks(checks: Sequence[Check]) -> Group:
             _number(check.required),
             check.quantity,
         )
-    sources = Text("\n".join(dict.fromkeys(f"  {_label(c)}: {c.source}" for c in checks)), "dim")
+    sources = Text("\n".join(dict.fromkeys(f"  {c.full_name}: {c.source}" for c in checks)), "dim")
     return Group(table, sources)
-
-
-def _label(check: Check) -> str:
-    return f"{check.name}, {check.case}" if check.case else check.name
 
 
 def _number(value: float) -> str:
@@ -175,7 +172,7 @@ def print_summary(results: Sequence[Result], console: Console) -> None:
         worst = min(result.checks, key=lambda c: c.margin, default=None)
         told = f"{len(result.findings)} findings" if result.findings else ""
         if worst is not None:
-            told = f"{worst.margin:+.1%} {_label(worst)}"
+            told = f"{worst.margin:+.1%} {worst.full_name}"
         table.add_row(mark, result.spec, told)
     console.print(table)
 

@@ -100,6 +100,16 @@ class Check(NamedTuple):
     seconds: float = 0.0
 
     @property
+    def full_name(self) -> str:
+        """Return the name with its case."""
+        return f"{self.name}, {self.case}" if self.case else self.name
+
+    @property
+    def is_target(self) -> bool:
+        """Return whether the number has to equal what is asked, within a tolerance."""
+        return self.name.endswith("(equals)")
+
+    @property
     def passed(self) -> bool:
         """Return whether the requirement holds for sure."""
         return self.verdict is Verdict.PASS

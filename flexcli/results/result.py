@@ -18,27 +18,29 @@ __all__ = ["Cost", "Result", "Status"]
 
 
 class Status(Enum):
-    """How a command ended; the exit code follows from it."""
+    """How a command ended, the best first; the exit code follows from it."""
 
     PASS = "pass"
+    UNDECIDED = "undecided"
     FAIL = "fail"
     INFEASIBLE = "infeasible"
     ERROR = "error"
 
     @property
     def exit_code(self) -> int:
-        """Return 0 when the design passed, 1 when it fails or cannot be, 2 for bad input."""
-        return {Status.PASS: 0, Status.FAIL: 1, Status.INFEASIBLE: 1, Status.ERROR: 2}[self]
+        """Return 0 when the design passed, 2 for bad input, 1 for all that is no pass."""
+        return {Status.PASS: 0, Status.ERROR: 2}.get(self, 1)
 
 
 @dataclass(frozen=True, eq=False)
 class Cost:
-    """What the answer cost, and how far off its model may be."""
+    """What the answer cost in all and by model [s], and how far off its values may be."""
 
     seconds: float
     model: str
     estimated_error: float | None
     iterations: int = 0
+    by_model: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

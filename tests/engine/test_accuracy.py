@@ -14,7 +14,7 @@ from flexcli.engine.comparing.ladder import CONTROL_LEVELS, Finest, Number, Rung
 from flexcli.engine.plan import ACCURACY
 from flexcli.errors import SolveError
 from flexcli.mechanics.equilibrium import LEVELS
-from flexcli.parts.requirements import CLOSED_FORM
+from flexcli.parts.requirements import AS_PRINTED
 from flexcli.report.as_json import document, dumps
 from flexcli.results import Status
 
@@ -132,7 +132,7 @@ def test_no_accuracy_beyond_the_finest_is_promised():
 
 def by_hand(values, seconds, asked, bound=1e-12):
     """Compare made-up models on one number whose finest value is 1."""
-    rungs = [Rung(name, CLOSED_FORM) for name in "abcd"[: len(values)]]
+    rungs = [Rung(name, AS_PRINTED) for name in "abcd"[: len(values)]]
     settled = [Settled(Number("k", "stiffness", "N/m", lambda answers: 1.0), 1.0, bound)]
     times = Timed(np.array(values)[:, None], np.array(seconds)[None, :, None])
     return compared(settled, rungs, times, asked)
@@ -165,7 +165,7 @@ def test_the_spread_is_that_of_the_runs():
     settled = [Settled(Number("k", "stiffness", "N/m", lambda answers: 1.0), 1.0, 1e-12)]
     seconds = np.array([3.0, 1.0, 2.0])[:, None, None]
     times = Timed(np.ones((1, 1)), seconds)
-    (model,) = compared(settled, [Rung("a", CLOSED_FORM)], times, 0.1).models
+    (model,) = compared(settled, [Rung("a", AS_PRINTED)], times, 0.1).models
     assert (model.least, model.seconds, model.most) == (1.0, 2.0, 3.0)
 
 

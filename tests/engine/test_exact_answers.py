@@ -9,7 +9,7 @@ from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.engine.answers.linear import LinearAnswers
 from flexcli.engine.check import check
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements import CLOSED_FORM, Ask
+from flexcli.parts.requirements import AS_PRINTED, Ask
 from flexcli.results import Status
 
 WITHOUT_LAYOUT = {"torsion-bar", "round-torsion-bar", "torsion-star"}
@@ -36,11 +36,11 @@ def ask_of(kind, answers, travel=1e-3):
 @pytest.mark.parametrize("kind", sorted(set(SAMPLES) - WITHOUT_LAYOUT))
 @pytest.mark.parametrize("answers", [LinearAnswers(), ExactAnswers()], ids=["linear", "exact"])
 def test_closed_forms_are_the_limit_of_a_small_stroke(kind, answers):
-    fine, coarse = ask_of(kind, answers), ask_of(kind, CLOSED_FORM)
-    k, k_closed = answers.stiffness(fine), float(CLOSED_FORM.stiffness(coarse))
+    fine, coarse = ask_of(kind, answers), ask_of(kind, AS_PRINTED)
+    k, k_closed = answers.stiffness(fine), float(AS_PRINTED.stiffness(coarse))
     assert k == pytest.approx(k_closed, rel=5e-3)  # shear of slender blades
     _, stresses = answers.stresses(fine)
-    _, closed = CLOSED_FORM.stresses(coarse)
+    _, closed = AS_PRINTED.stresses(coarse)
     most = max(abs(float(s.largest)) for s in stresses)
     # hinges at the ends of limbs bend about their own centres: c/l is left out of their stress
     assert most == pytest.approx(max(abs(float(s.largest)) for s in closed), rel=2e-2)
@@ -51,7 +51,7 @@ def test_closed_forms_are_the_limit_of_a_small_stroke(kind, answers):
 def test_the_shift_has_the_size_and_the_sign_of_its_leading_term(kind):
     answers = ExactAnswers()
     shift = answers.parasitic_shift(ask_of(kind, answers, travel=0.05))
-    closed = float(CLOSED_FORM.parasitic_shift(ask_of(kind, CLOSED_FORM, travel=0.05)))
+    closed = float(AS_PRINTED.parasitic_shift(ask_of(kind, AS_PRINTED, travel=0.05)))
     assert shift == pytest.approx(closed, rel=0.02)
 
 
@@ -76,7 +76,7 @@ def critical(geometry, ends, answers):
 def test_a_locked_rcc_pivot_buckles_at_eulers_load():
     slender = rcc(h="50 um", l="20 mm", b="5 mm")
     exact = critical(slender, "clamped-clamped", ExactAnswers())
-    assert exact == pytest.approx(critical(slender, "clamped-clamped", CLOSED_FORM), rel=1e-3)
+    assert exact == pytest.approx(critical(slender, "clamped-clamped", AS_PRINTED), rel=1e-3)
 
 
 def test_the_three_holds_of_an_rcc_pivot_are_three_numbers():
@@ -92,7 +92,7 @@ def test_the_three_holds_of_an_rcc_pivot_are_three_numbers():
 def test_a_stage_buckles_at_eulers_load_of_guided_blades():
     slender = stage(h="50 um", l="20 mm", b="5 mm", spacing="30 mm")
     exact = critical(slender, "clamped-free", ExactAnswers())
-    closed = critical(slender, "clamped-guided", CLOSED_FORM)
+    closed = critical(slender, "clamped-guided", AS_PRINTED)
     assert exact == pytest.approx(closed, rel=2e-3)
 
 

@@ -9,7 +9,7 @@ from flexcli.numerics.ratios import Ratio
 from flexcli.numerics.signomial import Signomial, as_signomial, variables
 from flexcli.numerics.square_system import solve_square
 
-CLOSED_FORM = 1e-12  # condition number 63 times a few roundings
+AS_PRINTED = 1e-12  # condition number 63 times a few roundings
 ONE = as_signomial(1.0)
 E, SIGMA, S, THETA, P, F = 114e9, 500e6, 2.5, 0.0205, 2e-3, 640.84
 
@@ -31,7 +31,7 @@ def test_the_fully_used_pivot_has_its_closed_form():
     slender = math.pi * math.sqrt(E / (3 * SIGMA))
     h = 9 * S * P * THETA / (math.pi**2 - 6 * S * slender * THETA)
     closed = {"h": h, "l": slender * h, "b": F * S / (h * SIGMA * math.sqrt(2))}
-    assert root.x == pytest.approx(closed, rel=CLOSED_FORM)
+    assert root.x == pytest.approx(closed, rel=AS_PRINTED)
     assert root.x["h"] == pytest.approx(637.1e-6, abs=0.05e-6)
     assert root.residual <= 2e-15
 

@@ -13,7 +13,7 @@ from flexcli.engine.planning.coverage import COVERAGE, OUTER
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import EFFECTS, MODEL_EFFECTS, SCENE_EFFECTS, ModelEffect, Setting
-from flexcli.parts.requirements import CLOSED_FORM, Ask
+from flexcli.parts.requirements import AS_PRINTED, Ask
 
 TITANIUM = {"youngs_modulus": "114 GPa", "poisson_ratio": 0.33, "yield_strength": "900 MPa"}
 PIVOT = {
@@ -89,7 +89,7 @@ def test_large_rotation_is_that_of_exact_slender_blades(geometry, stroke):
     design = design_of({**geometry, "h": "0.01 mm"}, stroke)
     slender = Effects(extension=False, shear=False)
     full = numbers(design, ExactAnswers(slender, tolerance=1e-11))
-    first = numbers(design, CLOSED_FORM)
+    first = numbers(design, AS_PRINTED)
     effect = named("large rotation")
     changes, estimates = (f(setting_of(design)) for f in (effect.changes, effect.estimates))
     for number, change in changes.items():
@@ -101,7 +101,7 @@ def test_large_rotation_is_that_of_exact_slender_blades(geometry, stroke):
 def test_blade_tension_is_what_both_faces_of_a_linear_pivot_add():
     design = design_of(PIVOT, TURN)
     slender = LinearAnswers(Effects(extension=False, shear=False))
-    true = numbers(design, slender)["stress"] / numbers(design, CLOSED_FORM)["stress"] - 1.0
+    true = numbers(design, slender)["stress"] / numbers(design, AS_PRINTED)["stress"] - 1.0
     change = named("blade tension").changes(setting_of(design))["stress"]
     assert change.value == pytest.approx(true, rel=1e-6)
 
@@ -111,7 +111,7 @@ def test_load_changes_the_stress_of_a_stroke_by_at_most_its_estimate(geometry, s
     slender = {**geometry, "h": "0.1 mm"}
     loaded = design_of(slender, stroke, case={"load": {"force": "0.02 N"}})
     calm = design_of(slender, stroke)
-    axial = numbers(loaded, CLOSED_FORM)["stress"] - numbers(calm, CLOSED_FORM)["stress"]
+    axial = numbers(loaded, AS_PRINTED)["stress"] - numbers(calm, AS_PRINTED)["stress"]
     exact = ExactAnswers(tolerance=1e-11)
     true = numbers(loaded, exact)["stress"] / (numbers(calm, exact)["stress"] + axial) - 1.0
     estimate = named("axial load").estimates(setting_of(loaded))["stress"]
@@ -179,8 +179,8 @@ def test_no_effect_is_counted_twice(model):
 def test_a_correction_changes_each_number_by_its_change_and_no_other(effect):
     design = design_of(PIVOT, TURN)
     plain, corrected = (
-        numbers(design, CLOSED_FORM),
-        numbers(design, Corrected(CLOSED_FORM, [effect])),
+        numbers(design, AS_PRINTED),
+        numbers(design, Corrected(AS_PRINTED, [effect])),
     )
     changes = effect.all_changes(setting_of(design))
     for number, value in plain.items():
@@ -219,6 +219,6 @@ def test_blades_that_hold_their_centre_stretch_as_it_turns():
             "h": "0.25 mm", "l": "80 mm", "b": "10 mm"}  # fmt: skip
     design = design_of(star, {"rotation": "0.003 rad"})
     slender = Effects(extension=True, shear=False)
-    change = stress(design, ExactAnswers(slender)) / stress(design, CLOSED_FORM) - 1.0
+    change = stress(design, ExactAnswers(slender)) / stress(design, AS_PRINTED) - 1.0
     estimate = named("large rotation").estimates(setting_of(design))["stress"]
     assert 0.5 * estimate < change <= estimate

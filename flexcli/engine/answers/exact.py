@@ -31,6 +31,7 @@ from flexcli.mechanics.tangent import held_stiffness
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import Answers, Ask, EndStress
+from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["ExactAnswers", "driven_stiffness"]
 
@@ -71,6 +72,12 @@ class ExactAnswers(Answers):
         self.effects = Effects() if effects is None else effects
         self.tolerance = tolerance
         self.levels = levels
+
+    def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
+        """Return a hundred tolerances: what is reported is less sure than what is solved for."""
+        if kind in (QuantityKind.SUPPORT, QuantityKind.RESPONSE):
+            return None
+        return ErrorRange(-100.0 * self.tolerance, 100.0 * self.tolerance)
 
     def stiffness(self, ask: Ask) -> Quantity:
         """Return the stiffness along the motion at rest, shear and stretching included."""

@@ -14,7 +14,8 @@ from flexcli.mechanics.linear import linear
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
-from flexcli.parts.requirements import CLOSED_FORM, Answers, Ask, EndStress
+from flexcli.parts.requirements import AS_PRINTED, Answers, Ask, EndStress
+from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 __all__ = ["LinearAnswers"]
 
@@ -31,6 +32,12 @@ class LinearAnswers(Answers):
     def __init__(self, effects: Effects | None = None) -> None:
         self.effects = Effects() if effects is None else effects
 
+    def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
+        """Return none at rest; what motion adds is known where the closed forms know it."""
+        if kind in (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY, QuantityKind.SAG):
+            return EXACT
+        return AS_PRINTED.error(ask, kind)
+
     def stiffness(self, ask: Ask) -> Quantity:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
         layout, axis = layout_of(ask), driven_axis(ask.geometry)
@@ -45,11 +52,11 @@ class LinearAnswers(Answers):
 
     def parasitic_shift(self, ask: Ask) -> Quantity:
         """Return the closed form's: a linear model has no motion of second order."""
-        return CLOSED_FORM.parasitic_shift(ask)
+        return AS_PRINTED.parasitic_shift(ask)
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the closed form's: Euler's load of the most loaded blade."""
-        return CLOSED_FORM.critical(ask)
+        return AS_PRINTED.critical(ask)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""

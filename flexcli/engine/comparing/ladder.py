@@ -12,7 +12,7 @@ from flexcli.mechanics.stresses import greatest_stress
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
-from flexcli.parts.requirements import CLOSED_FORM, Answers, Ask, EndStress
+from flexcli.parts.requirements import AS_PRINTED, Answers, Ask, EndStress
 
 __all__ = ["CONTROL_LEVELS", "FINEST", "Finest", "Number", "Rung", "ladder", "numbers"]
 
@@ -66,7 +66,7 @@ def ladder(geometry: Geometry, tolerance: float = FINEST[0]) -> tuple[Rung, ...]
     Those of given nodes solve their equations to the finest's tolerance, so that their error is
     that of their nodes.
     """
-    closed = [Rung(CLOSED_FORM.model, CLOSED_FORM)] if geometry.closed_forms else []
+    closed = [Rung(AS_PRINTED.model, AS_PRINTED)] if geometry.closed_forms else []
     exact = [
         Rung(f"exact, {nodes} nodes", ExactAnswers(tolerance=tolerance, levels=(nodes,)))
         for nodes in NODES
@@ -82,7 +82,7 @@ def ladder(geometry: Geometry, tolerance: float = FINEST[0]) -> tuple[Rung, ...]
 
 def numbers(design: DesignSpec, sizes: Sizes) -> Iterator[Number]:
     """Yield what is reported of a design's joint: at rest, then case by case."""
-    geometry, asks = design.geometry, design.asks(sizes, CLOSED_FORM)
+    geometry, asks = design.geometry, design.asks(sizes, AS_PRINTED)
     turns = geometry.motion == "rotation"
     stiffness, unit = ("k_pivot", "N*m/rad") if turns else ("k_stage", "N/m")
     yield Number(stiffness, "stiffness at rest", unit, _by(asks[0], _stiffness))

@@ -9,7 +9,7 @@ from flexcli.mechanics.mesh import Effects
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import CLOSED_FORM, Answers, Ask
+from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
 from flexcli.results import AuditRow, EffectRow, Plan
 
 __all__ = ["audit"]
@@ -35,7 +35,7 @@ Number = Callable[[Answers, Ask], float]
 
 def audit(design: DesignSpec, sizes: Sizes, found: Plan) -> tuple[AuditRow, ...]:
     """Return true contributions beside the estimates of a plan, and whether it was right."""
-    asks = design.asks(sizes, CLOSED_FORM)
+    asks = design.asks(sizes, AS_PRINTED)
     rows: list[AuditRow] = []
     for effect in found.effects:
         true = _true(effect.name, asks, found.reported)
@@ -87,7 +87,7 @@ def _change(effect: str, ask: Ask, name: str) -> float | None:
         if effect == "blade tension":
             if name != "stress":
                 return 0.0
-            return number(LinearAnswers(NONE), calm) / number(CLOSED_FORM, calm) - 1.0
+            return number(LinearAnswers(NONE), calm) / number(AS_PRINTED, calm) - 1.0
         if effect == "large rotation":
             if name not in ("stress", "shift"):
                 return 0.0
@@ -95,7 +95,7 @@ def _change(effect: str, ask: Ask, name: str) -> float | None:
             return number(_exact(NONE), calm) / number(first, calm) - 1.0
         if name != "stress":
             return 0.0
-        axial = number(CLOSED_FORM, ask) - number(CLOSED_FORM, calm)
+        axial = number(AS_PRINTED, ask) - number(AS_PRINTED, calm)
         short = _exact(ALL._replace(extension=False))
         return number(short, ask) / (number(short, calm) + axial) - 1.0
     except (NotAvailable, SolveError):

@@ -2,7 +2,7 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from typing import NamedTuple, TypeAlias
+from typing import ClassVar, NamedTuple, TypeAlias
 
 __all__ = ["Bending", "Change", "Changes", "whole"]
 
@@ -31,6 +31,9 @@ def whole(value: float) -> Change:
 
 class Bending(ABC):
     """Equal slender blades at the largest travel of a case."""
+
+    is_estimate: ClassVar[bool] = True
+    """Whether its changes are values or bounds that hold, not orders of magnitude."""
 
     @property
     @abstractmethod

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from math import inf, tan
+from typing import ClassVar
 
 from flexcli.formulas import star_next_order
 from flexcli.parts.bending.base import Bending, Change, Changes
@@ -16,6 +17,8 @@ class Bounded(Bending):
     ``angles`` are the directions of three or more blades that hold their centre against its
     shift, whose tension grows with (θ l/h)².
     """
+
+    is_estimate: ClassVar[bool] = False
 
     def __init__(
         self,

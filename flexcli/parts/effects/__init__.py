@@ -1,5 +1,6 @@
 """Effects that a scene may call for; a new one is a file here and a name in a tuple."""
 
+from flexcli.parts.bending import Change
 from flexcli.parts.effects.axial_extension import AxialExtension
 from flexcli.parts.effects.axial_load import AxialLoad
 from flexcli.parts.effects.base import Effect, Indicator, ModelEffect, SceneEffect, Setting
@@ -18,6 +19,7 @@ __all__ = [
     "EFFECTS",
     "MODEL_EFFECTS",
     "SCENE_EFFECTS",
+    "Change",
     "Effect",
     "Indicator",
     "ModelEffect",

@@ -87,6 +87,8 @@ class ModelEffect(Effect):
     """The property of the material without which no model can carry it."""
     is_whole: ClassVar[bool] = False
     """Whether its bounds are of all that it changes, not of leading terms."""
+    in_orders: ClassVar[bool] = False
+    """Whether a correction by it leaves its next order, smaller by the travel."""
 
     @abstractmethod
     def changes(self, setting: Setting) -> Changes:

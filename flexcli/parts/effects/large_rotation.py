@@ -13,6 +13,7 @@ class LargeRotation(ModelEffect):
 
     name: ClassVar[str] = "large rotation"
     cost: ClassVar[float] = 3.0
+    in_orders: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return θ, or the stroke over the length."""

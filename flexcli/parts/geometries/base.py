@@ -6,7 +6,7 @@ from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 from pydantic import AliasPath, Field, model_validator
 
-from flexcli.formulas.card import Card, Range
+from flexcli.formulas.card import Card, Range, outside
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Layout
 from flexcli.parts.base import Part, PositiveLength, spec_error
@@ -222,6 +222,11 @@ class Geometry(Part):
     def indicators(self, sizes: Sizes, travel: float) -> dict[str, Quantity]:
         """Return what the validity of its closed forms is stated in, at the largest travel."""
         return self.ratios(sizes)
+
+    def outside_validity(self, sizes: Sizes, travel: float) -> tuple[tuple[Range, float], ...]:
+        """Return the ranges that its closed forms leave at a travel, each with the value there."""
+        at = {name: float(x) for name, x in self.indicators(sizes, travel).items()}
+        return tuple((limits, at[limits.quantity]) for limits in outside(self.validity, at))
 
     def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
         """Return the joint as rigid bodies and blades in its plane.

@@ -6,10 +6,10 @@ from typing import Annotated, Any, TypeVar
 from pydantic import BeforeValidator, Field
 
 from flexcli.parts.base import Part
+from flexcli.parts.requirements.as_printed import AS_PRINTED
 from flexcli.parts.requirements.ask import Answers, Ask, EndStress, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit, Requirement
 from flexcli.parts.requirements.buckling import Buckling
-from flexcli.parts.requirements.closed_form import CLOSED_FORM
 from flexcli.parts.requirements.dynamic import DynamicBuckling, DynamicLife, DynamicYield
 from flexcli.parts.requirements.fatigue import Fatigue
 from flexcli.parts.requirements.frequency import Frequency
@@ -22,7 +22,7 @@ from flexcli.parts.requirements.support import Deflection, Support
 from flexcli.parts.requirements.yielding import Yield
 
 __all__ = [
-    "CLOSED_FORM",
+    "AS_PRINTED",
     "Answers",
     "Ask",
     "Bound",

@@ -1,7 +1,7 @@
 """What a requirement is judged on: the design, the case, and the model that answers."""
 
 from abc import ABC, abstractmethod
-from typing import ClassVar, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
@@ -9,6 +9,9 @@ from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.scene import Scene
 from flexcli.results import ErrorRange, QuantityKind
+
+if TYPE_CHECKING:
+    from flexcli.parts.effects import Setting
 
 __all__ = ["Answers", "Ask", "EndStress", "RequirementError"]
 
@@ -66,6 +69,10 @@ class Answers(ABC):
     """Names of the effects that it can carry, and leave out."""
     always: ClassVar[frozenset[str]] = frozenset()
     """Names of the effects that it cannot leave out."""
+
+    def carried(self, setting: "Setting") -> frozenset[str]:
+        """Return the names of the effects that its numbers have in a design."""
+        return self.covers | self.always
 
     def frequency_factor(self, ask: Ask) -> float:
         """Return what it knows of a frequency besides the stiffness, as a factor [-]."""

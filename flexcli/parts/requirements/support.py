@@ -6,6 +6,7 @@ assembles it is imported where it is called: few designs ask, and all would wait
 
 from collections.abc import Iterator
 from dataclasses import replace
+from math import inf
 from typing import Annotated, Any, ClassVar, Literal, get_args
 
 import numpy as np
@@ -20,7 +21,7 @@ from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.results import QuantityKind
+from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["Deflection", "Direction", "Support"]
 
@@ -39,6 +40,10 @@ Place = Annotated[
 
 CENTRE = (0.0, 0.0, 0.0)
 """The reference point of the moving body in the layout of its joint."""
+
+STIFFER, SOFTER = ErrorRange(0.0, inf), ErrorRange(-1.0, 0.0)
+"""Clamps keep a wide blade from narrowing and from warping, so that it is stiffer than the beams
+here and moves less, by how much they do not tell; of a ratio nothing is known."""
 
 SOURCE = "linear beams with shear, assembled in space at rest"
 
@@ -144,6 +149,7 @@ class Support(Bound):
             unit=self.unit,
             source=SOURCE,
             kind=QuantityKind.SUPPORT,
+            error=None if self.over else STIFFER,
         ):
             yield replace(limit, requirement=name)
 
@@ -204,5 +210,6 @@ class Deflection(Bound):
                 unit=self.unit,
                 source=SOURCE,
                 kind=QuantityKind.SUPPORT,
+                error=SOFTER,
             ):
                 yield replace(limit, requirement=f"{self.label} {self.direction}")

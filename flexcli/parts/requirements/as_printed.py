@@ -1,19 +1,27 @@
-"""The closed forms of a joint as answers to its requirements."""
+"""The formulas of a joint exactly as their sources print them, as answers to its requirements."""
 
 from collections.abc import Iterator
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.numerics.signomial import Signomial
+from flexcli.parts.bending import bending_of
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements.ask import Answers, Ask, EndStress
+from flexcli.results import EXACT, ErrorRange, QuantityKind
 
-__all__ = ["CLOSED_FORM", "ClosedForm", "stress_name"]
+__all__ = ["AS_PRINTED", "AsPrinted", "stress_name"]
 
 
-class ClosedForm(Answers):
+class AsPrinted(Answers):
     """Small rotation, slender blades: what the geometry's own formulas say."""
 
-    model = "closed-form"
+    model = "source"
+
+    def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
+        """Return none of their own where all that they leave out has an estimate."""
+        if kind is QuantityKind.BUCKLING or not _is_estimated(ask):
+            return None
+        return EXACT
 
     def stiffness(self, ask: Ask) -> Quantity:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
@@ -46,7 +54,16 @@ class ClosedForm(Answers):
         return tuple(c._replace(force=c.force / scene.axial_share) for c in found)
 
 
-CLOSED_FORM = ClosedForm()
+AS_PRINTED = AsPrinted()
+
+
+def _is_estimated(ask: Ask) -> bool:
+    """Return whether the effects that the formulas leave out have estimates, and they hold."""
+    reach = ask.scene.travel + ask.scene.mean_travel
+    bending = bending_of(ask.geometry, ask.sizes, reach)
+    if bending is None or not bending.is_estimate:
+        return False
+    return not ask.geometry.outside_validity(ask.sizes, reach)
 
 
 def stress_name(ask: Ask) -> str:

@@ -1,0 +1,138 @@
+"""A model with corrections for effects that it does not carry itself: each by its formula, once."""
+
+from collections.abc import Sequence
+from math import isfinite
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.parts.effects import Change, ModelEffect, Setting
+from flexcli.parts.geometries.base import Critical
+from flexcli.parts.requirements import Answers, Ask, EndStress
+from flexcli.results import ErrorRange, QuantityKind
+
+__all__ = ["Corrected"]
+
+
+class Corrected(Answers):
+    """The answers of a model times one factor an effect, and what is left to be off by.
+
+    An effect whose value nobody knows, or that lacks a property of the material, corrects
+    nothing: the whole range of what it may change is part of the error, as it is of those that
+    are left out.
+    """
+
+    def __init__(
+        self,
+        inner: Answers,
+        effects: Sequence[ModelEffect],
+        model: str = "",
+        left_out: Sequence[ModelEffect] = (),
+    ) -> None:
+        self.inner = inner
+        self.effects = tuple(effects)
+        self.left_out = tuple(left_out)
+        self.model = model or inner.model
+
+    def carried(self, setting: Setting) -> frozenset[str]:
+        """Return the effects of the inner model, and those whose values correct it."""
+        lacking = {e.name for e in (*self.effects, *self.left_out) if e.lacks(setting)}
+        known = {
+            effect.name
+            for effect in self._added(setting)
+            if any(change.value is not None for change in effect.changes(setting).values())
+        }
+        return frozenset(self.inner.covers | self.inner.always | known) - lacking
+
+    def frequency_factor(self, ask: Ask) -> float:
+        """Return what the effects change beside the stiffness."""
+        factor, setting = self.inner.frequency_factor(ask), _setting(ask)
+        for effect in self._added(setting):
+            change = effect.changes(setting).get("frequency")
+            factor *= 1.0 + (change.value or 0.0) if change is not None else 1.0
+        return factor
+
+    def stiffness(self, ask: Ask) -> Quantity:
+        """Return the stiffness along the motion [N·m/rad or N/m]."""
+        return self.inner.stiffness(ask) * self._factor(ask, QuantityKind.STIFFNESS)
+
+    def sag_stiffness(self, ask: Ask) -> Quantity:
+        """Return the stiffness along the case's acceleration [N/m]."""
+        return self.inner.sag_stiffness(ask) / self._factor(ask, QuantityKind.SAG)
+
+    def parasitic_shift(self, ask: Ask) -> Quantity:
+        """Return the signed shift at the end of the case's stroke [m]."""
+        return self.inner.parasitic_shift(ask) * self._factor(ask, QuantityKind.SHIFT)
+
+    def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
+        """Return the stresses, those of the stroke corrected."""
+        name, found = self.inner.stresses(ask)
+        factor = self._factor(ask, QuantityKind.STRESS) if ask.scene.bends else 1.0
+        return name, [
+            s._replace(amplitude=s.amplitude * factor, mean=s.mean * factor) for s in found
+        ]
+
+    def critical(self, ask: Ask) -> tuple[Critical, ...]:
+        """Return the critical forces, those across the thickness corrected."""
+        factor = self._factor(ask, QuantityKind.BUCKLING)
+        return tuple(
+            c if c.way == "across the width" else c._replace(force=c.force * factor)
+            for c in self.inner.critical(ask)
+        )
+
+    def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
+        """Return the model's own error, and what the corrections and what they lack leave."""
+        found = self.inner.error(ask, kind)
+        if found is None:
+            return None
+        setting, first = _setting(ask), 0.0
+        ratio = setting.bending.ratio if setting.bending is not None else 0.0
+        for effect in self._missing(setting):
+            if effect.indicator(setting) is None:
+                if effect.lacks(setting) and setting.bending is None:
+                    return None
+                continue
+            change = effect.all_changes(setting).get(kind)
+            if change is None:
+                continue
+            if change.value is None or effect in self.left_out or effect.lacks(setting):
+                found += _whole_range(effect, change, setting, kind)
+                continue
+            first += change.bound
+            left = change.error + (change.bound * ratio if effect.in_orders else 0.0)
+            found += ErrorRange(-left, left)
+        found += ErrorRange(-(first**2), first**2)
+        return found if isfinite(found.largest) else None
+
+    def _missing(self, setting: Setting) -> list[ModelEffect]:
+        """Return the effects that the inner model has not, as the material lacks something."""
+        carried = self.inner.covers | self.inner.always
+        both = (*self.effects, *self.left_out)
+        return [e for e in both if e.name not in carried or e.lacks(setting)]
+
+    def _added(self, setting: Setting) -> list[ModelEffect]:
+        """Return the effects that correct the inner model."""
+        carried = self.inner.covers | self.inner.always
+        return [e for e in self.effects if e.name not in carried and not e.lacks(setting)]
+
+    def _factor(self, ask: Ask, kind: QuantityKind) -> float:
+        factor, setting = 1.0, _setting(ask)
+        for effect in self._added(setting):
+            change = effect.all_changes(setting).get(kind)
+            factor *= 1.0 + (change.value or 0.0) if change is not None else 1.0
+        return factor
+
+
+def _whole_range(
+    effect: ModelEffect, change: Change, setting: Setting, kind: QuantityKind
+) -> ErrorRange:
+    """Return all that an effect may change that corrects nothing."""
+    most = effect.estimates(setting).get(kind, change.bound)
+    if change.value is not None:
+        most = max(most, abs(change.value) + change.error)
+    sign = change.sign
+    if sign == 0 and change.value is not None and change.error == 0.0:
+        sign = 1 if change.value > 0.0 else -1
+    return ErrorRange(0.0 if sign > 0 else -most, 0.0 if sign < 0 else most)
+
+
+def _setting(ask: Ask) -> Setting:
+    return Setting(ask.material, ask.geometry, ask.mechanism, ask.sizes, (ask.scene,))

@@ -1,0 +1,202 @@
+"""Judge a design: each check by the cheapest model whose error does not reach its requirement.
+
+Every requirement of every case is asked of the closed forms first. Where the range of its factor
+reaches across the required one, the next model is asked, so that a wide margin costs nothing.
+"""
+
+from collections.abc import Callable, Container, Iterable, Iterator
+from dataclasses import replace
+from math import isfinite, nan
+from time import perf_counter
+from typing import NamedTuple
+
+from flexcli.engine import assess
+from flexcli.engine.models import Rung
+from flexcli.errors import SolveError
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries import Sizes
+from flexcli.parts.requirements import Answers, Ask, Limit, Requirement, RequirementError
+from flexcli.parts.scene import LoadKind, Scene
+from flexcli.results import Check, Status, Verdict
+
+__all__ = ["FAR", "Judgement", "Used", "finest", "judge", "status_of"]
+
+WOULD_LOOK = {
+    LoadKind.STROKE: "yield, fatigue or parasitic_shift",
+    LoadKind.LOAD: "yield, or buckling with ends: in the case",
+    LoadKind.WRENCH: "deflection",
+    LoadKind.ACCELERATION: "sag, or yield where the mechanism is locked",
+    LoadKind.ASD: "dynamic-yield or dynamic-buckling",
+    LoadKind.SHOCK: "dynamic-yield or dynamic-buckling",
+    LoadKind.SINE: "stops: with 'flexure stops'",
+    LoadKind.SWEEP: "stops: with 'flexure stops'",
+}
+"""Which requirement would look at a load that none looks at."""
+
+
+FAR = 1.5
+"""Factors over the required one beyond which a sizing asks no finer model."""
+
+SURE = 1e-5
+"""Width of a range (relative) that a sizing takes for a point."""
+
+
+class Judgement(NamedTuple):
+    """The checks of a design, each by the model that decided it, and what the models took [s]."""
+
+    checks: tuple[Check, ...]
+    by_model: dict[str, float]
+
+    @property
+    def status(self) -> Status:
+        """Return what all checks together say."""
+        return status_of(self.checks)
+
+    @property
+    def models(self) -> str:
+        """Return the models that decided, the finest last, in words."""
+        names = dict.fromkeys(check.model for check in self.checks if check.model)
+        return ", ".join(sorted(names, key=list(self.by_model).index)) or "closed-form"
+
+
+def status_of(checks: Iterable[Check]) -> Status:
+    """Return fail for one that fails, else undecided for one that is not decided, else pass."""
+    worst = min((check.verdict for check in checks), key=assess.SEVERITY.__getitem__, default=None)
+    if worst is Verdict.FAIL:
+        return Status.FAIL
+    return Status.PASS if worst in (None, Verdict.PASS) else Status.UNDECIDED
+
+
+def judge(design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...]) -> Judgement:
+    """Return every check of a design by the models in turn."""
+    ladder = _Ladder(design, sizes, rungs)
+    found = list(assess.checks(design.own_limits(sizes)))
+    scenes = [design.scene(name) for name in design.cases]
+    looked_at: dict[str, set[LoadKind]] = {scene.case: set() for scene in scenes}
+    for requirement, scene in design.questions(scenes):
+        found.extend(ladder.climbed(requirement, scene))
+        looked_at[scene.case] |= requirement.looks_at(scene)
+    for scene in scenes:
+        found.extend(_not_judged(scene, looked_at[scene.case]))
+    return Judgement(tuple(found), ladder.seconds)
+
+
+class Used(NamedTuple):
+    """The share of what it allows that a check uses, and which question it answers."""
+
+    share: float
+    question: int
+
+
+def finest(
+    design: DesignSpec,
+    sizes: Sizes,
+    rungs: tuple[Rung, ...],
+    only: Container[int] | None = None,
+) -> dict[str, Used]:
+    """Return what each check uses, by a model that is sure of it where it is near its limit.
+
+    The low end of the factor counts; of a target, its value. ``only`` are the questions to ask,
+    by their place; all if left out. What no model has an answer for is not there.
+    """
+    ladder, found = _Ladder(design, sizes, rungs), {}
+    scenes = [design.scene(name) for name in design.cases]
+    for index, (requirement, scene) in enumerate(design.questions(scenes)):
+        if only is not None and index not in only:
+            continue
+        for check in ladder.climbed(requirement, scene, _is_sure):
+            share = _share(check)
+            if isfinite(share) and share > 0.0:
+                found[check.full_name] = Used(share, index)
+    return found
+
+
+def _is_sure(check: Check) -> bool:
+    """Return whether a finer model would tell a sizing nothing more."""
+    if check.factor_range is None:
+        return False
+    low, high = check.factor_range
+    return low > FAR * check.required or high - low <= SURE * abs(low)
+
+
+def _share(check: Check) -> float:
+    if check.is_target:
+        return check.demand / check.capacity
+    low = check.factor_range[0] if check.factor_range is not None else check.factor
+    return check.required / low if low > 0.0 else nan
+
+
+class _Ladder:
+    """The models, made when they are first asked, and the time that each took."""
+
+    def __init__(self, design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...]) -> None:
+        self.design = design
+        self.sizes = sizes
+        self.rungs = rungs
+        self.made: dict[str, Answers] = {}
+        self.seconds: dict[str, float] = {}
+
+    def climbed(
+        self,
+        requirement: Requirement,
+        scene: Scene,
+        enough: Callable[[Check], bool] = lambda check: check.verdict is not Verdict.UNDECIDED,
+    ) -> Iterator[Check]:
+        """Yield the checks of a requirement in a case, each by the first model that does."""
+        best: dict[str, Check] = {}
+        spent, reason = 0.0, ""
+        for rung in self.rungs:
+            started = perf_counter()
+            try:
+                limits = list(self._limits(requirement, scene, rung))
+            except (NotAvailable, RequirementError, SolveError) as error:
+                reason, limits = str(error), []
+            took = perf_counter() - started
+            self.seconds[rung.name] = self.seconds.get(rung.name, 0.0) + took
+            spent += took
+            for check in assess.checks(limits):
+                key = check.full_name
+                if key not in best or not enough(best[key]):
+                    best[key] = check._replace(model=rung.name, seconds=spent)
+            if best and all(enough(check) for check in best.values()):
+                break
+        if not best:
+            yield _no_answer(requirement, scene, reason, self.rungs[-1].name, spent)
+        yield from best.values()
+
+    def _limits(self, requirement: Requirement, scene: Scene, rung: Rung) -> Iterator[Limit]:
+        if rung.name not in self.made:
+            self.made[rung.name] = rung.make()
+        ask = self.design.ask(scene, self.sizes, self.made[rung.name])
+        for limit in requirement.limits(ask):
+            yield with_error(limit, ask)
+
+
+def with_error(limit: Limit, ask: Ask) -> Limit:
+    """Return a limit with the error of its number by the model that is asked."""
+    if limit.error is not None or limit.kind is None:
+        return limit
+    return replace(limit, error=ask.answers.error(ask, limit.kind))
+
+
+def _no_answer(
+    requirement: Requirement, scene: Scene, reason: str, model: str, seconds: float
+) -> Check:
+    """Return the row of a requirement that no model could answer, with the reason."""
+    case = scene.case if requirement.per_case else ""
+    text = f"no model has an answer: {reason}"
+    return Check(
+        requirement.label, case, text, nan, nan, "", nan, nan, Verdict.UNDECIDED, "",
+        model=model, seconds=seconds,
+    )  # fmt: skip
+
+
+def _not_judged(scene: Scene, looked_at: set[LoadKind]) -> Iterator[Check]:
+    """Yield a row for each load of a case that no requirement looks at."""
+    for kind in LoadKind:
+        if kind in scene.loads and kind not in looked_at:
+            text = f"no requirement looks at this load; {WOULD_LOOK[kind]} would"
+            yield Check(
+                kind.value, scene.case, text, nan, nan, "", nan, nan, Verdict.NOT_JUDGED, ""
+            )
