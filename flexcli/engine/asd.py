@@ -136,7 +136,7 @@ def _notes(name: str, profile: ASDProfile) -> list[Note]:
         return []
     text = (
         f"{name}: the breakpoints give {profile.grms / STANDARD_GRAVITY:.4g} g, "
-        f"{profile.grms / published - 1.0:+.1%} from the published "
+        f"{profile.grms / published - 1.0:+z.1%} from the published "
         f"{published / STANDARD_GRAVITY:.4g} g"
     )
     return [Note("grms-differs", text)]

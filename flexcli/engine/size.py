@@ -280,7 +280,7 @@ def _choose_balanced(design: DesignSpec, route: Route, smallest: Solution) -> _C
     remarks = ["there is no least volume to compare with: nothing holds it"]
     if least:
         more = float(design.geometry.volume(ideal)) / least[0].volume - 1.0
-        remarks = [f"the balanced design has {more:.1%} more volume than the least volume"]
+        remarks = [f"the balanced design has {more:z.1%} more volume than the least volume"]
     if found.others:
         several = "designs exist" if found.others > 1 else "design exists"
         remarks.append(f"{found.others} other balanced {several}; this is the smallest")
@@ -360,7 +360,7 @@ def _grid_remark(
     sure = "proved" if point.proved else "best of those searched"
     return (
         f"grid: the feasible point {what} ({sure}, {point.judged} judged); "
-        f"it costs {price:+.1%} volume"
+        f"it costs {price:+z.1%} volume"
     )
 
 

@@ -1,6 +1,6 @@
 """The first time at which a function falls to zero, found from the safe side."""
 
-from math import inf, sqrt
+from math import hypot, inf, sqrt
 
 from flexcli.numerics.exponential_sum import ExponentialSum
 
@@ -15,11 +15,15 @@ Crossing = tuple[float, int]
 
 
 def quadratic_zero(d: float, v: float, a: float) -> float:
-    """Return the smallest h ≥ 0 with ``d + v h + a h²/2 = 0`` for d > 0, or inf."""
+    """Return the smallest h ≥ 0 with ``d + v h + a h²/2 = 0`` for d > 0, or inf.
+
+    The root of each factor is taken before they meet: a product may be too small for a number.
+    """
+    if a < 0.0:
+        root = hypot(v, sqrt(-2.0 * a) * sqrt(d))
+        return 2.0 * d / (root - v) if v < 0.0 else (v + root) / -a
     discriminant = v * v - 2.0 * a * d
-    if v < 0.0:
-        return 2.0 * d / (sqrt(discriminant) - v) if discriminant >= 0.0 else inf
-    return (v + sqrt(discriminant)) / -a if a < 0.0 else inf
+    return 2.0 * d / (sqrt(discriminant) - v) if v < 0.0 <= discriminant else inf
 
 
 def safe_step(*, d: float, v: float, a: float, J: float, most: float) -> float:
@@ -48,7 +52,7 @@ def leaving_step(v: float, a: float, J: float) -> float:
     root = sqrt(a * a / 4.0 + 2.0 * J * v / 3.0)
     if a <= 0.0:
         return 2.0 * v / (root - a / 2.0) if root > a / 2.0 else inf
-    return (a / 2.0 + root) / (J / 3.0) if J > 0.0 else inf
+    return 3.0 * (a / 2.0 + root) / J if J > 0.0 else inf
 
 
 def first_crossing(distance: ExponentialSum, horizon: float) -> Crossing:

@@ -153,7 +153,7 @@ def _sensitivities(sizing: SizingResult) -> Table:
         numbers=range(2, 2 + len(names)),
     )  # fmt: skip
     for row in sizing.sensitivities:
-        table.add_row(row.constraint, row.driver, *(f"{row.on[name]:+.3g} %" for name in names))
+        table.add_row(row.constraint, row.driver, *(f"{row.on[name]:+z.3g} %" for name in names))
     return table
 
 
@@ -172,7 +172,7 @@ def print_summary(results: Sequence[Result], console: Console) -> None:
         worst = min(result.checks, key=lambda c: c.margin, default=None)
         told = f"{len(result.findings)} findings" if result.findings else ""
         if worst is not None:
-            told = f"{worst.margin:+.1%} {worst.full_name}"
+            told = f"{worst.margin:+z.1%} {worst.full_name}"
         table.add_row(mark, result.spec, told)
     console.print(table)
 

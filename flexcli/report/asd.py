@@ -64,7 +64,7 @@ def profile_sheet(row: ProfileRow, breakpoints: Sequence[BreakpointRow]) -> Rend
 def _slope(slope: float | None) -> str:
     if slope is None:
         return ""
-    return "step" if isinf(slope) else f"{slope:+.2f} dB/oct"
+    return "step" if isinf(slope) else f"{slope:+z.2f} dB/oct"
 
 
 def worst_cases(rows: Sequence[WorstCaseRow]) -> RenderableType:
@@ -87,7 +87,7 @@ def _miles(rows: Sequence[WorstCaseRow]) -> Table:
     for row in rows:
         miles.add_row(
             row.case, f"{row.q:g}", f"{row.f_worst:.5g} Hz", _g(row.g_rms_worst),
-            _g(row.g_rms_exact), f"{row.miles_excess_there:+.1%}",
+            _g(row.g_rms_exact), f"{row.miles_excess_there:+z.1%}",
         )  # fmt: skip
     return miles
 
@@ -102,7 +102,7 @@ def _exact(rows: Sequence[WorstCaseRow]) -> Table:
         where = "" if row.f_shortfall is None else f"{row.f_shortfall:.5g} Hz"
         exact.add_row(
             row.case, f"{row.q:g}", _g(row.g_rms_max), f"{row.f_max:.5g} Hz",
-            f"{row.miles_excess:+.1%}", below, where,
+            f"{row.miles_excess:+z.1%}", below, where,
         )  # fmt: skip
     return exact
 

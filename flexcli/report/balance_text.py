@@ -55,7 +55,7 @@ def _transfer(balance: BalanceResult) -> Table:
     rows = table(title, "frequency", *heads, numbers=range(1, 1 + len(heads)))
     for row in balance.transfer[:MOST_ROWS]:
         plain = [row.init, row.final] if both else [row.final]
-        cells = ["∞" if value is None else f"{value:+.4g}" for value in plain]
+        cells = ["∞" if value is None else f"{value:+z.4g}" for value in plain]
         if damped:
             cells += _damped(row, both=both)
         rows.add_row(show(row.frequency, "Hz"), *cells)
@@ -99,7 +99,7 @@ def _sensitivities(balance: BalanceResult) -> Table:
         rows.add_row(
             term.name,
             show(term.value, term.unit),
-            f"{term.slope:+.4g} {per}",
+            f"{term.slope:+z.4g} {per}",
             *(tolerance if term.tolerance else ("", "")),
         )
     return rows

@@ -42,7 +42,7 @@ def audit_table(rows: Sequence[AuditRow]) -> Table:
         "Audit", "effect", "", "number", "estimate", "true", "plan", "how", numbers=[3, 4]
     )
     for row in rows:
-        true = "?" if row.true is None else f"{row.true:+.2%}" if abs(row.true) < 10.0 else "> 10"
+        true = "?" if row.true is None else f"{row.true:+z.2%}" if abs(row.true) < 10.0 else "> 10"
         verdict = {True: Text("right", "green"), False: Text("WRONG", "bold red"), None: Text("")}
         on = "on" if row.on else "off"
         found.add_row(

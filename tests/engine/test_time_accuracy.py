@@ -5,13 +5,16 @@ from math import asin, atan2, sqrt
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
+from scipy.optimize import minimize_scalar
 from stop_designs import BALL, REST, SINE, stopped
 
 from flexcli.engine.accuracy import accuracy
 from flexcli.engine.comparing import time_accuracy as verb
 from flexcli.engine.comparing import time_motions
+from flexcli.engine.comparing.penalty_law import penalty_law
 from flexcli.engine.comparing.time_accuracy import accuracy_in_time, bounded
-from flexcli.engine.comparing.time_ladder import penalty_run
+from flexcli.engine.comparing.time_ladder import stretches
 from flexcli.engine.comparing.time_motions import PERIODS, Motion, motions
 from flexcli.mechanics.stopping.laws import LinearStop, Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
@@ -24,6 +27,10 @@ KICK = {"kick": {"shock": {"velocity": "0.1 m/s", "q": 50}}}
 FLAT = {"points": [{"frequency": "20 Hz", "level": "0.01 g^2/Hz"},
                    {"frequency": "400 Hz", "level": "0.01 g^2/Hz"}]}  # fmt: skip
 BODY = {"offset": "3 mm", "inertia": "150 g*mm^2"}
+LUCK = 1e3
+"""Global error over tolerance of an integrator that steps over kinks of the force."""
+LEGS = 1e-12
+"""What smooth legs, each to 1e-13, leave after some dozen of them."""
 NAMES = ("tip_peak", "F_peak", "t_contact")
 
 
@@ -52,8 +59,8 @@ def test_errors_fall_with_the_tolerance_of_either_method(found):
             errors = [r.error for r in quantity.readings if r.model.startswith(method)]
             assert len(errors) == 4
             assert errors[0] > 1e-6
-            assert errors[-1] < 1e-4 * errors[0]
-            assert errors[-1] < 1e-8
+            for error, tolerance in zip(errors, verb.TOLERANCES, strict=True):
+                assert error <= LUCK * tolerance
 
 
 def test_the_numbers_are_named_by_their_case_and_tell_their_window(found):
@@ -84,11 +91,69 @@ def test_the_bound_on_a_swing_between_springs_holds_against_its_closed_form():
 
 
 @pytest.mark.parametrize("contact", [{"kind": "rigid"}, BALL], ids=["line", "ball"])
-def test_the_bound_between_real_stops_holds_against_a_finer_control(contact):
+def test_the_bound_between_real_stops_holds_against_a_run_of_smooth_legs(contact):
     (motion,) = moved(stopped({**PLACE, "contact": contact}))
-    truth = penalty_run(motion, "DOP853", 2e-13)
+    truth = run_of_legs(motion, 1e-13)
     for (_, value, bound), true in zip(bounded(motion), truth, strict=True):
-        assert abs(value / true - 1.0) <= bound < 1e-4
+        assert abs(value / true - 1.0) <= bound + LEGS
+        assert bound < 1e-4
+
+
+def run_of_legs(motion, tolerance):
+    """Return tip, force and last contact, integrated afresh from every touch and every parting.
+
+    No step runs over a kink of the force, so that the error is that of a smooth problem.
+    """
+    blade, stops, n = motion.blade, motion.stops, motion.blade.angular.size
+    push = penalty_law(blade, stops.law)
+    state, begun, side = np.concatenate([np.zeros(n), motion.rate]), 0.0, 0
+    greatest, last = np.zeros(2), np.nan
+
+    def signed_push(x, side):
+        if not side:
+            return 0.0
+        approach = side * (blade.stop @ x[:n]) - stops.gap(side)
+        return side * push(max(approach, 0.0), side * (blade.stop @ x[n:]))
+
+    def meets(side, direction):
+        def approach(_, x):
+            return side * (blade.stop @ x[:n]) - stops.gap(side)
+
+        approach.terminal, approach.direction = True, direction
+        return approach
+
+    for piece in stretches(motion.pieces):
+        t = 0.0
+        while t < piece.duration:
+
+            def slope(t, x, side=side, piece=piece):
+                force = -blade.base * piece(t) - np.diagonal(blade.damper) * x[n:]
+                force -= blade.angular**2 * x[:n] + signed_push(x, side) * blade.stop
+                return np.concatenate([x[n:], force])
+
+            events = [meets(side, -1.0)] if side else [meets(1, 1.0), meets(-1, 1.0)]
+            leg = solve_ivp(slope, (t, piece.duration), state, "DOP853", rtol=tolerance,
+                            atol=tolerance * 1e-9, dense_output=True, events=events)  # fmt: skip
+
+            def sizes(t, side=side, sol=leg.sol):
+                p = signed_push(sol(t), side)
+                return np.abs([blade.tip @ sol(t)[:n] - blade.tip_residual * p, p])
+
+            times = np.linspace(t, leg.t[-1], 200)
+            samples = np.array([sizes(s) for s in times])
+            for j, i in enumerate(samples.argmax(axis=0)):
+                ends = times[max(i - 1, 0)], times[min(i + 1, 199)]
+                best = minimize_scalar(lambda s, j=j: -sizes(s)[j], bounds=ends, method="bounded",
+                                       options={"xatol": 1e-6 * (ends[1] - ends[0])})  # fmt: skip
+                greatest[j] = max(greatest[j], samples[i, j], -best.fun)
+            state, t = leg.y[:, -1], leg.t[-1]
+            if leg.status == 1 and not side:
+                side = 1 if leg.t_events[0].size else -1
+                last = begun + t
+            elif leg.status == 1:
+                side = 0
+        begun += piece.duration
+    return *greatest, last
 
 
 @pytest.mark.usefixtures("quick")

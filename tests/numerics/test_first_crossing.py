@@ -17,6 +17,8 @@ VALUE_ROUNDING = 4e-15
 """What the values of sums of two terms of size one, on a horizon of 40, are good for."""
 
 
+@example(0.25, 0.0, 0.0, 5e-324, 2.0)  # products of the smallest numbers are zero
+@example(1.0, 0.0, -5e-324, 0.0, 1.0)
 @given(SIZES, NUMBERS, NUMBERS, st.floats(0.0, 10.0), st.floats(0.1, 10.0))
 def test_a_safe_step_has_no_zero_of_the_worst_cubic(d, v, a, J, most):
     step = safe_step(d=d, v=v, a=a, J=J, most=most)
@@ -29,6 +31,18 @@ def test_a_safe_step_has_no_zero_of_the_worst_cubic(d, v, a, J, most):
 def test_a_function_that_leaves_zero_is_asked_before_it_can_come_back(v, a, J):
     h = leaving_step(v, a, J)
     assert v + a * h / 2 - J * h * h / 6 == pytest.approx(0.0, abs=1e-9 * (v + abs(a) * h))
+
+
+@pytest.mark.parametrize("a", [0.0, 5e-324, 1.0])
+def test_a_function_that_leaves_zero_straight_never_comes_back(a):
+    # the third derivative takes 1/J to bend it
+    assert leaving_step(1.0, a, 5e-324) > 1e100
+    assert leaving_step(1.0, a, 0.0) == inf
+
+
+@pytest.mark.parametrize("J", [5e-324, 1e-310, 1e-200])
+def test_a_step_that_nothing_bends_is_the_longest(J):
+    assert safe_step(d=0.25, v=0.0, a=0.0, J=J, most=2.0) == 2.0
 
 
 @example(1.0 - 1e-9)

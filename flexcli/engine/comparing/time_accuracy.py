@@ -90,10 +90,11 @@ def _general(method: Method, tolerance: float) -> Callable[[Motion], TimePeaks]:
 def bounded(motion: Motion) -> Iterator[tuple[TimeNumber, float, float | None]]:
     """Yield each number by the event-driven run and its bound, nothing where it is unsure.
 
-    The bound is the distance to a control, the control's own error, and the share of the energy
-    that the run lost account of. The control is a general integrator under the same law, whose
-    error is at most its distance from a coarser one; a rigid stop has no other law, so that its
-    control is the same run with every piece cut in two.
+    The bound is the distance to a control, that control's distance from a coarser one, and the
+    share of the energy that the run lost account of. The controls are a general integrator under
+    the same law: it steps over the kinks of the force, where its tolerance is kept by luck, so that
+    either may be the farther off; but what they lose has nothing to do with what the run loses. A
+    rigid stop has no other law: its control is the same run with every piece cut in two.
     """
     finest, residual = event_driven(motion)
     if isinstance(motion.stops.law, RigidStop):
