@@ -79,6 +79,13 @@ def drawn(seed, kinds=KINDS) -> Drawn:
     return _Draw(rng, kind, seed).made()
 
 
+def drawn_twin(seed, kind, degree):
+    """Return the twin of a random joint of a kind."""
+    draw = _Draw(np.random.default_rng(seed), kind, seed)
+    sizes, _ = draw.sizes()
+    return Twin(joint_of(kind, **sizes), draw.E, draw.nu, draw.density, degree=degree)
+
+
 def designs(count, first=0, kinds=KINDS) -> Iterator[Drawn]:
     for seed in range(first, first + count):
         yield drawn(seed, kinds)
@@ -95,7 +102,7 @@ class _Draw:
     def _log(self, low, high):
         return float(10.0 ** self.rng.uniform(np.log10(low), np.log10(high)))
 
-    def _geometry(self):
+    def sizes(self):
         """Return the joint's sizes in SI and the spec's words for them."""
         rng, kind = self.rng, self.kind
         l = self._log(5e-3, 100e-3)
@@ -191,7 +198,7 @@ class _Draw:
     # -- the scene --
 
     def made(self) -> Drawn:
-        g, words = self._geometry()
+        g, words = self.sizes()
         self.g = g
         self.twin = Twin(joint_of(self.kind, **g), self.E, self.nu, self.density)
         spec = {"flexure": 1, "title": f"twin {self.seed}", "geometry": words}

@@ -207,7 +207,7 @@ class Loads:
 class Twin:
     """A joint of a material, and its true numbers by the plane frame."""
 
-    def __init__(self, joint, E, nu, density=0.0, *, shear=True, degree=9):
+    def __init__(self, joint, E, nu, density=0.0, *, shear=True, degree=8):
         G = E / (2.0 * (1.0 + (nu or 0.0))) if shear else 1e6 * E
         self.joint, self.E, self.G, self.density, self.degree = joint, E, G, density, degree
 
@@ -256,7 +256,7 @@ class Twin:
                     held = self.held(travel, hold)
                 pushes = loads.pushes(self.joint, sense)
                 state = frame.stable_solve(held, pushes)
-                if frame.falls(state, pushes, held):
+                if not frame.stands(state, pushes, held):
                     raise NoEquilibrium("the loads buckle it")
                 rows.append(np.concatenate(frame.faces(state, PLACES), axis=None))
             found.append(np.stack(rows))

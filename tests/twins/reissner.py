@@ -195,7 +195,7 @@ class State:
 class Frame:
     """Rigid bodies and the blades between them; E, G [Pa], density [kg/m³]."""
 
-    def __init__(self, masses, beams, E, G, density=0.0, degree=9):
+    def __init__(self, masses, beams, E, G, density=0.0, degree=8):
         self.masses, self.beams = dict(masses), list(beams)
         self.names = list(self.masses)
         self.length = max(beam.length for beam in beams)
@@ -374,7 +374,7 @@ class Frame:
             found = self._newton(state, loads, now)
             if found is None:
                 step /= 2.0
-                if step < 1e-4:
+                if step < 1.0 / 256.0:
                     raise NoEquilibrium(f"at {share:.5f} of the way")
             else:
                 state, share = found, at
@@ -384,7 +384,7 @@ class Frame:
     def stable_solve(self, held=None, pushes=(), steps=12):
         """Return the equilibrium on the path from rest, motion first and then load."""
         found = self.solve(held, pushes)
-        if self.falls(found, pushes, held or {}) == 0:
+        if self.stands(found, pushes, held or {}):
             return found
         held = held or {}
         now = self.rest()
@@ -399,17 +399,16 @@ class Frame:
             now = self.solve(held, loads, start=now, from_held=held, from_share=(k - 1) / k)
         return now
 
-    def falls(self, state, pushes, held):
-        """Return the number of negative eigenvalues of the Hessian, what is held taken out."""
+    def stands(self, state, pushes, held):
+        """Return whether the Hessian is positive definite, what is held taken out."""
         sigma = [m.resultants(u) for m, u in zip(self.meshes, state.nodes, strict=True)]
-        count = 0
         for mesh, u, stress in zip(self.meshes, state.nodes, sigma, strict=True):
-            full = mesh.stiffness(u, stress)
             _, rest = mesh.ends()
-            count += negative(full[np.ix_(rest, rest)])
+            if not is_definite(mesh.stiffness(u, stress)[np.ix_(rest, rest)]):
+                return False
         K, *_ = self._tangent(state, pushes, sigma)
         free = self._free(held)
-        return count + negative(K[np.ix_(free, free)])
+        return is_definite(K[np.ix_(free, free)])
 
     def _free(self, held):
         fixed = {3 * self.names.index(body) + axis for body, axis in held}
@@ -480,26 +479,26 @@ class Frame:
         slow = eigh(M[np.ix_(free, free)], K[np.ix_(free, free)], eigvals_only=True)
         return 1.0 / np.sqrt(slow[::-1][:count]) / (2.0 * np.pi)
 
-    def critical(self, pushes, held, start=None, most=None, first=0.04):
+    def critical(self, pushes, held, start=None, most=None, first=0.06):
         """Return the least factor on pushes at which the Hessian loses definiteness, or infinity.
 
         ``held`` {(body, axis): value} stay as they are in ``start``; the factor is found by
-        halves between a stable and an unstable (or unreached) equilibrium, to 1e-5.
+        halves between a stable and an unstable (or unreached) equilibrium, to 1e-4.
         """
         state = self.rest() if start is None else start
-        if self.falls(state, (), held):
+        if not self.stands(state, (), held):
             return 0.0
-        share, step, longest = 0.0, first, 0.12
+        share, step, longest = 0.0, first, 0.2
         while share < 1.0:
             at = min(1.0, share + step)
             loads = [_scaled(p, at * most) for p in pushes]
             found = self._newton(state, loads, held, most=14)
-            bad = found is None or self.falls(found, loads, held) > 0
+            bad = found is None or not self.stands(found, loads, held)
             jumped = found is not None and np.abs(found.bodies - state.bodies).max() > 0.35
             if bad or jumped:
                 step /= 2.0
-                if step < 1e-5 * max(at, 1e-6):
-                    return at * most if at > 1e-9 else 0.0
+                if step < 1e-4 * at:
+                    return (share + at) / 2.0 * most
                 longest = step
                 continue
             state, share = found, at
@@ -525,10 +524,16 @@ def _interpolated(mesh, u, places):
     return out
 
 
-def negative(A):
-    """Return how many eigenvalues of a symmetric matrix are negative."""
+def is_definite(A):
+    """Return whether a symmetric matrix is positive definite."""
     if A.size == 0:
-        return 0
-    scale = 1.0 / np.sqrt(np.abs(np.diag(A)).clip(1e-300))
-    values = np.linalg.eigvalsh((A + A.T) / 2.0 * np.outer(scale, scale))
-    return int(np.sum(values < 0.0))
+        return True
+    diagonal = np.diag(A)
+    if not (diagonal > 0.0).all():
+        return False
+    scale = 1.0 / np.sqrt(diagonal)
+    try:
+        np.linalg.cholesky((A + A.T) / 2.0 * np.outer(scale, scale))
+    except np.linalg.LinAlgError:
+        return False
+    return True
