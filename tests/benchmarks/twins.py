@@ -86,7 +86,8 @@ def main():
                 out.write(f"# {result}: {tag}, {'kept' if kept else 'missed'}; true {true:.6g}, ")
                 out.write(f"said {said.verdict} {said.factors} {said.ranges} by {said.models}, ")
                 out.write(f"exit {said.exit_code} {said.text[-300:]!r}\n")
-                out.write(yaml.safe_dump(spec, sort_keys=False, width=10_000) + "---\n")
+                text = yaml.safe_dump(spec, sort_keys=False, width=10_000, default_flow_style=None)
+                out.write(text + "---\n")
 
 
 if __name__ == "__main__":

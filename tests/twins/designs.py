@@ -376,7 +376,7 @@ class _Draw:
         axis = "y" if "stroke" in case or rng.random() < 0.5 else "x"
         h, b = self.g["h"], self.g["b"]
         if axis == "x" and not self.turns:
-            force = stiff * l * self._log(1e-4, 0.05)
+            force = float(stiff) * l * self._log(1e-4, 0.05)
         else:
             force = 0.08 * pi**2 * self.E * b * h**3 / 12.0 / l**2 * self._log(0.03, 1.0)
         self.level = force / mass

@@ -1,0 +1,385 @@
+"""Random specs in the tool's own words, over every kind of joint, asked near their limits."""
+
+from dataclasses import dataclass
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+
+from twins.verdicts import ERROR, UNDECIDED, checked
+
+PIVOTS = ("rcc", "cross-spring", "star", "three-blade", "unseparated-cross", "hinged-pivot")
+HINGES = ("moment-blade", "notch-hinge", "elliptic-hinge", "filleted-hinge")
+BARS = ("torsion-bar", "round-torsion-bar", "torsion-star")
+STAGES = ("cantilever", "guided-blade", "leaf-spring-stage", "necked-down-stage", "hinged-stage")
+DRAWN = ("layout", "layout-pivot")
+KINDS = PIVOTS + HINGES + BARS + STAGES + DRAWN + ("linkage",)
+TURNS = PIVOTS + HINGES + BARS + ("layout-pivot", "linkage")
+ENDS = ("clamped-clamped", "clamped-guided", "clamped-pinned", "pinned-pinned", "clamped-free")
+NEAR = 0.03
+"""How far from a printed factor its requirement is set."""
+
+EASY = 1e-6
+"""A factor that everything keeps: the first look at a design, which prints its factors."""
+
+
+def m(value):
+    return f"{float(value)!r} m"
+
+
+@dataclass
+class Scene:
+    """A spec without requirements, and the requirements that may be put to it."""
+
+    kind: str
+    spec: dict
+    easy: dict
+
+
+def scene(seed, kinds=KINDS):
+    """Return the random spec of a seed."""
+    return _Writer(np.random.default_rng(seed), kinds[seed % len(kinds)]).scene(seed)
+
+
+class _Writer:
+    def __init__(self, rng, kind):
+        self.rng, self.kind = rng, kind
+
+    def log(self, low, high):
+        return float(10.0 ** self.rng.uniform(np.log10(low), np.log10(high)))
+
+    def one(self, *choices):
+        return choices[int(self.rng.integers(len(choices)))]
+
+    def scene(self, seed):
+        rng = self.rng
+        self.l = self.log(1e-3, 0.2)
+        self.slender = self.log(3e-4, 0.3)
+        self.h = self.l * self.slender
+        self.b = min(self.h * self.log(0.5, 300.0), 3.0 * self.l)
+        geometry = self.geometry()
+        case, mechanism = self.case()
+        cases = {"work": case}
+        if rng.random() < 0.2:
+            cases["other"] = self.case(mechanism, first=False)[0]
+        material = self.material()
+        spec = {"flexure": 1, "title": f"seed {seed}", "material": material, "geometry": geometry}
+        if mechanism:
+            spec["mechanism"] = mechanism
+        spec["cases"] = cases
+        if rng.random() < 0.25:
+            effect = self.one("shear", "plate-widening", "large-rotation", "axial-extension")
+            spec["effects"] = {effect: self.one("on", "off")}
+        if rng.random() < 0.1:
+            spec["accuracy"] = self.log(1e-3, 0.1)
+        return Scene(self.kind, spec, self.requirements(cases, mechanism, material))
+
+    def material(self):
+        rng = self.rng
+        E = self.log(1e9, 400e9) if rng.random() < 0.1 else self.one(70e9, 114e9, 210e9)
+        tensile = E * self.log(1e-3, 2e-2)
+        words = {"name": "drawn", "youngs_modulus": f"{E!r} Pa"}
+        if rng.random() < 0.9:
+            words["poisson_ratio"] = self.one(0.3, 0.34, 0.0, 0.45)
+        return words | {
+            "density": f"{self.one(2700.0, 4430.0, 8000.0)!r} kg/m^3",
+            "yield_strength": f"{tensile * 0.9!r} Pa",
+            "tensile_strength": f"{tensile!r} Pa",
+            "fatigue_amplitude": {"value": f"{tensile / 2!r} Pa", "cycles": 1e7, "stress_ratio": -1},
+        }
+
+    def requirements(self, cases, mechanism, material):
+        turns = self.kind in TURNS
+        easy = {
+            "yield": {"factor": EASY},
+            "stiffness": {"min": "1e-20 N*m/rad" if turns else "1e-20 N/m"},
+        }
+        whole = {**cases.get("other", {}), **cases["work"]}
+        if "stroke" in whole:
+            easy["parasitic_shift"] = {"max": "1e9 m"}
+            easy["fatigue"] = {
+                "factor": EASY, "mean_stress": self.one("goodman", "soderberg", "swt", "none"),
+            }  # fmt: skip
+        if any("ends" in case or "lock" in case for case in cases.values()):
+            easy["buckling"] = {"factor": EASY}
+        if mechanism:
+            easy["frequency"] = {"min": "1e-9 Hz"}
+        if "acceleration" in whole and mechanism and mechanism["kind"] == "payload":
+            easy["sag"] = {"max": "1e9 m"}
+        if "wrench" in whole:
+            easy["deflection"] = {"direction": self.one("x", "y", "z"), "max": "1e9 m"}
+        if self.rng.random() < 0.15:
+            easy["support"] = [{"direction": self.one("x", "y", "z"), "min": "1e-20 N/m"}]
+        if "asd" in whole or "shock" in whole:
+            easy["dynamic-yield"] = {"factor": EASY}
+        return easy
+
+    # -- geometry --
+
+    def geometry(self):
+        h, l, b = m(self.h), m(self.l), m(self.b)
+        blade = {"kind": self.kind, "h": h, "l": l, "b": b}
+        rng, kind = self.rng, self.kind
+        angle = f"{float(rng.uniform(10.0, 80.0))!r} deg"
+        if kind == "rcc":
+            return blade | {"p": m(self.l * self.one(0.0, rng.uniform(0, 2))), "half_angle": angle}
+        if kind == "cross-spring":
+            delta = self.one(-0.5, -1 / 3, -0.8727, -2 / 3, float(rng.uniform(-1.5, 1.0)))
+            words = blade | {"delta": float(delta), "half_angle": angle}
+            return words | ({"pairs": 2} if rng.random() < 0.1 else {})
+        if kind == "star":
+            n = int(rng.integers(2, 6))
+            angles = [f"{float(rng.uniform(0, 360))!r} deg" for _ in range(n)]
+            return blade | {"angles": angles, "p": m(self.l * rng.uniform(-1.0, 1.0))}
+        if kind == "three-blade":
+            return blade | {"p": m(self.l * self.one(0.0, rng.uniform(0, 1)))}
+        if kind == "unseparated-cross":
+            return blade | {"half_angle": angle, "crossing": float(rng.uniform(0.2, 0.8))}
+        if kind == "leaf-spring-stage":
+            words = blade | {"blades": int(rng.integers(2, 7))}
+            near = m(max(self.l * self.log(0.1, 3.0), 1.5 * self.h))
+            return words | ({"spacing": near} if rng.random() < 0.85 else {})
+        if kind == "necked-down-stage":
+            words = blade | {"l_c": m(self.l * rng.uniform(0.03, 0.5)), "blades": self.one(2, 3, 4)}
+            near = m(max(self.l * self.log(0.2, 3.0), 1.5 * self.h))
+            return words | ({"spacing": near} if rng.random() < 0.85 else {})
+        if kind in ("layout", "layout-pivot"):
+            return self.layout()
+        if kind == "linkage":
+            return self.linkage()
+        if kind in ("notch-hinge", "hinged-stage", "hinged-pivot"):
+            return self.notched(angle)
+        if kind == "elliptic-hinge":
+            depth = self.l * rng.uniform(0.05, 0.6)
+            self.h = self.l**2 / 4.0 / depth * self.log(1e-3, 0.5)
+            sizes = {"e": m(self.h), "depth": m(depth), "l": l, "b": m(self.h * self.log(1, 100))}
+            return {"kind": kind, **sizes}
+        if kind == "filleted-hinge":
+            return blade | {"r": m(self.l * rng.uniform(0.01, 0.5))}
+        if kind == "torsion-bar":
+            warping = self.one("free", "restrained")
+            return blade | {"bars": self.one(1, 2), "warping": warping}
+        if kind == "round-torsion-bar":
+            return {"kind": kind, "d": h, "l": l, "bars": self.one(1, 2)}
+        if kind == "torsion-star":
+            return blade | {"b": m(self.h * self.log(3.0, 50.0)), "strips": self.one(2, 3)}
+        return blade
+
+    def notched(self, angle):
+        r = self.l * float(self.rng.uniform(0.05, 0.45))
+        self.h = r * self.log(1e-4, 0.8)
+        words = {"kind": self.kind, "e": m(self.h), "r": m(r), "b": m(self.h * self.log(1, 200))}
+        if self.kind == "notch-hinge":
+            self.l = 2.0 * r
+            return words
+        words["l"] = m(self.l)
+        if self.kind == "hinged-pivot":
+            far = self.l * self.rng.uniform(0.3, 1.5)
+            return words | {"p": m(far), "half_angle": angle}
+        return words | {"limbs": self.one(2, 3), "spacing": m(self.l)}
+
+    def layout(self):
+        rng, l, blades = self.rng, self.l, {}
+        size = {"h": m(self.h), "b": m(self.b)}
+        if self.kind == "layout-pivot":
+            near = l * float(rng.uniform(-0.8, 0.8))
+            for k in range(int(rng.integers(2, 4))):
+                a = float(rng.uniform(0.0, 2.0 * pi))
+                ends = [[m(r * np.cos(a)), m(r * np.sin(a))] for r in (near, near + l)]
+                blades[f"b{k}"] = {"between": ["ground", "st"], "from": ends[0], "to": ends[1]} | size
+            bodies = {"st": {"at": ["0 m", "0 m"]}}
+            return {
+                "kind": "layout", "bodies": bodies, "blades": blades,
+                "moving": "st", "motion": "rotation",
+            }  # fmt: skip
+        wide = l * float(rng.uniform(0.4, 2.0))
+        for name, y in (("a", wide / 2), ("c", -wide / 2)):
+            blades[f"out-{name}"] = {
+                "between": ["ground", "frame"], "from": ["0 m", m(y)], "to": [m(l), m(y)],
+            } | size  # fmt: skip
+            blades[f"in-{name}"] = {
+                "between": ["frame", "st"], "from": [m(l), m(y / 2)], "to": ["0 m", m(y / 2)],
+            } | size  # fmt: skip
+        frame = {"at": [m(l / 2), "0 m"]}
+        if rng.random() < 0.4:
+            frame["mass"] = f"{self.log(1e-3, 1.0)!r} kg"
+        return {
+            "kind": "layout", "blades": blades, "moving": "st",
+            "bodies": {"frame": frame, "st": {"at": [m(l / 2), "0 m"]}},
+            "motion": {"translation": "90 deg"},
+        }  # fmt: skip
+
+    def linkage(self):
+        arm, size = 3.0 * self.l, {"h": m(self.h), "l": m(self.l), "b": m(self.b)}
+        flexure = {"kind": "cross-spring", "delta": -0.5, "half_angle": "45 deg", **size}
+        places = {
+            "theta": (["crank", "base"], 0.0, 0.0), "beta": (["rod", "crank"], 0.0, arm),
+            "alpha": (["rod", "stage"], -arm, arm),
+        }  # fmt: skip
+        joints = {
+            name: {"links": links, "at": [m(x), m(y)], "flexure": flexure}
+            for name, (links, x, y) in places.items()
+        }
+        joints["z"] = {"links": ["base", "stage"], "along": [1, 0]}
+        return {"kind": "linkage", "ground": "base", "input": "theta", "joints": joints}
+
+    # -- cases --
+
+    def case(self, mechanism=None, *, first=True):
+        rng, case = self.rng, {}
+        turns = self.kind in TURNS
+        way = rng.random()
+        if way < 0.75 or self.kind in (*BARS, "linkage"):
+            case["stroke"] = self.stroke(turns)
+        loaded = self.kind not in (*BARS, "linkage")
+        if loaded and (not case or rng.random() < 0.4):
+            case |= self.load()
+        if first and loaded and rng.random() < 0.6:
+            mechanism = self.mechanism(turns)
+        if mechanism and mechanism["kind"] == "parallel-stage" and "stroke" in case:
+            case["stroke"] = self.stroke(turns=False)
+        if mechanism and rng.random() < 0.3:
+            self.shaken(case, mechanism)
+        if not case:
+            case["stroke"] = self.stroke(turns)
+        return case, mechanism
+
+    def stroke(self, turns):
+        slim = 1.0 / self.slender
+        reach = self.log(1e-5, 1.0) * min(1.2, 0.01 * slim)
+        if not turns:
+            reach *= self.l * 0.5
+        unit = "rad" if turns else "m"
+        way, cycles = self.rng.random(), {"cycles": 1e7}
+        travel = f"{reach!r} {unit}"
+        if way > 0.6:
+            travel = [f"0 {unit}", f"{reach!r} {unit}"]
+        if way > 0.85:
+            travel = [f"{-0.3 * reach!r} {unit}", f"{reach!r} {unit}"]
+        return {"rotation" if turns else "translation": travel, **cycles}
+
+    def load(self):
+        euler = pi**2 * 100e9 * self.b * self.h**3 / 12.0 / self.l**2
+        force = euler * self.log(1e-4, 1.5)
+        way, case = self.rng.random(), {}
+        if way < 0.6:
+            case["load"] = {"force": f"{force!r} N"}
+            if self.rng.random() < 0.5:
+                sideways = self.kind in (*PIVOTS, "layout-pivot") and self.rng.random() < 0.5
+                turn = float(self.rng.uniform(0, 360)) if sideways else self.one(0.0, 180.0)
+                case["load"]["direction"] = f"{turn!r} deg"
+        else:
+            axis = self.one("x", "y", "z")
+            case["wrench"] = {axis: f"{force * self.one(1, -1)!r} N"}
+            if self.rng.random() < 0.3:
+                axis = self.one("theta_x", "theta_y", "theta_z")
+                case["wrench"][axis] = f"{force * self.l * 0.1!r} N*m"
+        if self.rng.random() < 0.6:
+            case["ends"] = self.one(*ENDS)
+        return case
+
+    def mechanism(self, turns):
+        mass = self.log(1e-4, 2.0)
+        if self.kind == "cantilever" and self.rng.random() < 0.4:
+            offset = {"offset": m(self.l * 0.2)} if self.rng.random() < 0.4 else {}
+            return {"kind": "tip-mass", "mass": f"{mass!r} kg", **offset}
+        if self.kind in ("rcc", "cross-spring", "three-blade") and self.rng.random() < 0.3:
+            lever = {"mass": f"{mass!r} kg", "com": "10 mm", "inertia": f"{mass * 1e-4!r} kg*m^2"}
+            return {
+                "kind": "parallel-stage", "height": "20 mm",
+                "solid-1": lever, "solid-2": {"mass": f"{mass * 3!r} kg"}, "solid-3": lever,
+            }  # fmt: skip
+        words = {"kind": "payload", "mass": f"{mass!r} kg"}
+        return words | ({"inertia": f"{mass * self.l**2!r} kg*m^2"} if turns else {})
+
+    def shaken(self, case, mechanism):
+        kind = self.one("acceleration", "acceleration", "asd", "shock")
+        if kind == "acceleration":
+            level = f"{self.log(0.1, 1e3)!r} m/s^2"
+            case["acceleration"] = {"level": level, "axis": self.one("x", "y", "z")}
+        elif kind == "asd":
+            case["asd"] = {"profile": "gevs-qualification", "q": 50}
+        else:
+            pulse = {"acceleration": f"{self.log(1.0, 500.0)!r} g", "duration": "5 ms"}
+            case["shock"] = {"half-sine": pulse, "q": 50}
+        if mechanism["kind"] == "parallel-stage" and "stroke" not in case:
+            case["lock"] = "solid-2"
+
+
+class Tried(NamedTuple):
+    """A spec near a limit, what was said of it by default and by the finest model, and the sin."""
+
+    kind: str
+    requirement: str
+    spec: dict
+    said: object
+    finest: object
+    sin: str
+
+
+CLEAN = ""
+
+
+def tried(seed, kinds=KINDS, finest=True):
+    """Return what comes of a seed's spec with one requirement 3 % above or below its factor."""
+    found = scene(seed, kinds)
+    rng = np.random.default_rng(seed + 10**6)
+    while True:
+        spec = {**found.spec, "requirements": found.easy}
+        first = checked(spec, "yield")
+        if first.exit_code == 101:
+            return Tried(found.kind, "", spec, first, None, "traceback")
+        if first.exit_code != 2:
+            break
+        # what this joint has no answer for is a finding of the spec: it asks for less
+        keys = [key for key in found.easy if key in first.text.replace("-", "_")] or list(found.easy)
+        gone = keys[int(rng.integers(len(keys)))]
+        found.easy = {key: value for key, value in found.easy.items() if key != gone}
+        if not found.easy:
+            return Tried(found.kind, "", spec, first, None, "finding")
+    rows = [
+        row for row in first.rows
+        if row["factor"] is not None and row["required"] is not None and 0 < row["factor"] < 1e15
+        and _key(row["name"], found.easy)
+    ]  # fmt: skip
+    if not rows:
+        return Tried(found.kind, "", spec, first, None, CLEAN)
+    row = rows[int(rng.integers(len(rows)))]
+    name = _key(row["name"], found.easy)
+    block = _near(found.easy[name], row, 1.0 + NEAR * rng.choice([-1.0, 1.0]))
+    spec = {**found.spec, "requirements": {name: block}}
+    said = checked(spec, name)
+    best = checked(spec, name, "exact") if finest and said.verdict == "pass" else None
+    return Tried(found.kind, name, spec, said, best, _sin(said, best))
+
+
+def _key(name, easy):
+    spoken = name.replace("-", " ")
+    keys = [key for key in easy if spoken.startswith(key.replace("_", " ").replace("-", " "))]
+    return max(keys, key=len, default="")
+
+
+def _near(block, row, share):
+    """Return the requirement set to a printed number times a share."""
+    if isinstance(block, list):
+        return [_near(block[0], row, share)]
+    block = dict(block)
+    if "factor" in block:
+        block["factor"] = float(row["factor"] * share)
+    for side, number in (("min", "capacity"), ("max", "demand")):
+        if side in block:
+            unit = block[side].split()[1]
+            block[side] = f"{abs(row[number]) * float(share)!r} {unit}"
+    return block
+
+
+def _sin(said, best):
+    if said.exit_code == 101 or (best is not None and best.exit_code == 101):
+        return "traceback"
+    if said.exit_code == 2:
+        return "finding"
+    if best is not None and best.verdict == "fail":
+        return "unsafe pass"
+    if said.verdict == UNDECIDED:
+        return UNDECIDED
+    return ERROR if said.verdict == ERROR else CLEAN
