@@ -34,7 +34,9 @@ def main():
         counts["all"][found.sin] += 1
         decided.update(found.said.models)
         if found.sin:
-            text = yaml.safe_dump(found.spec, sort_keys=False, width=10_000, default_flow_style=None)
+            text = yaml.safe_dump(
+                found.spec, sort_keys=False, width=10_000, default_flow_style=None
+            )
             last = found.said.text.strip().splitlines()[-1:] or [""]
             key = (found.sin, found.kind, found.requirement, last[0][:60])
             best = found.finest.factors if found.finest else ""

@@ -85,7 +85,11 @@ class _Writer:
             "density": f"{self.one(2700.0, 4430.0, 8000.0)!r} kg/m^3",
             "yield_strength": f"{tensile * 0.9!r} Pa",
             "tensile_strength": f"{tensile!r} Pa",
-            "fatigue_amplitude": {"value": f"{tensile / 2!r} Pa", "cycles": 1e7, "stress_ratio": -1},
+            "fatigue_amplitude": {
+                "value": f"{tensile / 2!r} Pa",
+                "cycles": 1e7,
+                "stress_ratio": -1,
+            },
         }
 
     def requirements(self, cases, mechanism, material):
@@ -186,7 +190,11 @@ class _Writer:
             for k in range(int(rng.integers(2, 4))):
                 a = float(rng.uniform(0.0, 2.0 * pi))
                 ends = [[m(r * np.cos(a)), m(r * np.sin(a))] for r in (near, near + l)]
-                blades[f"b{k}"] = {"between": ["ground", "st"], "from": ends[0], "to": ends[1]} | size
+                blades[f"b{k}"] = {
+                    "between": ["ground", "st"],
+                    "from": ends[0],
+                    "to": ends[1],
+                } | size
             bodies = {"st": {"at": ["0 m", "0 m"]}}
             return {
                 "kind": "layout", "bodies": bodies, "blades": blades,
@@ -332,7 +340,9 @@ def tried(seed, kinds=KINDS, finest=True):
         if first.exit_code != 2:
             break
         # what this joint has no answer for is a finding of the spec: it asks for less
-        keys = [key for key in found.easy if key in first.text.replace("-", "_")] or list(found.easy)
+        keys = [key for key in found.easy if key in first.text.replace("-", "_")] or list(
+            found.easy
+        )
         gone = keys[int(rng.integers(len(keys)))]
         found.easy = {key: value for key, value in found.easy.items() if key != gone}
         if not found.easy:

@@ -226,8 +226,9 @@ class Twin:
 
     def frequency(self, mass, inertia):
         """Return the lowest frequency in the plane [Hz], a payload with its centre in the joint."""
+        centre = self.joint.centre
         bodies = tuple(
-            (n, m._replace(mass=mass, inertia=inertia or 0.0) if n == BODY else m)
+            (n, m._replace(mass=mass, inertia=inertia or 0.0, com=centre) if n == BODY else m)
             for n, m in self.joint.bodies
         )
         frame = self.frame(replace(self.joint, bodies=bodies))

@@ -309,9 +309,7 @@ class Frame:
             state.bodies += step.reshape(-1, 3)
             self._set_ends(state)
             sigma = []
-            for mesh, u, old, solved in zip(
-                self.meshes, state.nodes, before, inner, strict=True
-            ):
+            for mesh, u, old, solved in zip(self.meshes, state.nodes, before, inner, strict=True):
                 edge, rest = mesh.ends()
                 # the ends' own motion, to first order, moves the inner nodes
                 moved = self._linear_ends(mesh.beam, state, step, start_at=old)

@@ -1,0 +1,16 @@
+"""Random specs near their limits: no bug, and no pass that the finest model fails.
+
+One a kind of joint here; `tests/benchmarks/campaign.py` tries thousands.
+"""
+
+import pytest
+
+from twins.campaign import KINDS, tried
+
+SINS = ("traceback", "unsafe pass")
+
+
+@pytest.mark.parametrize("seed", range(len(KINDS)), ids=lambda seed: KINDS[seed])
+def test_a_random_spec_near_its_limit_is_judged_without_a_sin(seed):
+    found = tried(seed)
+    assert found.sin not in SINS, (found.spec, found.said.text, found.said.factors, found.finest)
