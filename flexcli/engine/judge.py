@@ -38,8 +38,8 @@ WOULD_LOOK = {
 FAR = 1.5
 """Factors over the required one beyond which a sizing asks no finer model."""
 
-SURE = 1e-5
-"""Width of a range (relative) that a sizing takes for a point."""
+SURE = 3e-4
+"""Width of a range (relative) that a sizing takes for a point: what a finer model could save."""
 
 
 class Judgement(NamedTuple):

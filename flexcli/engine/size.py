@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from math import inf
 from time import perf_counter
 
 from flexcli.engine.check import judged
@@ -27,6 +28,9 @@ ROUNDS = 15
 SETTLED = 1e-7
 """Change of every correction (relative) at which the rounds end; the rest is added to it, so that
 the models that judge find the requirement met."""
+
+SLOW = 0.1
+"""Share of the last change that is too much to go on with the slopes of before."""
 
 GRID_ROUNDS = 8
 """Grid points that the models that judge may refuse before the last one is shown as it is."""
@@ -126,14 +130,18 @@ def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str
     remarks: tuple[Note, ...] = (
         Note("did-not-settle", f"the sizing did not settle in {ROUNDS} rounds: not an optimum"),
     )
+    change = inf
     for rounds in range(ROUNDS):
         at = _continuous(design, corrections)
         if at is None:
             remarks = ()
             break
-        found = corrections_at(design, at, ladder, slopes=rounds > 0)
-        change = difference(corrections, found, at)
-        corrections = found
+        # values alone at first, far from the choice; then slopes, as long as they do
+        found = corrections_at(design, at, ladder, None if rounds == 1 else corrections)
+        moved = difference(corrections, found, at)
+        if rounds > 1 and moved > SLOW * change:
+            found = corrections_at(design, at, ladder)
+        corrections, change = found, moved
         if change <= SETTLED:
             remarks = ()
             break
@@ -142,7 +150,7 @@ def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str
         if not design.size.rounding or result.status in (Status.PASS, Status.INFEASIBLE):
             break
         at = design.geometry.sized({n: result.values[n].value for n in design.geometry.free})
-        corrections = corrections_at(design, at, ladder, slopes=True)
+        corrections = corrections_at(design, at, ladder)
         result = _chosen_and_judged(_tightened(design, corrections), spec, ladder, model)
     return replace(result, warnings=(*remarks, *result.warnings))
 

@@ -102,6 +102,7 @@ def document(result: Result) -> dict[str, Any]:
             "model": result.cost.model,
             "estimated_error": result.cost.estimated_error,
             "iterations": result.cost.iterations,
+            "by_model": dict(result.cost.by_model),
         }
     return content
 

@@ -1,7 +1,7 @@
 """Results as text for a terminal, with rich: margins first, then what explains them."""
 
 from collections.abc import Mapping, Sequence
-from math import isfinite
+from math import isnan
 
 from rich.console import Console, Group, RenderableType
 from rich.table import Table
@@ -11,12 +11,13 @@ from flexcli.errors import Finding
 from flexcli.report.accuracy_text import accuracy_tables
 from flexcli.report.asd import profile_list, profile_sheet, worst_cases
 from flexcli.report.balance_text import balance_tables
+from flexcli.report.margins_text import margins
 from flexcli.report.plan_text import audit_table, plan_tables
 from flexcli.report.response_text import response_tables
 from flexcli.report.stops_text import stops_tables
 from flexcli.report.sweep_text import sweep_table
 from flexcli.report.tables import table as _table
-from flexcli.results import Check, Result, SizingResult, Status, Value
+from flexcli.results import Cost, Result, SizingResult, Status, Value, Verdict
 from flexcli.units import STANDARD_GRAVITY, show
 
 __all__ = ["findings_text", "print_findings", "print_result", "print_summary"]
@@ -36,6 +37,8 @@ MOST_COLUMNS = 4
 def print_result(result: Result, console: Console) -> None:
     """Print one result: heading, sizing, values, checks, effects, warnings, cost."""
     console.print(_heading(result))
+    if result.checks:
+        console.print(margins(result.checks))
     if result.sizing is not None:
         console.print(_sizing(result.sizing, result.values))
     if result.accuracy is not None:
@@ -59,8 +62,6 @@ def print_result(result: Result, console: Console) -> None:
         console.print(response_tables(response))
     for sweep in result.sweeps:
         console.print(sweep_table(sweep))
-    if result.checks:
-        console.print(_checks(result.checks))
     if result.sizing is not None and result.sizing.sensitivities:
         console.print(_sensitivities(result.sizing))
     if result.plan is not None:
@@ -73,11 +74,17 @@ def print_result(result: Result, console: Console) -> None:
     for note in result.warnings:
         console.print(Text.assemble(("warning ", "yellow"), f"{note.text} [{note.code}]"))
     if result.cost is not None:
-        error = result.cost.estimated_error
-        estimate = f", estimated model error up to {error:.1%}" if error is not None else ""
-        console.print(
-            Text(f"{result.cost.model} model{estimate}; {result.cost.seconds * 1e3:.1f} ms", "dim")
-        )
+        console.print(Text(_cost(result.cost), "dim"))
+
+
+def _cost(cost: Cost) -> str:
+    """Return which models ran, how long each, and how far off the values may be."""
+    error = cost.estimated_error
+    estimate = "" if error is None else f"; values may be off by up to {error:.1%}"
+    if len(cost.by_model) > 1:
+        each = (f"{name} {seconds * 1e3:.1f} ms" for name, seconds in cost.by_model.items())
+        return f"{', '.join(each)}{estimate}; {cost.seconds * 1e3:.1f} ms in all"
+    return f"{cost.model} model{estimate}; {cost.seconds * 1e3:.1f} ms"
 
 
 def _heading(result: Result) -> Text:
@@ -96,31 +103,6 @@ def _values(result: Result) -> Table:
             shown = f"{value.value / STANDARD_GRAVITY:.4g} g"
         table.add_row(name, shown, value.label)
     return table
-
-
-def _checks(checks: Sequence[Check]) -> Group:
-    table = _table(
-        "Margins", "", "check", "demand", "capacity", "factor", "required", "what is compared",
-        numbers=[2, 3, 4, 5],
-    )  # fmt: skip
-    for check in checks:
-        mark = Text("pass", "green") if check.passed else Text("FAIL", "bold red")
-        name = check.full_name
-        table.add_row(
-            mark,
-            name,
-            show(check.demand, check.unit),
-            show(check.capacity, check.unit),
-            _number(check.factor),
-            _number(check.required),
-            check.quantity,
-        )
-    sources = Text("\n".join(dict.fromkeys(f"  {c.full_name}: {c.source}" for c in checks)), "dim")
-    return Group(table, sources)
-
-
-def _number(value: float) -> str:
-    return f"{value:.4g}" if isfinite(value) else "∞"
 
 
 def _sizing(sizing: SizingResult, values: Mapping[str, Value]) -> RenderableType:
@@ -169,10 +151,12 @@ def print_summary(results: Sequence[Result], console: Console) -> None:
     table = _table("Summary", "", "spec", "worst margin", numbers=[2])
     for result in results:
         mark = Text(result.status.value, _STYLE[result.status])
-        worst = min(result.checks, key=lambda c: c.margin, default=None)
         told = f"{len(result.findings)} findings" if result.findings else ""
-        if worst is not None:
-            told = f"{worst.margin:+z.1%} {worst.full_name}"
+        if result.checks:
+            worst = next((c for c in result.checks if c.verdict is Verdict.NOT_JUDGED), None)
+            known = [check for check in result.checks if not isnan(check.margin)]
+            worst = min(known, key=lambda c: c.margin, default=worst)
+            told = f"{worst.margin:+z.1%} {worst.full_name}" if worst is not None else ""
         table.add_row(mark, result.spec, told)
     console.print(table)
 

@@ -31,7 +31,10 @@ STEEPEST = 12.0
 
 
 def corrections_at(
-    design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...], *, slopes: bool
+    design: DesignSpec,
+    sizes: Sizes,
+    rungs: tuple[Rung, ...],
+    known: Mapping[str, Correction] | None = None,
 ) -> dict[str, Correction]:
     """Return how the formulas of each check differ from the models that judge, at a design.
 
@@ -43,8 +46,8 @@ def corrections_at(
         Sizes at which they are compared [m].
     rungs : tuple of Rung
         The models that judge, the cheapest first.
-    slopes : bool
-        Whether the slopes of what is near its limit are matched as well.
+    known : mapping, optional
+        Corrections near by whose slopes are kept; else slopes are taken of what is near its limit.
 
     Returns
     -------
@@ -56,9 +59,9 @@ def corrections_at(
     ratios = {name: used.share / plain.get(name, 1.0) for name, used in fine.items()}
     about = {name: float(getattr(sizes, name)) for name in design.geometry.free}
     near = {name for name, used in fine.items() if used.share > 1.0 / FAR}
-    rises: dict[str, dict[str, float]] = {name: {} for name in fine}
+    rises = {name: dict(known[name].slopes) if known and name in known else {} for name in fine}
     questions = {fine[name].question for name in near}
-    for size, x in about.items() if slopes and near else ():
+    for size, x in about.items() if known is None and near else ():
         beside = sizes._replace(**{size: x * (1.0 + STEP)})
         there = finest(design, beside, rungs, questions)
         formulas = _used(design.closed_limits(beside))
