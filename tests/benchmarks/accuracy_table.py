@@ -9,8 +9,9 @@ import sys
 from math import inf
 from pathlib import Path
 
+from judging import size_as_printed
+
 from flexcli.engine.accuracy import accuracy
-from flexcli.engine.size import size
 from flexcli.parts.design import DesignSpec
 from flexcli.spec.load import load_design
 
@@ -39,7 +40,7 @@ def joint(geometry, stroke):
 def rocket():
     """Return the pivot that sizing gives the stage of the rocket's take-off."""
     design, _ = load_design(ROCKET)
-    values = size(design, str(ROCKET)).values
+    values = size_as_printed(design, str(ROCKET)).values
     free = {name: values[name].value for name in design.geometry.free}
     return design, design.geometry.sized(free)
 

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 import yaml
+from judging import check_as_printed
 
 from flexcli.engine.balance import balance
-from flexcli.engine.check import check
 from flexcli.parts.design import DesignSpec
 from flexcli.results import Status
 from flexcli.spec.load import load_design
@@ -106,7 +106,7 @@ def test_beyond_its_package_the_design_is_infeasible_and_fails_its_check(exercis
     found = balance(design, "flexure.yaml")
     assert found.status is Status.INFEASIBLE
     assert found.balance.outcome == "infeasible"
-    checked = check(design, design.fixed_sizes(), "flexure.yaml")
+    checked = check_as_printed(design, design.fixed_sizes(), "flexure.yaml")
     assert checked.status is Status.FAIL
     assert "not-balanced" in [note.code for note in checked.warnings]
 

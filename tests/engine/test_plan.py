@@ -5,11 +5,11 @@ from typing import Any
 import pytest
 from random_scenes import scenes
 
+from flexcli.engine import assess
 from flexcli.engine.answers.exact import ExactAnswers
-from flexcli.engine.check import check
+from flexcli.engine.check import check, told_values
 from flexcli.engine.plan import plan, planned_answers
 from flexcli.engine.planning.audit import audit
-from flexcli.engine.planning.by_plan import check_by_plan, size_by_plan
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 
@@ -51,13 +51,15 @@ def test_finer_accuracies_take_other_models_at_rising_cost_and_keep_their_promis
     for accuracy in (0.1, 0.01, 0.001, 1e-6):
         design = design_of(accuracy=accuracy, effects=BEAMS)
         sizes, found = design.fixed_sizes(), planned(design)
-        result = check(design, sizes, "", planned_answers(found))
-        truth = check(design, sizes, "", CONTROL)
+        values = told_values(design, sizes, planned_answers(found))
+        truth = told_values(design, sizes, CONTROL)
         for name in ("k_pivot", "shift"):
-            assert result.values[name].value == pytest.approx(
-                truth.values[name].value, rel=accuracy
-            )
-        assert result.checks[0].demand == pytest.approx(truth.checks[0].demand, rel=accuracy)
+            assert values[name].value == pytest.approx(truth[name].value, rel=accuracy)
+        stress, true = (
+            assess.checks(design.limits(sizes, by))[0].demand
+            for by in (planned_answers(found), CONTROL)
+        )
+        assert stress == pytest.approx(true, rel=accuracy)
         taken.append((planned_answers(found).model, found.tolerance))
         costs.append(found.cost)
     assert len(set(taken)) == 4
@@ -143,7 +145,7 @@ def test_without_another_model_the_unknown_error_is_told():
 
 def test_check_by_a_plan_tells_its_error_and_no_effects_of_closed_forms():
     design = design_of({**PIVOT, "h": "0.6 mm"}, accuracy=0.3, effects=BEAMS)
-    result = check_by_plan(design, design.fixed_sizes(), "", None)
+    result = check(design, design.fixed_sizes(), "")
     assert result.plan is not None
     assert result.cost.estimated_error == result.plan.estimated_error
     assert "effect-left-out" not in [note.code for note in result.warnings]
@@ -159,29 +161,10 @@ def test_a_scene_that_lacks_an_effect_runs_no_code_for_it(monkeypatch):
     monkeypatch.setattr("flexcli.parts.bending.pair.under_tension", refuse)
     monkeypatch.setattr("flexcli.parts.effects.blade_mass.pivot_inertia", refuse)
     design = design_of(accuracy=0.1)
-    assert check_by_plan(design, design.fixed_sizes(), "", None).checks
+    assert check(design, design.fixed_sizes(), "").checks
     exact = design_of(accuracy=1e-6)
     with pytest.raises(AssertionError):  # that would have been called
-        check_by_plan(exact, exact.fixed_sizes(), "", None)
-
-
-def test_sizing_by_a_plan_meets_the_requirement_by_the_model_that_it_calls_for():
-    geometry = {**PIVOT, "h": {"free": ["0.05 mm", "1 mm"]}}
-    design = design_of(
-        geometry, accuracy=0.01, effects=BEAMS,
-        requirements={"stiffness": {"min": "1 N*m/rad"}, "yield": 1.0},
-    )  # fmt: skip
-    result = size_by_plan(design, "", None)
-    assert result.plan.model in result.cost.model
-    assert all(one.passed for one in result.checks)
-    sizes = design.geometry.sized({"h": result.values["h"].value})
-    assert plan(design, sizes).on == result.plan.on
-
-
-def test_sizing_by_a_plan_returns_a_conflict_as_it_is():
-    geometry = {**PIVOT, "h": {"free": ["0.05 mm", "0.06 mm"]}}
-    design = design_of(geometry, accuracy=0.01, requirements={"stiffness": {"min": "100 N*m/rad"}})
-    assert size_by_plan(design, "", None).plan is None
+        check(exact, exact.fixed_sizes(), "")
 
 
 def test_the_simulation_of_a_stroke_has_the_effects_of_its_plan_and_no_others(monkeypatch):

@@ -5,10 +5,10 @@ from itertools import product
 
 import numpy as np
 import pytest
+from judging import size_as_printed
 from strategies import LOADS, crossed, design, rcc
 
 from flexcli.engine import assess
-from flexcli.engine.size import size
 
 COARSE = {"h": "10 um", "l": "0.5 mm", "b": "0.5 mm"}
 BOUNDED = {
@@ -51,7 +51,7 @@ OBJECTIVES = {
 @pytest.mark.parametrize("objective", OBJECTIVES)
 def test_the_point_is_the_best_of_all_that_are_feasible(objective):
     spec = grid_spec(objective)
-    result = size(spec, "spec")
+    result = size_as_printed(spec, "spec")
     h, l, b, feasible = every_point(spec, STEPS)
     goal = np.where(feasible, OBJECTIVES[objective](h, l, b), np.inf)
     found = blade_of(result)
@@ -65,7 +65,7 @@ def test_the_point_is_the_best_of_all_that_are_feasible(objective):
 
 def test_the_point_nearest_to_the_balanced_design_is_taken():
     spec = grid_spec("balanced")
-    result = size(spec, "spec")
+    result = size_as_printed(spec, "spec")
     h, l, b, feasible = every_point(spec, STEPS)
     ideal = [result.values[f"{n}_ideal"].value for n in ("h", "l", "b")]
     away = sum(abs(np.log(x / at)) for x, at in zip((h, l, b), ideal, strict=True))
@@ -75,7 +75,7 @@ def test_the_point_nearest_to_the_balanced_design_is_taken():
 
 def test_rounding_to_the_nearest_corner_often_fails_where_the_search_does_not():
     spec = grid_spec(rounding={"h": "50 um", "l": "1 mm", "b": "0.5 mm"})
-    result = size(spec, "spec")
+    result = size_as_printed(spec, "spec")
     steps = {"h": 50e-6, "l": 1e-3, "b": 0.5e-3}
     ideal = {n: result.values[f"{n}_ideal"].value for n in ("h", "l", "b")}
     corners = product(*[
@@ -93,7 +93,7 @@ def test_rounding_to_the_nearest_corner_often_fails_where_the_search_does_not():
 
 
 def test_margins_are_those_of_the_point_and_its_price_is_told():
-    result = size(grid_spec(), "spec")
+    result = size_as_printed(grid_spec(), "spec")
     ideal = np.prod([result.values[f"{n}_ideal"].value for n in ("h", "l", "b")])
     price = np.prod(blade_of(result)) / ideal - 1
     assert price > 0
@@ -108,13 +108,13 @@ def test_margins_are_those_of_the_point_and_its_price_is_told():
 
 
 def test_points_are_the_decimal_multiples_of_the_step():
-    h, l, b = blade_of(size(grid_spec(), "spec"))
+    h, l, b = blade_of(size_as_printed(grid_spec(), "spec"))
     assert [float(f"{x:.7g}") for x in (h, l, b)] == [h, l, b]
 
 
 def test_a_stock_list_is_searched_beyond_its_nearest_sizes():
     spec = grid_spec(rounding={"h": ["0.1 mm", "0.3 mm", "0.7 mm"], "l": "0.5 mm", "b": ["10 mm"]})
-    result = size(spec, "spec")
+    result = size_as_printed(spec, "spec")
     h, l, b = blade_of(result)
     assert h in (1e-4, 3e-4, 7e-4)
     assert b == 10e-3
@@ -132,7 +132,7 @@ def test_a_stock_list_is_searched_beyond_its_nearest_sizes():
 
 @pytest.mark.parametrize("step", ["1 nm", "1e-15 m"])
 def test_a_grid_finer_than_needed_costs_nothing(step):
-    result = size(grid_spec(rounding={"h": step, "l": step, "b": step}), "spec")
+    result = size_as_printed(grid_spec(rounding={"h": step, "l": step, "b": step}), "spec")
     assert result.status.value == "pass"
     ideal = [result.values[f"{n}_ideal"].value for n in ("h", "l", "b")]
     assert np.prod(blade_of(result)) == pytest.approx(np.prod(ideal), rel=1e-4)
@@ -140,7 +140,7 @@ def test_a_grid_finer_than_needed_costs_nothing(step):
 
 def test_a_dimension_without_grid_stays_continuous_and_optimal():
     spec = grid_spec(rounding={"h": "10 um", "l": "0.5 mm"})
-    result = size(spec, "spec")
+    result = size_as_printed(spec, "spec")
     assert any("(proved" in remark for remark in result.sizing.remarks)
     h, l, b = blade_of(result)
     axes = np.arange(10, 101) * 10e-6, np.arange(10, 61) * 0.5e-3
@@ -158,7 +158,7 @@ def test_a_dimension_without_grid_stays_continuous_and_optimal():
 
 def test_a_grid_without_a_feasible_point_is_infeasible_and_says_so():
     spec = grid_spec(rounding={"h": ["0.9 mm"], "l": ["5 mm"], "b": "0.5 mm"})
-    result = size(spec, "spec")
+    result = size_as_printed(spec, "spec")
     assert result.status.value == "infeasible"
     assert result.checks == ()
     (note,) = (n for n in result.warnings if n.code == "no-grid-point")
@@ -168,12 +168,12 @@ def test_a_grid_without_a_feasible_point_is_infeasible_and_says_so():
 def test_a_grid_on_a_fixed_dimension_changes_nothing():
     geometry = rcc(**(BOUNDED | {"b": "9.9 mm"}))
     spec = design(geometry, LOADS, size={"round": {"b": "1 mm"}})
-    assert blade_of(size(spec, "spec"))[2] == 9.9e-3
+    assert blade_of(size_as_printed(spec, "spec"))[2] == 9.9e-3
 
 
 def test_a_grid_of_a_curved_program_is_searched_and_not_called_proved():
     geometry = crossed(p="-2 mm", **BOUNDED)
-    result = size(grid_spec(geometry=geometry), "spec")
+    result = size_as_printed(grid_spec(geometry=geometry), "spec")
     assert result.status.value == "pass"
     spec = grid_spec(geometry=geometry)
     h, l, b, feasible = every_point(spec, STEPS)

@@ -7,10 +7,11 @@ from math import log
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, assume, given, settings
+from judging import size_as_printed
 from strategies import LOADS, PUSH, crossed, design, rcc, specs
 
 from flexcli.engine import assess
-from flexcli.engine.size import size, size_by
+from flexcli.engine.size import size_by
 from flexcli.engine.sizing.number_program import one_by_one
 from flexcli.errors import SolveError
 from flexcli.parts.geometries.rcc import RCCPivot
@@ -35,7 +36,7 @@ def as_numbers(spec):
 
 
 def both(spec):
-    return size(spec, "spec"), size(as_numbers(spec), "spec")
+    return size_as_printed(spec, "spec"), size_as_printed(as_numbers(spec), "spec")
 
 
 def sizes_of(result):
@@ -123,8 +124,10 @@ def test_a_conflict_names_the_same_requirements_and_relaxations():
     assert "not proved" in numbers.sizing.certificate
     (fatigue,) = (r for r in found.values() if r.name.startswith("fatigue"))
     factor = float(fatigue.text.split(" → ")[1])
-    assert size(as_numbers(conflicting(factor)), "spec").status.value == "pass"
-    assert size(as_numbers(conflicting(factor * 1.01)), "spec").status.value == "infeasible"
+    assert size_as_printed(as_numbers(conflicting(factor)), "spec").status.value == "pass"
+    assert (
+        size_as_printed(as_numbers(conflicting(factor * 1.01)), "spec").status.value == "infeasible"
+    )
 
 
 def test_targets_that_conflict_give_way_to_the_side_that_does():
@@ -139,7 +142,7 @@ def test_targets_that_conflict_give_way_to_the_side_that_does():
 def test_what_runs_away_is_named_with_its_remedy():
     spec = as_numbers(design(rcc(h="0.1 mm", l="10 mm"), {"fatigue": 1}))
     with pytest.raises(SolveError, match=r"falls without limit as .*b.* runs away") as caught:
-        size(spec, "spec")
+        size_as_printed(spec, "spec")
     assert "bound b" in caught.value.remedy
 
 
@@ -147,7 +150,7 @@ def test_an_undetermined_dimension_is_an_error_that_names_it():
     geometry = rcc(h={"free": ["0.1 mm", "1 mm"]})
     spec = design(geometry, {"fatigue": 1}, size={"objective": "shortest"})
     with pytest.raises(SolveError, match="nothing holds b: the objective does not depend"):
-        size(as_numbers(spec), "spec")
+        size_as_printed(as_numbers(spec), "spec")
 
 
 COARSE = {"h": "10 um", "l": "0.5 mm", "b": "0.5 mm"}
@@ -208,7 +211,7 @@ def test_a_scalar_model_corrects_the_closed_form_in_few_evaluations():
     def closed(sizes):
         return spec.closed_limits(spec.geometry.sized(sizes))
 
-    start = dict(zip("hlb", sizes_of(size(spec, "spec")), strict=True))
+    start = dict(zip("hlb", sizes_of(size_as_printed(spec, "spec")), strict=True))
     counted, vectorised = [], []
     limits = one_by_one(exact_limits(spec, counted))
     found = size_by(spec, "spec", limits, base=closed, starts=[start], noise=1e-12)
@@ -265,7 +268,7 @@ def test_sizes_off_the_domain_of_a_model_are_avoided():
         return [replace(limit, demand=np.where(known, limit.demand, np.nan)) for limit in limits]
 
     assert sizes_of(size_by(spec, "spec", slender_only)) == pytest.approx(
-        sizes_of(size(spec, "spec")), rel=SAME
+        sizes_of(size_as_printed(spec, "spec")), rel=SAME
     )
 
 
@@ -282,7 +285,7 @@ def test_a_balance_counts_each_joint_with_sizes_of_its_own():
 
     result = size_by(spec, "spec", two_joints)
     assert result.sizing.certificate == "root of the square system"
-    assert sizes_of(result) == pytest.approx(sizes_of(size(spec, "spec")), rel=SAME)
+    assert sizes_of(result) == pytest.approx(sizes_of(size_as_printed(spec, "spec")), rel=SAME)
 
 
 def test_with_nothing_free_the_given_sizes_are_judged():
@@ -298,7 +301,7 @@ def test_a_corrected_model_is_sized_on_a_grid_next_to_its_balance():
     def closed(sizes):
         return spec.closed_limits(spec.geometry.sized(sizes))
 
-    exact = size(spec, "spec")
+    exact = size_as_printed(spec, "spec")
     found = size_by(spec, "spec", closed, base=closed)
     assert sizes_of(found) == pytest.approx(sizes_of(exact), rel=SAME)
 
@@ -338,7 +341,7 @@ def test_random_designs_are_no_worse_than_by_signomials(spec):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         try:
-            exact = size(spec, "spec")
+            exact = size_as_printed(spec, "spec")
         except SolveError as error:
             assume(error.code not in ("unbounded", "undetermined"))
             raise

@@ -5,11 +5,11 @@ from math import log, pi, sqrt
 
 import numpy as np
 import pytest
+from judging import size_as_printed
 from scipy.optimize import minimize as scipy_minimize
 from strategies import CASES, LOADS, PUSH, TITANIUM, crossed, design, rcc, stage, three_blade
 
 from flexcli.engine import assess
-from flexcli.engine.size import size
 from flexcli.errors import SolveError
 from flexcli.parts.geometries import Blade
 
@@ -23,7 +23,7 @@ BOUNDED = {
 
 
 def sized(spec):
-    result = size(spec, "spec")
+    result = size_as_printed(spec, "spec")
     return result, np.array([result.values[n].value for n in ("h", "l", "b")])
 
 
@@ -268,7 +268,7 @@ def test_an_objective_is_sized_though_the_volume_has_no_least():
     # p = 0: l ∝ h from fatigue and b ∝ 1/h, so the volume falls with h without limit
     free = rcc(p="0 mm", h={"free": [None, "0.3 mm"]})
     with pytest.raises(SolveError, match="falls without limit"):
-        size(design(free, LOADS), "spec")
+        size_as_printed(design(free, LOADS), "spec")
     result, x = sized(design(free, LOADS, size={"objective": {"maximize": "h"}}))
     assert result.status.value == "pass"
     assert [d.label for d in result.sizing.designs] == ["optimum"]
@@ -277,7 +277,7 @@ def test_an_objective_is_sized_though_the_volume_has_no_least():
 
 def test_what_runs_away_is_named_with_its_remedy():
     with pytest.raises(SolveError, match=r"falls without limit as .*b.* runs away") as caught:
-        size(design(rcc(h="0.1 mm", l="10 mm"), {"fatigue": 1}), "spec")
+        size_as_printed(design(rcc(h="0.1 mm", l="10 mm"), {"fatigue": 1}), "spec")
     assert "bound b" in caught.value.remedy
 
 
@@ -286,12 +286,12 @@ def test_an_undetermined_dimension_is_an_error_that_names_it():
         rcc(h={"free": ["0.1 mm", "1 mm"]}), {"fatigue": 1}, size={"objective": "shortest"}
     )
     with pytest.raises(SolveError, match="nothing holds b: the objective does not depend"):
-        size(spec, "spec")
+        size_as_printed(spec, "spec")
 
 
 def test_with_nothing_free_the_given_sizes_is_judged():
     spec = design(rcc(h="1 mm", l="20 mm", b="10 mm"), LOADS)
-    result = size(spec, "spec")
+    result = size_as_printed(spec, "spec")
     assert result.status.value == "fail"
     assert "nothing to choose" in result.sizing.certificate
 
@@ -323,5 +323,5 @@ def test_a_design_scaled_in_length_and_force_gives_the_scaled_blade(scale):
 def test_results_are_plain_numbers_for_json():
     from flexcli.report import as_json
 
-    result = size(design(rcc(**BOUNDED), LOADS), "spec")
+    result = size_as_printed(design(rcc(**BOUNDED), LOADS), "spec")
     assert json.loads(as_json.dumps(as_json.document(result)))["status"] == "pass"

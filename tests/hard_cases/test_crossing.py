@@ -4,10 +4,9 @@ from fractions import Fraction
 from math import cos, pi, sqrt
 
 import pytest
+from judging import check_as_printed, size_as_printed
 from strategies import BEND, crossed, design
 
-from flexcli.engine.check import check
-from flexcli.engine.size import size
 from flexcli.formulas.pivot import end_stresses, parasitic_shift, rotational_stiffness
 from flexcli.parts.geometries import Blade
 
@@ -58,9 +57,9 @@ def test_a_bound_on_the_shift_costs_nothing_at_a_zero(zero, kept):
     """A row whose demand is rounding, of either sign, must neither bind nor divide by zero."""
     asked = {"fatigue": 2.5}
     free = {"l": {"free": ["5 mm", "50 mm"]}, "b": "5 mm", "h": "0.1 mm"}
-    plain = size(design(crossed(delta=zero, **free), asked, {"bend": BEND}), "spec")
+    plain = size_as_printed(design(crossed(delta=zero, **free), asked, {"bend": BEND}), "spec")
     shifted = asked | {"parasitic_shift": {"max": "1 nm"}}
-    bounded = size(design(crossed(delta=zero, **free), shifted, {"bend": BEND}), "spec")
+    bounded = size_as_printed(design(crossed(delta=zero, **free), shifted, {"bend": BEND}), "spec")
     assert bounded.status.value == "pass"
     assert bounded.values["l"].value == pytest.approx(plain.values["l"].value, rel=SIZED)
     kept(bounded.values["l"].value, plain.values["l"].value)
@@ -85,7 +84,7 @@ def test_sizing_passes_through_the_symmetric_pivot(delta):
     """Both ends are active there: two equal rows make a singular set of multipliers."""
     free = {"l": {"free": ["1 mm", "50 mm"]}, "b": "5 mm", "h": "0.5 mm"}
     spec = design(crossed(delta=delta, **free), {"fatigue": 2.5}, {"bend": BEND})
-    result = size(spec, "spec")
+    result = size_as_printed(spec, "spec")
     symmetric = 2.5 * 114e9 * 0.5e-3 * spec.scene("bend").travel * 0.5 / 500e6
     assert result.values["l"].value == pytest.approx(symmetric, rel=7 * SIDES)
 
@@ -100,7 +99,7 @@ def test_on_both_sides_of_minus_two_thirds_the_other_end_decides(end, kept):
         delta = -2 / 3 + off if end == 0 else -1 / 3 + off
         spec = design(crossed(delta=delta, h="0.2 mm", l="20 mm", b="10 mm"), {"fatigue": 1.0},
                       {"bend": BEND})  # fmt: skip
-        (found,) = check(spec, BLADE, "spec").checks
+        (found,) = check_as_printed(spec, BLADE, "spec").checks
         factors.append(found.factor)
     travel = spec.scene("bend").travel
     assert factors[1] == pytest.approx(500e6 / (114e9 * 0.01 * travel), rel=SIZED)

@@ -5,11 +5,11 @@ import json
 import pytest
 import yaml
 from geometries_for_tests import SAMPLES, geometry, kinds, spec
+from judging import size_as_printed
 from strategies import TITANIUM, design
 from typer.testing import CliRunner
 
 from flexcli.cli.app import app
-from flexcli.engine.size import size
 from flexcli.parts.elastic import Elastic
 from flexcli.results import Status
 from flexcli.spec.schema import json_schema
@@ -76,7 +76,7 @@ def test_it_is_sized_and_meets_what_is_asked(kind):
         {"fatigue": 1.5, **bounds},
         {"work": {"stroke": {part.motion: moved, "cycles": 1e7}}},
     )
-    result = size(found, "spec")
+    result = size_as_printed(found, "spec")
     assert result.status is Status.PASS
     assert all(check.margin >= -1e-9 for check in result.checks)
 
@@ -93,5 +93,5 @@ def test_its_greatest_thickness_is_the_one_that_just_bears_the_stroke(kind):
         {"work": {"stroke": {part.motion: moved, "cycles": 1e7}}},
         size={"objective": {"maximize": thin}},
     )
-    (check,) = (c for c in size(found, "spec").checks if c.name != "geometry")
+    (check,) = (c for c in size_as_printed(found, "spec").checks if c.name != "geometry")
     assert check.factor == pytest.approx(1.5, rel=1e-6)

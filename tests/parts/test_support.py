@@ -2,9 +2,8 @@
 
 import pytest
 from geometries_for_tests import spec
+from judging import check_as_printed
 from strategies import TITANIUM, Inconsistent, design
-
-from flexcli.engine.check import check
 
 E, G = 114e9, 114e9 / 2.68
 H, L, B = 1e-4, 20e-3, 5e-3
@@ -23,7 +22,7 @@ def checks_of(kind, requirements, cases=None, **changes):
     moves = geometry["kind"] not in ("leaf-spring-stage", "guided-blade", "cantilever")
     turn = {"work": {"stroke": {"rotation": "1 deg", "cycles": 1e6}}}
     found = design(geometry, requirements, cases or (turn if moves else STROKE))
-    return check(found, found.fixed_sizes(), "spec").checks
+    return check_as_printed(found, found.fixed_sizes(), "spec").checks
 
 
 def measured(kind, direction, bound, **support):
