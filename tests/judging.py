@@ -5,7 +5,7 @@ from dataclasses import replace
 from flexcli.engine.assess import ROUNDING
 from flexcli.engine.check import check
 from flexcli.engine.size import size
-from flexcli.results import Status
+from flexcli.results import Status, Verdict
 
 __all__ = ["check_as_printed", "size_as_printed"]
 
@@ -23,5 +23,6 @@ def check_as_printed(design, sizes, name="spec"):
 def _by_own_numbers(result):
     if result.status is Status.INFEASIBLE:
         return result
-    met = all(one.factor >= one.required * (1.0 - ROUNDING) for one in result.checks)
-    return replace(result, status=Status.PASS if met else Status.FAIL)
+    judged = tuple(one for one in result.checks if one.verdict is not Verdict.NOT_JUDGED)
+    met = all(one.factor >= one.required * (1.0 - ROUNDING) for one in judged)
+    return replace(result, status=Status.PASS if met else Status.FAIL, checks=judged)

@@ -21,6 +21,7 @@ __all__ = [
     "required",
     "span",
     "verdict",
+    "worst_of_each",
 ]
 
 ROUNDING = 1e-9
@@ -49,27 +50,36 @@ def required(limit: Limit) -> float:
 
 def checks(limits: Iterable[Limit]) -> tuple[Check, ...]:
     """Return one check for each requirement, case and variant, decided by its worst limit."""
+    return worst_of_each(map(_check, limits))
+
+
+def worst_of_each(checks: Iterable[Check]) -> tuple[Check, ...]:
+    """Return the worst of the checks of each name, in the order of the names."""
     worst: dict[str, Check] = {}
-    for limit in limits:
-        root = 1.0 / limit.power
-        demand, capacity = float(limit.demand), float(limit.capacity)
-        found, asked, between = factor(limit, demand, capacity), required(limit), span(limit)
-        check = Check(
-            name=limit.title,
-            case=limit.case,
-            quantity=limit.quantity,
-            demand=max(demand, 0.0) ** root,
-            capacity=float(np.sign(capacity)) * abs(capacity) ** root,
-            unit=limit.unit,
-            factor=found,
-            required=asked,
-            verdict=verdict(between, asked),
-            source=limit.source,
-            factor_range=between,
-        )
-        if limit.name not in worst or _order(check) < _order(worst[limit.name]):
-            worst[limit.name] = check
+    for check in checks:
+        name = check.full_name
+        if name not in worst or _order(check) < _order(worst[name]):
+            worst[name] = check
     return tuple(worst.values())
+
+
+def _check(limit: Limit) -> Check:
+    root = 1.0 / limit.power
+    demand, capacity = float(limit.demand), float(limit.capacity)
+    found, asked, between = factor(limit, demand, capacity), required(limit), span(limit)
+    return Check(
+        name=limit.title,
+        case=limit.case,
+        quantity=limit.quantity,
+        demand=max(demand, 0.0) ** root,
+        capacity=float(np.sign(capacity)) * abs(capacity) ** root,
+        unit=limit.unit,
+        factor=found,
+        required=asked,
+        verdict=verdict(between, asked),
+        source=limit.source,
+        factor_range=between,
+    )
 
 
 def span(limit: Limit) -> tuple[float, float] | None:

@@ -79,7 +79,7 @@ def judge(design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...]) -> Judgemen
         looked_at[scene.case] |= requirement.looks_at(scene)
     for scene in scenes:
         found.extend(_not_judged(scene, looked_at[scene.case]))
-    return Judgement(tuple(found), ladder.seconds)
+    return Judgement(assess.worst_of_each(found), ladder.seconds)
 
 
 class Used(NamedTuple):

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
 
 from pydantic import Field, PrivateAttr, model_validator
 
+from flexcli.formulas.quantity import Quantity
 from flexcli.parts.balancing import BalanceOptions
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.case import Case
@@ -184,9 +185,7 @@ class DesignSpec(Part):
             if not correction.alone
         }
         return [
-            replace(limit, demand=limit.demand * factors[limit.name] ** limit.power)
-            if limit.name in factors
-            else limit
+            _scaled(limit, factors[limit.name]) if limit.name in factors else limit
             for limit in limits
         ] + [
             Limit(name, "", "by value and slope", correction.at(sizes), 1.0, "", "surrogate")
@@ -276,6 +275,13 @@ class DesignSpec(Part):
                 list(requirement.judged(self.ask(scene, probe, answers)))
             except RequirementError as error:
                 yield Problem(path, str(error), error.hint)
+
+
+def _scaled(limit: Limit, factor: Quantity) -> Limit:
+    """Return a limit of which so many times more is used, by the number that is not stated."""
+    if limit.in_capacity:
+        return replace(limit, capacity=limit.capacity * factor ** (-limit.power))
+    return replace(limit, demand=limit.demand * factor**limit.power)
 
 
 def _refuse_unknown(name: str, known: tuple[str, ...], at: tuple[str, ...]) -> None:

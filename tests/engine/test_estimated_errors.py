@@ -9,6 +9,9 @@ from flexcli.engine.check import check
 
 DESIGNS = 60
 
+ROUNDING = 1e-7
+"""What the exact model itself promises."""
+
 
 def random_design(rng):
     l = float(rng.uniform(5.0, 40.0))
@@ -32,7 +35,7 @@ def random_design(rng):
 @pytest.mark.parametrize("name", ["stiffness", "shift"])
 def test_the_error_of_a_closed_form_bounds_the_true_one_in_95_of_100_designs(name):
     rng = np.random.default_rng(7)
-    ratios = []
+    held, told = [], []
     for _ in range(DESIGNS):
         one = random_design(rng)
         sizes = one.fixed_sizes()
@@ -40,12 +43,16 @@ def test_the_error_of_a_closed_form_bounds_the_true_one_in_95_of_100_designs(nam
             check(one, sizes, "spec", model).values for model in ("closed-form", "exact")
         )
         key = "shift" if name == "shift" else next(k for k in ("k_pivot", "k_stage") if k in closed)
+        if closed[key].estimated_error is None:  # outside the validity of the formulas
+            continue
         # neither model bends a blade as a plate: its share is not part of what they differ by
         plate = exact[key].estimated_error or 0.0
         true = abs(closed[key].value / exact[key].value - 1.0)
-        ratios.append((closed[key].estimated_error - plate) / max(true, 1e-12))
-    assert np.mean(np.array(ratios) >= 1.0) >= 0.95
-    assert 1.0 <= np.median(ratios) <= 10.0
+        held.append(closed[key].estimated_error - plate >= true - ROUNDING)
+        told.append(closed[key].estimated_error)
+    assert len(held) >= DESIGNS / 2
+    assert np.mean(held) >= 0.95
+    assert np.median(told) <= 0.05
 
 
 def test_what_is_given_has_no_error_and_what_nobody_estimates_has_none():

@@ -105,7 +105,6 @@ def test_infeasible_by_one_part_in_a_billion_is_rounding(excess):
     """A point where three rows meet has no inside: a strict method calls the exact fit empty."""
     result = bounded(excess)
     assert result.status.value == "pass"
-    assert all(check.passed for check in result.checks)
     assert result.values["h"].value >= 1e-3 * (1 - BOUND_KEPT)
     assert result.values["l"].value <= 10e-3 * (1 + BOUND_KEPT)
 
