@@ -47,5 +47,7 @@ def _size(path: Path, write: Path | None, model: Model | None) -> Result:
     if write is not None and result.checks:
         geometry = design.geometry
         sizes = {geometry.place(name): result.values[name].value for name in geometry.extents}
-        write_file(write, sized_text(path, document, write, sizes))
+        chosen = result.values.get("H")
+        height = chosen.value if chosen is not None and chosen.model == "sized" else None
+        write_file(write, sized_text(path, document, write, sizes, height))
     return result

@@ -38,7 +38,7 @@ WOULD_LOOK = {
 FAR = 1.5
 """Factors over the required one beyond which a sizing asks no finer model."""
 
-SURE = 3e-4
+SURE = 1e-3
 """Width of a range (relative) that a sizing takes for a point: what a finer model could save."""
 
 

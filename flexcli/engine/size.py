@@ -10,6 +10,7 @@ from flexcli.engine.judge import judge
 from flexcli.engine.models import Rung, rungs
 from flexcli.engine.sizing.balanced import Balanced, NotBalanced
 from flexcli.engine.sizing.decided import corrections_at, difference
+from flexcli.engine.sizing.free_height import best_height, with_height
 from flexcli.engine.sizing.grid import GridPoint
 from flexcli.engine.sizing.number_program import LimitsOf, number_sizing
 from flexcli.engine.sizing.number_route import NumberRoute
@@ -70,13 +71,28 @@ def size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
             "give its sizes and judge them with 'flexure check' or 'flexure simulate'",
         )
     started = perf_counter()
+    height = best_height(design, _merit) if design.geometry.free else None
+    if height is not None:
+        design = with_height(design, height)
     ladder = rungs(design, model)
     if design.fixed_sizes() is not None or (model or design.model) == "source":
         result = _chosen_and_judged(design, spec, ladder, model)
     else:
         result = _decided(design, spec, ladder, model)
+    values = dict(result.values)
+    if height is not None:
+        values["H"] = Value(height, "m", "height of the levers, chosen with the blades", "sized")
     assert result.cost is not None  # every branch measures
-    return replace(result, cost=replace(result.cost, seconds=perf_counter() - started))
+    cost = replace(result.cost, seconds=perf_counter() - started)
+    return replace(result, values=values, cost=cost)
+
+
+def _merit(design: DesignSpec) -> float | None:
+    """Return what a sizing by the formulas makes least, else nothing where none is feasible."""
+    objective = design.size.objective
+    route = _route(design)
+    solution = route.least("least-volume" if objective == "balanced" else objective)
+    return solution.objective if solution.converged else None
 
 
 def size_by(
@@ -253,7 +269,7 @@ def _choose_optimum(
         )
     sizing = SizingResult(
         objective=name,
-        certificate=route.certificate(solution),
+        certificate=_certificate(design, route.certificate(solution)),
         active=route.active(solution),
         sensitivities=route.sensitivities(objective, solution),
         remarks=tuple(remarks),
@@ -267,7 +283,7 @@ def _choose_optimum(
 
 def _least_volume(design: DesignSpec, route: Route, smallest: Solution) -> list[Design]:
     """Return the design of least volume to compare with, where there is one."""
-    if not smallest.converged:
+    if not smallest.converged or design.is_corrected:  # corrected near the choice, not there
         return []
     return [_design(design, "least volume", route.complete(smallest.x))]
 
@@ -285,7 +301,9 @@ def _choose_balanced(design: DesignSpec, route: Route, smallest: Solution) -> _C
         return chosen
     ideal = route.complete(found.x)
     least = _least_volume(design, route, smallest)
-    remarks = ["there is no least volume to compare with: nothing holds it"]
+    remarks = []
+    if not smallest.converged:
+        remarks = ["there is no least volume to compare with: nothing holds it"]
     if least:
         more = float(design.geometry.volume(ideal)) / least[0].volume - 1.0
         remarks = [f"the balanced design has {more:z.1%} more volume than the least volume"]
@@ -294,7 +312,9 @@ def _choose_balanced(design: DesignSpec, route: Route, smallest: Solution) -> _C
         remarks.append(f"{found.others} other balanced {several}; this is the smallest")
     sizing = SizingResult(
         objective="balanced",
-        certificate="root of the square system" if found.condition else "least volume on the rest",
+        certificate=_certificate(
+            design, "root of the square system" if found.condition else "least volume on the rest"
+        ),
         active=found.active,
         sensitivities=found.sensitivities,
         remarks=tuple(remarks),
@@ -302,6 +322,13 @@ def _choose_balanced(design: DesignSpec, route: Route, smallest: Solution) -> _C
     chosen = _on_grid(design, route, sizing, ideal, None, least, iterations=0, label="balanced")
     chosen.notes = (*chosen.notes, *_conditioning(found))
     return chosen
+
+
+def _certificate(design: DesignSpec, found: str) -> str:
+    """Return how sure a choice is, and of which model."""
+    if not design.is_corrected:
+        return found
+    return f"{found}, by the formulas corrected in value and slope to the models that judge"
 
 
 def _conditioning(found: Balanced) -> tuple[Note, ...]:

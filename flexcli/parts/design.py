@@ -1,6 +1,7 @@
 """A design: material, geometry, mechanism, cases and requirements, joined and consistent."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
 
@@ -11,7 +12,7 @@ from flexcli.parts.balancing import BalanceOptions
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.case import Case
 from flexcli.parts.effects import EFFECTS, SCENE_EFFECTS
-from flexcli.parts.geometries import AnyGeometry, Sizes
+from flexcli.parts.geometries import AnyGeometry, NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import AnyMechanism, MechanismError
 from flexcli.parts.mechanisms.tip_mass import TipMass
@@ -193,6 +194,11 @@ class DesignSpec(Part):
             if correction.alone
         ]
 
+    @property
+    def is_corrected(self) -> bool:
+        """Return whether its closed limits say what the models that judge do, near a design."""
+        return bool(self._corrections)
+
     def corrected(self, corrections: Mapping[str, Correction]) -> "DesignSpec":
         """Return the design with its closed limits corrected, check by check."""
         design = self.model_copy()
@@ -203,8 +209,12 @@ class DesignSpec(Part):
         yield from self.own_limits(sizes)
         scenes = [self.scene(name) for name in self.cases]
         for requirement, scene in self.questions(scenes):
-            if requirement.closed_form or not closed_form:
-                yield from requirement.judged(self.ask(scene, sizes, answers))
+            ask = self.ask(scene, sizes, answers)
+            if not closed_form:
+                yield from requirement.judged(ask)
+            elif requirement.closed_form:
+                with suppress(NotAvailable):  # other models judge what has no formula
+                    yield from requirement.limits(ask)
 
     def questions(self, scenes: Sequence[Scene]) -> Iterator[tuple[Requirement, Scene]]:
         """Yield every requirement with each case that it is asked of; once where it is of none."""
@@ -269,10 +279,9 @@ class DesignSpec(Part):
                 f"no case has what '{requirement.label}' is about",
                 "add a case that loads it, or take the requirement out",
             )
-        answers = AS_PRINTED if self.geometry.closed_forms else STAND_IN
         for scene in relevant if requirement.per_case else relevant[:1]:
             try:
-                list(requirement.judged(self.ask(scene, probe, answers)))
+                list(requirement.judged(self.ask(scene, probe, STAND_IN)))
             except RequirementError as error:
                 yield Problem(path, str(error), error.hint)
 

@@ -31,28 +31,25 @@ def margins(checks: Sequence[Check]) -> Group:
     """Return every check with verdict, demand, capacity, factor, its range and who decided."""
     order = list(MARK)
     rows = sorted(checks, key=lambda check: order.index(check.verdict))
-    found = table(
-        "Margins", "", "check", "demand", "capacity", "factor", "range", "asked", "by",
-        numbers=[2, 3, 4, 5, 6],
-    )  # fmt: skip
+    found = table("Margins", "", "check", "factor", "range", "asked", "by", numbers=[0, 2, 3, 4, 5])
+    for column in (0, 5):
+        found.columns[column].justify = "left"
     for check in rows:
         word, style = MARK[check.verdict]
-        demand, capacity = _apart(partial(_sized, check.unit), check.demand, check.capacity)
         factor, required = _apart(_number, check.factor, check.required)
-        found.add_row(
-            Text(word, style),
-            check.full_name,
-            demand,
-            capacity,
-            factor,
-            _range(check),
-            required,
-            SHORT.get(check.model, check.model),
-        )
-    told = dict.fromkeys(
-        f"  {c.full_name}: {'; '.join(filter(None, (c.quantity, c.source)))}" for c in rows
+        by = SHORT.get(check.model, check.model)
+        found.add_row(Text(word, style), check.full_name, factor, _range(check), required, by)
+    return Group(found, Text("\n".join(map(_told, rows)), "dim"))
+
+
+def _told(check: Check) -> str:
+    """Return what was compared with what, and by which formula."""
+    unit = partial(_sized, check.unit)
+    demand, capacity = _apart(unit, check.demand, check.capacity)
+    against = f"{demand} against {capacity}" if demand and capacity else ""
+    return f"  {check.full_name}: " + "; ".join(
+        filter(None, (against, check.quantity, check.source))
     )
-    return Group(found, Text("\n".join(told), "dim"))
 
 
 def _apart(text: Callable[[float, int], str], one: float, other: float) -> tuple[str, str]:

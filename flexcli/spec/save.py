@@ -15,11 +15,16 @@ __all__ = ["sized_text"]
 
 
 def sized_text(
-    path: Path, document: Document, target: Path, sizes: Mapping[tuple[str, ...], float]
+    path: Path,
+    document: Document,
+    target: Path,
+    sizes: Mapping[tuple[str, ...], float],
+    height: float | None = None,
 ) -> str:
     """Return a design with its sizes fixed, to be written to ``target`` and read by check.
 
-    ``sizes`` are by their place in the geometry.
+    ``sizes`` are by their place in the geometry; ``height`` is that of the mechanism, where it
+    was chosen with them.
 
     What the spec named stays named, with paths made to start at the folder it is written to;
     a geometry that it named is written out, because its blade changes.
@@ -29,6 +34,10 @@ def sized_text(
     for place, value in sizes.items():
         geometry = _with(geometry, place, written(value, "length"))
     spec["geometry"] = geometry
+    if height is not None:
+        spec["mechanism"] = _with(
+            document.value["mechanism"], ("height",), written(height, "length")
+        )
     return yaml.safe_dump(spec, sort_keys=False, allow_unicode=True, width=100)
 
 
