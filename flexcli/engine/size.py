@@ -185,13 +185,8 @@ def _continuous(design: DesignSpec, corrections: Mapping[str, Correction]) -> Si
     Nothing where no easing of the requirements makes a design.
     """
     free = design.model_copy(update={"size": design.size.model_copy(update={"rounding": {}})})
-    probe = design.geometry.probe()
-    plain = Correction(1.0, {}, {})
-    names = {x.name for x in design.closed_limits(probe) if x.kind is not None} | set(corrections)
     for ease in EASING:
-        eased = {name: corrections.get(name, plain) for name in names}
-        eased = {name: each._replace(factor=each.factor / ease) for name, each in eased.items()}
-        corrected = free.corrected(eased)
+        corrected = free.corrected(corrections, ease)
         chosen = _choose(corrected, _route(corrected))
         if chosen is not None:
             return _ideal(chosen)

@@ -70,6 +70,7 @@ class DesignSpec(Part):
     )
 
     _corrections: Mapping[str, Correction] = PrivateAttr(default_factory=dict)
+    _ease: float = PrivateAttr(1.0)
 
     @model_validator(mode="before")
     @classmethod
@@ -178,7 +179,7 @@ class DesignSpec(Part):
         among them.
         """
         limits = list(self._limits(sizes, AS_PRINTED, closed_form=True))
-        if not self._corrections:
+        if not self._corrections and self._ease == 1.0:
             return limits
         factors = {
             name: correction.at(sizes)
@@ -186,10 +187,20 @@ class DesignSpec(Part):
             if not correction.alone
         }
         return [
-            _scaled(limit, factors[limit.name]) if limit.name in factors else limit
+            _scaled(limit, factors.get(limit.name, 1.0) / self._ease)
+            if limit.kind is not None
+            else limit
             for limit in limits
         ] + [
-            Limit(name, "", "by value and slope", correction.at(sizes), 1.0, "", "surrogate")
+            Limit(
+                name,
+                "",
+                "by value and slope",
+                correction.at(sizes) / self._ease,
+                1.0,
+                "",
+                "surrogate",
+            )
             for name, correction in self._corrections.items()
             if correction.alone
         ]
@@ -199,10 +210,11 @@ class DesignSpec(Part):
         """Return whether its closed limits say what the models that judge do, near a design."""
         return bool(self._corrections)
 
-    def corrected(self, corrections: Mapping[str, Correction]) -> "DesignSpec":
-        """Return the design with its closed limits corrected, check by check."""
+    def corrected(self, corrections: Mapping[str, Correction], ease: float = 1.0) -> "DesignSpec":
+        """Return the design with its closed limits corrected, check by check, and eased."""
         design = self.model_copy()
         design._corrections = dict(corrections)
+        design._ease = ease
         return design
 
     def _limits(self, sizes: Sizes, answers: Answers, *, closed_form: bool) -> Iterator[Limit]:

@@ -1,6 +1,7 @@
 """A design as rows of numbers: limits, bounds and objectives over the logarithms of the sizes."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from math import log
 from typing import TypeAlias
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.sizing.number_rows import NumberSizing, Term
 from flexcli.engine.sizing.program import Row, bounds_of
+from flexcli.errors import SolveError
 from flexcli.numerics.log_stencil import Field
 from flexcli.numerics.log_utilisation import log_utilisation
 from flexcli.parts.design import DesignSpec
@@ -25,6 +27,12 @@ LimitsOf: TypeAlias = Callable[[Mapping[str, Floats]], list[Limit]]
 
 WORLD = (1e-10, 1e4)
 """Sizes [m] beyond which a dimension has run away."""
+LIKELY = (1e-4, 1e-1)
+"""Sizes [m] between which a first design is looked for where nothing bounds it."""
+
+TRIALS, ENOUGH = 500, 8
+"""Designs tried for a first one, and those after which the one of most numbers is taken."""
+
 GOALS = ("volume", "k_pivot")
 """Quantities that can be least, beside the sizes."""
 
@@ -62,8 +70,7 @@ def number_sizing(
     names = design.geometry.free
     of = limits_of or (lambda sizes: design.closed_limits(design.geometry.sized(sizes)))
     given = tuple(starts)
-    first = given[0] if given else dict.fromkeys(names, 1e-3)
-    probe = {name: np.full(1, first[name]) for name in names}
+    probe = {n: np.full(1, given[0][n]) for n in names} if given else _probe(design, of)
     asked = {f"{index} {limit.name}": limit for index, limit in enumerate(of(probe))}
     bounds = bounds_of(design, dict(probe))
     quantities = _quantities(design)
@@ -103,7 +110,7 @@ def _quantities(design: DesignSpec) -> Field:
         found[len(GOALS) :] = y
         return found
 
-    return quantities
+    return _guarded(quantities, len(GOALS) + len(names))
 
 
 def _field(
@@ -117,10 +124,10 @@ def _field(
 
     def values(y: Floats) -> Floats:
         x = dict(zip(names, np.exp(y), strict=True))
+        used = np.empty((judged + len(bounds), *y.shape[1:]))
         found = limits_of(x)
         if len(found) != judged:
             raise ValueError(f"{len(found)} limits where {judged} were found before")
-        used = np.empty((judged + len(bounds), *y.shape[1:]))
         used[:judged] = _used(found, y.shape[1:])
         for k, (key, row) in enumerate(bounds.items(), start=judged):
             side, name = key.split(" ")
@@ -128,7 +135,60 @@ def _field(
             used[k] = over if side == "most" else -over
         return np.vstack([used, quantities(y)])
 
-    return values
+    return _guarded(values, judged + len(bounds) + len(GOALS) + len(names))
+
+
+def _guarded(values: Field, rows: int) -> Field:
+    """Return a field that is NaN for the designs of which the formulas have no numbers."""
+
+    def guarded(y: Floats) -> Floats:
+        with suppress(ArithmeticError, ValueError):
+            return values(y)
+        shape = y.shape[1:]
+        found = np.full((rows, *shape), np.nan)
+        flat, each = y.reshape(len(y), -1), found.reshape(rows, -1)
+        for i in range(flat.shape[1]) if flat.shape[1] > 1 else ():
+            each[:, i : i + 1] = guarded(flat[:, i : i + 1])
+        return found
+
+    return guarded
+
+
+def _probe(design: DesignSpec, of: LimitsOf) -> dict[str, Floats]:
+    """Return sizes of which the formulas have all numbers, looked for between the bounds.
+
+    Raises
+    ------
+    SolveError
+        When there are none among many.
+
+    """
+    extents, names = design.geometry.extents, design.geometry.free
+    ends = {
+        name: (extents[name].least or LIKELY[0], extents[name].most or LIKELY[1]) for name in names
+    }
+    rng = np.random.default_rng(0)
+    best: dict[str, Floats] = {}
+    most = -1
+    for trial in range(TRIALS):
+        shares = np.full(len(names), 0.5) if trial == 0 else rng.random(len(names))
+        sizes = {
+            name: np.full(1, low * (high / low) ** share)
+            for (name, (low, high)), share in zip(ends.items(), shares, strict=True)
+        }
+        with suppress(ArithmeticError, ValueError):
+            count = len(of(sizes))
+            if count > most:
+                best, most = sizes, count
+            if trial >= ENOUGH:
+                break
+    if not best:
+        raise SolveError(
+            "no-design-to-start-from",
+            f"no sizes were found of which a {design.geometry.name} has numbers",
+            "bound its free sizes to what can be made",
+        )
+    return best
 
 
 def _used(limits: Sequence[Limit], shape: tuple[int, ...]) -> Floats:
