@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-__all__ = ["Finding", "SolveError", "SpecError"]
+__all__ = ["Finding", "NoSolution", "SolveError", "SpecError"]
 
 
 @dataclass(frozen=True)
@@ -39,3 +39,7 @@ class SolveError(Exception):
         self.code = code
         self.text = text
         self.remedy = remedy
+
+
+class NoSolution(SolveError):
+    """A good spec of which a solver found no answer, or of which there is none: exit code 1."""

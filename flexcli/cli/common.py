@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
-from flexcli.errors import Finding, SolveError, SpecError
+from flexcli.errors import Finding, NoSolution, SolveError, SpecError
 from flexcli.results import Result, Status
 
 if TYPE_CHECKING:
@@ -79,6 +79,8 @@ def attempt(command: str, spec: Path, verb: Callable[[], Result]) -> Result:
         findings = tuple(error.findings)
     except SolveError as error:
         findings = (Finding(str(spec), error.text, error.remedy),)
+        if isinstance(error, NoSolution):
+            return Result(command, str(spec), Status.UNDECIDED, findings=findings)
     return Result(command=command, spec=str(spec), status=Status.ERROR, findings=findings)
 
 

@@ -8,7 +8,7 @@ from flexcli.engine import left_out
 from flexcli.engine import values as design_values
 from flexcli.engine.judge import Judgement, judge
 from flexcli.engine.models import answers_of, rungs
-from flexcli.errors import SolveError
+from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
@@ -87,7 +87,7 @@ def told_values(design: DesignSpec, sizes: Sizes, answers: Answers) -> dict[str,
         found = design_values.values(design, sizes, answers)
     except NotAvailable as error:
         text = f"a {design.geometry.name} {error}"
-        raise SolveError(f"{answers.model}-has-no-answer", text, "take another model") from error
+        raise NoSolution(f"{answers.model}-has-no-answer", text, "take another model") from error
     return design_values.with_errors(found, left_out.errors_of(design, sizes, answers))
 
 

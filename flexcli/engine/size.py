@@ -16,12 +16,13 @@ from flexcli.engine.sizing.number_program import LimitsOf, number_sizing
 from flexcli.engine.sizing.number_route import NumberRoute
 from flexcli.engine.sizing.posynomial_route import PosynomialRoute
 from flexcli.engine.sizing.route import Route
-from flexcli.errors import SolveError
+from flexcli.errors import NoSolution, SolveError
 from flexcli.numerics.geometric_program import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Correction, Objective
 from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value
+from flexcli.units import show
 
 __all__ = ["size", "size_by"]
 
@@ -38,6 +39,9 @@ GRID_ROUNDS = 8
 
 EASING = (1.0, 1.1, 1.5, 3.0, 10.0, 100.0)
 """By what the requirements are eased to find where a design that seems infeasible is judged."""
+
+SMALLEST = 1e-7
+"""A size [m] that no process makes: a sizing that leads there is held by nothing."""
 
 LARGE_SENSITIVITY = 3.0
 """Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
@@ -189,8 +193,23 @@ def _continuous(design: DesignSpec, corrections: Mapping[str, Correction]) -> Si
         corrected = free.corrected(corrections, ease)
         chosen = _choose(corrected, _route(corrected))
         if chosen is not None:
+            _refuse_runaway(design, chosen.sizes)
             return _ideal(chosen)
     return None
+
+
+def _refuse_runaway(design: DesignSpec, sizes: Sizes) -> None:
+    """Raise where nothing holds a size above what anybody can make."""
+    for name in design.geometry.free:
+        x = float(getattr(sizes, name))
+        if design.geometry.extents[name].least is None and x < SMALLEST:
+            what = design.geometry.label(name)
+            raise NoSolution(
+                "nothing-holds-it",
+                f"nothing holds the {what} {name}: it would be {show(x, 'm')}",
+                f"bound {name} from below, e.g. {{free: [20 um, null]}}, or add a requirement "
+                "that a thinner blade fails: a stiffness, a frequency, a buckling factor",
+            )
 
 
 def _ideal(chosen: "_Choice") -> Sizes:
@@ -212,6 +231,7 @@ def _chosen_and_judged(
     chosen = _choose(design, route)
     if chosen is None:
         return _infeasible(design, spec, route)
+    _refuse_runaway(design, chosen.sizes)
     return _judged(design, spec, chosen, ladder, model)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.sizing.number_rows import NumberSizing, Term
 from flexcli.engine.sizing.program import Row, bounds_of
-from flexcli.errors import SolveError
+from flexcli.errors import NoSolution
 from flexcli.numerics.log_stencil import Field
 from flexcli.numerics.log_utilisation import log_utilisation
 from flexcli.parts.design import DesignSpec
@@ -183,7 +183,7 @@ def _probe(design: DesignSpec, of: LimitsOf) -> dict[str, Floats]:
             if trial >= ENOUGH:
                 break
     if not best:
-        raise SolveError(
+        raise NoSolution(
             "no-design-to-start-from",
             f"no sizes were found of which a {design.geometry.name} has numbers",
             "bound its free sizes to what can be made",

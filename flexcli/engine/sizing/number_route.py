@@ -12,7 +12,7 @@ from flexcli.engine.sizing.number_program import goal_of
 from flexcli.engine.sizing.number_rows import NumberSizing, Term
 from flexcli.engine.sizing.optimum import active_rows, refuse_unsolved
 from flexcli.engine.sizing.program import ties
-from flexcli.errors import SolveError
+from flexcli.errors import NoSolution
 from flexcli.numerics.geometric_program import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
@@ -51,7 +51,7 @@ class NumberRoute:
     def refuse(self, objective: Objective, solution: Solution, smallest: Solution) -> None:
         """Raise where a solution is no design, or not even the volume makes it the only one."""
         if solution.outcome is Outcome.STALLED:
-            raise SolveError(
+            raise NoSolution(
                 "did-not-converge",
                 "the sizing did not converge on limits that are numbers",
                 "bound the free dimensions more closely; a limit with a kink needs a limit of its "

@@ -8,7 +8,7 @@ from typing import Protocol, TypeAlias
 import numpy as np
 
 from flexcli.engine.sizing.program import Row, SizingProgram
-from flexcli.errors import SolveError
+from flexcli.errors import NoSolution
 from flexcli.numerics.condensation import condense
 from flexcli.numerics.convex_program import Status
 from flexcli.numerics.geometric_program import Outcome, Solution
@@ -78,13 +78,13 @@ def refuse_unsolved(solution: Solution, program: HasRows) -> None:
     """Raise :class:`SolveError` for outcomes that are neither a design nor a conflict."""
     if solution.outcome is Outcome.UNBOUNDED:
         names = ", ".join(n for n in solution.runaway if n in program.names) or "a dimension"
-        raise SolveError(
+        raise NoSolution(
             "unbounded",
             f"the objective falls without limit as {names} runs away: nothing holds it",
             f"bound {names} in the geometry, e.g. {{free: [0.1 mm, 10 mm]}}, or add a requirement",
         )
     if solution.outcome is Outcome.STALLED:
-        raise SolveError("did-not-converge", "the sizing did not converge", solution.outcome.value)
+        raise NoSolution("did-not-converge", "the sizing did not converge", solution.outcome.value)
 
 
 def refuse_undetermined(
