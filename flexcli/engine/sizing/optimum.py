@@ -75,7 +75,7 @@ def optimum(
 
 
 def refuse_unsolved(solution: Solution, program: HasRows) -> None:
-    """Raise :class:`SolveError` for outcomes that are neither a design nor a conflict."""
+    """Raise :class:`NoSolution` for outcomes that are neither a design nor a conflict."""
     if solution.outcome is Outcome.UNBOUNDED:
         names = ", ".join(n for n in solution.runaway if n in program.names) or "a dimension"
         raise NoSolution(
@@ -90,7 +90,7 @@ def refuse_unsolved(solution: Solution, program: HasRows) -> None:
 def refuse_undetermined(
     goal: Signomial, solution: Solution, smallest: Solution, program: SizingProgram
 ) -> None:
-    """Raise :class:`SolveError` when ties leave a dimension that not even the volume holds."""
+    """Raise :class:`NoSolution` when ties leave a dimension that not even the volume holds."""
     as_good = at_most("as good as the best", goal, solution.objective * (1.0 + STEP))
     rows = [*program.constraints, as_good]
     loose = [
@@ -103,10 +103,10 @@ def refuse_undetermined(
     raise undetermined(loose or smallest.runaway)
 
 
-def undetermined(loose: Sequence[str]) -> SolveError:
+def undetermined(loose: Sequence[str]) -> NoSolution:
     """Return the error of dimensions that neither the objective nor the volume holds."""
     names = ", ".join(loose)
-    return SolveError(
+    return NoSolution(
         "undetermined",
         f"nothing holds {names}: the objective does not depend on it, and the volume that would "
         "break the tie falls without limit",
