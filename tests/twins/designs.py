@@ -318,7 +318,7 @@ class _Draw:
 
     def _payload(self, stiff, travels):
         mass = self._log(1e-3, 1.0)
-        least = 0.6 if self.kind == "moment-blade" else 0.2  # lest it swings across the blade first
+        least = 0.6 if self.kind in HINGES else 0.2  # lest it swings across the hinge first
         inertia = mass * (self.g.get("l", 0.01) * float(self.rng.uniform(least, 1.0))) ** 2
         self.payload = (mass, inertia if self.turns else 0.0)
         words = {"kind": "payload", "mass": f"{mass!r} kg"}
