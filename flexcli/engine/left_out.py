@@ -24,7 +24,7 @@ def setting(design: DesignSpec, sizes: Sizes) -> Setting:
 def reported(design: DesignSpec, given: Setting) -> tuple[str, ...]:
     """Return which numbers of the joint a design reports, of those that effects change."""
     asked = design.requirements
-    shift = design.geometry.closed_forms and any(s.bends for s in given.scenes)
+    shift = design.geometry.closed_forms and any(s.moves for s in given.scenes)
     held = any(s.blade_force for s in given.scenes)
     hangs = asked.sag is not None or any(s.acceleration for s in given.scenes)
     has = {

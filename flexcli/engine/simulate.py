@@ -1,6 +1,6 @@
 """The verb simulate: the joint over its stroke, in exact equilibrium at every travel."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import inf, pi, sqrt
 from time import perf_counter
 
@@ -10,18 +10,15 @@ from numpy.typing import NDArray
 from flexcli.engine import left_out
 from flexcli.engine import values as design_values
 from flexcli.engine.answers.exact import TOLERANCE, ExactAnswers, driven_stiffness
-from flexcli.engine.answers.joint_states import (
-    blades_of,
-    driven_axis,
-    forces_on,
-    held_in,
-    layout_of,
-)
+from flexcli.engine.answers.holds import driven_axis
+from flexcli.engine.answers.joint_states import blades_of, layout_of, over_travels
 from flexcli.engine.judge import judge
 from flexcli.engine.models import answers_of, rungs
 from flexcli.errors import SolveError
+from flexcli.mechanics.demand import Held
 from flexcli.mechanics.energy import strain_energy
 from flexcli.mechanics.equilibrium import solve
+from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.stability import is_stable
@@ -63,7 +60,7 @@ def simulate(
     """
     started = perf_counter()
     answers = ExactAnswers(blades)
-    moving = [ask for ask in design.asks(sizes, answers) if ask.scene.bends]
+    moving = [ask for ask in design.asks(sizes, answers) if ask.scene.moves]
     if not moving:
         raise SolveError(
             "no-stroke", "no case moves the joint", "add stroke: to a case, e.g. {rotation: 5 deg}"
@@ -101,15 +98,15 @@ def simulate(
 
 
 def _sweep(ask: Ask, points: int, blades: Effects) -> SweepResult:
-    scene, layout = ask.scene, layout_of(ask)
+    scene = ask.scene
     travels = np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points)
-    state = solve(
-        layout,
-        held_in(ask, travels),
-        loads=forces_on(scene, 1.0, layout.body(MOVING).point),
-        effects=blades_of(layout, blades),
-        tolerance=TOLERANCE,
-    )
+
+    def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> Equilibrium:
+        return solve(
+            layout, held, loads=loads, effects=blades_of(layout, blades), tolerance=TOLERANCE
+        )
+
+    state = over_travels(ask, solver, travels)
     missed = [i for i, outcome in enumerate(state.outcome) if outcome is not Outcome.CONVERGED]
     why = ""
     if missed:

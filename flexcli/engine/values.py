@@ -123,7 +123,7 @@ def _admissible(design: DesignSpec, sizes: Sizes) -> dict[str, Value]:
 
 def _shift(ask: Ask, known: Mapping[str, Value]) -> dict[str, Value]:
     """Return the parasitic shift at the end of a case's stroke, where the model has it."""
-    if not ask.scene.bends:
+    if not ask.scene.moves:
         return {}
     try:
         shift = float(ask.answers.parasitic_shift(ask))

@@ -1,8 +1,8 @@
-"""Stress concentration in the throat of a notch hinge under bending.
+"""Stress concentration in the throat of a notch hinge, in bending and along it.
 
-The factor K_t multiplies the nominal stress 6M/(b e²). It falls to 1 as the notch grows against
-the throat: below 5 % for r > 5 e. (The lecture prints the rule as r < 5 h_min, which is the
-wrong way round.)
+The factor K_t multiplies the nominal stress, 6M/(b e²) or N/(b e). In bending it falls to 1 as
+the notch grows against the throat: below 5 % for r > 5 e. (The lecture prints the rule as
+r < 5 h_min, which is the wrong way round.)
 """
 
 import numpy as np
@@ -11,7 +11,7 @@ from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = ["CARDS", "bending_factor", "fitted_bending_factor"]
+__all__ = ["CARDS", "axial_factor", "bending_factor", "fitted_bending_factor"]
 
 _NODES = 24
 """Enough for full digits up to e/r = 10, where the nearest pole is 0.45 from the interval."""
@@ -55,6 +55,44 @@ def bending_factor(*, e: Quantity, r: Quantity) -> Quantity:
     return 4.0 / 3.0 / ((1.0 + u**2) / (1.0 + a * u**2) @ weights)
 
 
+def axial_factor(*, e: Quantity, r: Quantity) -> Quantity:
+    """Return the stress concentration factor of two deep opposite notches in tension.
+
+    ``K_t = 2 (a + 1)√a / ((a + 1) arctan √a + √a)`` with ``a = e/(2r)``; 1 + e/(3r) for a thin
+    throat.
+
+    Parameters
+    ----------
+    e, r : Quantity
+        Thickness of the throat and radius of curvature of the notches there [m]; numbers only.
+
+    Returns
+    -------
+    K_t : Quantity
+        Highest stress over N/(b e) [-].
+
+    Notes
+    -----
+    As for :func:`bending_factor`; the denominator is evaluated as
+    ``√a ((a + 1) ∫ du/(1 + a u²) + 1)`` over 0 < u < 1.
+
+    Examples
+    --------
+    >>> [round(float(axial_factor(e=e, r=1.0)), 4) for e in (0.025, 0.2, 1.0)]
+    [1.0083, 1.0652, 1.3012]
+
+    References
+    ----------
+    Neuber (1958), Kerbspannungslehre, deep notch on both sides in tension; Pilkey (1997),
+    Peterson's Stress Concentration Factors, chapter 2 (hyperbolic notches).
+
+    """
+    a = np.asarray(e / (2.0 * r), dtype=np.float64)
+    u, weights = gauss_rule(_NODES)
+    arc = 1.0 / (1.0 + a[..., None] * u**2) @ weights
+    return 2.0 * (a + 1.0) / ((a + 1.0) * arc + 1.0)
+
+
 def fitted_bending_factor(*, e: Quantity, r: Quantity) -> Quantity:
     """Return the stress concentration factor of a right-circular notch hinge, as fitted.
 
@@ -94,6 +132,12 @@ CARDS: tuple[Card, ...] = (
     Card(
         "notch-stress-concentration",
         bending_factor,
+        _NOTCH,
+        (Range("e/r", 0.0, 1.0, "notch deep against the throat"),),
+    ),
+    Card(
+        "notch-stress-concentration-axial",
+        axial_factor,
         _NOTCH,
         (Range("e/r", 0.0, 1.0, "notch deep against the throat"),),
     ),

@@ -105,6 +105,7 @@ def solve(
     came = path.reached > 0.0
     outcome = [_outcome(path, i) for i in range(designs)]
     parts: list[Part] = []
+    before: list[Part] = []
     _keep(parts, coarse, demand, ~came | (len(levels) == 1), path.x, path.reached)
     rows, x, share = np.flatnonzero(came), path.x[came], path.reached[came]
     for level in levels[1:]:
@@ -123,6 +124,7 @@ def solve(
         done = (found.converged & (change <= tolerance)) | (share < 1.0)
         last = level == levels[-1]
         _keep(parts, fine, demand, done | last, kept, share, rows)
+        _keep(before, coarse, demand, done | last, x, share, rows)
         for i in rows[~done & (share == 1.0)] if last else ():
             outcome[i] = Outcome.INACCURATE
         rows, x, share, coarse = rows[~done], kept[~done], share[~done], fine
@@ -138,6 +140,7 @@ def solve(
         nodes=nodes,
         seconds=perf_counter() - begun,
         parts=tuple(parts),
+        coarser_parts=tuple(before),
     )
 
 
@@ -199,10 +202,23 @@ def _keep(
 
 
 def difference(coarse: Assembly, fine: Assembly, x: Floats, y: Floats, scale: Floats) -> Floats:
-    """Return by how much forces and motions at two levels differ, over the largest of each."""
+    """Return by how much forces and motions at two levels differ, over the largest of each.
+
+    What stands still under forces is measured by how much they stretch a blade, and what bears
+    nothing where it is by the forces that bend one as far: neither scale vanishes by itself.
+    """
+    (_, forces, motions), (_, fine_forces, fine_motions) = coarse.split(x), fine.split(y)
+    pulled, moved = (_largest(each) for each in (fine_forces, fine_motions))
+    stretch = min(float(np.min(mesh.thinnest / mesh.l)) for mesh in fine.meshes) ** 2 / 12.0
     change = np.zeros(x.shape[0])
-    for a, b in zip(coarse.split(x)[1:], fine.split(y)[1:], strict=True):
-        size = np.maximum(scale, np.max(np.abs(b), axis=(1, 2), initial=0.0))
-        far = np.max(np.abs(b - a), axis=(1, 2), initial=0.0)
-        change = np.maximum(change, far / np.maximum(size, _NOTHING))
+    for a, b, size in (
+        (forces, fine_forces, np.maximum(pulled, moved)),
+        (motions, fine_motions, np.maximum(moved, stretch * pulled)),
+    ):
+        over = np.maximum(np.maximum(scale, size), _NOTHING)
+        change = np.maximum(change, _largest(b - a) / over)
     return change
+
+
+def _largest(values: Floats) -> Floats:
+    return np.asarray(np.max(np.abs(values), axis=(1, 2), initial=0.0))

@@ -37,7 +37,8 @@ class Blade:
     """A straight blade from a body to another; a body of no listed name is the ground.
 
     ``profile`` is the thickness from ``start`` to ``end`` [m], ``b`` the width [m], ``z`` the
-    height of its middle plane over that of the mechanism [m].
+    height of its middle plane over that of the mechanism [m]. ``peak`` are the factors by which
+    its shape raises the stress of a section over that of a beam: in bending, along the blade.
     """
 
     name: str
@@ -48,6 +49,7 @@ class Blade:
     profile: Profile
     b: Number
     z: Number = 0.0
+    peak: tuple[Number, Number] = (1.0, 1.0)
 
 
 class Support(NamedTuple):

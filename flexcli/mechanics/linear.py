@@ -13,12 +13,13 @@ from flexcli.mechanics.layout import Layout, Load, Number
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.si import blade_forces, body_forces, body_motions
 
-__all__ = ["LinearSolution", "linear"]
+__all__ = ["NODES", "LinearSolution", "linear"]
 
 Floats = NDArray[np.float64]
 
-_NODES = 24
-"""Nodes on a piece: exact to rounding for the tanh and tan of axial loads of either sign."""
+NODES = 24
+"""Nodes on a piece: exact to rounding for the tanh and tan of axial loads of either sign, and for
+profiles that are no sharp notches."""
 
 
 class LinearSolution(NamedTuple):
@@ -42,6 +43,7 @@ def linear(
     load_factor: Number = 1.0,
     effects: Effects | None = None,
     axial_load: bool = False,
+    nodes: int = NODES,
 ) -> LinearSolution:
     """Return the small motions of a mechanism under motions and loads.
 
@@ -55,6 +57,8 @@ def linear(
         As in :func:`flexcli.mechanics.equilibrium.solve`.
     axial_load : bool
         Whether axial forces stiffen the blades.
+    nodes : int
+        Gauss nodes on a piece.
 
     Returns
     -------
@@ -67,7 +71,7 @@ def linear(
     that the motions cause, and not the loads, are those of the plain linear solution.
 
     """
-    assembly = assemble(layout, Effects() if effects is None else effects, _NODES)
+    assembly = assemble(layout, Effects() if effects is None else effects, nodes)
     demand = demand_of(assembly, {} if held is None else held, loads, load_factor)
     designs = designs_of(assembly, demand)
     rest = np.zeros((designs, assembly.size))

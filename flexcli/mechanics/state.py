@@ -1,7 +1,7 @@
 """The answer of the exact solver: designs in equilibrium, or how far they came and why."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import NamedTuple
@@ -74,6 +74,18 @@ class Equilibrium:
     nodes: Integers
     seconds: float
     parts: tuple[Part, ...]
+    coarser_parts: tuple[Part, ...] = ()
+
+    @property
+    def coarser(self) -> "Equilibrium | None":
+        """Return the same equilibria on the level of nodes before, where there is one for all.
+
+        What is read off both tells by how much it is off itself.
+        """
+        known = sum(part.rows.size for part in self.coarser_parts)
+        if known < self.designs:
+            return None
+        return replace(self, parts=self.coarser_parts, coarser_parts=())
 
     @property
     def designs(self) -> int:

@@ -5,7 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.along import Section, along, flexible_pieces
+from flexcli.mechanics.along import along, flexible_pieces
+from flexcli.mechanics.mesh import Segment, column, pick
 from flexcli.mechanics.state import Equilibrium, Part
 
 __all__ = ["BladeStress", "Peak", "blade_stress", "greatest_stress"]
@@ -58,7 +59,8 @@ class Peak(NamedTuple):
 def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> BladeStress:
     """Return the stress along a blade, at ``points`` places on each of its flexible pieces.
 
-    ``σ = N/(b h) ± 6M/(b h²)``, elastic and without stress concentration.
+    ``σ = N/(b h) ± 6M/(b h²)``, elastic, each times the factor by which the blade's shape raises
+    it (``Blade.peak``).
 
     Parameters
     ----------
@@ -80,8 +82,7 @@ def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> Blade
     for part in state.parts:
         u = np.tile(np.linspace(-1.0, 1.0, points), (part.rows.size, 1))
         found = [
-            _stress(along(state, part, index, segment, u))
-            for segment in flexible_pieces(part, index)
+            _stress(state, part, index, segment, u) for segment in flexible_pieces(part, index)
         ]
         values.append(np.concatenate(found, axis=-1))
     return BladeStress(*np.moveaxis(state.scatter(values), 1, 0))
@@ -112,9 +113,12 @@ def greatest_stress(state: Equilibrium) -> Peak:
     return Peak(*np.moveaxis(state.scatter(values), 1, 0))
 
 
-def _stress(at: Section) -> Floats:
+def _stress(state: Equilibrium, part: Part, blade: int, segment: Segment, u: Floats) -> Floats:
     """Return place, bending stress and axial stress (designs, 3, points)."""
-    return np.stack([at.s, 6.0 * at.M / (at.b * at.h**2), at.N / (at.b * at.h)], axis=1)
+    at = along(state, part, blade, segment, u)
+    bends, pulls = (pick(column(k), part.rows)[:, None] for k in state.layout.blades[blade].peak)
+    bending = bends * 6.0 * at.M / (at.b * at.h**2)
+    return np.stack([at.s, bending, pulls * at.N / (at.b * at.h)], axis=1)
 
 
 def _peak(state: Equilibrium, part: Part, blade: int, axial_share: float) -> Floats:
@@ -125,7 +129,7 @@ def _peak(state: Equilibrium, part: Part, blade: int, axial_share: float) -> Flo
         low, high = np.full(designs, -1.0), np.ones(designs)
         for _ in range(_ZOOMS):
             u = low[:, None] + (high - low)[:, None] * _SHARE
-            s, bending, axial = np.moveaxis(_stress(along(state, part, blade, segment, u)), 1, 0)
+            s, bending, axial = np.moveaxis(_stress(state, part, blade, segment, u), 1, 0)
             value = np.abs(bending) + axial_share * np.abs(axial)
             top = np.argmax(value, axis=1)
             better = value[each, top] > best[:, 0]

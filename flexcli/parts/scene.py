@@ -2,18 +2,34 @@
 
 from collections.abc import Iterable, Mapping
 from enum import StrEnum
-from math import copysign
-from typing import NamedTuple
+from math import atan2, copysign, cos, hypot, sin
+from types import MappingProxyType
+from typing import NamedTuple, TypeAlias
 
 from flexcli.formulas.miles import miles_worst_case
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.case import Case
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Geometry, NotAvailable
 from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.parts.shock import Shock
 from flexcli.results import Value
 
-__all__ = ["LoadKind", "Scene", "largest_travel", "scene_of"]
+__all__ = ["IN_PLANE", "LoadKind", "Scene", "Wrench", "largest_travel", "scene_of"]
+
+
+IN_PLANE = (0, 1, 5)
+"""Components of a wrench in the joint's plane."""
+
+ANY = Elastic(1.0, 0.0)
+"""To ask whether a joint has a layout at all."""
+
+ROUNDING = 1e-12
+"""Of a component over the whole: below it, it is none."""
+
+
+STATED = "stated in the case"
+"""Why a case has the ends that it states."""
 
 
 class LoadKind(StrEnum):
@@ -29,14 +45,25 @@ class LoadKind(StrEnum):
     SWEEP = "sweep"
 
 
+Wrench: TypeAlias = tuple[float, float, float, float, float, float]
+"""Forces along x, y, z [N] and moments about them [N·m] on the joint's moving body."""
+
+NO_WRENCH: Wrench = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
 class Scene(NamedTuple):
     """One case in the joint's own terms.
 
     ``travel`` and ``mean_travel`` are rotations [rad] or translations [m] of the joint,
     ``middle`` is the mean travel with the sign of the stroke; ``force``
     is the largest force on a joint in its plane [N], ``axial_share`` the largest axial force in a
-    blade per unit of it. ``forces`` are its parts, each with its direction from the joint's axis
-    of symmetry [rad].
+    blade per unit of it. ``forces`` are its parts, each with its direction from the x of the
+    joint's layout [rad]; what only drives the stroke is none of them.
+
+    ``stated`` is what load and wrench put on the joint, ``inertial`` what each acceleration does;
+    both in the frame of the joint's layout, at the moving body's point. The stated may act either
+    way, and so may each of the others, whatever the rest does. ``accelerations`` are those that
+    act on the masses of the layout's own bodies besides [m/s²], one for each ``inertial``.
     """
 
     case: str
@@ -60,17 +87,55 @@ class Scene(NamedTuple):
     loads: frozenset[LoadKind] = frozenset()
     """What the case states; each has to be looked at by some requirement."""
     pushed_by: frozenset[LoadKind] = frozenset()
-    """Those of them that are in ``force``."""
+    """Those of them of which all is in the stresses of the joint's plane."""
+    stated: Wrench = NO_WRENCH
+    inertial: tuple[Wrench, ...] = ()
+    accelerations: tuple[tuple[float, float, float], ...] = ()
+    drive: int = 5
+    """Which component of a wrench drives the stroke: the moment about z, or the force along y."""
+    beyond: str = ""
+    """Why the closed forms do not have its loads, where that is so."""
+
+    @property
+    def moves(self) -> bool:
+        """Return whether the case has a stroke."""
+        return self.travel > 0.0 or self.mean_travel > 0.0
+
+    @property
+    def states_ends(self) -> bool:
+        """Return whether the case itself says what holds the blades' ends."""
+        return self.ends is not None and self.ends_why == STATED
+
+    @property
+    def push(self) -> float:
+        """Return the largest load along the stroke itself [N or N·m]."""
+        if self.lock is not None:
+            return 0.0
+        return abs(self.stated[self.drive]) + sum(abs(each[self.drive]) for each in self.inertial)
 
     @property
     def bends(self) -> bool:
         """Return whether the case moves the joint."""
-        return self.travel > 0.0 or self.mean_travel > 0.0
+        return self.moves or self.push > 0.0
+
+    @property
+    def is_loaded(self) -> bool:
+        """Return whether anything in the joint's plane acts on it besides the stroke."""
+        own = any(any(each[:2]) for each in self.accelerations)
+        return own or any(each[i] for each in (self.stated, *self.inertial) for i in IN_PLANE)
+
+    def without_loads(self) -> "Scene":
+        """Return the same case with its stroke alone."""
+        return self._replace(
+            forces=(), force=0.0, stated=NO_WRENCH, inertial=(), accelerations=(), beyond=""
+        )
 
     @property
     def driver(self) -> str:
         """Return what the stresses of the case grow with."""
-        return " and ".join(["stroke"] * self.bends + ["force"] * (self.blade_force > 0.0))
+        return " and ".join(
+            ["stroke"] * self.moves + ["force"] * (self.blade_force > 0.0 or self.push > 0.0)
+        )
 
     @property
     def blade_force(self) -> float:
@@ -91,17 +156,21 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         mechanism.locked_forces(case.lock, 0.0)  # refuses a body that cannot be locked
     values: dict[str, Value] = {}
     travel, mean = _joint_travel(case, mechanism, geometry, values)
-    forces = _forces(case, mechanism, values)
-    force_name = max(forces, key=lambda key: forces[key]) if forces else ""
-    force = forces.get(force_name, 0.0)
-    ends, why = case.ends, "stated in the case" if case.ends else ""
+    stated = _stated(case, geometry)
+    found = _inertial(case, mechanism, geometry, values)
+    drive = 5 if geometry.motion == "rotation" else 1
+    lasting = (stated, *found.wrenches)
+    forces = tuple(
+        (hypot(*each[:2]), atan2(each[1], each[0])) for each in lasting if _is_more(each, drive)
+    )
+    force = sum(size for size, _ in forces)
+    ends, why = case.ends, STATED if case.ends else ""
     if ends is None and case.lock is not None:
         ends, why = "clamped-clamped", f"lock: {case.lock} keeps both ends from turning"
     steady = case.acceleration
-    load = case.load.force if case.load is not None else 0.0
-    acting = [(load, case.load.direction)] if case.load is not None and load else []
-    if force > load:
-        acting.append((force - load, getattr(mechanism, "bisector", 0.0)))
+    beyond, share = _closed_share(case, geometry, forces, lasting)
+    if force > 0.0 and mechanism is not None and found.name:
+        values |= _force_values(force, found, stated)
     return Scene(
         case=name,
         travel=travel,
@@ -109,8 +178,8 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         middle=copysign(mean, case.stroke.middle) if case.stroke else 0.0,
         cycles=case.stroke.cycles if case.stroke else None,
         force=force,
-        force_name=force_name,
-        axial_share=_axial_share(case, mechanism, geometry, force),
+        force_name=found.name or ("F" if force else ""),
+        axial_share=share,
         ends=ends,
         ends_why=why,
         acceleration=steady.level if steady else 0.0,
@@ -119,25 +188,94 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         shock=case.shock,
         lock=case.lock,
         wrench=case.wrench.components if case.wrench else None,
-        forces=tuple(acting),
+        forces=forces,
         values=values,
         loads=frozenset(kind for kind in LoadKind if getattr(case, kind.value) is not None),
-        pushed_by=_pushed_by(case),
+        pushed_by=_pushed_by(case, found.kinds),
+        stated=stated,
+        inertial=found.wrenches,
+        accelerations=found.accelerations,
+        drive=drive,
+        beyond=beyond,
     )
 
 
-def _pushed_by(case: Case) -> frozenset[LoadKind]:
-    """Return the loads of a case that its force on the joints is made of."""
-    found = {LoadKind.LOAD} if case.load is not None else set()
-    steady, asd, shock = case.acceleration, case.asd, case.shock
-    for kind, axes in (
-        (LoadKind.ACCELERATION, (steady.axis,) if steady is not None else ()),
-        (LoadKind.ASD, asd.axes if asd is not None else ()),
-        (LoadKind.SHOCK, (shock.axis,) if shock is not None else ()),
-    ):
-        if axes and _loads_joints(case, kind.value, axes):
-            found.add(kind)
+def _is_more(wrench: Wrench, drive: int) -> bool:
+    """Return whether a wrench has a force in the plane that does not only drive the stroke."""
+    x, y = wrench[0], 0.0 if drive == 1 else wrench[1]
+    return hypot(x, y) > ROUNDING * hypot(*wrench[:2])
+
+
+def _pushed_by(case: Case, inertial: frozenset[LoadKind]) -> frozenset[LoadKind]:
+    """Return the loads of a case of which all acts in the joint's plane."""
+    found = set(inertial)
+    if case.load is not None:
+        found.add(LoadKind.LOAD)
+    if case.wrench is not None and not any(case.wrench.components[2:5]):
+        found.add(LoadKind.WRENCH)
     return frozenset(found)
+
+
+def _stated(case: Case, geometry: Geometry) -> Wrench:
+    """Return load and wrench of a case together, in the frame of the joint's layout."""
+    found = list(NO_WRENCH if case.wrench is None else _turned(case.wrench.components, geometry))
+    if case.load is not None:
+        angle = case.load.direction + geometry.symmetry_axis
+        found[0] += case.load.force * cos(angle)
+        found[1] += case.load.force * sin(angle)
+    return _clean(found)
+
+
+def _turned(wrench: tuple[float, ...], geometry: Geometry) -> list[float]:
+    """Return a wrench along the axes of cases in the frame of the layout."""
+    c, s = cos(geometry.axes), sin(geometry.axes)
+    return [
+        value for x, y, z in (wrench[:3], wrench[3:]) for value in (c * x - s * y, s * x + c * y, z)
+    ]
+
+
+def _clean(wrench: Iterable[float]) -> Wrench:
+    """Return a wrench without components that are rounding beside the others of their kind."""
+    values = list(wrench)
+    for first in (0, 3):
+        size = hypot(*values[first : first + 3])
+        for i in range(first, first + 3):
+            if abs(values[i]) <= ROUNDING * size:
+                values[i] = 0.0
+    x, y, z, m_x, m_y, m_z = values
+    return x, y, z, m_x, m_y, m_z
+
+
+def _closed_share(
+    case: Case,
+    geometry: Geometry,
+    forces: tuple[tuple[float, float], ...],
+    wrenches: tuple[Wrench, ...],
+) -> tuple[str, float]:
+    """Return why closed forms do not have the loads, and the greatest axial force over the force.
+
+    Forces in different directions add as if they were largest in the same blade.
+    """
+    force = sum(size for size, _ in forces)
+    beyond = ""
+    if geometry.motion == "translation" and any(each[5] for each in wrenches):
+        beyond = "has no closed form for a moment on a stage"
+    if force == 0.0:
+        return beyond, 0.0
+    try:
+        carried = sum(
+            size * geometry.axial_share(angle - geometry.symmetry_axis) for size, angle in forces
+        )
+        return beyond, carried / force
+    except NotAvailable as error:
+        try:
+            geometry.layout(ANY, geometry.probe())
+        except NotAvailable:
+            at = "load" if case.load else "wrench" if case.wrench else "acceleration"
+            at = "asd" if case.asd and not case.load else at
+            hint = "give the load another direction, or take another geometry"
+            raise MechanismError(at, f"a {geometry.name} {error}", hint) from error
+        return str(error), 1.0
 
 
 def _joint_travel(
@@ -163,71 +301,111 @@ def _joint_travel(
     return travel, mean
 
 
-def _axial_share(
-    case: Case, mechanism: Mechanism | None, geometry: Geometry, force: float
-) -> float:
-    """Return the axial force of the most loaded blade over the force on the joint.
+class _Inertial(NamedTuple):
+    """What accelerations put on a joint: wrenches in its frame, and on its own bodies [m/s²].
 
-    A load and an inertial force in other directions add as if they were largest in the same
-    blade.
+    ``name`` is that of the force at the most loaded joint, ``forces`` are those at all of them.
     """
-    if force == 0.0:
-        return 0.0
-    load = case.load.force if case.load is not None else 0.0
-    bisector = getattr(mechanism, "bisector", 0.0)
-    try:
-        carried = geometry.axial_share(case.load.direction) * load if case.load else 0.0
-        inertial = force - load
-        if inertial > 0.0:
-            carried += geometry.axial_share(bisector) * inertial
-    except NotAvailable as error:
-        at = "load" if case.load else "asd" if case.asd else "acceleration"
-        hint = "give the load another direction, or take another geometry"
-        kind = getattr(geometry, "kind", "geometry")
-        raise MechanismError(at, f"a {kind} {error}", hint) from error
-    return carried / force
+
+    name: str = ""
+    forces: Mapping[str, float] = MappingProxyType({})
+    wrenches: tuple[Wrench, ...] = ()
+    accelerations: tuple[tuple[float, float, float], ...] = ()
+    kinds: frozenset[LoadKind] = frozenset()
 
 
-def _forces(case: Case, mechanism: Mechanism | None, values: dict[str, Value]) -> dict[str, float]:
-    """Return the forces on the joints of a case [N], adding what was found on the way.
+def _inertial(
+    case: Case, mechanism: Mechanism | None, geometry: Geometry, values: dict[str, Value]
+) -> _Inertial:
+    """Return what the accelerations of a case do, adding what was found on the way.
 
-    An acceleration of the base loads the joints quasi-statically where it does not drive the
-    motion itself: along x when a lock holds the bodies, along y always.
+    A steady acceleration acts along any axis of the plane; one of a vibration or a shock loads the
+    joints quasi-statically where it does not drive the motion itself.
     """
-    load = case.load.force if case.load is not None else 0.0
-    forces = {"F": load} if load > 0.0 else {}
-    level, prefix = 0.0, ""
-    for found, name in _accelerations(case, mechanism, values):
-        level, prefix = level + found, name
-    if level == 0.0 or mechanism is None:
-        return forces
+    found = _accelerations(case, mechanism, geometry, values)
+    if not found:
+        return _Inertial()
+    kinds = frozenset(each.kind for each in found if each.axis != "z")
+    if case.lock is not None:
+        return _locked(case.lock, mechanism, found, kinds, values)
+    wrenches, fields = [], []
+    for each in found:
+        field = _turned((*_UNIT[each.axis], 0.0, 0.0, 0.0), geometry)[:3]
+        if each.kind is not LoadKind.ACCELERATION and geometry.motion == "translation":
+            field[1] = 0.0  # what drives the motion is the response's
+        if each.axis == "z" and mechanism is not None:
+            force = mechanism.hanging_mass() * each.level
+        else:
+            force = mechanism.free_force(each.level) if mechanism is not None else 0.0
+        arm = mechanism.arm if mechanism is not None else 0.0
+        x, y, z = (force * component for component in field)
+        wrenches.append(_clean((x, y, z, 0.0, -arm * z, arm * y)))
+        a_x, a_y, a_z, *_ = _clean((*(each.level * c for c in field), 0.0, 0.0, 0.0))
+        fields.append((a_x, a_y, a_z))
+    name = found[-1].name if mechanism is not None else ""
+    return _Inertial(name, {}, tuple(wrenches), tuple(fields), kinds)
+
+
+def _locked(
+    lock: str,
+    mechanism: Mechanism | None,
+    found: list["_Accelerated"],
+    kinds: frozenset[LoadKind],
+    values: dict[str, Value],
+) -> _Inertial:
+    """Return the forces along x at the joints of a mechanism of which a body is locked."""
+    assert mechanism is not None  # it has the body that is locked
+    level, prefix = sum(each.level for each in found), found[-1].name
     for suffix, (force, label) in mechanism.body_forces(level).items():
         values[f"{prefix}{suffix}"] = Value(force, "N", label)
-    if case.lock is None:
-        loads = {"F": mechanism.free_force(level)}
-    else:
-        loads = mechanism.locked_forces(case.lock, level)
-    forces = {name: load + force for name, force in loads.items()}
-    label = "force on a pivot" if len(loads) > 1 else "force on the joint"
-    values.update({name: Value(force, "N", label) for name, force in forces.items()})
-    return forces
+    forces = mechanism.locked_forces(lock, level)
+    name = max(forces, key=lambda key: forces[key])
+    # the stroke's axis, seen from the pivots' own
+    angle = -float(getattr(mechanism, "bisector", 0.0))
+    wrench = _clean((forces[name] * cos(angle), forces[name] * sin(angle), 0.0, 0.0, 0.0, 0.0))
+    return _Inertial(name, forces, (wrench,), ((0.0, 0.0, 0.0),), kinds)
+
+
+def _force_values(force: float, found: _Inertial, stated: Wrench) -> dict[str, Value]:
+    """Return the forces on the joints of a mechanism, what is stated added to each."""
+    beside = hypot(*stated[:2])
+    forces = {name: size + beside for name, size in found.forces.items()} or {"F": force}
+    label = "force on a pivot" if len(forces) > 1 else "force on the joint"
+    return {name: Value(size, "N", label) for name, size in forces.items()}
+
+
+_UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+
+
+class _Accelerated(NamedTuple):
+    """An acceleration that loads the joints [m/s²], along an axis; the name of its force."""
+
+    kind: LoadKind
+    level: float
+    axis: str
+    name: str
 
 
 def _accelerations(
-    case: Case, mechanism: Mechanism | None, values: dict[str, Value]
-) -> list[tuple[float, str]]:
-    """Return each acceleration that loads the joints [m/s²], with the name of its force."""
-    found: list[tuple[float, str]] = []
+    case: Case, mechanism: Mechanism | None, geometry: Geometry, values: dict[str, Value]
+) -> list[_Accelerated]:
+    """Return each acceleration that loads the joints."""
+    found: list[_Accelerated] = []
     steady, asd, shock = case.acceleration, case.asd, case.shock
     for key, given in (("acceleration", steady), ("asd", asd), ("shock", shock)):
         if given is not None and key != "acceleration" and mechanism is None:
             raise MechanismError(key, "a base that moves needs masses on it", "add a mechanism")
-    if steady is not None and _loads_joints(case, "acceleration", (steady.axis,)):
-        if mechanism is None:
+
+    def load(kind: LoadKind, level: float, axes: tuple[str, ...], name: str) -> None:
+        along = _loading(case, kind, axes, mechanism, geometry)
+        found.extend(_Accelerated(kind, level, axis, name) for axis in along)
+
+    if steady is not None:
+        if mechanism is None and geometry.own_mass == 0.0:
             raise MechanismError(
                 "acceleration", "an acceleration needs a mass that it acts on", "add a mechanism"
             )
-        found.append((steady.level, "F_steady"))
+        load(LoadKind.ACCELERATION, steady.level, (steady.axis,), "F_steady")
     if asd is not None:
         applied = asd.applied()
         worst = miles_worst_case(applied.frequency, applied.level, asd.q, scale=applied.scale)
@@ -239,24 +417,34 @@ def _accelerations(
             f"worst rms acceleration, Q = {asd.q:g}, profile {applied.text}",
             source="Miles, √(π/2 f Q ASD), over all frequencies",
         )
-        if _loads_joints(case, "asd", asd.axes):
-            found.append((asd.sigma * rms, f"F_{asd.sigma:g}sigma"))
-    if shock is not None and _loads_joints(case, "shock", (shock.axis,)):
+        load(LoadKind.ASD, asd.sigma * rms, asd.axes, f"F_{asd.sigma:g}sigma")
+    if shock is not None and _loading(case, LoadKind.SHOCK, (shock.axis,), mechanism, geometry):
         worst_shock = shock.worst_acceleration()
         if worst_shock is not None:
-            found.append((worst_shock, "F_shock"))
+            load(LoadKind.SHOCK, worst_shock, (shock.axis,), "F_shock")
     return found
 
 
-def _loads_joints(case: Case, key: str, axes: tuple[str, ...]) -> bool:
-    """Return whether an acceleration loads the joints instead of driving their motion."""
-    if case.lock is None:
-        return "y" in axes
-    across = [axis for axis in axes if axis != "x"]
-    if across:
-        raise MechanismError(
-            key,
-            f"no closed form for a locked mechanism accelerated along {across[0]}",
-            "take axis: x, or leave the lock out",
-        )
-    return True
+def _loading(
+    case: Case,
+    kind: LoadKind,
+    axes: tuple[str, ...],
+    mechanism: Mechanism | None,
+    geometry: Geometry,
+) -> tuple[str, ...]:
+    """Return the axes along which an acceleration loads the joints by itself."""
+    if case.lock is not None:
+        across = [axis for axis in axes if axis != "x"]
+        if across:
+            raise MechanismError(
+                kind.value,
+                f"no closed form for a locked mechanism accelerated along {across[0]}",
+                "take axis: x, or leave the lock out",
+            )
+        return axes
+    stage = mechanism is not None and mechanism.joints > 1
+    vibrates = kind is not LoadKind.ACCELERATION
+    drives = stage or (vibrates and geometry.motion == "translation")
+    return tuple(
+        axis for axis in axes if not (drives and axis == "x") and not (stage and axis == "z")
+    )

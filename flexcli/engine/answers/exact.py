@@ -1,21 +1,22 @@
 """The exact model of a joint: geometrically exact blades between its bodies, at full stroke."""
 
 from collections.abc import Iterator, Sequence
-from math import inf, pi
+from math import inf, isfinite, nan, pi
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.answers.face_stress import POINTS, worst_of_stroke
+from flexcli.engine.answers.holds import Hold, driven_axis, hold_of
 from flexcli.engine.answers.joint_states import (
     at_rest,
     blades_of,
-    driven_axis,
     layout_of,
     over_stroke,
     solved,
     turned,
 )
+from flexcli.engine.answers.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Quantity
@@ -31,6 +32,7 @@ from flexcli.mechanics.tangent import held_stiffness
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import Answers, Ask, EndStress
+from flexcli.parts.requirements.support import compliance_of
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["ExactAnswers", "driven_stiffness"]
@@ -39,14 +41,11 @@ Floats = NDArray[np.float64]
 
 TOLERANCE = 1e-9
 
-HOLDS = {
-    "clamped-clamped": "neither turns nor moves across the force",
-    "clamped-guided": "does not turn",
-    "clamped-free": "is free in the plane",
-    "pinned-pinned": "is free in the plane",
-    "clamped-pinned": "turns but does not move across the force",
-}
-"""What the ends of a blade mean for the body: which critical load of the joint is asked."""
+SAMPLED = 1e-6
+"""Of the stress: what its greatest value between two places is more, see ``POINTS``."""
+
+BLADE_SPRINGS = 1e-8
+"""Of a compliance in space: rounding, and the nodes of the blades' springs."""
 
 REACH = 6.0
 """How far a critical load is looked for, over what all blades clamped at both ends would bear."""
@@ -72,39 +71,75 @@ class ExactAnswers(Answers):
         self.effects = Effects() if effects is None else effects
         self.tolerance = tolerance
         self.levels = levels
+        self._known_states: Remembered[Equilibrium] = Remembered()
+        self._known_pairs: Remembered[tuple[float, float]] = Remembered()
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
-        """Return a hundred tolerances: what is reported is less sure than what is solved for."""
-        if kind in (QuantityKind.SUPPORT, QuantityKind.RESPONSE):
-            return None
-        return ErrorRange(-100.0 * self.tolerance, 100.0 * self.tolerance)
+        """Return the solver's own error: by how much its last two levels of nodes differ.
+
+        It is nothing for what it has no second level of. What no beam carries is not in it.
+        """
+        find = {
+            QuantityKind.STIFFNESS: lambda: self._stiffness(ask)[1],
+            QuantityKind.FREQUENCY: lambda: self._stiffness(ask)[1] / 2.0,
+            QuantityKind.SAG: lambda: self._sag_error(ask),
+            QuantityKind.STRESS: lambda: self._stress_error(ask),
+            QuantityKind.SHIFT: lambda: self._shift(ask)[1],
+            QuantityKind.BUCKLING: lambda: 100.0 * self.tolerance,  # else it has no answer
+        }.get(kind)
+        found = find() if find is not None else inf
+        return ErrorRange(-found, found) if isfinite(found) else None
 
     def stiffness(self, ask: Ask) -> Quantity:
         """Return the stiffness along the motion at rest, shear and stretching included."""
-        state = at_rest(ask, self.effects, self.tolerance, self.levels)
-        return float(driven_stiffness(state, ask)[0])
+        return self._stiffness(ask)[0]
+
+    def _stiffness(self, ask: Ask) -> tuple[float, float]:
+        """Return the stiffness at rest and its relative error.
+
+        At rest nothing moves that could tell whether the nodes do: the stiffness itself tells.
+        """
+        # the forces of a case play no part at rest
+        return self._known_pairs.of("stiffness", ask, lambda: self._settled_stiffness(ask))
+
+    def _settled_stiffness(self, ask: Ask) -> tuple[float, float]:
+        found, error = nan, inf
+        for nodes in self.levels:
+            before = found
+            state = at_rest(ask, self.effects, self.tolerance, (nodes,))
+            found = float(driven_stiffness(state, ask)[0])
+            error = abs(before / found - 1.0) if isfinite(before) else inf
+            if error <= self.tolerance:
+                break
+        return found, error
 
     def stiffness_at_end(self, ask: Ask) -> float:
         """Return the tangent of the effort at the end of the stroke, under the case's forces."""
-        state = over_stroke(ask, self.effects, self.tolerance, self.levels)
-        return float(driven_stiffness(state, ask)[0])
+        return float(driven_stiffness(self.states(ask), ask)[0])
+
+    def states(self, ask: Ask) -> Equilibrium:
+        """Return the equilibria of a case."""
+        find = lambda: over_stroke(ask, self.effects, self.tolerance, self.levels)  # noqa: E731
+        return self._known_states.of("states", ask, find)
 
     def sag_stiffness(self, ask: Ask) -> Quantity:
-        """Return the stiffness along the case's acceleration, from the 6×6 compliance across z."""
-        if ask.scene.axis == "x" and ask.geometry.motion == "translation":
-            return self.stiffness(ask)
-        from flexcli.mechanics.support import support_compliance
-
-        # a case's x is along the stroke, its y along the axis of symmetry
-        index = {"x": 1, "y": 0, "z": 2}[ask.scene.axis]
-        try:
-            C = support_compliance(layout_of(ask), MOVING, (0.0, 0.0, 0.0))
-        except SolveError as error:
-            raise NotAvailable(f"has no stiffness along {ask.scene.axis}: {error}") from error
+        """Return the stiffness along the case's acceleration, the joint free but for its guide."""
+        index = {"x": 0, "y": 1, "z": 2}[ask.scene.axis]
+        C = compliance_of(ask)
         return float(1.0 / C[index, index])
 
+    def _sag_error(self, ask: Ask) -> float:
+        return BLADE_SPRINGS if ask.scene.axis else inf
+
     def parasitic_shift(self, ask: Ask) -> Quantity:
-        """Return the length of the shift at the end of the stroke, positive towards the base."""
+        """Return the shift at the end of the stroke alone, positive towards −x of the layout."""
+        return self._shift(ask)[0]
+
+    def _shift(self, ask: Ask) -> tuple[float, float]:
+        """Return the shift and its relative error."""
+        return self._known_pairs.of("shift", ask, lambda: self._settled_shift(ask))
+
+    def _settled_shift(self, ask: Ask) -> tuple[float, float]:
         layout, scene, geometry = layout_of(ask), ask.scene, ask.geometry
         reach = scene.travel + scene.mean_travel
         state = solved(
@@ -114,21 +149,38 @@ class ExactAnswers(Answers):
             tolerance=self.tolerance,
             levels=self.levels,
         )
-        if geometry.motion == "translation":
-            return -float(point_motion(state, MOVING, layout.body(MOVING).point)[0, 0])
-        x, y = point_motion(state, MOVING, (0.0, 0.0))[0]
-        return float(np.copysign(np.hypot(x, y), -x))
+        shift, before = _shift_of(state, ask), state.coarser
+        if before is None or shift == 0.0:
+            return shift, inf
+        return shift, abs(_shift_of(before, ask) / shift - 1.0)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""
         return "stress at the faces, bending with the axial force", list(self._each(ask))
 
     def _each(self, ask: Ask) -> Iterator[EndStress]:
-        state = over_stroke(ask, self.effects, self.tolerance, self.levels)
+        state = self.states(ask)
         for blade in state.layout.blades:
             found = blade_stress(state, blade.name, POINTS)
             faces = {"left": found.left, "right": found.right}
             yield from worst_of_stroke(ask, blade.name, faces)
+
+    def _stress_error(self, ask: Ask) -> float:
+        """Return by how much the stress changes from level to level, over the largest of a state.
+
+        What lies between the places at which it is sampled counts besides.
+        """
+        state = self.states(ask)
+        before = state.coarser
+        if before is None:
+            return inf
+        change, most = np.zeros(state.designs), np.zeros(state.designs)
+        for blade in state.layout.blades:
+            pair = [blade_stress(each, blade.name, POINTS) for each in (state, before)]
+            for one, other in ((pair[0].left, pair[1].left), (pair[0].right, pair[1].right)):
+                change = np.maximum(change, np.abs(one - other).max(axis=1))
+                most = np.maximum(most, np.abs(one).max(axis=1))
+        return float(change.max() / most.max()) + SAMPLED if most.max() > 0.0 else inf
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the force at which the joint buckles in its plane, either way it may act."""
@@ -146,17 +198,17 @@ class ExactAnswers(Answers):
 
     def _critical(self, ask: Ask, layout: Layout, sign: float) -> Critical:
         scene = ask.scene
-        ends = scene.ends or ""
+        hold = hold_of(scene)
         clamped = sum(
             4.0 * pi**2 * float(np.sum(mesh.EI / mesh.l**2))
             for mesh in meshes(layout, blades_of(layout, self.effects), LEVELS[0])
         )
         most = REACH * clamped
         load = Load(MOVING, layout.body(MOVING).point, (sign, 0.0))
-        source = f"exact model, the body {HOLDS[ends]}"
+        source = f"exact model, the body {hold.spoken}"
         try:
             reached = critical_load(
-                layout, _hold(ends), [load], most=most,
+                layout, _hold(hold), [load], most=most,
                 effects=blades_of(layout, self.effects), tolerance=self.tolerance,
                 levels=self.levels,
             )  # fmt: skip
@@ -167,14 +219,21 @@ class ExactAnswers(Answers):
         return Critical("in the plane", float(reached.factor), source)
 
 
-def _hold(ends: str) -> Held:
-    across = 0.0 if ends in ("clamped-clamped", "clamped-pinned") else None
-    turn = 0.0 if ends in ("clamped-clamped", "clamped-guided") else None
+def _hold(hold: Hold) -> Held:
+    across, turn = (0.0 if held else None for held in (hold.across, hold.turn))
     return {MOVING: (None, across, turn)}
+
+
+def _shift_of(state: Equilibrium, ask: Ask) -> float:
+    """Return the shift of a pivot's centre, or of a stage's point along its blades [m]."""
+    if ask.geometry.motion == "translation":
+        return -float(point_motion(state, MOVING, state.layout.body(MOVING).point)[0, 0])
+    x, y = point_motion(state, MOVING, (0.0, 0.0))[0]
+    return float(np.copysign(np.hypot(x, y), -x))
 
 
 def driven_stiffness(state: Equilibrium, ask: Ask) -> Floats:
     """Return the stiffness of the driven motion at equilibria that hold it (designs,)."""
-    held = [axis for axis, motion in enumerate(ask.geometry.held(0.0)) if motion is not None]
-    index = held.index(driven_axis(ask.geometry))
+    driven = 3 * state.layout.index(MOVING) + driven_axis(ask.geometry)
+    index = state.parts[0].demand.held.tolist().index(driven)
     return np.asarray(held_stiffness(state)[:, index, index])

@@ -17,6 +17,10 @@ POINTS = 257
 stress of a notch, which lies beside its throat, is found to some 1e-6."""
 
 
+WEIGHTS = (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0)
+"""Of the mean stress beside the amplitude: strength over what the mean is compared with."""
+
+
 def blade_places(blade: Blade, l: float) -> tuple[Floats, Floats]:
     """Return places along the flexible pieces of a blade of length l and thickness there [m]."""
     u = np.linspace(-1.0, 1.0, POINTS)
@@ -31,30 +35,33 @@ def blade_places(blade: Blade, l: float) -> tuple[Floats, Floats]:
 def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterator[EndStress]:
     """Yield the worst places of a blade's faces, from stresses (states, places) [Pa].
 
-    States come in pairs: the two ends of the stroke, under each sign of the forces.
+    States are those of :func:`flexcli.engine.answers.joint_states.of_case`: pairs of the two ends
+    of the stroke where there is one.
     """
-    reverses = ask.scene.mean_travel == 0.0 and not ask.scene.forces
-    joint = ask.geometry.joint_of(blade)
+    scene, joint = ask.scene, ask.geometry.joint_of(blade)
+    reverses = scene.mean_travel == 0.0 and not scene.is_loaded
     for face, stress in faces.items():
-        for pair in range(0, stress.shape[0], 2):
-            yield from _worst(
-                f"{blade}, {face} face", stress[pair], stress[pair + 1], joint, reverses=reverses
-            )
+        pairs = (stress[::2], stress[1::2]) if scene.moves else (stress, stress)
+        for one, other in zip(*pairs, strict=True):
+            for place in _worst(one, other):
+                yield EndStress(
+                    f"{blade}, {face} face",
+                    float(abs(one[place] - other[place])) / 2.0,
+                    float(one[place] + other[place]) / 2.0,
+                    0.0,
+                    joint,
+                    is_at_face=True,
+                    reverses=reverses,
+                )
 
 
-def _worst(
-    where: str, one: Floats, other: Floats, joint: str, *, reverses: bool
-) -> Iterator[EndStress]:
-    """Yield the places of a face at which the greatest stress and the greatest amplitude are.
+def _worst(one: Floats, other: Floats) -> Iterator[int]:
+    """Yield the places of a face where the stress, the amplitude or what stands for both is most.
 
-    Where the stroke reverses, the larger of both ends counts as the amplitude: the little that
-    the two differ by, of second order in the stroke, then needs no mean stress method.
+    Between the greatest amplitude and the greatest tension lies what a mean stress method may
+    find the worst: a few weights of the mean find it.
     """
     amplitude, mean = np.abs(one - other) / 2.0, (one + other) / 2.0
-    largest = np.maximum(np.abs(one), np.abs(other))
-    for index in dict.fromkeys((int(np.argmax(largest)), int(np.argmax(amplitude)))):
-        if reverses:
-            yield EndStress(where, float(largest[index]), 0.0, 0.0, joint)
-            continue
-        for sign in (1.0, -1.0):
-            yield EndStress(where, float(amplitude[index]), sign * float(mean[index]), 0.0, joint)
+    sought = [amplitude + np.abs(mean)]
+    sought += [amplitude + weight * np.maximum(mean, 0.0) for weight in WEIGHTS]
+    yield from dict.fromkeys(int(np.argmax(each)) for each in sought)

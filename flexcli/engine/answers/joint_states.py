@@ -1,13 +1,15 @@
-"""The joint of a case in exact equilibrium: at the ends of its stroke, under its forces."""
+"""The joint of a case in equilibrium: at the ends of its stroke, under its loads, as it is held."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from math import cos, sin
-from typing import Any
+from itertools import product
+from math import atan2, cos, sin
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.answers.holds import driven_axis, held_at_rest, held_by_stroke, hold_of
 from flexcli.errors import SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import LEVELS, solve
@@ -15,19 +17,18 @@ from flexcli.mechanics.layout import Layout, Load, Point, Support
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.state import Equilibrium
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.geometries.base import MOVING, Geometry
+from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements import Ask
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import IN_PLANE, Scene
 
 __all__ = [
     "at_rest",
     "blades_of",
-    "case_demand",
     "driven_axis",
-    "forces_on",
-    "held_in",
     "layout_of",
+    "of_case",
     "over_stroke",
+    "over_travels",
     "solved",
     "turned",
 ]
@@ -36,6 +37,18 @@ Floats = NDArray[np.float64]
 
 RIGHT = 1e-9
 """Sine of twice an angle that counts as a right one."""
+
+
+class Moved(Protocol):
+    """An answer of a solver: motions (designs, bodies, 3) of the bodies' points [m, m, rad]."""
+
+    @property
+    def motions(self) -> Floats:
+        """Return the motions."""
+
+
+Found = TypeVar("Found", bound=Moved)
+Solver = Callable[[Layout, Held, Sequence[Load]], Found]
 
 
 def layout_of(ask: Ask) -> Layout:
@@ -48,56 +61,118 @@ def blades_of(layout: Layout, effects: Effects) -> Effects:
     return effects if layout.G is not None else effects._replace(shear=False)
 
 
-def driven_axis(geometry: Geometry) -> int:
-    """Return which coordinate (x, y, φ) of the moving body the stroke drives."""
-    return 2 if geometry.motion == "rotation" else 1
+def of_case(ask: Ask, solver: Solver[Found]) -> Found:
+    """Return a case's states by a solver.
+
+    They are the two ends of the stroke, one after the other, under each combination of the signs
+    with which the loads of the case may act; of a case without a stroke, one state for each.
+    """
+    scene = ask.scene
+    signs = _signs(scene)
+    if not scene.moves:
+        return _states(ask, solver, None, signs)
+    ends = np.array([scene.middle + scene.travel, scene.middle - scene.travel])
+    return _states(ask, solver, np.tile(ends, len(signs)), np.repeat(signs, 2, axis=0))
 
 
-def forces_on(scene: Scene, sign: Any, centre: Point) -> list[Load]:
-    """Return the forces of a case at the joint's centre, all with one sign (or an array)."""
-    return [
-        Load(MOVING, centre, (sign * force * cos(direction), sign * force * sin(direction)))
-        for force, direction in scene.forces
+def over_travels(ask: Ask, solver: Solver[Found], travels: Floats) -> Found:
+    """Return the states of a case at given travels, its loads as they are stated."""
+    return _states(ask, solver, travels, np.ones((1, 1 + len(ask.scene.inertial))))
+
+
+def _signs(scene: Scene) -> Floats:
+    """Return the signs (combinations, groups) of what is stated and of each acceleration."""
+    fields = ((0.0, 0.0, 0.0), *scene.accelerations)
+    acts = [
+        any(wrench[i] for i in IN_PLANE) or any(field[:2])
+        for wrench, field in zip((scene.stated, *scene.inertial), fields, strict=True)
     ]
+    return np.array(list(product(*((1.0, -1.0) if on else (1.0,) for on in acts))))
 
 
-def held_in(ask: Ask, travel: Any) -> Held:
-    """Return what the case holds: the stroke's motion, or the rotation where a lock does.
+def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floats) -> Found:
+    """Return the states at travels, under loads with signs (states, groups)."""
+    scene, geometry, layout = ask.scene, ask.geometry, layout_of(ask)
+    held: Held
+    angle = _facing(scene)
+    if travels is None:
+        # where nothing is held across it, the direction of the force does not matter
+        angle = angle if hold_of(scene).across else 0.0
+        layout = turned(layout, -angle)
+        held = {MOVING: held_at_rest(scene, geometry)}
+        return solver(layout, held, _loads(scene, layout, signs, -angle))
+    travels = travels + _sag(ask, solver, layout, signs)
+    if driven_axis(geometry) == 2 and hold_of(scene).across and scene.forces:
+        layout = turned(layout, -angle)
+        x, _, phi = held_by_stroke(scene, geometry, travels)
+        led = solver(layout, {MOVING: (x, None, phi)}, ())
+        held = {MOVING: (x, led.motions[:, layout.index(MOVING), 1], phi)}
+        return solver(layout, held, _loads(scene, layout, signs, -angle))
+    held = {MOVING: held_by_stroke(scene, geometry, travels)}
+    return solver(layout, held, _loads(scene, layout, signs, 0.0))
 
-    Without either the body is free in its plane.
+
+def _facing(scene: Scene) -> float:
+    """Return the direction of the case's forces together, from the layout's x [rad]."""
+    x, y = (sum(f * trig(d) for f, d in scene.forces) for trig in (cos, sin))
+    return atan2(y, x)
+
+
+def _sag(ask: Ask, solver: Solver[Found], layout: Layout, signs: Floats) -> Floats | float:
+    """Return how far the loads along the stroke move the joint by themselves [m or rad].
+
+    A stroke is from where the loads leave the joint: the drive does not hold against them.
     """
-    scene = ask.scene
-    if scene.bends:
-        x, y, phi = ask.geometry.held(1.0)
-        if driven_axis(ask.geometry) == 2:
-            return {MOVING: (x, y, travel)}
-        return {MOVING: (x, travel, phi)}
-    return {MOVING: (None, None, 0.0)} if scene.lock is not None else {}
+    scene, geometry = ask.scene, ask.geometry
+    own = any(any(field[:2]) for field in scene.accelerations) and geometry.own_mass > 0.0
+    if scene.push == 0.0 and not own:
+        return 0.0
+    axis = driven_axis(geometry)
+    x, y, phi = held_by_stroke(scene, geometry, 0.0)
+    held = (x, y, None) if axis == 2 else (x, None, phi)
+    state = solver(layout, {MOVING: held}, _loads(scene, layout, signs, 0.0))
+    return np.asarray(state.motions[:, layout.index(MOVING), axis])
 
 
-def case_demand(ask: Ask, layout: Layout) -> tuple[Held, list[Load]]:
-    """Return what a case holds and loads, in two states: both ends of its stroke.
-
-    With forces there are four: they act one way, then the other.
-    """
-    scene = ask.scene
-    ends = np.array([scene.middle + scene.travel, scene.middle - scene.travel] * 2)
-    signs = np.array([1.0, 1.0, -1.0, -1.0])
-    if not scene.forces:
-        ends, signs = ends[:2], signs[:2]
-    return held_in(ask, ends), forces_on(scene, signs, layout.body(MOVING).point)
+def _loads(scene: Scene, layout: Layout, signs: Floats, angle: float) -> list[Load]:
+    """Return the loads in the plane with their signs (states, groups), turned by an angle."""
+    centre, (c, s) = layout.body(MOVING).point, (cos(angle), sin(angle))
+    found = []
+    for group, wrench in enumerate((scene.stated, *scene.inertial)):
+        if any(wrench[i] for i in IN_PLANE):
+            x, y, sign = wrench[0], wrench[1], signs[:, group]
+            force = (sign * (c * x - s * y), sign * (s * x + c * y))
+            found.append(Load(MOVING, centre, force, sign * wrench[5]))
+    for group, (x, y, _) in enumerate(scene.accelerations, 1):
+        sign = signs[:, group]
+        along = (sign * (c * x - s * y), sign * (s * x + c * y))
+        found += [
+            Load(body.name, body.com, (body.mass * along[0], body.mass * along[1]))
+            for body in layout.bodies
+            if (x or y) and body.mass
+        ]
+    return found
 
 
 def over_stroke(
     ask: Ask, effects: Effects, tolerance: float, levels: Sequence[int] = LEVELS
 ) -> Equilibrium:
     """Return the exact equilibria of a case's states."""
-    layout = layout_of(ask)
-    held, loads = case_demand(ask, layout)
-    return solved(
-        layout, held, loads=loads,
-        effects=blades_of(layout, effects), tolerance=tolerance, levels=levels,
-    )  # fmt: skip
+    return of_case(ask, exactly(effects, tolerance, levels))
+
+
+def exactly(
+    effects: Effects, tolerance: float, levels: Sequence[int] = LEVELS
+) -> Solver[Equilibrium]:
+    """Return the exact solver, whose answers are stable equilibria."""
+
+    def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> Equilibrium:
+        return solved(
+            layout, held, loads=loads,
+            effects=blades_of(layout, effects), tolerance=tolerance, levels=levels,
+        )  # fmt: skip
+
+    return solver
 
 
 def at_rest(
@@ -111,15 +186,30 @@ def at_rest(
     )
 
 
-def solved(layout: Layout, held: Held, **demand: Any) -> Equilibrium:
-    """Return an equilibrium, or say why there is none where a requirement asks."""
+def solved(layout: Layout, held: Held, *, loads: Sequence[Load] = (), **how: Any) -> Equilibrium:
+    """Return an equilibrium, or say why there is none where a requirement asks.
+
+    Motions and loads grow together; where that path ends before, the motions go first.
+    """
     try:
-        state = solve(layout, held, **demand).checked()
+        state = solve(layout, held, loads=loads, **how)
+        if loads and _moves(held) and not state.converged.all():
+            moved = solve(layout, held, **how)
+            if moved.converged.all():
+                state = solve(layout, held, loads=loads, start=moved, **how)
+        state = state.checked()
     except SolveError as error:
         raise NotAvailable(f"has no exact equilibrium: {error}") from error
     if state.unstable.any():
         raise NotAvailable("has no stable exact equilibrium: the forces of the case buckle it")
     return state
+
+
+def _moves(held: Mapping[str, Any]) -> bool:
+    """Return whether anything is held elsewhere than at rest."""
+    return any(
+        np.any(np.asarray(v) != 0.0) for each in held.values() for v in each if v is not None
+    )
 
 
 def turned(layout: Layout, angle: float) -> Layout:

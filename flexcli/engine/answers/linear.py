@@ -1,16 +1,22 @@
 """The linear model of a joint: exact beams under small motion, with shear and stretching."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from math import inf, isfinite, nan
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.engine.answers.face_stress import blade_places, worst_of_stroke
-from flexcli.engine.answers.joint_states import blades_of, case_demand, driven_axis, layout_of
+from flexcli.engine.answers.holds import driven_axis
+from flexcli.engine.answers.joint_states import blades_of, layout_of, of_case
+from flexcli.engine.answers.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE
 from flexcli.formulas.quantity import Quantity
-from flexcli.mechanics.linear import linear
+from flexcli.mechanics.demand import Held
+from flexcli.mechanics.layout import Layout, Load
+from flexcli.mechanics.linear import NODES, LinearSolution, linear
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
@@ -20,6 +26,17 @@ from flexcli.results import EXACT, ErrorRange, QuantityKind
 __all__ = ["LinearAnswers"]
 
 Floats = NDArray[np.float64]
+
+AT_REST = (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY)
+
+LEVELS = (16, NODES, 36, 54, 81, 122)
+"""Gauss nodes on a piece, until the stiffness settles."""
+
+SETTLED = 1e-9
+"""Change from level to level at which it does [-]."""
+
+ROUNDING = 1e-10
+"""Least error that a linear solution is taken to have [-]."""
 
 
 class LinearAnswers(Answers):
@@ -31,20 +48,45 @@ class LinearAnswers(Answers):
 
     def __init__(self, effects: Effects | None = None) -> None:
         self.effects = Effects() if effects is None else effects
+        self._known: Remembered[list[EndStress]] = Remembered()
+        self._known_stiffness: Remembered[tuple[float, int, float]] = Remembered()
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
-        """Return none at rest; what motion adds is known where the closed forms know it."""
-        if kind in (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY, QuantityKind.SAG):
-            return EXACT
-        return AS_PRINTED.error(ask, kind)
+        """Return the error of a linear solution: that of its nodes, which its stiffness tells.
+
+        Of stresses it is known only where effects tell what else a linear model leaves out.
+        """
+        if kind is QuantityKind.SAG:
+            return ExactAnswers(self.effects).error(ask, kind)
+        at_rest = kind in AT_REST
+        known = EXACT if at_rest else AS_PRINTED.error(ask, kind)
+        if known is None or kind not in (*AT_REST, QuantityKind.STRESS):
+            return known
+        _, _, error = self._settled(ask)
+        return known + ErrorRange(-error, error) if isfinite(error) else None
 
     def stiffness(self, ask: Ask) -> Quantity:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
+        return self._settled(ask)[0]
+
+    def _settled(self, ask: Ask) -> tuple[float, int, float]:
+        """Return the stiffness, the nodes that it takes, its relative error."""
+        return self._known_stiffness.of("stiffness", ask, lambda: self._find_stiffness(ask))
+
+    def _find_stiffness(self, ask: Ask) -> tuple[float, int, float]:
         layout, axis = layout_of(ask), driven_axis(ask.geometry)
-        found = linear(
-            layout, {MOVING: ask.geometry.held(1.0)}, effects=blades_of(layout, self.effects)
-        )
-        return float(found.reactions[0, layout.index(MOVING), axis])
+        blades = blades_of(layout, self.effects)
+        found, error, nodes = nan, inf, 0
+        for nodes in LEVELS:
+            before = found
+            held = {MOVING: ask.geometry.held(1.0)}
+            solution = linear(layout, held, effects=blades, nodes=nodes)
+            _refuse_several(solution)
+            found = float(solution.reactions[0, layout.index(MOVING), axis])
+            error = abs(before / found - 1.0) if isfinite(before) else inf
+            if error <= SETTLED:
+                break
+        return found, nodes, max(error, ROUNDING)
 
     def sag_stiffness(self, ask: Ask) -> Quantity:
         """Return the stiffness along the case's acceleration [N/m]."""
@@ -60,15 +102,14 @@ class LinearAnswers(Answers):
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""
-        return "stress at the faces, bending with the axial force", list(self._each(ask))
+        return "stress at the faces, bending with the axial force", self._known.of(
+            "stresses", ask, lambda: list(self._each(ask))
+        )
 
     def _each(self, ask: Ask) -> Iterator[EndStress]:
-        layout = layout_of(ask)
-        held, loads = case_demand(ask, layout)
-        found = linear(layout, held, loads=loads, effects=blades_of(layout, self.effects))
-        if not found.unique.all():
-            raise NotAvailable("has no unique linear solution: hold or support every body")
-        for index, blade in enumerate(layout.blades):
+        _, nodes, _ = self._settled(ask)
+        found = of_case(ask, lambda layout, held, loads: self._solved(layout, held, loads, nodes))
+        for index, blade in enumerate(found.layout.blades):
             force = found.end_forces[:, index]
             start, end = np.array(blade.start), np.array(blade.end)
             l = float(np.hypot(*(end - start)))
@@ -77,6 +118,26 @@ class LinearAnswers(Answers):
             N = force[:, :2] @ along
             V = force[:, :2] @ np.array([-along[1], along[0]])
             M = force[:, 2:] + V[:, None] * (l - s)
-            axial, bending = N[:, None] / (blade.b * h), 6.0 * M / (blade.b * h**2)
+            bends, pulls = blade.peak
+            axial, bending = pulls * N[:, None] / (blade.b * h), bends * 6.0 * M / (blade.b * h**2)
             faces = {"left": axial - bending, "right": axial + bending}
             yield from worst_of_stroke(ask, blade.name, faces)
+
+    def _solved(self, layout: Layout, held: Held, loads: Sequence[Load], nodes: int) -> "_State":
+        blades = blades_of(layout, self.effects)
+        found = linear(layout, held, loads=loads, effects=blades, nodes=nodes)
+        _refuse_several(found)
+        return _State(layout, found.motions, found.end_forces)
+
+
+class _State(NamedTuple):
+    """The layout that was asked, as it stood, with motions and the forces on its blades' ends."""
+
+    layout: Layout
+    motions: Floats
+    end_forces: Floats
+
+
+def _refuse_several(found: LinearSolution) -> None:
+    if not found.unique.all():
+        raise NotAvailable("has no unique linear solution: hold or support every body")

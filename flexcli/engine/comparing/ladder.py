@@ -89,9 +89,9 @@ def numbers(design: DesignSpec, sizes: Sizes) -> Iterator[Number]:
     for ask in asks:
         scene = ask.scene
         end = f"_{scene.case}" if len(asks) > 1 else ""
-        if scene.bends or scene.forces:
+        if scene.moves or scene.is_loaded:
             yield Number(f"sigma{end}", f"largest stress, {scene.case}", "Pa", _by(ask, _stress))
-        if scene.bends:
+        if scene.moves:
             label = f"stiffness at full stroke, {scene.case}"
             yield Number(f"k_end{end}", label, unit, _by(ask, _stiffness_at_end))
             yield Number(f"shift{end}", f"parasitic shift, {scene.case}", "m", _by(ask, _shift))

@@ -78,7 +78,7 @@ def _change(effect: str, ask: Ask, name: str) -> float | None:
         return None
     if name == "sag" and not ask.scene.acceleration:
         return None
-    full, calm = _exact(ALL), ask._replace(scene=ask.scene._replace(forces=(), force=0.0))
+    full, calm = _exact(ALL), ask._replace(scene=ask.scene.without_loads())
     try:
         if effect == "shear":
             return number(full, ask) / number(_exact(ALL._replace(shear=False)), ask) - 1.0

@@ -2,6 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
+from math import pi
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 from pydantic import AliasPath, Field, model_validator
@@ -134,6 +135,24 @@ class Geometry(Part):
         return self.sized(dict.fromkeys(self.free, 1e-3))
 
     @property
+    def axes(self) -> float:
+        """Return the angle from the layout's x to the x of cases and requirements [rad].
+
+        That is the stroke of a stage, which the layout has along its y, and a pivot's bisector.
+        """
+        return 0.0 if self.motion == "rotation" else pi / 2.0
+
+    @property
+    def symmetry_axis(self) -> float:
+        """Return the angle from the layout's x to where a load's direction is zero [rad]."""
+        return 0.0
+
+    @property
+    def own_mass(self) -> float:
+        """Return the mass of the bodies that the layout itself has [kg]."""
+        return 0.0
+
+    @property
     def travel_symbol(self) -> str:
         """Return the symbol of its travel in the names of values."""
         return "theta" if self.motion == "rotation" else "x"
@@ -208,7 +227,11 @@ class Geometry(Part):
         return 0.0
 
     def parasitic_shift(self, sizes: Sizes, travel: float) -> Quantity:
-        """Return the signed parasitic motion at a travel [m]."""
+        """Return the parasitic motion at a travel [m], positive towards −x of the layout.
+
+        It is that of a pivot's centre along the bisector, and of a stage's point along its
+        blades; where the base is at the blades' start, that is towards the base.
+        """
         raise NotAvailable("has no closed form for its parasitic shift")
 
     def sag_stiffness(self, elastic: Elastic, sizes: Sizes, axis: str) -> Quantity:
@@ -232,7 +255,8 @@ class Geometry(Part):
         """Return the joint as rigid bodies and blades in its plane.
 
         Its base is the ground and its moving body is called ``moving``. A pivot has its centre
-        in the origin and its axis of symmetry along x; a stage moves along y.
+        in the origin and its axis of symmetry along x; a stage moves along y. Loads act at the
+        moving body's point: a pivot's centre, a stage's middle, the tip of a single blade.
         """
         raise NotAvailable("is not made of straight blades in a plane")
 

@@ -35,6 +35,10 @@ class BladeProfile(Part):
         """Return the least thickness [m]."""
         return size
 
+    def notch(self, size: Quantity, l: float) -> tuple[Quantity, Quantity] | None:
+        """Return thickness and radius of curvature where the shape raises the stress [m]."""
+        return None
+
     def misfit(self, l: float) -> str:
         """Return why the profile does not fit on a length [m], nothing where it does."""
         return ""
@@ -80,6 +84,10 @@ class NotchProfile(BladeProfile):
         """Return the two half-ellipses."""
         return shapes.Notch(size, self.depth)
 
+    def notch(self, size: Quantity, l: float) -> tuple[Quantity, Quantity]:
+        """Return the throat and the radius of curvature (l/2)²/depth."""
+        return size, l**2 / (4.0 * self.depth)
+
 
 class FilletedProfile(BladeProfile):
     """Thickness h between quarter circles of radius r at both roots."""
@@ -91,6 +99,10 @@ class FilletedProfile(BladeProfile):
     def shape(self, size: Any) -> shapes.Profile:
         """Return the blade with its fillets."""
         return shapes.Filleted(size, self.r)
+
+    def notch(self, size: Quantity, l: float) -> tuple[Quantity, Quantity]:
+        """Return h and r, at the start of a fillet."""
+        return size, self.r
 
     def misfit(self, l: float) -> str:
         """Return that two fillets are longer than the blade."""

@@ -23,6 +23,7 @@ from flexcli.parts.geometries.layout_parts import (
     Name,
     Place,
 )
+from flexcli.parts.geometries.notch import CONCENTRATION, Concentration, throat_peaks
 
 __all__ = ["FreeLayout"]
 
@@ -33,10 +34,10 @@ _NODES = 24
 class FreeLayout(Geometry):
     """Rigid bodies and the blades between them as the spec draws them; the stroke moves one.
 
-    The spec draws it in coordinates of its own. The model takes a pivot's ``centre`` as its
-    origin and keeps the directions; it turns a stage until its travel is along y. Directions of
-    loads and of requirements are those of the model, and a stage's shift is positive to the left
-    of its travel.
+    The spec draws it in coordinates of its own, which are those of its loads and requirements
+    too: a load's direction is from the drawing's x. The model takes a pivot's ``centre`` as its
+    origin and keeps the directions; it turns a stage until its travel is along y. A stage's
+    shift is positive to the left of its travel.
     """
 
     closed_forms: ClassVar[bool] = False
@@ -51,6 +52,9 @@ class FreeLayout(Geometry):
     moves: Motion = Field(alias="motion", description="rotation, or {translation: direction}")
     centre: Place | None = Field(None, description="of a rotation; where the moving body is at")
     supports: tuple[DrawnSupport, ...] = ()
+    concentration: Concentration = Field(
+        CONCENTRATION, alias="stress-concentration", description="K_t of notches, or none"
+    )
 
     @model_validator(mode="after")
     def _fits_together(self) -> "FreeLayout":
@@ -60,6 +64,21 @@ class FreeLayout(Geometry):
         if found:
             raise ValidationError.from_exception_data("layout", found)
         return self
+
+    @property
+    def axes(self) -> float:
+        """Return the turn from the model's x to the drawing's [rad]."""
+        return self._turn
+
+    @property
+    def symmetry_axis(self) -> float:
+        """Return the same: a load's direction is from the drawing's x [rad]."""
+        return self._turn
+
+    @property
+    def own_mass(self) -> float:
+        """Return the mass of all bodies [kg]."""
+        return sum(body.mass for body in self.bodies.values())
 
     # which motion it is depends on the drawing, as no other geometry's but a linkage's does
     @property
@@ -136,6 +155,7 @@ class FreeLayout(Geometry):
                     blade.thickness.shape(_column(self._of(name, sizes))),
                     blade.b,
                     blade.z,
+                    self._peak(name, sizes),
                 )
                 for name, blade in self.blades.items()
             ),
@@ -143,6 +163,12 @@ class FreeLayout(Geometry):
             G=elastic.shear,
             supports=tuple(self._support(support) for support in self.supports),
         )
+
+    def _peak(self, name: str, sizes: Sizes) -> tuple[Quantity, Quantity]:
+        """Return by what the shape of a blade raises its stress."""
+        blade = self.blades[name]
+        notch = blade.thickness.notch(self._of(name, sizes), blade.length)
+        return (1.0, 1.0) if notch is None else throat_peaks(self.concentration, *notch)
 
     def _body(self, name: str, body: DrawnBody) -> Body:
         at = self._centre if name == self.moving and self.motion == "rotation" else body.at

@@ -17,7 +17,7 @@ from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.parts.base import Length, PositiveLength, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
-from flexcli.parts.geometries.notch import CONCENTRATION, Concentration, throat_factor
+from flexcli.parts.geometries.notch import CONCENTRATION, Concentration, throat_factor, throat_peaks
 from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, places
 from flexcli.results import Value
 
@@ -79,8 +79,9 @@ class _Hinged(Geometry):
         return hinges * b * (2.0 * r * (e + 2.0 * r) - pi * r**2)
 
     def axial_stress(self, force: float, sizes: LimbSizes) -> Quantity:
-        """Return N/(e b) in a throat [Pa]."""
-        return force / (sizes.e * sizes.b)
+        """Return N/(e b) in a throat, with the peak beside the notches [Pa]."""
+        _, along = throat_peaks(self.concentration, sizes.e, sizes.r)
+        return force / (sizes.e * sizes.b) * along
 
     def fits(self, sizes: LimbSizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
         """Return that the hinges of a limb do not overlap."""
@@ -99,10 +100,12 @@ class _Hinged(Geometry):
         (x_0, y_0), (x_1, y_1) = start, end
         u, v = (x_1 - x_0) / sizes.l, (y_1 - y_0) / sizes.l
         r, profile = sizes.r, Notch(per_design(sizes.e), per_design(sizes.r))
+        peak = throat_peaks(self.concentration, sizes.e, sizes.r)
         return [
             Strip(
                 f"{name} {place}", first, second,
                 (x - r * u, y - r * v), (x + r * u, y + r * v), profile, sizes.b,
+                peak=peak,
             )
             for place, first, second, x, y in (
                 ("inner hinge", GROUND, name, x_0, y_0),
@@ -140,7 +143,7 @@ class HingedStage(SagsAlongStroke, _Hinged):
 
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a limb per force on the stage along the limbs [-]."""
-        return force_share(direction, self.limbs, "limbs")
+        return force_share(direction, self.limbs)
 
     def parasitic_shift(self, sizes: LimbSizes, travel: float) -> Quantity:
         """Return the motion towards the base, x²/(2l) as of pins [m]."""

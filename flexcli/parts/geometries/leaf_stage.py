@@ -64,7 +64,7 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
 
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""
-        return force_share(direction, self.blades, "blades")
+        return force_share(direction, self.blades)
 
     def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
         """Return the motion towards the base [m]."""

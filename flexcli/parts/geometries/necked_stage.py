@@ -114,7 +114,7 @@ class NeckedDownStage(SagsAlongStroke):
 
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""
-        return force_share(direction, self.blades, "blades")
+        return force_share(direction, self.blades)
 
     def axial_stress(self, force: float, sizes: NeckedSizes) -> Quantity:
         """Return N/(h b) in a hinge [Pa]."""

@@ -22,9 +22,18 @@ from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
+from flexcli.parts.geometries.parallel import straight_share
 from flexcli.results import Value
 
-__all__ = ["CONCENTRATION", "CircularHinge", "EllipticHinge", "FilletedHinge", "throat_factor"]
+__all__ = [
+    "CONCENTRATION",
+    "CircularHinge",
+    "Concentration",
+    "EllipticHinge",
+    "FilletedHinge",
+    "throat_factor",
+    "throat_peaks",
+]
 
 Concentration = Literal["deep-notch", "none"]
 """How the peak of the stress in a throat over the nominal 6M/(b e²) is counted."""
@@ -37,6 +46,12 @@ SOURCE = "Paros & Weisbord 1965, Machine Design 37; Neuber 1958 for the peak of 
 def throat_factor(way: Concentration, e: Quantity, r: Quantity) -> Quantity:
     """Return K_t by Neuber's deep notch of radius r, or 1 for the nominal stress."""
     return 1.0 if way == "none" else stress_concentration.bending_factor(e=e, r=r)
+
+
+def throat_peaks(way: Concentration, e: Quantity, r: Quantity) -> tuple[Quantity, Quantity]:
+    """Return the factors of the peak over the nominal stress in bending and along the hinge."""
+    along = 1.0 if way == "none" else stress_concentration.axial_factor(e=e, r=r)
+    return throat_factor(way, e, r), along
 
 
 class _Hinge(Geometry):
@@ -84,27 +99,31 @@ class _Hinge(Geometry):
         return {"throat": stress}
 
     def axial_share(self, direction: float) -> float:
-        """Return 1: all of a force goes through the throat."""
-        return 1.0
+        """Return 1: all of a force along the hinge goes through the throat."""
+        return straight_share(direction, "axis")
 
     def axial_stress(self, force: float, sizes: Any) -> Quantity:
-        """Return N/(e b) in the throat [Pa]."""
-        return force / (self.throat(sizes)[0] * sizes.b)
+        """Return N/(e b) in the throat, with the peak beside the notches [Pa]."""
+        e, r = self.throat(sizes)
+        return force / (e * sizes.b) * throat_peaks(self.concentration, e, r)[1]
 
     def indicators(self, sizes: Any, travel: float) -> dict[str, Quantity]:
         """Return what its closed forms are valid in: shape and rotation."""
         return {**self.ratios(sizes), "theta": travel}
 
     def parasitic_shift(self, sizes: Any, travel: float) -> Quantity:
-        """Return the shift of the middle along the hinge, away from the base [m]."""
+        """Return the shift of the middle along the hinge: away from the base [m]."""
         profile, l = self._column(sizes)
-        return hinge_shift.profile_shift(profile, l=l, theta=travel)
+        return -hinge_shift.profile_shift(profile, l=l, theta=travel)
 
     def layout(self, elastic: Elastic, sizes: Any) -> Layout:
         """Return the hinge along x, its middle in the origin."""
         profile, _ = self.profile(sizes._make(per_design(size) for size in sizes))
         _, l = self.profile(sizes)
-        strip = Strip("hinge", GROUND, MOVING, (-l / 2.0, 0.0), (l / 2.0, 0.0), profile, sizes.b)
+        strip = Strip(
+            "hinge", GROUND, MOVING, (-l / 2.0, 0.0), (l / 2.0, 0.0), profile, sizes.b,
+            peak=throat_peaks(self.concentration, *self.throat(sizes)),
+        )  # fmt: skip
         return Layout((Body(MOVING, (0.0, 0.0)),), (strip,), elastic.E, elastic.shear)
 
     def values(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Value]:

@@ -1,10 +1,15 @@
 """What blades or limbs that stand side by side share: places, axial force, sag along the stroke."""
 
+from math import cos, sin
+
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 
-__all__ = ["SagsAlongStroke", "force_share", "places"]
+__all__ = ["SagsAlongStroke", "force_share", "places", "straight_share"]
+
+ROUNDING = 1e-9
+"""Sine of an angle that counts as none."""
 
 
 class SagsAlongStroke(Geometry):
@@ -17,11 +22,19 @@ class SagsAlongStroke(Geometry):
         return self.stiffness(elastic, sizes)
 
 
-def force_share(direction: float, members: int, spoken: str) -> float:
-    """Return the axial force in each of equal members per force along them [-]."""
-    if direction != 0.0:
-        raise NotAvailable(f"takes a load along its {spoken} only (direction: 0 deg)")
-    return 1.0 / members
+def force_share(direction: float, members: int) -> float:
+    """Return the axial force in each of equal members per force on a stage [-].
+
+    ``direction`` [rad] is from the members; what is across them drives the stage.
+    """
+    return abs(cos(direction)) / members
+
+
+def straight_share(direction: float, spoken: str) -> float:
+    """Return 1 for a force along a hinge; one across it bends it besides."""
+    if abs(sin(direction)) > ROUNDING:
+        raise NotAvailable(f"has closed forms for a load along its {spoken} only")
+    return 1.0
 
 
 def places(members: int, spacing: float | None, spoken: str) -> tuple[float, ...]:

@@ -13,7 +13,7 @@ from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Held
 from flexcli.parts.geometries.blades import BladeGeometry
-from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share
+from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, straight_share
 
 __all__ = ["Cantilever", "GuidedBlade", "MomentBlade"]
 
@@ -27,14 +27,19 @@ class _SingleBlade(BladeGeometry):
         return 1
 
     def axial_share(self, direction: float) -> float:
-        """Return 1 for a force along the blade."""
-        return force_share(direction, 1, "blade")
+        """Return the axial force in the blade per force on its tip [-]."""
+        return force_share(direction, 1)
+
+    def root(self, sizes: Blade) -> Quantity:
+        """Return where the clamp is on x [m]."""
+        return 0.0
 
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
-        """Return the blade along x, its tip on the moving body."""
+        """Return the blade along x; the moving body's point is its tip."""
         h, l, b = sizes
-        strip = Strip("blade", GROUND, MOVING, (0.0, 0.0), (l, 0.0), Constant(per_design(h)), b)
-        return Layout((Body(MOVING, (l, 0.0)),), (strip,), elastic.E, elastic.shear)
+        root, tip = (self.root(sizes), 0.0), (self.root(sizes) + l, 0.0)
+        strip = Strip("blade", GROUND, MOVING, root, tip, Constant(per_design(h)), b)
+        return Layout((Body(MOVING, tip),), (strip,), elastic.E, elastic.shear)
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
         """Return what its closed forms are valid in: shape and stroke."""
@@ -99,7 +104,7 @@ class GuidedBlade(_SingleBlade):
 
 
 class MomentBlade(_SingleBlade):
-    """A clamped blade that a moment turns at its free tip."""
+    """A clamped blade that a moment turns at its free tip; its centre is the blade's middle."""
 
     motion: ClassVar[str] = "rotation"
     cards: ClassVar[tuple[Card, ...]] = (*blade.MOMENT_CARDS, *BLADE_CARDS)
@@ -115,6 +120,14 @@ class MomentBlade(_SingleBlade):
         h, l, _ = sizes
         return {"all along": blade.moment_stress(E=elastic.E, h=h, l=l, theta=travel)}
 
+    def root(self, sizes: Blade) -> Quantity:
+        """Return that the centre, about which the tip turns, is the middle of the blade [m]."""
+        return -sizes.l / 2.0
+
+    def axial_share(self, direction: float) -> float:
+        """Return 1 for a force along the blade."""
+        return straight_share(direction, "blade")
+
     def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
-        """Return the shift of its middle along the blade, away from the clamp [m]."""
-        return blade_shift(l=sizes.l, theta=travel)
+        """Return the shift of the centre, the middle of the blade: away from the clamp [m]."""
+        return -blade_shift(l=sizes.l, theta=travel)

@@ -80,6 +80,11 @@ class Mechanism(Part):
     def free_force(self, acceleration: float) -> float:
         """Return the force on the joint [N] when the free mechanism is accelerated in its plane."""
 
+    @property
+    def arm(self) -> float:
+        """Return how far its centre of mass is beyond the joint's centre, along the blades [m]."""
+        return 0.0
+
     @abstractmethod
     def hanging_mass(self) -> float:
         """Return the mass that the joints carry against gravity [kg]."""

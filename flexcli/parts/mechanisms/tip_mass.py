@@ -40,6 +40,11 @@ class TipMass(Mechanism):
         """Return whether it is a mass point on the blade's end."""
         return self.offset == 0.0 and self.inertia == 0.0
 
+    @property
+    def arm(self) -> float:
+        """Return the offset [m]."""
+        return self.offset
+
     def equivalent_mass(self, l: float) -> float:
         """Return k/ω² of the first mode on a blade of length l [kg]."""
         m, a, r = self.mass, self.offset / l, self.inertia / l**2

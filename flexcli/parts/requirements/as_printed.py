@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from flexcli.formulas.quantity import Quantity
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.bending import bending_of
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements.ask import Answers, Ask, EndStress
 from flexcli.results import EXACT, ErrorRange, QuantityKind
@@ -50,6 +51,8 @@ class AsPrinted(Answers):
         """Return the forces on the joint at which its most loaded blade buckles [N]."""
         scene = ask.scene
         assert scene.ends is not None  # the requirement asks for them
+        if scene.beyond:
+            raise NotAvailable(scene.beyond)
         found = ask.geometry.critical(ask.material.elastic, ask.sizes, scene.ends)
         return tuple(c._replace(force=c.force / scene.axial_share) for c in found)
 
@@ -72,22 +75,48 @@ def stress_name(ask: Ask) -> str:
         (True, False): f"{ask.geometry.strain} stress",
         (False, True): "axial stress",
         (True, True): f"{ask.geometry.strain} stress with the axial force",
+        (False, False): "stress",
     }[ask.scene.bends, ask.scene.blade_force > 0.0]
 
 
 def _each(ask: Ask) -> Iterator[EndStress]:
     scene, geometry, sizes = ask.scene, ask.geometry, ask.sizes
+    if scene.beyond:
+        raise NotAvailable(scene.beyond)
     axial = geometry.axial_stress(scene.blade_force, sizes) if scene.blade_force else 0.0
     if not scene.bends:
         yield EndStress("blade", 0.0, 0.0, axial)
         return
-    amplitudes, means = geometry.stroke_stresses(
-        ask.material.elastic, sizes, scene.travel, scene.middle
-    )
-    for where, amplitude in amplitudes.items():
-        mean, joint = means.get(where, 0.0), geometry.joint_of(where)
+    elastic = ask.material.elastic
+    amplitudes: dict[str, Quantity] = {}
+    means: dict[str, Quantity] = {}
+    if scene.moves:
+        amplitudes, means = geometry.stroke_stresses(elastic, sizes, scene.travel, scene.middle)
+    pushed = _pushed(ask)
+    for where in amplitudes or pushed:
+        amplitude, joint = amplitudes.get(where, 0.0), geometry.joint_of(where)
+        mean = means.get(where, 0.0) + pushed.get(where, 0.0)
         for sign in _faces(amplitude + mean):
             yield EndStress(where, sign * amplitude, sign * mean, axial, joint)
+
+
+def _pushed(ask: Ask) -> dict[str, Quantity]:
+    """Return the stress of what acts along the stroke itself, by place [Pa]: the sag of the joint.
+
+    It acts either way, so that it adds to the mean of the stroke.
+    """
+    scene, geometry, elastic = ask.scene, ask.geometry, ask.material.elastic
+    if scene.push == 0.0:
+        return {}
+    if not geometry.is_linear:
+        raise NotAvailable("has no closed form for a load along its stroke")
+    per_travel = geometry.end_stresses(elastic, ask.sizes, 1.0)
+    try:
+        sag = scene.push / geometry.stiffness(elastic, ask.sizes)
+    except ArithmeticError as error:  # of signomials
+        text = "has no closed form for a load along its stroke that could size it"
+        raise NotAvailable(text) from error
+    return {where: stress * sag for where, stress in per_travel.items()}
 
 
 def _faces(bending: Quantity) -> tuple[float, ...]:

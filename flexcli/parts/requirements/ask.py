@@ -28,6 +28,9 @@ class EndStress(NamedTuple):
     """Signed amplitude and mean of the stress of the stroke at one place and face, and the axial.
 
     ``joint`` is the joint of the place, where there are several with sizes of their own.
+    ``is_at_face`` says that the numbers are those of that face as it is, in tension or not: of
+    formulas each face is given by itself. ``reverses`` says that the stroke goes as far either
+    way with nothing beside it, so that the mean is but what is uneven in the two ways.
     """
 
     where: str
@@ -35,6 +38,8 @@ class EndStress(NamedTuple):
     mean: Quantity
     axial: Quantity
     joint: str = ""
+    is_at_face: bool = False
+    reverses: bool = False
 
     @property
     def is_reversed(self) -> bool:
@@ -43,7 +48,9 @@ class EndStress(NamedTuple):
 
     @property
     def largest(self) -> Quantity:
-        """Return the largest stress at this face."""
+        """Return the largest stress at this face, in compression too."""
+        if self.is_at_face:
+            return abs(self.amplitude) + abs(self.mean + self.axial)
         return self.amplitude + self.mean + self.axial
 
 

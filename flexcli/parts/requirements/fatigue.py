@@ -14,6 +14,10 @@ from flexcli.results import QuantityKind
 __all__ = ["Fatigue"]
 
 
+LIMITS = {"goodman": "tensile_strength", "soderberg": "yield_strength"}
+"""What a mean stress is compared with, by the method."""
+
+
 class Fatigue(FactorRequirement):
     """Factor on the stress amplitude; mean stress by Goodman unless said otherwise.
 
@@ -29,7 +33,7 @@ class Fatigue(FactorRequirement):
         return self.covers(scene) and scene.travel > 0.0
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the stroke, and as its mean what pushes the joint."""
+        """Return the stroke, and as its mean what pushes the joint in its plane."""
         steady = frozenset() if self.mean_stress == "none" else scene.pushed_by
         return steady | {LoadKind.STROKE}
 
@@ -44,7 +48,7 @@ class Fatigue(FactorRequirement):
             strength, where = material.reversed_amplitude(scene.cycles)
             name, stresses = ask.answers.stresses(ask)
             for stress in stresses:
-                method = "none" if stress.is_reversed else self.mean_stress
+                method = self._method(stress, ask)
                 meant = f"equivalent amplitude ({method}) of the {name}"
                 if method == "none":
                     meant = f"amplitude of the {ask.geometry.strain} stress"
@@ -69,16 +73,32 @@ class Fatigue(FactorRequirement):
                 str(missing), f"give material.{missing.field}, or take another material"
             ) from missing
 
+    def _method(self, stress: EndStress, ask: Ask) -> str:
+        """Return how the mean of a place counts; a material may lack what its method takes.
+
+        Where but the uneven ways of a stroke that reverses make a mean, the larger of both ends
+        then counts as the amplitude: no less than by Goodman, for R_m is above the strength.
+        """
+        if stress.is_reversed:
+            return "none"
+        lacking = LIMITS.get(self.mean_stress)
+        if stress.reverses and lacking is not None and getattr(ask.material, lacking) is None:
+            return "larger end"
+        return self.mean_stress
+
     def _equivalent(
         self, stress: EndStress, ask: Ask, strength: float, method: str
     ) -> tuple[Quantity, int]:
         mean = stress.mean + stress.axial
+        if stress.is_at_face:
+            mean = max(mean, 0.0)
         if method == "none":
             return stress.amplitude, 1
+        if method == "larger end":
+            return stress.amplitude + mean, 1
         if method == "swt":
             return swt_amplitude_squared(amplitude=stress.amplitude, mean=mean), 2
-        field = {"goodman": "tensile_strength", "soderberg": "yield_strength"}[method]
-        limit = ask.material.strength(field)
+        limit = ask.material.strength(LIMITS[method])
         return (
             goodman_amplitude(
                 amplitude=stress.amplitude, mean=mean, reversed_strength=strength, limit=limit

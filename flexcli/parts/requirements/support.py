@@ -6,7 +6,7 @@ assembles it is imported where it is called: few designs ask, and all would wait
 
 from collections.abc import Iterator
 from dataclasses import replace
-from math import inf
+from math import cos, inf, sin
 from typing import Annotated, Any, ClassVar, Literal, get_args
 
 import numpy as np
@@ -23,12 +23,11 @@ from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["Deflection", "Direction", "Support"]
+__all__ = ["Deflection", "Direction", "Support", "compliance_of"]
 
 Direction = Literal["x", "y", "z", "theta_x", "theta_y", "theta_z"]
-"""Of a motion or a load: x along the axis of symmetry, z along the width of the blades.
-
-As in :meth:`Geometry.layout`: a stage moves along y, its blades stand along x.
+"""Of a motion or a load: x along the stroke of a stage, or the bisector of a pivot; z along the
+width of the blades, the axis of a pivot; y completes them. A layout has its drawing's axes.
 """
 
 DIRECTIONS = get_args(Direction)
@@ -39,7 +38,7 @@ Place = Annotated[
 ]
 
 CENTRE = (0.0, 0.0, 0.0)
-"""The reference point of the moving body in the layout of its joint."""
+"""The moving body's point in the layout of its joint."""
 
 STIFFER, SOFTER = ErrorRange(0.0, inf), ErrorRange(-1.0, 0.0)
 """Clamps keep a wide blade from narrowing and from warping, so that it is stiffer than the beams
@@ -48,21 +47,49 @@ here and moves less, by how much they do not tell; of a ratio nothing is known."
 SOURCE = "linear beams with shear, assembled in space at rest"
 
 
-def compliance(ask: Ask, point: tuple[float, float, float]) -> NDArray[np.float64]:
-    """Return the 6×6 compliance of the joint at a point, or raise why there is none."""
+def compliance_of(ask: Ask, point: tuple[float, float, float] = CENTRE) -> NDArray[np.float64]:
+    """Return the 6×6 compliance of the joint, free but for its guide, along the axes of cases.
+
+    Parameters
+    ----------
+    ask : Ask
+        The joint with its sizes.
+    point : tuple of float
+        Where, from the moving body's point, along the same axes [m].
+
+    Raises
+    ------
+    NotAvailable
+        When the joint has no layout, no shear modulus, or a freedom without any spring.
+
+    """
     from flexcli.mechanics.support import support_compliance
 
+    layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
+    if layout.G is None:
+        raise NotAvailable("needs material.poisson_ratio for its shear and torsion")
+    c, s = cos(ask.geometry.axes), sin(ask.geometry.axes)
+    axes = ((c, s, 0.0), (-s, c, 0.0), (0.0, 0.0, 1.0))
+    (x, y), (p, q, z) = layout.body(MOVING).point, point
+    place = (x + c * p - s * q, y + s * p + c * q, z)
     try:
-        layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
-        if layout.G is None:
-            raise NotAvailable("needs material.poisson_ratio for its shear and torsion")
-        x, y = layout.body(MOVING).point
-        return support_compliance(layout, MOVING, (x + point[0], y + point[1], point[2]))
+        C = support_compliance(layout, MOVING, place, axes)
+    except SolveError as error:
+        raise NotAvailable(f"has no stiffness: {error}") from error
+    if ask.geometry.motion == "translation" and ask.geometry.held(0.0)[2] is not None:
+        # what guides it keeps it from turning about z
+        C = C - np.outer(C[:, 5], C[5]) / C[5, 5]
+        C[5], C[:, 5] = 0.0, 0.0
+    return C
+
+
+def compliance(ask: Ask, point: tuple[float, float, float]) -> NDArray[np.float64]:
+    """Return the 6×6 compliance of the joint at a point, or raise why there is none."""
+    try:
+        return compliance_of(ask, point)
     except NotAvailable as error:
         hint = "complete the design, or leave this requirement out"
         raise RequirementError(f"a {ask.geometry.name} {error}", hint) from error
-    except SolveError as error:
-        raise RequirementError(error.text, error.remedy) from error
 
 
 def _index(direction: Direction) -> int:
@@ -133,6 +160,12 @@ class Support(Bound):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the stiffness or on the ratio."""
         C = compliance(ask, self.point)
+        for each in (self.direction, self.over):
+            if each is not None and C[_index(each), _index(each)] == 0.0:
+                raise RequirementError(
+                    f"the guide of a {ask.geometry.name} lets it not move {_along(each)}",
+                    "ask for another direction",
+                )
         value = 1.0 / C[_index(self.direction), _index(self.direction)]
         if self.over is not None:
             value *= C[_index(self.over), _index(self.over)]

@@ -33,12 +33,10 @@ class Yield(FactorRequirement):
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case stresses the blades at all."""
-        return self.covers(scene) and (
-            scene.travel > 0.0 or scene.mean_travel > 0.0 or scene.blade_force > 0.0
-        )
+        return self.covers(scene) and (scene.moves or scene.is_loaded)
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the stroke and what pushes the joint."""
+        """Return the stroke and what pushes the joint in its plane."""
         return scene.pushed_by | {LoadKind.STROKE}
 
     def limits(self, ask: Ask) -> Iterator[Limit]:

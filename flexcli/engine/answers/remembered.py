@@ -1,0 +1,39 @@
+"""What a model has solved of a design, so that its requirements ask for each state once."""
+
+from collections.abc import Callable
+from typing import Generic, TypeVar
+
+from flexcli.parts.requirements import Ask
+
+__all__ = ["Remembered"]
+
+Answer = TypeVar("Answer")
+
+MOST = 32
+"""Answers kept; a design has few cases, and each few states."""
+
+
+class Remembered(Generic[Answer]):
+    """Answers by what was asked and of which case, the latest of them."""
+
+    def __init__(self) -> None:
+        self._known: list[tuple[str, Ask, Answer]] = []
+
+    def of(self, what: str, ask: Ask, find: Callable[[], Answer]) -> Answer:
+        """Return the answer to a question on a case, found once."""
+        for name, known, answer in self._known:
+            if name == what and _same(known, ask):
+                return answer
+        answer = find()
+        self._known = [*self._known[1 - MOST :], (what, ask, answer)]
+        return answer
+
+
+def _same(one: Ask, other: Ask) -> bool:
+    return (
+        one.geometry is other.geometry
+        and one.material is other.material
+        and one.mechanism is other.mechanism
+        and one.sizes == other.sizes
+        and one.scene == other.scene
+    )
