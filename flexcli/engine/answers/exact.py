@@ -1,7 +1,7 @@
 """The exact model of a joint: geometrically exact blades between its bodies, at full stroke."""
 
 from collections.abc import Iterator, Sequence
-from math import inf, isfinite, nan, pi
+from math import cos, inf, isfinite, nan, pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +43,9 @@ TOLERANCE = 1e-9
 
 SAMPLED = 1e-6
 """Of the stress: what its greatest value between two places is more, see ``POINTS``."""
+
+RIGHT = 1e-9
+"""Cosine of an angle that counts as a right one."""
 
 BLADE_SPRINGS = 1e-8
 """Of a compliance in space: rounding, and the nodes of the blades' springs."""
@@ -124,11 +127,15 @@ class ExactAnswers(Answers):
 
     def sag_stiffness(self, ask: Ask) -> Quantity:
         """Return the stiffness along the case's acceleration, the joint free but for its guide."""
+        if _is_along_stroke(ask):
+            return self.stiffness(ask)
         index = {"x": 0, "y": 1, "z": 2}[ask.scene.axis]
         C = compliance_of(ask)
         return float(1.0 / C[index, index])
 
     def _sag_error(self, ask: Ask) -> float:
+        if _is_along_stroke(ask):
+            return self._stiffness(ask)[1]
         return BLADE_SPRINGS if ask.scene.axis else inf
 
     def parasitic_shift(self, ask: Ask) -> Quantity:
@@ -222,6 +229,15 @@ class ExactAnswers(Answers):
 def _hold(hold: Hold) -> Held:
     across, turn = (0.0 if held else None for held in (hold.across, hold.turn))
     return {MOVING: (None, across, turn)}
+
+
+def _is_along_stroke(ask: Ask) -> bool:
+    """Return whether the case's acceleration is along the stroke of a stage."""
+    geometry = ask.geometry
+    if geometry.motion == "rotation" or ask.scene.axis == "z":
+        return False
+    turn = geometry.axes + (pi / 2.0 if ask.scene.axis == "y" else 0.0)
+    return abs(cos(turn)) < RIGHT
 
 
 def _shift_of(state: Equilibrium, ask: Ask) -> float:

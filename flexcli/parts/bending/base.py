@@ -55,6 +55,17 @@ class Bending(ABC):
         The body moves as its blades stretch, which bends them, whatever the travel.
         """
 
+    def pulled(self, n: float) -> Changes:
+        """Return what bending adds to the axial stress of a force n EI/l² where nothing else bends.
+
+        Blades that are parallel stretch with their body, and do not bend.
+        """
+        return {}
+
+    def amplified(self, n: float) -> Changes:
+        """Return what the force makes more of the bending of :meth:`pulled`."""
+        return {}
+
     @abstractmethod
     def rotation(self) -> Changes:
         """Return what the terms of higher order in the travel change."""

@@ -59,6 +59,14 @@ class Bounded(Bending):
         strain = n * (self.h / self.l) ** 2 / 12.0
         return {"stress": Change(None, 6.0 * strain * self._narrow / self.travel)}
 
+    def pulled(self, n: float) -> Changes:
+        """Return the same as of a pair, by the narrowest angle between two blades."""
+        return {"stress": Change(None, 3.0 * self.h / self.l * self._narrow**0.5, sign=1)}
+
+    def amplified(self, n: float) -> Changes:
+        """Return nothing known."""
+        return {"stress": Change(None, inf)}
+
     def rotation(self) -> Changes:
         """Return the travel for stress and shift, and the tension of blades that hold a centre."""
         if not self.travel:

@@ -66,6 +66,27 @@ class Pair(Bending):
         share = 6.0 * strain * max(tangent, 1.0 / tangent) / (abs(self.theta) * self.most)
         return {"stress": Change(share, share, share)}
 
+    def pulled(self, n: float) -> Changes:
+        """Return up to 3 (h/l) max(tan α, cot α): the stretching of one blade bends the other.
+
+        A body that moves by the blades' stretching ε l along them moves up to ε l max(tan α, cot α)
+        across one, which bends it in an S by 3 (h/l) that times E ε.
+        """
+        return {"stress": Change(None, self._bent, sign=1)}
+
+    def amplified(self, n: float) -> Changes:
+        """Return what the force makes more of that: up to 1/(1 − n/n_cr) times as much.
+
+        n_cr ≥ 8 of any such pivot, whatever holds it; 2 is taken, and nothing said beyond half.
+        """
+        more = n / 2.0 / (1.0 - n / 2.0) if n < 1.0 else inf
+        return {"stress": Change(None, self._bent * more)}
+
+    @property
+    def _bent(self) -> float:
+        tangent = tan(self.blade["half_angle"])
+        return 3.0 * self.h / self.l * max(tangent, 1.0 / tangent)
+
     def rotation(self) -> Changes:
         """Return the next order in θ of stress and shift."""
         if not self.theta:

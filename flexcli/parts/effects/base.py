@@ -6,10 +6,10 @@ from math import inf
 from typing import ClassVar, NamedTuple
 
 from flexcli.parts.bending import Bending, Change, Changes, bending_of
-from flexcli.parts.geometries import Blade, Geometry, Sizes
+from flexcli.parts.geometries import Blade, Geometry, NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
-from flexcli.parts.scene import Scene, largest_travel
+from flexcli.parts.scene import Scene
 from flexcli.parts.stops import Stops
 
 __all__ = ["Effect", "Indicator", "ModelEffect", "SceneEffect", "Setting"]
@@ -43,8 +43,18 @@ class Setting(NamedTuple):
 
     @property
     def largest_travel(self) -> float:
-        """Return the largest travel of the joint in any case [rad or m]."""
-        return largest_travel(self.scenes)
+        """Return the largest travel of the joint in any case [rad or m], by loads along it too."""
+        return max((self._reach(scene) for scene in self.scenes), default=0.0)
+
+    def _reach(self, scene: Scene) -> float:
+        stroke = scene.travel + scene.mean_travel
+        if scene.push == 0.0:
+            return stroke
+        try:
+            stiffness = float(self.geometry.stiffness(self.material.elastic, self.sizes))
+        except NotAvailable:
+            return stroke
+        return stroke + scene.push / stiffness
 
 
 class Indicator(NamedTuple):

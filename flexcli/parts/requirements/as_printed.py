@@ -62,7 +62,10 @@ AS_PRINTED = AsPrinted()
 
 def _is_estimated(ask: Ask) -> bool:
     """Return whether the effects that the formulas leave out have estimates, and they hold."""
-    reach = ask.scene.travel + ask.scene.mean_travel
+    scene = ask.scene
+    reach = scene.travel + scene.mean_travel
+    if scene.push:
+        reach += scene.push / ask.geometry.stiffness(ask.material.elastic, ask.sizes)
     bending = bending_of(ask.geometry, ask.sizes, reach)
     if bending is None or not bending.is_estimate:
         return False
