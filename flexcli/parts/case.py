@@ -19,14 +19,20 @@ EndCondition = Literal[
 
 
 class Load(Part):
-    """A force on each joint in its plane, at an angle from its axis of symmetry."""
+    """A force on each joint in its plane, at an angle from its axis of symmetry, either way.
+
+    That axis is the bisector of a pivot, the blades of a stage, and x of a drawn layout.
+    """
 
     force: Force
     direction: Angle = 0.0
 
 
 class Wrench(Part):
-    """Forces and moments on the joint at its centre, in any direction of space."""
+    """Forces and moments on the joint at its centre, in any direction of space.
+
+    x is along the stroke of a stage, or the bisector of a pivot; z along the width of the blades.
+    """
 
     x: Annotated[float, QuantityOf("force")] = 0.0
     y: Annotated[float, QuantityOf("force")] = 0.0
@@ -48,7 +54,7 @@ class Wrench(Part):
 
 
 class SteadyAcceleration(Part):
-    """Gravity or a quasi-static acceleration along x (stroke), y (in plane) or z (along b)."""
+    """Gravity or a quasi-static acceleration along x (stroke, bisector), y (in plane) or z (b)."""
 
     level: Acceleration
     axis: Literal["x", "y", "z"]

@@ -187,7 +187,7 @@ def test_notch_that_tends_to_nothing_is_the_blade(kind):
     assert stiffness(hinge) == pytest.approx(stiffness(blade), rel=LIMIT)
     assert stresses(hinge, THETA) == pytest.approx(stresses(blade, THETA), rel=LIMIT)
     assert hinge.volume(hinge.probe()) == pytest.approx(blade.volume(blade.probe()), rel=LIMIT)
-    middle = support_compliance(blade.layout(ELASTIC, blade.probe()), MOVING, (L / 2.0, 0.0, 0.0))
+    middle = support_compliance(blade.layout(ELASTIC, blade.probe()), MOVING, (0.0, 0.0, 0.0))
     assert_alike(compliance(hinge), middle, LIMIT)
 
 

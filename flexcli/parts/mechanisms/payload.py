@@ -66,12 +66,12 @@ class Payload(Mechanism):
     def structure(
         self, geometry: Geometry, elastic: Elastic, sizes: Sizes, lock: str | None
     ) -> Structure:
-        """Return the payload on its joint, whose axis of symmetry is along y."""
+        """Return the payload on its joint: a stage moves along x, a pivot's bisector is x."""
         if lock is not None:
             raise MechanismError("lock", "a locked payload loads no blade", "leave the lock out")
         spring = geometry.spring(elastic, sizes)
         body = Body("payload", self.mass, self.inertia or 0.0)
-        joint = Joint("joint", None, "payload", (0.0, 0.0), pi / 2.0, spring)
+        joint = Joint("joint", None, "payload", (0.0, 0.0), geometry.axes, spring)
         return assemble([body], [joint], ("payload", "travel"))
 
     def shaken_by(self, geometry: Geometry) -> Literal["translation", "rotation"]:
