@@ -292,9 +292,6 @@ class DesignSpec(Part):
                 "add a case that loads it, or take the requirement out",
             )
         for scene in relevant if requirement.per_case else relevant[:1]:
-            # what closed forms do not have is no fault where other models may
-            closed = self.geometry.closed_forms and not scene.beyond
-            answers = AS_PRINTED if closed else STAND_IN
             try:
                 list(requirement.judged(self.ask(scene, probe, STAND_IN)))
             except RequirementError as error:

@@ -5,12 +5,8 @@ from geometries_for_tests import spec
 from judging import check_as_printed
 from strategies import TITANIUM, Inconsistent, design
 
-<<<<<<< HEAD
-=======
-from flexcli.engine.check import check
 from flexcli.results import Verdict
 
->>>>>>> e6badfc (One set of axes; README and CHANGELOG of what loads do; tests of every kind of joint and load)
 E, G = 114e9, 114e9 / 2.68
 H, L, B = 1e-4, 20e-3, 5e-3
 AREA, TURN = B * H, B * H**3 / 12.0
@@ -28,12 +24,8 @@ def checks_of(kind, requirements, cases=None, **changes):
     moves = geometry["kind"] not in ("leaf-spring-stage", "guided-blade", "cantilever")
     turn = {"work": {"stroke": {"rotation": "1 deg", "cycles": 1e6}}}
     found = design(geometry, requirements, cases or (turn if moves else STROKE))
-<<<<<<< HEAD
-    return check_as_printed(found, found.fixed_sizes(), "spec").checks
-=======
-    checks = check(found, found.fixed_sizes(), "spec").checks
+    checks = check_as_printed(found, found.fixed_sizes(), "spec").checks
     return [each for each in checks if each.verdict is not Verdict.NOT_JUDGED]
->>>>>>> e6badfc (One set of axes; README and CHANGELOG of what loads do; tests of every kind of joint and load)
 
 
 def measured(kind, direction, bound, **support):

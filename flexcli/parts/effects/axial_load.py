@@ -34,8 +34,8 @@ class AxialLoad(ModelEffect):
             return {"stress": Change(None, inf)}
         if n:
             return {name: Change(None, found.bound) for name, found in bending.load(n).items()}
-        still = [s for s in setting.scenes if not s.bends]
-        return bending.amplified(load_number(setting, still))
+        still = [s for s in setting.scenes if s.blade_force and not s.bends]
+        return bending.amplified(load_number(setting, still)) if still else {}
 
 
 def largest_load(setting: Setting) -> float:
