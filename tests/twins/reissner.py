@@ -486,22 +486,28 @@ class Frame:
         state = self.rest() if start is None else start
         if not self.stands(state, (), held):
             return 0.0
-        share, step, longest = 0.0, first, 0.2
-        while share < 1.0:
-            at = min(1.0, share + step)
+        share, step, limit, unreached = 0.0, first, np.inf, False
+        for _ in range(90):
+            if share >= 1.0:
+                return np.inf
+            gap = limit - share
+            if gap < 1e-4 * limit:
+                return (share + limit) / 2.0 * most
+            again = unreached and gap < 2e-3 * limit  # a long step may have failed by itself
+            at = limit if again else min(1.0, share + step)
+            unreached = unreached and not again
             loads = [_scaled(p, at * most) for p in pushes]
             found = self._newton(state, loads, held, most=14)
-            bad = found is None or not self.stands(found, loads, held)
-            jumped = found is not None and np.abs(found.bodies - state.bodies).max() > 0.35
-            if bad or jumped:
-                step /= 2.0
-                if step < 1e-4 * at:
-                    return (share + at) / 2.0 * most
-                longest = step
-                continue
-            state, share = found, at
-            step = min(step * 1.5, longest)
-        return np.inf
+            if found is None or not self.stands(found, loads, held):
+                unreached = unreached or (found is None and not again)
+                limit, step = at, (at - share) / 2.0
+            elif np.abs(found.bodies - state.bodies).max() > 0.35:
+                step /= 2.0  # on another path, maybe
+            else:
+                state, share = found, at
+                limit = np.inf if again else limit
+                step = min(1.5 * step, 0.2, (limit - share) / 2.0)
+        raise NoEquilibrium("its critical load is not found")
 
 
 def _scaled(push, share):
