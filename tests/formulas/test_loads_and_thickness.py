@@ -1,11 +1,11 @@
-"""Axial load, shear, plate widening and blade mass against independent routes."""
+"""Axial load, shear and blade mass against independent routes."""
 
 import numpy as np
 import pytest
 from mechanisms_for_tests import E, G, cantilever, pivot
 from scipy.integrate import quad
 
-from flexcli.formulas import blade_mass, blade_shear, pivot_under_load, plate_widening
+from flexcli.formulas import blade_mass, blade_shear, pivot_under_load
 from flexcli.formulas.beam_column import s_bending, uniform_bending
 from flexcli.formulas.pivot import axial_share, rotational_stiffness
 from flexcli.formulas.section import shear_parameter
@@ -85,32 +85,6 @@ def test_shear_lowers_buckling_by_engessers_first_term():
     with_shear = critical_load(layout, None, [load], most=1.5, effects=Effects(False, True))
     change = blade_shear.buckling_change(Phi=Phi, effective_length=2.0)
     assert with_shear.factor - 1.0 == pytest.approx(change, rel=0.01)
-
-
-def test_plate_widening_is_the_least_energy_of_the_curled_section():
-    """Ritz: section profiles of even powers of y, free sides."""
-    nu, h, b, kappa = 0.3, 1e-3, 60e-3, 1.0
-    beta = float(plate_widening.flat_width(b=b, h=h, curvature=kappa, poisson_ratio=nu))
-    D, s = h**3 / (12.0 * (1.0 - nu**2)), b / 2.0
-    y, weight = np.polynomial.legendre.leggauss(40)
-    y, weight = y * s, weight * s
-    powers = np.arange(0, 18, 2)
-    w = (y[:, None] / s) ** powers
-    w2 = powers * (powers - 1) / s**2 * (y[:, None] / s) ** np.maximum(powers - 2, 0)
-    A = (w.T * weight) @ w * h * kappa**2 + (w2.T * weight) @ w2 * D
-    right = -D * nu * kappa * (weight @ w2)
-    energy = D * kappa**2 * b / 2.0 - right @ np.linalg.solve(A, right) / 2.0
-    beam = h**3 / 12.0 * b * kappa**2 / 2.0
-    change = plate_widening.rigidity_change(beta=beta, poisson_ratio=nu)
-    assert energy / beam - 1.0 == pytest.approx(float(change), rel=1e-6)
-
-
-def test_plate_widening_runs_from_beam_to_plate_without_a_step():
-    beta = np.array([0.0, 0.0199999, 0.0200001, 1e6])
-    change = plate_widening.rigidity_change(beta=beta, poisson_ratio=0.3)
-    assert change[0] == 0.0
-    assert change[2] == pytest.approx(change[1], rel=1e-3)
-    assert change[3] == pytest.approx(plate_widening.bound(0.3), rel=1e-5)
 
 
 def test_blade_mass_shares_are_integrals_of_the_static_shapes():

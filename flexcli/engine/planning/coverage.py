@@ -34,7 +34,7 @@ COVERAGE = {
 }
 """From the cheapest to the finest; the exact one's cost is at its coarsest tolerance."""
 
-OUTER = frozenset({"plate widening", "blade mass"})
+OUTER = frozenset({"plate widening", "anticlastic", "clamp stress", "blade mass"})
 """What no model of beams has inside, so that a correction on top carries it in all of them."""
 
 COARSE, FINE = 1e-6, 1e-12

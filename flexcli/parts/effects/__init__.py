@@ -1,11 +1,13 @@
 """Effects that a scene may call for; a new one is a file here and a name in a tuple."""
 
 from flexcli.parts.bending import Change
+from flexcli.parts.effects.anticlastic import Anticlastic
 from flexcli.parts.effects.axial_extension import AxialExtension
 from flexcli.parts.effects.axial_load import AxialLoad
 from flexcli.parts.effects.base import Effect, Indicator, ModelEffect, SceneEffect, Setting
 from flexcli.parts.effects.blade_mass import BladeMass
 from flexcli.parts.effects.blade_tension import BladeTension
+from flexcli.parts.effects.clamp_stress import ClampStress
 from flexcli.parts.effects.damping import DampedMotion
 from flexcli.parts.effects.end_stops import EndStops
 from flexcli.parts.effects.gravity import Gravity
@@ -34,6 +36,8 @@ MODEL_EFFECTS: tuple[ModelEffect, ...] = (
     LargeRotation(),
     AxialLoad(),
     PlateWidening(),
+    Anticlastic(),
+    ClampStress(),
     BladeMass(),
 )
 """What models of the blades carry or leave out."""

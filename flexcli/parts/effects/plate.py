@@ -1,20 +1,18 @@
-"""Plate widening: a wide blade cannot curve across its width and is stiffer than a beam."""
+"""Plate widening: a wide blade cannot curl across its width and is stiffer than a beam."""
 
 from typing import ClassVar
 
-from flexcli.formulas.plate_widening import bound, flat_width, rigidity_change
 from flexcli.parts.bending import Change, Changes
+from flexcli.parts.bending.wide import WideBlades, wide_blades
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
-__all__ = ["PlateWidening"]
+__all__ = ["PlateWidening", "wide_of"]
 
 
 class PlateWidening(ModelEffect):
-    """Between a beam (E) and a plate (E/(1 − ν²)), on top of what any model says.
+    """What rigid clamps make of a wide blade, between a beam (E) and a plate (E/(1 − ν²)).
 
-    At the least, the blade curls as its curvature lets it (Ashwell 1950); clamps keep it flat
-    over about its own width at either end (Saint-Venant), which makes the most. The correction
-    takes the middle of both.
+    On top of what any model of beams says; at small curvature, which ``anticlastic`` adds to.
     """
 
     name: ClassVar[str] = "plate widening"
@@ -22,33 +20,52 @@ class PlateWidening(ModelEffect):
     is_whole: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
-        """Return b/h."""
-        if setting.blade is None:
+        """Return the largest b/l of a blade or hinge."""
+        wide = wide_of(setting)
+        if wide is None:
             return None
-        ratio = float(setting.blade.b / setting.blade.h)
-        return Indicator(ratio, f"b/h = {ratio:.3g}")
+        text = f"b/l = {wide.ratio:.3g}"
+        if self.lacks(setting):
+            text += ", Poisson's ratio anything from 0 to 0.5: giving it would decide"
+        return Indicator(wide.ratio, text)
 
     def changes(self, setting: Setting) -> Changes:
-        """Return the change at rest, and that of the stress at the curvature of the stroke."""
-        if setting.blade is None:
+        """Return the change at rest, of the moment at a given travel, and of the critical force."""
+        wide = wide_of(setting)
+        if wide is None:
             return {}
-        found = {"stiffness": _between(setting, 0.0)}
+        known = not self.lacks(setting)
+        found = {"stiffness": wide.stiffness.change(known)}
         if any(scene.blade_force for scene in setting.scenes):
-            found["buckling"] = found["stiffness"]
+            found["buckling"] = _buckling(wide, setting, known)
         if setting.largest_travel:
-            found["stress"] = _between(setting, setting.largest_travel)
+            found["stress"] = wide.stress.change(known)
+            if wide.shift is not None:
+                found["shift"] = _shape_change(*wide.shift, known)
+        if wide.sag is not None:
+            value, error = wide.sag
+            found["sag"] = Change(value if known else None, abs(value) + error, error, -1)
         return found
 
 
-def _between(setting: Setting, travel: float) -> Change:
-    assert setting.blade is not None  # asked by those who know
-    h, l, b = (float(size) for size in setting.blade)
-    elastic, nu = setting.material.elastic, setting.poisson_bound
-    curls = 0.0
-    if travel:
-        stresses = setting.geometry.end_stresses(elastic, setting.sizes, travel)
-        curvature = 2.0 * max(abs(float(s)) for s in stresses.values()) / (elastic.E * h)
-        beta = flat_width(b=b, h=h, curvature=curvature, poisson_ratio=nu)
-        curls = float(rigidity_change(beta=beta, poisson_ratio=nu))
-    most = min(bound(nu), curls + bound(nu) * 2.0 * b / l)
-    return Change((curls + most) / 2.0, most, (most - curls) / 2.0)
+def wide_of(setting: Setting) -> WideBlades | None:
+    """Return the factors of the wide blades of a design, for ν = ½ where it is not given."""
+    return wide_blades(setting.geometry, setting.sizes, setting.poisson_bound)
+
+
+def _buckling(wide: WideBlades, setting: Setting, known: bool) -> Change:
+    """Return the change of the critical force, for the ends of every case that has one."""
+    ends = {scene.ends for scene in setting.scenes if scene.blade_force}
+    asked = [wide.buckling[e] for e in ends if e is not None]
+    if None in ends or not asked:
+        asked = list(wide.buckling.values())
+    if len(asked) == 1:
+        return asked[0].change(known)
+    low, high = min(f.low for f in asked), max(f.high for f in asked)
+    middle = asked[0]._replace(value=(low + high) / 2.0, low=low, high=high)
+    return middle.change(known)
+
+
+def _shape_change(value: float, error: float, known: bool) -> Change:
+    bound = abs(value) + error
+    return Change(value, bound, error) if known else Change(None, bound)

@@ -130,14 +130,16 @@ class FreeLayout(Geometry):
         return sum(
             blade.b * (piece.thickness(u) * piece.slope(u)) @ weight
             for name, blade in self.blades.items()
-            for piece in blade.thickness.shape(_column(self._of(name, sizes))).pieces(blade.length)
+            for piece in blade.thickness.shape(_column(self.size_of(name, sizes))).pieces(
+                blade.length
+            )
         )
 
     def ratios(self, sizes: Sizes) -> dict[str, Quantity]:
         """Return l/h and b/h of every blade where it is thinnest."""
         found: dict[str, Quantity] = {}
         for name, blade in self.blades.items():
-            h = blade.thickness.thinnest(self._of(name, sizes))
+            h = blade.thickness.thinnest(self.size_of(name, sizes))
             found |= {f"l/h {name}": blade.length / h, f"b/h {name}": blade.b / h}
         return found
 
@@ -152,7 +154,7 @@ class FreeLayout(Geometry):
                     self._called(blade.between[1]),
                     self._placed(blade.start),
                     self._placed(blade.end),
-                    blade.thickness.shape(_column(self._of(name, sizes))),
+                    blade.thickness.shape(_column(self.size_of(name, sizes))),
                     blade.b,
                     blade.z,
                     self._peak(name, sizes),
@@ -187,7 +189,7 @@ class FreeLayout(Geometry):
     def _called(self, name: str) -> str:
         return MOVING if name == self.moving else GROUND if name == GROUND else name
 
-    def _of(self, name: str, sizes: Sizes) -> Any:
+    def size_of(self, name: str, sizes: Sizes) -> Any:
         """Return the size of a blade, nothing where it is tabulated."""
         return getattr(sizes, _size(name, self.blades[name]), None)
 

@@ -1,0 +1,65 @@
+"""Anticlastic flattening: a wide blade that is bent far keeps its section from curling."""
+
+from typing import ClassVar
+
+from flexcli.formulas.plate_factors import bound
+from flexcli.formulas.plate_flattening import flat_width, held_and_curved, secant_factor
+from flexcli.numerics.quadrature import gauss_rule
+from flexcli.parts.bending import Change, Changes
+from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
+from flexcli.parts.effects.plate import wide_of
+
+__all__ = ["Anticlastic"]
+
+_NODES = 8
+"""Gauss nodes along a blade: the factor is smooth in a curvature that is linear."""
+
+
+class Anticlastic(ModelEffect):
+    """What curvature flattens beside the clamps, b²κ/h; none at rest.
+
+    The moment of a travel lies between that by the clamps alone and twice what both taken as
+    independent add to it, and never above a plate's.
+    """
+
+    name: ClassVar[str] = "anticlastic"
+    needs: ClassVar[str] = "poisson_ratio"
+    is_whole: ClassVar[bool] = True
+
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return Searle's b²κ/h at the most curved place."""
+        ends = _end_curvatures(setting)
+        if ends is None:
+            return None
+        assert setting.blade is not None  # those that have curvatures
+        h, _, b = (float(size) for size in setting.blade)
+        searle = b**2 * max(abs(end) for end in ends) / h
+        return Indicator(searle, f"b²κ/h = {searle:.2g}")
+
+    def changes(self, setting: Setting) -> Changes:
+        """Return the change of the moment at the largest travel."""
+        ends, wide = _end_curvatures(setting), wide_of(setting)
+        if ends is None or wide is None:
+            return {}
+        assert setting.blade is not None  # those that have curvatures
+        h, _, b = (float(size) for size in setting.blade)
+        nu, held = setting.poisson_bound, wide.stress.value
+        most = (1.0 + float(bound(nu))) / held - 1.0
+        if self.lacks(setting):
+            return {"stress": Change(None, max(most, 0.0), 0.0, 1)}
+        place, weight = gauss_rule(_NODES)
+        curvature = ends[0] + (ends[1] - ends[0]) * place
+        beta = flat_width(b=b, h=h, curvature=curvature, poisson_ratio=nu)
+        share = weight * curvature**2
+        curved = float(secant_factor(beta=beta, poisson_ratio=nu) @ share / share.sum())
+        value = float(held_and_curved(held=held, curved=curved, poisson_ratio=nu)) / held - 1.0
+        return {"stress": Change(value, min(2.0 * value, max(most, value)), value)}
+
+
+def _end_curvatures(setting: Setting) -> tuple[float, float] | None:
+    """Return the beam's curvatures at both ends of a blade at the largest travel [1/m]."""
+    wide, travel = wide_of(setting), setting.largest_travel
+    if wide is None or wide.bends is None or not travel:
+        return None
+    first, second = wide.bends
+    return first * travel, second * travel

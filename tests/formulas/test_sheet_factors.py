@@ -1,0 +1,36 @@
+"""Sheet factors against Ritz solutions in plane stress that share no code with them."""
+
+import pytest
+from plates.clamped_sheet import Sheet
+
+from flexcli.formulas import sheet_factors as sheets
+
+RITZ = 5e-5
+
+
+def test_ritz_solution_converges():
+    for bends in (False, True):
+        coarse = Sheet(0.5, 0.3, bends=bends, bubbles=3)
+        fine = Sheet(0.5, 0.3, bends=bends, bubbles=5)
+        for name in ("guided_factor", "bending_factor") if bends else ("axial_factor",):
+            assert getattr(coarse, name)() == pytest.approx(getattr(fine, name)(), rel=RITZ)
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.45])
+@pytest.mark.parametrize("b", [0.2, 1.0, 5.0])
+def test_factors_are_those_of_the_sheet(b, nu):
+    at = {"b": b, "l": 1.0, "poisson_ratio": nu}
+    along, bent = (Sheet(b, nu, bends=bends, bubbles=3) for bends in (False, True))
+    within = sheets.SHEET_ERROR + RITZ
+    assert sheets.axial_factor(**at) == pytest.approx(along.axial_factor(), rel=within)
+    assert sheets.bending_factor(**at) == pytest.approx(bent.bending_factor(), rel=within)
+    assert sheets.guided_factor(**at) == pytest.approx(
+        bent.guided_factor(), rel=sheets.GUIDED_ERROR + RITZ
+    )
+
+
+def test_factors_run_from_beam_to_plane_strain():
+    for factor in (sheets.axial_factor, sheets.bending_factor):
+        assert factor(b=0.0, l=1.0, poisson_ratio=0.3) == 1.0
+        assert factor(b=1e6, l=1.0, poisson_ratio=0.3) == pytest.approx(1.0 / 0.91, rel=1e-4)
+    assert sheets.guided_factor(b=1e6, l=1.0, poisson_ratio=0.3) == pytest.approx(1.2, rel=1e-4)
