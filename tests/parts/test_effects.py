@@ -3,7 +3,6 @@
 from typing import Any
 
 import pytest
-from flexcli.engine.planning.corrections import Corrected
 from geometries_for_tests import SAMPLES, geometry, spec
 
 from flexcli.engine import left_out
@@ -132,18 +131,6 @@ def test_estimate_is_no_less_than_the_change(effect, geometry, stroke):
     for number, change in effect.all_changes(setting).items():
         assert estimates[number] >= change.bound
         assert change.value is None or abs(change.value) <= 1.06 * change.bound
-
-
-def test_plate_is_between_a_beam_and_its_bound_and_needs_the_poisson_ratio():
-    narrow = setting_of(design_of({**PIVOT, "b": "0.4 mm"}, TURN))
-    wide = setting_of(design_of({**PIVOT, "b": "30 mm"}, TURN))
-    most = 0.33**2 / (1.0 - 0.33**2)
-    plate = named("plate widening")
-    assert plate.changes(narrow)["stiffness"].bound < 0.05 * most
-    assert plate.changes(wide)["stiffness"].bound == pytest.approx(most)
-    silent = wide._replace(material=wide.material.model_copy(update={"poisson_ratio": None}))
-    assert plate.lacks(silent) == "material.poisson_ratio"
-    assert plate.changes(silent)["stiffness"].bound == pytest.approx(1.0 / 3.0)  # of ν = ½
 
 
 def test_blade_mass_is_rayleighs_share():

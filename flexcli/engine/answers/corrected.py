@@ -96,7 +96,7 @@ class Corrected(Answers):
             if change.value is None or effect in self.left_out or effect.lacks(setting):
                 found += _whole_range(effect, change, setting, kind)
                 continue
-            first += change.bound
+            first += 0.0 if effect.is_whole else change.bound
             left = change.error + (change.bound * ratio if effect.in_orders else 0.0)
             found += ErrorRange(-left, left)
         found += ErrorRange(-(first**2), first**2)

@@ -126,7 +126,7 @@ def _closed_form(setting: Setting, names: tuple[str, ...], wanted: list[Known]) 
         changes = each.effect.all_changes(setting)
         for name in each.estimates:
             bound = changes[name].bound
-            first[name] += bound
+            first[name] += 0.0 if each.effect.is_whole else bound
             errors[name] += changes[name].error
             if each.name == "large rotation" and bending is not None:
                 errors[name] += bound * bending.ratio

@@ -1,0 +1,179 @@
+"""Wide blades of every joint: between beam and plate, by the formulas, and in what direction."""
+
+from math import sqrt
+from typing import Any
+
+import numpy as np
+import pytest
+from geometries_for_tests import SAMPLES, geometry, spec
+
+from flexcli.engine import left_out
+from flexcli.formulas import plate_factors as plates
+from flexcli.formulas.plate_flattening import flat_width, secant_factor
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect, Setting
+
+NU = 0.33
+FLAT = 1.0 / (1.0 - NU**2) - 1.0
+METAL = {"name": "metal", "youngs_modulus": "114 GPa", "yield_strength": "900 MPa"}
+THIN = {"h": "0.05 mm", "l": "20 mm", "b": "10 mm"}
+PIVOT = {"kind": "cross-spring", "delta": 0.2, "half_angle": "40 deg", **THIN}
+TURN, MOVE = {"rotation": "0.001 rad"}, {"translation": "0.01 mm"}
+LAYOUT: dict[str, Any] = {
+    "kind": "layout", "bodies": {"stage": {"at": ["20 mm", "0 mm"]}},
+    "blades": {
+        "left": {"between": ["ground", "stage"], "from": ["0 mm", "0 mm"],
+                 "to": ["20 mm", "0 mm"], "h": "0.1 mm", "b": "2 mm"},
+        "right": {"between": ["ground", "stage"], "from": ["0 mm", "10 mm"],
+                  "to": ["20 mm", "10 mm"], "h": "0.1 mm", "b": "20 mm"},
+    },
+    "moving": "stage", "motion": {"translation": "90 deg"},
+}  # fmt: skip
+
+
+def setting_of(shape: dict[str, Any], stroke: dict[str, Any], **more: Any) -> Setting:
+    nu = more.pop("nu", NU)
+    material = METAL if nu is None else {**METAL, "poisson_ratio": nu}
+    design = DesignSpec.model_validate(
+        {
+            "flexure": 1, "material": material, "geometry": shape,
+            "cases": {"work": {"stroke": stroke, **more.pop("case", {})}},
+            "requirements": {"yield": 1.0}, **more,
+        }
+    )  # fmt: skip
+    return left_out.setting(design, design.fixed_sizes())
+
+
+def named(name: str) -> ModelEffect:
+    return next(effect for effect in MODEL_EFFECTS if effect.name == name)
+
+
+WIDENING, CURVED, CLAMP = (named(n) for n in ("plate widening", "anticlastic", "clamp stress"))
+BLADE = {"b": 10e-3, "l": 20e-3, "h": 0.05e-3, "poisson_ratio": NU}
+
+
+@pytest.mark.parametrize(
+    ("shape", "stroke", "stiffness", "stress"),
+    [
+        (PIVOT, TURN, plates.pivot_factor(delta=0.2, **BLADE),
+         plates.end_moment_factor(delta=0.2, **BLADE)),
+        ({"kind": "guided-blade", **THIN}, MOVE, *[plates.guided_factor(**BLADE)] * 2),
+        ({"kind": "leaf-spring-stage", "spacing": "9 mm", **THIN}, MOVE,
+         *[plates.guided_factor(**BLADE)] * 2),
+        ({"kind": "cantilever", **THIN}, MOVE, *[plates.cantilever_factor(**BLADE)] * 2),
+        ({"kind": "moment-blade", **THIN}, TURN, *[plates.pure_bending_factor(**BLADE)] * 2),
+    ],
+)  # fmt: skip
+def test_each_kind_has_the_mixture_of_its_own_bending(shape, stroke, stiffness, stress):
+    found = WIDENING.all_changes(setting_of(shape, stroke))
+    assert found["stiffness"].value == pytest.approx(float(stiffness) - 1.0, rel=1e-12)
+    assert found["stress"].value == pytest.approx(float(stress) - 1.0, rel=1e-12)
+    assert found["frequency"].value == pytest.approx(sqrt(float(stiffness)) - 1.0, rel=1e-12)
+    assert found["stiffness"].error < 2e-3
+
+
+@pytest.mark.parametrize("kind", SAMPLES)
+def test_every_kind_that_bends_lies_between_beam_and_plate(kind):
+    joint = geometry(kind)
+    stroke = {joint.motion: "0.1 deg" if joint.motion == "rotation" else "0.01 mm"}
+    setting = setting_of(spec(kind), stroke)
+    found = WIDENING.all_changes(setting)
+    assert bool(found) == (joint.strain == "bending")
+    if found:
+        value, bound, error, _ = found["stiffness"]
+        assert 0.0 <= value <= FLAT
+        assert value - error <= bound <= FLAT + 1e-12
+        silent = WIDENING.all_changes(setting_of(spec(kind), stroke, nu=None))["stiffness"]
+        assert silent.value is None
+        assert silent.sign == 1
+        assert bound <= silent.bound <= 1.0 / 3.0 + 1e-12
+
+
+def test_without_poissons_ratio_the_row_says_what_would_decide():
+    setting = setting_of(PIVOT, TURN, nu=None)
+    assert WIDENING.lacks(setting) == "material.poisson_ratio"
+    assert "giving it would decide" in WIDENING.indicator(setting).text
+    assert WIDENING.all_changes(setting)["sag"].sign == -1
+
+
+def test_no_poissons_ratio_no_widening():
+    found = WIDENING.all_changes(setting_of(PIVOT, TURN, nu=0.0))
+    assert all(change.value == 0.0 and change.error == 0.0 for change in found.values())
+
+
+def test_short_necks_are_nearly_plates():
+    neck = {"kind": "necked-down-stage", "h": "0.05 mm", "l_c": "1 mm", "l": "20 mm",
+            "b": "20 mm", "spacing": "9 mm"}  # fmt: skip
+    found = WIDENING.changes(setting_of(neck, MOVE))["stiffness"]
+    assert 0.97 * FLAT < found.value < FLAT
+    assert found.error < 2e-3
+
+
+def test_a_wide_notch_is_in_plane_strain():
+    notch = {"kind": "notch-hinge", "e": "0.05 mm", "r": "2 mm", "b": "40 mm"}
+    found = WIDENING.changes(setting_of(notch, TURN))["stiffness"]
+    assert found.value == pytest.approx(FLAT, rel=0.02)
+    assert found.value - found.error < FLAT <= found.bound
+
+
+def test_unequal_blades_of_a_layout_give_the_range_of_both():
+    found = WIDENING.changes(setting_of(LAYOUT, MOVE))["stiffness"]
+    narrow, wide = (
+        [float(f(b=b, l=20e-3, h=0.1e-3, poisson_ratio=NU)) - 1.0 for f in
+         (plates.pure_bending_factor, plates.guided_factor)]
+        for b in (2e-3, 20e-3)
+    )  # fmt: skip
+    guided = (2.0 * narrow[1] + 20.0 * wide[1]) / 22.0  # by their shares of the stiffness
+    assert abs(found.value - guided) <= found.error * (1.0 + found.value)
+    assert (1.0 + found.value) * (1.0 - found.error) <= 1.0 + narrow[0]
+
+
+def test_a_thin_wide_blade_that_is_bent_far_becomes_a_plate():
+    """A pivot that turns 10° by h 0.2, b 10, l 20 mm: b²κ/h = 4.4 in pure bending."""
+    shape = {**PIVOT, "delta": -0.5, "h": "0.2 mm"}
+    near, far = (setting_of(shape, {"rotation": f"{a} deg"}) for a in (0.01, 10))
+    assert CURVED.indicator(far).value == pytest.approx(
+        (10e-3) ** 2 * np.radians(10.0) / (20e-3 * 0.2e-3), rel=1e-12
+    )
+    assert CURVED.changes(near)["stress"].value < 1e-5
+    held = WIDENING.changes(far)["stress"].value
+    more = CURVED.changes(far)["stress"]
+    beta = flat_width(b=10e-3, h=0.2e-3, curvature=np.radians(10.0) / 20e-3, poisson_ratio=NU)
+    alone = float(secant_factor(beta=beta, poisson_ratio=NU)) - 1.0
+    assert max(held, alone) < (1.0 + held) * (1.0 + more.value) - 1.0 < FLAT
+    assert (1.0 + held) * (1.0 + more.bound) - 1.0 <= FLAT + 1e-12
+    assert more.value - more.error >= 0.0
+
+
+def test_flattening_and_widening_never_pass_the_plate_together():
+    for degrees in (1, 20, 80):
+        setting = setting_of({**PIVOT, "b": "30 mm"}, {"rotation": f"{degrees} deg"})
+        held, more = (e.changes(setting)["stress"] for e in (WIDENING, CURVED))
+        assert (1.0 + held.value) * (1.0 + more.value) <= 1.0 + FLAT + 1e-12
+        silent = setting_of({**PIVOT, "b": "30 mm"}, {"rotation": "1 deg"}, nu=None)
+        held, more = (e.changes(silent)["stress"] for e in (WIDENING, CURVED))
+        assert (1.0 + held.bound) * (1.0 + more.bound) == pytest.approx(4.0 / 3.0, abs=2e-3)
+
+
+def test_clamp_stress_is_told_and_changes_nothing():
+    setting = setting_of(PIVOT, TURN)
+    told = CLAMP.indicator(setting)
+    assert 0.1 < told.value < 0.3
+    assert "von Mises" in told.text
+    assert CLAMP.all_changes(setting) == {}
+
+
+def test_buckling_takes_the_factor_of_the_ends_that_hold_a_guided_blade():
+    stage = {"kind": "leaf-spring-stage", "spacing": "9 mm", **THIN}
+    for ends in ("clamped-guided", "clamped-clamped"):
+        case = {"load": {"force": "1 N"}, "ends": ends}
+        found = WIDENING.changes(setting_of(stage, MOVE, case=case))["buckling"]
+        k = float(plates.buckling_factor(ends=ends, **BLADE))
+        assert found.value == pytest.approx(k - 1.0, rel=1e-12)
+
+
+def test_a_sag_that_bends_the_width_follows_the_sheet_and_not_the_plate():
+    three = {"kind": "three-blade", **THIN}
+    found = WIDENING.all_changes(setting_of(three, TURN))
+    assert -0.05 < found["sag"].value < 0.0
+    assert found["sag"].value != pytest.approx(1.0 / (1.0 + found["stiffness"].value) - 1.0)
