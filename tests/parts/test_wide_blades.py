@@ -177,3 +177,10 @@ def test_a_sag_that_bends_the_width_follows_the_sheet_and_not_the_plate():
     found = WIDENING.all_changes(setting_of(three, TURN))
     assert -0.05 < found["sag"].value < 0.0
     assert found["sag"].value != pytest.approx(1.0 / (1.0 + found["stiffness"].value) - 1.0)
+
+
+def test_where_the_leading_shift_vanishes_the_change_is_a_share_of_what_is_left():
+    wittrick = {**PIVOT, "delta": -0.8727, "b": "5 mm", "h": "0.1 mm"}
+    found = WIDENING.changes(setting_of(wittrick, {"rotation": "5 deg"}))["shift"]
+    assert found.value is None
+    assert found.bound < 1.0

@@ -8,6 +8,9 @@ from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
 __all__ = ["PlateWidening", "wide_of"]
 
+LEADS = 1.5
+"""Shift over its leading term up to which the change of that is the change of the shift."""
+
 
 class PlateWidening(ModelEffect):
     """What rigid clamps make of a wide blade, between a beam (E) and a plate (E/(1 − ν²)).
@@ -41,7 +44,7 @@ class PlateWidening(ModelEffect):
         if setting.largest_travel:
             found["stress"] = wide.stress.change(known)
             if wide.shift is not None:
-                found["shift"] = _shape_change(*wide.shift, known)
+                found["shift"] = _shift(*wide.shift, setting, known)
         if wide.sag is not None:
             value, error = wide.sag
             found["sag"] = Change(value if known else None, abs(value) + error, error, -1)
@@ -66,6 +69,14 @@ def _buckling(wide: WideBlades, setting: Setting, known: bool) -> Change:
     return middle.change(known)
 
 
-def _shape_change(value: float, error: float, known: bool) -> Change:
-    bound = abs(value) + error
-    return Change(value, bound, error) if known else Change(None, bound)
+def _shift(value: float, error: float, setting: Setting, known: bool) -> Change:
+    """Return the change of the shift, of which value and error are shares of the leading term.
+
+    Where the leading term all but vanishes the shift is of next order: a share of that.
+    """
+    bending, whole = setting.bending, 1.0
+    next_order = bending.rotation().get("shift") if bending is not None else None
+    if next_order is not None and next_order.value is not None:
+        whole = max(whole, abs(1.0 + next_order.value))
+    bound = (abs(value) + error) / whole
+    return Change(value, bound, error) if known and whole <= LEADS else Change(None, bound)
