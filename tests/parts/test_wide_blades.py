@@ -179,8 +179,23 @@ def test_a_sag_that_bends_the_width_follows_the_sheet_and_not_the_plate():
     assert found["sag"].value != pytest.approx(1.0 / (1.0 + found["stiffness"].value) - 1.0)
 
 
-def test_where_the_leading_shift_vanishes_the_change_is_a_share_of_what_is_left():
+def test_shift_changes_by_the_shortening_of_both_shapes():
+    blade = {"b": 10e-3, "l": 20e-3, "poisson_ratio": NU}
+    pure = float(plates.pure_shortening_factor(**blade)) - 1.0
+    bent = float(plates.s_shortening_factor(**blade)) - 1.0
+    gamma = 1.0 + 2.0 * 0.2
+    found = WIDENING.changes(setting_of(PIVOT, TURN))["shift"]
+    share = (2.5 * pure + 9.0 * gamma**2 * bent) / (9.0 * gamma**2 - 5.0)
+    assert found.value == pytest.approx(share, rel=1e-12)
+
+
+def test_where_the_leading_shift_vanishes_the_change_is_a_range_of_what_is_left():
+    """What is left of higher order grows with the rotation, so that the range falls with it."""
     wittrick = {**PIVOT, "delta": -0.8727, "b": "5 mm", "h": "0.1 mm"}
-    found = WIDENING.changes(setting_of(wittrick, {"rotation": "5 deg"}))["shift"]
-    assert found.value is None
-    assert found.bound < 1.0
+    near, far = (
+        WIDENING.changes(setting_of(wittrick, {"rotation": f"{a} deg"}))["shift"] for a in (5, 20)
+    )
+    assert near.value is None
+    assert far.value is None
+    assert far.bound < 0.5 * near.bound
+    assert near.bound < 5.0
