@@ -80,7 +80,7 @@ def _design(accuracy: float) -> DesignSpec:
         "cases": {"work": {"stroke": {"rotation": "4 deg"}}},
         "requirements": {"yield": 1.0},
         "accuracy": accuracy,
-        "effects": {"plate-widening": "off"},
+        "effects": {"plate-widening": "off", "anticlastic": "off"},
     }
     return DesignSpec.model_validate(spec)
 

@@ -13,7 +13,7 @@ cases:
   work: {stroke: {rotation: 2 deg}}
 requirements: {yield: 1}
 accuracy: 1 %
-effects: {plate-widening: off}
+effects: {plate-widening: off, anticlastic: off}
 """
 
 

@@ -213,7 +213,7 @@ class _Draw:
         self.twin = Twin(joint_of(self.kind, **g), self.E, self.nu, self.density)
         spec = {"flexure": 1, "title": f"twin {self.seed}", "geometry": words}
         if self.nu > 0.0:
-            spec["effects"] = {"plate-widening": "off"}
+            spec["effects"] = {"plate-widening": "off", "anticlastic": "off"}
         found = Drawn(self.kind, self.seed, spec)
         try:
             self._fill(found)
