@@ -8,7 +8,9 @@ from flexcli.parts.effects.blade_mass import BladeMass
 from flexcli.parts.effects.blade_tension import BladeTension
 from flexcli.parts.effects.damping import DampedMotion
 from flexcli.parts.effects.end_stops import EndStops
+from flexcli.parts.effects.estimate import Estimate, estimate, left_by
 from flexcli.parts.effects.gravity import Gravity
+from flexcli.parts.effects.hinge_length import HingeLength
 from flexcli.parts.effects.large_rotation import LargeRotation
 from flexcli.parts.effects.plate import PlateWidening
 from flexcli.parts.effects.random_vibration import RandomVibration
@@ -21,10 +23,13 @@ __all__ = [
     "SCENE_EFFECTS",
     "Change",
     "Effect",
+    "Estimate",
     "Indicator",
     "ModelEffect",
     "SceneEffect",
     "Setting",
+    "estimate",
+    "left_by",
 ]
 
 MODEL_EFFECTS: tuple[ModelEffect, ...] = (
@@ -32,6 +37,7 @@ MODEL_EFFECTS: tuple[ModelEffect, ...] = (
     AxialExtension(),
     BladeTension(),
     LargeRotation(),
+    HingeLength(),
     AxialLoad(),
     PlateWidening(),
     BladeMass(),
