@@ -14,6 +14,9 @@ __all__ = ["NOTABLE", "effects", "errors_of", "reported", "setting", "warnings"]
 NOTABLE = 0.05
 """An effect left out that may change a number by more than this is a warning, not only a row."""
 
+MADE = 5e-6
+"""Thickness [m] below which a blade is no longer machined, etched or cut from foil as a rule."""
+
 
 def setting(design: DesignSpec, sizes: Sizes) -> Setting:
     """Return a design as effects are estimated on it."""
@@ -92,6 +95,7 @@ def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> t
             text = "the source of the fatigue amplitude states no stress ratio; read as R = −1"
             notes.append(Note("stress-ratio-unstated", text))
     notes.extend(_outside_validity(design, sizes))
+    notes.extend(_own_shape(design, sizes))
     notes.extend(
         Note("effect-left-out", f"{row.name}, left out, may change results by {row.estimate:.0%}")
         for row in rows
@@ -102,8 +106,24 @@ def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> t
 
 def _outside_validity(design: DesignSpec, sizes: Sizes) -> Iterator[Note]:
     """Yield where the design leaves the range in which its closed forms hold."""
-    geometry = design.geometry
-    reach = setting(design, sizes).largest_travel
-    for limits, at in geometry.outside_validity(sizes, reach):
-        text = f"{limits.quantity} = {show(at, limits.unit)} is outside "
-        yield Note("outside-validity", f"{text}{limits.spoken}: {limits.why}")
+    travel = setting(design, sizes).largest_travel
+    for limits, at in design.geometry.outside_validity(sizes, travel):
+        of = f" of its {limits.kind}" if limits.kind else ""
+        text = f"{limits.quantity} = {show(at, limits.unit)} is outside {limits.spoken}{of}"
+        yield Note("outside-validity", f"{text}: {limits.why}")
+
+
+def _own_shape(design: DesignSpec, sizes: Sizes) -> Iterator[Note]:
+    """Yield what is odd about the shape itself: sections, thicknesses, blades that meet."""
+    for name, h, b in design.geometry.sections(sizes):
+        of = f" of {name}" if name else ""
+        if h < MADE:
+            text = f"a thickness{of} of {show(h, 'm')} is below what is commonly made"
+            yield Note("thin", f"{text} ({show(MADE, 'm')})")
+        if b < h:
+            text = f"the width{of}, {show(b, 'm')}, is less than the thickness, {show(h, 'm')}"
+            yield Note("narrow", f"{text}: it bends across the other side more easily")
+    for which, room in design.geometry.clearances(sizes):
+        if room < 0.0:
+            text = f"{which} overlap by {show(-room, 'm')} where they stand in one plane"
+            yield Note("blades-meet", text)

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from math import inf, radians
 from typing import Any, NamedTuple
 
+from flexcli.results import QuantityKind
 from flexcli.units import show
 
 __all__ = [
@@ -27,13 +28,17 @@ __all__ = [
 
 
 class Range(NamedTuple):
-    """Where a formula holds: a dimensionless (or SI) quantity between two ends, and why."""
+    """Where a formula holds: a dimensionless (or SI) quantity between two ends, and why.
+
+    ``kind`` names the numbers that it limits, where not all of a joint are.
+    """
 
     quantity: str
     least: float = -inf
     most: float = inf
     why: str = ""
     unit: str = ""
+    kind: QuantityKind | None = None
 
     @property
     def spoken(self) -> str:
@@ -72,13 +77,17 @@ class Table:
 
 @dataclass(frozen=True, eq=False)
 class Card:
-    """A formula with its validity, one worked case (SI), and the charts drawn from it."""
+    """A formula with its validity, one worked case (SI), and the charts drawn from it.
+
+    ``kind`` says which numbers of a joint it makes: outside its validity nobody judges by them.
+    """
 
     name: str
     function: Callable[..., Any]
     example: Mapping[str, Any]
     validity: tuple[Range, ...] = ()
     tables: Mapping[str, Table] = field(default_factory=dict)
+    kind: QuantityKind | None = None
 
 
 class Sheet(NamedTuple):

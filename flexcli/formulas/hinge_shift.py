@@ -9,6 +9,7 @@ from flexcli.formulas.card import SMALL_ROTATION, Card, Range, Table
 from flexcli.formulas.profile import Notch, Profile
 from flexcli.formulas.quantity import Quantity
 from flexcli.numerics.quadrature import gauss_rule
+from flexcli.results import QuantityKind
 
 __all__ = ["BLADE_CARDS", "CARDS", "blade_shift", "circular_shift", "profile_shift"]
 
@@ -149,7 +150,13 @@ def circular_shift(*, e: Quantity, r: Quantity, theta: Quantity) -> Quantity:
 
 
 BLADE_CARDS: tuple[Card, ...] = (
-    Card("blade-under-moment-shift", blade_shift, {"l": 20e-3, "theta": 0.1}, (SMALL_ROTATION,)),
+    Card(
+        "blade-under-moment-shift",
+        blade_shift,
+        {"l": 20e-3, "theta": 0.1},
+        (SMALL_ROTATION,),
+        kind=QuantityKind.SHIFT,
+    ),
 )
 
 CARDS: tuple[Card, ...] = (
@@ -171,5 +178,6 @@ CARDS: tuple[Card, ...] = (
                 "along the hinge, away from its base",
             )
         },
+        kind=QuantityKind.SHIFT,
     ),
 )

@@ -10,6 +10,7 @@ import numpy as np
 
 from flexcli.formulas.card import Card, Range, Table
 from flexcli.formulas.quantity import Quantity
+from flexcli.results import QuantityKind
 
 __all__ = [
     "CARDS",
@@ -206,12 +207,20 @@ CARDS: tuple[Card, ...] = (
         {**_LIMB, "K": 0.2356, "c": 358.5e-6},
         (_TURN,),
         {"delta": _CHART},
+        kind=QuantityKind.STIFFNESS,
     ),
-    Card("hinged-pivot-rotation", admissible_rotation, {**_LIMB, "gamma": 0.05}, (_TURN, _SHORT)),
+    Card(
+        "hinged-pivot-rotation",
+        admissible_rotation,
+        {**_LIMB, "gamma": 0.05},
+        (_TURN, _SHORT),
+        kind=QuantityKind.STRESS,
+    ),
     Card(
         "hinged-pivot-shift",
         parasitic_shift,
         {**_LIMB, "theta": 0.05, "half_angle": 0.7},
         (_TURN, _SHORT),
+        kind=QuantityKind.SHIFT,
     ),
 )

@@ -4,6 +4,7 @@ from math import pi
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
+from flexcli.results import QuantityKind
 
 __all__ = ["CARDS", "admissible_stroke", "law_stroke", "translational_stiffness"]
 
@@ -129,8 +130,20 @@ _BEAM = Range("e/r", 0.0, 0.2, "r > 5e: law within 2.6 %, stress concentration b
 _LIMB = {"l": 50e-3, "c": 358.5e-6}
 
 CARDS: tuple[Card, ...] = (
-    Card("hinged-stage", translational_stiffness, {"K": 0.23561, **_LIMB}, (_STROKE,)),
-    Card("hinged-stage-stroke", admissible_stroke, {"gamma": 0.05659, **_LIMB}, (_STROKE,)),
+    Card(
+        "hinged-stage",
+        translational_stiffness,
+        {"K": 0.23561, **_LIMB},
+        (_STROKE,),
+        kind=QuantityKind.STIFFNESS,
+    ),
+    Card(
+        "hinged-stage-stroke",
+        admissible_stroke,
+        {"gamma": 0.05659, **_LIMB},
+        (_STROKE,),
+        kind=QuantityKind.STRESS,
+    ),
     Card(
         "hinged-stage-stroke-law",
         law_stroke,

@@ -6,6 +6,7 @@
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
+from flexcli.results import QuantityKind
 
 __all__ = [
     "CARDS",
@@ -216,8 +217,15 @@ CARDS: tuple[Card, ...] = (
         translational_stiffness,
         {**_BLADE, "b": 10e-3},
         (_SHARE, _SLENDER, _STROKE),
+        kind=QuantityKind.STIFFNESS,
     ),
-    Card("necked-down-stage-stress", end_stress, {**_BLADE, "x": 1e-3}, (_SHARE, _STROKE)),
+    Card(
+        "necked-down-stage-stress",
+        end_stress,
+        {**_BLADE, "x": 1e-3},
+        (_SHARE, _STROKE),
+        kind=QuantityKind.STRESS,
+    ),
     Card(
         "necked-down-stage-compression",
         compression_stiffness,
@@ -229,5 +237,6 @@ CARDS: tuple[Card, ...] = (
         shortening,
         {"l": 50e-3, "x": 1e-3, "xi": 0.2},
         (_SHARE, _STROKE),
+        kind=QuantityKind.SHIFT,
     ),
 )

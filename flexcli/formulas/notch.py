@@ -4,6 +4,7 @@ import numpy as np
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
+from flexcli.results import QuantityKind
 
 __all__ = [
     "CARDS",
@@ -181,12 +182,13 @@ _BENT = {"K": 0.2356, "b": 10e-3, "e": 100e-6, "factor": 1.005}
 _BEAM = Range("e/r", 0.0, 0.2, "as a plane body the hinge is softer, at e/r = 0.2 by 7 %")
 
 CARDS: tuple[Card, ...] = (
-    Card("circular-notch", circular_stiffness, _HINGE, (_BEAM,)),
+    Card("circular-notch", circular_stiffness, _HINGE, (_BEAM,), kind=QuantityKind.STIFFNESS),
     Card(
         "elliptic-notch",
         elliptic_stiffness,
         {"E": 210e9, "b": 10e-3, "e": 100e-6, "l": 8e-3, "depth": 2e-3},
-        (Range("e depth/(l/2)^2", 0.0, 0.2, "thickness over the throat's radius of curvature"),),
+        (Range("e/radius", 0.0, 0.2, "thickness over the throat's radius of curvature"),),
+        kind=QuantityKind.STIFFNESS,
     ),
     Card("notch-stress", throat_stress, {**_BENT, "theta": 0.05}),
     Card("notch-rotation", admissible_rotation, {**_BENT, "sigma": 800e6}),

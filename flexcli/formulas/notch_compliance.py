@@ -21,6 +21,13 @@ SHEAR_FACTOR = 1.2
 _FEWEST_NODES, _MOST_NODES = 32, 512
 _SETTLED = 1e-12
 """The number of nodes doubles until no integral changes by more than this share."""
+_ROUNDING = 1e-14
+"""Of places along the hinge over its length: what the bending next to a throat far thinner than
+that cannot be known better by."""
+
+_LOST = 1e-3
+"""Share of the bending across a hinge that rounding may take before it is refused."""
+
 _POSITIVE = [0, 1, 3]
 """The integrals that cannot vanish; the coupling may, and settles with those around it."""
 
@@ -64,7 +71,8 @@ def planar_compliance(
     Raises
     ------
     ArithmeticError
-        When the integrals of a very sharp profile do not settle.
+        When the integrals of a very sharp profile do not settle, or its throat is thinner than
+        some 1e-21 of its length.
 
     Examples
     --------
@@ -85,8 +93,12 @@ def planar_compliance(
     while nodes < _MOST_NODES:
         nodes, coarser = 2 * nodes, sums
         sums = _sums(profile, length, point, ratio, nodes)
-        settled = np.abs(sums - coarser) <= _SETTLED * np.abs(sums)
-        if settled[_POSITIVE].all():
+        along, across, _, turn = sums
+        rounding = _ROUNDING * np.stack([along, length[..., 0] * np.sqrt(turn * across), turn])
+        change = np.abs(sums - coarser)[_POSITIVE]
+        if (change <= _SETTLED * np.abs(sums[_POSITIVE]) + rounding).all():
+            if (rounding[1] > _LOST * across).any():
+                raise ArithmeticError("the throat is too thin for its place to be told")
             break
     else:
         raise ArithmeticError(f"the profile is too sharp for {_MOST_NODES} nodes to a piece")

@@ -18,6 +18,7 @@ from flexcli.formulas.pivot_limits import (
 )
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import second_moment
+from flexcli.results import QuantityKind
 
 __all__ = [
     "CARDS",
@@ -247,6 +248,7 @@ CARDS = (
         {**_BLADE, "b": 10e-3, "blades": 2},
         (SLENDER, STIFF_TURN),
         {"stiffness-limits": STIFFNESS_LIMITS},
+        kind=QuantityKind.STIFFNESS,
     ),
     Card(
         "pivot-stress",
@@ -254,6 +256,7 @@ CARDS = (
         {**_BLADE, "theta": 0.0205},
         (SLENDER, STRESS_TURN),
         {"stress-limits": STRESS_LIMITS},
+        kind=QuantityKind.STRESS,
     ),
     Card(
         "pivot-shift",
@@ -261,6 +264,7 @@ CARDS = (
         {"l": 17.5e-3, "p": 2e-3, "theta": 0.0205, "half_angle": pi / 4.0},
         (SHIFT_TURN,),
         {"shift-limits": SHIFT_LIMITS},
+        kind=QuantityKind.SHIFT,
     ),
     Card("blade-shares", axial_share, {"angles": (pi / 4.0, -pi / 4.0), "direction": 0.0}),
     Card(

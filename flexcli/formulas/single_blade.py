@@ -3,6 +3,7 @@
 from flexcli.formulas.card import SLENDER, SMALL_ROTATION, Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import second_moment
+from flexcli.results import QuantityKind
 
 __all__ = [
     "FORCE_CARDS",
@@ -322,24 +323,60 @@ _STRESSED = (
 _TURNS = (SLENDER,)
 
 FORCE_CARDS = (
-    Card("cantilever-stiffness", force_stiffness, {**_BLADE, "b": 10e-3}, _BENDS),
+    Card(
+        "cantilever-stiffness",
+        force_stiffness,
+        {**_BLADE, "b": 10e-3},
+        _BENDS,
+        kind=QuantityKind.STIFFNESS,
+    ),
     Card("cantilever-shape", force_shape, {"l": 50e-3, "x": 1e-3, "s": 25e-3}, _BENDS),
-    Card("cantilever-stress", force_stress, {**_BLADE, "x": 1e-3, "s": 0.0}, _STRESSED),
+    Card(
+        "cantilever-stress",
+        force_stress,
+        {**_BLADE, "x": 1e-3, "s": 0.0},
+        _STRESSED,
+        kind=QuantityKind.STRESS,
+    ),
 )
 
 MOMENT_CARDS = (
-    Card("moment-blade-stiffness", moment_stiffness, {**_BLADE, "b": 10e-3}, _TURNS),
+    Card(
+        "moment-blade-stiffness",
+        moment_stiffness,
+        {**_BLADE, "b": 10e-3},
+        _TURNS,
+        kind=QuantityKind.STIFFNESS,
+    ),
     Card(
         "moment-blade-shape",
         moment_shape,
         {"l": 50e-3, "theta": 0.02, "s": 50e-3},
         (SLENDER, SMALL_ROTATION),
     ),
-    Card("moment-blade-stress", moment_stress, {**_BLADE, "theta": 0.02}, _TURNS),
+    Card(
+        "moment-blade-stress",
+        moment_stress,
+        {**_BLADE, "theta": 0.02},
+        _TURNS,
+        kind=QuantityKind.STRESS,
+    ),
 )
 
 GUIDED_CARDS = (
-    Card("guided-blade-stiffness", guided_stiffness, {**_BLADE, "b": 10e-3}, _BENDS),
+    Card(
+        "guided-blade-stiffness",
+        guided_stiffness,
+        {**_BLADE, "b": 10e-3},
+        _BENDS,
+        kind=QuantityKind.STIFFNESS,
+    ),
     Card("guided-blade-shape", guided_shape, {"l": 50e-3, "x": 1e-3, "s": 25e-3}, _BENDS),
-    Card("guided-blade-stress", guided_stress, {**_BLADE, "x": 1e-3, "s": 0.0}, _STRESSED),
+    Card(
+        "guided-blade-stress",
+        guided_stress,
+        {**_BLADE, "x": 1e-3, "s": 0.0},
+        _STRESSED,
+        kind=QuantityKind.STRESS,
+    ),
 )

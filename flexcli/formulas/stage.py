@@ -7,6 +7,7 @@ import numpy as np
 from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import second_moment
+from flexcli.results import QuantityKind
 
 __all__ = [
     "CARDS",
@@ -279,15 +280,28 @@ CARDS = (
         translational_stiffness,
         {**_BLADE, "b": 10e-3, "blades": 2},
         (SLENDER, _STIFF_STROKE),
+        kind=QuantityKind.STIFFNESS,
     ),
-    Card("stage-stress", end_stress, {**_BLADE, "x": 1e-3}, (SLENDER, _STRESS_STROKE)),
+    Card(
+        "stage-stress",
+        end_stress,
+        {**_BLADE, "x": 1e-3},
+        (SLENDER, _STRESS_STROKE),
+        kind=QuantityKind.STRESS,
+    ),
     Card(
         "stage-stroke",
         admissible_translation,
         {**_BLADE, "stress": 72e6},
         (SLENDER, _STRESS_STROKE),
     ),
-    Card("stage-shift", shortening, {"l": 50e-3, "x": 5e-3}, (_SHIFT_STROKE,)),
+    Card(
+        "stage-shift",
+        shortening,
+        {"l": 50e-3, "x": 5e-3},
+        (_SHIFT_STROKE,),
+        kind=QuantityKind.SHIFT,
+    ),
     Card(
         "stage-drive",
         drive_rotation,

@@ -2,6 +2,7 @@
 
 from flexcli.formulas.card import Card, Range, Table
 from flexcli.formulas.quantity import Quantity
+from flexcli.results import QuantityKind
 
 __all__ = ["CARDS", "out_of_plane_compliance", "out_of_plane_stiffness"]
 
@@ -108,5 +109,6 @@ CARDS: tuple[Card, ...] = (
                 note="ν = 1/3",
             )
         },
+        kind=QuantityKind.SAG,
     ),
 )

@@ -4,6 +4,7 @@ from math import sqrt
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
+from flexcli.results import QuantityKind
 
 __all__ = [
     "CARDS",
@@ -193,6 +194,7 @@ CARDS: tuple[Card, ...] = (
         function=shear_stress,
         example={"G": 42.5e9, "h": 0.5e-3, "l": 20e-3, "theta": 0.1},
         validity=(THIN_TWIST,),
+        kind=QuantityKind.STRESS,
     ),
     Card(
         name="torsion-bar-admissible-twist",

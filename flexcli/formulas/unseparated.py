@@ -5,6 +5,7 @@ from math import cos, pi, radians
 from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import second_moment
+from flexcli.results import QuantityKind
 
 __all__ = ["CARDS", "unseparated_shift", "unseparated_stiffness", "unseparated_stresses"]
 
@@ -145,17 +146,20 @@ CARDS = (
         unseparated_stiffness,
         {**_BLADE, "b": 10e-3},
         (SLENDER, _STIFF_TURN),
+        kind=QuantityKind.STIFFNESS,
     ),
     Card(
         "unseparated-stress",
         unseparated_stresses,
         {**_BLADE, "theta": 0.0205},
         (SLENDER, _STRESS_TURN),
+        kind=QuantityKind.STRESS,
     ),
     Card(
         "unseparated-shift",
         unseparated_shift,
         {"l": 17.5e-3, "crossing": 0.5, "theta": 0.0205, "half_angle": pi / 4.0},
         (_SHIFT_TURN,),
+        kind=QuantityKind.SHIFT,
     ),
 )

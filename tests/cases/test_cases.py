@@ -149,7 +149,9 @@ ROWS = (
     Row("sine-unjudged", "check", judges_or_names("sine")),
     Row("shock-and-asd", "check", fails("dynamic yield")),
     Row("stops-unjudged", "stops", does_not_pass()),
-    Row("torsion-wide", "check", does_not_pass("yield", "fatigue")),
+    # 510 and 880 MPa over 433 MPa, and the little shear at the edge of the strip beside it
+    Row("torsion-wide", "check", fails("fatigue", 510.0 / 433.0)),
+    Row("torsion-wide", "check", passes("yield", 880.0 / 433.0)),
     # 0.740 by the larger end of the stroke; half the range with its mean is less severe
     Row("necked-outside-validity", "check", fails("fatigue")),
     Row("unseparated-shift", "check", passes("parasitic shift", 0.6 / 0.5142)),

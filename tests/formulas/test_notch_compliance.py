@@ -184,6 +184,14 @@ def test_a_change_of_the_unit_of_length_changes_no_digits(ratio, unit):
     assert scaled == pytest.approx(expected, rel=INTEGRAL, abs=0.0)
 
 
-def test_a_profile_too_sharp_for_the_nodes_is_refused():
-    with pytest.raises(ArithmeticError, match="too sharp"):
-        planar_compliance(Filleted(1e-12, 1.0), E=1.0, l=2.0, b=1.0, a=1.0)
+@pytest.mark.parametrize("ratio", [1e-9, 1e-12, 1e-15])
+def test_a_throat_far_thinner_than_its_notch_bends_over_the_root_of_both(ratio):
+    """c → √(e r/3), from the parabola that the notch is near its throat."""
+    C = circular_compliance(E=1.0, b=1.0, e=ratio, r=1.0)
+    reach = bending_reach(across=C.across, turn=C.turn)
+    assert float(reach) == pytest.approx((ratio / 3.0) ** 0.5, rel=1e-8)
+
+
+def test_a_throat_too_thin_to_be_told_is_refused():
+    with pytest.raises(ArithmeticError, match="too thin"):
+        circular_compliance(E=1.0, b=1.0, e=1e-40, r=1.0)

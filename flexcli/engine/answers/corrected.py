@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import isfinite
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.parts.effects import Change, ModelEffect, Setting
+from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements import Answers, Ask, EndStress
 from flexcli.results import ErrorRange, QuantityKind
@@ -83,24 +83,30 @@ class Corrected(Answers):
         found = self.inner.error(ask, kind)
         if found is None:
             return None
-        setting, first = _setting(ask), 0.0
-        ratio = setting.bending.ratio if setting.bending is not None else 0.0
-        for effect in self._missing(setting):
+        setting, carried = _setting(ask), self.inner.covers | self.inner.always
+        missing, applied, beside = self._missing(setting), [], []
+        for effect in (*self.effects, *self.left_out):
             if effect.indicator(setting) is None:
-                if effect.lacks(setting) and setting.bending is None:
-                    return None
                 continue
             change = effect.all_changes(setting).get(kind)
             if change is None:
                 continue
-            if change.value is None or effect in self.left_out or effect.lacks(setting):
+            if effect not in missing:
+                beside.append(change)
+            elif effect in self.left_out or not _is_told(effect, setting):
+                if change.value is None and not effect.is_whole:
+                    return None
                 found += _whole_range(effect, change, setting, kind)
-                continue
-            first += 0.0 if effect.is_whole else change.bound
-            left = change.error + (change.bound * ratio if effect.in_orders else 0.0)
-            found += ErrorRange(-left, left)
-        found += ErrorRange(-(first**2), first**2)
-        return found if isfinite(found.largest) else None
+            elif change.value is None and effect.is_whole:  # a range that holds, and no value
+                found += _whole_range(effect, change, setting, kind)
+            elif effect.name not in carried:
+                applied.append(change)
+            else:  # carried, at one value of the property that is not given
+                found += ErrorRange(-change.error, change.error)
+        left = left_by(applied, beside)
+        if left is None or not isfinite((found + left).largest):
+            return None
+        return found + left
 
     def _missing(self, setting: Setting) -> list[ModelEffect]:
         """Return the effects that the inner model has not, as the material lacks something."""
@@ -111,7 +117,7 @@ class Corrected(Answers):
     def _added(self, setting: Setting) -> list[ModelEffect]:
         """Return the effects that correct the inner model."""
         carried = self.inner.covers | self.inner.always
-        return [e for e in self.effects if e.name not in carried and not e.lacks(setting)]
+        return [e for e in self.effects if e.name not in carried and _is_told(e, setting)]
 
     def _factor(self, ask: Ask, kind: QuantityKind) -> float:
         factor, setting = 1.0, _setting(ask)
@@ -119,6 +125,11 @@ class Corrected(Answers):
             change = effect.all_changes(setting).get(kind)
             factor *= 1.0 + (change.value or 0.0) if change is not None else 1.0
         return factor
+
+
+def _is_told(effect: ModelEffect, setting: Setting) -> bool:
+    """Return whether an effect knows its change, for all that what is not given may be."""
+    return effect.spans_what_it_needs or not effect.lacks(setting)
 
 
 def _whole_range(

@@ -54,8 +54,11 @@ class LinearAnswers(Answers):
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the error of a linear solution: that of its nodes, which its stiffness tells.
 
-        Of stresses it is known only where effects tell what else a linear model leaves out.
+        Of stresses it is known only where effects tell what else a linear model leaves out. A
+        shift is the closed form's, without the shear and stretching that this model carries.
         """
+        if kind is QuantityKind.SHIFT:
+            return None
         if kind is QuantityKind.SAG:
             return ExactAnswers(self.effects).error(ask, kind)
         at_rest = kind in AT_REST

@@ -5,8 +5,9 @@ from math import inf, log10
 from typing import NamedTuple
 
 from flexcli.engine.planning.coverage import COARSE, COVERAGE, FINE, OUTER
-from flexcli.parts.effects import ModelEffect, Setting
+from flexcli.parts.effects import ModelEffect, Setting, estimate
 from flexcli.parts.elastic import NotAvailable
+from flexcli.results import QuantityKind
 
 __all__ = ["Candidate", "Known", "candidates", "carries", "error_of", "errors_of", "tolerance_for"]
 
@@ -111,28 +112,15 @@ def tolerance_for(setting: Setting, names: tuple[str, ...], asked: float) -> flo
 
 
 def _closed_form(setting: Setting, names: tuple[str, ...], wanted: list[Known]) -> Candidate:
-    """Return the closed form, corrected: what is left is of the order of the squares.
-
-    A correction of a large rotation leaves its next order, smaller by the travel. Without slender
-    blades nobody knows what closed forms leave out.
-    """
-    missing, bending = set(), setting.bending
-    cost = COVERAGE["closed-form"].cost + sum(each.effect.cost for each in wanted)
-    first, errors = dict.fromkeys(names, 0.0), dict.fromkeys(names, 0.0)
-    for each in wanted:
-        if not carries("closed-form", each):
-            missing.add(each.name)
-            continue
-        changes = each.effect.all_changes(setting)
-        for name in each.estimates:
-            bound = changes[name].bound
-            first[name] += 0.0 if each.effect.is_whole else bound
-            errors[name] += changes[name].error
-            if each.name == "large rotation" and bending is not None:
-                errors[name] += bound * bending.ratio
-    known = 0.0 if bending is not None else inf
-    own = {name: known + errors[name] + first[name] ** 2 for name in names}
-    return Candidate("closed-form", cost, own, frozenset(missing))
+    """Return the closed form, corrected, with the error that its estimates promise."""
+    missing = frozenset(each.name for each in wanted if not carries("closed-form", each))
+    used = [each.effect for each in wanted if each.name not in missing]
+    cost = COVERAGE["closed-form"].cost + sum(effect.cost for effect in used)
+    own = {}
+    for name in names:
+        error = estimate(setting, QuantityKind(name), used).error
+        own[name] = inf if error is None else error.largest
+    return Candidate("closed-form", cost, own, missing)
 
 
 def _of_beams(

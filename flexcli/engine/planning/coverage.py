@@ -22,13 +22,13 @@ COVERAGE = {
     "closed-form": Coverage(frozenset(), frozenset(), 1.0),
     "linear": Coverage(
         frozenset({"shear", "axial extension"}),
-        frozenset({"blade tension"}),
+        frozenset({"blade tension", "hinge length"}),
         20.0,
         ("shift", "buckling"),
     ),
     "exact": Coverage(
         frozenset({"shear", "axial extension"}),
-        frozenset({"large rotation", "axial load", "blade tension"}),
+        frozenset({"large rotation", "axial load", "blade tension", "hinge length"}),
         40.0,
     ),
 }

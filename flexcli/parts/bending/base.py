@@ -2,16 +2,20 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
+from math import inf
 from typing import ClassVar, NamedTuple, TypeAlias
 
-__all__ = ["Bending", "Change", "Changes", "whole"]
+from flexcli.results import ErrorRange
+
+__all__ = ["FLOOR", "UNKNOWN", "Bending", "Change", "Changes", "together", "whole"]
 
 
 class Change(NamedTuple):
     """Relative change of a reported number: its best value, if any, and a bound of its size.
 
-    ``error`` is how far off the value may be, besides what is of its own square; ``sign`` tells,
-    where only the bound is known, that the number can but rise (+1) or fall (−1).
+    ``error`` is how far off 1 + value may be, as a share of it; ``sign`` tells that the number
+    can but rise (+1) or fall (−1). Without a value the change is unknown: a bound without one is
+    an order of magnitude, by which nothing is judged.
     """
 
     value: float | None
@@ -23,17 +27,40 @@ class Change(NamedTuple):
 Changes: TypeAlias = Mapping[str, Change]
 """Changes by what is reported: stiffness, stress, shift, buckling, sag, frequency."""
 
+UNKNOWN = Change(None, inf)
+"""What nobody has a formula for."""
 
-def whole(value: float) -> Change:
-    """Return a change of which the value is all that there is."""
-    return Change(float(value), abs(float(value)))
+
+FLOOR = ErrorRange(-2e-6, 2e-6)
+"""Of any closed form: some ten times what the finest model differs by from those that are exact,
+at sharp notches."""
+
+
+def whole(value: float, error: float = 0.0) -> Change:
+    """Return a change of which the value is all that there is, but for an error."""
+    return Change(float(value), abs(float(value)), float(error))
+
+
+def together(one: Change, other: Change) -> Change:
+    """Return two changes as one, unknown where either is."""
+    known = one.value is not None and other.value is not None
+    value = (1.0 + (one.value or 0.0)) * (1.0 + (other.value or 0.0)) - 1.0 if known else None
+    return Change(
+        value,
+        one.bound + other.bound,
+        one.error + other.error,
+        one.sign if one.sign == other.sign else 0,
+    )
 
 
 class Bending(ABC):
     """Equal slender blades at the largest travel of a case."""
 
     is_estimate: ClassVar[bool] = True
-    """Whether its changes are values or bounds that hold, not orders of magnitude."""
+    """Whether its changes are values with errors that hold, not unknown."""
+    travel_most: ClassVar[float] = 0.0
+    """Rotation [rad], or stroke over length, up to which the next order corrects the closed form;
+    beyond it, and beyond the range of the formula itself, its error is unknown."""
 
     @property
     @abstractmethod
@@ -41,30 +68,31 @@ class Bending(ABC):
         """Return what each further order of the travel is smaller by [-]."""
 
     @abstractmethod
-    def shear(self, Phi: float) -> Changes:
-        """Return what shear changes, by Timoshenko's Φ of the blade."""
+    def shear(self, poisson_ratio: float) -> Changes:
+        """Return what shear changes at a Poisson's ratio."""
 
     @abstractmethod
     def extension(self) -> Changes:
         """Return what the stretching of the blades changes."""
 
     @abstractmethod
-    def stretched(self, n: float) -> Changes:
-        """Return what the stretching by an axial force N = n EI/l² in a blade adds to the bending.
+    def stretched(self, n: float, direction: float | None) -> Changes:
+        """Return what the stretching by an axial force N = n EI/l² in a blade adds to the stress.
 
-        The body moves as its blades stretch, which bends them, whatever the travel.
+        The body moves as its blades stretch, which bends them, whatever the travel. The direction
+        of the force [rad] is from the axis of symmetry, nothing where there are several.
         """
 
     def pulled(self, n: float) -> Changes:
         """Return what bending adds to the axial stress of a force n EI/l² where nothing else bends.
 
-        Blades that are parallel stretch with their body, and do not bend.
+        Unknown unless the joint says so: blades at an angle to the force bend as they stretch.
         """
-        return {}
+        return {"stress": UNKNOWN}
 
     def amplified(self, n: float) -> Changes:
         """Return what the force makes more of the bending of :meth:`pulled`."""
-        return {}
+        return {"stress": UNKNOWN}
 
     @abstractmethod
     def rotation(self) -> Changes:

@@ -1,6 +1,7 @@
 """Pivots of two crossing blades, or of pairs of them: a body that turns about their centre."""
 
 from math import inf, pi, tan
+from typing import ClassVar
 
 from flexcli.formulas import (
     pivot,
@@ -10,13 +11,16 @@ from flexcli.formulas import (
     thick_shift,
 )
 from flexcli.formulas.beam_column import s_bending, uniform_bending
-from flexcli.parts.bending.base import Bending, Change, Changes, whole
+from flexcli.formulas.section import shear_parameter
+from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
 
 __all__ = ["Pair", "under_tension"]
 
 
 class Pair(Bending):
     """Blades at ± a half-angle, the inner ends p from the centre, turned by θ."""
+
+    travel_most: ClassVar[float] = 0.35
 
     def __init__(self, *, h: float, l: float, p: float, theta: float, half_angle: float) -> None:
         self.h = h
@@ -26,6 +30,7 @@ class Pair(Bending):
         self.gamma = 1.0 + 2.0 * p / l
         self.stretch = (h / (l * tan(half_angle))) ** 2
         self.straightens = h / l / tan(half_angle)
+        self.widens = (h / l * tan(half_angle)) ** 2  # what blades relieve the centre's shift by
         self.leading = (5.0 - 9.0 * self.gamma**2) / 60.0  # of the shift over l θ²/cos α
         self.most = 1.0 + 3.0 * abs(self.gamma)
 
@@ -35,57 +40,75 @@ class Pair(Bending):
         turn = {**self.blade, "theta": self.theta}
         return max(abs(self.theta), float(pivot_next_order.stress_bound(**turn)))
 
-    def shear(self, Phi: float) -> Changes:
+    def shear(self, poisson_ratio: float) -> Changes:
         """Return what softer S-shaped bending changes, exactly at small rotation."""
+        Phi = shear_parameter(depth=self.h, l=self.blade["l"], poisson_ratio=poisson_ratio)
         found = self._softer(Phi)
         if self.theta:
-            curved = 3.0 * self.gamma**2 / 20.0
-            bracket = -curved * (thick_shift.shear_factor(Phi) - 1.0)
-            along = whole(self._of_leading(bracket))
+            along = whole(self.sheared_along(poisson_ratio))
             less = Phi / (1.0 + Phi) * self._across**2  # what stretching shifts across shears away
             found["shift"] = Change(along.value, along.bound + less, less)
         return found
 
     def extension(self) -> Changes:
         """Return what stretching changes: it softens like shear, and shifts the centre across."""
-        found = self._softer(self.stretch)
+        # what shear and stretching soften together, each alone told as if without the other
+        together = 3.6 * (self.h / self.blade["l"]) ** 2 * self.stretch
+        found = self._softer(self.stretch, together)
         if self.theta:
-            bracket = thick_shift.pivot_stretch(h=self.h, **self.blade)
-            found["shift"] = self._shifted(self._of_leading(bracket), self._across)
+            shift = self.shifted(self.stretched_along, self._across)
+            found["shift"] = shift._replace(error=shift.error + 2.0 * self.widens**2)
+            stress, turned = found["stress"], 2.0 * self.widens * self.rotation()["stress"].bound
+            found["stress"] = stress._replace(error=stress.error + turned)
         return found
 
-    def stretched(self, n: float) -> Changes:
-        """Return 6ε tan α/(θ(1 + 3|γ|)), ε = n(h/l)²/12; cot α for a force across the bisector.
+    def sheared_along(self, poisson_ratio: float) -> float:
+        """Return what shear changes in the shift along the bisector, over that shift."""
+        Phi = shear_parameter(depth=self.h, l=self.blade["l"], poisson_ratio=poisson_ratio)
+        curved = 3.0 * self.gamma**2 / 20.0
+        return self._of_leading(-curved * float(thick_shift.shear_factor(Phi) - 1.0))
 
-        It adds at one end of the stroke and takes away at the other.
+    @property
+    def stretched_along(self) -> float:
+        """Return what stretching changes in the shift along the bisector, over that shift."""
+        return self._of_leading(float(thick_shift.pivot_stretch(h=self.h, **self.blade)))
+
+    def stretched(self, n: float, direction: float | None) -> Changes:
+        """Return up to 6ε tan α/(θ(1 + 3|γ|)), ε = n(h/l)²/12, of a force along the bisector.
+
+        It adds in one blade and takes away in the other, which need not be where the stress is
+        worst: the middle of nothing and of all of it is taken.
         """
-        if not self.theta:
+        if not self.theta or not n:
             return {}
-        tangent = tan(self.blade["half_angle"])
-        strain = n * (self.h / self.l) ** 2 / 12.0
-        share = 6.0 * strain * max(tangent, 1.0 / tangent) / (abs(self.theta) * self.most)
-        return {"stress": Change(share, share, share)}
+        if direction != 0.0:
+            return {"stress": UNKNOWN}
+        strain = n * (self.h / self.blade["l"]) ** 2 / 12.0
+        share = 6.0 * strain * tan(self.blade["half_angle"]) / (abs(self.theta) * self.most)
+        return {"stress": Change(share / 2.0, share, 0.75 * share)}
 
     def pulled(self, n: float) -> Changes:
         """Return up to 3 (h/l) max(tan α, cot α): the stretching of one blade bends the other.
 
-        A body that moves by the blades' stretching ε l along them moves up to ε l max(tan α, cot α)
-        across one, which bends it in an S by 3 (h/l) that times E ε.
+        A body that moves by ε l along one blade moves up to ε l max(tan α, cot α) across the
+        other, which bends it in an S by 3 (h/l) that times E ε.
         """
-        return {"stress": Change(None, self._bent, sign=1)}
+        return {"stress": Change(0.0, self._bent, self._bent, 1)}
 
     def amplified(self, n: float) -> Changes:
         """Return what the force makes more of that: up to 1/(1 − n/n_cr) times as much.
 
         n_cr ≥ 8 of any such pivot, whatever holds it; 2 is taken, and nothing said beyond half.
         """
-        more = n / 2.0 / (1.0 - n / 2.0) if n < 1.0 else inf
-        return {"stress": Change(None, self._bent * more)}
+        if not n < 1.0:
+            return {"stress": UNKNOWN}
+        more = self._bent * n / (2.0 - n)
+        return {"stress": Change(0.0, more, more)}
 
     @property
     def _bent(self) -> float:
         tangent = tan(self.blade["half_angle"])
-        return 3.0 * self.h / self.l * max(tangent, 1.0 / tangent)
+        return 3.0 * self.h / self.blade["l"] * max(tangent, 1.0 / tangent)
 
     def rotation(self) -> Changes:
         """Return the next order in θ of stress and shift."""
@@ -101,30 +124,42 @@ class Pair(Bending):
             along = pivot_next_shift.shift_parts(**turn)
             across = float(pivot_next_shift.shift_across(**turn)) / first
             bends = float(along.bound) / abs(first)
-            shift = self._shifted(float(along.total) / first, across, bends)
-        return {"stress": Change(stress, max(bound, abs(stress))), "shift": shift}
+            shift = self.shifted(float(along.total) / first, across, bends)
+            shift = shift._replace(error=shift.error + 1.2 * shift.bound**2)
+        # the next order, in exact solutions: at most 1.3 of the square of this one's size
+        error = 1.6 * bound**2 + abs(self.theta) * bound
+        return {"stress": Change(stress, max(bound, abs(stress)), error), "shift": shift}
 
     def tension(self) -> Changes:
         """Return σ = N/(h b) of N = 6γθ cot α EI/l² over the bending: γ cot α (h/l)/(1 + 3|γ|)."""
         share = abs(self.gamma) * self.straightens / self.most
-        return {"stress": whole(share)} if self.theta else {}
+        tangent = tan(self.blade["half_angle"])
+        # the force itself changes with the rotation
+        error = 2.0 * share * abs(self.theta) * (tangent + 1.0 / tangent)
+        return {"stress": whole(share, error)} if self.theta else {}
 
     def load(self, n: float) -> Changes:
-        """Return how an axial force of either sign changes the moments of a blade."""
-        return {"stress": whole(under_tension(n, self.gamma))}
+        """Return up to what an axial force of either sign changes in the moments of a blade.
 
-    def _softer(self, Phi: float) -> dict[str, Change]:
+        What it changes where the stress is worst lies between that and nothing.
+        """
+        most = under_tension(n, self.gamma)
+        if not most < inf:
+            return {"stress": UNKNOWN}
+        return {"stress": Change(most / 2.0, most, 0.75 * most)}
+
+    def _softer(self, Phi: float, error: float = 0.0) -> dict[str, Change]:
         """Return the changes where the S-shaped part is divided by 1 + Φ.
 
         So are the axial forces, by which the stress grows at large rotation.
         """
         soft, gamma = Phi / (1.0 + Phi), abs(self.gamma)
         bends = 3.0 * gamma**2
-        found = {"stiffness": whole(-bends / (1.0 + bends) * soft)}
+        found = {"stiffness": whole(-bends / (1.0 + bends) * soft, error)}
         if self.theta:
             value = -3.0 * gamma / self.most * soft
             turned = soft * self.rotation()["stress"].bound
-            found["stress"] = Change(value, abs(value) + turned, turned)
+            found["stress"] = Change(value, abs(value) + turned, turned + error)
         return found
 
     @property
@@ -139,7 +174,7 @@ class Pair(Bending):
         return bracket / self.leading if self.leading else inf
 
     @staticmethod
-    def _shifted(along: float, across: float, bound: float | None = None) -> Change:
+    def shifted(along: float, across: float, bound: float | None = None) -> Change:
         """Return the change of the length of the shift by motions along and across it, as shares.
 
         Those across add as squares, whose double product with another effect's is as large again:

@@ -1,62 +1,141 @@
-"""Guided blades, leaf-spring stages and cantilevers: the tip moves across the blade."""
+"""Guided blades, stages on blades and cantilevers: the tip moves across the blade."""
 
-from math import inf, pi
+from math import pi
+from typing import ClassVar
 
-from flexcli.formulas import blade_shear, stage_next_order, thick_shift
+from flexcli.formulas import blade_shear, necked_thick, stage_next_order, thick_shift
 from flexcli.formulas.beam_column import s_bending
-from flexcli.parts.bending.base import Bending, Changes, whole
+from flexcli.formulas.section import shear_parameter
+from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
 
-__all__ = ["Straight"]
+__all__ = ["Necked", "Straight"]
 
 
 class Straight(Bending):
-    """A guided blade; a cantilever is half of one with twice its length (``halves`` 2)."""
+    """A guided blade; a cantilever is half of one with twice its length (``halves`` 2).
 
-    def __init__(self, *, h: float, l: float, travel: float, halves: int) -> None:
+    ``lever`` is l over the distance of the blades of a stage, which keep it from turning; single
+    blades have none.
+    """
+
+    travel_most: ClassVar[float] = 0.35
+
+    def __init__(
+        self, *, h: float, l: float, travel: float, halves: int = 1, lever: float = 0.0
+    ) -> None:
         self.h = h
         self.l = l
         self.travel = travel
         self.halves = halves
+        self.lever = lever
 
     @property
     def ratio(self) -> float:
         """Return (x/l)²: odd orders vanish by symmetry."""
         return (self.travel / self.l) ** 2
 
-    def shear(self, Phi: float) -> Changes:
+    def shear(self, poisson_ratio: float) -> Changes:
         """Return what Φ in series with the bending changes, exactly at small stroke."""
+        Phi = shear_parameter(depth=self.h, l=self.l, poisson_ratio=poisson_ratio)
         guided = Phi / self.halves**2
-        change = whole(blade_shear.stiffness_change(Phi=guided))
+        value = blade_shear.stiffness_change(Phi=guided)
         shift = whole(thick_shift.shear_factor(guided) - 1.0)
-        return {"stiffness": change, "stress": change, "shift": shift}
+        return {"stiffness": whole(value), "stress": whole(value), "shift": shift}
 
     def extension(self) -> Changes:
         """Return the change of the shift alone: nothing stretches the blades at rest."""
-        change = thick_shift.stage_stretch(h=self.h, l=self.halves * self.l)
-        return {"shift": whole(change)} if self.travel else {}
+        if not self.travel:
+            return {}
+        value = thick_shift.stage_stretch(h=self.h, l=self.halves * self.l)
+        slender = (self.h / self.l) ** 2
+        return {
+            "stress": whole(0.0, 2.0 * slender * self.ratio),
+            "shift": whole(value, 4.0 * value**2 + slender * self.ratio),
+        }
 
-    def stretched(self, n: float) -> Changes:
+    def stretched(self, n: float, direction: float | None) -> Changes:
         """Return nothing: the blades are parallel, and the body moves along them."""
         return {}
 
     def rotation(self) -> Changes:
-        """Return the next order in x/l of stress and shift."""
+        """Return the next order in x/l of stress and shift; the one after it is the error."""
         if not self.travel:
             return {}
         stroke = {"l": self.l, "x": self.travel}
+        error = 2.0 * self.ratio**2 + self._held_upright
         return {
-            "stress": whole(stage_next_order.stress_change(**stroke)),
-            "shift": whole(stage_next_order.shift_change(**stroke)),
+            "stress": whole(stage_next_order.stress_change(**stroke), error),
+            "shift": whole(stage_next_order.shift_change(**stroke), 0.5 * self.ratio**2),
         }
+
+    @property
+    def _held_upright(self) -> float:
+        """Return the axial stress by which blades hold a stage upright that moves to its base.
+
+        The force of the stroke moves down with it, by a share of x²/l.
+        """
+        return 1.6 * self.lever * self.h / self.l * self.ratio
 
     def tension(self) -> Changes:
         """Return nothing: the force of the stroke is across the blade where its stress is worst."""
         return {}
 
     def load(self, n: float) -> Changes:
-        """Return how an axial force of either sign changes the moment at a given stroke."""
+        """Return how a tension changes the moment at a given stroke: compression relieves it."""
         guided = n * self.halves**2
-        if guided >= pi**2:  # it buckles
-            return {"stress": whole(inf)}
-        most = max(abs(float(s_bending(sign * guided)) - 1.0) for sign in (1.0, -1.0))
-        return {"stress": whole(most)}
+        if not guided < pi**2:  # pushed, it buckles
+            return {"stress": UNKNOWN}
+        value = float(s_bending(guided)) - 1.0
+        # the force moves with the stage, which the blades hold upright
+        error = n * (0.5 * self.ratio + self.lever * self.h / self.l / 6.0)
+        return {"stress": Change(value, value, value * self.ratio + error)}
+
+    def pulled(self, n: float) -> Changes:
+        """Return nothing: parallel blades move their body along them."""
+        return {}
+
+    def amplified(self, n: float) -> Changes:
+        """Return nothing: there is no bending until it buckles."""
+        return {}
+
+
+class Necked(Straight):
+    """Blades that bend at both ends alone, over the share ξ of their length."""
+
+    def __init__(self, *, h: float, l: float, travel: float, xi: float, lever: float) -> None:
+        super().__init__(h=h, l=l, travel=travel, lever=lever)
+        self.xi = xi
+
+    def shear(self, poisson_ratio: float) -> Changes:
+        """Return what the shear of the hinges changes, exactly at small stroke."""
+        Phi = shear_parameter(depth=self.h, l=self.l, poisson_ratio=poisson_ratio)
+        own = necked_thick.shear_parameter(Phi=Phi, xi=self.xi)
+        value = whole(blade_shear.stiffness_change(Phi=own))
+        shift = whole(necked_thick.shear_in_shift(Phi=own, xi=self.xi))
+        return {"stiffness": value, "stress": value, "shift": shift}
+
+    def extension(self) -> Changes:
+        """Return the change of the shift alone: nothing stretches the hinges at rest."""
+        if not self.travel:
+            return {}
+        value = necked_thick.stretch_in_shift(h=self.h, l=self.l, xi=self.xi)
+        slender = (self.h / self.l) ** 2 / self.xi
+        return {
+            "stress": whole(0.0, 2.0 * slender * self.ratio),
+            "shift": whole(value, 4.0 * value**2 + slender * self.ratio),
+        }
+
+    def rotation(self) -> Changes:
+        """Return the next order in x/l of stress and shift; the one after it is the error."""
+        if not self.travel:
+            return {}
+        stroke = {"l": self.l, "x": self.travel, "xi": self.xi}
+        error = 2.0 * self.ratio**2 + self._held_upright
+        return {
+            "stress": whole(stage_next_order.stress_change(**stroke), error),
+            "shift": whole(stage_next_order.shift_change(**stroke), 0.5 * self.ratio**2),
+        }
+
+    def load(self, n: float) -> Changes:
+        """Return that nobody has derived it."""
+        return {"stress": UNKNOWN} if n else {}

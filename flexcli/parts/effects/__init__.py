@@ -10,7 +10,9 @@ from flexcli.parts.effects.blade_tension import BladeTension
 from flexcli.parts.effects.clamp_stress import ClampStress
 from flexcli.parts.effects.damping import DampedMotion
 from flexcli.parts.effects.end_stops import EndStops
+from flexcli.parts.effects.estimate import Estimate, estimate, left_by
 from flexcli.parts.effects.gravity import Gravity
+from flexcli.parts.effects.hinge_length import HingeLength
 from flexcli.parts.effects.large_rotation import LargeRotation
 from flexcli.parts.effects.plate import PlateWidening
 from flexcli.parts.effects.random_vibration import RandomVibration
@@ -23,10 +25,13 @@ __all__ = [
     "SCENE_EFFECTS",
     "Change",
     "Effect",
+    "Estimate",
     "Indicator",
     "ModelEffect",
     "SceneEffect",
     "Setting",
+    "estimate",
+    "left_by",
 ]
 
 MODEL_EFFECTS: tuple[ModelEffect, ...] = (
@@ -34,6 +39,7 @@ MODEL_EFFECTS: tuple[ModelEffect, ...] = (
     AxialExtension(),
     BladeTension(),
     LargeRotation(),
+    HingeLength(),
     AxialLoad(),
     PlateWidening(),
     Anticlastic(),

@@ -31,9 +31,21 @@ class Setting(NamedTuple):
         return self.geometry.blade(self.sizes)
 
     @property
-    def bending(self) -> Bending | None:
+    def bending(self) -> Bending:
         """Return how the blades bend at the largest travel of any case."""
-        return bending_of(self.geometry, self.sizes, self.largest_travel)
+        elastic = self.material.elastic
+        return bending_of(self.geometry, elastic, self.sizes, self.largest_travel)
+
+    @property
+    def slenderness(self) -> float | None:
+        """Return thickness over length of the blade that is thickest against its own [-]."""
+        return self.geometry.slenderness(self.sizes)
+
+    @property
+    def poisson_ratios(self) -> tuple[float, float]:
+        """Return between what Poisson's ratio lies: 0 and ½ where the material gives none."""
+        given = self.material.poisson_ratio
+        return (given.value, given.value) if given is not None else (0.0, 0.5)
 
     @property
     def poisson_bound(self) -> float:
@@ -97,8 +109,8 @@ class ModelEffect(Effect):
     """The property of the material without which no model can carry it."""
     is_whole: ClassVar[bool] = False
     """Whether its bounds are of all that it changes, not of leading terms."""
-    in_orders: ClassVar[bool] = False
-    """Whether a correction by it leaves its next order, smaller by the travel."""
+    spans_what_it_needs: ClassVar[bool] = False
+    """Whether its changes take all that a property which is not given may be."""
 
     @abstractmethod
     def changes(self, setting: Setting) -> Changes:
@@ -129,8 +141,7 @@ class ModelEffect(Effect):
         """
         if self.is_whole:
             return {name: change.bound for name, change in self.all_changes(setting).items()}
-        bending = setting.bending
-        ratio = bending.ratio if bending is not None else 0.0
+        ratio = setting.bending.ratio
         return {
             name: _grown(change.bound, max(change.bound, ratio))
             for name, change in self.all_changes(setting).items()

@@ -15,14 +15,13 @@ class BladeTension(ModelEffect):
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return h/l of a pivot that turns."""
-        if setting.blade is None or setting.geometry.motion != "rotation":
+        slender = setting.slenderness
+        if slender is None or setting.geometry.motion != "rotation":
             return None
         if not setting.largest_travel:
             return None
-        slender = float(setting.blade.h / setting.blade.l)
         return Indicator(slender, f"h/l = {slender:.2g}")
 
     def changes(self, setting: Setting) -> Changes:
         """Return the axial stress over that of the bending."""
-        bending = setting.bending
-        return bending.tension() if bending is not None else {}
+        return setting.bending.tension()

@@ -13,18 +13,16 @@ class LargeRotation(ModelEffect):
 
     name: ClassVar[str] = "large rotation"
     cost: ClassVar[float] = 3.0
-    in_orders: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return θ, or the stroke over the length."""
         travel = setting.largest_travel
         turns = setting.geometry.motion == "rotation"
-        if travel == 0.0 or setting.blade is None:
+        if travel == 0.0:
             return None
-        angle = travel if turns else travel / float(setting.blade.l)
+        angle = travel if turns else travel / setting.geometry.length(setting.sizes)
         return Indicator(angle, f"{'θ' if turns else 'stroke/l'} = {angle:.2g}")
 
     def changes(self, setting: Setting) -> Changes:
         """Return the terms of next order of stress and shift."""
-        bending = setting.bending
-        return bending.rotation() if bending is not None else {}
+        return setting.bending.rotation()

@@ -5,43 +5,59 @@ from typing import ClassVar
 from flexcli.formulas.blade_shear import buckling_change
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.section import shear_parameter
-from flexcli.parts.bending import Change, Changes, whole
+from flexcli.parts.bending import Change, Changes
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
 __all__ = ["Shear"]
 
+PLANE_STRESS = 0.06
+"""How much stiffer plane stress is than Timoshenko's beam at b/l = 1, bent across its width."""
+
 
 class Shear(ModelEffect):
-    """Timoshenko's shear parameter Φ lowers a clamped–guided stiffness by Φ/(1 + Φ)."""
+    """Timoshenko's shear parameter Φ lowers a clamped–guided stiffness by Φ/(1 + Φ).
+
+    Without Poisson's ratio it may be anything from 0 to ½: the middle of what that makes is
+    taken, and half of what it makes of a difference is an error.
+    """
 
     name: ClassVar[str] = "shear"
     needs: ClassVar[str] = "poisson_ratio"
+    spans_what_it_needs: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
-        """Return Φ of the blade in its plane."""
-        if setting.blade is None:
+        """Return Φ of the blade that is thickest against its length, in its plane."""
+        slender = setting.slenderness
+        if slender is None:
             return None
-        phi = _in_plane(setting)
+        phi = shear_parameter(depth=slender, l=1.0, poisson_ratio=setting.poisson_bound)
         return Indicator(phi, f"Φ = {phi:.2g}")
 
     def changes(self, setting: Setting) -> Changes:
         """Return the softer bending in the plane, and across it where the sag bends the width."""
-        blade, bending = setting.blade, setting.bending
-        if blade is None or bending is None:
-            return {}
-        phi = _in_plane(setting)
-        found = dict(bending.shear(phi))
-        held = [s.ends for s in setting.scenes if s.blade_force and s.ends]
-        if held:
-            worst = min(EFFECTIVE_LENGTH[ends] for ends in held)
-            found["buckling"] = whole(buckling_change(Phi=phi, effective_length=worst))
-        if setting.geometry.sag_bends_width:
-            nu = setting.poisson_bound
-            found["sag"] = Change(None, shear_parameter(depth=blade.b, l=blade.l, poisson_ratio=nu))
-        return found
+        low, high = (_changes(setting, nu) for nu in setting.poisson_ratios)
+        return {name: _between(low[name], high[name]) for name in low}
 
 
-def _in_plane(setting: Setting) -> float:
-    assert setting.blade is not None  # asked by those who know
-    h, l, _ = setting.blade
-    return float(shear_parameter(depth=h, l=l, poisson_ratio=setting.poisson_bound))
+def _changes(setting: Setting, nu: float) -> Changes:
+    found = dict(setting.bending.shear(nu))
+    blade = setting.blade
+    held = [s.ends for s in setting.scenes if s.blade_force and s.ends]
+    if held and blade is not None:
+        phi = shear_parameter(depth=blade.h, l=blade.l, poisson_ratio=nu)
+        k = min(EFFECTIVE_LENGTH[ends] for ends in held)
+        value = float(buckling_change(Phi=phi, effective_length=k))
+        found["buckling"] = Change(value, abs(value), value**2)
+    if setting.geometry.sag_bends_width and blade is not None:
+        phi = float(shear_parameter(depth=blade.b, l=blade.l, poisson_ratio=nu))
+        found["sag"] = Change(phi, phi, PLANE_STRESS * min(1.0, float(blade.b / blade.l)))
+    return found
+
+
+def _between(one: Change, other: Change) -> Change:
+    """Return the middle of two changes, with half of their difference as an error."""
+    if one.value is None or other.value is None:
+        return one if one.value is None else other
+    value = (one.value + other.value) / 2.0
+    apart = abs(one.value - other.value) / 2.0 / (1.0 + value)
+    return Change(value, max(one.bound, other.bound), max(one.error, other.error) + apart)

@@ -13,7 +13,10 @@ from flexcli.mechanics.layout import Layout
 from flexcli.parts.base import Part, PositiveLength, spec_error
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.structure import Spring
-from flexcli.results import Value
+from flexcli.results import QuantityKind, Value
+
+THICKNESSES = ("h", "e", "d")
+"""Symbols of sizes that are the thickness of what flexes."""
 
 GROUND, MOVING = "ground", "moving"
 """Names of the base and of the moving body in every layout of a joint."""
@@ -203,6 +206,22 @@ class Geometry(Part):
         """Return what must be no longer than what, for the joint to exist, in words and [m]."""
         return ()
 
+    def thicknesses(self, sizes: Sizes) -> dict[str, Quantity]:
+        """Return the sizes that are thicknesses, by symbol [m]."""
+        found: dict[str, Quantity] = sizes._asdict()
+        return {name: x for name, x in found.items() if name.partition("_")[0] in THICKNESSES}
+
+    def sections(self, sizes: Sizes) -> tuple[tuple[str, float, float], ...]:
+        """Return the sections that flex: name, thickness and width [m]."""
+        width = getattr(sizes, "b", None)
+        if width is None:
+            return ()
+        return tuple(("", float(h), float(width)) for h in self.thicknesses(sizes).values())
+
+    def clearances(self, sizes: Sizes) -> tuple[tuple[str, float], ...]:
+        """Return what stands between blades, in words, and how much room is left there [m]."""
+        return ()
+
     def axial_share(self, direction: float) -> float:
         """Return the largest axial force in a blade per force on the joint in its plane [-].
 
@@ -242,14 +261,43 @@ class Geometry(Part):
         """Return the joint as a linear spring in its plane, for its vibration."""
         raise NotAvailable("has no linear spring in its plane yet")
 
+    def slenderness(self, sizes: Sizes) -> float | None:
+        """Return thickness over length of the blade that is thickest against its own [-]."""
+        blade = self.blade(sizes)
+        return None if blade is None else float(blade.h / blade.l)
+
+    def length(self, sizes: Sizes) -> float:
+        """Return the length that a stroke is compared with [m]."""
+        return float(sizes.l)
+
     def indicators(self, sizes: Sizes, travel: float) -> dict[str, Quantity]:
         """Return what the validity of its closed forms is stated in, at the largest travel."""
         return self.ratios(sizes)
 
-    def outside_validity(self, sizes: Sizes, travel: float) -> tuple[tuple[Range, float], ...]:
-        """Return the ranges that its closed forms leave at a travel, each with the value there."""
-        at = {name: float(x) for name, x in self.indicators(sizes, travel).items()}
-        return tuple((limits, at[limits.quantity]) for limits in outside(self.validity, at))
+    def ranges(self, kind: QuantityKind | None = None) -> tuple[Range, ...]:
+        """Return where its closed forms hold, those of one kind of number or all.
+
+        They are its own and those that ``explain`` prints with its formulas.
+        """
+        of_cards = [
+            limits._replace(kind=card.kind)
+            for card in self.cards
+            if card.kind is not None
+            for limits in card.validity
+        ]
+        found = [r for r in (*self.validity, *of_cards) if None in (kind, r.kind) or r.kind is kind]
+        return tuple({(r.quantity, r.least, r.most): r for r in reversed(found)}.values())
+
+    def outside_validity(
+        self, sizes: Sizes, travel: float, kind: QuantityKind | None = None
+    ) -> list[tuple[Range, float]]:
+        """Return the ranges that a design leaves at a travel, each with where it is.
+
+        The one source for what is warned of and for what nobody judges by: the closed forms of
+        ``kind`` have no known error outside of theirs.
+        """
+        at = {name: float(value) for name, value in self.indicators(sizes, travel).items()}
+        return [(limits, at[limits.quantity]) for limits in outside(self.ranges(kind), at)]
 
     def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
         """Return the joint as rigid bodies and blades in its plane.

@@ -13,7 +13,7 @@ from flexcli.parts.base import Length, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
 from flexcli.parts.geometries.pivots import PairPivot
-from flexcli.results import Value
+from flexcli.results import QuantityKind, Value
 
 __all__ = ["CrossSpringPivot"]
 
@@ -37,6 +37,7 @@ class CrossSpringPivot(PairPivot):
             least=1.0,
             why="the leading term of the parasitic shift all but vanishes at Wittrick's crossing; "
             "the next order in the rotation rules (shift_across)",
+            kind=QuantityKind.SHIFT,
         ),
     )
 

@@ -143,6 +143,24 @@ class FreeLayout(Geometry):
             found |= {f"l/h {name}": blade.length / h, f"b/h {name}": blade.b / h}
         return found
 
+    def sections(self, sizes: Sizes) -> tuple[tuple[str, float, float], ...]:
+        """Return the blades where they are thinnest: name, thickness and width [m]."""
+        return tuple(
+            (name, float(blade.thickness.thinnest(self.size_of(name, sizes))), float(blade.b))
+            for name, blade in self.blades.items()
+        )
+
+    def slenderness(self, sizes: Sizes) -> float | None:
+        """Return thickness over length of the blade that is thickest against its own [-]."""
+        return max(
+            float(blade.thickness.thinnest(self.size_of(name, sizes))) / blade.length
+            for name, blade in self.blades.items()
+        )
+
+    def length(self, sizes: Sizes) -> float:
+        """Return the length of the shortest blade [m]."""
+        return min(blade.length for blade in self.blades.values())
+
     def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
         """Return the drawing in the model's frame; the moving body's point is a pivot's centre."""
         return Layout(
@@ -169,7 +187,7 @@ class FreeLayout(Geometry):
     def _peak(self, name: str, sizes: Sizes) -> tuple[Quantity, Quantity]:
         """Return by what the shape of a blade raises its stress."""
         blade = self.blades[name]
-        notch = blade.thickness.notch(self._of(name, sizes), blade.length)
+        notch = blade.thickness.notch(self.size_of(name, sizes), blade.length)
         return (1.0, 1.0) if notch is None else throat_peaks(self.concentration, *notch)
 
     def _body(self, name: str, body: DrawnBody) -> Body:

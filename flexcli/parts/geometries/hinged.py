@@ -95,6 +95,14 @@ class _Hinged(Geometry):
             "2r/l": 2.0 * sizes.r / sizes.l,
         }
 
+    def slenderness(self, sizes: LimbSizes) -> float | None:
+        """Return e/(2r), thickness over length of a hinge [-]."""
+        return float(sizes.e / (2.0 * sizes.r))
+
+    def reach(self, sizes: LimbSizes) -> Quantity:
+        """Return how far a hinge bends about its centre over the length of a limb [-]."""
+        return self.hinge(Elastic(1.0), sizes)[1] / sizes.l
+
     def limb(self, name: str, start: Point, end: Point, sizes: LimbSizes) -> list[Strip]:
         """Return the two hinges of a limb between two centres; the limb is a body."""
         (x_0, y_0), (x_1, y_1) = start, end
@@ -141,6 +149,12 @@ class HingedStage(SagsAlongStroke, _Hinged):
         """Return the volume of the hinges [m³]; the limbs are bodies."""
         return self.hinges_volume(sizes, 2 * self.limbs)
 
+    def clearances(self, sizes: LimbSizes) -> tuple[tuple[str, float], ...]:
+        """Return the room between neighbours."""
+        if self.spacing is None:
+            return ()
+        return (("neighbouring limbs", self.spacing - float(sizes.e + 2.0 * sizes.r)),)
+
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a limb per force on the stage along the limbs [-]."""
         return force_share(direction, self.limbs)
@@ -151,7 +165,7 @@ class HingedStage(SagsAlongStroke, _Hinged):
 
     def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Quantity]:
         """Return what its closed forms are valid in: shape and stroke."""
-        return {**self.ratios(sizes), "x/l": travel / sizes.l}
+        return {**self.ratios(sizes), "x/l": travel / sizes.l, "c/l": self.reach(sizes)}
 
     def layout(self, elastic: Elastic, sizes: LimbSizes) -> Layout:
         """Return limbs along x between their hinges; the stage's point is at half their height."""
@@ -221,7 +235,8 @@ class HingedPivot(_Hinged):
     def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Quantity]:
         """Return what its closed forms are valid in: shape, rotation, place of the centre."""
         delta = self.offset(sizes) / sizes.l
-        return {**self.ratios(sizes), "theta": travel, "delta": delta}
+        c = self.reach(sizes)
+        return {**self.ratios(sizes), "theta": travel, "delta": delta, "c/l": c}
 
     def layout(self, elastic: Elastic, sizes: LimbSizes) -> Layout:
         """Return two limbs that point at the origin."""

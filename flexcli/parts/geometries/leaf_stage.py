@@ -62,6 +62,12 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         axial, faces = stress_rows(E=E, h=h, l=l, p=0.0, angles=angles[:1])
         return Spring(stiffness, axial, faces, holds_rotation=True)
 
+    def clearances(self, sizes: Blade) -> tuple[tuple[str, float], ...]:
+        """Return the room between neighbours."""
+        if self.spacing is None:
+            return ()
+        return (("neighbouring blades", self.spacing - float(sizes.h)),)
+
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""
         return force_share(direction, self.blades)

@@ -222,6 +222,23 @@ class LinkageGeometry(Geometry):
             for ratio, value in flexure.ratios(self.sizes_of(name, sizes)).items()
         }
 
+    def sections(self, sizes: Sizes) -> tuple[tuple[str, float, float], ...]:
+        """Return those of all flexures: name of the joint, thickness and width [m]."""
+        return tuple(
+            (name, h, b)
+            for name, flexure in self.flexures()
+            for _, h, b in flexure.sections(self.sizes_of(name, sizes))
+        )
+
+    def slenderness(self, sizes: Sizes) -> float | None:
+        """Return that of the flexure that is thickest against its length [-]."""
+        found = [f.slenderness(self.sizes_of(name, sizes)) for name, f in self.flexures()]
+        return max((each for each in found if each is not None), default=None)
+
+    def length(self, sizes: Sizes) -> float:
+        """Return that of the shortest flexure [m]."""
+        return min(f.length(self.sizes_of(name, sizes)) for name, f in self.flexures())
+
     def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
         """Return the flexures between the links; the input joint's second link is ``moving``."""
         driven = self.joints[self.input].links

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from flexcli.formulas import necked_buckling, necked_choice, necked_size, necked_stage
@@ -112,6 +113,12 @@ class NeckedDownStage(SagsAlongStroke):
         """Return what its closed forms are valid in: shape and stroke."""
         return {**self.ratios(sizes), "x/l": travel / sizes.l}
 
+    def clearances(self, sizes: NeckedSizes) -> tuple[tuple[str, float], ...]:
+        """Return the room between neighbours."""
+        if self.spacing is None:
+            return ()
+        return (("neighbouring blades", self.spacing - float(sizes.h)),)
+
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""
         return force_share(direction, self.blades)
@@ -128,12 +135,18 @@ class NeckedDownStage(SagsAlongStroke):
         }
         if ends not in forces:
             raise NotAvailable(f"has no closed form for {ends} ends ({', '.join(forces)} only)")
-        force = forces[ends](E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, xi=sizes.xi)
+        # hinges that do not fit are refused by their own shape; a search may still try them
+        xi = np.minimum(sizes.xi, 1.0)
+        force = forces[ends](E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, xi=xi)
         return (Critical("across the thickness", force, f"{SOURCE}, {ends} ends"),)
 
     def parasitic_shift(self, sizes: NeckedSizes, travel: float) -> Quantity:
         """Return the motion towards the base [m]."""
         return necked_stage.shortening(l=sizes.l, x=travel, xi=sizes.xi)
+
+    def slenderness(self, sizes: NeckedSizes) -> float | None:
+        """Return thickness over length of a hinge [-]."""
+        return float(sizes.h / sizes.l_c)
 
     def layout(self, elastic: Elastic, sizes: NeckedSizes) -> Layout:
         """Return the blades along x; the stage's point is at half their height."""

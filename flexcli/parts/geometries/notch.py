@@ -31,6 +31,7 @@ __all__ = [
     "Concentration",
     "EllipticHinge",
     "FilletedHinge",
+    "NotchGeometry",
     "throat_factor",
     "throat_peaks",
 ]
@@ -54,7 +55,9 @@ def throat_peaks(way: Concentration, e: Quantity, r: Quantity) -> tuple[Quantity
     return throat_factor(way, e, r), along
 
 
-class _Hinge(Geometry):
+class NotchGeometry(Geometry):
+    """One hinge between the base and a body that turns about its throat."""
+
     motion: ClassVar[str] = "rotation"
     source: ClassVar[str] = SOURCE
     posynomial: ClassVar[bool] = False
@@ -116,6 +119,14 @@ class _Hinge(Geometry):
         profile, l = self._column(sizes)
         return -hinge_shift.profile_shift(profile, l=l, theta=travel)
 
+    def slenderness(self, sizes: Any) -> float | None:
+        """Return thickness of the throat over length of the hinge [-]."""
+        return float(self.throat(sizes)[0]) / self.length(sizes)
+
+    def length(self, sizes: Any) -> float:
+        """Return the length of the hinge [m]."""
+        return float(self.profile(sizes)[1])
+
     def layout(self, elastic: Elastic, sizes: Any) -> Layout:
         """Return the hinge along x, its middle in the origin."""
         profile, _ = self.profile(sizes._make(per_design(size) for size in sizes))
@@ -145,7 +156,7 @@ class CircularSizes(NamedTuple):
     b: Quantity
 
 
-class CircularHinge(_Hinge):
+class CircularHinge(NotchGeometry):
     """Right-circular notch hinge: two half-circles of radius r leave a throat of thickness e."""
 
     dimensions: ClassVar[type[Any]] = CircularSizes
@@ -202,7 +213,7 @@ class EllipticSizes(NamedTuple):
     b: Quantity
 
 
-class EllipticHinge(_Hinge):
+class EllipticHinge(NotchGeometry):
     """Elliptic notch hinge: two half-ellipses of a depth leave a throat of thickness e."""
 
     dimensions: ClassVar[type[Any]] = EllipticSizes
@@ -256,7 +267,7 @@ class FilletedSizes(NamedTuple):
     b: Quantity
 
 
-class FilletedHinge(_Hinge):
+class FilletedHinge(NotchGeometry):
     """Corner-filleted hinge: a blade of thickness h whose roots are quarter circles of radius r."""
 
     dimensions: ClassVar[type[Any]] = FilletedSizes

@@ -1,6 +1,7 @@
 """What the pivots of equal blades that point at one centre have in common."""
 
 from abc import abstractmethod
+from itertools import combinations
 from math import cos, pi, sin
 from typing import Annotated, ClassVar
 
@@ -73,6 +74,18 @@ class BladePivot(BladeGeometry):
             return max(abs(share) for share in pivot.axial_share(self.blade_angles, direction))
         except ValueError as error:
             raise NotAvailable("has blades too parallel to share a force") from error
+
+    def clearances(self, sizes: Blade) -> tuple[tuple[str, float], ...]:
+        """Return the room between the inner ends of blades in one plane, and where they cross."""
+        heights, p, l = self.heights(sizes), float(self.offset(sizes)), float(sizes.l)
+        found = []
+        for i, j in combinations(range(self.blade_count), 2):
+            if heights[i] != heights[j]:
+                continue
+            apart = abs(sin((self.blade_angles[i] - self.blade_angles[j]) / 2.0))
+            nearest = 0.0 if p < 0.0 < p + l else min(abs(p), abs(p + l))
+            found.append((f"blades {i + 1} and {j + 1}", 2.0 * nearest * apart - float(sizes.h)))
+        return tuple(found)
 
     def heights(self, sizes: Blade) -> tuple[float, ...]:
         """Return the height of each blade's middle plane over that of the pivot [m]."""

@@ -8,24 +8,61 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 import numpy as np
 from pydantic import Field
 
-from flexcli.formulas import restrained_torsion, torsion_bar, torsion_section, torsion_shapes
+from flexcli.formulas import (
+    restrained_torsion,
+    torsion_bar,
+    torsion_fibres,
+    torsion_section,
+    torsion_shapes,
+)
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade, Extent, Geometry
+from flexcli.results import QuantityKind, Value
 
-__all__ = ["RoundTorsionBar", "TorsionBar", "TorsionStar"]
+__all__ = ["RoundTorsionBar", "Section", "TorsionBar", "TorsionGeometry", "TorsionStar"]
 
 Bars = Annotated[int, Field(strict=True, ge=1, le=1000)]
 
 
-class _Torsion(Geometry):
+NARROW_SIDE = 0.743
+"""Shear stress in the middle of a thin strip's narrow sides over that of the broad ones: 8/π²
+times Catalan's constant, Saint-Venant's series there."""
+
+LONG_FIBRES = Range(
+    "r θ/l",
+    most=0.25,
+    why="the fibres farthest from the axis stretch by half the square of it",
+    kind=QuantityKind.STRESS,
+)
+
+
+class Section(NamedTuple):
+    """What a section is to its long fibres: area [m²], I_p/A [m²], ∫r⁴ dA [m⁶], most r² [m²]."""
+
+    area: Quantity
+    mean: Quantity
+    fourth: Quantity
+    edge: Quantity
+    sheared: float
+    """Shear stress at the farthest fibres over the largest of the section."""
+
+
+class TorsionGeometry(Geometry):
+    """Bars on one axis between the base and the body that turns about it."""
+
     motion: ClassVar[str] = "rotation"
     source: ClassVar[str] = "Timoshenko & Goodier 1970, Theory of Elasticity, chapter 10"
     strain: ClassVar[str] = "twist"
     posynomial: ClassVar[bool] = False
 
     bars: Bars = Field(1, description="on one axis; 2 hold the body between them")
+    shortening: Literal["free", "held"] | None = Field(
+        None,
+        description="whether the bars' ends may come closer as they twist; two bars hold each "
+        "other, of one bar it is open unless stated",
+    )
 
     @abstractmethod
     def torsion_constant(self, sizes: Any) -> Quantity:
@@ -34,6 +71,64 @@ class _Torsion(Geometry):
     @abstractmethod
     def shear(self, elastic: Elastic, sizes: Any, twist: float) -> Quantity:
         """Return the largest shear stress [Pa] at a twist, the ends free to warp."""
+
+    @abstractmethod
+    def section(self, sizes: Any) -> Section:
+        """Return what its long fibres need of the section."""
+
+    @property
+    def is_restrained(self) -> bool:
+        """Return whether the clamps keep the section from warping."""
+        return False
+
+    @property
+    def may_shorten(self) -> tuple[bool, ...]:
+        """Return whether the ends may come closer, both where nothing says so."""
+        if self.shortening is not None:
+            return (self.shortening == "free",)
+        return (False,) if self.bars > 1 else (False, True)
+
+    def rate(self, elastic: Elastic, sizes: Any, twist: float) -> Quantity:
+        """Return the largest twist per length [rad/m]."""
+        return twist / sizes.l
+
+    def fibre_stress(self, elastic: Elastic, sizes: Any, twist: float, *, free: bool) -> Quantity:
+        """Return von Mises' equivalent stress with that of the long fibres, the worst place [Pa].
+
+        Wide bars are worst at their edges, where little shear is left; near the axis the fibres
+        of a bar that may shorten are pushed.
+        """
+        section, rate = self.section(sizes), self.rate(elastic, sizes, twist)
+        mean = section.mean if free else 0.0
+        at = {"E": elastic.E, "rate": rate, "mean_square": mean}
+        shear = self.shear(elastic, sizes, rate * sizes.l)
+        edge = torsion_fibres.fibre_stress(square=section.edge, **at)
+        middle = torsion_fibres.fibre_stress(square=self.thin(sizes) ** 2 / 4.0, **at)
+        return np.maximum(
+            np.hypot(edge, sqrt(3.0) * section.sheared * shear),
+            np.hypot(middle, sqrt(3.0) * shear),
+        )
+
+    def fibre_stiffening(
+        self, elastic: Elastic, sizes: Any, twist: float, *, free: bool
+    ) -> Quantity:
+        """Return the torque of all bars at a twist over the twist [N·m/rad]."""
+        section = self.section(sizes)
+        torque = torsion_fibres.fibre_moment(
+            E=elastic.E, rate=twist / sizes.l, area=section.area, fourth=section.fourth,
+            mean_square=section.mean if free else 0.0,
+        )  # fmt: skip
+        return self.stiffness(elastic, sizes) + self.bars * torque / twist
+
+    def values(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Value]:
+        """Return the moment over the rotation at full stroke, with the long fibres."""
+        if not travel:
+            return {}
+        free = self.may_shorten[0]
+        stiff = self.fibre_stiffening(elastic, sizes, travel, free=free)
+        ends = "may come closer" if free else "are held apart"
+        text = f"moment over rotation at full stroke, ends that {ends}"
+        return {"k_stroke": Value(float(stiff), self.stiffness_unit, text)}
 
     def stiffness(self, elastic: Elastic, sizes: Any) -> Quantity:
         """Return the rotational stiffness, the ends free to warp [N·m/rad]."""
@@ -49,12 +144,22 @@ class _Torsion(Geometry):
         """Return the thin side of the section [m]."""
         return sizes.h
 
+    def sections(self, sizes: Any) -> tuple[tuple[str, float, float], ...]:
+        """Return the thin side, whichever it is called: a bar twists alike about both [m]."""
+        thin = float(self.thin(sizes))
+        return (("", thin, max(thin, float(getattr(sizes, "b", thin)))),)
+
     def indicators(self, sizes: Any, travel: float) -> dict[str, Quantity]:
         """Return what its closed forms are valid in: shape and twist."""
-        return {**self.ratios(sizes), "h θ/l": self.thin(sizes) * travel / sizes.l}
+        far = self.section(sizes).edge ** 0.5
+        return {
+            **self.ratios(sizes),
+            "h θ/l": self.thin(sizes) * travel / sizes.l,
+            "r θ/l": far * travel / sizes.l,
+        }
 
 
-class TorsionBar(_Torsion):
+class TorsionBar(TorsionGeometry):
     """Torsion bar of rectangular section h × b; ``warping`` says what its clamps hold."""
 
     dimensions: ClassVar[type[Any]] = Blade
@@ -63,8 +168,9 @@ class TorsionBar(_Torsion):
         *torsion_bar.CARDS,
         *torsion_section.CARDS,
         *restrained_torsion.CARDS,
+        *torsion_fibres.CARDS,
     )
-    validity: ClassVar[tuple[Range, ...]] = (torsion_bar.THIN_TWIST,)
+    validity: ClassVar[tuple[Range, ...]] = (torsion_bar.THIN_TWIST, LONG_FIBRES)
 
     kind: Literal["torsion-bar"]
     h: Extent
@@ -75,6 +181,29 @@ class TorsionBar(_Torsion):
     def thin(self, sizes: Blade) -> Quantity:
         """Return the lesser of h and b [m]."""
         return np.minimum(sizes.h, sizes.b)
+
+    def section(self, sizes: Blade) -> Section:
+        """Return that of a rectangle."""
+        h, b = sizes.h, sizes.b
+        square = h**2 + b**2
+        fourth = torsion_fibres.rectangle_fourth_moment(h, b)
+        return Section(h * b, square / 12.0, fourth, square / 4.0, NARROW_SIDE)
+
+    @property
+    def is_restrained(self) -> bool:
+        """Return what the spec says of the clamps."""
+        return self.warping == "restrained"
+
+    def rate(self, elastic: Elastic, sizes: Blade, twist: float) -> Quantity:
+        """Return the twist per length, that at mid-length where the ends cannot warp [rad/m]."""
+        if not self.is_restrained:
+            return super().rate(elastic, sizes, twist)
+        h, l, b = sizes
+        found = restrained_torsion.restrained_stresses(
+            E=elastic.E, G=elastic.G, h=h, b=b, l=l, theta=twist
+        )
+        plain = self.shear(elastic, sizes, twist)
+        return np.maximum(found.shear / plain, 1.0) * twist / l
 
     def torsion_constant(self, sizes: Blade) -> Quantity:
         """Return J by Saint-Venant's series [m⁴]."""
@@ -123,13 +252,17 @@ class RoundSizes(NamedTuple):
     l: Quantity
 
 
-class RoundTorsionBar(_Torsion):
+class RoundTorsionBar(TorsionGeometry):
     """Torsion bar of circular section, which does not warp."""
 
     dimensions: ClassVar[type[Any]] = RoundSizes
     labels: ClassVar[Mapping[str, str]] = {"d": "diameter", "l": "length of a bar"}
-    cards: ClassVar[tuple[Card, ...]] = (*torsion_bar.CARDS, *torsion_shapes.CARDS)
-    validity: ClassVar[tuple[Range, ...]] = (torsion_bar.THIN_TWIST,)
+    cards: ClassVar[tuple[Card, ...]] = (
+        *torsion_bar.CARDS,
+        *torsion_shapes.CARDS,
+        *torsion_fibres.CARDS,
+    )
+    validity: ClassVar[tuple[Range, ...]] = (torsion_bar.THIN_TWIST, LONG_FIBRES)
 
     kind: Literal["round-torsion-bar"]
     d: Extent
@@ -138,6 +271,12 @@ class RoundTorsionBar(_Torsion):
     def thin(self, sizes: RoundSizes) -> Quantity:
         """Return the diameter [m]."""
         return sizes.d
+
+    def section(self, sizes: RoundSizes) -> Section:
+        """Return that of a circle."""
+        square = sizes.d**2 / 4.0
+        area = pi * square
+        return Section(area, square / 2.0, area * square**2 / 3.0, square, 1.0)
 
     def torsion_constant(self, sizes: RoundSizes) -> Quantity:
         """Return π d⁴/32 [m⁴]."""
@@ -156,7 +295,7 @@ class RoundTorsionBar(_Torsion):
         return {"l/d": sizes.l / sizes.d}
 
 
-class TorsionStar(_Torsion):
+class TorsionStar(TorsionGeometry):
     """Cross-arrangement: n thin strips of full width b that cross on the axis (2: cruciform)."""
 
     dimensions: ClassVar[type[Any]] = Blade
@@ -165,9 +304,14 @@ class TorsionStar(_Torsion):
         "l": "length",
         "b": "full width of a strip",
     }
-    cards: ClassVar[tuple[Card, ...]] = (*torsion_bar.CARDS, *torsion_shapes.CARDS)
+    cards: ClassVar[tuple[Card, ...]] = (
+        *torsion_bar.CARDS,
+        *torsion_shapes.CARDS,
+        *torsion_fibres.CARDS,
+    )
     validity: ClassVar[tuple[Range, ...]] = (
         torsion_bar.THIN_TWIST,
+        LONG_FIBRES,
         Range("b/h", least=10.0, why="the strips' ends and their crossing count"),
     )
 
@@ -176,6 +320,13 @@ class TorsionStar(_Torsion):
     l: Extent
     b: Extent
     strips: Annotated[int, Field(strict=True, ge=2, le=100)] = 2
+
+    def section(self, sizes: Blade) -> Section:
+        """Return that of its strips."""
+        h, b, n = sizes.h, sizes.b, self.strips
+        fourth = n * torsion_fibres.rectangle_fourth_moment(h, b)
+        square = h**2 + b**2
+        return Section(n * h * b, square / 12.0, fourth, square / 4.0, NARROW_SIDE)
 
     def torsion_constant(self, sizes: Blade) -> Quantity:
         """Return n b h³/3 [m⁴]."""

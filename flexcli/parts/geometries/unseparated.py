@@ -62,6 +62,10 @@ class UnseparatedPivot(PairPivot):
             l=sizes.l, crossing=self.crossing, theta=travel, half_angle=self.half_angle
         )
 
+    def clearances(self, sizes: Blade) -> tuple[tuple[str, float], ...]:
+        """Return nothing: the blades are joined where they cross."""
+        return ()
+
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
         """Return what its closed forms are valid in, with l/h of the shorter part."""
         part = min(self.crossing, 1.0 - self.crossing) * sizes.l / sizes.h

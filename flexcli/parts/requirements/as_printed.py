@@ -4,13 +4,17 @@ from collections.abc import Iterator
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.numerics.signomial import Signomial
-from flexcli.parts.bending import bending_of
+from flexcli.parts.bending import FLOOR, is_known
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements.ask import Answers, Ask, EndStress
-from flexcli.results import EXACT, ErrorRange, QuantityKind
+from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["AS_PRINTED", "AsPrinted", "stress_name"]
+
+
+UNTOLD = frozenset({QuantityKind.BUCKLING, QuantityKind.SUPPORT, QuantityKind.RESPONSE})
+"""Kinds of numbers whose effects have no estimates."""
 
 
 class AsPrinted(Answers):
@@ -19,10 +23,10 @@ class AsPrinted(Answers):
     model = "source"
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
-        """Return none of their own where all that they leave out has an estimate."""
-        if kind is QuantityKind.BUCKLING or not _is_estimated(ask):
+        """Return that of their digits where all that they leave out has an estimate."""
+        if kind in UNTOLD or not _is_estimated(ask, kind):
             return None
-        return EXACT
+        return FLOOR
 
     def stiffness(self, ask: Ask) -> Quantity:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
@@ -60,16 +64,13 @@ class AsPrinted(Answers):
 AS_PRINTED = AsPrinted()
 
 
-def _is_estimated(ask: Ask) -> bool:
-    """Return whether the effects that the formulas leave out have estimates, and they hold."""
-    scene = ask.scene
+def _is_estimated(ask: Ask, kind: QuantityKind) -> bool:
+    """Return whether the effects that the formula leaves out have estimates, and they hold."""
+    elastic, scene = ask.material.elastic, ask.scene
     reach = scene.travel + scene.mean_travel
     if scene.push:
-        reach += scene.push / ask.geometry.stiffness(ask.material.elastic, ask.sizes)
-    bending = bending_of(ask.geometry, ask.sizes, reach)
-    if bending is None or not bending.is_estimate:
-        return False
-    return not ask.geometry.outside_validity(ask.sizes, reach)
+        reach += scene.push / ask.geometry.stiffness(elastic, ask.sizes)
+    return is_known(ask.geometry, elastic, ask.sizes, reach, kind)
 
 
 def stress_name(ask: Ask) -> str:

@@ -1,0 +1,129 @@
+"""The long fibres of a twisted bar: those far from its axis stretch, which stiffens wide bars.
+
+A fibre at the distance r from the axis becomes a helix, longer by ½ r² φ'². A bar whose ends may
+come closer shortens until its axial force vanishes; one whose ends are held does not.
+"""
+
+from flexcli.formulas.card import Card, Range
+from flexcli.formulas.quantity import Quantity
+
+__all__ = ["CARDS", "fibre_moment", "fibre_stress", "rectangle_fourth_moment"]
+
+
+def fibre_stress(
+    *, E: Quantity, rate: Quantity, square: Quantity, mean_square: Quantity
+) -> Quantity:
+    """Return the axial stress of a fibre of a twisted bar.
+
+    ``σ = ½ E φ'² (r² − r_m²)``: at the edge of a strip ``E (b φ')²/12`` where the bar may
+    shorten, ``E (b φ')²/8`` where it may not.
+
+    Parameters
+    ----------
+    E : Quantity
+        Young's modulus [Pa].
+    rate : Quantity
+        Twist per length φ' [rad/m].
+    square : Quantity
+        Squared distance r² of the fibre from the axis [m²].
+    mean_square : Quantity
+        Mean of r² over the section, I_p/A, where the bar may shorten; 0 where it may not [m²].
+
+    Returns
+    -------
+    sigma : Quantity
+        Axial stress [Pa].
+
+    Notes
+    -----
+    Next order in (r φ')²; uniform twist.
+
+    Examples
+    --------
+    >>> b = 10e-3
+    >>> free = fibre_stress(E=114e9, rate=17.45, square=b**2 / 4, mean_square=b**2 / 12)
+    >>> round(free / 1e6)
+    289
+
+    References
+    ----------
+    Timoshenko & Goodier (1970), Theory of Elasticity, chapter 10 (thin strips at large twist);
+    Wagner's term.
+
+    """
+    return E * rate**2 * (square - mean_square) / 2.0
+
+
+def fibre_moment(
+    *, E: Quantity, rate: Quantity, area: Quantity, fourth: Quantity, mean_square: Quantity
+) -> Quantity:
+    """Return the torque that the long fibres of a twisted bar add to Saint-Venant's.
+
+    ``T = ½ E φ'³ (∫r⁴ dA − A r_m⁴)``: ``E h b⁵ φ'³/360`` for a strip that may shorten and
+    ``/160`` for one that may not.
+
+    Parameters
+    ----------
+    E : Quantity
+        Young's modulus [Pa].
+    rate : Quantity
+        Twist per length φ' [rad/m].
+    area : Quantity
+        Area of the section [m²].
+    fourth : Quantity
+        ∫r⁴ dA about the axis [m⁶].
+    mean_square : Quantity
+        I_p/A where the bar may shorten; 0 where it may not [m²].
+
+    Returns
+    -------
+    T : Quantity
+        Torque [N·m].
+
+    Examples
+    --------
+    >>> T = fibre_moment(E=360.0, rate=1.0, area=0.01, fourth=0.01 / 80, mean_square=1 / 12)
+    >>> round(T, 9)
+    0.01
+
+    References
+    ----------
+    Moment of the fibres' stresses, inclined by r φ' to the axis.
+
+    """
+    return E * rate**3 / 2.0 * (fourth - area * mean_square**2)
+
+
+def rectangle_fourth_moment(h: Quantity, b: Quantity) -> Quantity:
+    """Return ∫r⁴ dA of a rectangle about its middle [m⁶].
+
+    ``(b⁵h + bh⁵)/80 + b³h³/72``.
+
+    Examples
+    --------
+    >>> round(rectangle_fourth_moment(1e-6, 1.0) * 80e6, 6)
+    1.0
+
+    """
+    return (b**5 * h + b * h**5) / 80.0 + b**3 * h**3 / 72.0
+
+
+_RATE = {"E": 114e9, "rate": 17.5}
+_WIDE = Range(
+    "b θ/l", most=0.35, why="long fibres stretch by the square of it, next order left out"
+)
+
+CARDS = (
+    Card(
+        "long-fibre-stress",
+        fibre_stress,
+        {**_RATE, "square": 25e-6, "mean_square": 8.33e-6},
+        (_WIDE,),
+    ),
+    Card(
+        "long-fibre-torque",
+        fibre_moment,
+        {**_RATE, "area": 5e-7, "fourth": 6.25e-14, "mean_square": 8.33e-6},
+        (_WIDE,),
+    ),
+)

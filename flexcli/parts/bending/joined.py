@@ -1,0 +1,166 @@
+"""Crossed blades that are joined where they cross: two pivots of p = 0, one after the other."""
+
+from collections.abc import Callable
+from typing import ClassVar
+
+from flexcli.formulas import (
+    pivot,
+    pivot_next_order,
+    pivot_next_shift,
+    thick_pivot,
+    unseparated_next_order,
+)
+from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
+from flexcli.parts.bending.pair import Pair
+
+__all__ = ["Joined"]
+
+
+class Joined(Bending):
+    """Two pairs of blades in series, c l on the side of the base and (1 − c) l on the other."""
+
+    travel_most: ClassVar[float] = 0.35
+
+    def __init__(
+        self, *, h: float, l: float, crossing: float, theta: float, half_angle: float
+    ) -> None:
+        self.shares = crossing, 1.0 - crossing
+        self.theta = theta
+        self.turn = {"crossing": crossing, "theta": theta, "half_angle": half_angle}
+        self.h, self.l = h, l
+        self.parts: tuple[Pair, ...] = tuple(
+            Pair(h=h, l=share * l, p=p, theta=share * theta, half_angle=half_angle)
+            for share, p in zip(self.shares, (-crossing * l, 0.0), strict=True)
+        )
+        self.leading = tuple(
+            float(pivot.parasitic_shift(theta=part.theta, **part.blade)) for part in self.parts
+        )
+
+    @property
+    def ratio(self) -> float:
+        """Return the larger of both parts."""
+        return max(part.ratio for part in self.parts)
+
+    def shear(self, poisson_ratio: float) -> Changes:
+        """Return what softer parts change, which share the moment and not the rotation."""
+        found = self._in_series(
+            lambda part: part.shear(poisson_ratio),
+            lambda part: part.sheared_along(poisson_ratio),
+        )
+        if "shift" not in found:
+            return found
+        # what stretching shifts across shears away
+        soft = 2.4 * (1.0 + poisson_ratio) * (self.h / self.l / min(self.shares)) ** 2
+        first, across = sum(self.leading), self._across
+        lost = abs(self.parts[0].theta * across[1]) / first + (sum(across) / first) ** 2
+        shift = found["shift"]
+        return {**found, "shift": shift._replace(error=shift.error + soft * lost)}
+
+    def extension(self) -> Changes:
+        """Return what stretching parts change; the far one shifts across the turned cross."""
+        across = self._across
+        coupled = self.parts[0].theta * across[1]
+        found = self._in_series(
+            lambda part: part.extension(), lambda part: part.stretched_along, coupled, sum(across)
+        )
+        if "shift" not in found:
+            return found
+        shift, widens = found["shift"], max(part.widens for part in self.parts)
+        return {**found, "shift": shift._replace(error=shift.error + 2.0 * widens**2)}
+
+    @property
+    def _across(self) -> list[float]:
+        """Return what stretching shifts each part's centre across the bisector [m]."""
+        return [
+            float(
+                thick_pivot.shift_across(
+                    h=self.h, theta=part.theta, poisson_ratio=-1.0, **part.blade
+                )
+            )
+            for part in self.parts
+        ]
+
+    def stretched(self, n: float, direction: float | None) -> Changes:
+        """Return that nobody has derived it: the cross between the parts is free."""
+        return {"stress": UNKNOWN} if n else {}
+
+    def rotation(self) -> Changes:
+        """Return the next order in θ of stress and shift."""
+        if not self.theta:
+            return {}
+        stress = [found.value or 0.0 for found in self._rotated]
+        size = max(found.bound for found in self._rotated)
+        first = sum(self.leading)
+        along = float(unseparated_next_order.next_shift(l=self.l, **self.turn)) / first
+        across = sum(
+            float(pivot_next_shift.shift_across(theta=part.theta, **part.blade))
+            for part in self.parts
+        )
+        across -= self.parts[0].theta * self.leading[1]  # the far part shifts along a turned axis
+        shift = Pair.shifted(along, across / first)
+        size_of_shift = max(shift.bound, *(part.rotation()["shift"].bound for part in self.parts))
+        error = shift.error + 1.2 * size_of_shift**2 + self.theta**2 * size_of_shift
+        return {
+            "stress": Change(max(stress), size, 1.6 * size**2 + abs(self.theta) * size),
+            "shift": Change(shift.value, size_of_shift, error),
+        }
+
+    def tension(self) -> Changes:
+        """Return the axial stress of the part that is worst with it, at the same bending."""
+        if not self.theta:
+            return {}
+        bends = [found.value or 0.0 for found in self._rotated]
+        pulls = [part.tension()["stress"].bound for part in self.parts]
+        both = max(b + p for b, p in zip(bends, pulls, strict=True))
+        return {"stress": Change(both - max(bends), max(pulls))}
+
+    @property
+    def _rotated(self) -> list[Change]:
+        """Return the next order of each part's stress, at the moment that both share."""
+        whole_moment = float(unseparated_next_order.moment_change(**self.turn))
+        found = []
+        for part in self.parts:
+            own = float(pivot_next_order.moment_change(theta=part.theta, **part.blade))
+            stress = part.rotation()["stress"]
+            value = (stress.value or 0.0) + whole_moment - own
+            found.append(Change(value, max(stress.bound, abs(value))))
+        return found
+
+    def load(self, n: float) -> Changes:
+        """Return that nobody has derived it: the cross between the parts is free."""
+        return {"stress": UNKNOWN} if n else {}
+
+    def _in_series(
+        self,
+        changes: Callable[[Pair], Changes],
+        along: Callable[[Pair], float],
+        coupled: float = 0.0,
+        across: float = 0.0,
+    ) -> dict[str, Change]:
+        """Return the changes of both parts together, their shifts along the bisector added.
+
+        ``coupled`` is a shift along it that both make together, ``across`` what they shift
+        across it [m].
+        """
+        each = [changes(part) for part in self.parts]
+        own = [1.0 + (found["stiffness"].value or 0.0) for found in each]
+        stiffness = 1.0 / sum(s / k for s, k in zip(self.shares, own, strict=True))
+        softened = 1.5 * max(part["stiffness"].error for part in each)
+        found = {"stiffness": whole(stiffness - 1.0, softened)}
+        if not self.theta:
+            return found
+        turns = [stiffness / k for k in own]
+        stress = [
+            t * (1.0 + (part["stress"].value or 0.0)) for t, part in zip(turns, each, strict=True)
+        ]
+        found["stress"] = Change(
+            max(stress) - 1.0,
+            max(*(abs(s - 1.0) for s in stress), *(part["stress"].bound for part in each)),
+            softened + max(part["stress"].error for part in each),
+        )
+        first, moved = sum(self.leading), coupled
+        for t, part, own_shift in zip(turns, self.parts, self.leading, strict=True):
+            moved += own_shift * t**2 * (1.0 + along(part))
+        shift = Pair.shifted(moved / first - 1.0, across / first)
+        found["shift"] = shift._replace(error=shift.error + shift.bound**2 + softened)
+        return found

@@ -1,0 +1,72 @@
+"""What all effects together make of a closed form: the factor that corrects it, and its error."""
+
+from collections.abc import Iterable, Sequence
+from itertools import combinations
+from math import isfinite, prod
+from typing import NamedTuple
+
+from flexcli.parts.bending import FLOOR, Change, is_known
+from flexcli.parts.effects.base import ModelEffect, Setting
+from flexcli.results import ErrorRange, QuantityKind
+
+__all__ = ["Estimate", "estimate", "left_by"]
+
+BETWEEN = 2.0
+"""What two effects do to each other, over the product of their sizes: the most seen in exact
+solutions."""
+
+MOST = 0.5
+"""Error beyond which a corrected closed form is no number to judge by."""
+
+
+class Estimate(NamedTuple):
+    """The factor by which effects correct a closed form, and between which errors that leaves it.
+
+    Without a range the error is unknown: nothing is judged by the number.
+    """
+
+    factor: float
+    error: ErrorRange | None
+
+
+def estimate(setting: Setting, kind: QuantityKind, effects: Iterable[ModelEffect]) -> Estimate:
+    """Return what effects make of the closed form's number of a kind.
+
+    The number times the factor lies within the error of that of the finest model, as far as the
+    effects tell all that it leaves out.
+    """
+    elastic, travel = setting.material.elastic, setting.largest_travel
+    if not is_known(setting.geometry, elastic, setting.sizes, travel, kind):
+        return Estimate(1.0, None)
+    changes = [
+        change
+        for effect in effects
+        if effect.indicator(setting) is not None
+        and (not effect.lacks(setting) or effect.spans_what_it_needs)
+        and (change := effect.all_changes(setting).get(kind)) is not None
+    ]
+    left = left_by(changes)
+    if left is None:
+        return Estimate(1.0, None)
+    factor = prod(1.0 + change.value for change in changes if change.value is not None)
+    return Estimate(factor, left + FLOOR)
+
+
+def left_by(changes: Sequence[Change], beside: Sequence[Change] = ()) -> ErrorRange | None:
+    """Return what is left of changes that a model's number is corrected by, unknown if one is.
+
+    Effects multiply. Nobody derived what two of them do to each other: that is of the size of
+    their product, and those ``beside``, which the model carries itself, count there too.
+    """
+    low = high = 0.0
+    for value, _, alone, sign in changes:
+        if value is None or not value > -1.0 or not isfinite(value + alone):
+            return None
+        one_sided = sign if value == 0.0 else 0
+        low += 0.0 if one_sided > 0 else alone
+        high += 0.0 if one_sided < 0 else alone
+    pairs = [*combinations(changes, 2), *((one, other) for one in changes for other in beside)]
+    both = BETWEEN * sum(
+        one.bound * other.bound for one, other in pairs if one.bound and other.bound
+    )
+    return ErrorRange(-low - both, high + both) if max(low, high) + both < MOST else None
