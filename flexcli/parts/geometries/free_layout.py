@@ -169,7 +169,7 @@ class FreeLayout(Geometry):
     def _peak(self, name: str, sizes: Sizes) -> tuple[Quantity, Quantity]:
         """Return by what the shape of a blade raises its stress."""
         blade = self.blades[name]
-        notch = blade.thickness.notch(self._of(name, sizes), blade.length)
+        notch = blade.thickness.notch(self.size_of(name, sizes), blade.length)
         return (1.0, 1.0) if notch is None else throat_peaks(self.concentration, *notch)
 
     def _body(self, name: str, body: DrawnBody) -> Body:
