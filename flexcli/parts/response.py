@@ -128,13 +128,10 @@ def _excitation(
     structure: Structure, modes: Modes, rows: Floats, axis: str
 ) -> tuple[Floats, Floats, Floats]:
     """Return participation and mass share of each mode, and the static response of each row."""
-    if axis not in structure.influence:
-        raise ValueError(f"there is no model of the motion along {axis}")
-    force = structure.mass @ structure.influence[axis]
+    force = structure.pull[axis]
     participation = modes.shapes.T @ force
-    moving = float(structure.influence[axis] @ force)
     static = -rows @ np.linalg.solve(structure.stiffness, force)
-    return participation, participation**2 / moving, static
+    return participation, participation**2 / structure.moved[axis], static
 
 
 def _mean_square(name: str, squares: Floats) -> float:

@@ -90,9 +90,17 @@ class Mechanism(Part):
         """Return the mass that the joints carry against gravity [kg]."""
 
     def structure(
-        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, lock: str | None
+        self,
+        geometry: Geometry,
+        elastic: Elastic,
+        sizes: Sizes,
+        lock: str | None,
+        density: float = 0.0,
     ) -> Structure:
-        """Return the mechanism as a linear structure, for its vibration."""
+        """Return the mechanism as a linear structure, for its vibration.
+
+        ``density`` is that of the blades [kg/m³]; 0 leaves their mass out.
+        """
         raise MechanismError("asd", "this mechanism has no linear structure yet", "")
 
     @abstractmethod
