@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.profile import Piece, Profile
+from flexcli.formulas.profile import Constant, Piece, Profile
 from flexcli.numerics.collocation import gauss_nodes
 from flexcli.numerics.modes import natural_modes
 
@@ -92,14 +92,20 @@ def heavy_blade(
     """
     pieces = profile.pieces(l)
     count = -(-ELEMENTS // len(pieces)) if density else 1
-    chains = [_elements(piece, count, E=E, b=b, density=density) for piece in pieces]
+    is_uniform = isinstance(profile, Constant)
+    chains = [
+        _elements(piece, count, is_uniform, E=E, b=b, density=density) for piece in pieces
+    ]
     elements = [element for chain in chains for element in chain]
     placed = _placed(elements, l)
-    size = placed[-1].shape[1]
-    K = np.sum([T.T @ e.stiffness @ T for e, T in zip(elements, placed, strict=True)], axis=0)
-    M = np.sum([T.T @ e.mass @ T for e, T in zip(elements, placed, strict=True)], axis=0)
+    size = 3 * (len(elements) + 1)
+    K, M = np.zeros((size, size)), np.zeros((size, size))
+    for index, (element, T) in enumerate(zip(elements, placed, strict=True)):
+        here = slice(3 * index, 3 * index + 6)
+        K[here, here] += T.T @ element.stiffness @ T
+        M[here, here] += T.T @ element.mass @ T
     reduction = _reduction(K, M)
-    reduced = [T @ reduction for T in placed]
+    reduced = [T @ reduction[3 * index : 3 * index + 6] for index, T in enumerate(placed)]
     axial, bending, first = [], [], 0
     for chain in chains:
         last = first + len(chain) - 1
@@ -118,12 +124,20 @@ def heavy_blade(
 
 
 def _elements(
-    piece: Piece, count: int, *, E: float, b: float, density: float
+    piece: Piece, count: int, is_uniform: bool, *, E: float, b: float, density: float
 ) -> tuple[_Element, ...]:
-    marks = np.linspace(-1.0, 1.0, count + 1)
+    """Return a piece in elements of equal share; those of a uniform one are alike."""
+    marks = [float(u) for u in np.linspace(-1.0, 1.0, count + 1)]
+    made = [
+        _element(piece, u_1, u_2, E=E, b=b, density=density)
+        for u_1, u_2 in pairwise(marks[:2] if is_uniform else marks)
+    ]
+    if not is_uniform:
+        return tuple(made)
+    (first,), L = made, made[0].end - made[0].start
     return tuple(
-        _element(piece, float(u_1), float(u_2), E=E, b=b, density=density)
-        for u_1, u_2 in pairwise(marks)
+        first._replace(start=first.start + i * L, end=first.start + (i + 1) * L)
+        for i in range(count)
     )
 
 
@@ -177,18 +191,17 @@ def _element(
 
 
 def _placed(elements: Sequence[_Element], l: float) -> list[Floats]:
-    """Return the motion of both ends of every element per coordinate of the blade (6, size).
+    """Return the motion of the ends of every element per motion of its two nodes (6, 6).
 
     Nodes are the start, one between each two elements and the end. A rigid part hangs on the
     node before it, the last one on the end.
     """
-    size = 3 * (len(elements) + 1)
     found, at = [], 0.0  # the place of the node before
     for index, element in enumerate(elements):
-        T = np.zeros((6, size))
-        T[:3, 3 * index : 3 * index + 3] = _rigid(element.start - at)
+        T = np.zeros((6, 6))
+        T[:3, :3] = _rigid(element.start - at)
         at = l if index == len(elements) - 1 else element.end
-        T[3:, 3 * index + 3 : 3 * index + 6] = _rigid(element.end - at)
+        T[3:, 3:] = _rigid(element.end - at)
         found.append(T)
     return found
 
