@@ -82,15 +82,28 @@ def _own_frequency(ask: Ask, stiffness: float, found: Mapping[str, Value]) -> di
     """Return the natural frequency, of all that a layout draws with a mass, by the model."""
     factor = ask.answers.frequency_factor(ask)
     if not has_masses(ask.geometry, ask.material.elastic, ask.sizes):
-        return {
-            name: found[name]._replace(value=found[name].value * factor, model=ask.answers.model)
-            for name in ("f_0", "f_final")
-            if name in found
-        }
+        return _corrected_frequencies(found, factor, ask.answers.model)
     mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
     value = factor * sqrt(stiffness / mode.mass) / (2.0 * pi)
     source = "lowest mode of all bodies that the motion takes part in"
     return {"f_0": Value(value, "Hz", "natural frequency", ask.answers.model, source)}
+
+
+def _corrected_frequencies(
+    found: Mapping[str, Value], factor: float, model: str
+) -> dict[str, Value]:
+    """Return the frequencies of one freedom, that before balancing with as much mass added."""
+    changed = {
+        name: found[name]._replace(value=found[name].value * factor, model=model)
+        for name in ("f_0", "f_final")
+        if name in found
+    }
+    if "f_init" in found:
+        before, after = (found[f"m_eq_{when}"].value for when in ("init", "final"))
+        added = after * (factor**-2 - 1.0)
+        value = found["f_init"].value * sqrt(before / (before + added))
+        changed["f_init"] = found["f_init"]._replace(value=value, model=model)
+    return changed
 
 
 def with_errors(values: Mapping[str, Value], errors: Mapping[str, float]) -> dict[str, Value]:

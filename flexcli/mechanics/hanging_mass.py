@@ -87,7 +87,9 @@ def hanging_mass(layout: Layout, body: str, axis: int, density: float = 0.0) -> 
     if not (diagonal > 0.0).all():
         raise SolveError("no-stiffness", "a body hangs on nothing", "hold it by a blade")
     scale = 1.0 / np.sqrt(diagonal)
-    found = np.linalg.solve(K * np.outer(scale, scale), np.stack([pull, own], axis=-1) * scale[:, None])
+    found = np.linalg.solve(
+        K * np.outer(scale, scale), np.stack([pull, own], axis=-1) * scale[:, None]
+    )
     sag, compliance = (own * scale) @ found
     return float(sag / compliance)
 

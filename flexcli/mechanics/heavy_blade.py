@@ -93,9 +93,7 @@ def heavy_blade(
     pieces = profile.pieces(l)
     count = -(-ELEMENTS // len(pieces)) if density else 1
     is_uniform = isinstance(profile, Constant)
-    chains = [
-        _elements(piece, count, is_uniform, E=E, b=b, density=density) for piece in pieces
-    ]
+    chains = [_elements(piece, count, is_uniform, E=E, b=b, density=density) for piece in pieces]
     elements = [element for chain in chains for element in chain]
     placed = _placed(elements, l)
     size = 3 * (len(elements) + 1)

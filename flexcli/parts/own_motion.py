@@ -13,7 +13,10 @@ from flexcli.parts.mechanisms import Mechanism, MechanismError, Mode
 from flexcli.parts.mechanisms.carried import carried, has_masses, joint_layout
 from flexcli.parts.structure import Structure, joined
 
-__all__ = ["hanging_mass", "hanging_on", "own_angular", "own_mode", "structure_of"]
+__all__ = ["DENSEST", "hanging_mass", "hanging_on", "own_angular", "own_mode", "structure_of"]
+
+DENSEST = 22_600.0
+"""Density of osmium [kg/m³]: what blades of unknown material weigh at most."""
 
 TAKES_PART = 0.01
 """Share of the motion's compliance from which a mode is one of the motion's own."""

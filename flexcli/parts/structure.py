@@ -12,7 +12,7 @@ from flexcli.mechanics.layout import Blade, Body, Layout, Point, Support
 from flexcli.mechanics.vibrating_layout import vibrating_layout
 from flexcli.parts.geometries.base import GROUND, MOVING
 
-__all__ = ["Joint", "Motion", "Structure", "assemble", "joined", "turned"]
+__all__ = ["MOTIONS", "Joint", "Motion", "Structure", "assemble", "joined", "turned"]
 
 Floats = NDArray[np.float64]
 

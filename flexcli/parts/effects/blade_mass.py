@@ -1,6 +1,6 @@
 """Blade mass: the blades move with what they carry, lower its frequency and add to its sag."""
 
-from math import inf, pi
+from math import hypot, inf, pi, sqrt
 from typing import ClassVar
 
 import numpy as np
@@ -12,34 +12,26 @@ from flexcli.formulas.blade_mass import (
 )
 from flexcli.formulas.section import second_moment
 from flexcli.mechanics.hanging_mass import blade_masses
-from flexcli.mechanics.layout import Layout
 from flexcli.parts.bending import Change, Changes
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Sizes
-from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
-from flexcli.parts.geometries.linkage import LinkageGeometry
 from flexcli.parts.geometries.torsion import RoundTorsionBar, TorsionBar, TorsionStar
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.mechanisms.carried import carried, has_masses, joint_layout
+from flexcli.parts.mechanisms.carried import carried, has_limbs, has_masses, joint_layout
 from flexcli.parts.mechanisms.parallel_stage import ParallelStage
 from flexcli.parts.own_motion import (
+    DENSEST,
     hanging_on,
     own_angular,
     own_mode,
     structure_of,
 )
 
-__all__ = ["DENSEST", "BladeMass"]
-
-DENSEST = 22_600.0
-"""Density of osmium [kg/m³]: what blades of unknown material weigh at most."""
+__all__ = ["BladeMass"]
 
 SECTION = 3.0
 """Times (h/l)² of the blades' share: their sections' own inertia and shear, left out of it."""
-
-PIECE = np.array([-1.0, 1.0])
-"""Both ends of a piece of a profile."""
 
 TORSIONAL = RoundTorsionBar | TorsionBar | TorsionStar
 
@@ -102,7 +94,7 @@ def _frequency(setting: Setting) -> Change | None:
         return None
     if isinstance(setting.geometry, TORSIONAL):
         return _twisted(setting, setting.geometry)
-    if _has_limbs(setting):
+    if has_limbs(setting.geometry, setting.material.elastic, setting.sizes):
         return Change(None, inf, 0.0, -1)
     density = setting.material.density
     if density is None:
@@ -121,7 +113,7 @@ def _ratio(setting: Setting, density: float) -> float:
         added = mechanism.blades_in_motion(geometry, elastic, sizes, density) if density else 0.0
         return frequency_change(added / single.mass)
     structure = structure_of(mechanism, geometry, elastic, sizes, None, density)
-    return own_angular(structure) / (float(single.stiffness) / single.mass) ** 0.5 - 1.0
+    return own_angular(structure) / sqrt(float(single.stiffness) / single.mass) - 1.0
 
 
 def _sag(setting: Setting) -> Change | None:
@@ -132,7 +124,7 @@ def _sag(setting: Setting) -> Change | None:
     if mechanism is None and not _draws_masses(setting):
         return None
     payload = mechanism.hanging_mass() if mechanism is not None else 0.0
-    if _has_limbs(setting):
+    if has_limbs(setting.geometry, setting.material.elastic, setting.sizes):
         return Change(None, inf, 0.0, 1)
     layout = joint_layout(setting.geometry, setting.material.elastic, setting.sizes)
     (axis,) = axes
@@ -180,31 +172,11 @@ def _draws_masses(setting: Setting) -> bool:
     return has_masses(setting.geometry, setting.material.elastic, setting.sizes)
 
 
-def _has_limbs(setting: Setting) -> bool:
-    """Return whether rigid parts between hinges move that have no stated mass."""
-    if isinstance(setting.geometry, HingedPivot | HingedStage | LinkageGeometry):
-        return True
-    layout = joint_layout(setting.geometry, setting.material.elastic, setting.sizes)
-    return any(length < (1.0 - 1e-9) * l for length, l in _lengths(layout))
-
-
-def _lengths(layout: Layout) -> list[tuple[float, float]]:
-    """Return the length of the flexible pieces of every blade, and the whole [m]."""
-    found = []
-    for blade in layout.blades:
-        l = ((blade.end[0] - blade.start[0]) ** 2 + (blade.end[1] - blade.start[1]) ** 2) ** 0.5
-        ends = [piece.position(PIECE) for piece in blade.profile.pieces(l)]
-        found.append((sum(float(e.ravel()[-1] - e.ravel()[0]) for e in ends), l))
-    return found
-
-
 def _sections(setting: Setting) -> float:
     """Return the share of the blades' part that their sections' inertia and shear may change."""
     layout = joint_layout(setting.geometry, setting.material.elastic, setting.sizes)
     most = max(
-        volume / (blade.b * l**2)
-        for blade, volume, (_, l) in zip(
-            layout.blades, blade_masses(layout, 1.0), _lengths(layout), strict=True
-        )
+        volume / (blade.b * hypot(*np.subtract(blade.end, blade.start)) ** 2)
+        for blade, volume in zip(layout.blades, blade_masses(layout, 1.0), strict=True)
     )
-    return SECTION * most**2
+    return float(SECTION * most**2)

@@ -68,6 +68,11 @@ class Mechanism(Part):
     def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:
         """Return amplitude and mean of the travel of each joint [rad or m]."""
 
+    @property
+    def joint_travel_per_motion(self) -> float:
+        """Return the travel of each joint per travel of the mechanism's own motion."""
+        return 1.0
+
     @abstractmethod
     def mode(self, joint_stiffness: Quantity, geometry: Geometry) -> Mode:
         """Return stiffness and mass of the mechanism's own motion, every part mounted."""

@@ -1,16 +1,26 @@
 """A body on one joint, together with the bodies that the joint itself is drawn of."""
 
-from math import pi
+from math import hypot, pi
+
+import numpy as np
 
 from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Geometry, Sizes
+from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
 from flexcli.parts.geometries.leaf_stage import LeafSpringStage
+from flexcli.parts.geometries.linkage import LinkageGeometry
 from flexcli.parts.geometries.notch import throat_factor
 from flexcli.parts.geometries.single_blade import MomentBlade
 from flexcli.parts.structure import Joint, Motion, Structure, assemble, joined, turned
 
-__all__ = ["carried", "has_masses", "joint_layout", "stress_concentration"]
+__all__ = ["carried", "has_limbs", "has_masses", "joint_layout", "stress_concentration"]
+
+PIECE = np.array([-1.0, 1.0])
+"""Both ends of a piece of a profile."""
+
+ROUNDING = 1e-9
+"""Share of a blade's length that no piece covers, from which a part of it is rigid."""
 
 QUARTER = pi / 2.0
 """A joint's axis of symmetry is along y of the mechanism, so that a stage moves along x."""
@@ -84,6 +94,18 @@ def has_masses(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> bool:
     if geometry.closed_forms:
         return False
     return any(body.mass or body.inertia for body in geometry.layout(elastic, sizes).bodies)
+
+
+def has_limbs(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> bool:
+    """Return whether rigid parts between hinges move that have no stated mass."""
+    if isinstance(geometry, HingedPivot | HingedStage | LinkageGeometry):
+        return True
+    for blade in joint_layout(geometry, elastic, sizes).blades:
+        l = hypot(*np.subtract(blade.end, blade.start))
+        ends = [np.ravel(piece.position(PIECE)) for piece in blade.profile.pieces(l)]
+        if sum(float(end - start) for start, end in ends) < (1.0 - ROUNDING) * l:
+            return True
+    return False
 
 
 def stress_concentration(geometry: Geometry, sizes: Sizes) -> float:

@@ -190,6 +190,11 @@ class ParallelStage(Mechanism):
             return stroke.amplitude, stroke.mean
         return stroke.amplitude / self.height, stroke.mean / self.height
 
+    @property
+    def joint_travel_per_motion(self) -> float:
+        """Return 1/H: each pivot turns by x/H."""
+        return 1.0 / self.height
+
     def stiffnesses(self, joint_stiffness: Quantity) -> tuple[Quantity, ...]:
         """Return k_1 to k_4: as stated, else of the joint."""
         stated = self.pivot_stiffness or (None,) * self.joints
