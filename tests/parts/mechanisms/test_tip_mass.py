@@ -49,7 +49,7 @@ def test_its_structure_has_both_modes_and_the_stress_at_the_clamp():
 
 
 def test_check_and_response_know_it():
-    design = stopped(cases=RANDOM)
+    design = stopped(cases=RANDOM, requirements={"dynamic-yield": 1.0})
     sizes = design.fixed_sizes()
     f_0 = check(design, sizes, "").values["f_0"].value
     assert f_0 == pytest.approx(176.0, abs=0.5)
