@@ -37,6 +37,9 @@ MODEL = "linear modes"
 DYNAMIC = ("dynamic_yield", "dynamic_buckling", "dynamic_life")
 """Requirements that the modes answer."""
 
+TELLING = 1e-3
+"""Share of the mass from which a mode that is not excited is told."""
+
 UNITS = {"force": "N", "axial": "Pa", "stress": "Pa", "travel": "m", "rotation": "rad"}
 """SI units of a structure's outputs, by the first word of their names."""
 
@@ -156,7 +159,8 @@ def _random(ask: Ask, structure: Structure, vibration: RandomVibration) -> CaseR
             if name.startswith("stress")
         }
     kind = f"random, Q = {vibration.q:g}, along {', '.join(vibration.axes)}"
-    return CaseResponse(ask.scene.case, kind, response.modes, outputs, lives, duration)
+    told = tuple(m for m in response.modes if m.dynamic or m.mass_share > TELLING)
+    return CaseResponse(ask.scene.case, kind, told, outputs, lives, duration)
 
 
 def _lacks_for_life(ask: Ask) -> MissingProperty | None:
