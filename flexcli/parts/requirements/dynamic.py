@@ -5,6 +5,7 @@ modes and lives is imported where it is called: few designs ask, and all would w
 """
 
 from collections.abc import Iterator
+from math import inf
 from typing import Annotated, ClassVar, Literal, NamedTuple
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
@@ -54,8 +55,12 @@ class _Dynamic(FactorRequirement):
         """Return what shakes the base."""
         return scene.loads & SHAKES
 
-    def peaks(self, ask: Ask, prefix: str) -> Iterator[_Peak]:
-        """Yield the peak of every output whose name starts with the prefix."""
+    def peaks(self, ask: Ask, prefix: str, bearable: float = inf) -> Iterator[_Peak]:
+        """Yield the peak of every output whose name starts with the prefix.
+
+        A peak beyond what is ``bearable`` is on its way past it: how far off the stress may be
+        counts at the motion at which it gets there, not at one that is never reached so.
+        """
         for shaking in shakings(ask, self._peak_factor):
             found = uncertain_structure(ask, shaking.changes_at)
             try:
@@ -63,7 +68,9 @@ class _Dynamic(FactorRequirement):
             except ValueError as error:
                 raise RequirementError(str(error), shaking.hint) from error
             own = [ranges[name] for name in MOTIONS if name in ranges]
-            rest = found.stress_error(ask, _largest(*own[0]) if own else 0.0)
+            most = max((_largest(*ranges[n]) for n in ranges if n.startswith(prefix)), default=0.0)
+            reached = min(1.0, bearable / most) if most > 0.0 else 1.0
+            rest = found.stress_error(ask, reached * _largest(*own[0]) if own else 0.0)
             for name, (value, off) in ranges.items():
                 if name.startswith(prefix):
                     what = f"{shaking.named(found.structure, name)} {name}"
@@ -104,7 +111,7 @@ class DynamicYield(_Dynamic):
             strength = ask.material.strength(self.allowable.replace("-", "_"))
         except MissingProperty as missing:
             raise RequirementError(str(missing), f"give material.{missing.field}") from missing
-        for peak in self.peaks(ask, "stress"):
+        for peak in self.peaks(ask, "stress", strength / self.factor):
             yield Limit(
                 self.label,
                 ask.scene.case,
