@@ -3,7 +3,6 @@
 from typing import Any
 
 import pytest
-from flexcli.engine.planning.corrections import Corrected
 from geometries_for_tests import SAMPLES, geometry, spec
 
 from flexcli.engine import left_out
