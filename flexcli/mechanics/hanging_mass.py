@@ -19,7 +19,14 @@ _NODES = 24
 """Gauss nodes on a piece of a blade for its volume."""
 
 
-def hanging_mass(layout: Layout, body: str, axis: int, density: float = 0.0) -> float:
+def hanging_mass(
+    layout: Layout,
+    body: str,
+    direction: tuple[float, float, float],
+    density: float = 0.0,
+    *,
+    is_guided: bool = False,
+) -> float:
     """Return the mass which, alone at a body's point, makes the sag that all masses make.
 
     ``m = Σ C_b m_i / C_bb`` with the compliance C along the axis from every mass to the point.
@@ -30,10 +37,12 @@ def hanging_mass(layout: Layout, body: str, axis: int, density: float = 0.0) -> 
         The mechanism in its plane; its bodies have masses.
     body : str
         The body whose point sags.
-    axis : int
-        0 and 1 in the plane, 2 across it.
+    direction : tuple of float
+        Of the acceleration and of the sag that is meant, a unit vector.
     density : float
         Of the blades [kg/m³]; 0 leaves their mass out.
+    is_guided : bool
+        Whether the body cannot turn in the plane.
 
     Returns
     -------
@@ -65,7 +74,7 @@ def hanging_mass(layout: Layout, body: str, axis: int, density: float = 0.0) -> 
             for other, columns in ends.items():
                 here = np.s_[at[one] : at[one] + 6, at[other] : at[other] + 6]
                 K[here] += rows.T @ columns
-    pull, unit = np.zeros(K.shape[0]), np.eye(3)[axis]
+    pull, unit = np.zeros(K.shape[0]), np.array(direction)
 
     def add(name: str, place: Place, force: Floats, moment: Floats) -> None:
         arm = np.array(place) - np.array(places[name])
@@ -82,7 +91,10 @@ def hanging_mass(layout: Layout, body: str, axis: int, density: float = 0.0) -> 
             if name in at:
                 add(name, (*end, blade.z), mass / 2.0 * unit, sign * moment)
     own = np.zeros_like(pull)
-    own[at[body] + axis] = 1.0
+    own[at[body] : at[body] + 3] = unit
+    free = np.ones(K.shape[0], dtype=bool)
+    free[at[body] + 5] = not is_guided
+    K, pull, own = K[np.ix_(free, free)], pull[free], own[free]
     diagonal = np.diagonal(K)
     if not (diagonal > 0.0).all():
         raise SolveError("no-stiffness", "a body hangs on nothing", "hold it by a blade")

@@ -1,5 +1,7 @@
 """The mechanism's own motion: its mode among all that bodies and heavy blades can do."""
 
+from math import cos, sin
+
 import numpy as np
 
 from flexcli.errors import SolveError
@@ -10,7 +12,7 @@ from flexcli.numerics.modes import natural_modes
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import MOVING, Geometry, Sizes
 from flexcli.parts.mechanisms import Mechanism, MechanismError, Mode
-from flexcli.parts.mechanisms.carried import carried, has_masses, joint_layout
+from flexcli.parts.mechanisms.carried import carried, has_masses, is_guided, joint_layout
 from flexcli.parts.structure import Structure, joined
 
 __all__ = ["DENSEST", "hanging_mass", "hanging_on", "own_angular", "own_mode", "structure_of"]
@@ -116,19 +118,33 @@ def hanging_mass(
             raise MechanismError("mechanism", "a sag needs a mass that hangs", HINT)
         return mechanism.hanging_mass()
     payload = mechanism.hanging_mass() if mechanism is not None else 0.0
-    return hanging_on(joint_layout(geometry, elastic, sizes), payload, axis)
+    return hanging_on(geometry, elastic, sizes, payload, axis)
 
 
-def hanging_on(layout: Layout, payload: float, axis: str, density: float = 0.0) -> float:
-    """Return the effective mass at a joint's moving body, a payload in its centre [kg]."""
+def hanging_on(
+    geometry: Geometry,
+    elastic: Elastic,
+    sizes: Sizes,
+    payload: float,
+    axis: str,
+    *,
+    arm: float = 0.0,
+    density: float = 0.0,
+) -> float:
+    """Return the effective mass at a joint's moving body that carries a payload [kg].
+
+    ``arm`` [m] is how far along the blades the payload's centre lies beyond the body's point.
+    """
+    layout = joint_layout(geometry, elastic, sizes)
     moving = layout.body(MOVING)
-    load = moving._replace(mass=payload, inertia=0.0, com=moving.point)
+    x, y = moving.point
+    load = moving._replace(mass=payload, inertia=0.0, com=(x + arm, y))
     body = joined(MOVING, moving.point, [moving, load])
     bodies = tuple(body if b.name == MOVING else b for b in layout.bodies)
     whole = Layout(bodies, layout.blades, layout.E, layout.G, layout.supports)
-    # a case's x is along the stroke, its y along the axis of symmetry
-    index = {"x": 1, "y": 0, "z": 2}[axis]
+    c, s = cos(geometry.axes), sin(geometry.axes)
+    along = {"x": (c, s, 0.0), "y": (-s, c, 0.0), "z": (0.0, 0.0, 1.0)}[axis]
     try:
-        return hanging_in(whole, MOVING, index, density)
+        return hanging_in(whole, MOVING, along, density, is_guided=is_guided(geometry))
     except SolveError as error:
         raise NotAvailable(f"has no sag along {axis}: {error}") from error

@@ -398,7 +398,8 @@ def _accelerations(
     found: list[_Accelerated] = []
     steady, asd, shock = case.acceleration, case.asd, case.shock
     for key, given in (("acceleration", steady), ("asd", asd), ("shock", shock)):
-        if given is not None and key != "acceleration" and mechanism is None:
+        massless = mechanism is None and geometry.own_mass == 0.0
+        if given is not None and key != "acceleration" and massless:
             raise MechanismError(key, "a base that moves needs masses on it", "add a mechanism")
 
     def load(kind: LoadKind, level: float, axes: tuple[str, ...], name: str) -> None:

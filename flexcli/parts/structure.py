@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.layout import Blade, Body, Layout, Point, Support
+from flexcli.mechanics.layout import Body, Layout, Point, Support
 from flexcli.mechanics.vibrating_layout import vibrating_layout
 from flexcli.parts.geometries.base import GROUND, MOVING
 
@@ -28,10 +28,10 @@ class Joint(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """The mechanism's own motion: a coordinate (0 x, 1 y, 2 φ) of a body, as an output's name."""
+    """The mechanism's own motion: a body's, along a direction (x, y, φ), as an output's name."""
 
     body: str
-    axis: int
+    direction: tuple[float, float, float]
     name: str
 
 
@@ -78,7 +78,6 @@ def assemble(
     *,
     density: float = 0.0,
     held: Sequence[tuple[str, int]] = (),
-    concentration: float = 1.0,
 ) -> Structure:
     """Return the structure of bodies on alike joints.
 
@@ -96,8 +95,6 @@ def assemble(
         Of the blades [kg/m³]; 0 leaves their mass out.
     held : sequence of (str, int)
         Coordinates of bodies that cannot move.
-    concentration : float
-        Stress over that of the section, for the joint's notches.
 
     Returns
     -------
@@ -117,20 +114,21 @@ def assemble(
     found = vibrating_layout(whole, density, held)
     outputs: dict[str, Floats] = {}
     for at, copy in zip(joints, copies, strict=True):
-        names = [blade.name for blade in copy.blades]
         force = np.zeros((2, found.mass.shape[0]))
         for blade in copy.blades:
             if at.second in (blade.first, blade.second):
                 sign = 1.0 if blade.second == at.second else -1.0
                 force = force + sign * found.end_force[blade.name]
         outputs[f"force {at.name}"] = force
-        axial = np.concatenate([found.axial[name] for name in names])
-        bending = np.concatenate([found.bending[name] for name in names]) * concentration
+        axial = np.concatenate([found.axial[blade.name] * blade.peak[1] for blade in copy.blades])
+        bending = np.concatenate(
+            [found.bending[blade.name] * blade.peak[0] for blade in copy.blades]
+        )
         outputs[f"axial stress {at.name}"] = axial
         outputs[f"stress {at.name}"] = np.concatenate([axial + bending, axial - bending])
     own = None
     if motion is not None:
-        own = found.motions[motion.body][motion.axis]
+        own = np.array(motion.direction) @ found.motions[motion.body]
         outputs[motion.name] = own[None, :]
     return Structure(found.mass, found.stiffness, found.pull, found.moved, outputs, own)
 
@@ -170,15 +168,13 @@ def _placed(joint: Layout, at: Joint) -> Layout:
             if body.name != MOVING
         ),
         blades=tuple(
-            Blade(
-                f"{at.name} {blade.name}",
-                called.get(blade.first, at.first),
-                called.get(blade.second, at.first),
-                there(blade.start),
-                there(blade.end),
-                blade.profile,
-                blade.b,
-                blade.z,
+            replace(
+                blade,
+                name=f"{at.name} {blade.name}",
+                first=called.get(blade.first, at.first),
+                second=called.get(blade.second, at.first),
+                start=there(blade.start),
+                end=there(blade.end),
             )
             for blade in joint.blades
         ),

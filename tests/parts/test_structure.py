@@ -93,7 +93,7 @@ def test_a_held_coordinate_is_no_freedom():
 @pytest.mark.parametrize("density", [0.0, 4430.0])
 def test_reciprocity_a_static_force_on_a_body_appears_in_its_joint(density):
     joints = [Joint("J", "ground", "payload", ORIGIN, 0.0)]
-    given = Motion("payload", 0, "travel")
+    given = Motion("payload", (1.0, 0.0, 0.0), "travel")
     found = assemble([body("payload", 0.1, 1e-5)], joints, LAYOUT, given, density=density)
     force = np.zeros(found.mass.shape[0])
     force[:2] = 3.0, 4.0

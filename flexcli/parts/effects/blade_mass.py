@@ -22,6 +22,7 @@ from flexcli.parts.mechanisms.carried import carried, has_limbs, has_masses, joi
 from flexcli.parts.mechanisms.parallel_stage import ParallelStage
 from flexcli.parts.own_motion import (
     DENSEST,
+    hanging_mass,
     hanging_on,
     own_angular,
     own_mode,
@@ -123,17 +124,16 @@ def _sag(setting: Setting) -> Change | None:
     mechanism = setting.mechanism
     if mechanism is None and not _draws_masses(setting):
         return None
-    payload = mechanism.hanging_mass() if mechanism is not None else 0.0
     if has_limbs(setting.geometry, setting.material.elastic, setting.sizes):
         return Change(None, inf, 0.0, 1)
-    layout = joint_layout(setting.geometry, setting.material.elastic, setting.sizes)
     (axis,) = axes
+    joint = (setting.geometry, setting.material.elastic, setting.sizes)
     density = setting.material.density
-    light, heavy = (
-        hanging_on(layout, payload, axis, rho)
-        for rho in (0.0, DENSEST if density is None else density.value)
-    )
-    value = heavy / light - 1.0
+    payload = mechanism.hanging_mass() if mechanism is not None else 0.0
+    arm = mechanism.arm if mechanism is not None else 0.0
+    light = hanging_mass(mechanism, *joint, axis)
+    rho = DENSEST if density is None else density.value
+    value = hanging_on(*joint, payload, axis, arm=arm, density=rho) / light - 1.0
     if density is None:
         return Change(None, abs(value), 0.0, 1)
     return Change(value, abs(value), abs(value) * _sections(setting))

@@ -1,6 +1,6 @@
 """A body on one joint, together with the bodies that the joint itself is drawn of."""
 
-from math import hypot, pi
+from math import hypot
 
 import numpy as np
 
@@ -10,20 +10,22 @@ from flexcli.parts.geometries.base import GROUND, MOVING, Geometry, Sizes
 from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
 from flexcli.parts.geometries.leaf_stage import LeafSpringStage
 from flexcli.parts.geometries.linkage import LinkageGeometry
-from flexcli.parts.geometries.notch import throat_factor
 from flexcli.parts.geometries.single_blade import MomentBlade
 from flexcli.parts.structure import Joint, Motion, Structure, assemble, joined, turned
 
-__all__ = ["carried", "has_limbs", "has_masses", "joint_layout", "stress_concentration"]
+__all__ = [
+    "carried",
+    "has_limbs",
+    "has_masses",
+    "is_guided",
+    "joint_layout",
+]
 
 PIECE = np.array([-1.0, 1.0])
 """Both ends of a piece of a profile."""
 
 ROUNDING = 1e-9
 """Share of a blade's length that no piece covers, from which a part of it is rigid."""
-
-QUARTER = pi / 2.0
-"""A joint's axis of symmetry is along y of the mechanism, so that a stage moves along x."""
 
 
 def carried(
@@ -69,16 +71,19 @@ def carried(
     com = centre[0] + offset, centre[1]
     own = moving._replace(com=moving.com if moving.mass else com)
     both = joined(name, centre, [own, Body(name, centre, mass, inertia, com)])
-    body = both._replace(point=turned(both.point, QUARTER), com=turned(both.com, QUARTER))
+    turn = -geometry.axes
+    body = both._replace(point=turned(both.point, turn), com=turned(both.com, turn))
+    stroke = turned((0.0, 1.0), turn)
     rotates = geometry.motion == "rotation"
     return assemble(
         [body],
-        [Joint(joint, GROUND, name, (0.0, 0.0), QUARTER)],
+        [Joint(joint, GROUND, name, (0.0, 0.0), turn)],
         layout,
-        Motion(name, 2, "rotation") if rotates else Motion(name, 0, "travel"),
+        Motion(name, (0.0, 0.0, 1.0), "rotation")
+        if rotates
+        else Motion(name, (*stroke, 0.0), "travel"),
         density=density,
-        held=[(name, 2)] if _is_guided(geometry) else [],
-        concentration=stress_concentration(geometry, sizes),
+        held=[(name, 2)] if is_guided(geometry) else [],
     )
 
 
@@ -108,16 +113,7 @@ def has_limbs(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> bool:
     return False
 
 
-def stress_concentration(geometry: Geometry, sizes: Sizes) -> float:
-    """Return the stress concentration factor that the joint's closed form takes, else 1."""
-    way = getattr(geometry, "concentration", None)
-    if way is None:
-        return 1.0
-    e, r = geometry.throat(sizes) if hasattr(geometry, "throat") else (sizes.e, sizes.r)
-    return float(throat_factor(way, e, r))
-
-
-def _is_guided(geometry: Geometry) -> bool:
+def is_guided(geometry: Geometry) -> bool:
     """Return whether its blades, or what drives it, keep the body from turning."""
     x_y_phi = geometry.held(0.0)
     held = geometry.motion == "translation" and x_y_phi[2] is not None

@@ -17,7 +17,7 @@ from flexcli.parts.base import Angle, Mass, Part, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
-from flexcli.parts.mechanisms.carried import joint_layout, stress_concentration
+from flexcli.parts.mechanisms.carried import joint_layout
 from flexcli.parts.mechanisms.force_balance import Balancing, Unknown, balance
 from flexcli.parts.mechanisms.free_value import Free, OrFree
 from flexcli.parts.mechanisms.stage_bodies import BalancingMass, InertiaTensor, Lever, Platform
@@ -299,10 +299,9 @@ class ParallelStage(Mechanism):
             bodies,
             joints,
             joint_layout(geometry, elastic, sizes),
-            None if lock else Motion(platform, 0, "travel"),
+            None if lock else Motion(platform, (1.0, 0.0, 0.0), "travel"),
             density=density,
             held=() if lock else [(platform, 2)],
-            concentration=stress_concentration(geometry, sizes),
         )
 
     def blades_in_motion(

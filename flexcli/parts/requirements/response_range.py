@@ -59,9 +59,7 @@ class Uncertain:
         """
         mechanism, structure = ask.mechanism, self.structure
         ratio = mechanism.joint_travel_per_motion if mechanism is not None else 1.0
-        scene = ask.scene._replace(
-            travel=peak * ratio, mean_travel=0.0, middle=0.0, force=0.0, forces=()
-        )
+        scene = ask.scene.without_loads()._replace(travel=peak * ratio, mean_travel=0.0, middle=0.0)
         held = ask._replace(scene=scene)
         error = ask.answers.error(held, QuantityKind.STRESS)
         if error is None or structure.motion is None or peak == 0.0:
@@ -125,7 +123,8 @@ def _leaves_its_motion(ask: Ask) -> bool:
     scene = ask.scene
     axes = set(scene.vibration.axes) if scene.vibration is not None else set()
     axes |= {scene.shock.axis} if scene.shock is not None else set()
-    return scene.lock is not None or "y" in axes
+    turns = ask.geometry.motion == "rotation" and getattr(ask.mechanism, "joints", 1) == 1
+    return scene.lock is not None or "y" in axes or turns or not ask.geometry.closed_forms
 
 
 def _onto(
