@@ -110,3 +110,11 @@ def _open(design: DesignSpec, found: Judgement) -> Iterator[Note]:
             f"giving it may decide {names}"
         )
         yield Note("needs-poisson-ratio", text)
+    moving = [c for c in undecided if c.name.startswith(("dynamic", "frequency", "sag"))]
+    if moving and design.material.density is None:
+        names = ", ".join(dict.fromkeys(check.name for check in moving))
+        text = (
+            "material.density is not given and the blades' mass was taken as anything up to that "
+            f"of the densest metal; giving it may decide {names}"
+        )
+        yield Note("needs-density", text)

@@ -1,114 +1,183 @@
 """The verb response: what the mechanism's own modes make of a vibration or a shock."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from time import perf_counter
 
-from flexcli.engine import assess
+from flexcli.engine.judge import judge, status_of
+from flexcli.engine.models import answers_of, rungs
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
+from flexcli.parts.asd import RandomVibration
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.geometries import NotAvailable, Sizes
+from flexcli.parts.geometries import Sizes
 from flexcli.parts.material import MissingProperty
-from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.response import REACH, Output, random_response, shock_peaks
-from flexcli.parts.scene import Scene
+from flexcli.parts.requirements import Ask, RequirementError, Requirements
+from flexcli.parts.requirements.response_range import uncertain_structure
+from flexcli.parts.requirements.shaking import SHAKES, shakings
+from flexcli.parts.response import REACH, Output, random_response
+from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import Structure
-from flexcli.parts.vibration_life import life_under
+from flexcli.parts.vibration_life import life_under, sn_law
 from flexcli.results import (
     CaseResponse,
+    Check,
     Cost,
     EffectRow,
     Note,
     OutputResult,
     Result,
-    Status,
     Value,
+    Verdict,
 )
 
 __all__ = ["respond"]
 
 MODEL = "linear modes"
 
-UNITS = {"force": "N", "axial": "Pa", "stress": "Pa", "travel": "m"}
+DYNAMIC = ("dynamic_yield", "dynamic_buckling", "dynamic_life")
+"""Requirements that the modes answer."""
+
+TELLING = 1e-3
+"""Share of the mass from which a mode that is not excited is told."""
+
+UNITS = {"force": "N", "axial": "Pa", "stress": "Pa", "travel": "m", "rotation": "rad"}
 """SI units of a structure's outputs, by the first word of their names."""
 
 
 def respond(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
-    """Return modes and responses of every case with a vibration or a shock."""
+    """Return modes and responses of every case in which the base is shaken."""
     started = perf_counter()
     responses: list[CaseResponse] = []
     values: dict[str, Value] = {}
     notes: list[Note] = []
     rows: list[EffectRow] = []
+    answers = answers_of(design, rungs(design)[0].name)
     for name in design.cases:
         scene = design.scene(name)
-        if scene.vibration is None and scene.shock is None:
+        if not scene.loads & SHAKES:
             continue
-        structure = _structure(design, sizes, scene)
-        if scene.vibration is not None:
-            response = _random(design, scene, structure)
-            responses.append(response)
-            values |= _worst_values(response)
-            notes += _against_miles(scene, response)
-            rows.append(_higher_modes(scene, response))
-        if scene.shock is not None:
-            responses.append(_shock(scene, structure))
+        ask = design.ask(scene, sizes, answers)
+        found = tuple(_responses(ask))
+        for response in found:
+            values |= _mode_values(response)
+            if response.modes:
+                notes += _against_miles(scene, response)
+                notes += _without_life(ask, response)
+                rows.append(_higher_modes(scene, response))
+        responses += found
+        values |= _worst_values(ask)
     if not responses:
         raise SolveError("no-vibration", "no case has a vibration or a shock", "add asd: to a case")
-    found = assess.checks(
-        limit for limit in design.limits(sizes) if limit.requirement.startswith("dynamic")
-    )
-    passed = all(check.passed for check in found)
+    judged = judge(_dynamic_only(design), sizes, rungs(design))
+    checks = tuple(check for check in judged.checks if _is_of_response(check, design))
     return Result(
         command="asd response",
         spec=spec,
-        status=Status.PASS if passed else Status.FAIL,
+        status=status_of(checks),
         title=design.title,
         values=values,
-        checks=found,
+        checks=checks,
         effects=tuple(rows),
         warnings=tuple(notes),
         cost=Cost(
-            perf_counter() - started, MODEL, max((row.estimate for row in rows), default=None)
+            perf_counter() - started,
+            MODEL,
+            max((v.estimated_error for v in values.values() if v.estimated_error), default=None),
+            by_model=judged.by_model,
         ),
         responses=tuple(responses),
     )
 
 
-def _structure(design: DesignSpec, sizes: Sizes, scene: Scene) -> Structure:
-    where = f"case '{scene.case}'"
-    if design.mechanism is None:
-        raise SolveError("no-mass", f"{where}: nothing that vibrates has a mass", "add a mechanism")
-    try:
-        return design.mechanism.structure(
-            design.geometry, design.material.elastic, sizes, scene.lock
-        )
-    except (MechanismError, NotAvailable) as error:
-        hint = getattr(error, "hint", "") or "take another geometry or mechanism"
-        raise SolveError("no-structure", f"{where}: {error}", hint) from error
+def _dynamic_only(design: DesignSpec) -> DesignSpec:
+    """Return the design with those of its requirements that the modes answer."""
+    asked = design.requirements
+    kept = {name: getattr(asked, name) for name in DYNAMIC if getattr(asked, name) is not None}
+    return design.model_copy(update={"requirements": Requirements.model_construct(**kept)})
 
 
-def _random(design: DesignSpec, scene: Scene, structure: Structure) -> CaseResponse:
-    vibration = scene.vibration
-    assert vibration is not None  # the caller's case
+def _is_of_response(check: Check, design: DesignSpec) -> bool:
+    """Return whether a check is of the modes, or of what shakes them and nothing looks at."""
+    if check.verdict is not Verdict.NOT_JUDGED:
+        return check.name.startswith("dynamic")
+    kind, scene = LoadKind(check.name), design.scene(check.case)
+    looked_at = {
+        load
+        for _, requirement in design.requirements.each()
+        if requirement.applies(scene)
+        for load in requirement.looks_at(scene)
+    }
+    return kind in SHAKES and kind not in looked_at
+
+
+def _structure(ask: Ask) -> Structure:
     try:
-        response = random_response(structure, vibration)
-    except ValueError as error:
-        raise SolveError("no-response", f"case '{scene.case}': {error}", "") from error
+        return uncertain_structure(ask, ()).structure
+    except RequirementError as error:
+        hint = error.hint or "take another geometry or mechanism"
+        raise SolveError("no-structure", f"case '{ask.scene.case}': {error}", hint) from error
+
+
+def _responses(ask: Ask) -> Iterator[CaseResponse]:
+    """Yield what the modes make of each excitation of a case."""
+    structure, scene = _structure(ask), ask.scene
+    try:
+        if scene.vibration is not None:
+            yield _random(ask, structure, scene.vibration)
+        for shaking in shakings(ask, _by_sigma):
+            if shaking.kind is not LoadKind.ASD:
+                peaks = shaking.peaks(structure)
+                yield CaseResponse(scene.case, shaking.source, (), _peaks(peaks), {}, None)
+    except (ValueError, RequirementError) as error:
+        hint = getattr(error, "hint", "") or "extend the spectrum to the modes' frequencies"
+        raise SolveError("no-response", f"case '{scene.case}': {error}", hint) from error
+
+
+def _by_sigma(_scene: Scene, vibration: RandomVibration, _rate: float) -> float:
+    return vibration.sigma
+
+
+def _peaks(peaks: Mapping[str, float]) -> tuple[OutputResult, ...]:
+    return tuple(
+        OutputResult(name, UNITS[name.split()[0]], None, peak, None, None)
+        for name, peak in peaks.items()
+    )
+
+
+def _random(ask: Ask, structure: Structure, vibration: RandomVibration) -> CaseResponse:
+    response = random_response(structure, vibration)
     duration = vibration.applied().duration
     outputs = tuple(
         _output(name, output, vibration.sigma, duration)
         for name, output in response.outputs.items()
     )
     lives = {}
-    for name, output in response.outputs.items():
-        if name.startswith("stress"):
-            try:
-                lives[name] = life_under(design.material, output.moments)
-            except MissingProperty:
-                break
+    if _lacks_for_life(ask) is None:
+        lives = {
+            name: life_under(ask.material, output.moments)
+            for name, output in response.outputs.items()
+            if name.startswith("stress")
+        }
     kind = f"random, Q = {vibration.q:g}, along {', '.join(vibration.axes)}"
-    return CaseResponse(scene.case, kind, response.modes, outputs, lives, duration)
+    told = tuple(m for m in response.modes if m.dynamic or m.mass_share > TELLING)
+    return CaseResponse(ask.scene.case, kind, told, outputs, lives, duration)
+
+
+def _lacks_for_life(ask: Ask) -> MissingProperty | None:
+    """Return what the material lacks for a life, or nothing."""
+    try:
+        sn_law(ask.material)
+    except MissingProperty as missing:
+        return missing
+    return None
+
+
+def _without_life(ask: Ask, response: CaseResponse) -> Iterator[Note]:
+    """Yield why no life is told, where the material's curve is missing."""
+    missing = _lacks_for_life(ask)
+    if missing is not None:
+        text = f"case '{response.case}': no life is told: {missing}; give material.{missing.field}"
+        yield Note("no-life", text)
 
 
 def _output(name: str, output: Output, sigma: float, duration: float | None) -> OutputResult:
@@ -125,36 +194,39 @@ def _output(name: str, output: Output, sigma: float, duration: float | None) -> 
     )
 
 
-def _shock(scene: Scene, structure: Structure) -> CaseResponse:
-    assert scene.shock is not None  # the caller's case
-    try:
-        peaks = shock_peaks(structure, scene.shock)
-    except ValueError as error:
-        hint = "extend the spectrum to the modes' frequencies"
-        raise SolveError("no-response", f"case '{scene.case}': {error}", hint) from error
-    outputs = tuple(
-        OutputResult(name, UNITS[name.split()[0]], None, peak, None, None)
-        for name, peak in peaks.items()
-    )
-    return CaseResponse(scene.case, f"shock, Q = {scene.shock.q:g}", (), outputs, {}, None)
+def _mode_values(response: CaseResponse) -> dict[str, Value]:
+    """Return the natural frequencies that a case excites."""
+    label = f"natural frequency, {response.case}"
+    excited = [mode for mode in response.modes if mode.dynamic]
+    return {
+        f"f_{index}_{response.case}": Value(mode.frequency, "Hz", label, MODEL)
+        for index, mode in enumerate(excited, 1)
+    }
 
 
-def _worst_values(response: CaseResponse) -> dict[str, Value]:
-    """Return the largest stress and force of a case, and its lowest excited frequency."""
-    found = {}
-    for word, label in (("stress", "stress at a blade's end"), ("force", "force on a joint")):
-        rows = [row for row in response.outputs if row.name.startswith(word)]
-        worst = max(rows, key=lambda row: row.peak)
-        assert worst.rms is not None  # random
-        where = f"{label}, {worst.name.split()[-1]}, {response.case}"
-        found[f"{word}_rms_{response.case}"] = Value(worst.rms, worst.unit, f"rms {where}", MODEL)
-        found[f"{word}_peak_{response.case}"] = Value(
-            worst.peak, worst.unit, f"peak {where}", MODEL
-        )
-    for index, mode in enumerate(m for m in response.modes if m.dynamic):
-        label = f"natural frequency, {response.case}"
-        found[f"f_{index + 1}_{response.case}"] = Value(mode.frequency, "Hz", label, MODEL)
+def _worst_values(ask: Ask) -> dict[str, Value]:
+    """Return the largest stress and force of a case, each with what its peak may be off by."""
+    found: dict[str, Value] = {}
+    case = ask.scene.case
+    for shaking in shakings(ask, _by_sigma):
+        over = uncertain_structure(ask, shaking.changes_at).of(shaking.peaks)
+        for word, label in (("stress", "stress at a blade's end"), ("force", "force on a joint")):
+            at = max((n for n in over if n.startswith(word)), key=lambda name: over[name][0])
+            peak, error = over[at]
+            where, unit = f"{label}, {at.split()[-1]}, {case}", UNITS[word]
+            known = error.largest if error is not None else None
+            one = {f"{word}_peak_{case}": Value(peak, unit, f"peak {where}", MODEL, "", known)}
+            if shaking.kind is LoadKind.ASD:
+                assert ask.scene.vibration is not None  # it is random
+                rms = peak / ask.scene.vibration.sigma
+                name = f"{word}_rms_{case}"
+                one = {name: Value(rms, unit, f"rms {where}", MODEL, "", known), **one}
+            found |= {name: value for name, value in one.items() if _is_larger(found, name, value)}
     return found
+
+
+def _is_larger(found: Mapping[str, Value], name: str, value: Value) -> bool:
+    return name not in found or value.value > found[name].value
 
 
 def _higher_modes(scene: Scene, response: CaseResponse) -> EffectRow:

@@ -30,6 +30,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.mechanisms import MechanismError
+from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask
 from flexcli.results import Cost, Result, Status, SweepPoint, SweepResult, Value
 
@@ -187,10 +188,10 @@ def _in_plane(state: Equilibrium, driven: int, own: Floats) -> Floats:
 
 def _frequency(ask: Ask, stiffness: float) -> float | None:
     """Return √(k/m)/2π of the mechanism's own motion with a joint's tangent stiffness [Hz]."""
-    if ask.mechanism is None or stiffness <= 0.0:
+    if stiffness <= 0.0:
         return None
     try:
-        mode = ask.mechanism.mode(stiffness, ask.geometry)
+        mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
     except MechanismError:
         return None
     return sqrt(float(mode.stiffness) / mode.mass) / (2.0 * pi)

@@ -1,11 +1,14 @@
 """The named numbers of a design by a model, each with its estimated error."""
 
 from collections.abc import Iterable, Mapping
+from math import pi, sqrt
 
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import MechanismError
+from flexcli.parts.mechanisms.carried import has_masses
+from flexcli.parts.own_motion import hanging_mass, own_mode
 from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
 from flexcli.parts.scene import Scene, largest_travel
 from flexcli.results import Value
@@ -69,12 +72,38 @@ def values(design: DesignSpec, sizes: Sizes, answers: Answers = AS_PRINTED) -> d
         found |= _shift(ask, found)
     if design.mechanism is not None:
         found.update(design.mechanism.values(stiffness, geometry))
-        if "f_0" in found:
-            f_0, factor = found["f_0"], answers.frequency_factor(asks[0])
-            found["f_0"] = f_0._replace(value=f_0.value * factor, model=answers.model)
-        for ask in asks:
-            found.update(_sag(ask))
+    found.update(_own_frequency(asks[0], stiffness, found))
+    for ask in asks:
+        found.update(_sag(ask))
     return found
+
+
+def _own_frequency(ask: Ask, stiffness: float, found: Mapping[str, Value]) -> dict[str, Value]:
+    """Return the natural frequency, of all that a layout draws with a mass, by the model."""
+    factor = ask.answers.frequency_factor(ask)
+    if not has_masses(ask.geometry, ask.material.elastic, ask.sizes):
+        return _corrected_frequencies(found, factor, ask.answers.model)
+    mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
+    value = factor * sqrt(stiffness / mode.mass) / (2.0 * pi)
+    source = "lowest mode of all bodies that the motion takes part in"
+    return {"f_0": Value(value, "Hz", "natural frequency", ask.answers.model, source)}
+
+
+def _corrected_frequencies(
+    found: Mapping[str, Value], factor: float, model: str
+) -> dict[str, Value]:
+    """Return the frequencies of one freedom, that before balancing with as much mass added."""
+    changed = {
+        name: found[name]._replace(value=found[name].value * factor, model=model)
+        for name in ("f_0", "f_final")
+        if name in found
+    }
+    if "f_init" in found:
+        before, after = (found[f"m_eq_{when}"].value for when in ("init", "final"))
+        added = after * (factor**-2 - 1.0)
+        value = found["f_init"].value * sqrt(before / (before + added))
+        changed["f_init"] = found["f_init"]._replace(value=value, model=model)
+    return changed
 
 
 def with_errors(values: Mapping[str, Value], errors: Mapping[str, float]) -> dict[str, Value]:
@@ -137,11 +166,13 @@ def _shift(ask: Ask, known: Mapping[str, Value]) -> dict[str, Value]:
 def _sag(ask: Ask) -> dict[str, Value]:
     """Return sag and stiffness along a steady acceleration, where the model has them."""
     scene = ask.scene
-    if scene.acceleration == 0.0 or ask.mechanism is None:
+    if scene.acceleration == 0.0:
         return {}
     try:
         stiffness = float(ask.answers.sag_stiffness(ask))
-        weight = ask.mechanism.hanging_mass() * scene.acceleration
+        weight = scene.acceleration * hanging_mass(
+            ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes, scene.axis
+        )
     except (NotAvailable, MechanismError):
         return {}
     source, axis, model = ask.geometry.source, scene.axis, ask.answers.model

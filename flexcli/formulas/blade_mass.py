@@ -4,12 +4,23 @@ A blade of mass m_b that deflects as under a static force or rotation adds ∫ w
 mass, or inertia; the frequency so found is an upper bound and exact to second order in the share.
 """
 
-from math import sqrt
+from math import pi, sqrt, tan
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
 
-__all__ = ["CANTILEVER", "CARDS", "GUIDED", "MOMENT", "frequency_change", "pivot_inertia"]
+__all__ = [
+    "CANTILEVER",
+    "CARDS",
+    "GUIDED",
+    "MOMENT",
+    "TORSION_CLAMPED",
+    "bar_frequency_change",
+    "frequency_change",
+    "pivot_inertia",
+]
+
+_HALVINGS = 60  # from π/2 to below the spacing of floats
 
 GUIDED = 13.0 / 35.0
 """Share of a guided blade's mass (stage) that moves with its tip: ∫(3s² − 2s³)² ds."""
@@ -19,6 +30,11 @@ CANTILEVER = 33.0 / 140.0
 
 MOMENT = 1.0 / 20.0
 """Inertia over m_b l² of a blade that a moment at its tip turns: ∫(s²/2)² ds."""
+
+
+TORSION_CLAMPED = 13.0 / 35.0
+"""Share of a torsion bar's inertia that turns with its end where both ends hold the warping and
+nothing else resists: ∫(3s² − 2s³)² ds; ⅓ where they are free."""
 
 
 def pivot_inertia(*, m_b: Quantity, l: Quantity, p: Quantity, blades: int = 2) -> Quantity:
@@ -82,6 +98,44 @@ def frequency_change(ratio: float) -> float:
 
     """
     return 1.0 / sqrt(1.0 + ratio) - 1.0
+
+
+def bar_frequency_change(ratio: float) -> float:
+    """Return the relative change that the inertia of a torsion bar makes to a frequency.
+
+    ``β tan β = r``, ``f/f_0 = β/√r`` with f_0 of the body on a bar without inertia.
+
+    Parameters
+    ----------
+    ratio : float
+        r: inertia of the bars about their axis over that of the body [-].
+
+    Returns
+    -------
+    change : float
+        Frequency with the bars over that without, less one [-].
+
+    Notes
+    -----
+    Ends free to warp. For small r it is −r/6, Rayleigh's third of the bar.
+
+    Examples
+    --------
+    >>> round(bar_frequency_change(0.06), 4)
+    -0.0099
+
+    References
+    ----------
+    Rao (2007), Vibration of Continuous Systems, section 10.4.
+
+    """
+    if ratio == 0.0:
+        return 0.0
+    low, high = 0.0, pi / 2.0
+    for _ in range(_HALVINGS):
+        beta = (low + high) / 2.0
+        low, high = (low, beta) if beta * tan(beta) > ratio else (beta, high)
+    return low / sqrt(ratio) - 1.0
 
 
 CARDS = (

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from flexcli.formulas.spectrum import Scale
 from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = ["response_moments"]
+__all__ = ["harmonic_gain", "response_moments"]
 
 Floats = NDArray[np.float64]
 
@@ -98,12 +98,54 @@ def response_moments(
     return moments
 
 
+def harmonic_gain(
+    f: Floats, angular: Floats, Q: float, coefficients: Floats, residual: Floats
+) -> NDArray[np.complex128]:
+    """Return the complex amplitude of outputs per acceleration of the base, all modes together.
+
+    ``y/a = Σ c_i / (ω_i² − ω² + i ω ω_i/Q) + r``.
+
+    Parameters
+    ----------
+    f : array, shape (n,)
+        Frequencies [Hz].
+    angular : array, shape (m,)
+        Natural angular frequencies [rad/s].
+    Q : float
+        Quality factor of every mode.
+    coefficients : array, shape (k, m)
+        As in :func:`response_moments`.
+    residual : array, shape (k,)
+        As in :func:`response_moments`.
+
+    Returns
+    -------
+    array, shape (n, k)
+        Amplitudes [unit of y per m/s²].
+
+    Examples
+    --------
+    >>> one = np.ones((1, 1))
+    >>> f, angular = np.array([1.0]), np.array([2.0 * np.pi])
+    >>> at_resonance = harmonic_gain(f, angular, 50.0, one, np.zeros(1))
+    >>> round(float(abs(at_resonance[0, 0])) * (2.0 * np.pi) ** 2, 9)
+    50.0
+
+    References
+    ----------
+    Newland (1993), An Introduction to Random Vibrations, Spectral & Wavelet Analysis, 3rd ed.,
+    chapter 7.
+
+    """
+    omega = 2.0 * np.pi * f[:, None]
+    gain = 1.0 / ((angular - omega) * (angular + omega) + 1j * omega * angular / Q)
+    return np.asarray(gain @ coefficients.T + residual)
+
+
 def _squared_gain(
     f: Floats, angular: Floats, Q: float, coefficients: Floats, residual: Floats
 ) -> Floats:
-    omega = 2.0 * np.pi * f[:, None]
-    gain = 1.0 / ((angular - omega) * (angular + omega) + 1j * omega * angular / Q)
-    response = gain @ coefficients.T + residual
+    response = harmonic_gain(f, angular, Q, coefficients, residual)
     return np.asarray(response.real**2 + response.imag**2)
 
 

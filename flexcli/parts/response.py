@@ -7,20 +7,34 @@ from math import pi, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.modal_response import response_moments
+from flexcli.formulas.modal_response import harmonic_gain, response_moments
 from flexcli.numerics.modes import Modes, natural_modes
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.shock import Shock
 from flexcli.parts.structure import Structure
 from flexcli.results import ModeResult
 
-__all__ = ["REACH", "Output", "RandomResponse", "random_response", "shock_peaks"]
+__all__ = [
+    "REACH",
+    "Output",
+    "RandomResponse",
+    "random_outputs",
+    "random_response",
+    "shock_peaks",
+    "sine_peaks",
+]
 
 Floats = NDArray[np.float64]
 
 REACH = 10.0
 """Modes above so many times the band's end follow it without resonance: what is left out of
 their response is (1/10)² = 1 % of it. They are lumped into one static term."""
+
+CROWD = np.geomspace(0.02, 20.0, 60)
+"""Half-bandwidths from a resonance at which a sweep is looked at: its top to 1e-4."""
+
+PER_SWEEP = 2000
+"""Frequencies of a sweep between resonances."""
 
 PARTICIPATES = 1e-9
 """Share of the moving mass below which the base does not move a mode at all."""
@@ -63,48 +77,130 @@ def random_response(structure: Structure, vibration: RandomVibration) -> RandomR
     except a force, whose components add as vectors. Modes that the band can't excite are lumped
     into one static term. Axes are independent and add by the root of the sum of squares.
     """
-    applied = vibration.applied()
-    modes, rows = natural_modes(structure.stiffness, structure.mass), _Rows(structure)
-    total = np.zeros((4, rows.matrix.shape[0]))
-    alone = np.zeros((modes.angular.size, rows.matrix.shape[0]))
-    shares, dynamic = np.zeros(modes.angular.size), np.zeros(modes.angular.size, dtype=bool)
-    in_reach = modes.angular < 2.0 * pi * REACH * float(applied.frequency[-1])
-    for axis in vibration.axes:
-        participation, share, static = _excitation(structure, modes, rows.matrix, axis)
-        excited = in_reach & (share > PARTICIPATES)
-        shares, dynamic = np.maximum(shares, share), dynamic | excited
-        per_mode = -(rows.matrix @ modes.shapes) * participation
-
-        def moments(
-            chosen: NDArray[np.intp], residual: Floats, per_mode: Floats = per_mode
-        ) -> Floats:
-            return response_moments(
-                frequency=applied.frequency,
-                level=applied.level,
-                scale=applied.scale,
-                angular=modes.angular[chosen],
-                Q=vibration.q,
-                coefficients=per_mode[:, chosen],
-                residual=residual,
-            )
-
-        static_part = (per_mode[:, excited] / modes.angular[excited] ** 2).sum(axis=1)
-        total += moments(np.flatnonzero(excited), static - static_part)
-        for index in np.flatnonzero(excited):
-            alone[index] += moments(np.array([index]), np.zeros(static.size))[0]
-    outputs = {name: _output(name, block) for name, block in rows.by_name(total)}
+    modes = natural_modes(structure.stiffness, structure.mass)
+    outputs = {name: _output(name, block) for name, block in _moments(structure, vibration, modes)}
+    shares, alone = _each_mode(structure, vibration, modes)
     found = tuple(
-        ModeResult(
-            float(modes.angular[i]) / (2.0 * pi),
-            float(shares[i]),
-            bool(dynamic[i]),
-            {n: sqrt(_mean_square(n, block)) for n, block in rows.by_name(alone[i])}
-            if dynamic[i]
-            else {},
-        )
-        for i in range(modes.angular.size)
+        ModeResult(float(angular) / (2.0 * pi), float(share), bool(rms), rms)
+        for angular, share, rms in zip(modes.angular, shares, alone, strict=True)
     )
     return RandomResponse(found, outputs)
+
+
+def random_outputs(structure: Structure, vibration: RandomVibration) -> dict[str, Output]:
+    """Return the totals of :func:`random_response` without what each mode does alone."""
+    modes = natural_modes(structure.stiffness, structure.mass)
+    return {name: _output(name, block) for name, block in _moments(structure, vibration, modes)}
+
+
+def _moments(
+    structure: Structure, vibration: RandomVibration, modes: Modes
+) -> Iterator[tuple[str, Floats]]:
+    """Yield the spectral moments (4, rows) of every output, all modes and axes together."""
+    rows = _Rows(structure)
+    total = np.zeros((4, rows.matrix.shape[0]))
+    for axis in vibration.axes:
+        participation, share, static = _excitation(structure, modes, rows.matrix, axis)
+        excited = _excited(modes, share, vibration)
+        per_mode = (-(rows.matrix @ modes.shapes) * participation)[:, excited]
+        static_part = (per_mode / modes.angular[excited] ** 2).sum(axis=1)
+        total += _response(vibration, modes.angular[excited], per_mode, static - static_part)
+    yield from rows.by_name(total)
+
+
+def _each_mode(
+    structure: Structure, vibration: RandomVibration, modes: Modes
+) -> tuple[Floats, list[dict[str, float]]]:
+    """Return the mass share of each mode and its own rms responses, none where not excited."""
+    rows = _Rows(structure)
+    squares = np.zeros((modes.angular.size, rows.matrix.shape[0]))
+    shares, dynamic = np.zeros(modes.angular.size), np.zeros(modes.angular.size, dtype=bool)
+    for axis in vibration.axes:
+        participation, share, _ = _excitation(structure, modes, rows.matrix, axis)
+        excited = _excited(modes, share, vibration)
+        shares, dynamic = np.maximum(shares, share), dynamic | excited
+        per_mode = -(rows.matrix @ modes.shapes) * participation
+        for i in np.flatnonzero(excited):
+            nothing = np.zeros(rows.matrix.shape[0])
+            found = _response(vibration, modes.angular[[i]], per_mode[:, [i]], nothing)
+            squares[i] += found[0]
+    alone = [
+        {name: sqrt(_mean_square(name, block)) for name, block in rows.by_name(squares[i])}
+        if dynamic[i]
+        else {}
+        for i in range(modes.angular.size)
+    ]
+    return shares, alone
+
+
+def _excited(modes: Modes, share: Floats, vibration: RandomVibration) -> NDArray[np.bool_]:
+    """Return which modes may resonate: in reach of the band, and moved by the base."""
+    reach = 2.0 * pi * REACH * float(vibration.applied().frequency[-1])
+    return np.asarray((modes.angular < reach) & (share > PARTICIPATES))
+
+
+def _response(
+    vibration: RandomVibration, angular: Floats, per_mode: Floats, residual: Floats
+) -> Floats:
+    applied = vibration.applied()
+    return response_moments(
+        frequency=applied.frequency,
+        level=applied.level,
+        scale=applied.scale,
+        angular=angular,
+        Q=vibration.q,
+        coefficients=per_mode,
+        residual=residual,
+    )
+
+
+def sine_peaks(
+    structure: Structure, acceleration: float, Q: float, frequencies: tuple[float, float]
+) -> dict[str, float]:
+    """Return the largest steady amplitude of every output under a sine of the base along x.
+
+    Parameters
+    ----------
+    structure : Structure
+        The structure.
+    acceleration : float
+        Amplitude of the base's acceleration [m/s²].
+    Q : float
+        Quality factor of every mode.
+    frequencies : tuple of float
+        Lowest and highest frequency [Hz], equal for one sine.
+
+    Returns
+    -------
+    dict of float
+        Amplitudes: of a sweep the largest over its frequencies, each as if it had settled.
+
+    """
+    modes, rows = natural_modes(structure.stiffness, structure.mass), _Rows(structure)
+    participation, _, static = _excitation(structure, modes, rows.matrix, "x")
+    per_mode = -(rows.matrix @ modes.shapes) * participation
+    residual = static - (per_mode / modes.angular**2).sum(axis=1)
+    f = _sweep_points(frequencies, modes.angular / (2.0 * pi), Q)
+    gain = acceleration * harmonic_gain(f, modes.angular, Q, per_mode, residual)
+    found = {}
+    for name, block in rows.by_name(np.abs(gain)):
+        at_each = (
+            np.hypot.reduce(block, axis=-1) if name.startswith("force") else block.max(axis=-1)
+        )
+        found[name] = float(at_each.max())
+    return found
+
+
+def _sweep_points(frequencies: tuple[float, float], resonances: Floats, Q: float) -> Floats:
+    """Return frequencies [Hz] that miss no resonance: crowded at each by its bandwidth."""
+    low, high = sorted(frequencies)
+    if low == high:
+        return np.array([low])
+    width = 0.5 / Q * np.concatenate([-CROWD[::-1], [0.0], CROWD])
+    around = (resonances[:, None] * (1.0 + width)).ravel()
+    regular = np.geomspace(low, high, PER_SWEEP)
+    inside = around[(around > low) & (around < high)]
+    return np.unique(np.concatenate([regular, inside]))
 
 
 def shock_peaks(structure: Structure, shock: Shock) -> dict[str, float]:
@@ -128,13 +224,10 @@ def _excitation(
     structure: Structure, modes: Modes, rows: Floats, axis: str
 ) -> tuple[Floats, Floats, Floats]:
     """Return participation and mass share of each mode, and the static response of each row."""
-    if axis not in structure.influence:
-        raise ValueError(f"there is no model of the motion along {axis}")
-    force = structure.mass @ structure.influence[axis]
+    force = structure.pull[axis]
     participation = modes.shapes.T @ force
-    moving = float(structure.influence[axis] @ force)
     static = -rows @ np.linalg.solve(structure.stiffness, force)
-    return participation, participation**2 / moving, static
+    return participation, participation**2 / structure.moved[axis], static
 
 
 def _mean_square(name: str, squares: Floats) -> float:

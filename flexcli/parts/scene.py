@@ -10,6 +10,7 @@ from flexcli.formulas.miles import miles_worst_case
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.case import Case
 from flexcli.parts.elastic import Elastic
+from flexcli.parts.excitation import Sine, Sweep
 from flexcli.parts.geometries import Geometry, NotAvailable
 from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.parts.shock import Shock
@@ -84,6 +85,8 @@ class Scene(NamedTuple):
     wrench: tuple[float, ...] | None
     forces: tuple[tuple[float, float], ...]
     values: Mapping[str, Value]
+    sine: Sine | None = None
+    sweep: Sweep | None = None
     loads: frozenset[LoadKind] = frozenset()
     """What the case states; each has to be looked at by some requirement."""
     pushed_by: frozenset[LoadKind] = frozenset()
@@ -186,6 +189,8 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         axis=steady.axis if steady else "",
         vibration=case.asd,
         shock=case.shock,
+        sine=case.sine,
+        sweep=case.sweep,
         lock=case.lock,
         wrench=case.wrench.components if case.wrench else None,
         forces=forces,
@@ -393,7 +398,8 @@ def _accelerations(
     found: list[_Accelerated] = []
     steady, asd, shock = case.acceleration, case.asd, case.shock
     for key, given in (("acceleration", steady), ("asd", asd), ("shock", shock)):
-        if given is not None and key != "acceleration" and mechanism is None:
+        massless = mechanism is None and geometry.own_mass == 0.0
+        if given is not None and key != "acceleration" and massless:
             raise MechanismError(key, "a base that moves needs masses on it", "add a mechanism")
 
     def load(kind: LoadKind, level: float, axes: tuple[str, ...], name: str) -> None:

@@ -1,124 +1,192 @@
-"""A mechanism as a linear structure: rigid bodies on the springs of its joints, in one plane."""
+"""A mechanism as a linear structure: rigid bodies on the blades of its joints, in one plane."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import cos, sin
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Body", "Joint", "Spring", "Structure", "assemble"]
+from flexcli.mechanics.layout import Body, Layout, Point, Support
+from flexcli.mechanics.vibrating_layout import vibrating_layout
+from flexcli.parts.geometries.base import GROUND, MOVING
+
+__all__ = ["MOTIONS", "Joint", "Motion", "Structure", "assemble", "joined", "turned"]
 
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
-class Spring:
-    """A joint in its own frame (x along its axis of symmetry): stiffness and stresses.
-
-    ``stiffness`` (3, 3) about its centre; ``axial`` and ``faces`` rows of stress per deformation;
-    ``holds_rotation`` says that the joint lets its body not turn at all.
-    """
-
-    stiffness: Floats
-    axial: Floats
-    faces: Floats
-    holds_rotation: bool = False
-
-
-class Body(NamedTuple):
-    """A rigid body: mass [kg], inertia about its centre of mass [kg·m²], where that is [m].
-
-    ``turns`` is false for a body that others keep from turning.
-    """
+class Joint(NamedTuple):
+    """A joint between two bodies (by name), its centre at a point [m], turned from x [rad]."""
 
     name: str
-    mass: float
-    inertia: float
-    com: tuple[float, float] = (0.0, 0.0)
-    turns: bool = True
-
-
-@dataclass(frozen=True, eq=False)
-class Joint:
-    """A spring between two bodies (by name, or the ground) at a point [m], turned from x [rad]."""
-
-    name: str
-    first: str | None
+    first: str
     second: str
-    point: tuple[float, float]
+    point: Point
     orientation: float
-    spring: Spring
+
+
+class Motion(NamedTuple):
+    """The mechanism's own motion: a body's, along a direction (x, y, φ), as an output's name."""
+
+    body: str
+    direction: tuple[float, float, float]
+    name: str
 
 
 @dataclass(frozen=True, eq=False)
 class Structure:
-    """Matrices of the free coordinates, base influence per axis, and rows of outputs.
+    """Matrices of the free coordinates, what shakes them, and rows of outputs.
 
-    Coordinates are motions relative to the base. ``outputs`` holds rows (k, n): travel [m],
-    per joint the force in its frame [N], axial stress and stress at the faces [Pa].
+    Coordinates are relative to the base. ``pull`` is the inertial force per acceleration of the
+    base along an axis, ``moved`` the mass that it moves [kg]. ``outputs`` holds rows (k, n): the
+    mechanism's own motion [m or rad], per joint the force on it [N], axial stress and stress at
+    the faces [Pa]. ``motion`` (n,) is the row of the own motion, nothing where that is locked.
     """
 
     mass: Floats
     stiffness: Floats
-    influence: Mapping[str, Floats]
+    pull: Mapping[str, Floats]
+    moved: Mapping[str, float]
     outputs: Mapping[str, Floats] = field(default_factory=dict)
+    motion: Floats | None = None
+
+    def stiffened(self, factor: float) -> "Structure":
+        """Return the structure with all of its stiffness, and so its stresses, times a factor."""
+        outputs = {
+            name: rows if name in MOTIONS else rows * factor for name, rows in self.outputs.items()
+        }
+        return replace(self, stiffness=self.stiffness * factor, outputs=outputs)
+
+    @property
+    def motion_stiffness(self) -> float:
+        """Return the static stiffness along the own motion, all else free [N/m or N·m/rad]."""
+        assert self.motion is not None  # not locked
+        return float(1.0 / (self.motion @ np.linalg.solve(self.stiffness, self.motion)))
+
+
+MOTIONS = ("travel", "rotation")
+"""Names of outputs that are motions."""
 
 
 def assemble(
-    bodies: Sequence[Body], joints: Sequence[Joint], travel: tuple[str, str] | None
+    bodies: Sequence[Body],
+    joints: Sequence[Joint],
+    joint: Layout,
+    motion: Motion | None,
+    *,
+    density: float = 0.0,
+    held: Sequence[tuple[str, int]] = (),
 ) -> Structure:
-    """Return the structure of bodies and joints; a body that is not listed is the ground.
+    """Return the structure of bodies on alike joints.
 
-    ``travel`` names the body whose motion along x is the travel, and the output's name.
+    Parameters
+    ----------
+    bodies : sequence of Body
+        Those that the joints connect; no other body moves but those within a joint.
+    joints : sequence of Joint
+        Where copies of the joint stand.
+    joint : Layout
+        The joint between the ground and its moving body.
+    motion : Motion or None
+        The mechanism's own motion, nothing where it is locked.
+    density : float
+        Of the blades [kg/m³]; 0 leaves their mass out.
+    held : sequence of (str, int)
+        Coordinates of bodies that cannot move.
+
+    Returns
+    -------
+    Structure
+        Matrices and rows.
+
     """
-    at = {body.name: 3 * index for index, body in enumerate(bodies)}
-    size = 3 * len(bodies)
-    mass, stiffness = np.zeros((size, size)), np.zeros((size, size))
-    for body in bodies:
-        motion = _motion(body.com)
-        block = slice(at[body.name], at[body.name] + 3)
-        mass[block, block] += motion.T @ np.diag([body.mass, body.mass, body.inertia]) @ motion
+    copies = [_placed(joint, at) for at in joints]
+    blades = tuple(blade for copy in copies for blade in copy.blades)
+    whole = Layout(
+        bodies=(*bodies, *(body for copy in copies for body in copy.bodies)),
+        blades=blades,
+        E=joint.E,
+        G=joint.G,
+        supports=tuple(support for copy in copies for support in copy.supports),
+    )
+    found = vibrating_layout(whole, density, held)
     outputs: dict[str, Floats] = {}
-    held = [at[body.name] + 2 for body in bodies if not body.turns]
-    for joint in joints:
-        rows = np.zeros((3, size))
-        for name, sign in ((joint.second, 1.0), (joint.first, -1.0)):
-            if name in at:
-                rows[:, at[name] : at[name] + 3] += sign * _motion(joint.point)
-        rows = _turned(joint.orientation) @ rows
-        stiffness += rows.T @ joint.spring.stiffness @ rows
-        outputs[f"force {joint.name}"] = (joint.spring.stiffness @ rows)[:2]
-        outputs[f"axial stress {joint.name}"] = joint.spring.axial @ rows
-        outputs[f"stress {joint.name}"] = joint.spring.faces @ rows
-        if joint.spring.holds_rotation:
-            held += [at[name] + 2 for name in (joint.first, joint.second) if name in at]
-    if travel is not None and travel[0] in at:
-        row = np.zeros((1, size))
-        row[0, at[travel[0]]] = 1.0
-        outputs[travel[1]] = row
-    free = np.setdiff1d(np.arange(size), held)
-    influence = {
-        axis: np.tile(unit, len(bodies))[free]
-        for axis, unit in (("x", (1.0, 0.0, 0.0)), ("y", (0.0, 1.0, 0.0)))
-    }
-    return Structure(
-        mass[np.ix_(free, free)],
-        stiffness[np.ix_(free, free)],
-        influence,
-        {name: rows[:, free] for name, rows in outputs.items()},
+    for at, copy in zip(joints, copies, strict=True):
+        force = np.zeros((2, found.mass.shape[0]))
+        for blade in copy.blades:
+            if at.second in (blade.first, blade.second):
+                sign = 1.0 if blade.second == at.second else -1.0
+                force = force + sign * found.end_force[blade.name]
+        outputs[f"force {at.name}"] = force
+        axial = np.concatenate([found.axial[blade.name] * blade.peak[1] for blade in copy.blades])
+        bending = np.concatenate(
+            [found.bending[blade.name] * blade.peak[0] for blade in copy.blades]
+        )
+        outputs[f"axial stress {at.name}"] = axial
+        outputs[f"stress {at.name}"] = np.concatenate([axial + bending, axial - bending])
+    own = None
+    if motion is not None:
+        own = np.array(motion.direction) @ found.motions[motion.body]
+        outputs[motion.name] = own[None, :]
+    return Structure(found.mass, found.stiffness, found.pull, found.moved, outputs, own)
+
+
+def joined(name: str, point: Point, parts: Sequence[Body]) -> Body:
+    """Return the one rigid body that several make, its motion that of a point [m]."""
+    mass = sum(part.mass for part in parts)
+    if mass == 0.0:
+        return Body(name, point, 0.0, sum(part.inertia for part in parts), point)
+    x, y = (sum(part.mass * part.com[i] for part in parts) / mass for i in (0, 1))
+    inertia = sum(
+        part.inertia + part.mass * ((part.com[0] - x) ** 2 + (part.com[1] - y) ** 2)
+        for part in parts
+    )
+    return Body(name, point, mass, inertia, (x, y))
+
+
+def turned(place: Point, angle: float, shift: Point = (0.0, 0.0)) -> Point:
+    """Return a place turned about the origin by an angle [rad], then shifted."""
+    c, s = cos(angle), sin(angle)
+    x, y = place
+    return shift[0] + c * x - s * y, shift[1] + s * x + c * y
+
+
+def _placed(joint: Layout, at: Joint) -> Layout:
+    """Return a copy of a joint where it stands, its own bodies by names of their own."""
+    called = {GROUND: at.first, MOVING: at.second}
+    called |= {b.name: f"{at.name} {b.name}" for b in joint.bodies if b.name != MOVING}
+
+    def there(place: Point) -> Point:
+        return turned(place, at.orientation, at.point)
+
+    return Layout(
+        bodies=tuple(
+            body._replace(name=called[body.name], point=there(body.point), com=there(body.com))
+            for body in joint.bodies
+            if body.name != MOVING
+        ),
+        blades=tuple(
+            replace(
+                blade,
+                name=f"{at.name} {blade.name}",
+                first=called.get(blade.first, at.first),
+                second=called.get(blade.second, at.first),
+                start=there(blade.start),
+                end=there(blade.end),
+            )
+            for blade in joint.blades
+        ),
+        E=joint.E,
+        G=joint.G,
+        supports=tuple(_support(s, called, there(s.point), at.orientation) for s in joint.supports),
     )
 
 
-def _motion(point: tuple[float, float]) -> Floats:
-    """Return the motion of a point per motion (x, y, φ) of its body at the origin."""
-    x, y = point
-    return np.array([[1.0, 0.0, -y], [0.0, 1.0, x], [0.0, 0.0, 1.0]])
-
-
-def _turned(angle: float) -> Floats:
-    """Return the turn from the plane's axes to those of a joint at an angle from x."""
-    return np.array(
-        [[cos(angle), sin(angle), 0.0], [-sin(angle), cos(angle), 0.0], [0.0, 0.0, 1.0]]
-    )
+def _support(support: Support, called: Mapping[str, str], point: Point, angle: float) -> Support:
+    """Return a support turned with its joint, by a quarter turn where its springs differ."""
+    along, across, turn = support.stiffness
+    if abs(sin(angle)) > 0.5:
+        along, across = across, along
+    return Support(called[support.body], point, (along, across, turn))

@@ -32,8 +32,12 @@ def test_modes_totals_and_lives_are_told_for_each_case(flexure, spec):
     told = json.loads(flexure("asd", "response", "--format", "json").stdout)
     launch, separation = told["responses"]
     assert [row["case"] for row in told["responses"]] == ["launch", "separation"]
-    assert [mode["dynamic"] for mode in launch["modes"]] == [True, True]
-    assert sum(mode["mass_share"] for mode in launch["modes"]) == pytest.approx(2.0)  # two axes
+    along_x, along_y, *blades = [mode for mode in launch["modes"] if mode["dynamic"]]
+    for mode in (along_x, along_y):
+        assert mode["mass_share"] == pytest.approx(1.0, abs=0.02)
+    # the blades' own modes move some of their 3.3 g, next to the 500 g
+    assert all(mode["mass_share"] < 0.01 for mode in blades)
+    assert 20.0 * along_x["frequency"] < blades[0]["frequency"]
     assert len(launch["lives"]["stress joint"]) == 5
     assert {row["name"] for row in separation["outputs"]} >= {"travel", "stress joint"}
     peaks = [row for row in launch["outputs"] if row["name"] == "travel"]
@@ -55,8 +59,9 @@ def test_the_real_modes_are_told_against_miles(flexure, tmp_path, example_text):
     (tmp_path / "flexure.yaml").write_text(example_text)
     assert flexure("size", "--write", "flexure.yaml").returncode == 0
     told = json.loads(flexure("asd", "response", "--format", "json").stdout)
-    assert [note["code"] for note in told["warnings"]] == ["miles-conservative"]
-    assert told["values"]["f_1_take-off"]["value"] > 2000.0  # just above the spectrum's end
+    assert [note["code"] for note in told["warnings"]] == ["miles-conservative", "no-life"]
+    (response,) = told["responses"]
+    assert told["values"]["f_1_take-off"]["value"] == response["modes"][0]["frequency"]
 
 
 def test_without_a_vibration_it_says_what_is_missing(flexure, spec):

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from planar_joint import joint_stiffness, stress_rows
 
 from flexcli.formulas.pivot import axial_share, end_stresses, rotational_stiffness
-from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
 from flexcli.formulas.stage import end_stress, translational_stiffness
 
 E, h, l, b = 114e9, 637e-6, 17.5e-3, 10e-3

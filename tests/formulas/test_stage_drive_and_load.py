@@ -29,7 +29,7 @@ def test_the_rotation_is_least_at_mid_height_and_falls_with_the_square_of_the_sp
 
 
 def test_the_rotation_is_that_of_the_assembled_linear_blades():
-    from flexcli.formulas.planar_joint import blade_rows
+    from planar_joint import blade_rows
 
     h, l, b, E, half, drive = 300e-6, 50e-3, 10e-3, 200e9, 8e-3, 43e-3
     K = np.zeros((3, 3))

@@ -5,11 +5,11 @@ from math import pi
 import numpy as np
 import pytest
 from judging import check_as_printed, size_as_printed
+from planar_joint import joint_stiffness
 from strategies import CASES, LOADS, TITANIUM, crossed, design, rcc
 
 from flexcli.formulas.parallel_stage import Lever, Rider, Stage, system
 from flexcli.formulas.pivot import end_stresses, parasitic_shift, rotational_stiffness
-from flexcli.formulas.planar_joint import joint_stiffness
 from flexcli.formulas.single_freedom import expand
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.geometries import Blade, Elastic

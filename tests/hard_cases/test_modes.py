@@ -84,7 +84,11 @@ def test_the_response_does_not_depend_on_how_nearly_equal_modes_are_mixed():
     for turn in (0.0, 0.4, 1.1):
         T = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
         structure = Structure(
-            T.T @ M @ T, T.T @ K @ T, {"x": T.T @ influence}, {"travel": rows @ T}
+            T.T @ M @ T,
+            T.T @ K @ T,
+            {"x": T.T @ M @ influence},
+            {"x": float(influence @ M @ influence)},
+            {"travel": rows @ T},
         )
         found.append(random_response(structure, vibration(20.0, 2000.0)).outputs["travel"].rms)
     assert found == pytest.approx([found[0]] * 3, rel=EIGEN)

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mechanisms_for_tests import E, cantilever, pivot
+from planar_joint import joint_stiffness
 from scipy.linalg import eigh
 
 from flexcli.formulas.pivot import end_stresses
-from flexcli.formulas.planar_joint import joint_stiffness
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.mechanics.equilibrium import LEVELS, solve
 from flexcli.mechanics.layout import Body, Load, Support

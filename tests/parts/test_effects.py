@@ -142,7 +142,8 @@ def test_blade_mass_is_rayleighs_share():
     blades = 2 * 4430 * 1e-3 * 20e-3 * 2e-3
     ratio = 13.0 / 35.0 * blades / 10e-3
     change = named("blade mass").changes(setting_of(heavy))["frequency"]
-    assert change.value == pytest.approx((1.0 + ratio) ** -0.5 - 1.0)
+    # Rayleigh's is an upper bound, exact to second order in the ratio
+    assert change.value == pytest.approx((1.0 + ratio) ** -0.5 - 1.0, rel=2e-3)
 
 
 def test_effects_have_names_of_their_own_and_each_model_effect_one_carrier_at_least():

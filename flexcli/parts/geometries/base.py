@@ -12,7 +12,6 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Layout
 from flexcli.parts.base import Part, PositiveLength, spec_error
 from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.parts.structure import Spring
 from flexcli.results import QuantityKind, Value
 
 THICKNESSES = ("h", "e", "d")
@@ -256,10 +255,6 @@ class Geometry(Part):
     def sag_stiffness(self, elastic: Elastic, sizes: Sizes, axis: str) -> Quantity:
         """Return the stiffness against the weight of the moving body along an axis [N/m]."""
         raise NotAvailable(f"has no closed form for its stiffness along {axis}")
-
-    def spring(self, elastic: Elastic, sizes: Sizes) -> Spring:
-        """Return the joint as a linear spring in its plane, for its vibration."""
-        raise NotAvailable("has no linear spring in its plane yet")
 
     def slenderness(self, sizes: Sizes) -> float | None:
         """Return thickness over length of the blade that is thickest against its own [-]."""

@@ -6,7 +6,6 @@ from pydantic import Field
 
 from flexcli.formulas import stage
 from flexcli.formulas.card import Card
-from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
 from flexcli.formulas.profile import Constant, per_design
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
@@ -16,7 +15,6 @@ from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade
 from flexcli.parts.geometries.blades import BladeGeometry
 from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, places
-from flexcli.parts.structure import Spring
 from flexcli.results import Value
 
 __all__ = ["LeafSpringStage"]
@@ -54,13 +52,6 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
     def s_bending_share(self, sizes: Blade) -> float:
         """Return 1: the blades bend in an S alone."""
         return 1.0
-
-    def spring(self, elastic: Elastic, sizes: Blade) -> Spring:
-        """Return the stage as a linear spring: its parallel blades keep it from turning."""
-        angles, (h, l, b), E = (0.0,) * self.blades, sizes, elastic.E
-        stiffness = joint_stiffness(E=E, h=h, l=l, b=b, p=0.0, angles=angles)
-        axial, faces = stress_rows(E=E, h=h, l=l, p=0.0, angles=angles[:1])
-        return Spring(stiffness, axial, faces, holds_rotation=True)
 
     def clearances(self, sizes: Blade) -> tuple[tuple[str, float], ...]:
         """Return the room between neighbours."""

@@ -8,7 +8,6 @@ from typing import Annotated, ClassVar
 from flexcli.formulas import pivot, pivot_next_shift, thick_pivot
 from flexcli.formulas.blade_shear import s_bending_share
 from flexcli.formulas.card import Card
-from flexcli.formulas.planar_joint import joint_stiffness, stress_rows
 from flexcli.formulas.profile import Constant, per_design
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
@@ -17,7 +16,6 @@ from flexcli.parts.base import QuantityOf
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade
 from flexcli.parts.geometries.blades import BladeGeometry
-from flexcli.parts.structure import Spring
 from flexcli.results import Value
 
 __all__ = ["BladePivot", "PairPivot"]
@@ -60,13 +58,6 @@ class BladePivot(BladeGeometry):
     def s_bending_share(self, sizes: Blade) -> float:
         """Return 3(1 + 2δ)²/(1 + 3(1 + 2δ)²): the rest is uniform bending, free of shear."""
         return float(s_bending_share(self.offset(sizes) / sizes.l))
-
-    def spring(self, elastic: Elastic, sizes: Blade) -> Spring:
-        """Return the pivot as a linear spring in its plane."""
-        p, angles, (h, l, b) = float(self.offset(sizes)), self.blade_angles, sizes
-        axial, faces = stress_rows(E=elastic.E, h=h, l=l, p=p, angles=angles)
-        stiffness = joint_stiffness(E=elastic.E, h=h, l=l, b=b, p=p, angles=angles)
-        return Spring(stiffness, axial, faces)
 
     def axial_share(self, direction: float) -> float:
         """Return the largest axial force in a blade per force on the pivot in its plane [-]."""

@@ -8,10 +8,9 @@ from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade
 from flexcli.parts.geometries.pivots import PairPivot
-from flexcli.parts.structure import Spring
 from flexcli.results import Value
 
 __all__ = ["UnseparatedPivot"]
@@ -51,10 +50,6 @@ class UnseparatedPivot(PairPivot):
     def s_bending_share(self, sizes: Blade) -> float:
         """Return ¾ (1/c + 1/(1 − c)): ¾ of each part, whose Φ is that of its own length."""
         return 0.75 / self.crossing + 0.75 / (1.0 - self.crossing)
-
-    def spring(self, elastic: Elastic, sizes: Blade) -> Spring:
-        """Refuse: the small cross between the halves makes it no single spring."""
-        raise NotAvailable("has no linear spring in its plane yet")
 
     def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
         """Return the signed shift of the centre along the bisector [m], leading order."""

@@ -68,6 +68,11 @@ class Mechanism(Part):
     def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:
         """Return amplitude and mean of the travel of each joint [rad or m]."""
 
+    @property
+    def joint_travel_per_motion(self) -> float:
+        """Return the travel of each joint per travel of the mechanism's own motion."""
+        return 1.0
+
     @abstractmethod
     def mode(self, joint_stiffness: Quantity, geometry: Geometry) -> Mode:
         """Return stiffness and mass of the mechanism's own motion, every part mounted."""
@@ -90,9 +95,17 @@ class Mechanism(Part):
         """Return the mass that the joints carry against gravity [kg]."""
 
     def structure(
-        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, lock: str | None
+        self,
+        geometry: Geometry,
+        elastic: Elastic,
+        sizes: Sizes,
+        lock: str | None,
+        density: float = 0.0,
     ) -> Structure:
-        """Return the mechanism as a linear structure, for its vibration."""
+        """Return the mechanism as a linear structure, for its vibration.
+
+        ``density`` is that of the blades [kg/m³]; 0 leaves their mass out.
+        """
         raise MechanismError("asd", "this mechanism has no linear structure yet", "")
 
     @abstractmethod

@@ -5,21 +5,24 @@ from functools import cached_property
 from math import inf
 from typing import Annotated, Any, ClassVar, Literal
 
+import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
 from flexcli.formulas import parallel_stage as planar
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.single_freedom import Expansion, SingleFreedom, expand
 from flexcli.formulas.transfer import natural_frequency
+from flexcli.mechanics.layout import Body
 from flexcli.parts.base import Angle, Mass, Part, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import Geometry, Sizes
+from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
+from flexcli.parts.mechanisms.carried import joint_layout
 from flexcli.parts.mechanisms.force_balance import Balancing, Unknown, balance
 from flexcli.parts.mechanisms.free_value import Free, OrFree
 from flexcli.parts.mechanisms.stage_bodies import BalancingMass, InertiaTensor, Lever, Platform
 from flexcli.parts.stroke import Stroke
-from flexcli.parts.structure import Body, Joint, Structure, assemble
+from flexcli.parts.structure import Joint, Motion, Structure, assemble
 from flexcli.results import Note, Value
 
 __all__ = ["BalancingMass", "Coupling", "InertiaTensor", "Lever", "ParallelStage", "Platform"]
@@ -187,6 +190,11 @@ class ParallelStage(Mechanism):
             return stroke.amplitude, stroke.mean
         return stroke.amplitude / self.height, stroke.mean / self.height
 
+    @property
+    def joint_travel_per_motion(self) -> float:
+        """Return 1/H: each pivot turns by x/H."""
+        return 1.0 / self.height
+
     def stiffnesses(self, joint_stiffness: Quantity) -> tuple[Quantity, ...]:
         """Return k_1 to k_4: as stated, else of the joint."""
         stated = self.pivot_stiffness or (None,) * self.joints
@@ -243,13 +251,14 @@ class ParallelStage(Mechanism):
         )
 
     def structure(
-        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, lock: str | None
+        self,
+        geometry: Geometry,
+        elastic: Elastic,
+        sizes: Sizes,
+        lock: str | None,
+        density: float = 0.0,
     ) -> Structure:
-        """Return the stage in its plane: levers along y, P1 and P3 on the base, x the stroke.
-
-        A lever with its balancing mass is one rigid body. The two levers stand as far apart as
-        one likes: solid 2 is kept from turning by them, so that the distance does not matter.
-        """
+        """Return the stage in its plane: levers along y, P1 and P3 on the base, x the stroke."""
         if lock not in (None, "solid-2"):
             raise MechanismError("lock", f"'{lock}' cannot be locked here", "lock solid-2")
         if self.pivot_stiffness is not None:
@@ -258,21 +267,63 @@ class ParallelStage(Mechanism):
                 "the modes are those of the blades, not of a stated pivot-stiffness",
                 "take pivot-stiffness out, and give the blades",
             )
-        spring = geometry.spring(elastic, sizes)
+        return self._structure(geometry, elastic, sizes, lock, density)
+
+    def _structure(
+        self,
+        geometry: Geometry,
+        elastic: Elastic,
+        sizes: Sizes,
+        lock: str | None,
+        density: float,
+    ) -> Structure:
+        """Return the stage on its blades, whatever stiffness is stated.
+
+        A lever with its balancing mass is one rigid body. The two levers stand as far apart as
+        one likes: solid 2 is kept from turning by them, so that the distance does not matter.
+        """
         bodies, joints = [], []
-        platform = None if lock else "solid 2"
+        platform = GROUND if lock else "solid 2"
         for side, lever in enumerate(self.stage().levers):
             name = f"solid {2 * side + 1}"
             bodies.append(_rigid(name, lever))
-            for joint, first, second, y in (
-                (f"P{2 * side + 1}", None, name, 0.0),
-                (f"P{2 * side + 2}", platform, name, self.height),
+            for joint, first, y in (
+                (f"P{2 * side + 1}", GROUND, 0.0),
+                (f"P{2 * side + 2}", platform, self.height),
             ):
-                joints.append(Joint(joint, first, second, (0.0, y), self.bisector, spring))
-        if platform is not None:
+                joints.append(Joint(joint, first, name, (0.0, y), self.bisector))
+        if lock is None:
             com = (0.0, self.height)
-            bodies.append(Body(platform, self.solid_2.mass, 0.0, com, turns=False))
-        return assemble(bodies, joints, None if lock else ("solid 2", "travel"))
+            bodies.append(Body(platform, (0.0, 0.0), self.solid_2.mass, 0.0, com))
+        return assemble(
+            bodies,
+            joints,
+            joint_layout(geometry, elastic, sizes),
+            None if lock else Motion(platform, (1.0, 0.0, 0.0), "travel"),
+            density=density,
+            held=() if lock else [(platform, 2)],
+        )
+
+    def blades_in_motion(
+        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, density: float
+    ) -> float:
+        """Return the mass that the blades add to m_eq, by their static shapes [kg].
+
+        Raises
+        ------
+        NotAvailable
+            When the pivots are not made of blades in a plane.
+
+        """
+        light, heavy = (
+            self._structure(geometry, elastic, sizes, None, rho) for rho in (0.0, density)
+        )
+        # both levers turn by −1/H about their base pivots while solid 2 moves by one
+        motion = np.zeros(heavy.mass.shape[0])
+        motion[[2, 5]], motion[6] = -1.0 / self.height, 1.0
+        size = light.mass.shape[0]
+        motion[size:] = 0.0
+        return float(motion @ heavy.mass @ motion - motion[:size] @ light.mass @ motion[:size])
 
     def hanging_mass(self) -> float:
         """Refuse: the sag of a parallel stage depends on how it stands."""
@@ -356,4 +407,4 @@ def _rigid(name: str, lever: planar.Lever) -> Body:
         r.inertia + r.mass * ((r.along - along) ** 2 + (r.across - across) ** 2)
         for r in lever.riders
     )
-    return Body(name, mass, inertia, (across, along))
+    return Body(name, (0.0, 0.0), mass, inertia, (across, along))

@@ -12,8 +12,9 @@ from flexcli.parts.base import Inertia, Mass, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
+from flexcli.parts.mechanisms.carried import carried
 from flexcli.parts.stroke import Stroke
-from flexcli.parts.structure import Body, Joint, Structure, assemble
+from flexcli.parts.structure import Structure
 from flexcli.results import Value
 
 __all__ = ["Payload"]
@@ -64,15 +65,20 @@ class Payload(Mechanism):
         return self.mass * acceleration
 
     def structure(
-        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, lock: str | None
+        self,
+        geometry: Geometry,
+        elastic: Elastic,
+        sizes: Sizes,
+        lock: str | None,
+        density: float = 0.0,
     ) -> Structure:
         """Return the payload on its joint: a stage moves along x, a pivot's bisector is x."""
         if lock is not None:
             raise MechanismError("lock", "a locked payload loads no blade", "leave the lock out")
-        spring = geometry.spring(elastic, sizes)
-        body = Body("payload", self.mass, self.inertia or 0.0)
-        joint = Joint("joint", None, "payload", (0.0, 0.0), geometry.axes, spring)
-        return assemble([body], [joint], ("payload", "travel"))
+        return carried(
+            geometry, elastic, sizes,
+            mass=self.mass, inertia=self.inertia or 0.0, density=density,
+        )  # fmt: skip
 
     def shaken_by(self, geometry: Geometry) -> Literal["translation", "rotation"]:
         """Return the joint's own kind of motion."""

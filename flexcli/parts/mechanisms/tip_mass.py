@@ -3,16 +3,15 @@
 from math import pi, sqrt
 from typing import Annotated, ClassVar, Literal
 
-import numpy as np
 from pydantic import Field
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.formulas.section import second_moment
 from flexcli.formulas.single_freedom import SingleFreedom
 from flexcli.parts.base import Inertia, Length, QuantityOf
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
+from flexcli.parts.mechanisms.carried import carried
 from flexcli.parts.stroke import Stroke
 from flexcli.parts.structure import Structure
 from flexcli.results import Value
@@ -85,28 +84,21 @@ class TipMass(Mechanism):
         return self.mass
 
     def structure(
-        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, lock: str | None
+        self,
+        geometry: Geometry,
+        elastic: Elastic,
+        sizes: Sizes,
+        lock: str | None,
+        density: float = 0.0,
     ) -> Structure:
-        """Return the body on the end of a massless blade, shaken along x."""
+        """Return the body on the end of the blade, which stands along y."""
         if lock is not None:
             raise MechanismError("lock", "a locked tip mass loads no blade", "leave the lock out")
-        h, l, b = sizes
-        rigidity = elastic.E * second_moment(b, h)
-        # coordinates: deflection and slope of the blade's end
-        bending = rigidity / l**3 * np.array([[12.0, -6.0 * l], [-6.0 * l, 4.0 * l**2]])
-        m, c = self.mass, self.offset
-        moment = rigidity / l**2 * np.array([[6.0, -2.0 * l]])  # at the clamp
-        return Structure(
-            mass=np.array([[m, m * c], [m * c, self.inertia + m * c**2]]),
-            stiffness=bending,
-            influence={"x": np.array([1.0, 0.0])},
-            outputs={
-                "force blade": bending[:1],
-                "axial stress blade": np.zeros((1, 2)),
-                "stress blade": moment * 6.0 / (b * h**2),
-                "travel": np.array([[1.0, 0.0]]),
-            },
-        )
+        return carried(
+            geometry, elastic, sizes,
+            name="tip mass", joint="blade",
+            mass=self.mass, inertia=self.inertia, offset=self.offset, density=density,
+        )  # fmt: skip
 
     def freedom(
         self,

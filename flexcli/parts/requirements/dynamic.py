@@ -5,33 +5,38 @@ modes and lives is imported where it is called: few designs ask, and all would w
 """
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, NamedTuple
+from math import inf
+from typing import Annotated, ClassVar, Literal, NamedTuple
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.material import MissingProperty
-from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
+from flexcli.parts.requirements.response_range import (
+    Uncertain,
+    between,
+    compounded,
+    over,
+    uncertain_structure,
+)
+from flexcli.parts.requirements.shaking import SHAKES, shakings
 from flexcli.parts.requirements.yielding import Allowable
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.parts.structure import Structure
-from flexcli.results import QuantityKind
-
-if TYPE_CHECKING:
-    from flexcli.parts.response import RandomResponse
+from flexcli.parts.structure import MOTIONS, Structure
+from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["DynamicBuckling", "DynamicLife", "DynamicYield"]
 
 
 class _Peak(NamedTuple):
-    """The peak of one output, what it is, and how it was found."""
+    """The peak of one output with its error, what it is, and how it was found."""
 
     output: str
     value: float
+    error: ErrorRange | None
     what: str
     source: str
 
@@ -44,34 +49,32 @@ class _Dynamic(FactorRequirement):
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the base moves in this case."""
-        return self.covers(scene) and (scene.vibration is not None or scene.shock is not None)
+        return self.covers(scene) and bool(scene.loads & SHAKES)
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return what shakes the base."""
-        return scene.loads & {LoadKind.ASD, LoadKind.SHOCK}
+        return scene.loads & SHAKES
 
-    def peaks(self, ask: Ask, prefix: str) -> Iterator[_Peak]:
-        """Yield the peak of every output whose name starts with the prefix."""
-        from flexcli.parts.response import shock_peaks
+    def peaks(self, ask: Ask, prefix: str, bearable: float = inf) -> Iterator[_Peak]:
+        """Yield the peak of every output whose name starts with the prefix.
 
-        structure = _structure(ask)
-        vibration, shock = ask.scene.vibration, ask.scene.shock
-        if vibration is not None:
-            for name, output in _random(structure, vibration).outputs.items():
-                if name.startswith(prefix):
-                    factor = self._peak_factor(ask.scene, vibration, output.crossing_rate)
-                    source = f"modal response, Q = {vibration.q:g}"
-                    yield _Peak(name, factor * output.rms, f"{factor:.3g}σ {name}", source)
-        if shock is not None:
+        A peak beyond what is ``bearable`` is on its way past it: how far off the stress may be
+        counts at the motion at which it gets there, not at one that is never reached so.
+        """
+        for shaking in shakings(ask, self._peak_factor):
+            found = uncertain_structure(ask, shaking.changes_at)
             try:
-                found = shock_peaks(structure, shock)
+                ranges = found.of(shaking.peaks)
             except ValueError as error:
-                hint = "extend the spectrum to the modes' frequencies"
-                raise RequirementError(str(error), hint) from error
-            for name, value in found.items():
+                raise RequirementError(str(error), shaking.hint) from error
+            own = [ranges[name] for name in MOTIONS if name in ranges]
+            most = max((_largest(*ranges[n]) for n in ranges if n.startswith(prefix)), default=0.0)
+            reached = min(1.0, bearable / most) if most > 0.0 else 1.0
+            rest = found.stress_error(ask, reached * _largest(*own[0]) if own else 0.0)
+            for name, (value, off) in ranges.items():
                 if name.startswith(prefix):
-                    source = f"modal response to the shock, Q = {shock.q:g}"
-                    yield _Peak(name, value, f"peak {name}", source)
+                    what = f"{shaking.named(found.structure, name)} {name}"
+                    yield _Peak(name, value, compounded(off, rest), what, shaking.source)
 
     def _peak_factor(self, scene: Scene, vibration: RandomVibration, rate: float) -> float:
         if self.peak == "sigma":
@@ -81,24 +84,8 @@ class _Dynamic(FactorRequirement):
         return float(peak_factor(rate, duration)) if enough else vibration.sigma
 
 
-def _structure(ask: Ask) -> Structure:
-    if ask.mechanism is None:
-        raise RequirementError("a response needs masses that move", "add a mechanism")
-    try:
-        return ask.mechanism.structure(
-            ask.geometry, ask.material.elastic, ask.sizes, ask.scene.lock
-        )
-    except (MechanismError, NotAvailable) as error:
-        raise RequirementError(str(error), getattr(error, "hint", "")) from error
-
-
-def _random(structure: Structure, vibration: RandomVibration) -> "RandomResponse":
-    from flexcli.parts.response import random_response
-
-    try:
-        return random_response(structure, vibration)
-    except ValueError as error:
-        raise RequirementError(str(error)) from error
+def _largest(value: float, error: ErrorRange | None) -> float:
+    return value * (1.0 + (error.high if error is not None else 0.0))
 
 
 def _duration(scene: Scene, vibration: RandomVibration) -> float:
@@ -124,7 +111,7 @@ class DynamicYield(_Dynamic):
             strength = ask.material.strength(self.allowable.replace("-", "_"))
         except MissingProperty as missing:
             raise RequirementError(str(missing), f"give material.{missing.field}") from missing
-        for peak in self.peaks(ask, "stress"):
+        for peak in self.peaks(ask, "stress", strength / self.factor):
             yield Limit(
                 self.label,
                 ask.scene.case,
@@ -135,6 +122,7 @@ class DynamicYield(_Dynamic):
                 f"{peak.source}; allowable: {self.allowable}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
+                error=peak.error,
             )
 
 
@@ -156,6 +144,7 @@ class DynamicBuckling(_Dynamic):
             key=lambda found: float(found.force),
         )
         per_force = ask.geometry.axial_stress(1.0, ask.sizes)
+        own = ask.answers.error(ask, QuantityKind.BUCKLING)
         for peak in self.peaks(ask, "axial stress"):
             yield Limit(
                 self.label,
@@ -167,6 +156,7 @@ class DynamicBuckling(_Dynamic):
                 f"{peak.source}; {critical.source}: {scene.ends_why}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
+                error=over(peak.error, own),
             )
 
 
@@ -187,29 +177,79 @@ class DynamicLife(_Dynamic):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the duration of the vibration against the life of every joint."""
-        from flexcli.parts.vibration_life import life_under
-
         vibration = ask.scene.vibration
         assert vibration is not None  # it applies
         duration = _duration(ask.scene, vibration)
+        found = uncertain_structure(ask, _corners(vibration))
+        travels = found.of(lambda structure: _rms(structure, vibration, MOTIONS))
+        travel = max((_largest(*each) for each in travels.values()), default=0.0)
+        rest = found.stress_error(ask, vibration.sigma * travel)
         mean = f"mean stress {self.mean_stress / 1e6:.4g} MPa" if self.mean_stress else "no mean"
-        for name, output in _random(_structure(ask), vibration).outputs.items():
-            if not name.startswith("stress"):
-                continue
-            try:
-                lives = life_under(ask.material, output.moments, self.mean_stress)
-            except MissingProperty as missing:
-                raise RequirementError(str(missing), f"give material.{missing.field}") from missing
-            shortest = min(lives, key=lambda key: lives[key])
-            method = shortest if self.method == "least" else self.method
+        for name, (life, error) in self._lives(ask, found, vibration, rest).items():
             yield Limit(
                 self.label,
                 ask.scene.case,
                 f"duration against life, {name}",
                 duration,
-                lives[method],
+                life,
                 "s",
-                f"{method}, S-N amplitudes at R = −1, {mean}, modal response, Q = {vibration.q:g}",
+                f"{self.method}, S-N amplitudes at R = −1, {mean}, modal response, "
+                f"Q = {vibration.q:g}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
+                in_capacity=True,
+                error=error,
             )
+
+    def _lives(
+        self, ask: Ask, found: Uncertain, vibration: RandomVibration, rest: ErrorRange | None
+    ) -> dict[str, tuple[float, ErrorRange | None]]:
+        """Return the life at every joint [s], with its error from all that the stress may be."""
+        from flexcli.parts.response import random_outputs
+        from flexcli.parts.vibration_life import life_under
+
+        def lives(structure: Structure, stress: float = 1.0) -> dict[str, float]:
+            """Return the lives when every stress is so many times what the modes make."""
+            living = {}
+            for name, output in random_outputs(structure, vibration).items():
+                if name.startswith("stress"):
+                    m0, m1, m2, m4 = (moment * stress**2 for moment in output.moments)
+                    by_method = life_under(ask.material, (m0, m1, m2, m4), self.mean_stress)
+                    living[name] = (
+                        min(by_method.values())
+                        if self.method == "least"
+                        else by_method[self.method]
+                    )
+            return living
+
+        try:
+            if rest is None or found.others is None:
+                return {name: (life, None) for name, life in lives(found.structure).items()}
+            every = [
+                lives(structure, 1.0 + end)
+                for structure in (found.structure, *found.others)
+                for end in rest
+            ]
+            plain = lives(found.structure)
+        except MissingProperty as missing:
+            raise RequirementError(str(missing), f"give material.{missing.field}") from missing
+        except ValueError as error:
+            raise RequirementError(str(error)) from error
+        return {
+            name: (life, between(life, [each[name] for each in every]))
+            for name, life in plain.items()
+        }
+
+
+def _corners(vibration: RandomVibration) -> tuple[float, ...]:
+    """Return the frequencies at which a profile changes [Hz]."""
+    return tuple(float(f) for f in vibration.applied().frequency)
+
+
+def _rms(
+    structure: Structure, vibration: RandomVibration, names: tuple[str, ...]
+) -> dict[str, float]:
+    from flexcli.parts.response import random_outputs
+
+    found = random_outputs(structure, vibration)
+    return {name: found[name].rms for name in names if name in found}

@@ -6,6 +6,7 @@ from typing import Annotated, ClassVar
 
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.mechanisms import MechanismError
+from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.results import QuantityKind
@@ -26,13 +27,9 @@ class Frequency(Bound):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the frequency, squared."""
-        if ask.mechanism is None:
-            raise RequirementError(
-                "a frequency needs a mass that moves", "add mechanism: {kind: payload, mass: …}"
-            )
         try:
-            stiffness = ask.answers.stiffness(ask)
-            mode = ask.mechanism.mode(stiffness, ask.geometry)
+            stiffness, elastic = ask.answers.stiffness(ask), ask.material.elastic
+            mode = own_mode(ask.mechanism, stiffness, ask.geometry, elastic, ask.sizes)
         except MechanismError as error:
             raise RequirementError(str(error), error.hint) from error
         factor = ask.answers.frequency_factor(ask)

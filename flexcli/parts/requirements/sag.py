@@ -5,6 +5,7 @@ from typing import Annotated, ClassVar
 
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.mechanisms import MechanismError
+from flexcli.parts.own_motion import hanging_mass
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import LoadKind, Scene
@@ -36,14 +37,12 @@ class Sag(Bound):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the sag."""
         scene = ask.scene
-        if ask.mechanism is None:
-            raise RequirementError(
-                "a sag needs a mass that hangs", "add mechanism: {kind: payload, mass: …}"
-            )
         try:
-            weight = ask.mechanism.hanging_mass() * scene.acceleration
+            weight = scene.acceleration * hanging_mass(
+                ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes, scene.axis
+            )
         except MechanismError as error:
-            raise RequirementError(str(error)) from error
+            raise RequirementError(str(error), error.hint) from error
         stiffness = ask.answers.sag_stiffness(ask)
         yield from self.bounds(
             weight / stiffness,

@@ -1,0 +1,150 @@
+"""The mechanism's own motion: its mode among all that bodies and heavy blades can do."""
+
+from math import cos, sin
+
+import numpy as np
+
+from flexcli.errors import SolveError
+from flexcli.formulas.quantity import Quantity
+from flexcli.mechanics.hanging_mass import hanging_mass as hanging_in
+from flexcli.mechanics.layout import Layout
+from flexcli.numerics.modes import natural_modes
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import MOVING, Geometry, Sizes
+from flexcli.parts.mechanisms import Mechanism, MechanismError, Mode
+from flexcli.parts.mechanisms.carried import carried, has_masses, is_guided, joint_layout
+from flexcli.parts.structure import Structure, joined
+
+__all__ = ["DENSEST", "hanging_mass", "hanging_on", "own_angular", "own_mode", "structure_of"]
+
+DENSEST = 22_600.0
+"""Density of osmium [kg/m³]: what blades of unknown material weigh at most."""
+
+TAKES_PART = 0.01
+"""Share of the motion's compliance from which a mode is one of the motion's own."""
+
+NO_MASS = "a frequency needs a mass that moves"
+HINT = "add mechanism: {kind: payload, mass: …}, or give a layout's bodies their mass"
+
+
+def structure_of(
+    mechanism: Mechanism | None,
+    geometry: Geometry,
+    elastic: Elastic,
+    sizes: Sizes,
+    lock: str | None = None,
+    density: float = 0.0,
+) -> Structure:
+    """Return a mechanism, or a layout whose own bodies have mass, as a structure in its plane.
+
+    Raises
+    ------
+    MechanismError
+        When nothing that moves has a mass, or the lock is none of this mechanism.
+    NotAvailable
+        When the joint is not made of blades in a plane.
+
+    """
+    if mechanism is not None:
+        return mechanism.structure(geometry, elastic, sizes, lock, density)
+    if not has_masses(geometry, elastic, sizes):
+        raise MechanismError("mechanism", NO_MASS, HINT)
+    return carried(geometry, elastic, sizes, density=density)
+
+
+def own_mode(
+    mechanism: Mechanism | None,
+    stiffness: Quantity,
+    geometry: Geometry,
+    elastic: Elastic,
+    sizes: Sizes,
+) -> Mode:
+    """Return stiffness and mass of the mechanism's own motion, the blades without mass.
+
+    Of a layout whose bodies have mass all coordinates count: the mass is what gives the mode's
+    frequency with the stiffness of the motion.
+
+    Raises
+    ------
+    MechanismError
+        When nothing says what moves.
+
+    """
+    if not has_masses(geometry, elastic, sizes):
+        if mechanism is None:
+            raise MechanismError("mechanism", NO_MASS, HINT)
+        return mechanism.mode(stiffness, geometry)
+    structure = structure_of(mechanism, geometry, elastic, sizes)
+    return Mode(stiffness, structure.motion_stiffness / own_angular(structure) ** 2)
+
+
+def own_angular(structure: Structure) -> float:
+    """Return the angular frequency [rad/s] of the lowest mode that the own motion takes part in.
+
+    Modes are weighed by what they add to the static compliance of the motion, so that a mode
+    which only rocks a body beside the motion does not stand for it.
+    """
+    assert structure.motion is not None  # not locked
+    modes = natural_modes(structure.stiffness, structure.mass)
+    compliance = (structure.motion @ modes.shapes) ** 2 / modes.angular**2
+    whole = 1.0 / structure.motion_stiffness
+    taking = np.flatnonzero(compliance > TAKES_PART * whole)
+    if not taking.size:
+        raise MechanismError("mechanism", "the body that moves has no mass or inertia", HINT)
+    return float(modes.angular[taking[0]])
+
+
+def hanging_mass(
+    mechanism: Mechanism | None,
+    geometry: Geometry,
+    elastic: Elastic,
+    sizes: Sizes,
+    axis: str,
+) -> float:
+    """Return the mass that the joint carries against a steady acceleration along an axis [kg].
+
+    Bodies of a layout hang on the moving one as their place lets them; x is along the stroke.
+
+    Raises
+    ------
+    MechanismError
+        When nothing says what hangs.
+    NotAvailable
+        When the material gives no shear modulus for the blades between several bodies.
+
+    """
+    if not has_masses(geometry, elastic, sizes):
+        if mechanism is None:
+            raise MechanismError("mechanism", "a sag needs a mass that hangs", HINT)
+        return mechanism.hanging_mass()
+    payload = mechanism.hanging_mass() if mechanism is not None else 0.0
+    return hanging_on(geometry, elastic, sizes, payload, axis)
+
+
+def hanging_on(
+    geometry: Geometry,
+    elastic: Elastic,
+    sizes: Sizes,
+    payload: float,
+    axis: str,
+    *,
+    arm: float = 0.0,
+    density: float = 0.0,
+) -> float:
+    """Return the effective mass at a joint's moving body that carries a payload [kg].
+
+    ``arm`` [m] is how far along the blades the payload's centre lies beyond the body's point.
+    """
+    layout = joint_layout(geometry, elastic, sizes)
+    moving = layout.body(MOVING)
+    x, y = moving.point
+    load = moving._replace(mass=payload, inertia=0.0, com=(x + arm, y))
+    body = joined(MOVING, moving.point, [moving, load])
+    bodies = tuple(body if b.name == MOVING else b for b in layout.bodies)
+    whole = Layout(bodies, layout.blades, layout.E, layout.G, layout.supports)
+    c, s = cos(geometry.axes), sin(geometry.axes)
+    along = {"x": (c, s, 0.0), "y": (-s, c, 0.0), "z": (0.0, 0.0, 1.0)}[axis]
+    try:
+        return hanging_in(whole, MOVING, along, density, is_guided=is_guided(geometry))
+    except SolveError as error:
+        raise NotAvailable(f"has no sag along {axis}: {error}") from error

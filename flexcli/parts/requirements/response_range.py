@@ -1,0 +1,163 @@
+"""A structure whose stiffness and masses are known within a range, and what it does over that."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from flexcli.errors import SolveError
+from flexcli.numerics.modes import natural_modes
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.mechanisms import MechanismError
+from flexcli.parts.mechanisms.carried import carried, has_limbs
+from flexcli.parts.own_motion import DENSEST, structure_of
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.structure import Structure
+from flexcli.results import ErrorRange, QuantityKind
+
+__all__ = ["Uncertain", "between", "compounded", "over", "uncertain_structure"]
+
+STEPS = 5
+"""Stiffnesses between both ends of the range: the response has no narrower features between the
+frequencies at which something changes, which are added."""
+
+MOST_MODES = 8
+"""Lowest modes that are moved onto each such frequency."""
+
+Peaks = Mapping[str, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Uncertain:
+    """A structure as the model asked makes it, others that are as likely, and what is left.
+
+    ``others`` is nothing where nobody knows how far off it is.
+    """
+
+    structure: Structure
+    others: tuple[Structure, ...] | None
+
+    def of(
+        self, answer: Callable[[Structure], Peaks]
+    ) -> dict[str, tuple[float, ErrorRange | None]]:
+        """Return each number of a response with the range of its error over all structures."""
+        found = answer(self.structure)
+        if self.others is None:
+            return {name: (value, None) for name, value in found.items()}
+        everywhere = [found, *(answer(other) for other in self.others)]
+        return {
+            name: (value, between(value, [each[name] for each in everywhere]))
+            for name, value in found.items()
+        }
+
+    def stress_error(self, ask: Ask, peak: float) -> ErrorRange | None:
+        """Return how far the stress at a peak of the own motion may be off, besides that peak.
+
+        The stress of the modes grows with the motion; the model that is asked says what it is at
+        that motion held still, with an error of its own.
+        """
+        mechanism, structure = ask.mechanism, self.structure
+        ratio = mechanism.joint_travel_per_motion if mechanism is not None else 1.0
+        scene = ask.scene.without_loads()._replace(travel=peak * ratio, mean_travel=0.0, middle=0.0)
+        held = ask._replace(scene=scene)
+        error = ask.answers.error(held, QuantityKind.STRESS)
+        if error is None or structure.motion is None or peak == 0.0:
+            return error
+        still = np.linalg.solve(structure.stiffness, structure.motion) * structure.motion_stiffness
+        rows = [rows for name, rows in structure.outputs.items() if name.startswith("stress")]
+        linear = max(float(np.abs(each @ still).max()) for each in rows) * peak
+        try:
+            _, stresses = ask.answers.stresses(held)
+        except (NotAvailable, SolveError):
+            return None
+        off = max(abs(float(stress.largest)) for stress in stresses) / linear - 1.0
+        return compounded(error, ErrorRange(min(off, 0.0), max(off, 0.0)))
+
+
+def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
+    """Return the mechanism of a case by the model that is asked.
+
+    Its stiffness is that of the blades times what the model says of the own motion. Over the
+    range of that number the modes move; every one in reach is put on each of the
+    ``frequencies`` [Hz] at which the excitation changes, so that no resonance is stepped over.
+
+    Raises
+    ------
+    RequirementError
+        When nothing that moves has a mass, or the joint is not made of blades in a plane.
+
+    """
+    geometry, elastic, sizes, scene = ask.geometry, ask.material.elastic, ask.sizes, ask.scene
+    density = ask.material.density
+
+    def made(rho: float) -> Structure:
+        return structure_of(ask.mechanism, geometry, elastic, sizes, scene.lock, rho)
+
+    try:
+        plain = made(0.0 if density is None else density.value)
+        heavy = made(DENSEST) if density is None else None
+        joint = carried(geometry, elastic, sizes).motion_stiffness
+    except (MechanismError, NotAvailable) as error:
+        raise RequirementError(str(error), getattr(error, "hint", "")) from error
+    factor = float(ask.answers.stiffness(ask)) / joint
+    structure = plain.stiffened(factor)
+    off = ask.answers.error(ask, QuantityKind.STIFFNESS)
+    if off is None or has_limbs(geometry, elastic, sizes):
+        return Uncertain(structure, None)
+    ends = [factor * (1.0 + off.low), factor * (1.0 + off.high)]
+    if _leaves_its_motion(ask):
+        ends.append(1.0)  # what stretches the blades is no softer or stiffer by their width
+    low, high = max(min(ends), 0.0), max(ends)
+    if low <= 0.0:
+        return Uncertain(structure, None)
+    others = []
+    for base in (plain, heavy) if heavy is not None else (plain,):
+        chosen = {*np.linspace(low, high, STEPS).tolist(), *_onto(base, frequencies, low, high)}
+        others += [base.stiffened(each) for each in sorted(chosen)]
+    return Uncertain(structure, tuple(others))
+
+
+def _leaves_its_motion(ask: Ask) -> bool:
+    """Return whether the base shakes more than the mechanism's own motion."""
+    scene = ask.scene
+    axes = set(scene.vibration.axes) if scene.vibration is not None else set()
+    axes |= {scene.shock.axis} if scene.shock is not None else set()
+    turns = ask.geometry.motion == "rotation" and getattr(ask.mechanism, "joints", 1) == 1
+    return scene.lock is not None or "y" in axes or turns or not ask.geometry.closed_forms
+
+
+def _onto(
+    structure: Structure, frequencies: tuple[float, ...], low: float, high: float
+) -> Iterator[float]:
+    """Yield factors of the stiffness that put a mode onto one of the frequencies."""
+    modes = natural_modes(structure.stiffness, structure.mass).angular[:MOST_MODES] / (2.0 * pi)
+    for frequency in frequencies:
+        for factor in (frequency / modes) ** 2:
+            if low < factor < high:
+                yield float(factor)
+
+
+def compounded(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | None:
+    """Return the range of two errors of factors of one number; unknown where one of them is."""
+    if one is None or other is None:
+        return None
+    ends = [(1.0 + a) * (1.0 + b) - 1.0 for a in one for b in other]
+    return ErrorRange(min(ends), max(ends))
+
+
+def over(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | None:
+    """Return the range of the error of a ratio; unknown where one of both is."""
+    if one is None or other is None or other.low <= -1.0:
+        return None
+    ends = [(1.0 + a) / (1.0 + b) - 1.0 for a in one for b in other]
+    return ErrorRange(min(ends), max(ends))
+
+
+def between(value: float, all_values: list[float]) -> ErrorRange | None:
+    """Return between which relative errors the true value lies; nothing for no value to err."""
+    if value == 0.0:
+        return ErrorRange(0.0, 0.0) if not any(all_values) else None
+    if not np.isfinite(all_values).all():
+        return None
+    return ErrorRange(min(all_values) / value - 1.0, max(all_values) / value - 1.0)

@@ -1,0 +1,110 @@
+"""What shakes the base in a case, each as the peaks that a structure answers with."""
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import NamedTuple
+
+from flexcli.parts.asd import RandomVibration
+from flexcli.parts.mechanisms import Mechanism
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.scene import LoadKind, Scene
+from flexcli.parts.shock import Shock
+from flexcli.parts.structure import Structure
+
+__all__ = ["SHAKES", "PeakFactor", "Shaking", "quality_of", "shakings"]
+
+SHAKES = frozenset({LoadKind.ASD, LoadKind.SHOCK, LoadKind.SINE, LoadKind.SWEEP})
+"""Loads of a case that the modes answer."""
+
+PeakFactor = Callable[[Scene, RandomVibration, float], float]
+"""Peak over rms of a random response, from its rate of upward zero crossings [Hz]."""
+
+
+class Shaking(NamedTuple):
+    """One excitation: its key in the spec, what a structure answers, and how it is spoken of.
+
+    ``changes_at`` are the frequencies at which it changes [Hz].
+    """
+
+    kind: LoadKind
+    peaks: Callable[[Structure], Mapping[str, float]]
+    changes_at: tuple[float, ...]
+    source: str
+    named: Callable[[Structure, str], str]
+    hint: str = ""
+
+
+def shakings(ask: Ask, factor: PeakFactor) -> Iterator[Shaking]:
+    """Yield every excitation of a case.
+
+    Raises
+    ------
+    RequirementError
+        When nothing says how a sine is damped.
+
+    """
+    scene = ask.scene
+    if scene.vibration is not None:
+        yield _random(scene, scene.vibration, factor)
+    if scene.shock is not None:
+        yield _shock(scene.shock)
+    if scene.sine is not None:
+        Q, frequency = quality_of(ask.mechanism, scene), scene.sine.frequency
+        yield _sine(LoadKind.SINE, scene.sine.acceleration, Q, (frequency, frequency))
+    if scene.sweep is not None:
+        Q, ends = quality_of(ask.mechanism, scene), (scene.sweep.start, scene.sweep.end)
+        yield _sine(LoadKind.SWEEP, scene.sweep.acceleration, Q, ends)
+
+
+def quality_of(mechanism: Mechanism | None, scene: Scene) -> float:
+    """Return Q of the modes: as the mechanism states it, else as another load of the case does."""
+    if mechanism is not None and mechanism.damping is not None:
+        return mechanism.damping.quality
+    for environment in (scene.vibration, scene.shock):
+        if environment is not None:
+            return environment.q
+    raise RequirementError(
+        f"nothing says how the modes are damped in case '{scene.case}'",
+        "add mechanism.damping: {q: 100}",
+    )
+
+
+def _random(scene: Scene, vibration: RandomVibration, factor: PeakFactor) -> Shaking:
+    from flexcli.parts.response import random_outputs
+
+    def peaks(structure: Structure) -> dict[str, float]:
+        return {
+            name: factor(scene, vibration, output.crossing_rate) * output.rms
+            for name, output in random_outputs(structure, vibration).items()
+        }
+
+    def named(structure: Structure, name: str) -> str:
+        rate = random_outputs(structure, vibration)[name].crossing_rate
+        return f"{factor(scene, vibration, rate):.3g}σ"
+
+    corners = tuple(float(f) for f in vibration.applied().frequency)
+    return Shaking(LoadKind.ASD, peaks, corners, f"modal response, Q = {vibration.q:g}", named)
+
+
+def _shock(shock: Shock) -> Shaking:
+    from flexcli.parts.response import shock_peaks
+
+    return Shaking(
+        LoadKind.SHOCK,
+        lambda structure: shock_peaks(structure, shock),
+        tuple(point.frequency for point in shock.srs),
+        f"modal response to the shock, Q = {shock.q:g}",
+        lambda _structure, _name: "peak",
+        "extend the spectrum to the modes' frequencies",
+    )
+
+
+def _sine(kind: LoadKind, acceleration: float, Q: float, ends: tuple[float, float]) -> Shaking:
+    from flexcli.parts.response import sine_peaks
+
+    return Shaking(
+        kind,
+        lambda structure: sine_peaks(structure, acceleration, Q, ends),
+        ends,
+        f"steady modal response to the {kind}, Q = {Q:g}",
+        lambda _structure, _name: "amplitude of",
+    )

@@ -1,0 +1,168 @@
+"""Peaks of the modes with the range that the structure's own error gives them."""
+
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+import yaml
+
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.requirements import Ask, RequirementError
+from flexcli.parts.requirements.as_printed import AsPrinted
+from flexcli.parts.response import random_outputs, sine_peaks
+from flexcli.parts.scene import LoadKind
+from flexcli.results import EXACT, ErrorRange, QuantityKind
+
+E, H, L, B = 114e9, 0.2e-3, 20e-3, 10e-3
+MATERIAL = {"name": "titanium", "youngs_modulus": "114 GPa", "poisson_ratio": 0.3,
+            "yield_strength": "900 MPa", "density": "1e-3 kg/m^3"}  # fmt: skip
+STAGE = {"kind": "leaf-spring-stage", "h": "0.2 mm", "l": "20 mm", "b": "10 mm"}
+K = 24.0 * E * B * H**3 / 12.0 / L**3
+MASS = 0.05
+F_0 = sqrt(K / MASS) / (2.0 * pi)
+Q = 50.0
+
+
+class Off(AsPrinted):
+    """The printed formulas, their stiffness off by so much."""
+
+    def __init__(self, low=0.0, high=0.0, known=True):
+        self.off, self.known = ErrorRange(low, high), known
+
+    def error(self, ask, kind):
+        if not self.known:
+            return None
+        return self.off if kind is QuantityKind.STIFFNESS else EXACT
+
+
+def design(case, requirements=None, **more):
+    given = {
+        "flexure": 1,
+        "material": {**MATERIAL, **more},
+        "geometry": STAGE,
+        "mechanism": {"kind": "payload", "mass": f"{MASS} kg", "damping": {"q": Q}},
+        "cases": {"shake": case},
+        "requirements": requirements or {"dynamic-yield": 1.5},
+    }
+    return DesignSpec.model_validate(yaml.safe_load(yaml.safe_dump(given)))
+
+
+def limit(case, answers, requirements=None, **more):
+    found = design(case, requirements, **more)
+    sizes = found.fixed_sizes()
+    ((_, requirement),) = found.requirements.each()
+    ask = Ask(found.material, found.geometry, found.mechanism, sizes, found.scene("shake"), answers)
+    (worst,) = requirement.limits(ask)
+    return worst
+
+
+def flat(low, high, level=0.01):
+    ends = [{"frequency": f"{f!r} Hz", "level": f"{level} g^2/Hz"} for f in (low, high)]
+    return {"asd": {"profile": {"points": ends}, "q": Q, "duration": "60 s"}}
+
+
+def sine(frequency, level=1.0):
+    return {"sine": {"acceleration": f"{level} m/s^2", "frequency": f"{frequency!r} Hz"}}
+
+
+def travel_stress(x):
+    return 3.0 * E * H / L**2 * x
+
+
+def test_white_noise_moves_one_mode_as_miles_says():
+    """Miles: the rms of ω² z is √(π/2 f Q G), exact for white noise from zero to infinity."""
+    level = 0.01 * 9.80665**2
+    miles = sqrt(pi / 2.0 * F_0 * Q * level)
+    expected = 3.0 * travel_stress(miles / (2.0 * pi * F_0) ** 2)
+    found = limit(flat(F_0 / 100.0, F_0 * 100.0), Off())
+    # of the band, what is outside two decades about the resonance
+    assert found.demand == pytest.approx(expected, rel=1e-3)
+
+
+def test_a_sine_moves_one_mode_by_its_gain():
+    f = 0.9 * F_0
+    gain = 1.0 / np.hypot(1.0 - 0.9**2, 0.9 / Q)
+    expected = travel_stress(gain / (2.0 * pi * F_0) ** 2)
+    assert limit(sine(f), Off()).demand == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_sweep_over_the_resonance_has_its_top():
+    case = {"sweep": {"acceleration": "1 m/s^2", "rate": "1 oct/min",
+                      "from": f"{F_0 / 3!r} Hz", "to": f"{F_0 * 3!r} Hz"}}  # fmt: skip
+    # the top of |1/(1 − r² + ir/Q)| is Q/√(1 − 1/(4Q²))
+    top = Q / sqrt(1.0 - 0.25 / Q**2)
+    expected = travel_stress(top / (2.0 * pi * F_0) ** 2)
+    assert limit(case, Off()).demand == pytest.approx(expected, rel=1e-4)
+
+
+@pytest.mark.parametrize("case", [flat(F_0 / 2.0, 0.97 * F_0), flat(20.0, 40.0), sine(0.97 * F_0)])
+def test_the_range_covers_every_stiffness_within_the_error(case):
+    low, high = -0.08, 0.05
+    found = limit(case, Off(low, high))
+    for off in np.linspace(low, high, 60):
+        true = _with_stiffness(case, 1.0 + off)
+        error = true / found.demand - 1.0
+        # between the stiffnesses that were tried the response is smooth
+        assert found.error.low - 1e-3 <= error <= found.error.high * (1.0 + 1e-3) + 1e-3
+
+
+def test_a_resonance_inside_the_range_counts_though_both_ends_are_away_from_it():
+    found = limit(sine(1.001 * F_0), Off(-0.2, 0.2))
+    top = Q / (2.0 * pi * 1.001 * F_0) ** 2  # with the stiffness at which it resonates
+    # at resonance the stress is that of a mode of stiffness times travel
+    assert found.demand * (1.0 + found.error.high) >= 0.999 * travel_stress(top)
+
+
+def _with_stiffness(case, factor):
+    """Give the peak stress of the one mode with its stiffness and stresses times a factor."""
+    found = design(case)
+    sizes = found.fixed_sizes()
+    structure = found.mechanism.structure(found.geometry, found.material.elastic, sizes, None)
+    structure = structure.stiffened(factor)
+    scene = found.scene("shake")
+    if scene.vibration is not None:
+        return 3.0 * random_outputs(structure, scene.vibration)["stress joint"].rms
+    ends = (scene.sine.frequency, scene.sine.frequency)
+    return sine_peaks(structure, scene.sine.acceleration, Q, ends)["stress joint"]
+
+
+def test_an_unknown_stiffness_leaves_the_response_unknown():
+    assert limit(sine(0.5 * F_0), Off(known=False)).error is None
+
+
+def test_a_known_structure_leaves_only_what_the_travel_bends_otherwise():
+    found = limit(sine(0.5 * F_0, 0.01), Off())
+    assert found.error.largest < 1e-6
+
+
+def test_a_life_is_shorter_by_the_power_of_the_stress():
+    points = [{"cycles": n, "amplitude": s} for n, s in ((1e3, "800 MPa"), (1e7, "200 MPa"))]
+    curve = {"sn_amplitudes": {"points": points, "stress_ratio": -1}}
+    asked = {"dynamic-life": {"factor": 4, "method": "dirlik"}}
+    case = flat(F_0 / 4.0, 4.0 * F_0, 0.1)
+    found = limit(case, Off(-0.1, 0.1), asked, **curve)
+    assert found.in_capacity
+    assert found.error.low < 0.0 < found.error.high
+    softer, plain = (_with_stiffness(case, f) for f in (0.9, 1.0))
+    k = np.log(1e4) / np.log(4.0)
+    # the crossing rate moves by 5 % besides
+    assert 1.0 + found.error.high == pytest.approx((plain / softer) ** k, rel=0.1)
+
+
+def test_it_looks_at_all_that_shakes_and_at_nothing_else():
+    case = {**sine(50.0), "stroke": {"translation": "0.1 mm"}}
+    found = design(case)
+    ((_, requirement),) = found.requirements.each()
+    assert requirement.looks_at(found.scene("shake")) == {LoadKind.SINE}
+
+
+def test_a_sine_without_damping_is_a_finding():
+    found = design(sine(50.0))
+    mechanism = found.mechanism.model_copy(update={"damping": None})
+    ask = Ask(
+        found.material, found.geometry, mechanism, found.fixed_sizes(),
+        found.scene("shake"), Off(),
+    )  # fmt: skip
+    ((_, requirement),) = found.requirements.each()
+    with pytest.raises(RequirementError, match="damped"):
+        list(requirement.limits(ask))
