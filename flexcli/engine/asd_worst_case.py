@@ -8,7 +8,7 @@ from flexcli.errors import SolveError
 from flexcli.formulas.miles import miles_worst_case
 from flexcli.formulas.oscillator import oscillator_response
 from flexcli.formulas.peaks import MINIMUM_CYCLES, davenport_peak_factor, peak_factor
-from flexcli.formulas.response_spectrum import miles_shortfall, response_maximum
+from flexcli.formulas.response_spectrum import ResponseSpectrum
 from flexcli.parts.asd import AppliedASD, ASDProfile, RandomVibration
 from flexcli.parts.design import DesignSpec
 from flexcli.results import Cost, Note, Result, Status, Value, WorstCaseRow
@@ -106,8 +106,8 @@ def _row(each: Environment) -> WorstCaseRow:
     worst = miles_worst_case(f, g, each.q, scale=scale)
     rms = float(worst.response)
     there = oscillator_response(f, g, worst.frequency, each.q, scale=scale)
-    most = response_maximum(f, g, each.q, scale=scale)
-    low = miles_shortfall(f, g, each.q, scale=scale)
+    spectrum = ResponseSpectrum(f, g, each.q, scale)
+    most, low = spectrum.maximum(), spectrum.shortfall()
     time = each.applied.duration
     peak = davenport = None
     if time is not None and worst.frequency * time > 1.0:
@@ -197,7 +197,11 @@ def _values(row: WorstCaseRow) -> dict[str, Value]:
             row.g_rms_pseudo, "m/s^2", "exact rms pseudo-acceleration (spring) there", exact, EXACT
         ),
         "g_rms_max": Value(
-            row.g_rms_max, "m/s^2", "greatest exact rms absolute acceleration", exact, EXACT
+            row.g_rms_max,
+            "m/s^2",
+            "greatest exact rms absolute acceleration, over all frequencies",
+            exact,
+            EXACT,
         ),
         "f_max": Value(row.f_max, "Hz", "frequency of the greatest exact response", exact, EXACT),
         "miles_excess_there": Value(

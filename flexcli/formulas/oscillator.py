@@ -20,7 +20,13 @@ from flexcli.formulas.miles import miles
 from flexcli.formulas.spectrum import Scale, checked_profile
 from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = ["OscillatorResponse", "oscillator_response", "white_noise_response"]
+__all__ = [
+    "PANELS_AT_ONCE",
+    "OscillatorResponse",
+    "oscillator_response",
+    "response_integrals",
+    "white_noise_response",
+]
 
 Floats = NDArray[np.float64]
 
@@ -33,7 +39,7 @@ _NODES = 16
 _WIDEST_PANEL = 1.4
 _STEEPEST_PANEL = 10.0
 # Rows (f_n, Q) handled at once: about this many panels, to stay within the cache.
-_PANELS_AT_ONCE = 20_000
+PANELS_AT_ONCE = 20_000
 
 
 def _at_least_critical(Q: Floats) -> None:
@@ -91,7 +97,8 @@ class _Panels:
 def _graded_panels(y: Floats, Q: Floats, slope: Floats | None) -> _Panels:
     """Cut each row's segments at 0 and ±4^k/(2Q); further on log axes, given the slopes.
 
-    `y` has shape (rows, breakpoints), 0 at resonance, where the poles are 1/(2Q) off.
+    `y` has shape (rows, breakpoints), 0 at resonance, where the poles are 1/(2Q) off; the slopes
+    (rows, segments).
     """
     rows, points = y.shape
     pole = 0.5 / Q
@@ -113,7 +120,7 @@ def _graded_panels(y: Floats, Q: Floats, slope: Floats | None) -> _Panels:
     panels = _Panels(row, segment, start, width, share, share_width)
     if slope is None:
         return panels
-    steep = (np.abs(slope[segment]) + 3) * width / _STEEPEST_PANEL
+    steep = (np.abs(slope[row, segment]) + 3) * width / _STEEPEST_PANEL
     pieces = np.ceil(np.maximum(width / _WIDEST_PANEL, steep)).astype(np.intp)
     if (pieces == 1).all():
         return panels
@@ -130,34 +137,52 @@ def _graded_panels(y: Floats, Q: Floats, slope: Floats | None) -> _Panels:
     )
 
 
-def _response_integrals(
+def response_integrals(
     f: Floats, g: Floats, fn: Floats, Q: Floats, scale: Scale
 ) -> tuple[Floats, Floats]:
-    """∫ G |H_z|² df and ∫ G r² |H_z|² df for each row of (f_n, Q), shape (rows,)."""
+    """Give ∫ G |H_z|² df and ∫ G r² |H_z|² df of many oscillators.
+
+    Parameters
+    ----------
+    f, g : arrays, shape (rows, points) or (1, points)
+        Profile of each oscillator, or of all, [Hz] and [x²/Hz]. Points at its end may repeat.
+    fn, Q : arrays, shape (rows,)
+        Natural frequency [Hz] and quality factor [-].
+    scale : "log" or "linear"
+        Axes in which the profiles are straight.
+
+    Returns
+    -------
+    tuple of arrays, shape (rows,)
+        Mean squares of pseudo-acceleration ω_n² z and of ω_n ż, [x²].
+    """
     x, w = gauss_rule(_NODES)
-    rise = np.log(g[1:] / g[:-1]) if scale == "log" else np.diff(g)
+    shape = (fn.size, f.shape[1] - 1)
+    rise = np.log(g[:, 1:] / g[:, :-1]) if scale == "log" else np.diff(g, axis=1)
+    rise, start = np.broadcast_to(rise, shape), np.broadcast_to(g[:, :-1], shape)
     if scale == "log":
         # y = ln r, in which |H_z|² = r⁻²/(4 sinh² y + 1/Q²)
         y = _log_distance(f, fn[:, None])
-        span = np.log1p(np.diff(f) / f[:-1])
-        slope = np.divide(rise, span, out=np.zeros_like(rise), where=span > 0)
+        span = np.broadcast_to(np.log1p(np.diff(f, axis=1) / f[:, :-1]), shape)
+        slope = np.divide(rise, span, out=np.zeros(shape), where=span > 0)
         panels = _graded_panels(y, Q, slope)
     else:
         # y = r − 1, in which |H_z|² = 1/(y²(2 + y)² + (1 + y)²/Q²)
         y = (f - fn[:, None]) / fn[:, None]
-        span = np.diff(f) / fn[:, None]
+        span = np.diff(f, axis=1) / fn[:, None]
         panels = _graded_panels(y, Q, None)
     at = panels.start[:, None] + panels.width[:, None] * x
     share = panels.share_start[:, None] + panels.share_width[:, None] * x
     loss = (1 / Q[panels.row] ** 2)[:, None]
-    climb = rise[panels.segment][:, None] * share
+    climb = rise[panels.row, panels.segment][:, None] * share
+    level = start[panels.row, panels.segment][:, None]
     if scale == "log":
         inverse = np.exp(-at)
-        density = g[panels.segment][:, None] * np.exp(climb)
+        density = level * np.exp(climb)
         kernel = inverse * density / (4 * np.sinh(at) ** 2 + loss)
         square = 1 / inverse**2
     else:
-        density = g[panels.segment][:, None] + climb
+        density = level + climb
         square = (1 + at) ** 2
         kernel = density / ((at * (2 + at)) ** 2 + square * loss)
     # panel widths add up to differences of rounded y; on a narrow segment the exact span
@@ -225,11 +250,13 @@ def oscillator_response(
     natural, quality = np.broadcast_arrays(*positive(fn=fn, Q=Q))
     _at_least_critical(quality)
     rows_fn, rows_Q = natural.ravel(), quality.ravel()
-    chunk = max(1, _PANELS_AT_ONCE // (f.size + 60))
+    chunk = max(1, PANELS_AT_ONCE // (f.size + 60))
     still, moving = np.zeros(rows_fn.size), np.zeros(rows_fn.size)
     for first in range(0, rows_fn.size, chunk):
         part = slice(first, first + chunk)
-        still[part], moving[part] = _response_integrals(f, g, rows_fn[part], rows_Q[part], scale)
+        still[part], moving[part] = response_integrals(
+            f[None], g[None], rows_fn[part], rows_Q[part], scale
+        )
     omega = 2 * np.pi * rows_fn
     return OscillatorResponse(
         absolute_acceleration=np.sqrt(still + moving / rows_Q**2).reshape(natural.shape),

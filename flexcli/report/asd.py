@@ -94,8 +94,8 @@ def _miles(rows: Sequence[WorstCaseRow]) -> Table:
 
 def _exact(rows: Sequence[WorstCaseRow]) -> Table:
     exact = table(
-        "Exact response in the band", "case", "Q", "greatest", "at", "Miles over it",
-        "Miles below by", "at", numbers=range(1, 7),
+        "Exact response", "case", "Q", "greatest", "at", "Miles over it",
+        "in the band below by", "at", numbers=range(1, 7),
     )  # fmt: skip
     for row in rows:
         below = "" if row.f_shortfall is None else f"{row.shortfall:.2%}"

@@ -82,9 +82,10 @@ class WorstCaseRow(NamedTuple):
 
     ``g_rms_worst`` is Miles' maximum, at ``f_worst``; ``g_rms_exact`` and ``g_rms_pseudo`` are the
     exact absolute acceleration and pseudo-acceleration there. ``g_rms_max`` is the greatest exact
-    absolute acceleration in the band, at ``f_max``. ``miles_excess_there`` and ``miles_excess``
-    tell how far Miles' maximum lies above these (a share of them), ``shortfall`` how far Miles
-    lies below the exact response where it does most, at ``f_shortfall``. ``c_*`` are peaks over
+    absolute acceleration over all natural frequencies, at ``f_max``, which may lie beyond the band.
+    ``miles_excess_there`` and ``miles_excess`` tell how far Miles' maximum lies above these (a
+    share of them), ``shortfall`` how far Miles lies below the exact response where in the band it
+    does most, at ``f_shortfall``. ``c_*`` are peaks over
     rms, ``a_*`` those times ``g_rms_worst``; they lack where the duration does.
     """
 

@@ -19,7 +19,8 @@ from flexcli.spec.syntax import explain
 __all__ = ["parse_document"]
 
 MAX_DEPTH = 40
-MAX_NODES = 50_000
+MAX_NODES = 100_000
+"""Some 20 000 points of a profile."""
 
 _SafeLoader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 

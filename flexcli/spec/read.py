@@ -8,7 +8,7 @@ from flexcli.spec.parse import parse_document
 
 __all__ = ["read_document"]
 
-MAX_BYTES = 1_000_000
+MAX_BYTES = 2_000_000
 
 
 def read_document(path: Path, name: str | None = None) -> Document:

@@ -1,4 +1,4 @@
-"""Time the worst case of a 20-point profile: closed form, dense grid, exact response.
+"""Time the worst case: closed form, dense grid, exact response; and how it grows with the profile.
 
 Run by hand: python tests/benchmarks/asd_worst_case.py
 Ratios are of this run, on this machine.
@@ -10,6 +10,7 @@ import numpy as np
 
 from flexcli.formulas.miles import miles, miles_worst_case
 from flexcli.formulas.oscillator import oscillator_response
+from flexcli.formulas.response_spectrum import ResponseSpectrum
 from flexcli.formulas.spectrum import spectral_level
 from flexcli.formulas.spectrum_integrals import rms
 
@@ -64,6 +65,40 @@ def main():
             )
             name = f"Q = {quality:g}, {count:,} oscillators"
             print(f"{name:34s} {1e3 * time:10.3f} {1e6 * time / count:8.1f} {near:10.3f}")
+    print_growth()
+
+
+def print_growth():
+    """Print the whole worst case of long profiles beside the sum of every segment.
+
+    The sum is timed over a share of the grid that the worst case asks for: every oscillator costs
+    it the same.
+    """
+    print(
+        f"\n{'exact worst case, Q = ' + f'{Q:g}':22s} {'time [s]':>9s} {'/ 1000 points':>14s}",
+        end="",
+    )
+    print(f" {'sum one by one [s]':>19s} {'ratio':>7s} {'difference':>11s}")
+    first = None
+    for points in (100, 1_000, 10_000, 30_000):
+        f, g = profile(points)
+
+        def extremes(f=f, g=g):
+            spectrum = ResponseSpectrum(f, g, Q)
+            return spectrum, spectrum.maximum(), spectrum.shortfall()
+
+        time, (spectrum, *_) = seconds(extremes, 3)
+        grid = spectrum.grid[0]
+        some = grid[:: max(1, grid.size * points // 400_000)]
+        direct, response = seconds(
+            lambda f=f, g=g, some=some: oscillator_response(f, g, some, Q), 1
+        )
+        direct *= 2 * grid.size / some.size  # the greatest response, and Miles' shortfall
+        first = time if points == 1_000 else first
+        growth = f"{time / first:14.1f}" if first else " " * 14
+        apart = np.abs(spectrum(some) / response.absolute_acceleration - 1).max()
+        name = f"{points:,} points"
+        print(f"{name:22s} {time:9.3f} {growth} {direct:19.2f} {direct / time:7.0f} {apart:11.1e}")
 
 
 if __name__ == "__main__":

@@ -58,7 +58,7 @@ def nodes(value: object) -> int:
 
 
 @pytest.mark.usefixtures("counter")
-def test_a_spec_of_one_megabyte_is_read(tmp_path: Path) -> None:
+def test_a_spec_of_the_greatest_size_is_read(tmp_path: Path) -> None:
     """A bound that counts characters after decoding, or one byte off, refuses what it promises."""
     file = tmp_path / "large.yaml"
     file.write_bytes(b"a: 1\n#".ljust(MAX_BYTES, b"x"))
@@ -74,7 +74,7 @@ def test_one_byte_more_is_refused_before_it_is_parsed(tmp_path: Path, counter: C
     assert counter.events == 0
 
 
-def test_a_megabyte_of_values_stops_at_the_bound_on_values(counter: Counter) -> None:
+def test_a_file_full_of_values_stops_at_the_bound_on_values(counter: Counter) -> None:
     """Half a million one-letter values fit in a megabyte: positions would take a gigabyte."""
     (finding,) = refused("[" + "x," * (MAX_BYTES // 2 - 1) + "]")
     assert f"more than {MAX_NODES} values" in finding.text
