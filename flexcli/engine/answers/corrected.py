@@ -84,7 +84,7 @@ class Corrected(Answers):
         if found is None:
             return None
         setting, carried = _setting(ask), self.inner.covers | self.inner.always
-        missing, applied, beside = self._missing(setting), [], []
+        missing, applied, beside, whole = self._missing(setting), [], [], True
         for effect in (*self.effects, *self.left_out):
             if effect.indicator(setting) is None:
                 continue
@@ -101,9 +101,11 @@ class Corrected(Answers):
                 found += _whole_range(effect, change, setting, kind)
             elif effect.name not in carried:
                 applied.append(change)
+                whole = whole and effect.is_whole
             else:  # carried, at one value of the property that is not given
                 found += ErrorRange(-change.error, change.error)
-        left = left_by(applied, beside)
+        # bounds that are of all that an effect changes leave nothing to what stands beside it
+        left = left_by(applied, () if whole else beside)
         if left is None or not isfinite((found + left).largest):
             return None
         return found + left
