@@ -22,9 +22,6 @@ from twins.joints import (
 from twins.reissner import NoEquilibrium
 
 MARGIN = 0.03
-UNCLEAR = 5e-3
-"""Spread of the true number over the ways to read a spec beyond which it is no truth."""
-
 PIVOTS = ("rcc", "cross-spring", "star", "three-blade", "unseparated-cross")
 STAGES = ("cantilever", "guided-blade", "leaf-spring-stage", "necked-down-stage", "layout")
 HINGES = ("moment-blade", "notch-hinge", "elliptic-hinge", "filleted-hinge")
@@ -90,13 +87,6 @@ def drawn_twin(seed, kind, degree):
 def designs(count, first=0, kinds=KINDS) -> Iterator[Drawn]:
     for seed in range(first, first + count):
         yield drawn(seed, kinds)
-
-
-def _tag(true, other):
-    """Return that the number hangs on judging a directed load in its direction alone."""
-    if other is None:
-        return ""
-    return "" if other and other > true * (1.0 - UNCLEAR) else "sense"
 
 
 class _Draw:
@@ -231,16 +221,16 @@ class _Draw:
             scene = "stroke+load"
         if scene != "load" and (scene in ("stroke", "stroke+load") or rng.random() < 0.5):
             case["stroke"], travels = self._stroke()
-        loads, senses, ends, tag = Loads(), (1.0,), None, ""
+        loads, senses, ends = Loads(), (1.0,), None
         stiff = self.twin.stiffness()
         payload = self._payload(stiff, travels)
         if scene in ("stroke+load", "load"):
             loads, senses, ends = self._load(case, travels)
         elif scene == "wrench":
-            loads = self._wrench(case, payload)
+            loads, senses = self._wrench(case), (1.0, -1.0)
         elif scene == "acceleration":
             loads, senses = self._acceleration(case, payload, stiff)
-        hold = EULER_HOLDS[ends] if ends and not travels else ()
+        hold = EULER_HOLDS[ends] if ends else ()
         if not travels and not ends:
             hold = self.twin.joint.kept  # a guide's tip cannot turn whatever acts
         stresses = self.twin.face_stresses(travels, loads, senses, hold)
@@ -266,15 +256,12 @@ class _Draw:
             "cases": {"work": case},
         }  # fmt: skip
         ask = found.questions.append
-        other = self._other_sense(senses, travels, loads, hold)
-        tag = _tag(yield_factor(stresses, 1.0), other and yield_factor(other, 1.0))
-        ask(factor("yield", yield_factor(stresses, strength), tag))
+        ask(factor("yield", yield_factor(stresses, strength)))
         if travels and scene in ("stroke", "stroke+load"):
             mean = str(rng.choice(["goodman", "goodman", "none"]))
             true = goodman_factor(stresses, amplitude, tensile, mean)
             if np.isfinite(true):
-                tag = _tag(true, other and goodman_factor(other, amplitude, tensile, mean))
-                ask(factor("fatigue", true, tag, mean_stress=mean))
+                ask(factor("fatigue", true, mean_stress=mean))
         if scene == "stroke":
             unit = "N*m/rad" if self.turns else "N/m"
             ask(bound("stiffness", stiff, unit, str(rng.choice(["min", "max"]))))
@@ -289,15 +276,6 @@ class _Draw:
             ask(bound("sag", weight / stiff, "m", "max"))
         if ends is not None and not self.quick and self.kind not in ("layout", *HINGES):
             self._ask_buckling(ask, case, travels, ends)
-
-    def _other_sense(self, senses, travels, loads, hold):
-        """Return the stresses of directed loads reversed, nothing where both are judged."""
-        if len(senses) > 1 or not loads.forces:
-            return None
-        try:
-            return self.twin.face_stresses(travels, loads, (-1.0,), hold)
-        except NoEquilibrium:
-            return []
 
     def _stroke(self):
         rng, l = self.rng, self.g.get("l", 2.0 * self.g.get("r", 1.0))
@@ -350,6 +328,8 @@ class _Draw:
         ends = None
         if not travels or (self.kind in PIVOTS and rng.random() < 0.7):
             ends = str(rng.choice(["clamped-clamped", "clamped-guided"]))
+            if travels:
+                ends = "clamped-guided"
             if not travels and self.kind in PIVOTS and rng.random() < 0.4:
                 ends = str(rng.choice(["clamped-free", "clamped-pinned"]))
             if not travels and self.kind == "cantilever":
@@ -365,9 +345,9 @@ class _Draw:
             case["ends"] = ends
         a = direction or 0.0
         vector = (force * np.cos(a), force * np.sin(a))
-        return Loads((vector,)), (1.0, -1.0) if direction is None else (1.0,), ends
+        return Loads((vector,)), (1.0, -1.0), ends
 
-    def _wrench(self, case, payload):
+    def _wrench(self, case):
         rng, l, h, b = self.rng, self.g["l"], self.g["h"], self.g["b"]
         if self.kind == "necked-down-stage":
             l = self.g["l_c"]
@@ -383,13 +363,15 @@ class _Draw:
         fx, fy = float(force * np.cos(angle)), float(force * np.sin(angle))
         if "stroke" in case and self.kind not in PIVOTS:
             fy = 0.0  # the drive takes it
-        case["wrench"] = {"x": f"{fx!r} N", "y": f"{fy!r} N"}
+        # a stage's x is along its stroke, its y along the blades towards the base
+        x, y = (fx, fy) if self.kind in PIVOTS else (fy, -fx)
+        case["wrench"] = {"x": f"{x!r} N", "y": f"{y!r} N"}
         if moment:
             case["wrench"]["theta_z"] = f"{moment!r} N*m"
         return Loads(((fx, fy),), moment)
 
     def _acceleration(self, case, payload, stiff):
-        """Accelerate the payload, along x (the stroke of a stage) or y (along its blades)."""
+        """Accelerate the payload along x (stroke, bisector) or y (along a stage's blades)."""
         rng, (mass, _), l = self.rng, self.payload, self.g["l"]
         axis = "y" if "stroke" in case or rng.random() < 0.5 else "x"
         h, b = self.g["h"], self.g["b"]
@@ -399,7 +381,7 @@ class _Draw:
             force = 0.08 * pi**2 * self.E * b * h**3 / 12.0 / l**2 * self._log(0.03, 1.0)
         self.level = force / mass
         case["acceleration"] = {"level": f"{self.level!r} m/s^2", "axis": axis}
-        vector = (0.0, force) if axis == "x" else (force, 0.0)
+        vector = (force, 0.0) if (axis == "x") == self.turns else (0.0, force)
         return Loads((vector,)), (1.0, -1.0)
 
     def _ask_buckling(self, ask, case, travels, ends):
@@ -410,8 +392,7 @@ class _Draw:
         found = {}
         for sense in (1.0, -1.0):
             found[sense] = self.twin.critical(sense, self.direction or 0.0, ends, travel)
-        either = min(found.values())
-        true = either if self.direction is None else found[1.0]
+        true = min(found.values())  # a load may act either way
         if np.isfinite(true) and true > 0.0:
-            tag = "sense" if self.direction is not None and either < 0.98 * true else ""
+            tag = "sense" if self.direction is not None and found[1.0] > 1.02 * true else ""
             ask(factor("buckling", true / force, tag))

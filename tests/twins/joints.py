@@ -250,18 +250,27 @@ class Twin:
         frame, loads = self.frame(), loads or Loads()
         found = []
         for sense in senses:
-            rows = []
+            rows, pushes = [], loads.pushes(self.joint, sense)
+            start = self._sagged(frame, pushes, hold) if travels and pushes else 0.0
             for travel in travels or (None,):
                 held = {(BODY, axis): 0.0 for axis in hold}
                 if travel is not None:
-                    held = self.held(travel, hold)
-                pushes = loads.pushes(self.joint, sense)
+                    held = self.held(start + travel, hold)
                 state = frame.stable_solve(held, pushes)
                 if not frame.stands(state, pushes, held):
                     raise NoEquilibrium("the loads buckle it")
                 rows.append(np.concatenate(frame.faces(state, PLACES), axis=None))
             found.append(np.stack(rows))
         return found
+
+    def _sagged(self, frame, pushes, hold):
+        """Return where loads leave the joint along its motion: there the stroke starts."""
+        held = {(BODY, axis): 0.0 for axis in (*self.joint.kept, *hold)}
+        state = frame.stable_solve(held, pushes)
+        if not frame.stands(state, pushes, held):
+            raise NoEquilibrium("the loads buckle it before it moves")
+        moved = state.bodies[frame.names.index(BODY), self.joint.axis]
+        return moved if self.joint.axis == TURN else moved * frame.length
 
     def critical(self, force, direction, ends, travel=None):
         """Return the least force along a direction [rad] that buckles the joint in its plane [N].
