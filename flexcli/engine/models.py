@@ -8,7 +8,7 @@ from flexcli.engine.answers.corrected import Corrected
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect
-from flexcli.parts.requirements import AS_PRINTED, Answers
+from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Answers
 
 __all__ = ["LADDER", "MODELS", "Rung", "answers_of", "rungs"]
 
@@ -54,7 +54,7 @@ def answers_of(design: DesignSpec, model: str) -> Answers:
     if model == "source":
         return Corrected(AS_PRINTED, (), model, left_out=heard)
     if model == "closed-form":
-        return Corrected(AS_PRINTED, heard, model)
+        return Corrected(CLOSED_FORM, heard, model)
     from flexcli.mechanics.mesh import Effects
 
     off = {key for key, wish in design.effects.items() if wish == "off"}

@@ -12,7 +12,17 @@ from flexcli.mechanics.falling import closing_and_balance, ways_to_fall
 from flexcli.mechanics.path import steps_of
 from flexcli.numerics.arc_length import Hyperplane, correct_on
 
-__all__ = ["CriticalPoint", "Point", "Search", "first_critical", "lost_path", "on_finer"]
+__all__ = [
+    "CriticalPoint",
+    "Point",
+    "Search",
+    "crossing",
+    "first_critical",
+    "lost_path",
+    "mode_of",
+    "on_finer",
+    "without_poles",
+]
 
 Floats = NDArray[np.float64]
 
@@ -27,6 +37,12 @@ _MOST = 60
 
 _REAL = 1e-3
 """Imaginary part of a ratio, over its size, that rounding gives to modes that meet."""
+
+_STILL = 1e-6
+"""Motion of the bodies in a mode, over the forces in it, below which only blades buckle."""
+
+_APART = 1e-15
+"""Change of P, over it, below which it tells of no crossing."""
 
 _ALONE = np.arange(1)
 
@@ -57,12 +73,13 @@ class CriticalPoint(NamedTuple):
 class Search(NamedTuple):
     """A stretch of a path: planes at the distances s from ``plane``, which is normal to it.
 
-    ``length`` is the longest step along the path, ``unit`` are those of blade forces and free
-    motions in S.
+    ``counted`` is the demand with what is let go in counting the ways to fall; ``length`` is the
+    longest step along the path, ``unit`` are those of blade forces and free motions in S.
     """
 
     assembly: Assembly
     demand: Demand
+    counted: Demand
     plane: Hyperplane
     length: float
     unit: Floats
@@ -70,17 +87,12 @@ class Search(NamedTuple):
     def point(self, x: Floats, parameter: float, s: float) -> Point:
         """Return an equilibrium on the plane s as a point of the path.
 
-        ``P = (S⁻¹ + Z)⁻¹`` with Z a unit compliance of every body and a unit stiffness of every
-        blade added: singular where S⁻¹ is infinite, and finite before, where S⁻¹ has the signs of
-        Z. S itself has poles, where a blade with its ends let go would buckle.
+        P is S without its poles (:func:`without_poles`).
         """
         at = self.assembly.linearise(x[None], np.array([parameter]), _ALONE, self.demand)
-        ways = int(ways_to_fall(self.assembly, self.demand, at, x[None], _ALONE)[0])
-        S = closing_and_balance(self.assembly, self.demand, at)[0] * np.outer(self.unit, self.unit)
-        Z = np.ones(self.unit.size)
-        Z[: 3 * self.assembly.blades] = -1.0
-        P = np.linalg.solve(np.eye(Z.size) + S * Z, S)
-        return Point(s, parameter, x, P, ways)
+        ways = int(ways_to_fall(self.assembly, self.counted, at, x[None], _ALONE)[0])
+        S = closing_and_balance(self.assembly, self.counted, at)[0] * np.outer(self.unit, self.unit)
+        return Point(s, parameter, x, without_poles(S, self.assembly.blades), ways)
 
     def at(self, s: float, low: Point, high: Point) -> Point:
         """Return the equilibrium on the plane s, from the straight line through two points."""
@@ -93,6 +105,18 @@ class Search(NamedTuple):
         if found is None:
             raise lost_path()
         return self.point(found[0], found[1], s)
+
+
+def without_poles(S: Floats, blades: int) -> Floats:
+    """Return ``P = (S⁻¹ + Z)⁻¹`` of matrices S of closing and balance, in units near one.
+
+    Z is a unit compliance of every body and a unit stiffness of every blade added: P is singular
+    where S⁻¹ is infinite, and finite before, where S⁻¹ has the signs of Z. S itself has poles,
+    where a blade with its ends let go would buckle.
+    """
+    Z = np.ones(S.shape[-1])
+    Z[: 3 * blades] = -1.0
+    return np.asarray(np.linalg.solve(np.eye(Z.size) + S * Z, S))
 
 
 def lost_path() -> SolveError:
@@ -137,7 +161,7 @@ def first_critical(search: Search, low: Point, high: Point) -> CriticalPoint:
     aside = _ASIDE * search.length
     older, newest, halve = low, high, False
     for _ in range(_MOST):
-        s, _ = _crossing(older, newest, low.s, high.s)
+        s, _ = crossing(older, newest, low.s, high.s)
         if high.s - low.s <= 2.0 * aside:
             return _between(low, high)
         if halve or not np.isfinite(s):
@@ -172,15 +196,20 @@ def on_finer(search: Search, fine: Search, found: CriticalPoint) -> CriticalPoin
     raise lost_path()
 
 
-def _crossing(one: Point, other: Point, least: float, most: float) -> tuple[float, Floats]:
+def crossing(one: Point, other: Point, least: float, most: float) -> tuple[float, Floats]:
     """Return the first s between bounds at which P is singular if it is straight, and Pv = 0.
 
     ``P_2 v = μ P_1 v`` has μ < 0 where v changes sides, whatever the units; infinite where none.
     """
-    ratios, vectors = np.linalg.eig(np.linalg.solve(one.P, other.P))
+    try:
+        ratios, vectors = np.linalg.eig(np.linalg.solve(one.P, other.P))
+    except np.linalg.LinAlgError:
+        # one is the crossing itself
+        return np.inf, np.zeros(len(one.P))
     real = np.abs(ratios.imag) <= _REAL * (1.0 + np.abs(ratios))
-    share = 1.0 / np.where(real & (ratios.real != 1.0), 1.0 - ratios.real, 1e-300)
-    s = one.s + share * (other.s - one.s)
+    parts = np.abs(1.0 - ratios.real) > _APART
+    share = 1.0 / np.where(real & parts, 1.0 - ratios.real, np.inf)
+    s = np.where(real & parts, one.s + share * (other.s - one.s), np.inf)
     s = np.where((s > least) & (s < most), s, np.inf)
     first = int(np.argmin(s))
     return float(s[first]), vectors[:, first].real
@@ -188,8 +217,22 @@ def _crossing(one: Point, other: Point, least: float, most: float) -> tuple[floa
 
 def _between(before: Point, after: Point) -> CriticalPoint:
     """Return the critical point on the straight line between its two sides."""
-    s, null = _crossing(before, after, before.s, after.s)
+    s, null = crossing(before, after, before.s, after.s)
     if not np.isfinite(s):
         raise lost_path()
     slope = (after.parameter - before.parameter) / (after.s - before.s)
     return CriticalPoint(before.parameter + slope * (s - before.s), before, after, null, slope)
+
+
+def mode_of(assembly: Assembly, demand: Demand, null: Floats) -> Floats:
+    """Return the motion of the bodies in the null vector of closing and balance (bodies, 3).
+
+    Its largest entry (lengths in mean blade lengths) is one; zero when only blades buckle.
+    """
+    free = demand.free
+    mode = np.zeros(3 * assembly.bodies)
+    forces, motions = null[: 3 * assembly.blades], null[3 * assembly.blades :]
+    if np.max(np.abs(motions), initial=0.0) > _STILL * np.max(np.abs(forces)):
+        largest = motions[np.argmax(np.abs(motions))]
+        mode[free] = motions / largest * np.where(free % 3 == 2, 1.0, assembly.length[0])
+    return mode.reshape(-1, 3)

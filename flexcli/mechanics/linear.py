@@ -13,7 +13,7 @@ from flexcli.mechanics.layout import Layout, Load, Number
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.si import blade_forces, body_forces, body_motions
 
-__all__ = ["NODES", "LinearSolution", "linear"]
+__all__ = ["NODES", "LinearSolution", "linear", "straight_state"]
 
 Floats = NDArray[np.float64]
 
@@ -78,7 +78,17 @@ def linear(
     first = _about(assembly, demand, rest)
     if not axial_load:
         return first[1]
-    return _about(assembly, demand, _axial(assembly, first[0]))[1]
+    return _about(assembly, demand, _axial(assembly, first[0])[0])[1]
+
+
+def straight_state(assembly: Assembly, demand: Demand) -> tuple[LinearSolution, Floats, Floats]:
+    """Return the linear solution, the straight state with its axial forces, and these [N].
+
+    The state has shape (designs, unknowns), the forces (designs, blades); tension is positive.
+    """
+    rest = np.zeros((designs_of(assembly, demand), assembly.size))
+    x, found = _about(assembly, demand, rest)
+    return found, *_axial(assembly, x)
 
 
 def _about(assembly: Assembly, demand: Demand, x: Floats) -> tuple[Floats, LinearSolution]:
@@ -97,15 +107,17 @@ def _about(assembly: Assembly, demand: Demand, x: Floats) -> tuple[Floats, Linea
     )
 
 
-def _axial(assembly: Assembly, x: Floats) -> Floats:
-    """Return the straight state with only the axial forces of x."""
+def _axial(assembly: Assembly, x: Floats) -> tuple[Floats, Floats]:
+    """Return the straight state with only the axial forces of x, and these forces [N]."""
     _, forces, _ = assembly.split(x)
     straight = np.zeros_like(x)
     kept = np.zeros_like(forces)
+    tensions = np.zeros(forces.shape[:2])
     for mesh, place in zip(assembly.meshes, assembly.places, strict=True):
         index = list(mesh.blades)
         along = np.stack([place.along.real, place.along.imag], axis=-1)
         N = np.sum(forces[:, index, :2] * along, axis=-1)
         kept[:, index, :2] = N[..., None] * along
+        tensions[:, index] = N * mesh.EI / mesh.l**2
     straight[:, assembly.turns : assembly.turns + 3 * assembly.blades] = kept.reshape(len(x), -1)
-    return straight
+    return straight, tensions

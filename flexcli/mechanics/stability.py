@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,30 +16,45 @@ from flexcli.mechanics.critical_point import (
     Search,
     first_critical,
     lost_path,
+    mode_of,
     on_finer,
 )
-from flexcli.mechanics.demand import Demand, Held
+from flexcli.mechanics.demand import Demand, Held, held_of
 from flexcli.mechanics.equilibrium import LEVELS, solve
-from flexcli.mechanics.falling import closing_and_balance, row_units, ways_of_one
+from flexcli.mechanics.falling import closing_and_balance, row_units, ways_of_one, ways_to_fall
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.path import arc_weight, state_of, steps_of
 from flexcli.mechanics.state import Equilibrium, Part
-from flexcli.numerics.arc_length import follow
+from flexcli.numerics.arc_length import CLOSE, follow
 
-__all__ = ["Critical", "critical_load", "is_stable", "unstable_directions"]
+__all__ = ["Critical", "critical_load", "is_stable", "unstable_directions", "ways_let_go"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
-_FIRST, _LONGEST, _MOST = 0.02, 0.125, 300
-"""First and longest step of arc length, over the largest factor; two losses of stability that are
-made good within one step are not seen."""
+_MOST = 300
 
-_STILL = 1e-6
-"""Motion of the bodies in a mode, over the forces in it, below which only blades buckle."""
+
+class _Gait(NamedTuple):
+    """First and longest step of arc length, and what of the longest may cross a loss of stability.
+
+    Two losses of stability that are made good within one step are not seen.
+    """
+
+    first: float
+    longest: float
+    close: float
+
+
+_STRIDES = _Gait(0.1, 0.25, 1.0)
+_STEPS = _Gait(0.02, 0.125, CLOSE)
+"""At first in strides; where a path is lost that way, in small steps."""
+
 
 _CORRECTION = 1e-12
+
+_NOTHING = (None, None, None)
 
 _LEVEL = 1e-4
 """Slope of the load over the arc length below which the load turns."""
@@ -73,12 +89,29 @@ def is_stable(state: Equilibrium) -> NDArray[np.bool_]:
     return np.asarray(state.unstable == 0)
 
 
+def ways_let_go(state: Equilibrium, held: Held) -> Integers:
+    """Return in how many ways designs would fall with nothing but ``held`` held (designs,).
+
+    What else holds them in the state is taken for an effort that keeps its size.
+    """
+    values = []
+    for part, at in zip(state.parts, state.linearised, strict=True):
+        index, free, _ = held_of(state.layout, held, part.assembly.length)
+        counted = part.demand._replace(held=index, free=free)
+        ways = ways_to_fall(part.assembly, counted, at, part.x, part.rows)
+        values.append(ways.astype(np.float64))
+    return np.rint(state.scatter(values)).astype(np.intp)
+
+
 def critical_load(
     layout: Layout,
     held: Held | None,
     pattern: Sequence[Load],
     *,
     most: float,
+    careful: bool = True,
+    driven: Held | None = None,
+    start: Equilibrium | None = None,
     effects: Effects | None = None,
     tolerance: float = 1e-9,
     levels: Sequence[int] = LEVELS,
@@ -87,7 +120,8 @@ def critical_load(
 
     The path runs from the equilibrium under the layout's own loads and what is held, by arc length,
     to where a first direction gets unstable. What ``held`` holds decides which load this is: a body
-    locked, free to turn, or free in the plane are three different numbers.
+    locked, free to turn, or free in the plane are three different numbers. What ``driven`` holds
+    besides stays where it is along the path, by an effort that keeps its size when the body falls.
 
     Parameters
     ----------
@@ -99,6 +133,12 @@ def critical_load(
         The loads that grow together.
     most : float
         Largest factor of interest [-].
+    careful : bool
+        Whether a path that is lost in strides is walked again in small steps.
+    driven : mapping, optional
+        Motions at which an effort keeps the mechanism while the loads grow, free to fall.
+    start : Equilibrium, optional
+        Where the path begins, as in :func:`flexcli.mechanics.equilibrium.solve`.
     effects, tolerance, levels
         As in :func:`flexcli.mechanics.equilibrium.solve`.
 
@@ -122,17 +162,22 @@ def critical_load(
     """
     effects = Effects() if effects is None else effects
     held = {} if held is None else held
-    rest = solve(layout, held, effects=effects, tolerance=tolerance, levels=levels).checked()
-    if rest.unstable[0]:
+    along = _together(held, {} if driven is None else driven)
+    rest = solve(
+        layout, along, start=start, effects=effects, tolerance=tolerance, levels=levels
+    ).checked()
+    coarse = rest.parts[0].assembly
+    index, free, _ = held_of(layout, held, coarse.length)
+    if ways_let_go(rest, held)[0]:
         raise SolveError(
             "unstable-start",
             "the mechanism is unstable before the load pattern acts",
             "hold more of its motions, or lessen its own loads",
         )
-    coarse = rest.parts[0].assembly
-    demand = demand_of(coarse, held, pattern, most, rest)
-    search, low, high = _stretch(coarse, demand, rest.parts[0].x[0], most)
-    found = first_critical(search, low, high)
+    demand = demand_of(coarse, along, pattern, most, rest)
+    demands = demand, demand._replace(held=index, free=free)
+    gaits = (_STRIDES, _STEPS) if careful else (_STRIDES,)
+    search, found = _first(coarse, demands, rest.parts[0].x[0], most, gaits)
     if len(levels) == 1:
         return _critical(search, found, np.inf, most)
     for nodes in (level for level in levels if level > coarse.nodes):
@@ -155,27 +200,57 @@ def critical_load(
     )
 
 
+def _together(held: Held, driven: Held) -> Held:
+    """Return motions held and driven as one; what both name is held."""
+    found = {}
+    for body in {**held, **driven}:
+        pairs = zip(held.get(body, _NOTHING), driven.get(body, _NOTHING), strict=True)
+        x, y, phi = (other if one is None else one for one, other in pairs)
+        found[body] = (x, y, phi)
+    return found
+
+
+def _first(
+    assembly: Assembly,
+    demands: tuple[Demand, Demand],
+    x: Floats,
+    most: float,
+    gaits: Sequence[_Gait],
+) -> tuple[Search, CriticalPoint]:
+    """Return the first critical point of the path and the stretch it lies on."""
+    for gait in gaits:
+        try:
+            search, low, high = _stretch(assembly, demands, x, most, gait)
+            return search, first_critical(search, low, high)
+        except SolveError as error:
+            if error.code != "lost-path" or gait is gaits[-1]:
+                raise
+    raise lost_path()
+
+
 def _stretch(
-    assembly: Assembly, demand: Demand, x: Floats, most: float
+    assembly: Assembly, demands: tuple[Demand, Demand], x: Floats, most: float, gait: _Gait
 ) -> tuple[Search, Point, Point]:
     """Return the first step of the path over which stability is lost, and its ends."""
+    demand, counted = demands
     known: list[tuple[Floats, int]] = []
 
     def ways(x: Floats, parameter: float) -> int:
         if not (known and known[-1][0] is x):
-            known.append((x, ways_of_one(assembly, demand, x, parameter)))
+            known.append((x, ways_of_one(assembly, counted, x, parameter)))
         return known[-1][1]
 
     points = follow(
         steps_of(assembly, demand),
         (x, 0.0),
         arc_weight(assembly),
-        stride=_FIRST,
-        longest=_LONGEST,
+        stride=gait.first,
+        longest=gait.longest,
         goal=lambda x, parameter: parameter >= 1.0 or ways(x, parameter) > 0,
         kind=ways,
         tolerance=_CORRECTION,
         most=_MOST,
+        close=gait.close,
     )
     last = points[-1]
     fell = ways(last.x, last.parameter) > 0
@@ -187,8 +262,8 @@ def _stretch(
     s = float(before.tangent @ (before.weight * (last.x - before.x)))
     s += before.slope * (last.parameter - before.parameter)
     at = assembly.linearise(before.x[None], np.array([before.parameter]), np.arange(1), demand)
-    unit = row_units(closing_and_balance(assembly, demand, at))[0]
-    search = Search(assembly, demand, before, _LONGEST, unit)
+    unit = row_units(closing_and_balance(assembly, counted, at))[0]
+    search = Search(assembly, demand, counted, before, _STEPS.longest, unit)
     return (
         search,
         search.point(before.x, before.parameter, 0.0),
@@ -206,7 +281,7 @@ def _critical(search: Search, found: CriticalPoint, error: float, most: float) -
         factor=found.parameter * most,
         state=state_of(layout, effects, part, error, 0),
         multiplicity=found.after.ways,
-        mode=_mode(search, found.null * search.unit),
+        mode=mode_of(assembly, search.counted, found.null * search.unit),
         turns=bool(abs(found.slope) < _LEVEL * search.plane.slope),
         estimated_error=error,
     )
@@ -218,14 +293,3 @@ def _none_up_to(most: float) -> SolveError:
         f"no equilibrium up to {most:g} times the pattern is critical",
         "raise the largest factor, or turn the pattern round",
     )
-
-
-def _mode(search: Search, null: Floats) -> Floats:
-    """Return the motion of the bodies in the null vector of closing and balance (bodies, 3)."""
-    assembly, free = search.assembly, search.demand.free
-    mode = np.zeros(3 * assembly.bodies)
-    forces, motions = null[: 3 * assembly.blades], null[3 * assembly.blades :]
-    if np.max(np.abs(motions), initial=0.0) > _STILL * np.max(np.abs(forces)):
-        largest = motions[np.argmax(np.abs(motions))]
-        mode[free] = motions / largest * np.where(free % 3 == 2, 1.0, assembly.length[0])
-    return mode.reshape(-1, 3)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Hyperplane", "correct_on", "follow"]
+__all__ = ["CLOSE", "Hyperplane", "correct_on", "follow"]
 
 Floats = NDArray[np.float64]
 
@@ -16,6 +16,9 @@ Steps = Callable[[Floats, float], tuple[Floats, Floats]]
 _MOST_ITERATIONS = 12
 _WANTED = 4
 """Iterations of a corrector that suit the step; fewer lengthen it, more shorten it."""
+
+CLOSE = 0.02
+"""Step over the longest on which a careful walk lets the kind change without a turn."""
 
 _FLOOR = 1e-6
 """Length below which a step that no longer shrinks is rounding (much near critical points)."""
@@ -80,6 +83,7 @@ def follow(
     kind: Callable[[Floats, float], int],
     tolerance: float,
     most: int,
+    close: float = CLOSE,
 ) -> list[Hyperplane]:
     """Return the points of a path, each with its tangent, from the start until the goal is met.
 
@@ -103,6 +107,8 @@ def follow(
         Length of the error of a point [-].
     most : int
         Most points.
+    close : float
+        Step over the longest [-] on which the kind may change without a turn.
 
     Returns
     -------
@@ -131,7 +137,7 @@ def follow(
             off = x - guess.x
             astray = float(np.hypot(np.sqrt(off @ (weight * off)), parameter - guess.parameter))
             there = kind(x, parameter)
-            sound = there == here or point.slope * last.slope < 0.0 or stride <= _CLOSE * longest
+            sound = there == here or point.slope * last.slope < 0.0 or stride <= close * longest
             if bend > _STRAIGHT and astray < _ASTRAY * stride and sound:
                 points.append(point)
                 here = there
@@ -150,9 +156,6 @@ _ASTRAY = 0.3
 """Distance of a point from where the tangent led, over the step, above which it is not trusted."""
 
 _SHORTEST = 1e-6
-
-_CLOSE = 0.02
-"""Step over the longest on which the kind may change without a turn."""
 
 
 def _tangent(

@@ -6,26 +6,29 @@ from pydantic import model_validator
 
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.base import Acceleration, Angle, Force, Part, QuantityOf, spec_error
+from flexcli.parts.ends import EndCondition
 from flexcli.parts.excitation import Sine, Sweep
 from flexcli.parts.shock import Shock
 from flexcli.parts.stroke import Stroke
 
 __all__ = ["Case", "EndCondition", "Load", "SteadyAcceleration"]
 
-EndCondition = Literal[
-    "clamped-clamped", "clamped-pinned", "clamped-guided", "pinned-pinned", "clamped-free"
-]
-"""What holds the two ends of a blade, and so which buckling load is meant."""
-
 
 class Load(Part):
-    """A force on each joint in its plane, at an angle from its axis of symmetry, either way.
+    """A force on each joint in its plane, at an angle from its axis of symmetry.
 
-    That axis is the bisector of a pivot, the blades of a stage, and x of a drawn layout.
+    That axis is the bisector of a pivot, the blades of a stage, and x of a drawn layout; along it
+    (0 deg) the force pulls the body away from the base. Where no direction is stated, it acts
+    along the axis either way.
     """
 
     force: Force
     direction: Angle = 0.0
+
+    @property
+    def is_directed(self) -> bool:
+        """Return whether its sense is stated."""
+        return "direction" in self.model_fields_set
 
 
 class Wrench(Part):

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from enum import StrEnum
+from itertools import product
 from math import atan2, copysign, cos, hypot, sin
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
@@ -16,7 +17,7 @@ from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.parts.shock import Shock
 from flexcli.results import Value
 
-__all__ = ["IN_PLANE", "LoadKind", "Scene", "Wrench", "largest_travel", "scene_of"]
+__all__ = ["IN_PLANE", "LoadKind", "Push", "Scene", "Wrench", "largest_travel", "scene_of"]
 
 
 IN_PLANE = (0, 1, 5)
@@ -50,6 +51,13 @@ Wrench: TypeAlias = tuple[float, float, float, float, float, float]
 """Forces along x, y, z [N] and moments about them [N·m] on the joint's moving body."""
 
 NO_WRENCH: Wrench = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+class Push(NamedTuple):
+    """A force in the plane [N] and its direction from x of the joint's layout [rad]."""
+
+    force: float
+    direction: float
 
 
 class Scene(NamedTuple):
@@ -98,6 +106,8 @@ class Scene(NamedTuple):
     """Which component of a wrench drives the stroke: the moment about z, or the force along y."""
     beyond: str = ""
     """Why the closed forms do not have its loads, where that is so."""
+    directed: bool = False
+    """Whether the first of ``forces`` acts in the sense that it is stated in, not either way."""
 
     @property
     def moves(self) -> bool:
@@ -132,6 +142,22 @@ class Scene(NamedTuple):
         return self._replace(
             forces=(), force=0.0, stated=NO_WRENCH, inertial=(), accelerations=(), beyond=""
         )
+
+    def pushes(self) -> tuple[Push, ...]:
+        """Return what the forces add up to, for each combination of the senses they may have."""
+        found: list[Push] = []
+        each: list[tuple[float, ...]] = [(1.0, -1.0)] * len(self.forces)
+        if self.directed:
+            each[0] = (1.0,)
+        for signs in product(*each):
+            x, y = (
+                sum(s * f * trig(d) for s, (f, d) in zip(signs, self.forces, strict=True))
+                for trig in (cos, sin)
+            )
+            size = hypot(x, y)
+            if size > ROUNDING * self.force:
+                found.append(Push(size, atan2(y, x)))
+        return tuple(found)
 
     @property
     def driver(self) -> str:
@@ -202,6 +228,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         accelerations=found.accelerations,
         drive=drive,
         beyond=beyond,
+        directed=_is_more(stated, drive) and (case.load is None or case.load.is_directed),
     )
 
 

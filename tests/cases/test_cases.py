@@ -147,6 +147,8 @@ def peaked(said):
 
 ROWS = (
     Row("pivot-pulled-buckles", "check", fails("buckling", 361.3 / 500.0)),
+    Row("buckling-at-stroke", "check", fails("buckling", 194.5 / 220.0)),
+    Row("blade-crushed", "check", fails("buckling", 1.104)),
     Row("acceleration-unjudged", "check", judges_or_names("acceleration")),
     Row("wrench-unjudged", "check", judges_or_names("wrench")),
     Row("stroke-and-acceleration", "check", judges_or_names("acceleration")),

@@ -5,7 +5,7 @@ from math import isfinite
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
-from flexcli.parts.geometries.base import Critical
+from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import Answers, Ask, EndStress
 from flexcli.results import ErrorRange, QuantityKind
 
@@ -71,19 +71,32 @@ class Corrected(Answers):
         ]
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
-        """Return the critical forces, those across the thickness corrected."""
-        factor = self._factor(ask, QuantityKind.BUCKLING)
-        return tuple(
-            c if c.way == "across the width" else c._replace(force=c.force * factor)
-            for c in self.inner.critical(ask)
-        )
+        """Return the critical forces, those in the plane corrected by what they do not carry."""
+        return tuple(self._corrected(ask, c) for c in self.inner.critical(ask))
+
+    def _corrected(self, ask: Ask, critical: Critical) -> Critical:
+        if critical.way == ACROSS_WIDTH:
+            return critical
+        factor = self._factor(ask, QuantityKind.BUCKLING, critical.carries)
+        error = critical.error
+        if error is not None:
+            error = self._left(ask, QuantityKind.BUCKLING, error, critical.carries)
+        return critical._replace(force=critical.force * factor, error=error)
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the model's own error, and what the corrections and what they lack leave."""
         found = self.inner.error(ask, kind)
-        if found is None:
-            return None
-        setting, carried = _setting(ask), self.inner.covers | self.inner.always
+        return None if found is None else self._left(ask, kind, found)
+
+    def _left(
+        self,
+        ask: Ask,
+        kind: QuantityKind,
+        found: ErrorRange,
+        carried: frozenset[str] = frozenset(),
+    ) -> ErrorRange | None:
+        """Return an error with what the effects leave that are not carried."""
+        setting, inner = _setting(ask), self.inner.covers | self.inner.always
         missing, applied, beside, whole = self._missing(setting), [], [], True
         for effect in (*self.effects, *self.left_out):
             if effect.indicator(setting) is None:
@@ -91,7 +104,7 @@ class Corrected(Answers):
             change = effect.all_changes(setting).get(kind)
             if change is None:
                 continue
-            if effect not in missing:
+            if effect not in missing or effect.name in carried:
                 beside.append(change)
             elif effect in self.left_out or not _is_told(effect, setting):
                 if change.value is None and not effect.is_whole:
@@ -99,7 +112,7 @@ class Corrected(Answers):
                 found += _whole_range(effect, change, setting, kind)
             elif change.value is None and effect.is_whole:  # a range that holds, and no value
                 found += _whole_range(effect, change, setting, kind)
-            elif effect.name not in carried:
+            elif effect.name not in inner:
                 applied.append(change)
                 whole = whole and effect.is_whole
             else:  # carried, at one value of the property that is not given
@@ -121,9 +134,11 @@ class Corrected(Answers):
         carried = self.inner.covers | self.inner.always
         return [e for e in self.effects if e.name not in carried and _is_told(e, setting)]
 
-    def _factor(self, ask: Ask, kind: QuantityKind) -> float:
+    def _factor(self, ask: Ask, kind: QuantityKind, carried: frozenset[str] = frozenset()) -> float:
         factor, setting = 1.0, _setting(ask)
         for effect in self._added(setting):
+            if effect.name in carried:
+                continue
             change = effect.all_changes(setting).get(kind)
             factor *= 1.0 + (change.value or 0.0) if change is not None else 1.0
         return factor

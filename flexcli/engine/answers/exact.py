@@ -6,30 +6,25 @@ from math import cos, inf, isfinite, nan, pi
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.answers.buckling import exact_critical
 from flexcli.engine.answers.face_stress import POINTS, worst_of_stroke
-from flexcli.engine.answers.holds import Hold, driven_axis, hold_of
+from flexcli.engine.answers.holds import driven_axis
 from flexcli.engine.answers.joint_states import (
     at_rest,
     blades_of,
     layout_of,
     over_stroke,
     solved,
-    turned,
 )
 from flexcli.engine.answers.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE
-from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Quantity
-from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import LEVELS
-from flexcli.mechanics.layout import Layout, Load
-from flexcli.mechanics.mesh import Effects, meshes
+from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.points import point_motion
-from flexcli.mechanics.stability import critical_load
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import held_stiffness
-from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import Answers, Ask, EndStress
 from flexcli.parts.requirements.support import compliance_of
@@ -49,9 +44,6 @@ RIGHT = 1e-9
 
 BLADE_SPRINGS = 1e-8
 """Of a compliance in space: rounding, and the nodes of the blades' springs."""
-
-REACH = 6.0
-"""How far a critical load is looked for, over what all blades clamped at both ends would bear."""
 
 
 class ExactAnswers(Answers):
@@ -190,45 +182,8 @@ class ExactAnswers(Answers):
         return float(change.max() / most.max()) + SAMPLED if most.max() > 0.0 else inf
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
-        """Return the force at which the joint buckles in its plane, either way it may act."""
-        scene, layout = ask.scene, layout_of(ask)
-        if len(scene.forces) != 1:
-            raise NotAvailable("has no exact critical load for forces in several directions")
-        ((_, direction),) = scene.forces
-        assert scene.ends is not None  # the requirement asks for them
-        layout = turned(layout, -direction)
-        found = min(
-            (self._critical(ask, layout, sign) for sign in (1.0, -1.0)),
-            key=lambda critical: float(critical.force),
-        )
-        return (found,)
-
-    def _critical(self, ask: Ask, layout: Layout, sign: float) -> Critical:
-        scene = ask.scene
-        hold = hold_of(scene)
-        clamped = sum(
-            4.0 * pi**2 * float(np.sum(mesh.EI / mesh.l**2))
-            for mesh in meshes(layout, blades_of(layout, self.effects), LEVELS[0])
-        )
-        most = REACH * clamped
-        load = Load(MOVING, layout.body(MOVING).point, (sign, 0.0))
-        source = f"exact model, the body {hold.spoken}"
-        try:
-            reached = critical_load(
-                layout, _hold(hold), [load], most=most,
-                effects=blades_of(layout, self.effects), tolerance=self.tolerance,
-                levels=self.levels,
-            )  # fmt: skip
-        except SolveError as error:
-            if error.code != "no-critical-load":
-                raise NotAvailable(f"has no exact critical load: {error}") from error
-            return Critical(f"no critical force up to {most:.4g} N", inf, source)
-        return Critical("in the plane", float(reached.factor), source)
-
-
-def _hold(hold: Hold) -> Held:
-    across, turn = (0.0 if held else None for held in (hold.across, hold.turn))
-    return {MOVING: (None, across, turn)}
+        """Return the forces at which the joint buckles at any motion that the case holds."""
+        return tuple(exact_critical(ask, self.effects, self.tolerance, self.levels))
 
 
 def _is_along_stroke(ask: Ask) -> bool:

@@ -5,39 +5,21 @@ leaves free: the body goes along the force, and is held across it or from turnin
 body from turning. What a case neither drives nor holds is free in the plane.
 """
 
-from typing import NamedTuple
-
+from flexcli.parts.ends import ENDS, Hold
 from flexcli.parts.geometries.base import Geometry, Held
 from flexcli.parts.scene import Scene
 
-__all__ = ["FREE", "HOLDS", "Hold", "driven_axis", "held_at_rest", "held_by_stroke", "hold_of"]
+__all__ = ["FREE", "driven_axis", "held_at_rest", "held_by_stroke", "hold_of"]
 
 
-class Hold(NamedTuple):
-    """What holds the body besides its stroke: across the force, from turning; in words."""
-
-    across: bool
-    turn: bool
-    spoken: str
-
-
-FREE = Hold(False, False, "is free in the plane")
-
-HOLDS = {
-    "clamped-clamped": Hold(True, True, "neither turns nor moves across the force"),
-    "clamped-guided": Hold(False, True, "does not turn"),
-    "clamped-free": FREE,
-    "pinned-pinned": FREE,
-    "clamped-pinned": Hold(True, False, "turns but does not move across the force"),
-}
-"""What the ends of a blade mean for the body."""
+FREE = Hold(across=False, turn=False)
 
 
 def hold_of(scene: Scene) -> Hold:
     """Return what the ends or the lock of a case hold of the body."""
     if scene.lock is not None and not scene.states_ends:
-        return Hold(False, True, "does not turn")
-    return FREE if scene.ends is None else HOLDS[scene.ends]
+        return Hold(across=False, turn=True)
+    return FREE if scene.ends is None else ENDS[scene.ends]
 
 
 def driven_axis(geometry: Geometry) -> int:
@@ -48,8 +30,8 @@ def driven_axis(geometry: Geometry) -> int:
 def held_at_rest(scene: Scene, geometry: Geometry) -> Held:
     """Return what is held of a body without a stroke, the force along x."""
     hold = hold_of(scene)
-    guided = geometry.motion == "translation" and geometry.held(0.0)[2] is not None
-    return None, 0.0 if hold.across else None, 0.0 if hold.turn or guided else None
+    turn = hold.turn or geometry.is_guided
+    return None, 0.0 if hold.across else None, 0.0 if turn else None
 
 
 def held_by_stroke(scene: Scene, geometry: Geometry, travel: object) -> Held:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.answers.buckling import linear_critical_forces
 from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.engine.answers.face_stress import blade_places, worst_of_stroke
 from flexcli.engine.answers.holds import driven_axis
@@ -40,7 +41,7 @@ ROUNDING = 1e-10
 
 
 class LinearAnswers(Answers):
-    """Small motion of the assembled blades; shift and buckling are those of the closed forms."""
+    """Small motion of the assembled blades; the shift is that of the closed forms."""
 
     model = "linear"
     covers = COVERAGE["linear"].can
@@ -100,8 +101,8 @@ class LinearAnswers(Answers):
         return AS_PRINTED.parasitic_shift(ask)
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
-        """Return the closed form's: Euler's load of the most loaded blade."""
-        return AS_PRINTED.critical(ask)
+        """Return the forces at which the joint buckles at rest, its blades straight until then."""
+        return tuple(linear_critical_forces(ask, self.effects))
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""

@@ -12,7 +12,7 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Layout
 from flexcli.parts.base import Part, PositiveLength, spec_error
 from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.results import QuantityKind, Value
+from flexcli.results import ErrorRange, QuantityKind, Value
 
 THICKNESSES = ("h", "e", "d")
 """Symbols of sizes that are the thickness of what flexes."""
@@ -20,7 +20,20 @@ THICKNESSES = ("h", "e", "d")
 GROUND, MOVING = "ground", "moving"
 """Names of the base and of the moving body in every layout of a joint."""
 
-__all__ = ["GROUND", "MOVING", "Blade", "Critical", "Extent", "Geometry", "Held", "Sizes"]
+ACROSS_WIDTH = "across the width"
+"""How a blade buckles out of the plane."""
+
+__all__ = [
+    "ACROSS_WIDTH",
+    "GROUND",
+    "MOVING",
+    "Blade",
+    "Critical",
+    "Extent",
+    "Geometry",
+    "Held",
+    "Sizes",
+]
 
 
 class Blade(NamedTuple):
@@ -39,11 +52,18 @@ Sizes: TypeAlias = Any
 
 
 class Critical(NamedTuple):
-    """A critical axial force in one blade or hinge [N], the way it buckles, and its source."""
+    """A critical force [N], on one blade or on a joint: the way it buckles, and its source.
+
+    ``stress`` is the largest axial stress in a blade per critical force [1/m²], ``error`` that of
+    the force where it is known, ``carries`` names the effects that are in it.
+    """
 
     way: str
     force: Quantity
     source: str
+    stress: Quantity | None = None
+    error: ErrorRange | None = None
+    carries: frozenset[str] = frozenset()
 
 
 class Extent(Part):
@@ -236,6 +256,16 @@ class Geometry(Part):
         """Return the axial forces that buckle one blade, whose ends are held as named."""
         raise NotAvailable("has no closed form for its buckling")
 
+    def joint_critical(
+        self, elastic: Elastic, sizes: Sizes, ends: str, direction: float
+    ) -> Critical:
+        """Return the force on the joint, in a direction [rad], at which it buckles at rest [N].
+
+        The body is held as the ends of a case say (:data:`flexcli.parts.ends.ENDS`). Sizes are
+        floats.
+        """
+        raise NotAvailable("has no closed form for the buckling of the whole joint")
+
     def blade(self, sizes: Sizes) -> Blade | None:
         """Return the slender blade that bends, where it is one of constant thickness."""
         return None
@@ -306,6 +336,11 @@ class Geometry(Part):
     def held(self, travel: float) -> Held:
         """Return what a stroke imposes on the moving body of the layout."""
         return (None, None, travel) if self.motion == "rotation" else (None, travel, None)
+
+    @property
+    def is_guided(self) -> bool:
+        """Return whether a guide keeps the body from turning, whatever a case holds."""
+        return self.motion == "translation" and self.held(0.0)[2] is not None
 
     def values(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Value]:
         """Return its own numbers worth reporting, at the largest travel."""

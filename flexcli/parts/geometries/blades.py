@@ -9,7 +9,7 @@ from flexcli.formulas.card import SLENDER, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import Blade, Critical, Extent, Geometry
+from flexcli.parts.geometries.base import ACROSS_WIDTH, Blade, Critical, Extent, Geometry
 
 __all__ = ["BladeGeometry"]
 
@@ -54,7 +54,7 @@ class BladeGeometry(Geometry):
             Critical(way, euler_load(E=elastic.E, I=inertia, l=l, ends=ends), source)
             for way, inertia in (
                 ("across the thickness", second_moment(b, h)),
-                ("across the width", second_moment(h, b)),
+                (ACROSS_WIDTH, second_moment(h, b)),
             )
         )
 

@@ -12,9 +12,10 @@ from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import Length, PositiveLength
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import GROUND, MOVING, Blade
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.blades import BladeGeometry
-from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, places
+from flexcli.parts.geometries.joint_buckling import row_critical
+from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, is_push, places
 from flexcli.results import Value
 
 __all__ = ["LeafSpringStage"]
@@ -62,6 +63,14 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""
         return force_share(direction, self.blades)
+
+    def joint_critical(
+        self, elastic: Elastic, sizes: Blade, ends: str, direction: float
+    ) -> Critical:
+        """Return the force along the blades at which the stage buckles [N]."""
+        places = self.places() if self.spacing is not None else None
+        push = is_push(direction, "blades")
+        return row_critical(elastic, sizes, places, self.blades, ends, push=push)
 
     def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
         """Return the motion towards the base [m]."""

@@ -1,6 +1,7 @@
 """Parallel stage on necked-down blades: a short thin hinge at each end of a thick middle."""
 
 from collections.abc import Mapping
+from math import inf
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
@@ -15,9 +16,11 @@ from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import PositiveLength, spec_error
 from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent
-from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, places
-from flexcli.results import Value
+from flexcli.parts.geometries.joint_buckling import CARRIED
+from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, is_push, places
+from flexcli.results import ErrorRange, Value
 
 __all__ = ["NeckedDownStage"]
 
@@ -139,6 +142,29 @@ class NeckedDownStage(SagsAlongStroke):
         xi = np.minimum(sizes.xi, 1.0)
         force = forces[ends](E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, xi=xi)
         return (Critical("across the thickness", force, f"{SOURCE}, {ends} ends"),)
+
+    def joint_critical(
+        self, elastic: Elastic, sizes: NeckedSizes, ends: str, direction: float
+    ) -> Critical:
+        """Return the force along the blades at which the stage buckles [N].
+
+        Shear in the hinges lowers it by less than Engesser's N/κGA, their shortening raises it by
+        less than their strain; a stage that may turn is kept from it by its blades.
+        """
+        hold, push = ENDS[ends], is_push(direction, "blades")
+        if hold.hinged:
+            raise NotAvailable("has no closed form for blades on hinges")
+        held = "clamped-clamped" if hold.across else "clamped-guided"
+        (found,) = self.critical(elastic, sizes, held)
+        source, stress = f"{SOURCE}, {hold.spoken}", 1.0 / (self.blades * sizes.h * sizes.b)
+        if not push:
+            error = ErrorRange(0.0, 0.0)
+            return Critical("in the plane", inf, source, stress, error, CARRIED)
+        strain = float(found.force) / (elastic.E * sizes.h * sizes.b)
+        sheared = strain * 2.0 * (1.0 + (0.5 if elastic.nu is None else elastic.nu)) * 1.2
+        known = ErrorRange(-sheared, strain) if hold.turn else None
+        force = self.blades * found.force
+        return Critical("in the plane", force, source, stress, known, CARRIED)
 
     def parasitic_shift(self, sizes: NeckedSizes, travel: float) -> Quantity:
         """Return the motion towards the base [m]."""

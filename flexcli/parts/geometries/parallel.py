@@ -6,7 +6,7 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 
-__all__ = ["SagsAlongStroke", "force_share", "places", "straight_share"]
+__all__ = ["SagsAlongStroke", "force_share", "is_push", "places", "straight_share"]
 
 ROUNDING = 1e-9
 """Sine of an angle that counts as none."""
@@ -35,6 +35,13 @@ def straight_share(direction: float, spoken: str) -> float:
     if abs(sin(direction)) > ROUNDING:
         raise NotAvailable(f"has closed forms for a load along its {spoken} only")
     return 1.0
+
+
+def is_push(direction: float, spoken: str) -> bool:
+    """Return whether a force along the members, from the base, pushes them together."""
+    if abs(sin(direction)) > ROUNDING:
+        raise NotAvailable(f"takes a load along its {spoken} only (direction: 0 deg or 180 deg)")
+    return cos(direction) < 0.0
 
 
 def places(members: int, spacing: float | None, spoken: str) -> tuple[float, ...]:

@@ -14,8 +14,9 @@ from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.parts.geometries.base import GROUND, MOVING, Blade
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.blades import BladeGeometry
+from flexcli.parts.geometries.joint_buckling import pivot_critical
 from flexcli.results import Value
 
 __all__ = ["BladePivot", "PairPivot"]
@@ -77,6 +78,13 @@ class BladePivot(BladeGeometry):
             nearest = 0.0 if p < 0.0 < p + l else min(abs(p), abs(p + l))
             found.append((f"blades {i + 1} and {j + 1}", 2.0 * nearest * apart - float(sizes.h)))
         return tuple(found)
+
+    def joint_critical(
+        self, elastic: Elastic, sizes: Blade, ends: str, direction: float
+    ) -> Critical:
+        """Return the force at the centre at which the pivot turns away or a blade bows [N]."""
+        p = float(self.offset(sizes))
+        return pivot_critical(elastic, sizes, p, self.blade_angles, ends, direction)
 
     def heights(self, sizes: Blade) -> tuple[float, ...]:
         """Return the height of each blade's middle plane over that of the pivot [m]."""

@@ -11,9 +11,15 @@ from flexcli.formulas.stage import shortening
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Held
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical, Held
 from flexcli.parts.geometries.blades import BladeGeometry
-from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, straight_share
+from flexcli.parts.geometries.joint_buckling import row_critical
+from flexcli.parts.geometries.parallel import (
+    SagsAlongStroke,
+    force_share,
+    is_push,
+    straight_share,
+)
 
 __all__ = ["Cantilever", "GuidedBlade", "MomentBlade"]
 
@@ -33,6 +39,13 @@ class _SingleBlade(BladeGeometry):
     def root(self, sizes: Blade) -> Quantity:
         """Return where the clamp is on x [m]."""
         return 0.0
+
+    def joint_critical(
+        self, elastic: Elastic, sizes: Blade, ends: str, direction: float
+    ) -> Critical:
+        """Return the force along the blade at which it buckles [N]."""
+        push, guided = is_push(direction, "blade"), self.is_guided
+        return row_critical(elastic, sizes, (0.0,), 1, ends, push=push, guided=guided)
 
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
         """Return the blade along x; the moving body's point is its tip."""

@@ -8,8 +8,8 @@ from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import GROUND, MOVING, Blade
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.pivots import PairPivot
 from flexcli.results import Value
 
@@ -50,6 +50,12 @@ class UnseparatedPivot(PairPivot):
     def s_bending_share(self, sizes: Blade) -> float:
         """Return ¾ (1/c + 1/(1 − c)): ¾ of each part, whose Φ is that of its own length."""
         return 0.75 / self.crossing + 0.75 / (1.0 - self.crossing)
+
+    def joint_critical(
+        self, elastic: Elastic, sizes: Blade, ends: str, direction: float
+    ) -> Critical:
+        """Refuse: the small cross between the halves moves on its own."""
+        raise NotAvailable("has no closed form for the buckling of the whole joint")
 
     def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
         """Return the signed shift of the centre along the bisector [m], leading order."""

@@ -10,6 +10,7 @@ from flexcli.parts.requirements.as_printed import AS_PRINTED
 from flexcli.parts.requirements.ask import Answers, Ask, EndStress, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit, Requirement
 from flexcli.parts.requirements.buckling import Buckling
+from flexcli.parts.requirements.closed_form import CLOSED_FORM
 from flexcli.parts.requirements.dynamic import DynamicBuckling, DynamicLife, DynamicYield
 from flexcli.parts.requirements.fatigue import Fatigue
 from flexcli.parts.requirements.frequency import Frequency
@@ -23,6 +24,7 @@ from flexcli.parts.requirements.yielding import Yield
 
 __all__ = [
     "AS_PRINTED",
+    "CLOSED_FORM",
     "Answers",
     "Ask",
     "Bound",

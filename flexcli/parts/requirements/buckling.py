@@ -1,19 +1,29 @@
-"""Buckling: the force on the joint against the one that buckles its most loaded blade."""
+"""Buckling: the force on the joint against the one at which it, or a blade of it, gives way."""
 
 from collections.abc import Iterator
 from typing import ClassVar
 
-from flexcli.formulas.buckling import EFFECTIVE_LENGTH
+import numpy as np
+
+from flexcli.formulas.buckling import EFFECTIVE_LENGTH, johnson_stress
+from flexcli.formulas.quantity import Quantity
+from flexcli.numerics.signomial import Signomial
+from flexcli.parts.geometries.base import Critical
+from flexcli.parts.material import Material
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.results import QuantityKind
+from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["Buckling"]
+__all__ = ["Buckling", "borne"]
 
 
 class Buckling(FactorRequirement):
-    """Factor on the force, about both axes of the section, for the stated hold of the ends."""
+    """Factor on the force at which the joint gives way, held as stated, at the motion of the case.
+
+    A load acts in the direction that it states, or either way along the axis where it states none;
+    an acceleration acts either way.
+    """
 
     label: ClassVar[str] = "buckling"
 
@@ -26,7 +36,7 @@ class Buckling(FactorRequirement):
         return scene.pushed_by
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
-        """Yield force against critical force, bending across the thickness and across the width."""
+        """Yield force against what is borne, in the plane and across the blades' width."""
         scene = ask.scene
         if scene.ends is None:
             raise RequirementError(
@@ -34,17 +44,52 @@ class Buckling(FactorRequirement):
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
         for critical in ask.answers.critical(ask):
+            capacity, crushed = borne(critical, ask.material)
             yield Limit(
                 self.label,
                 scene.case,
                 f"force {scene.force_name}, buckling {critical.way}",
                 scene.force,
-                critical.force,
+                capacity,
                 "N",
-                f"{critical.source}: {scene.ends_why}",
+                f"{critical.source}: {scene.ends_why}{crushed}",
                 required=self.factor,
                 load=True,
                 driver="force",
                 kind=QuantityKind.BUCKLING,
                 in_capacity=True,
+                error=_error(critical, ask.material),
             )
+
+
+def borne(critical: Critical, material: Material) -> tuple[Quantity, str]:
+    """Return the force [N] that a joint bears, and how if its blades yield before they buckle.
+
+    By Johnson's parabola where the material has a yield strength; a choice of sizes takes the
+    elastic force, which is what its algebra has room for.
+    """
+    force, given = critical.force, material.yield_strength
+    if given is None or critical.stress is None or isinstance(force, Signomial):
+        return force, ""
+    strength = float(given.value)
+    stress = np.asarray(critical.stress, dtype=np.float64)
+    elastic = np.asarray(force, dtype=np.float64) * stress
+    found = johnson_stress(elastic, strength) / stress
+    if np.ndim(found):
+        return found, ""
+    if float(elastic) <= strength / 2.0:
+        return force, ""
+    return float(found), "; blades yield first, J. B. Johnson's parabola"
+
+
+def _error(critical: Critical, material: Material) -> ErrorRange | None:
+    """Return the error of what is borne, from that of the elastic force."""
+    if critical.error is None:
+        return None
+    middle, _ = borne(critical, material)
+    if not np.isfinite(float(middle)):
+        return critical.error
+    ends = (borne(critical._replace(force=critical.force * (1.0 + e)), material)[0]
+            for e in critical.error)  # fmt: skip
+    low, high = (float(end) / float(middle) - 1.0 for end in ends)
+    return ErrorRange(low, high)

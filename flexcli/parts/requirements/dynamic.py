@@ -15,6 +15,8 @@ from flexcli.parts.base import QuantityOf
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
+from flexcli.parts.requirements.buckling import borne
+from flexcli.parts.requirements.closed_form import least_blade_force
 from flexcli.parts.requirements.response_range import (
     Uncertain,
     between,
@@ -126,8 +128,15 @@ class DynamicYield(_Dynamic):
             )
 
 
+def _of_plain_beams(error: ErrorRange | None, ask: Ask) -> ErrorRange | None:
+    """Return the error of a critical force of beams, which wide blades can only raise."""
+    nu = ask.material.elastic.nu
+    wide = 0.5 if nu is None else nu
+    return None if error is None else ErrorRange(error.low, error.high + wide**2 / (1.0 - wide**2))
+
+
 class DynamicBuckling(_Dynamic):
-    """Factor on the peak axial force of the modes in the most loaded blade."""
+    """Factor on the peak axial force of the modes, against the least that buckles the joint."""
 
     label: ClassVar[str] = "dynamic buckling"
 
@@ -139,21 +148,19 @@ class DynamicBuckling(_Dynamic):
                 f"nothing says what holds the blades' ends in case '{scene.case}'",
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
-        critical = min(
-            ask.geometry.critical(ask.material.elastic, ask.sizes, scene.ends),
-            key=lambda found: float(found.force),
-        )
+        critical = least_blade_force(ask)
+        capacity, crushed = borne(critical, ask.material)
         per_force = ask.geometry.axial_stress(1.0, ask.sizes)
-        own = ask.answers.error(ask, QuantityKind.BUCKLING)
+        own = _of_plain_beams(critical.error, ask)
         for peak in self.peaks(ask, "axial stress"):
             yield Limit(
                 self.label,
                 scene.case,
                 f"{peak.what.replace('stress', 'force')} of a blade",
                 peak.value / per_force,
-                critical.force,
+                capacity,
                 "N",
-                f"{peak.source}; {critical.source}: {scene.ends_why}",
+                f"{peak.source}; {critical.source}: {scene.ends_why}{crushed}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
                 error=over(peak.error, own),

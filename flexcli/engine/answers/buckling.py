@@ -1,0 +1,289 @@
+"""Critical forces of a case by the linear and by the exact model: its body held, at its motion."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import cos, inf, isfinite, sin
+
+import numpy as np
+
+from flexcli.engine.answers.joint_states import blades_of, layout_of, turned
+from flexcli.errors import SolveError
+from flexcli.mechanics.demand import Held
+from flexcli.mechanics.equilibrium import solve
+from flexcli.mechanics.layout import Blade, Body, Layout, Load
+from flexcli.mechanics.linear_buckling import LinearCritical, linear_critical
+from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.stability import critical_load, ways_let_go
+from flexcli.mechanics.state import Equilibrium
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.ends import ENDS, Hold
+from flexcli.parts.geometries.base import MOVING, Critical
+from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements.closed_form import across_width, of_case
+from flexcli.parts.scene import Push
+from flexcli.results import ErrorRange
+from flexcli.units import show
+
+__all__ = ["exact_critical", "linear_critical_forces"]
+
+WAY = "in the plane"
+
+SWAY = 3.0
+"""Largest change of a critical factor over the strain there times 1 + bends², by how the body gives
+way before it: exact solutions of rcc, crossed and star pivots have at most 1.5."""
+
+WIDE = 0.3
+"""An error beyond which it is none of a first order any more."""
+
+STILL = 1e-9
+"""Motion over the strain that is rounding."""
+
+BEYOND = 1.6
+"""How far beyond the critical force of straight blades at rest the exact one is looked for."""
+
+LEANS = 1.2
+"""How far beyond it a joint is taken to bear no more, though it leans away without falling."""
+
+ROUGH = 1e-6
+"""Tolerance of the equilibria that tell whether a joint stands."""
+
+SHARES = (0.5, 0.7, 0.85, 0.9, 0.94, 0.97, 0.985, 1.0, 1.015, 1.03, 1.06, 1.12, LEANS)
+"""Of the critical force of straight blades: where it is looked whether a joint stands."""
+
+QUARTER = 1e-9
+"""Sine of twice an angle that counts as a multiple of a right one."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Scene:
+    """A joint under one direction of its forces: the layout, the unit force, what holds."""
+
+    layout: Layout
+    pattern: tuple[Load, ...]
+    across: int
+    hold: Hold
+
+
+def linear_critical_forces(ask: Ask, effects: Effects) -> Iterator[Critical]:
+    """Yield the critical forces of straight blades at rest, one for each sense they may have."""
+    for push in ask.scene.pushes():
+        scene = _scene(ask, push)
+        found = _straight(scene, effects)
+        error = None if ask.scene.bends else _linear_error(scene, found)
+        source = f"linear beams at rest, {scene.hold.spoken}"
+        critical = Critical(WAY, found.factor, source, found.stress, error)
+        yield of_case(ask, push, critical)
+    yield from across_width(ask)
+
+
+def exact_critical(
+    ask: Ask, effects: Effects, tolerance: float, levels: Sequence[int]
+) -> Iterator[Critical]:
+    """Yield the critical forces at the motions that a case holds, the least of them for each sense.
+
+    They are those of rest and of both ends of its stroke.
+    """
+    for push in ask.scene.pushes():
+        scene = _scene(ask, push)
+        straight = _straight(scene, effects)
+        least: Critical | None = None
+        for travel in _travels(ask):
+            solver = _Exact(ask, scene, effects, tolerance, levels, travel)
+            found = solver.critical(straight, inf if least is None else float(least.force))
+            if found is not None and (least is None or found.force < least.force):
+                least = found
+        assert least is not None  # of the first travel there is always one
+        yield of_case(ask, push, least)
+    yield from across_width(ask)
+
+
+def _scene(ask: Ask, push: Push) -> _Scene:
+    """Return the joint under a unit force, turned until an axis lies across what it must hold."""
+    assert ask.scene.ends is not None  # the requirement asks for them
+    hold, layout, angle = ENDS[ask.scene.ends], layout_of(ask), push.direction
+    hold = hold._replace(turn=hold.turn or ask.geometry.is_guided)
+    if hold.across and abs(sin(2.0 * angle)) > QUARTER:
+        if ask.scene.moves and ask.geometry.motion == "translation":
+            raise NotAvailable(
+                "has no critical load for a force oblique to its stroke, held across"
+            )
+        layout, angle = turned(layout, -angle), 0.0
+    force = Load(MOVING, layout.body(MOVING).point, (cos(angle), sin(angle)))
+    return _Scene(layout, (force,), 1 if abs(cos(angle)) > 0.5 else 0, hold)
+
+
+def _held(scene: _Scene, at: Sequence[float] = (0.0, 0.0, 0.0)) -> Held:
+    """Return what the ends hold of the body, where it is."""
+    held: list[float | None] = [None, None, at[2] if scene.hold.turn else None]
+    if scene.hold.across:
+        held[scene.across] = at[scene.across]
+    return {MOVING: (held[0], held[1], held[2])}
+
+
+def _straight(scene: _Scene, effects: Effects) -> LinearCritical:
+    """Return the critical factor of straight blades at rest."""
+    try:
+        if scene.hold.hinged:
+            return _hinged(scene, effects)
+        layout = scene.layout
+        return linear_critical(
+            layout, _held(scene), scene.pattern, effects=blades_of(layout, effects)
+        )
+    except SolveError as error:
+        raise NotAvailable(f"has no critical load: {error}") from error
+
+
+def _linear_error(scene: _Scene, found: LinearCritical) -> ErrorRange | None:
+    """Return what the bending before the blades buckle may change, where that is known.
+
+    None where a body turns with the force from the start: it is no branching then.
+    """
+    sure = ErrorRange(-STILL, STILL)
+    if found.bends <= STILL or scene.hold.hinged or not isfinite(found.factor):
+        return sure
+    if len(scene.layout.bodies) > 1 or scene.layout.supports:
+        return None
+    if not scene.hold.turn and found.turns > STILL:
+        return None
+    change = SWAY * found.strain * found.factor * (1.0 + found.bends**2)
+    return ErrorRange(-change, change) if change < WIDE else None
+
+
+def _hinged(scene: _Scene, effects: Effects) -> LinearCritical:
+    """Return the critical factor of blades hinged at both ends, one of which buckles alone."""
+    layout = scene.layout
+    if len(layout.bodies) > 1 or layout.supports:
+        raise NotAvailable("would fall apart on hinges: its bodies are held by clamped blades")
+    whole = linear_critical(layout, _held(scene), scene.pattern, effects=blades_of(layout, effects))
+    least = inf
+    for blade, tension in zip(layout.blades, whole.tensions, strict=True):
+        if tension < 0.0:
+            strut = _strut(blade, layout)
+            held: Held = {"base": (0.0, 0.0, None), "body": (None, 0.0, None)}
+            push = Load("body", strut.body("body").point, (-1.0, 0.0))
+            alone = linear_critical(strut, held, [push], effects=blades_of(strut, effects))
+            least = min(least, alone.factor / -float(tension))
+    whole.mode[:] = 0.0
+    return LinearCritical(
+        least, whole.most, whole.tensions, whole.strain, whole.stress, 0.0, 0.0, whole.mode
+    )
+
+
+def _strut(blade: Blade, layout: Layout) -> Layout:
+    """Return one blade along x between two bodies that turn with its ends."""
+    l = float(np.hypot(blade.end[0] - blade.start[0], blade.end[1] - blade.start[1]))
+    bodies = (Body("base", (0.0, 0.0)), Body("body", (l, 0.0)))
+    strip = Blade(blade.name, "base", "body", (0.0, 0.0), (l, 0.0), blade.profile, blade.b)
+    return Layout(bodies, (strip,), layout.E, layout.G)
+
+
+def _travels(ask: Ask) -> tuple[float, ...]:
+    """Return the motions that a case holds: the ends of its stroke and rest."""
+    scene = ask.scene
+    if not scene.moves:
+        return (0.0,)
+    ends = (scene.middle + scene.travel, scene.middle - scene.travel)
+    return tuple(dict.fromkeys((*ends, 0.0)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Exact:
+    """The exact model of a joint at one travel."""
+
+    ask: Ask
+    scene: _Scene
+    effects: Effects
+    tolerance: float
+    levels: Sequence[int]
+    travel: float
+
+    def critical(self, straight: LinearCritical, least: float) -> Critical | None:
+        """Return the critical factor here, or nothing where it is above the least so far."""
+        if self.scene.hold.hinged:
+            if self.travel:
+                raise NotAvailable("has no critical load of hinged blades at a stroke")
+            error = _linear_error(self.scene, straight)
+            return self._told(straight.factor, straight.stress, error)
+        if not self.travel and not isfinite(straight.factor):
+            return self._told(inf, straight.stress, ErrorRange(0.0, 0.0))
+        start = self._start()
+        near = straight.factor if isfinite(straight.factor) else straight.most / BEYOND
+        most = min(BEYOND * near, least)
+        try:
+            reached = critical_load(
+                self.scene.layout, self._kept(start), self.scene.pattern,
+                most=most, driven=self._driven(), start=start, careful=False,
+                effects=self._blades, tolerance=self.tolerance, levels=self.levels,
+            )  # fmt: skip
+        except SolveError as error:
+            if error.code == "no-critical-load" and (most == least or not self._leans(straight)):
+                return None if most == least else self._told(inf, straight.stress)
+            if error.code not in ("no-critical-load", "lost-path"):
+                raise NotAvailable(f"has no exact critical load: {error}") from error
+            return self._where_it_stands(start, straight, near)
+        return self._told(reached.factor, straight.stress)
+
+    @property
+    def _blades(self) -> Effects:
+        return blades_of(self.scene.layout, self.effects)
+
+    def _leans(self, straight: LinearCritical) -> bool:
+        """Return whether straight blades would buckle, so that a joint that does not leans away."""
+        return isfinite(straight.factor)
+
+    def _driven(self) -> Held:
+        """Return the motion that the case holds by its drive."""
+        return {MOVING: self.ask.geometry.held(self.travel)} if self.travel else {}
+
+    def _start(self) -> Equilibrium | None:
+        """Return the joint at its travel, under no force yet."""
+        if not self.travel:
+            return None
+        try:
+            return solve(
+                self.scene.layout, self._driven(),
+                effects=self._blades, tolerance=self.tolerance, levels=self.levels,
+            ).checked()  # fmt: skip
+        except SolveError as error:
+            raise NotAvailable(f"has no exact equilibrium: {error}") from error
+
+    def _kept(self, start: Equilibrium | None) -> Held:
+        """Return what the ends of the case keep where the stroke has brought the body."""
+        if start is None:
+            return _held(self.scene)
+        at = start.motions[0, self.scene.layout.index(MOVING)]
+        return _held(self.scene, [float(x) for x in at])
+
+    def _where_it_stands(
+        self, start: Equilibrium | None, straight: LinearCritical, near: float
+    ) -> Critical:
+        """Return the largest force looked at under which the joint still stands.
+
+        A joint that leans from the start, be it by a millionth, has no branching to be found.
+        """
+        kept, driven = self._kept(start)[MOVING], self._driven().get(MOVING, (None, None, None))
+        along = tuple(d if k is None else k for k, d in zip(kept, driven, strict=True))
+        factors = near * np.array(SHARES)
+        try:
+            state = solve(
+                self.scene.layout, {MOVING: (along[0], along[1], along[2])},
+                loads=self.scene.pattern, load_factor=factors,
+                effects=self._blades, tolerance=ROUGH, levels=self.levels,
+            )  # fmt: skip
+        except SolveError as error:
+            raise NotAvailable(f"has no exact critical load: {error}") from error
+        stands = state.converged & (ways_let_go(state, self._kept(start)) == 0)
+        if stands.all():
+            told = self._told(float(factors[-1]), straight.stress, ErrorRange(0.0, 0.0))
+            return told._replace(source=f"{told.source}; beyond, it leans away")
+        first = int(np.argmin(stands))
+        if first == 0:
+            raise NotAvailable("has no exact critical load: its path is lost from the start")
+        gap = float(factors[first] / factors[first - 1]) - 1.0
+        return self._told(float(factors[first - 1]), straight.stress, ErrorRange(0.0, gap))
+
+    def _told(self, force: float, stress: float, error: ErrorRange | None = None) -> Critical:
+        unit = self.ask.geometry.travel_unit
+        where = f" at {show(self.travel, unit)} of its stroke" if self.travel else ""
+        source = f"exact model, {self.scene.hold.spoken}"
+        return Critical(f"{WAY}{where}", force, source, stress, error)

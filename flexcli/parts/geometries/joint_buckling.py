@@ -1,0 +1,135 @@
+"""Closed forms of how a joint of equal blades buckles, with what they may be off by."""
+
+from collections.abc import Callable, Sequence
+from math import cos, inf, isfinite, pi, sin
+
+from flexcli.formulas.buckling import thick_load
+from flexcli.formulas.joint_buckling import held_load, shares, sway, turning_load
+from flexcli.formulas.section import second_moment, shear_parameter
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.ends import ENDS
+from flexcli.parts.geometries.base import Blade, Critical
+from flexcli.results import ErrorRange
+
+__all__ = ["CARRIED", "pivot_critical", "row_critical"]
+
+CARRIED = frozenset({"shear", "axial extension"})
+"""Effects that are in the closed forms of this module."""
+
+SWAY = 3.0
+"""Largest change of a critical force over the strain there times 1 + sway², by how the body gives
+way before it: exact solutions of rcc, crossed and star pivots have at most 1.6."""
+
+TILT = 2.0
+"""Largest change over the strain times (l/2r)², r the blades' distance from their middle, by the
+tilt of a stage that may turn: exact solutions have 0.9."""
+
+WIDE = 0.3
+"""An error beyond which it is none of a first order any more."""
+
+SAME = 1e-9
+"""What rounding leaves of two angles that are one [rad], and of forces [-]."""
+
+
+def pivot_critical(
+    elastic: Elastic,
+    sizes: Blade,
+    p: float,
+    angles: Sequence[float],
+    ends: str,
+    direction: float,
+) -> Critical:
+    """Return the critical force at the centre of a pivot of equal blades [N].
+
+    Its error is known where the body is kept from turning, or where the design is its own mirror
+    image about the line of the force: elsewhere the force turns it a little from the start.
+    """
+    hold, l = ENDS[ends], sizes.l
+    try:
+        tensions = shares(angles=angles, direction=direction, across=hold.across)
+    except ValueError as error:
+        raise NotAvailable(f"is not held against that force: {error}") from error
+
+    def load(axial: float, shear: float) -> float:
+        if hold.hinged or hold.turn:
+            named = "pinned-pinned" if hold.hinged else "clamped-clamped"
+            return held_load(tensions=tensions, ends=named, axial=axial, shear=shear)
+        return turning_load(tensions=tensions, delta=p / l, axial=axial, shear=shear)
+
+    strain = max(abs(t) for t in tensions)
+    first = SWAY * (1.0 + sway(angles=angles, shares=tensions) ** 2)
+    known = hold.turn or _is_mirrored(angles, direction)
+    how = "turns away or its blades bow" if not hold.turn else "its blades bow"
+    return _critical(
+        elastic, sizes, load, strain, (first, first) if known else None, f"{hold.spoken}; {how}"
+    )
+
+
+def row_critical(
+    elastic: Elastic,
+    sizes: Blade,
+    places: Sequence[float] | None,
+    blades: int,
+    ends: str,
+    *,
+    push: bool,
+    guided: bool = False,
+) -> Critical:
+    """Return the critical force along equal parallel blades on one body [N].
+
+    ``places`` are where they stand across it [m], nothing where that is not known; a single blade
+    stands at zero. A body that may turn is kept from it by two blades or more, which would have to
+    stretch. ``guided`` bodies never turn.
+    """
+    hold, l = ENDS[ends], sizes.l
+    held = ends
+    tilt: tuple[float, float] | None = (0.0, 0.0)
+    if not hold.turn and (blades > 1 or guided):
+        held = "clamped-clamped" if hold.across else "clamped-guided"
+        if not guided:
+            square = sum(y**2 for y in places) / blades if places is not None else 0.0
+            tilt = (TILT * l**2 / (4.0 * square), 0.0) if square else None
+
+    def load(axial: float, shear: float) -> float:
+        return blades * thick_load(ends=held, axial=axial, shear=shear) if push else inf
+
+    return _critical(elastic, sizes, load, 1.0 / blades, tilt, hold.spoken)
+
+
+def _critical(
+    elastic: Elastic,
+    sizes: Blade,
+    load: Callable[[float, float], float],
+    strain: float,
+    changes: tuple[float, float] | None,
+    spoken: str,
+) -> Critical:
+    """Return a load in units EI/l² as a force; ``changes`` are its errors over its strain."""
+    h, l, b = (float(size) for size in sizes)
+    axial, unit = (h / l) ** 2 / 12.0, elastic.E * second_moment(b, h) / l**2
+    ratios = (0.0, 0.5) if elastic.nu is None else (elastic.nu,)
+    each = [load(axial, shear_parameter(depth=h, l=l, poisson_ratio=nu) / 12.0) for nu in ratios]
+    F = (each[0] + each[-1]) / 2.0
+    error = None
+    if changes is not None and not isfinite(F):
+        error = ErrorRange(0.0, 0.0)
+    elif changes is not None:
+        unsure = abs(each[0] - each[-1]) / (2.0 * F)
+        low, high = (change * axial * strain * F + unsure + SAME for change in changes)
+        error = ErrorRange(-low, high) if max(low, high) < WIDE else None
+    source = f"beams with shear and stretching, {spoken}"
+    way = "in the plane"
+    return Critical(way, float(F * unit), source, strain / (h * b), error, CARRIED)
+
+
+def _is_mirrored(angles: Sequence[float], direction: float) -> bool:
+    """Return whether the blades are their own mirror image about the line of the force."""
+
+    def sorted_places(sign: float) -> list[tuple[float, float]]:
+        turned = [sign * (angle - direction) for angle in angles]
+        return sorted((round(cos(a) / SAME) * SAME, round(sin(a) / SAME) * SAME) for a in turned)
+
+    pairs = zip(sorted_places(1.0), sorted_places(-1.0), strict=True)
+    return all(
+        abs(x - y) <= pi * SAME for one, other in pairs for x, y in zip(one, other, strict=True)
+    )

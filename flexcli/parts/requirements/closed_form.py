@@ -1,0 +1,132 @@
+"""Closed forms that judge: those of the sources, and better ones where the sources' are rough."""
+
+from collections.abc import Iterator
+from math import isfinite, pi, remainder
+
+from flexcli.formulas.buckling import EFFECTIVE_LENGTH
+from flexcli.formulas.section import shear_parameter
+from flexcli.numerics.signomial import Signomial
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.ends import ENDS
+from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
+from flexcli.parts.requirements.as_printed import AsPrinted
+from flexcli.parts.requirements.ask import Ask
+from flexcli.parts.scene import Push
+from flexcli.results import ErrorRange
+from flexcli.units import show
+
+__all__ = ["CLOSED_FORM", "ClosedForm", "across_width", "least_blade_force", "of_case"]
+
+DIRECTIONS = 72
+"""Directions in which the least force is sought: 5 deg apart."""
+
+STIFFEST = 0.5
+"""Least effective length over length that any hold of a blade's ends gives."""
+
+
+class ClosedForm(AsPrinted):
+    """The sources' formulas, but for the buckling of the joint as a whole where that is known."""
+
+    model = "closed-form"
+
+    def critical(self, ask: Ask) -> tuple[Critical, ...]:
+        """Return the forces at which the joint buckles, one for each sense that they may have.
+
+        Where there is no form of the joint's own, those of its most loaded blade alone.
+        """
+        if not all(isinstance(size, float) for size in ask.sizes):
+            return super().critical(ask)
+        try:
+            return tuple(_each(ask))
+        except NotAvailable:
+            # what one blade bears is of the joint's order, and no more is known of it
+            stress = ask.geometry.axial_stress(1.0, ask.sizes) * ask.scene.axial_share
+            return tuple(c._replace(stress=stress) for c in super().critical(ask))
+
+
+CLOSED_FORM = ClosedForm()
+
+
+def _each(ask: Ask) -> Iterator[Critical]:
+    scene = ask.scene
+    assert scene.ends is not None  # the requirement asks for them
+    if scene.beyond:
+        raise NotAvailable(scene.beyond)
+    for push in scene.pushes():
+        critical = ask.geometry.joint_critical(
+            ask.material.elastic,
+            ask.sizes,
+            scene.ends,
+            _facing(ask, push),
+        )
+        # at rest it is known; what the stroke changes is not
+        error = None if scene.bends else critical.error
+        yield of_case(ask, push, critical._replace(error=error))
+    yield from across_width(ask)
+
+
+def of_case(ask: Ask, push: Push, critical: Critical) -> Critical:
+    """Return a critical force in one direction as one on all forces of a case, and which way."""
+    scene = ask.scene
+    share = push.force / scene.force
+    stress = None if critical.stress is None else critical.stress * share
+    way = f"{critical.way} at {show(_facing(ask, push), 'rad')}"
+    return critical._replace(way=way, force=critical.force / share, stress=stress)
+
+
+def _facing(ask: Ask, push: Push) -> float:
+    """Return the direction of a force from the joint's axis of symmetry, in (−π, π] [rad]."""
+    return remainder(push.direction - ask.geometry.symmetry_axis, 2.0 * pi)
+
+
+def least_blade_force(ask: Ask) -> Critical:
+    """Return the least axial force in any blade at which the joint buckles at rest [N].
+
+    Over all directions of a force on it, since a vibration shakes it along any; of its most
+    loaded blade alone where there is no form of the joint's own.
+    """
+    elastic, ends = ask.material.elastic, ask.scene.ends
+    assert ends is not None  # the requirement asks for them
+    per_force = ask.geometry.axial_stress(1.0, ask.sizes)
+    found = []
+    for index in range(DIRECTIONS):
+        try:
+            joint = ask.geometry.joint_critical(
+                elastic, ask.sizes, ends, 2.0 * pi * index / DIRECTIONS
+            )
+        except NotAvailable:
+            continue
+        if joint.stress is not None and isfinite(float(joint.force)):
+            found.append(joint._replace(force=joint.force * joint.stress / per_force))
+    if not found:
+        found = list(ask.geometry.critical(elastic, ask.sizes, ends))
+    least = min(found, key=lambda critical: float(critical.force))
+    return least._replace(stress=per_force)
+
+
+def across_width(ask: Ask) -> Iterator[Critical]:
+    """Yield the force that buckles a blade across its width, where it has a form of that.
+
+    Euler's load of the most loaded blade with the stated ends. The bodies hold blades together,
+    which can only raise it; shear across the width lowers it.
+    """
+    scene, elastic = ask.scene, ask.material.elastic
+    assert scene.ends is not None  # the requirement asks for them
+    blade = ask.geometry.blade(ask.sizes)
+    if blade is None:
+        return
+    found = ask.geometry.critical(elastic, ask.sizes, scene.ends)
+    for critical in found:
+        if critical.way != ACROSS_WIDTH or isinstance(critical.force, Signomial):
+            continue
+        h, l, b = (float(size) for size in blade)
+        phi = shear_parameter(depth=b, l=l, poisson_ratio=0.5 if elastic.nu is None else elastic.nu)
+        n = float(critical.force) * 12.0 * l**2 / (elastic.E * h * b**3)
+        softer = n * phi / 12.0 / (1.0 + n * phi / 12.0)
+        least = EFFECTIVE_LENGTH[scene.ends] / STIFFEST
+        high = 0.0 if ENDS[scene.ends].hinged else least**2 - 1.0
+        stress = scene.axial_share / (h * b)
+        force = critical.force / scene.axial_share
+        yield Critical(
+            ACROSS_WIDTH, force, critical.source, stress, ErrorRange(-softer, max(high, 0.0))
+        )

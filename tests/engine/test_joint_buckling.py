@@ -1,0 +1,159 @@
+"""Buckling of a joint: three models answer one question, at the motion and in the sense asked."""
+
+from math import pi
+
+import numpy as np
+import pytest
+from strategies import design
+
+from flexcli.engine.answers.exact import ExactAnswers
+from flexcli.engine.answers.linear import LinearAnswers
+from flexcli.engine.judge import judge
+from flexcli.engine.models import rungs
+from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Ask
+from flexcli.results import Verdict
+
+STEEL = {"youngs_modulus": "210 GPa", "poisson_ratio": 0.3}
+CROSSED = {"kind": "cross-spring", "delta": -0.5, "half_angle": "45 deg", "h": "0.3 mm",
+           "l": "17.5 mm", "b": "3 mm"}  # fmt: skip
+BLADE = {"h": "0.1 mm", "l": "20 mm", "b": "5 mm"}
+ENDS = ("clamped-clamped", "clamped-guided", "clamped-pinned", "clamped-free", "pinned-pinned")
+PRINTED = 6e-4
+"""Of numbers given to four digits."""
+
+
+def ask_of(geometry, ends, direction=None, stroke=None, material=STEEL, answers=CLOSED_FORM):
+    load = {"force": "100 N"} | ({} if direction is None else {"direction": f"{direction} deg"})
+    case = {"load": load, "ends": ends} | ({"stroke": stroke} if stroke else {})
+    found = design(geometry, {"buckling": 1}, {"push": case}, material=material)
+    sizes = found.fixed_sizes()
+    return Ask(found.material, found.geometry, None, sizes, found.scene("push"), answers)
+
+
+def critical(answers, *asked, **more):
+    """Return the least critical force in the plane [N] and its error."""
+    ask = ask_of(*asked, **more, answers=answers)
+    found = [c for c in answers.critical(ask) if c.way != "across the width"]
+    least = min(found, key=lambda c: float(c.force))
+    return float(least.force), least.error
+
+
+@pytest.mark.parametrize(("degrees", "force"), [(1, 248.1), (10, 213.6), (20, 194.5)])
+def test_a_pivot_held_at_its_stroke_bears_less_than_at_rest(degrees, force):
+    """A pivot held from turning, pushed together: by independent elastica solutions."""
+    stroke = {"rotation": f"{degrees} deg"}
+    found, _ = critical(ExactAnswers(), CROSSED, "clamped-guided", 180, stroke=stroke)
+    assert found == pytest.approx(force, rel=PRINTED)
+    rest, _ = critical(ExactAnswers(), CROSSED, "clamped-guided", 180)
+    assert rest == pytest.approx(257.6, rel=PRINTED)
+
+
+@pytest.mark.parametrize("answers", [CLOSED_FORM, LinearAnswers(), ExactAnswers()])
+def test_a_pivot_that_is_pulled_turns_away(answers):
+    """361 N, where one of its blades alone would bear Euler's 1265 N."""
+    thick = CROSSED | {"h": "0.637 mm"}
+    pulled, error = critical(answers, thick, "clamped-pinned", 0)
+    pushed, _ = critical(answers, thick, "clamped-pinned", 180)
+    # by the slender limit, whose strain is 6e-4
+    assert pulled == pytest.approx(361.0, rel=3e-3)
+    assert pushed > 5.0 * pulled
+    either, _ = critical(answers, thick, "clamped-pinned")
+    assert either == pytest.approx(pulled, rel=1e-12)
+    assert error is None or error.largest < 0.01
+
+
+@pytest.mark.parametrize("ends", ENDS)
+@pytest.mark.parametrize("kind", ["cantilever", "leaf-spring-stage", "rcc", "cross-spring", "star"])
+def test_ends_mean_one_thing_in_every_model(kind, ends):
+    geometry = {
+        "cantilever": {"kind": kind, **BLADE},
+        "leaf-spring-stage": {"kind": kind, **BLADE, "blades": 3, "spacing": "20 mm"},
+        "rcc": {"kind": kind, **BLADE, "p": "3 mm", "half_angle": "35 deg"},
+        "cross-spring": {"kind": kind, **BLADE, "p": "-6 mm", "half_angle": "50 deg"},
+        "star": {"kind": kind, **BLADE, "p": "2 mm", "angles": ["-60 deg", "0 deg", "60 deg"]},
+    }[kind]
+    closed, error = critical(CLOSED_FORM, geometry, ends, 180)
+    assert error is not None
+    linear, unsure = critical(LinearAnswers(), geometry, ends, 180)
+    exact, _ = critical(ExactAnswers(), geometry, ends, 180)
+    assert unsure is not None
+    assert exact / closed - 1.0 == pytest.approx(
+        (error.low + error.high) / 2.0, abs=(error.high - error.low) / 2.0 + 1e-8
+    )
+    assert abs(exact / linear - 1.0) <= unsure.largest + 1e-8
+
+
+def test_errors_of_closed_form_and_linear_model_hold_the_exact_load():
+    """Random pivots, thick and thin, steep and flat: at rest, their load along their axis."""
+    rng = np.random.default_rng(7)
+    for _ in range(10):
+        delta, half = rng.uniform(-1.2, 0.8), rng.uniform(15, 75)
+        h = 20.0 * 10 ** rng.uniform(-2.5, -1.2)
+        geometry = {"kind": "cross-spring", "delta": float(delta), "half_angle": f"{half} deg",
+                    **BLADE, "h": f"{h} mm"}  # fmt: skip
+        ends = str(rng.choice(ENDS[:4]))
+        exact, _ = critical(ExactAnswers(tolerance=1e-7), geometry, ends, 180)
+        for answers in (CLOSED_FORM, LinearAnswers()):
+            force, error = critical(answers, geometry, ends, 180)
+            if error is not None:
+                assert error.low <= exact / force - 1.0 <= error.high
+
+
+def test_of_one_blade_alone_nobody_says_how_far_it_is_from_the_joint():
+    """Euler of one blade is a quarter of what a pivot held from turning bears."""
+    (alone, _), (joint, _) = (
+        critical(answers, CROSSED, "clamped-guided") for answers in (AS_PRINTED, ExactAnswers())
+    )
+    assert joint == pytest.approx(4.0 * alone, rel=0.01)
+    assert critical(AS_PRINTED, CROSSED, "clamped-guided")[1] is None
+    joined = {"kind": "unseparated-cross", "half_angle": "40 deg", **BLADE}
+    assert critical(CLOSED_FORM, joined, "clamped-guided", 180)[1] is None
+
+
+@pytest.mark.parametrize("answers", [CLOSED_FORM, LinearAnswers(), ExactAnswers()])
+def test_a_blade_hinged_at_both_ends_is_eulers_column_in_every_model(answers):
+    for geometry, share in (
+        ({"kind": "cantilever", **BLADE}, 1.0),
+        ({"kind": "leaf-spring-stage", **BLADE, "spacing": "10 mm"}, 2.0),
+        ({"kind": "rcc", **BLADE, "p": "3 mm", "half_angle": "45 deg"}, 2**0.5),
+    ):
+        euler = share * pi**2 * 210e9 * 5e-3 * 1e-12 / 12.0 / 20e-3**2
+        force, error = critical(answers, geometry, "pinned-pinned", 180)
+        # shear and stretching, (h/l)²
+        assert force == pytest.approx(euler, rel=1e-4)
+        assert error is not None
+
+
+def test_a_drive_is_no_hold():
+    """A pivot kept at its stroke by a moment that stays turns away as a free one does."""
+    stroke = {"rotation": "0.01 deg"}
+    free, _ = critical(ExactAnswers(), CROSSED, "clamped-pinned", 180)
+    driven, _ = critical(ExactAnswers(), CROSSED, "clamped-pinned", 180, stroke=stroke)
+    assert driven == pytest.approx(free, rel=1e-3)
+
+
+def test_a_mirrored_design_under_a_mirrored_load_bears_the_same():
+    stroke = {"rotation": ["0 deg", "8 deg"]}
+    back = {"rotation": ["-8 deg", "0 deg"]}
+    one, _ = critical(ExactAnswers(), CROSSED, "clamped-guided", 170, stroke=stroke)
+    other, _ = critical(ExactAnswers(), CROSSED, "clamped-guided", -170, stroke=back)
+    assert one == pytest.approx(other, rel=1e-7)
+
+
+@pytest.mark.parametrize("model", ["closed-form", "linear", "exact"])
+def test_a_blade_that_yields_first_bears_johnsons_parabola(model):
+    """Euler of the 2 mm blade is 3.7 GPa; 880 MPa (1 − 880/4·3.7 GPa) is 1.10 of 1.5 kN."""
+    titanium = {"youngs_modulus": "114 GPa", "poisson_ratio": 0.34, "yield_strength": "880 MPa"}
+    blade = {"kind": "cantilever", "h": "0.2 mm", "l": "2 mm", "b": "10 mm"}
+    case = {"push": {"load": {"force": "1500 N"}, "ends": "clamped-clamped"}}
+    spec = design(blade, {"buckling": 1.5}, case, material=titanium)
+    (found,) = judge(spec, spec.fixed_sizes(), rungs(spec, model)).checks
+    assert found.verdict is Verdict.FAIL
+    # shear, and the plate that a wide blade is, move the elastic load by a tenth
+    assert found.factor == pytest.approx(1.10, abs=0.02)
+
+
+def test_a_pull_on_parallel_blades_buckles_none():
+    stage = {"kind": "leaf-spring-stage", **BLADE, "spacing": "10 mm"}
+    for answers in (CLOSED_FORM, LinearAnswers(), ExactAnswers()):
+        assert critical(answers, stage, "clamped-guided", 0)[0] == np.inf
