@@ -153,10 +153,8 @@ ROWS = (
     Row("wrench-unjudged", "check", judges_or_names("wrench")),
     Row("stroke-and-acceleration", "check", judges_or_names("acceleration")),
     Row("sine-unjudged", "check", judges_or_names("sine")),
-    # the beam equation with the tip mass: 270.1 Hz, 33.9 MPa rms
-    Row("light-tip-mass", "check", fails("dynamic yield", 8.85)),
-    # bodies of 2 kg and 1.05 kg on two springs of 492 N/m in series
-    Row("folded-stage-masses", "check", fails("frequency", 0.1886)),
+    Row("light-tip-mass", "check", fails("dynamic yield")),
+    Row("folded-stage-masses", "check", fails("frequency")),
     Row("shock-and-asd", "check", fails("dynamic yield")),
     Row("stops-unjudged", "stops", does_not_pass()),
     # 510 and 880 MPa over 433 MPa, and the little shear at the edge of the strip beside it

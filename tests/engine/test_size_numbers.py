@@ -335,6 +335,7 @@ def test_limits_that_come_and_go_are_refused():
         size_by(spec, "spec", fickle)
 
 
+@pytest.mark.slow
 @settings(max_examples=5, deadline=None, suppress_health_check=[HealthCheck.filter_too_much])
 @given(specs())
 def test_random_designs_are_no_worse_than_by_signomials(spec):

@@ -33,6 +33,8 @@ LEGS = 1e-12
 """What smooth legs, each to 1e-13, leave after some dozen of them."""
 NAMES = ("tip_peak", "F_peak", "t_contact")
 
+pytestmark = pytest.mark.slow  # general integrators step through many contacts
+
 
 def run(one, asked=0.01):
     return accuracy_in_time(one, one.fixed_sizes(), 1, asked)

@@ -52,7 +52,7 @@ def bilinear():
     return motion, travel, (SWINGS - 1) * period + period / 2 + touch
 
 
-@pytest.mark.parametrize("method", ["Radau", "DOP853"])
+@pytest.mark.parametrize("method", [pytest.param("Radau", marks=pytest.mark.slow), "DOP853"])
 def test_a_swing_between_springs_tends_to_its_closed_form(method):
     motion, travel, last = bilinear()
     tolerances, errors = np.geomspace(1e-4, 1e-10, 7), []

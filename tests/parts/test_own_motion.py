@@ -163,6 +163,24 @@ def test_a_torsion_bar_s_inertia_has_the_root_of_beta_tan_beta(ratio):
     assert beta * tan(beta) == pytest.approx(ratio, rel=1e-9)
 
 
+TURNING = {
+    "moment-blade": {"h": "0.1 mm", "l": "20 mm", "b": "5 mm"},
+    "rcc": {"h": "0.1 mm", "l": "20 mm", "b": "5 mm", "p": "3 mm", "half_angle": "40 deg"},
+    "three-blade": {"h": "0.1 mm", "l": "20 mm", "b": "5 mm", "p": "1 mm"},
+    "notch-hinge": {"e": "0.05 mm", "r": "2 mm", "b": "5 mm"},
+}
+
+
+@pytest.mark.parametrize("kind", TURNING)
+def test_a_payload_in_the_centre_of_a_pivot_of_light_blades_only_turns(kind):
+    body = {"kind": "payload", "mass": "20 g", "inertia": "4000 g*mm^2"}
+    spec = {"stroke": {"rotation": "1 deg"}}
+    light = {"density": "1e-3 kg/m^3"}
+    found = change(design({"kind": kind, **TURNING[kind]}, body, spec, material=light))
+    # the centre of the pivot yields by (h/l)²
+    assert abs(found["frequency"].value) < 1e-3
+
+
 PIVOT = {"kind": "rcc", "p": "2 mm", "half_angle": "45 deg",
          "h": "0.6 mm", "l": "17 mm", "b": "10 mm"}  # fmt: skip
 LEVER = {"mass": "17 g", "com": "10 mm", "inertia": "5e-6 kg*m^2"}

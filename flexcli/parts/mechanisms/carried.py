@@ -67,7 +67,7 @@ def carried(
     """
     layout = joint_layout(geometry, elastic, sizes)
     moving = layout.body(MOVING)
-    centre = _centre(geometry, sizes, moving)
+    centre = _centre(geometry, moving)
     com = centre[0] + offset, centre[1]
     own = moving._replace(com=moving.com if moving.mass else com)
     both = joined(name, centre, [own, Body(name, centre, mass, inertia, com)])
@@ -120,8 +120,6 @@ def is_guided(geometry: Geometry) -> bool:
     return held or isinstance(geometry, LeafSpringStage)
 
 
-def _centre(geometry: Geometry, sizes: Sizes, moving: Body) -> Point:
+def _centre(geometry: Geometry, moving: Body) -> Point:
     """Return the joint's centre, where a payload has its centre of mass: it only turns there."""
-    if isinstance(geometry, MomentBlade):
-        return float(sizes.l) / 2.0, 0.0
-    return moving.point
+    return (0.0, 0.0) if isinstance(geometry, MomentBlade) else moving.point
