@@ -92,7 +92,12 @@ class StopSimulation(NamedTuple):
 
 
 class SweepStep(NamedTuple):
-    """A step of a frequency response [Hz, m, N, 1 per period]; ``up`` is the way it came."""
+    """A step of a frequency response [Hz, m, N, 1 per period]; ``up`` is the way it came.
+
+    A settled motion repeats after ``periods`` of the base, and a disturbance of it shrinks by
+    ``multiplier`` in that time; one that did not settle has ``least``, the smallest of the tip's
+    peaks that were seen while ``travel`` was the largest.
+    """
 
     up: bool
     frequency: float
@@ -100,6 +105,9 @@ class SweepStep(NamedTuple):
     force: float
     contacts: float
     settled: bool
+    periods: int = 1
+    multiplier: float | None = None
+    least: float | None = None
 
 
 class StopSweep(NamedTuple):
@@ -107,6 +115,7 @@ class StopSweep(NamedTuple):
 
     ``contact_up`` and ``contact_down`` are the lowest and highest frequency of contact each way;
     between the ends of ``metastable`` the blade touches or not, depending on where it came from.
+    ``law`` says how the stop pushes back, ``is_complete`` that nobody ended it before its end.
     """
 
     case: str
@@ -115,6 +124,9 @@ class StopSweep(NamedTuple):
     contact_up: tuple[float, float] | None
     contact_down: tuple[float, float] | None
     metastable: tuple[float, float] | None
+    law: str = ""
+    seconds: float = 0.0
+    is_complete: bool = True
 
 
 class StopHistory(NamedTuple):

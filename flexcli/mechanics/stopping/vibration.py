@@ -242,6 +242,11 @@ class StoppedVibration:
         return self._outcome
 
     @property
+    def state(self) -> tuple[Floats, Floats]:
+        """The modal coordinates and rates now."""
+        return (self._q, self._rate) if self._hertz_side else self._phase.state(self._y)
+
+    @property
     def contact_count(self) -> int:
         """Contacts so far."""
         return len(self._log)
