@@ -56,7 +56,8 @@ class StopSimulation(NamedTuple):
 
     ``confidence`` is that one more exposure shows no higher peak (random only); ``pi_5`` the range
     of the tip over the gap (of a sine once steady, as it was measured); the residuals are what
-    energy (as a share of what moved) and momentum leave unaccounted for.
+    energy (as a share of what moved) and momentum leave unaccounted for. ``model`` is that of the
+    contact; ``has_decided`` says that the run was ended where what it had found was enough.
     """
 
     case: str
@@ -84,6 +85,8 @@ class StopSimulation(NamedTuple):
     impulse_residual: float
     events: int
     seconds: float
+    model: str = ""
+    has_decided: bool = False
 
     @property
     def is_complete(self) -> bool:
