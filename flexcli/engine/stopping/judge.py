@@ -7,7 +7,7 @@ more modes; and of a rigid stop, how far a round one gives.
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
-from math import inf, nan, pi
+from math import inf, nan, pi, sqrt
 from time import perf_counter
 from typing import NamedTuple
 
@@ -199,7 +199,7 @@ def _frequency(design: DesignSpec, task: StopTask) -> float:
     mechanism = design.mechanism
     assert isinstance(mechanism, TipMass)  # the design refuses others
     k = float(free_stiffness(E=task.elastic.E, I=task.I, L=task.L))
-    return (k / mechanism.equivalent_mass(task.L)) ** 0.5 / (2.0 * pi)
+    return sqrt(k / mechanism.equivalent_mass(task.L)) / (2.0 * pi)
 
 
 def _strengths(design: DesignSpec, case: str) -> list[_Strength]:

@@ -111,6 +111,11 @@ class DrivenBlade:
             base_moment=abs(complex(self.blade.base_moment @ complex_q)),
         )
 
+    def is_away(self, q: Floats) -> bool:
+        """Return whether the blade is well away from each stop."""
+        w = float(self.blade.stop @ q)
+        return all(side * w <= FREE * self.stops.gap(side) for side in (1, -1))
+
     def is_free(self, angular: float) -> bool:
         """Return whether the linear motion meets no stop."""
         return self.linear(angular).at_stop < self.gap
@@ -184,14 +189,14 @@ class DrivenBlade:
             angular=angular,
             start=point,
             periods=periods,
-            multipliers=np.linalg.eigvals(derivative),
+            multipliers=np.linalg.eigvals(derivative).astype(np.complex128),
             contacts=self.run(angular, point, periods).contact_count,
             residual=missed,
         )
 
     def begun_free(self, motion: PeriodicMotion) -> PeriodicMotion:
         """Return the same motion told from where it is nearest to the middle of the gap."""
-        if abs(float(self.blade.stop @ motion.start.q)) <= FREE * self.gap:
+        if self.is_away(motion.start.q):
             return motion
         seen = self.run(
             motion.angular, motion.start, motion.periods, keep_history=True

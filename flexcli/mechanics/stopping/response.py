@@ -12,7 +12,6 @@ from scipy.optimize import brentq
 from flexcli.mechanics.stopping.laws import Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.mechanics.stopping.periodic import (
-    FREE,
     DrivenBlade,
     LinearMotion,
     MotionPoint,
@@ -43,6 +42,8 @@ HIGHER_FROM = 10
 """Bursts from which motions of more than one period are sought too."""
 FINEST = 1e-4
 """Share of the frequency to which the end of a branch is found."""
+NEAR = 0.3
+"""Share of the frequency from which a known motion is followed to another."""
 PARTS = 16
 """Parts of a period in which the blade is looked for away from its stops."""
 
@@ -180,7 +181,7 @@ class SteppedMotion:
     def _known_at(self, angular: float) -> PeriodicMotion | None:
         """Return a motion with contact that is known from nearby, followed to a frequency."""
         near = min(self.known, key=lambda m: abs(m.angular - angular), default=None)
-        if near is None or abs(near.angular / angular - 1.0) > FREE:
+        if near is None or abs(near.angular / angular - 1.0) > NEAR:
             return None
         found, arrived = self._continued(near, angular)
         return found if arrived else None
@@ -208,7 +209,7 @@ class SteppedMotion:
             phase = self._away(engine, angular, phase)
             if engine.outcome is StopOutcome.TOO_MANY_EVENTS:
                 break
-            point = MotionPoint(*(x.copy() for x in engine.state), phase)
+            point = MotionPoint(*engine.state, phase)
             if free and self._dies_free(angular, point):
                 return self._linear(angular)
             for order in ORDERS[: len(ORDERS) if burst >= HIGHER_FROM else 1]:
@@ -218,7 +219,7 @@ class SteppedMotion:
         if free and not touched:
             return self._linear(angular)
         self.motion = None
-        self.point = MotionPoint(*(x.copy() for x in engine.state), phase)
+        self.point = MotionPoint(*engine.state, phase)
         told = seen[-max(len(seen) // 3, 1) :]
         return Step(
             angular,
@@ -243,7 +244,7 @@ class SteppedMotion:
     def _away(self, engine: StoppedVibration, angular: float, phase: float) -> float:
         """Run on until the blade is away from its stops, two periods at most."""
         for _ in range(2 * PARTS):
-            if abs(float(self.driven.blade.stop @ engine.state[0])) <= FREE * self.driven.gap:
+            if self.driven.is_away(engine.state[0]):
                 break
             phase = self._run(engine, angular, phase, 1.0 / PARTS)
         return phase

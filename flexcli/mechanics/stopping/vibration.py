@@ -244,7 +244,9 @@ class StoppedVibration:
     @property
     def state(self) -> tuple[Floats, Floats]:
         """The modal coordinates and rates now."""
-        return (self._q, self._rate) if self._hertz_side else self._phase.state(self._y)
+        if self._hertz_side:
+            return self._q.copy(), self._rate.copy()
+        return self._phase.state(self._y)
 
     @property
     def contact_count(self) -> int:
