@@ -78,7 +78,6 @@ def test_what_the_line_leaves_undecided_a_simulation_decides(flexure, spec):
 
 
 def test_check_judges_a_design_between_its_stops(flexure, spec):
-    spec.write_text(SPEC.replace("{}", "{dynamic-yield: 1.2}"))
     document = json.loads(flexure("check", "--format", "json").stdout)
     (travel,) = (check for check in document["checks"] if check["name"] == "travel")
     assert travel["verdict"] == document["status"] == "fail"

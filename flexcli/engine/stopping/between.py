@@ -2,7 +2,7 @@
 
 from flexcli.engine.judge import Judgement
 from flexcli.engine.stopping.choice import choose
-from flexcli.engine.stopping.judge import judge_stops, looked_at
+from flexcli.engine.stopping.judge import judge_stops, looked_at, shakes
 from flexcli.engine.stopping.statics import task_of
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
@@ -11,6 +11,7 @@ from flexcli.parts.scene import LoadKind
 from flexcli.results import Check, Verdict
 
 __all__ = ["between_stops"]
+
 
 def between_stops(
     found: Judgement, design: DesignSpec, sizes: Sizes, model: str | None = None
@@ -29,16 +30,15 @@ def between_stops(
         design, task, sizes, choose(task).place,
         simulate=pinned is None, with_requirements=True,
     )  # fmt: skip
-    touching = {name for name, case in design.cases.items() if looked_at(case)}
+    touching = {name for name, case in design.cases.items() if shakes(case)}
     ran = {run.case for run in stopped.simulations}
     untouched = ran - {run.case for run in stopped.simulations if run.contacts}
     kept = []
     for check in found.checks:
         if check.case in touching and check.name == DynamicYield.label:
             continue
-        if check.verdict is Verdict.NOT_JUDGED and check.case in touching:
-            if LoadKind(check.name) in looked_at(design.cases[check.case]):
-                continue
+        if check.verdict is Verdict.NOT_JUDGED and _is_seen(design, check):
+            continue
         if check.case in touching - untouched and check.name == DynamicLife.label:
             kept.append(_unknown(check))
             continue
@@ -50,6 +50,11 @@ def between_stops(
     for check in stopped.checks:
         by_model.setdefault(check.model, 0.0)
     return Judgement((*kept, *stopped.checks), by_model)
+
+
+def _is_seen(design: DesignSpec, check: Check) -> bool:
+    """Return whether the load that a row says nobody looks at is one that stops look at."""
+    return LoadKind(check.name) in looked_at(design.cases[check.case])
 
 
 def _unknown(check: Check) -> Check:

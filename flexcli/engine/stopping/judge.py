@@ -38,7 +38,7 @@ from flexcli.parts.stops import Ball, Cylinder
 from flexcli.parts.stops.stops import Simulation
 from flexcli.results import Check, ErrorRange, StopHistory, StopPlace, StopSimulation, Verdict
 
-__all__ = ["STATICS", "StopJudgement", "Watch", "judge_stops", "looked_at", "stop_limits"]
+__all__ = ["STATICS", "StopJudgement", "Watch", "judge_stops", "looked_at", "shakes", "stop_limits"]
 
 Watch = Callable[[str, float], bool]
 """Told the case and the share that is done; answers whether to go on."""
@@ -93,6 +93,13 @@ class _Peaks(NamedTuple):
         return max(self.sigma_base, self.sigma_contact)
 
 
+def shakes(case: Case) -> bool:
+    """Return whether a case shakes the base along x; along the blade (y) nothing bends it."""
+    asd, shock = case.asd, case.shock
+    along_x = (asd is not None and "x" in asd.axes) or (shock is not None and shock.axis == "x")
+    return along_x or case.sine is not None or case.sweep is not None
+
+
 def looked_at(case: Case) -> frozenset[LoadKind]:
     """Return which loads of a case stops are judged by: what shakes the base along x."""
     return frozenset(
@@ -116,7 +123,7 @@ def stop_limits(design: DesignSpec, sizes: Sizes) -> list[Limit]:
     task = task_of(design, design.stops, sizes)
     place = choose(task).place
     found = list(static_limits(task, place))
-    shaken = [name for name, case in design.cases.items() if looked_at(case)]
+    shaken = [name for name, case in design.cases.items() if shakes(case)]
     f_0 = _frequency(design, task)
     for name in shaken:
         error = line_error(task, place, design.cases[name], f_0)
@@ -169,7 +176,7 @@ def judge_stops(
     checks = [c._replace(model=STATICS) for c in assess.checks(static_limits(task, place))]
     ladder.spend(LINE, perf_counter() - begun)
     f_0 = _frequency(design, task)
-    shaken = [name for name, case in design.cases.items() if looked_at(case)]
+    shaken = [name for name, case in design.cases.items() if shakes(case)]
     for name in shaken:
         error = line_error(task, place, design.cases[name], f_0)
         line = line_limit(task, place, name, error)
@@ -257,9 +264,9 @@ class _Ladder:
                     if self.forced or not decided:
                         took = perf_counter() - begun
                         best[key] = check._replace(model=model, seconds=took)
-                if all(check.verdict is not Verdict.UNDECIDED for check in best.values()):
-                    if not self.forced:
-                        break
+                verdicts = {check.verdict for check in best.values()}
+                if not self.forced and Verdict.UNDECIDED not in verdicts:
+                    break
         except SolveError as error:
             if self.forced:
                 raise

@@ -43,9 +43,7 @@ class StopRun:
     model: str = ""
     stiffening: float = 0.0
 
-    def told(
-        self, go_on: Callable[[float], bool], enough: Enough | None = None
-    ) -> StopSimulation:
+    def told(self, go_on: Callable[[float], bool], enough: Enough | None = None) -> StopSimulation:
         """Run for as long as it is told to go on, and return what came of it.
 
         A random run may end early, where its peaks are enough for a verdict.

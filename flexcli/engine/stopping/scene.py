@@ -80,7 +80,9 @@ def stop_scene(
         quality=case_quality(mechanism, case, design.cases[case]),
     )
     contact = task.stops.contact
-    law, words = (LinearStop(), RIGID) if rigid and is_round(contact) else _law(contact, task, blade)
+    law, words = (
+        (LinearStop(), RIGID) if rigid and is_round(contact) else _law(contact, task, blade)
+    )
     if isinstance(law, RigidStop):
         blade = blade.truncated()
     below = place.delta_G if task.stops.sides == "both" else inf

@@ -131,7 +131,9 @@ def stop_notes(design: DesignSpec, place: StopPlace, found: StopJudgement) -> It
             yield Note("simulation-ended", f"case '{run.case}': {run.outcome}")
         elif run.has_decided:
             text = f"case '{run.case}': ended after {run.duration:.4g} s of {run.planned:.4g} s, "
-            yield Note("run-decided", f"{text}when a limit was exceeded; --simulate runs to the end")
+            yield Note(
+                "run-decided", f"{text}when a limit was exceeded; --simulate runs to the end"
+            )
         elif not run.is_complete:
             text = f"case '{run.case}': interrupted after {run.duration:.4g} s of {run.planned:.4g}"
             yield Note("interrupted", f"{text} s; what was done is reported")

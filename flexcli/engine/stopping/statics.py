@@ -133,13 +133,15 @@ def contact_error(task: StopTask, place: StopPlace) -> ErrorRange:
     return ErrorRange(min(changed, 0.0), max(changed, 0.0))
 
 
-def line_error(task: StopTask, place: StopPlace, case: Case | None, f_0: float) -> ErrorRange | None:
+def line_error(
+    task: StopTask, place: StopPlace, case: Case, f_0: float
+) -> ErrorRange | None:
     """Return the error of the operating line for a case, nothing where the line says nothing.
 
     It was measured with a sine at the blade's own frequency between two stops, in the first mode:
     of a shock, a random vibration or a swing that dies it is no bound at all.
     """
-    if case is None or case.sine is None or case.asd or case.shock or case.sweep:
+    if case.sine is None or case.asd or case.shock or case.sweep:
         return None
     if case.acceleration is not None or case.stroke is not None:
         return None

@@ -139,9 +139,7 @@ class _Stepped:
             _widened(band, self.edges[way])
             for way, band in ((True, found.contact_up), (False, found.contact_down))
         )
-        return found._replace(
-            contact_up=up, contact_down=down, metastable=_between(up, down)
-        )
+        return found._replace(contact_up=up, contact_down=down, metastable=_between(up, down))
 
 
 def _told_step(found: Step, *, up: bool) -> SweepStep:
@@ -158,9 +156,7 @@ def _told_step(found: Step, *, up: bool) -> SweepStep:
     )
 
 
-def _widened(
-    band: tuple[float, float] | None, edges: list[float]
-) -> tuple[float, float] | None:
+def _widened(band: tuple[float, float] | None, edges: list[float]) -> tuple[float, float] | None:
     """Return a band of steps up to the frequencies at which a motion gave way beside it."""
     if band is None:
         return None

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from math import inf, pi
+from math import pi
 from typing import NamedTuple
 
 import numpy as np

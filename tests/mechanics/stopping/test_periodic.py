@@ -74,9 +74,7 @@ def test_one_impact_a_period_is_the_closed_form(e, omega):
 @pytest.mark.parametrize(("kick", "touches"), [(0.0, False), (3.0, True)])
 def test_both_branches_are_those_of_a_long_run(kick, touches):
     driven = DrivenBlade(oscillator(damping=0.01), Stops(LinearStop(100.0), 1.0, 1.0), 0.2)
-    (step,) = steady_steps(
-        driven.blade, driven.stops, angular=[1.2], amplitude=0.2, kick=kick
-    )
+    (step,) = steady_steps(driven.blade, driven.stops, angular=[1.2], amplitude=0.2, kick=kick)
     engine = driven.run(1.2, MotionPoint(np.zeros(1), np.array([kick])), 600)
     engine.take_peaks()
     end = MotionPoint(*engine.state)
