@@ -133,9 +133,7 @@ def contact_error(task: StopTask, place: StopPlace) -> ErrorRange:
     return ErrorRange(min(changed, 0.0), max(changed, 0.0))
 
 
-def line_error(
-    task: StopTask, place: StopPlace, case: Case, f_0: float
-) -> ErrorRange | None:
+def line_error(task: StopTask, place: StopPlace, case: Case, f_0: float) -> ErrorRange | None:
     """Return the error of the operating line for a case, nothing where the line says nothing.
 
     It was measured with a sine at the blade's own frequency between two stops, in the first mode:
