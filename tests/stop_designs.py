@@ -10,7 +10,7 @@ SINE = {"resonance": {"sine": {"acceleration": "1.5 g", "frequency": "176 Hz"}}}
 REST = {"operation": {"stroke": {"translation": "50 um"}}}
 
 
-def stopped(stops=None, *, cases=None, mechanism=None, material=None):
+def stopped(stops=None, *, cases=None, mechanism=None, material=None, requirements=None):
     """Give the design; ``stops`` adds to a travel of ±100 µm."""
     return DesignSpec.model_validate(
         {
@@ -29,7 +29,7 @@ def stopped(stops=None, *, cases=None, mechanism=None, material=None):
                 **(mechanism or {}),
             },
             "cases": cases or SINE,
-            "requirements": {},
+            "requirements": requirements or {},
             "stops": {"travel": "100 um", **(stops or {})},
         }
     )

@@ -26,8 +26,13 @@ def run(
     spec: SpecArgument = None,
     style: FormatOption = Format.TEXT,
     simulate: Annotated[
-        bool, typer.Option("--simulate", help="Run every case in time, and judge its peaks.")
-    ] = False,
+        bool | None,
+        typer.Option(
+            "--simulate/--no-simulate",
+            help="Run every case in time to its end; or none, however little the line decides. "
+            "Left out, what the operating line leaves undecided is run.",
+        ),
+    ] = None,
     sweep: Annotated[
         bool, typer.Option("--sweep", help="Frequency response with stops, up and down.")
     ] = False,
@@ -40,15 +45,24 @@ def run(
 ) -> None:
     """Size an end stop: gap, height, stresses, contact; Ctrl-C keeps what was simulated.
 
-    A simulation that was interrupted is no proof: it exits 1.
+    The operating line scatters and knows no way from rest: what it leaves undecided is decided by
+    simulation, with a rigid contact where that suffices. One that was interrupted is no proof: it
+    exits 1.
     """
     path = spec_path(spec)
     result = attempt(NAME, path, lambda: _stops(path, simulate, sweep, seed, csv))
     finish(NAME, [result], style, many=False)
 
 
-def _stops(path: Path, simulate: bool, sweep: bool, seed: int | None, csv: Path | None) -> Result:
+def _stops(
+    path: Path, simulate: bool | None, sweep: bool, seed: int | None, csv: Path | None
+) -> Result:
+    from flexcli.cli.progress import watched
+    from flexcli.engine.stopping.by_plan import with_plan
+    from flexcli.engine.stopping.simulation import decided, simulated
+    from flexcli.engine.stopping.sweep import swept
     from flexcli.engine.stops import stops
+    from flexcli.report.stops_csv import history_csv, sweep_csv
     from flexcli.spec.given import given_sizes
     from flexcli.spec.load import load_design
 
@@ -58,24 +72,13 @@ def _stops(path: Path, simulate: bool, sweep: bool, seed: int | None, csv: Path 
         )
     design, document = load_design(path)
     sizes = given_sizes(design, document)
-    result = stops(design, sizes, str(path))
-    if design.accuracy is not None:
-        from flexcli.engine.plan import plan
-        from flexcli.engine.planning.by_plan import told
-
-        result = told(result, plan(design, sizes, "closed-form"))
-    if not (simulate or sweep):
-        return result
-
-    from flexcli.cli.progress import watched
-    from flexcli.engine.stopping.simulation import simulated
-    from flexcli.engine.stopping.sweep import swept
-    from flexcli.report.stops_csv import history_csv, sweep_csv
-
+    result = with_plan(stops(design, sizes, str(path)), design, sizes)
     with watched() as watch:
         if simulate:
             kept = csv is not None and not sweep
             result = simulated(result, design, sizes, watch, seed=seed, keep_history=kept)
+        elif simulate is None:
+            result = decided(result, design, sizes, watch, seed=seed)
         if sweep:
             result = swept(result, design, sizes, watch)
     if csv is not None and result.stops is not None:

@@ -46,6 +46,10 @@ def check(design: DesignSpec, sizes: Sizes, spec: str, model: str | None = None)
             "ask for something, e.g. requirements: {yield: 1.5}",
         )
     found = judge(design, sizes, rungs(design, model))
+    if design.stops is not None:
+        from flexcli.engine.stopping.between import between_stops
+
+        found = between_stops(found, design, sizes, model)
     result = judged("check", design, sizes, spec, found, model)
     assert result.cost is not None  # a judgement has one
     return replace(result, cost=replace(result.cost, seconds=perf_counter() - started))
@@ -97,7 +101,7 @@ def _cheapest(design: DesignSpec) -> str:
 
 def _has_something_to_judge(design: DesignSpec) -> bool:
     coupled = any(True for _ in design.coupling_limits())
-    return coupled or any(True for _ in design.requirements.each())
+    return coupled or design.stops is not None or any(True for _ in design.requirements.each())
 
 
 def _open(design: DesignSpec, found: Judgement) -> Iterator[Note]:

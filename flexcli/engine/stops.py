@@ -5,24 +5,33 @@ from math import pi
 from time import perf_counter
 
 from flexcli.engine import assess, left_out
+from flexcli.engine.judge import status_of
 from flexcli.engine.stopping.choice import Choice, choose, on_line
 from flexcli.engine.stopping.free_travel import free_travel
-from flexcli.engine.stopping.statics import SOURCE, StopTask, place_limits, stop_place, task_of
+from flexcli.engine.stopping.judge import judge_stops
+from flexcli.engine.stopping.simulation import with_time
+from flexcli.engine.stopping.statics import (
+    LINE,
+    SOURCE,
+    StopTask,
+    contact_error,
+    stop_place,
+    task_of,
+)
 from flexcli.errors import SolveError
 from flexcli.formulas.card import Range, outside
-from flexcli.formulas.pi_law import FACTOR, MEASURED
+from flexcli.formulas.pi_law import FACTOR, MEASURED, SCATTER
 from flexcli.formulas.stop_design import HARD_STOP
 from flexcli.formulas.stop_line import REACHED, line_height
 from flexcli.formulas.stop_stiffness import free_stiffness
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.mechanisms.tip_mass import TipMass
-from flexcli.results import Cost, Note, Result, Status, StopPlace, StopsResult, Value
+from flexcli.results import Note, Result, Status, StopPlace, StopsResult, Value
 from flexcli.units import show
 
 __all__ = ["stops"]
 
-MODEL = "statics and operating line"
 
 CHOSEN = {
     "L_a": ("m", "height of the stop over the clamp"),
@@ -44,6 +53,9 @@ CHOSEN = {
 }
 """Units and labels of what a place has."""
 
+STIFF = ("k_free", "k_contact", "F", "R_stop", "sigma_")
+"""Starts of the names of what is proportional to the blade's rigidity at a given travel."""
+
 BEAM = (
     Range("travel/L", most=0.1, why="small rotation"),
     Range("L_b/h", 2.0, why="shear of the overhang is left out"),
@@ -58,7 +70,11 @@ AT_ENDS = {
 
 
 def stops(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
-    """Return the stop that keeps the tip to its travel, with values, checks and warnings."""
+    """Return the stop that keeps the tip to its travel, with values, checks and warnings.
+
+    Judged by operating line and statics alone, which take no time and decide little:
+    `flexcli.engine.stopping.simulation` has what decides the rest.
+    """
     started = perf_counter()
     if design.stops is None:
         raise SolveError(
@@ -70,22 +86,21 @@ def stops(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
     free = free_travel(design, mechanism, sizes)
     choice = choose(task)
     ends = tuple(_ends(task))
-    checks = assess.checks(place_limits(task, choice.place))
-    passed = choice.outcome != "infeasible" and all(check.passed for check in checks)
+    judged = judge_stops(design, task, sizes, choice.place, simulate=False)
     rows = left_out.effects(design, sizes)
     return Result(
         command="stops",
         spec=spec,
-        status=_status(choice, passed=passed),
+        status=_status(choice, status_of(judged.checks)),
         title=design.title,
         values=_values(design, mechanism, task, choice.place, ends) | _free_values(free),
-        checks=checks,
+        checks=judged.checks,
         effects=rows,
         warnings=(
             *left_out.warnings(design, sizes, rows),
             *_notes(design, task, choice.place, free),
         ),
-        cost=Cost(perf_counter() - started, MODEL, None),
+        cost=with_time(None, perf_counter() - started, LINE),
         stops=StopsResult(
             outcome=choice.outcome,
             chosen=choice.place,
@@ -97,10 +112,8 @@ def stops(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
     )
 
 
-def _status(choice: Choice, *, passed: bool) -> Status:
-    if choice.outcome == "infeasible":
-        return Status.INFEASIBLE
-    return Status.PASS if passed else Status.FAIL
+def _status(choice: Choice, judged: Status) -> Status:
+    return Status.INFEASIBLE if choice.outcome == "infeasible" else judged
 
 
 def _ends(task: StopTask) -> Iterator[StopPlace]:
@@ -141,7 +154,24 @@ def _values(
             unit, label = CHOSEN[name]
             text = f"{label}: {end.name}"
             found[f"{name}_{key}"] = Value(getattr(end, name), unit, text, source=SOURCE)
-    return found | _estimate(task, found["f_0"].value, k_free)
+    found |= _estimate(task, found["f_0"].value, k_free)
+    return {name: _with_error(name, value, task, place) for name, value in found.items()}
+
+
+def _with_error(name: str, value: Value, task: StopTask, place: StopPlace) -> Value:
+    """Return a value with the error of the statics that made it, where it has one.
+
+    Widening, shear and rotation are left out of the numbers: they are those of a beam.
+    """
+    rigidity = task.rigidity_at(place).largest
+    error = next((rigidity for start in STIFF if name.startswith(start)), None)
+    if name in ("f_0", "V_max"):
+        error = max(abs((1.0 + end) ** 0.5 - 1.0) for end in task.rigidity_at(place))
+    if name == "tip_at_contact":
+        error = contact_error(task, place).largest
+    if name == "pi_5":
+        error = SCATTER
+    return value._replace(estimated_error=error) if error is not None else value
 
 
 def _estimate(task: StopTask, f_0: float, k_free: float) -> dict[str, Value]:
@@ -191,7 +221,7 @@ def _notes(
     others = [name for name, case in design.cases.items() if case.asd or case.shock]
     if others:
         text = f"the operating line was measured with a sine; {', '.join(others)} is none: "
-        yield Note("line-of-a-sine", f"{text}verify with --simulate")
+        yield Note("line-of-a-sine", f"{text}it is no bound there, simulation decides")
     if free and max(free.values()) <= task.travel:
         text = "no case takes the tip beyond its travel without stops: none is needed"
         yield Note("no-stop-needed", text)

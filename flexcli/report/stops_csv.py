@@ -24,11 +24,18 @@ def sweep_csv(stops: StopsResult) -> str:
     """Return the steps of every frequency response."""
 
     def rows() -> Iterator[str]:
-        yield "case,direction,frequency_Hz,tip_m,force_N,contacts_per_period,settled"
+        yield (
+            "case,direction,frequency_Hz,tip_m,force_N,contacts_per_period,settled,"
+            "periods,multiplier,least_tip_m"
+        )
         for sweep in stops.sweeps:
             for step in sweep.steps:
                 way = "up" if step.up else "down"
                 numbers = (step.frequency, step.travel, step.force, step.contacts)
-                yield ",".join((sweep.case, way, *map(repr, numbers), str(step.settled).lower()))
+                periods = str(step.periods) if step.settled else ""
+                told = ("" if x is None else repr(x) for x in (step.multiplier, step.least))
+                settled = str(step.settled).lower()
+                row = (sweep.case, way, *map(repr, numbers), settled, periods, *told)
+                yield ",".join(row)
 
     return "\n".join(rows()) + "\n"

@@ -62,7 +62,9 @@ def _simulation(found: StopSimulation) -> Table:
     rows = table(f"Simulated: {found.case}", "", "", numbers=[1])
     rows.add_row("excitation", f"{found.kind}, Q = {found.q:g}")
     done = show(found.duration, "s")
-    if not found.is_complete:
+    if found.has_decided:
+        done = f"{done} of {show(found.planned, 's')}: a limit was exceeded, which decides"
+    elif not found.is_complete:
         done = f"interrupted after {done} of {show(found.planned, 's')}"
     rows.add_row("time", done)
     if found.outcome:
@@ -71,7 +73,7 @@ def _simulation(found: StopSimulation) -> Table:
         rows.add_row("confidence", f"{found.confidence:.1%}, seed {found.seed}")
     rows.add_row("peak of the tip", show(found.travel, "m"))
     rows.add_row("range over gap, π5", f"{found.pi_5:.4g}")
-    rows.add_row("stop", found.law)
+    rows.add_row("stop", found.law if not found.model else f"{found.model}: {found.law}")
     if found.contacts:
         share = f"{found.contact_share:.1%} of the time, up to {show(found.fastest, 'm/s', 3)}"
         rows.add_row("contacts", f"{found.contacts}, {share}")
@@ -93,6 +95,8 @@ def _simulation(found: StopSimulation) -> Table:
 
 def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
     yield Text(f"Frequency response with stops: {sweep.case}, {sweep.how}", "bold")
+    if sweep.law:
+        yield Text(f"  stop: {sweep.law}; {show(sweep.seconds, 's', 3)}")
     for way, band in (("up", sweep.contact_up), ("down", sweep.contact_down)):
         if band is None:
             yield Text(f"  going {way} the blade does not touch")
@@ -113,13 +117,16 @@ def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
         )
     yield rows
     if not all(step.settled for step in sweep.steps):
-        yield Text("* not settled: beats, or chaos", "dim")
+        yield Text("* unsettled: no periodic motion found; the range that a run shows", "dim")
     if every > 1:
         yield Text(f"every {every}. of {len(pairs)} steps; --csv and JSON have all", "dim")
 
 
 def _settled(step: SweepStep) -> str:
-    return show(step.travel, "m") + ("" if step.settled else " *")
+    if not step.settled:
+        least = "" if step.least is None else f"{show(step.least, 'm', 3)} to "
+        return f"{least}{show(step.travel, 'm', 3)} *"
+    return show(step.travel, "m") + ("" if step.periods == 1 else f" ({step.periods} periods)")
 
 
 def _band(ends: tuple[float, float]) -> str:

@@ -56,7 +56,8 @@ class StopSimulation(NamedTuple):
 
     ``confidence`` is that one more exposure shows no higher peak (random only); ``pi_5`` the range
     of the tip over the gap (of a sine once steady, as it was measured); the residuals are what
-    energy (as a share of what moved) and momentum leave unaccounted for.
+    energy (as a share of what moved) and momentum leave unaccounted for. ``model`` is that of the
+    contact; ``has_decided`` says that the run was ended where what it had found was enough.
     """
 
     case: str
@@ -84,6 +85,8 @@ class StopSimulation(NamedTuple):
     impulse_residual: float
     events: int
     seconds: float
+    model: str = ""
+    has_decided: bool = False
 
     @property
     def is_complete(self) -> bool:
@@ -92,7 +95,12 @@ class StopSimulation(NamedTuple):
 
 
 class SweepStep(NamedTuple):
-    """A step of a frequency response [Hz, m, N, 1 per period]; ``up`` is the way it came."""
+    """A step of a frequency response [Hz, m, N, 1 per period]; ``up`` is the way it came.
+
+    A settled motion repeats after ``periods`` of the base, and a disturbance of it shrinks by
+    ``multiplier`` in that time; one that did not settle has ``least``, the smallest of the tip's
+    peaks that were seen while ``travel`` was the largest.
+    """
 
     up: bool
     frequency: float
@@ -100,6 +108,9 @@ class SweepStep(NamedTuple):
     force: float
     contacts: float
     settled: bool
+    periods: int = 1
+    multiplier: float | None = None
+    least: float | None = None
 
 
 class StopSweep(NamedTuple):
@@ -107,6 +118,7 @@ class StopSweep(NamedTuple):
 
     ``contact_up`` and ``contact_down`` are the lowest and highest frequency of contact each way;
     between the ends of ``metastable`` the blade touches or not, depending on where it came from.
+    ``law`` says how the stop pushes back, ``is_complete`` that nobody ended it before its end.
     """
 
     case: str
@@ -115,6 +127,9 @@ class StopSweep(NamedTuple):
     contact_up: tuple[float, float] | None
     contact_down: tuple[float, float] | None
     metastable: tuple[float, float] | None
+    law: str = ""
+    seconds: float = 0.0
+    is_complete: bool = True
 
 
 class StopHistory(NamedTuple):

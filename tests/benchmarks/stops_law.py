@@ -49,7 +49,6 @@ def simulated(ratio, gap_share, *, quality=250.0, dashpot=0.0):
         Stops(LinearStop(damping=c), gap, gap),
         angular=[omega],
         amplitude=amplitude,
-        window=50,
     )
     return 2.0 * found.travel[0] / gap if found.contacts[0] else float("nan")
 

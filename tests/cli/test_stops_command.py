@@ -41,15 +41,15 @@ def with_case(spec, case):
 
 
 def test_without_a_file_it_takes_the_spec_of_the_folder(flexure, spec):
-    told = flexure("stops", COLUMNS="160")
-    assert told.returncode == 0, told.stderr
-    assert told.stdout.startswith("PASS  stops flexure.yaml")
+    told = flexure("stops", "--no-simulate", COLUMNS="160")
+    assert told.returncode == 1, told.stderr
+    assert told.stdout.startswith("UNDECIDED  stops flexure.yaml")
     assert "chosen: height 14.834 mm, gap 32.52 µm" in told.stdout
     assert "Heights at which each limit holds" in told.stdout
 
 
 def test_json_has_the_names_of_the_source(flexure, spec):
-    document = json.loads(flexure("stops", "--format", "json").stdout)
+    document = json.loads(flexure("stops", "--no-simulate", "--format", "json").stdout)
     names = "k_free k_contact pi_1 pi_5 delta_G L_a F_contact F_excess sigma_base sigma_contact"
     assert set(names.split()) <= set(document["values"])
     assert document["stops"]["chosen"]["delta_G"] == document["values"]["delta_G"]["value"]
@@ -61,11 +61,27 @@ def test_a_simulation_that_finds_more_travel_exits_1(flexure, spec):
     told = flexure("stops", "--simulate", "--format", "json")
     document = json.loads(told.stdout)
     assert told.returncode == 1
-    checks = {check["name"]: check["pass"] for check in document["checks"]}
-    assert checks["travel"]
-    assert not checks["travel (simulated)"]
+    (travel,) = (check for check in document["checks"] if check["name"] == "travel")
+    assert travel["verdict"] == "fail"
+    assert travel["case"] == "resonance"
+    assert travel["model"] == "rigid contact"
     assert "beyond-the-line" in [note["code"] for note in document["warnings"]]
     assert told.stderr == ""  # no progress bar where nobody looks
+
+
+def test_what_the_line_leaves_undecided_a_simulation_decides(flexure, spec):
+    told = flexure("stops", "--format", "json")
+    document = json.loads(told.stdout)
+    assert document["status"] == "fail"
+    assert document["cost"]["model"] == "operating line, rigid contact"
+    assert document["stops"]["simulations"]
+
+
+def test_check_judges_a_design_between_its_stops(flexure, spec):
+    document = json.loads(flexure("check", "--format", "json").stdout)
+    (travel,) = (check for check in document["checks"] if check["name"] == "travel")
+    assert travel["verdict"] == document["status"] == "fail"
+    assert not any(check["verdict"] == "not judged" for check in document["checks"])
 
 
 def test_a_stop_that_does_not_exist_exits_1_with_its_reason(flexure, spec):
@@ -98,12 +114,12 @@ def test_the_history_is_saved(flexure, spec, tmp_path):
 
 def test_the_response_is_saved_and_shown(flexure, spec, tmp_path):
     with_case(spec, "sweep: {from: 160 Hz, to: 220 Hz, rate: 200 Hz/s, acceleration: 1.5 g}")
-    told = flexure("stops", "--sweep", "--csv", "sweep.csv", COLUMNS="160")
+    told = flexure("stops", "--sweep", "--no-simulate", "--csv", "sweep.csv", COLUMNS="160")
     rows = list(csv.DictReader((tmp_path / "sweep.csv").read_text().splitlines()))
     assert {row["direction"] for row in rows} == {"up", "down"}
     assert len(rows) > 80
     assert "going up it touches from" in told.stdout
-    assert told.returncode == 0
+    assert told.returncode == 1  # the design fails its travel
 
 
 def test_a_table_of_nothing_is_refused(flexure, spec):

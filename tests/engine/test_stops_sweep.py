@@ -1,7 +1,9 @@
 """The frequency response with stops: where the blade touches, and the range with two motions."""
 
+from math import exp, hypot, pi, sqrt
+
 import pytest
-from stop_designs import SINE, stopped
+from stop_designs import LENGTH, MASS, SINE, E, I, stopped
 
 from flexcli.engine.stopping import sweep as module
 from flexcli.engine.stopping.sweep import swept
@@ -15,13 +17,16 @@ SWEEP = {"from": "160 Hz", "to": "230 Hz", "rate": "100 Hz/s", "acceleration": "
 @pytest.fixture(autouse=True)
 def _few_steps(monkeypatch):
     monkeypatch.setattr(module, "STEPS", 15)
-    monkeypatch.setattr(module, "MOST_WINDOWS", 4)
 
 
-def run(cases, stops_=PLACE, watch=lambda *_: True):
-    design = stopped(stops_, cases=cases)
+def whole(cases, stops_=PLACE, watch=lambda *_: True, **changes):
+    design = stopped(stops_, cases=cases, **changes)
     sizes = design.fixed_sizes()
-    return swept(stops(design, sizes, "spec"), design, sizes, watch).stops.sweeps
+    return swept(stops(design, sizes, "spec"), design, sizes, watch)
+
+
+def run(*arguments, **changes):
+    return whole(*arguments, **changes).stops.sweeps
 
 
 def test_stops_stiffen_going_up_keeps_contact_longer_than_going_down_finds_it():
@@ -37,7 +42,29 @@ def test_between_far_stops_both_ways_are_the_same():
     (sweep,) = run(SINE, {"height": "17 mm", "gap": "10 mm"})
     assert sweep.metastable is sweep.contact_up is sweep.contact_down is None
     up, down = ([s.travel for s in sweep.steps if s.up is way] for way in (True, False))
-    assert up == pytest.approx(down[::-1], rel=0.05)
+    assert up == pytest.approx(down[::-1], rel=1e-12)
+
+
+@pytest.mark.parametrize("q", [30, 290, 10_000])
+def test_without_contact_every_step_is_the_exact_steady_state(q):
+    # a mass on its spring: A/√((ω_0² − ω²)² + (ω ω_0/Q)²), whatever the time to settle
+    far = {"height": "17 mm", "gap": "400 mm"}
+    (sweep,) = run(SINE, far, mechanism={"damping": {"q": q}})
+    own = sqrt(3 * E * I / LENGTH**3 / MASS)
+    for step in sweep.steps:
+        omega = 2 * pi * step.frequency
+        exact = 1.5 * 9.80665 / hypot(own**2 - omega**2, omega * own / q)
+        assert step.settled
+        assert step.travel == pytest.approx(exact, rel=1e-9)
+        # what is not steady dies by exp(−π ω_0/(ω Q)) in a period
+        assert step.multiplier == pytest.approx(exp(-pi * own / (omega * q)), rel=1e-9)
+
+
+def test_contact_is_followed_beyond_the_response_to_where_it_ends():
+    (sweep,) = run(SINE)
+    last = max(s.frequency for s in sweep.steps if s.contacts)
+    assert last > 1.3 * 176.0
+    assert last <= sweep.contact_up[1] < 1.05 * last
 
 
 @pytest.mark.parametrize("rate", ["100 Hz/s", "40 oct/min"])
@@ -61,6 +88,16 @@ def test_an_interrupted_response_keeps_its_steps():
     assert len(sweep.steps) == 6
     assert "interrupted after 6 of 30 steps" in sweep.how
     assert sweep.metastable is None
+    assert not sweep.is_complete
+
+
+def test_an_interrupted_response_is_no_pass_and_its_time_is_in_the_cost():
+    cut = whole(SINE, watch=lambda *_: False)
+    assert cut.status.exit_code == 1
+    assert "interrupted" in [note.code for note in cut.warnings]
+    (sweep,) = cut.stops.sweeps
+    assert cut.cost.by_model["periodic motions"] == sweep.seconds > 0.0
+    assert cut.cost.seconds >= sweep.seconds
 
 
 def test_without_a_sine_there_is_no_response():

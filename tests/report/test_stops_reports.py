@@ -77,7 +77,7 @@ def test_a_response_tells_its_bands_and_shows_both_ways_beside_each_other():
     text = told(result(sweeps=(sweep,)))
     assert "going up it touches from 100 Hz to 110 Hz" in text
     assert "going down the blade does not touch" in text
-    assert "* not settled" in text
+    assert "* unsettled" in text
     twice = sweep._replace(contact_down=(100.0, 104.0), metastable=(104.0, 110.0))
     assert "metastable: 104 Hz to 110 Hz" in told(result(sweeps=(twice,)))
 
@@ -94,7 +94,19 @@ def test_csv_keeps_every_digit():
     assert rows[0] == "case,time_s,tip_m,at_stop_m,force_N"
     assert float(rows[1].split(",")[2]) == 1 / 3
     sweep = StopSweep("s", "", (step(False, 1 / 7, settled=False),), None, None, None)
-    assert sweep_csv(result(sweeps=(sweep,))).splitlines()[1].endswith("false")
+    row = sweep_csv(result(sweeps=(sweep,))).splitlines()[1].split(",")
+    assert float(row[2]) == 1 / 7
+    assert row[6:] == ["false", "", "", ""]
+
+
+def test_a_range_and_the_periods_of_a_motion_are_told():
+    odd = step(True, 100.0, settled=False)._replace(least=5e-5)
+    double = step(True, 110.0)._replace(periods=2, multiplier=0.5)
+    told_sweep = StopSweep("s", "", (odd, double), None, None, None)
+    text = told(result(sweeps=(told_sweep,)))
+    assert "50 µm to 100 µm *" in text
+    assert "(2 periods)" in text
+    assert sweep_csv(result(sweeps=(told_sweep,))).splitlines()[2].endswith("true,2,0.5,")
 
 
 def test_json_leaves_histories_to_the_csv_file():

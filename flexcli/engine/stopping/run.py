@@ -2,9 +2,10 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from time import perf_counter
 
 from flexcli.engine.stopping.excitation import Excitation, excitation
-from flexcli.engine.stopping.scene import stop_scene
+from flexcli.engine.stopping.scene import contact_model, stop_scene
 from flexcli.engine.stopping.statics import StopTask, force_at_travel
 from flexcli.formulas.stopped_bending import bending_stress
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
@@ -16,10 +17,15 @@ from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.stops.stops import Simulation
 from flexcli.results import StopHistory, StopPlace, StopSimulation
 
-__all__ = ["StopRun", "stop_runs"]
+__all__ = ["Enough", "StopRun", "stop_runs"]
 
 LOOK_UP = 32
 """Pieces between two reports on how far a run is."""
+LOOK_AT_PEAKS = 512
+"""Pieces between two looks at whether what a run has found is enough."""
+
+Enough = Callable[[float, float, float], bool]
+"""Told travel [m] and stresses at base and stop [Pa] so far; answers whether to end."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,17 +40,22 @@ class StopRun:
     blade: ModalBlade
     shaken: Excitation
     engine: StoppedVibration
+    model: str = ""
+    stiffening: float = 0.0
 
-    def told(self, go_on: Callable[[float], bool]) -> StopSimulation:
-        """Run for as long as it is told to go on, and return what came of it."""
-        most, last = self._driven(go_on)
+    def told(self, go_on: Callable[[float], bool], enough: Enough | None = None) -> StopSimulation:
+        """Run for as long as it is told to go on, and return what came of it.
+
+        A random run may end early, where its peaks are enough for a verdict.
+        """
+        begun = perf_counter()
+        most, last, decided = self._driven(go_on, enough if self.shaken.exposure else None)
         found = self.engine.result()
         task, shaken, balance = self.task, self.shaken, found.balance
         exposed = found.duration / shaken.exposure if shaken.exposure else None
         moved = balance.start + abs(balance.base_work) + balance.damped + balance.lost_at_stops
         contact = task.stops.contact.stress(most.force, task.elastic)
-        load = force_at_travel(task, self.place, self.mechanism.offset, most.travel)
-        arm = task.L - self.place.L_a + self.mechanism.offset
+        base, at_stop = self._stresses(most)
         stopped = found.outcome is StopOutcome.TOO_MANY_EVENTS
         ranged = last if shaken.settles else most
         return StopSimulation(
@@ -65,15 +76,27 @@ class StopRun:
             contacts=found.contacts.time.size,
             contact_share=found.contact_time / found.duration if found.duration else 0.0,
             fastest=float(found.contacts.speed.max(initial=0.0)),
-            sigma_base=float(bending_stress(M=most.base_moment, I=task.I, h=task.h)),
-            sigma_contact=float(bending_stress(M=load * arm, I=task.I, h=task.h)),
+            sigma_base=base,
+            sigma_contact=at_stop,
             p_hertz=contact.pressure if contact else None,
             tau_hertz=contact.shear if contact else None,
             energy_residual=abs(balance.energy_residual) / (moved or 1.0),
             impulse_residual=balance.impulse_residual,
             events=found.cost.events,
-            seconds=found.cost.seconds,
+            seconds=perf_counter() - begun,
+            model=self.model,
+            has_decided=decided,
         )
+
+    def _stresses(self, peaks: Peaks) -> tuple[float, float]:
+        """Return the peak stresses at the base and at the stop [Pa]."""
+        task, c = self.task, self.mechanism.offset
+        load = (1.0 + self.stiffening) * force_at_travel(task, self.place, c, peaks.travel)
+        arm = task.L - self.place.L_a + c
+        base, at_stop = (
+            float(bending_stress(M=M, I=task.I, h=task.h)) for M in (peaks.base_moment, load * arm)
+        )
+        return base, at_stop
 
     def history(self) -> StopHistory | None:
         """Return the samples, where they were kept."""
@@ -82,8 +105,10 @@ class StopRun:
             return None
         return StopHistory(self.case, *(tuple(column.tolist()) for column in history))
 
-    def _driven(self, go_on: Callable[[float], bool]) -> tuple[Peaks, Peaks]:
-        """Run leg after leg, and return the peaks of all and of the last."""
+    def _driven(
+        self, go_on: Callable[[float], bool], enough: Enough | None
+    ) -> tuple[Peaks, Peaks, bool]:
+        """Run leg after leg, and return the peaks of all and of the last; whether they do."""
         engine, count = self.engine, 0
         most = last = engine.take_peaks()
         for leg in self.shaken.legs:
@@ -91,12 +116,16 @@ class StopRun:
                 count += 1
                 if count % LOOK_UP == 0 and not go_on(progress.time / self.shaken.planned):
                     last = engine.take_peaks()
-                    return _higher(most, last), last
+                    return _higher(most, last), last, False
+                if enough is not None and count % LOOK_AT_PEAKS == 0:
+                    most = _higher(most, engine.take_peaks())
+                    if enough(most.travel, *self._stresses(most)):
+                        return most, most, True
             last = engine.take_peaks()
             most = _higher(most, last)
             if engine.outcome is StopOutcome.TOO_MANY_EVENTS:
                 break
-        return most, last
+        return most, last, False
 
 
 def _higher(one: Peaks, other: Peaks) -> Peaks:
@@ -108,18 +137,32 @@ def stop_runs(
     task: StopTask,
     sizes: Sizes,
     place: StopPlace,
+    case: str,
     *,
     options: Simulation,
-    keep_history: bool,
+    keep_history: bool = False,
+    rigid: bool = False,
+    stiffening: float = 0.0,
+    more_modes: int = 0,
 ) -> Iterator[StopRun]:
-    """Yield the runs of every case; with a stop on one side a sine or shock has either sign."""
+    """Yield the runs of a case; with a stop on one side a sine or shock has either sign.
+
+    Raises
+    ------
+    SolveError
+        ``no-time`` and alike for what is no motion in time.
+    """
     mechanism = design.mechanism
     assert isinstance(mechanism, TipMass)  # the design refuses others
-    for name, case in design.cases.items():
-        if not case.vibrates:
-            continue
-        blade, stops, law = stop_scene(design, mechanism, task, sizes, place, name)
-        for sign in (1,) if task.stops.sides == "both" else (1, -1):
-            for shaken in excitation(name, case, blade, options, sign):
-                engine = StoppedVibration(blade, stops, rate=shaken.rate, keep_history=keep_history)
-                yield StopRun(task, mechanism, place, name, law, blade, shaken, engine)
+    given = design.cases[case]
+    blade, stops, law = stop_scene(
+        design, mechanism, task, sizes, place, case,
+        rigid=rigid, stiffening=stiffening, more_modes=more_modes,
+    )  # fmt: skip
+    model = contact_model(task.stops.contact, rigid=rigid)
+    for sign in (1,) if task.stops.sides == "both" else (1, -1):
+        for shaken in excitation(case, given, blade, options, sign):
+            engine = StoppedVibration(blade, stops, rate=shaken.rate, keep_history=keep_history)
+            yield StopRun(
+                task, mechanism, place, case, law, blade, shaken, engine, model, stiffening
+            )

@@ -23,10 +23,29 @@ from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.stops import Ball, Contact, Rigid, Spring
 from flexcli.results import StopPlace
 
-__all__ = ["stop_scene"]
+__all__ = ["RIGID", "contact_model", "is_round", "stop_scene"]
 
 MOST_DAMPING = 1.0 - 1e-9
 """Damping ratio of a dashpot next to critical, where the bounce is the least."""
+
+
+RIGID = "rigid, the blade's own compliance against it"
+
+
+def is_round(contact: Contact) -> bool:
+    """Return whether a contact gives by Hertz' law, which costs a simulation much more."""
+    return isinstance(contact, Ball)
+
+
+def contact_model(contact: Contact, *, rigid: bool) -> str:
+    """Return the name of the model of a contact in time."""
+    if is_round(contact) and not rigid:
+        return "Hertz contact"
+    if isinstance(contact, Spring):
+        return "spring contact"
+    if isinstance(contact, Rigid) and contact.restitution is not None:
+        return "impact"
+    return "rigid contact"
 
 
 def stop_scene(
@@ -36,12 +55,20 @@ def stop_scene(
     sizes: Sizes,
     place: StopPlace,
     case: str,
+    *,
+    rigid: bool = False,
+    stiffening: float = 0.0,
+    more_modes: int = 0,
 ) -> tuple[ModalBlade, Stops, str]:
-    """Return modes and stops of one case, and the law in words."""
+    """Return modes and stops of one case, and the law in words.
+
+    ``rigid`` takes a round head as one that does not give; ``stiffening`` is what the blade's
+    rigidity has over that of the beam, relative.
+    """
     density = design.material.density
     volume = float(design.geometry.volume(sizes))
     blade = cantilever_modes(
-        E=task.elastic.E,
+        E=task.elastic.E * (1.0 + stiffening),
         I=task.I,
         L=task.L,
         L_a=place.L_a,
@@ -49,11 +76,13 @@ def stop_scene(
         blade_mass=density.value * volume if density is not None else 0.0,
         c=mechanism.offset,
         J=mechanism.inertia,
-        modes=task.stops.simulation.modes,
+        modes=task.stops.simulation.modes + more_modes,
         quality=case_quality(mechanism, case, design.cases[case]),
     )
     contact = task.stops.contact
-    law, words = _law(contact, task, blade)
+    law, words = (
+        (LinearStop(), RIGID) if rigid and is_round(contact) else _law(contact, task, blade)
+    )
     if isinstance(law, RigidStop):
         blade = blade.truncated()
     below = place.delta_G if task.stops.sides == "both" else inf
@@ -72,7 +101,7 @@ def _law(contact: Contact, task: StopTask, blade: ModalBlade) -> tuple[AnyStopLa
         ), f"spring, restitution {contact.restitution:g}"
     if isinstance(contact, Rigid) and contact.restitution is not None:
         return RigidStop(contact.restitution), f"rigid, restitution {contact.restitution:g}"
-    return LinearStop(), "rigid, the blade's own compliance against it"
+    return LinearStop(), RIGID
 
 
 def _dashpot(contact: Spring, blade: ModalBlade) -> float:

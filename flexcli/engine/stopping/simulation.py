@@ -1,35 +1,32 @@
-"""Verify stops in time: every case run between them, peaks against what is allowed."""
+"""Stops verified in time: what the line leaves undecided, or every case to its end."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from functools import partial
 
-from flexcli.engine import assess
-from flexcli.engine.stopping.run import stop_runs
-from flexcli.engine.stopping.statics import StopTask, task_of
+from flexcli.engine.judge import status_of
+from flexcli.engine.stopping.judge import StopJudgement, Watch, judge_stops
+from flexcli.engine.stopping.statics import task_of
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import Limit
-from flexcli.results import (
-    Cost,
-    Note,
-    Result,
-    Status,
-    StopHistory,
-    StopPlace,
-    StopSimulation,
-    Value,
-)
+from flexcli.results import Cost, Note, Result, Status, StopPlace, StopSimulation, Value, Verdict
 
-__all__ = ["Watch", "simulated"]
+__all__ = ["Watch", "decided", "simulated", "with_time"]
 
-Watch = Callable[[str, float], bool]
-"""Told the case and the share that is done; answers whether to go on."""
-
-MODEL = "event-driven simulation"
 NOTABLE = 1.05
 """Travel over that of the operating line from which a note says so."""
+
+
+def decided(
+    result: Result, design: DesignSpec, sizes: Sizes, watch: Watch, *, seed: int | None = None
+) -> Result:
+    """Return a sized stop with what its line left undecided decided by simulation.
+
+    A seed takes the place of the spec's.
+    """
+    if result.status is not Status.UNDECIDED:
+        return result
+    return _judged(result, design, sizes, watch, seed=seed, forced=False, keep_history=False)
 
 
 def simulated(
@@ -41,75 +38,73 @@ def simulated(
     seed: int | None = None,
     keep_history: bool = False,
 ) -> Result:
-    """Return a sized stop with every case of the design run in time, and judged.
+    """Return a sized stop with every case of the design run in time to its end, and judged.
 
     A seed takes the place of the spec's.
 
     Raises
     ------
     SolveError
-        ``no-excitation`` when no case shakes the base.
+        ``no-excitation`` when no case shakes the base, ``no-time`` where one is no motion in time.
     """
-    assert result.stops is not None  # the caller's result
-    assert design.stops is not None
-    runs: list[StopSimulation] = []
-    histories: list[StopHistory] = []
-    task = task_of(design, design.stops, sizes)
-    options = design.stops.simulation
-    if seed is not None:
-        options = options.model_copy(update={"seed": seed})
-    place = result.stops.chosen
-    for run in stop_runs(design, task, sizes, place, options=options, keep_history=keep_history):
-        runs.append(run.told(partial(watch, run.case)))
-        if (history := run.history()) is not None:
-            histories.append(history)
-    if not runs:
+    found = _judged(result, design, sizes, watch, seed=seed, forced=True, keep_history=keep_history)
+    if found.stops is not None and not found.stops.simulations:
         raise SolveError(
             "no-excitation", "no case shakes the base", "give a case an asd, shock, sine or sweep"
         )
-    checks = assess.checks(limit for run in runs for limit in _limits(task, run))
-    passed = all(check.passed for check in checks)
+    return found
+
+
+def _judged(
+    result: Result,
+    design: DesignSpec,
+    sizes: Sizes,
+    watch: Watch,
+    *,
+    seed: int | None,
+    forced: bool,
+    keep_history: bool,
+) -> Result:
+    assert result.stops is not None  # the caller's result
+    assert design.stops is not None
+    options = design.stops.simulation
+    if seed is not None:
+        options = options.model_copy(update={"seed": seed})
+    task, place = task_of(design, design.stops, sizes), result.stops.chosen
+    found = judge_stops(
+        design, task, sizes, place,
+        watch=watch, forced=forced, options=options, keep_history=keep_history,
+    )  # fmt: skip
+    infeasible = result.status is Status.INFEASIBLE
+    cost = result.cost
+    for model, seconds in found.by_model.items():
+        cost = with_time(cost, seconds, model)
     return replace(
         result,
-        status=result.status if passed or result.status is Status.INFEASIBLE else Status.FAIL,
-        values={**result.values, **_values(runs)},
-        checks=(*result.checks, *checks),
-        warnings=(*result.warnings, *_notes(design, place, runs)),
-        cost=_with_time(result.cost, sum(run.seconds for run in runs)),
-        stops=result.stops._replace(simulations=tuple(runs), histories=tuple(histories)),
+        status=Status.INFEASIBLE if infeasible else status_of(found.checks),
+        values={**result.values, **_values(found.simulations)},
+        checks=found.checks,
+        warnings=(*result.warnings, *stop_notes(design, place, found)),
+        cost=cost,
+        stops=result.stops._replace(simulations=found.simulations, histories=found.histories),
     )
 
 
-def _with_time(cost: Cost | None, seconds: float) -> Cost:
-    """Return the cost of a result that was simulated too."""
+def with_time(cost: Cost | None, seconds: float, model: str) -> Cost:
+    """Return the cost of a result for which a model ran as well, some seconds."""
     before = cost or Cost(0.0, "", None)
-    return Cost(before.seconds + seconds, f"{before.model}; {MODEL}", before.estimated_error)
+    names = [name for name in before.model.split(", ") if name]
+    by_model = dict(before.by_model)
+    by_model[model] = by_model.get(model, 0.0) + seconds
+    return replace(
+        before,
+        seconds=before.seconds + seconds,
+        model=", ".join(dict.fromkeys((*names, model))),
+        by_model=by_model,
+    )
 
 
-def _limits(task: StopTask, run: StopSimulation) -> Iterator[Limit]:
-    """Yield what a simulated case must keep."""
-
-    def limit(
-        name: str, quantity: str, demand: float, capacity: float, unit: str, required: float = 1.0
-    ) -> Limit:
-        kind = f"{name} (simulated)"
-        return Limit(kind, run.case, quantity, demand, capacity, unit, MODEL, required=required)
-
-    yield limit("travel", "peak of the tip", run.travel, task.travel, "m")
-    bending, shear = task.stops.bending, task.stops.shear
-    if bending is not None and task.bending is not None:
-        worst = max(run.sigma_base, run.sigma_contact)
-        text = "peak bending stress, base or stop"
-        yield limit("bending", text, worst, task.bending, "Pa", bending.factor)
-    if shear is not None and task.shear is not None and run.tau_hertz is not None:
-        text = "peak shear below the contact"
-        yield limit("contact shear", text, run.tau_hertz, task.shear, "Pa", shear.factor)
-    text = "time planned, time simulated"
-    done = run.planned if run.is_complete else run.duration
-    yield limit("completed", text, run.planned, done, "s")
-
-
-def _values(runs: list[StopSimulation]) -> dict[str, Value]:
+def _values(runs: Iterable[StopSimulation]) -> dict[str, Value]:
     """Return the peaks of each case, the highest where it was run twice."""
     found: dict[str, Value] = {}
     for run in runs:
@@ -123,15 +118,22 @@ def _values(runs: list[StopSimulation]) -> dict[str, Value]:
         ):
             key = f"{name}_{run.case}"
             if key not in found or value > found[key].value:
-                found[key] = Value(value, unit, f"{label}, {run.case}, simulated", MODEL)
+                least = ", at least" if run.has_decided else ""
+                text = f"{label}, {run.case}, simulated{least}"
+                found[key] = Value(value, unit, text, run.model)
     return found
 
 
-def _notes(design: DesignSpec, place: StopPlace, runs: list[StopSimulation]) -> Iterator[Note]:
+def stop_notes(design: DesignSpec, place: StopPlace, found: StopJudgement) -> Iterator[Note]:
     """Yield what the simulation leaves out, what ended early, and what the line did not foresee."""
-    for run in runs:
+    for run in found.simulations:
         if run.outcome:
             yield Note("simulation-ended", f"case '{run.case}': {run.outcome}")
+        elif run.has_decided:
+            text = f"case '{run.case}': ended after {run.duration:.4g} s of {run.planned:.4g} s, "
+            yield Note(
+                "run-decided", f"{text}when a limit was exceeded; --simulate runs to the end"
+            )
         elif not run.is_complete:
             text = f"case '{run.case}': interrupted after {run.duration:.4g} s of {run.planned:.4g}"
             yield Note("interrupted", f"{text} s; what was done is reported")
@@ -143,6 +145,17 @@ def _notes(design: DesignSpec, place: StopPlace, runs: list[StopSimulation]) -> 
             text = f"case '{run.case}': the tip goes {run.travel / line - 1.0:.0%} farther than the"
             yield Note("beyond-the-line", f"{text} operating line has it")
     for name, case in design.cases.items():
-        if case.acceleration is not None and case.vibrates:
-            text = f"case '{name}': the steady acceleration is left out of the simulation"
-            yield Note("steady-left-out", text)
+        if not case.vibrates:
+            continue
+        beside = {"acceleration": case.acceleration, "stroke": case.stroke, "load": case.load}
+        for key, load in (beside | {"wrench": case.wrench}).items():
+            if load is not None:
+                text = f"case '{name}': its {key} is left out of the simulation, which decides "
+                yield Note("left-out-of-simulation", f"{text}nothing there")
+    if found.simulations and design.material.density is None:
+        text = "no density is given: the blade's own mass counts as part of the tip mass"
+        yield Note("blade-mass-in-the-tip", text)
+    slow = [check for check in found.checks if check.verdict is Verdict.UNDECIDED]
+    if slow and design.material.poisson_ratio is None:
+        text = "material.poisson_ratio is not given and was taken as anything from 0 to ½"
+        yield Note("needs-poisson-ratio", f"{text}; giving it may decide {slow[0].name}")

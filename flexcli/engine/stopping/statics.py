@@ -5,8 +5,10 @@ from math import inf
 from typing import NamedTuple
 
 from flexcli.engine.assess import ROUNDING
-from flexcli.formulas.pi_law import contact_threshold, operating_line
-from flexcli.formulas.section import second_moment
+from flexcli.engine.left_out import setting
+from flexcli.formulas.card import outside
+from flexcli.formulas.pi_law import MEASURED, SCATTER, contact_threshold, operating_line
+from flexcli.formulas.section import second_moment, shear_parameter
 from flexcli.formulas.stop_stiffness import bent_shape, contact_stiffness, stiffness_ratio
 from flexcli.formulas.stopped_bending import bending_moment, bending_stress
 from flexcli.formulas.stopped_cantilever import (
@@ -15,30 +17,55 @@ from flexcli.formulas.stopped_cantilever import (
     load_at_travel,
     reaction,
 )
+from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.effects import Setting
+from flexcli.parts.effects.plate import PlateWidening
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Limit
 from flexcli.parts.stops import Stops
-from flexcli.results import StopPlace
+from flexcli.results import EXACT, ErrorRange, StopPlace
 
 __all__ = [
+    "LINE",
     "StopTask",
+    "contact_error",
     "force_at_travel",
     "holds",
+    "line_error",
+    "line_limit",
     "margin",
     "place_limits",
+    "root_error",
+    "static_limits",
     "stop_place",
     "task_of",
 ]
 
 SOURCE = "Monti (2014), chapters 4, 8.5 and 9; corrected"
+LINE = "operating line"
+BELOW_THE_LINE = 0.22
+"""How far below the line the simulated steady range lies at the most, from 0.55 to 0.85 of the
+length (examples/boundary-control): the line's own models of contact and body differ from ours."""
+LINE_ERROR = ErrorRange(-(SCATTER + BELOW_THE_LINE), inf)
+"""Of the line as the peak of the tip: the way there from rest goes farther, and no line says how
+far; so it may prove that a stop fails, never that it does."""
+RESONANT = 0.01
+"""How near (relative) to the blade's own frequency a sine has to be for the line to hold."""
+LEAST_OVERHANG = 2.0
+"""Overhang over thickness below which the statics of the blade on its stop have no known error."""
 SHEAR_OF_STRENGTH = 0.5
 """Tresca: yield in shear at half the strength in tension."""
 
 
 class StopTask(NamedTuple):
-    """The blade [SI], its stops, the deflection of the tip allowed, and what must stay free."""
+    """The blade [SI], its stops, the deflection of the tip allowed, and what must stay free.
+
+    ``rigidity`` is how far the blade's bending rigidity may be off that of the beam: more by its
+    plate widening, more or less by the rotation at the end of its travel. ``Phi`` is Timoshenko's
+    parameter of the whole blade.
+    """
 
     elastic: Elastic
     I: float
@@ -49,25 +76,76 @@ class StopTask(NamedTuple):
     bending: float | None
     shear: float | None
     free: tuple[tuple[str, float], ...]
+    rigidity: ErrorRange = EXACT
+    Phi: float = 0.0
+
+    def shear_on(self, length: float) -> float:
+        """Return how much shear softens a part of the blade, bent as a cantilever [-]."""
+        return 0.25 * self.Phi * (self.L / length) ** 2 if length > 0.0 else inf
+
+    def rigidity_at(self, place: StopPlace) -> ErrorRange:
+        """Return the same with the shear of the overhang beyond a stop, which softens it."""
+        softer = self.shear_on(self.L - place.L_a)
+        return ErrorRange(max(self.rigidity.low - softer, -0.5), self.rigidity.high)
 
 
 def task_of(design: DesignSpec, stops: Stops, sizes: Sizes) -> StopTask:
     """Return what a design asks of its stops; each case with a stroke must stay free of contact."""
     material = design.material
     scenes = [design.scene(name) for name in design.cases]
+    given = setting(design, sizes)
+    travel = stops.allowed(material, sizes)
     return StopTask(
         elastic=material.elastic,
         I=float(second_moment(sizes.b, sizes.h)),
         h=float(sizes.h),
         L=float(sizes.l),
         stops=stops,
-        travel=stops.allowed(material, sizes),
+        travel=travel,
         bending=stops.bending.of(material) if stops.bending else None,
         shear=SHEAR_OF_STRENGTH * stops.shear.of(material) if stops.shear else None,
         free=tuple(
             (scene.case, scene.travel + scene.mean_travel) for scene in scenes if scene.travel > 0.0
         ),
+        rigidity=_rigidity(given, travel / float(sizes.l)),
+        Phi=float(
+            shear_parameter(
+                depth=float(sizes.h), l=float(sizes.l), poisson_ratio=given.poisson_bound
+            )
+        ),
     )
+
+
+def _rigidity(given: Setting, rotation: float) -> ErrorRange:
+    """Return the error of E I: widening at any curvature, and the square of the rotation."""
+    wide = PlateWidening().changes(given).get("stiffness")
+    high = 0.0 if wide is None else wide.bound
+    return ErrorRange(-(rotation**2), high + rotation**2)
+
+
+def contact_error(task: StopTask, place: StopPlace) -> ErrorRange:
+    """Return the error of the tip's deflection at contact: shear bends the blade to another shape.
+
+    ``(1 + s)/(1 + s a/φ) − 1`` with s of the tip's deflection by shear, φ(a) the bent shape.
+    """
+    s, share = task.shear_on(task.L), place.L_a / task.L
+    changed = (1.0 + s) / (1.0 + s * share / float(bent_shape(share))) - 1.0
+    return ErrorRange(min(changed, 0.0), max(changed, 0.0))
+
+
+def line_error(task: StopTask, place: StopPlace, case: Case, f_0: float) -> ErrorRange | None:
+    """Return the error of the operating line for a case, nothing where the line says nothing.
+
+    It was measured with a sine at the blade's own frequency between two stops, in the first mode:
+    of a shock, a random vibration or a swing that dies it is no bound at all.
+    """
+    if case.sine is None or case.asd or case.shock or case.sweep:
+        return None
+    if case.acceleration is not None or case.stroke is not None:
+        return None
+    inside = not list(outside(MEASURED, {"pi_1": place.pi_1, "pi_5": place.pi_5}))
+    tuned = abs(case.sine.frequency / f_0 - 1.0) <= RESONANT
+    return LINE_ERROR if inside and tuned and task.stops.sides == "both" else None
 
 
 def stop_place(task: StopTask, name: str, L_a: float, gap: float) -> StopPlace:
@@ -106,38 +184,57 @@ def stop_place(task: StopTask, name: str, L_a: float, gap: float) -> StopPlace:
 
 
 def place_limits(task: StopTask, place: StopPlace) -> Iterator[Limit]:
-    """Yield what a stop must keep: travel, room, stresses."""
-    stops = task.stops
+    """Yield what a stop must keep by the line and by statics: travel, room, stresses."""
+    yield line_limit(task, place, "", None)
+    yield from static_limits(task, place)
+
+
+def line_limit(task: StopTask, place: StopPlace, case: str, error: ErrorRange | None) -> Limit:
+    """Return the tip's travel as the operating line has it."""
     half_range = place.pi_5 * place.delta_G / 2.0
-    yield Limit(
-        "travel", "", "tip on the operating line", half_range, task.travel, "m",
-        "Monti (2014), section 8.4",
+    return Limit(
+        "travel", case, "tip on the operating line", half_range, task.travel, "m",
+        "Monti (2014), section 8.4", error=error,
     )  # fmt: skip
+
+
+def static_limits(task: StopTask, place: StopPlace) -> Iterator[Limit]:
+    """Yield what statics say of a stop: room, and the stresses at the end of the travel."""
+    stops = task.stops
+    shape, rigidity = contact_error(task, place), task.rigidity_at(place)
+    loaded = rigidity if task.L - place.L_a >= LEAST_OVERHANG * task.h else None
     yield Limit(
         "contact", "", "tip when the blade touches, within the travel", place.tip_at_contact,
-        task.travel, "m", "Monti (2014), section 9.1.1, with 3L − x",
+        task.travel, "m", "Monti (2014), section 9.1.1, with 3L − x", error=shape,
     )  # fmt: skip
     if stops.smallest_gap is not None:
         yield Limit(
             "smallest gap", "", "smallest gap that can be made", stops.smallest_gap,
-            place.delta_G, "m", "smallest-gap of the spec",
+            place.delta_G, "m", "smallest-gap of the spec", error=EXACT,
         )  # fmt: skip
     for case, stroke in task.free:
         yield Limit(
             "free travel", case, "stroke free of contact", stroke, place.tip_at_contact, "m",
-            "stroke of the case",
+            "stroke of the case", in_capacity=True, error=shape,
         )  # fmt: skip
     if stops.bending is not None and task.bending is not None:
         yield Limit(
             "bending", "", "bending stress, worst of base and stop", place.bending,
             task.bending, "Pa", f"{stops.bending.allowable}; Monti (2014), section 9.1.2",
-            required=stops.bending.factor,
+            required=stops.bending.factor, error=loaded,
         )  # fmt: skip
     if stops.shear is not None and task.shear is not None and place.tau_hertz is not None:
         yield Limit(
             "contact shear", "", "shear below the contact", place.tau_hertz, task.shear, "Pa",
             f"Hertz; half the {stops.shear.allowable} (Tresca)", required=stops.shear.factor,
+            error=loaded and root_error(loaded),
         )  # fmt: skip
+
+
+def root_error(of_force: ErrorRange) -> ErrorRange:
+    """Return the error of a contact's stress, which grows as a root of the force at the most."""
+    low, high = (max(1.0 + end, 0.0) ** 0.5 - 1.0 for end in of_force)
+    return ErrorRange(low, high)
 
 
 def force_at_travel(task: StopTask, place: StopPlace, c: float, travel: float) -> float:

@@ -1,8 +1,11 @@
 """The linear systems that a blade is, one after another: free, against a spring, held."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
+from functools import lru_cache
 from math import inf
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -146,8 +149,9 @@ def held_phase(blade: ModalBlade, gap: float, side: int) -> Phase:
     )
 
 
-def phases_of(blade: ModalBlade, stops: Stops) -> dict[tuple[Contact, int], Phase]:
-    """Return the phases that a law knows, by contact and side."""
+@lru_cache(maxsize=8)
+def phases_of(blade: ModalBlade, stops: Stops) -> Mapping[tuple[Contact, int], Phase]:
+    """Return the phases that a law knows, by contact and side; kept, for a search asks again."""
     phases = {(Contact.FREE, 0): free_phase(blade)}
     for side in (1, -1):
         gap = stops.gap(side)
@@ -157,4 +161,4 @@ def phases_of(blade: ModalBlade, stops: Stops) -> dict[tuple[Contact, int], Phas
             phases[Contact.SPRING, side] = spring_phase(blade, stops.law, gap, side)
         elif isinstance(stops.law, RigidStop):
             phases[Contact.HELD, side] = held_phase(blade, gap, side)
-    return phases
+    return MappingProxyType(phases)

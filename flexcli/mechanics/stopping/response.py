@@ -1,35 +1,74 @@
-"""Steady amplitudes of a blade between stops, one frequency after another from the last state."""
+"""Steady motions of a blade between stops, one frequency after another from the last motion."""
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from math import pi
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import brentq
 
 from flexcli.mechanics.stopping.laws import Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.periodic import (
+    DrivenBlade,
+    LinearMotion,
+    MotionPoint,
+    PeriodicMotion,
+)
 from flexcli.mechanics.stopping.result import Peaks, StopOutcome
 from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.numerics.signal_pieces import sine
 
-__all__ = ["SteppedResponse", "steady_steps", "stepped_response"]
+__all__ = [
+    "Step",
+    "SteppedMotion",
+    "SteppedResponse",
+    "steady_steps",
+    "stepped_motion",
+    "stepped_response",
+]
 
 Floats = NDArray[np.float64]
 
+BURST = 10
+"""Periods between two trials for a periodic motion while the blade settles."""
+BURSTS = 30
+"""Bursts after which a frequency is left unsettled; of the last third the range is told."""
+ORDERS = (1, 2, 3)
+"""Periods of the base after which a motion is sought to repeat."""
+HIGHER_FROM = 10
+"""Bursts from which motions of more than one period are sought too."""
+FINEST = 1e-4
+"""Share of the frequency to which the end of a branch is found."""
+NEAR = 0.3
+"""Share of the frequency from which a known motion is followed to another."""
+PARTS = 16
+"""Parts of a period in which the blade is looked for away from its stops."""
+
 
 class Step(NamedTuple):
-    """What one frequency settled to: peaks over the last window, contacts per period."""
+    """The motion at one frequency: peaks, contacts per period, whether it is steady.
+
+    ``periods`` of the base after which it repeats and the largest Floquet multiplier; of what did
+    not settle neither, but ``least``, the smallest peak of the tip in the bursts that ``peaks``
+    has the largest of.
+    """
 
     angular: float
     peaks: Peaks
     contacts: float
     settled: bool
+    periods: int = 1
+    multiplier: float | None = None
+    least: float | None = None
 
 
 class SteppedResponse(NamedTuple):
     """Steps as arrays (steps,): rad/s, tip [m], clamp [N·m], push [N], contacts per period.
 
-    ``settled`` is false where the peaks of two windows kept differing: beats, or chaos.
+    ``settled`` is false where no periodic motion was found: beats, or chaos.
     """
 
     angular: Floats
@@ -40,21 +79,218 @@ class SteppedResponse(NamedTuple):
     settled: NDArray[np.bool_]
 
 
+@dataclass(eq=False)
+class SteppedMotion:
+    """A blade whose base's frequency is stepped: ``follow`` goes on from the motion before.
+
+    The first is the motion without contact where there is one; a blade that was kicked, or has
+    none, is run. ``known`` are periodic motions with contact, found on any way through the
+    frequencies; ``ends`` is the angular frequency at which the last step's motion gave way.
+    """
+
+    driven: DrivenBlade
+    known: list[PeriodicMotion]
+    point: MotionPoint
+    motion: LinearMotion | PeriodicMotion | None = None
+    angular: float = 0.0
+    ends: float | None = None
+    kicked: bool = False
+
+    @property
+    def touches(self) -> bool:
+        """Whether the last motion was one with contact."""
+        return isinstance(self.motion, PeriodicMotion)
+
+    def follow(self, angular: float) -> Step:
+        """Return the motion at a frequency that the one before leads to."""
+        self.ends = None
+        before, self.angular = self.angular, angular
+        if isinstance(self.motion, PeriodicMotion):
+            last, arrived = self._continued(self.motion, angular)
+            if arrived:
+                return self._contact(last)
+            self.ends = last.angular
+            self.point = last.start
+        elif isinstance(self.motion, LinearMotion):
+            if self.driven.is_free(angular):
+                return self._linear(angular)
+            if before:
+                self.ends = self._grazing(before, angular)
+            if (found := self._known_at(angular)) is not None:
+                return self._contact(found)
+        elif not before and not self.kicked and self.driven.is_free(angular):
+            return self._linear(angular)
+        return self._settled(angular)
+
+    def again(self) -> "SteppedMotion":
+        """Return the same blade before a first frequency, with the motions found so far."""
+        return replace(self, motion=None, point=at_rest(self.driven.blade), angular=0.0)
+
+    def _linear(self, angular: float) -> Step:
+        self.motion = found = self.driven.linear(angular)
+        self.point = found.start
+        peaks = Peaks(found.tip, found.tip, found.at_stop, found.base_moment, 0.0, 0.0)
+        blade = self.driven.blade
+        slowest = float((blade.damping * blade.angular).min())
+        return Step(
+            angular, peaks, 0.0, True, multiplier=float(np.exp(-slowest * 2.0 * pi / angular))
+        )
+
+    def _contact(self, found: PeriodicMotion) -> Step:
+        self.motion = found = self.driven.begun_free(found)
+        self.point = found.start
+        self.known.append(found)
+        return Step(
+            found.angular,
+            self.driven.peaks(found),
+            found.contacts / found.periods,
+            True,
+            found.periods,
+            found.largest,
+        )
+
+    def _accepted(self, angular: float, guess: MotionPoint, periods: int) -> PeriodicMotion | None:
+        """Return the stable motion with contact near a point, if there is one."""
+        found = self.driven.periodic(angular, guess, periods)
+        return found if found is not None and found.is_stable and found.contacts else None
+
+    def _continued(self, motion: PeriodicMotion, angular: float) -> tuple[PeriodicMotion, bool]:
+        """Return the motion followed to a frequency, or to where it ends."""
+        step = angular - motion.angular
+        previous: PeriodicMotion | None = None
+        while motion.angular != angular:
+            rest = angular - motion.angular
+            tried = angular if abs(step) >= abs(rest) else motion.angular + step
+            guess = motion.start
+            if previous is not None and previous.start.phase == guess.phase:
+                share = (tried - motion.angular) / (motion.angular - previous.angular)
+                guess = replace(
+                    guess,
+                    q=guess.q + share * (guess.q - previous.start.q),
+                    rate=guess.rate + share * (guess.rate - previous.start.rate),
+                )
+            found = self._accepted(tried, guess, motion.periods)
+            if found is None:
+                step /= 2.0
+                if abs(step) < FINEST * motion.angular:
+                    return motion, False
+                continue
+            previous, motion = motion, self.driven.begun_free(found)
+        return motion, True
+
+    def _known_at(self, angular: float) -> PeriodicMotion | None:
+        """Return a motion with contact that is known from nearby, followed to a frequency."""
+        near = min(self.known, key=lambda m: abs(m.angular - angular), default=None)
+        if near is None or abs(near.angular / angular - 1.0) > NEAR:
+            return None
+        found, arrived = self._continued(near, angular)
+        return found if arrived else None
+
+    def _grazing(self, before: float, angular: float) -> float:
+        """Return the frequency at which the linear motion just touches."""
+
+        def over(omega: float) -> float:
+            return self.driven.linear(omega).at_stop / self.driven.gap - 1.0
+
+        return float(brentq(over, before, angular, xtol=1e-12 * angular, rtol=1e-14))
+
+    def _settled(self, angular: float) -> Step:
+        """Return what the blade comes to from where it is, by running it."""
+        driven, start = self.driven, self.point
+        engine = StoppedVibration(driven.blade, driven.stops, q=start.q, rate=start.rate)
+        phase, free = start.phase, driven.is_free(angular)
+        seen: list[Peaks] = []
+        touched = 0
+        for burst in range(BURSTS):
+            touched = engine.contact_count
+            phase = self._run(engine, angular, phase, BURST)
+            seen.append(engine.take_peaks())
+            touched = engine.contact_count - touched
+            phase = self._away(engine, angular, phase)
+            if engine.outcome is StopOutcome.TOO_MANY_EVENTS:
+                break
+            point = MotionPoint(*engine.state, phase)
+            if free and self._dies_free(angular, point):
+                return self._linear(angular)
+            for order in ORDERS[: len(ORDERS) if burst >= HIGHER_FROM else 1]:
+                if touched and (found := self._accepted(angular, point, order)) is not None:
+                    return self._contact(found)
+        # away from the stops for a whole burst where the linear motion is free as well
+        if free and not touched:
+            return self._linear(angular)
+        self.motion = None
+        self.point = MotionPoint(*engine.state, phase)
+        told = seen[-max(len(seen) // 3, 1) :]
+        return Step(
+            angular,
+            Peaks(*map(max, *told)) if len(told) > 1 else told[0],
+            touched / BURST,
+            False,
+            least=min(peaks.travel for peaks in told),
+        )
+
+    def _run(self, engine: StoppedVibration, angular: float, phase: float, periods: float) -> float:
+        """Run an engine for some periods and return the phase after them."""
+        shaken = sine(
+            amplitude=self.driven.amplitude,
+            angular=angular,
+            duration=periods * 2.0 * pi / angular,
+            phase=phase,
+        )
+        for _ in engine.run(shaken):
+            pass
+        return (phase + 2.0 * pi * periods) % (2.0 * pi)
+
+    def _away(self, engine: StoppedVibration, angular: float, phase: float) -> float:
+        """Run on until the blade is away from its stops, two periods at most."""
+        for _ in range(2 * PARTS):
+            if self.driven.is_away(engine.state[0]):
+                break
+            phase = self._run(engine, angular, phase, 1.0 / PARTS)
+        return phase
+
+    def _dies_free(self, angular: float, point: MotionPoint) -> bool:
+        """Return whether what is not steady yet dies without ever reaching a stop."""
+        blade, linear = self.driven.blade, self.driven.linear(angular)
+        turn, tip = np.exp(1j * point.phase), linear.start
+        # the steady motion at that phase, from its state at phase zero
+        steady = tip.rate / angular + 1j * tip.q
+        q = (steady * turn).imag
+        rate = angular * (steady * turn).real
+        own, zeta = blade.angular, blade.damping
+        damped = own * np.sqrt(np.maximum(1.0 - zeta**2, 1e-12))
+        off = np.hypot(point.q - q, (point.rate - rate + zeta * own * (point.q - q)) / damped)
+        return bool(linear.at_stop + np.abs(blade.stop) @ off < self.driven.gap)
+
+
+def stepped_motion(
+    blade: ModalBlade, stops: Stops, amplitude: float, *, kick: float = 0.0
+) -> SteppedMotion:
+    """Return a blade at rest, or kicked, before its first frequency."""
+    point = at_rest(blade)
+    point.rate[0] = kick
+    return SteppedMotion(DrivenBlade(blade, stops, amplitude), [], point, kicked=kick != 0.0)
+
+
+def at_rest(blade: ModalBlade) -> MotionPoint:
+    """Return the blade at rest."""
+    return MotionPoint(np.zeros(blade.angular.size), np.zeros(blade.angular.size))
+
+
 def steady_steps(
     blade: ModalBlade,
     stops: Stops,
     *,
     angular: Iterable[float],
     amplitude: ArrayLike,
-    window: int = 20,
-    tolerance: float = 1e-3,
-    most_windows: int = 100,
     kick: float = 0.0,
 ) -> Iterator[Step]:
     """Yield the steady motion at each frequency, in the order given.
 
     The base's sine goes on without a jump from one frequency to the next, so that going up and
-    going down show the jumps and the range between them in which two motions are possible.
+    going down show the jumps and the range between them in which two motions are possible. Where
+    nothing is touched it is the exact linear motion; with contact the periodic motion, found by
+    Newton's method and stable by its Floquet multipliers, or what a run does that finds none.
 
     Parameters
     ----------
@@ -64,39 +300,17 @@ def steady_steps(
         Angular frequencies of the base [rad/s].
     amplitude : array_like
         Amplitudes of the base's acceleration [m/s²], one for all or one for each.
-    window : int
-        Periods in which a peak is taken.
-    tolerance : float
-        Two windows whose travels agree to that share are steady.
-    most_windows : int
-        Windows after which a frequency is left, settled or not.
     kick : float
         Speed of the first mode's coordinate at the start [m/s·√kg].
-
-    Raises
-    ------
-    RuntimeError
-        When contacts follow each other without end.
     """
-    rate = np.zeros(blade.angular.size)
-    rate[0] = kick
-    run = StoppedVibration(blade, stops, rate=rate)
     steps = np.array(list(angular), dtype=np.float64)
+    motion: SteppedMotion | None = None
     for omega, A in zip(steps, np.broadcast_to(amplitude, steps.shape), strict=True):
-        last, settled = np.inf, False
-        span = window * 2.0 * np.pi / float(omega)
-        for _ in range(most_windows):
-            count = run.contact_count
-            for _ in run.run(sine(amplitude=float(A), angular=float(omega), duration=span)):
-                pass
-            if run.outcome is StopOutcome.TOO_MANY_EVENTS:
-                raise RuntimeError(f"{run.outcome.cause}: {run.outcome.remedy}")
-            peaks = run.take_peaks()
-            settled = abs(peaks.travel - last) <= tolerance * peaks.travel
-            last = peaks.travel
-            if settled:
-                break
-        yield Step(float(omega), peaks, (run.contact_count - count) / window, settled)
+        if motion is None:
+            motion = stepped_motion(blade, stops, float(A), kick=kick)
+        elif motion.driven.amplitude != A:
+            motion = replace(motion, driven=DrivenBlade(blade, stops, float(A)), known=[])
+        yield motion.follow(float(omega))
 
 
 def stepped_response(
@@ -105,24 +319,10 @@ def stepped_response(
     *,
     angular: Iterable[float],
     amplitude: ArrayLike,
-    window: int = 20,
-    tolerance: float = 1e-3,
-    most_windows: int = 100,
     kick: float = 0.0,
 ) -> SteppedResponse:
     """Return all steps of ``steady_steps`` as arrays."""
-    steps = list(
-        steady_steps(
-            blade,
-            stops,
-            angular=angular,
-            amplitude=amplitude,
-            window=window,
-            tolerance=tolerance,
-            most_windows=most_windows,
-            kick=kick,
-        )
-    )
+    steps = list(steady_steps(blade, stops, angular=angular, amplitude=amplitude, kick=kick))
     return SteppedResponse(
         angular=np.array([s.angular for s in steps]),
         travel=np.array([s.peaks.travel for s in steps]),

@@ -242,6 +242,13 @@ class StoppedVibration:
         return self._outcome
 
     @property
+    def state(self) -> tuple[Floats, Floats]:
+        """The modal coordinates and rates now."""
+        if self._hertz_side:
+            return self._q.copy(), self._rate.copy()
+        return self._phase.state(self._y)
+
+    @property
     def contact_count(self) -> int:
         """Contacts so far."""
         return len(self._log)

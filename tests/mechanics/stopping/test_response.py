@@ -17,12 +17,11 @@ def test_without_stops_the_steps_are_the_linear_response():
         Stops(LinearStop(10.0), inf, inf),
         angular=ANGULAR,
         amplitude=0.1,
-        tolerance=1e-6,
     )
     expected = 0.1 / np.hypot(1 - ANGULAR**2, 2 * zeta * ANGULAR)
     assert found.settled.all()
-    np.testing.assert_allclose(found.travel, expected, rtol=1e-5)
-    np.testing.assert_allclose(found.base_moment, expected, rtol=1e-5)
+    np.testing.assert_allclose(found.travel, expected, rtol=1e-13)
+    np.testing.assert_allclose(found.base_moment, expected, rtol=1e-13)
     assert (found.contacts == 0.0).all()
 
 

@@ -1,0 +1,241 @@
+"""Periodic motions of a blade between stops under a sine, by Newton's method on its period map."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import inf, pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.errors import SolveError
+from flexcli.mechanics.stopping.laws import Stops
+from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.result import Peaks, StopOutcome
+from flexcli.mechanics.stopping.vibration import StoppedVibration
+from flexcli.numerics.signal_pieces import sine
+
+__all__ = ["DrivenBlade", "LinearMotion", "MotionPoint", "PeriodicMotion"]
+
+Floats = NDArray[np.float64]
+
+DIFFERENCE = 1e-6
+"""Step of the central differences of the period map, over the speed that fits the gap: their
+error is its square, and the map is good to some 1e-14."""
+CLOSED = 1e-11
+"""A motion that comes back to that share of the speed that fits the gap is periodic."""
+ITERATIONS = 15
+HALVINGS = 4
+WORTH = 0.2
+"""Contraction of the residual below which the last derivative is still good enough."""
+FREE = 0.5
+"""Share of the gap within which a period should begin, so that it begins free of contact."""
+
+
+@dataclass(frozen=True, eq=False)
+class MotionPoint:
+    """A modal state (q, q') at a phase [rad] of the base's sine."""
+
+    q: Floats
+    rate: Floats
+    phase: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class LinearMotion:
+    """The steady motion that meets no stop: amplitudes of tip [m], stop [m] and clamp [N·m]."""
+
+    start: MotionPoint
+    tip: float
+    at_stop: float
+    base_moment: float
+
+
+@dataclass(frozen=True, eq=False)
+class PeriodicMotion:
+    """A motion that repeats after some periods of the base, with its Floquet multipliers.
+
+    ``contacts`` are those of the whole motion, ``residual`` is how far it misses its start, as a
+    share of the speed that fits the gap.
+    """
+
+    angular: float
+    start: MotionPoint
+    periods: int
+    multipliers: NDArray[np.complex128]
+    contacts: int
+    residual: float
+
+    @property
+    def largest(self) -> float:
+        """The largest Floquet multiplier's magnitude: disturbances die where it is below 1."""
+        return float(np.abs(self.multipliers).max())
+
+    @property
+    def is_stable(self) -> bool:
+        """Whether disturbances die."""
+        return self.largest < 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class DrivenBlade:
+    """A blade between stops whose base moves by a sine of some amplitude [m/s²]."""
+
+    blade: ModalBlade
+    stops: Stops
+    amplitude: float
+
+    @cached_property
+    def gap(self) -> float:
+        """The smaller gap [m]."""
+        return min(self.stops.above, self.stops.below)
+
+    @cached_property
+    def speed(self) -> float:
+        """Speed of a free first mode that swings as far as the gap [m/s·√kg]."""
+        room = self.gap if self.gap < inf else 1.0
+        reach = float(np.abs(self.blade.stop).max()) or 1.0
+        return (room or self.stops.room) / reach * float(self.blade.angular[0])
+
+    def linear(self, angular: float) -> LinearMotion:
+        """Return the steady motion of the blade without stops.
+
+        ``q_r = −b_r A sin(ωt)`` through ``1/(ω_r² − ω² + 2iζ_r ω_r ω)``: exact.
+        """
+        own, zeta = self.blade.angular, self.blade.damping
+        gain = 1.0 / (own**2 - angular**2 + 2.0j * zeta * own * angular)
+        complex_q = -self.blade.base * self.amplitude * gain  # of exp(iωt), its imaginary part
+        return LinearMotion(
+            start=MotionPoint(complex_q.imag, angular * complex_q.real),
+            tip=abs(complex(self.blade.tip @ complex_q)),
+            at_stop=abs(complex(self.blade.stop @ complex_q)),
+            base_moment=abs(complex(self.blade.base_moment @ complex_q)),
+        )
+
+    def is_away(self, q: Floats) -> bool:
+        """Return whether the blade is well away from each stop."""
+        w = float(self.blade.stop @ q)
+        return all(side * w <= FREE * self.stops.gap(side) for side in (1, -1))
+
+    def is_free(self, angular: float) -> bool:
+        """Return whether the linear motion meets no stop."""
+        return self.linear(angular).at_stop < self.gap
+
+    def run(
+        self, angular: float, start: MotionPoint, periods: float, *, keep_history: bool = False
+    ) -> StoppedVibration:
+        """Return the run of some periods from a point of the motion."""
+        found = StoppedVibration(
+            self.blade, self.stops, q=start.q, rate=start.rate, keep_history=keep_history
+        )
+        shaken = sine(
+            amplitude=self.amplitude,
+            angular=angular,
+            duration=periods * 2.0 * pi / angular,
+            phase=start.phase,
+        )
+        for _ in found.run(shaken):
+            pass
+        return found
+
+    def after(self, angular: float, start: MotionPoint, periods: float) -> MotionPoint:
+        """Return where the motion is after some periods."""
+        phase = (start.phase + 2.0 * pi * periods) % (2.0 * pi)
+        return MotionPoint(*self.run(angular, start, periods).state, phase)
+
+    def peaks(self, motion: PeriodicMotion) -> Peaks:
+        """Return the greatest values of a periodic motion."""
+        return self.run(motion.angular, motion.start, motion.periods).take_peaks()
+
+    def periodic(
+        self, angular: float, guess: MotionPoint, periods: int = 1
+    ) -> PeriodicMotion | None:
+        """Return the periodic motion near a point, stable or not, or nothing.
+
+        Newton's method on ``P(x) − x``; P, the map over the periods, is exact between contacts,
+        its derivative by central differences is that of contacts and flight alike.
+        """
+        x, phase = self._scaled(guess), guess.phase
+        derivative = None
+        mapped = self._map(angular, x, phase, periods)
+        if mapped is None:
+            return None
+        missed = float(np.abs(mapped - x).max())
+        before = inf
+        for _ in range(ITERATIONS):
+            if missed <= CLOSED:
+                break
+            if derivative is None or missed > WORTH * before:
+                derivative = self._derivative(angular, x, phase, periods)
+                if derivative is None:
+                    return None
+            before = missed
+            step = np.linalg.lstsq(np.eye(x.size) - derivative, mapped - x, rcond=None)[0]
+            for _ in range(HALVINGS):
+                tried = self._map(angular, x + step, phase, periods)
+                if tried is not None and np.abs(tried - x - step).max() < 2.0 * missed:
+                    break
+                step = step / 2.0
+            else:
+                return None
+            x = x + step
+            mapped, missed = tried, float(np.abs(tried - x).max())
+        if missed > CLOSED:
+            return None
+        derivative = self._derivative(angular, x, phase, periods)
+        if derivative is None:
+            return None
+        point = self._point(x, phase)
+        return PeriodicMotion(
+            angular=angular,
+            start=point,
+            periods=periods,
+            multipliers=np.linalg.eigvals(derivative).astype(np.complex128),
+            contacts=self.run(angular, point, periods).contact_count,
+            residual=missed,
+        )
+
+    def begun_free(self, motion: PeriodicMotion) -> PeriodicMotion:
+        """Return the same motion told from where it is nearest to the middle of the gap."""
+        if self.is_away(motion.start.q):
+            return motion
+        seen = self.run(
+            motion.angular, motion.start, motion.periods, keep_history=True
+        ).result().history  # fmt: skip
+        assert seen is not None  # asked for
+        time = float(seen.time[int(np.argmin(np.abs(seen.at_stop)))])
+        if time <= 0.0:
+            return motion
+        turns = time * motion.angular / (2.0 * pi)
+        return replace(motion, start=self.after(motion.angular, motion.start, turns))
+
+    def _scaled(self, point: MotionPoint) -> Floats:
+        """Return (ω_r q_r, q_r') over the speed that fits the gap."""
+        return np.concatenate([self.blade.angular * point.q, point.rate]) / self.speed
+
+    def _point(self, x: Floats, phase: float) -> MotionPoint:
+        n = self.blade.angular.size
+        return MotionPoint(x[:n] * self.speed / self.blade.angular, x[n:] * self.speed, phase)
+
+    def _map(self, angular: float, x: Floats, phase: float, periods: int) -> Floats | None:
+        """Return where a period leads, nothing from inside a stop or where contacts never end."""
+        if not np.isfinite(x).all():
+            return None
+        try:
+            run = self.run(angular, self._point(x, phase), periods)
+        except SolveError:
+            return None
+        if run.outcome is StopOutcome.TOO_MANY_EVENTS:
+            return None
+        return self._scaled(MotionPoint(*run.state))
+
+    def _derivative(self, angular: float, x: Floats, phase: float, periods: int) -> Floats | None:
+        columns = []
+        for direction in np.eye(x.size) * DIFFERENCE:
+            ends = [
+                self._map(angular, x + sign * direction, phase, periods) for sign in (1.0, -1.0)
+            ]
+            ahead, behind = ends
+            if ahead is None or behind is None:
+                return None
+            columns.append((ahead - behind) / (2.0 * DIFFERENCE))
+        return np.array(columns).T
