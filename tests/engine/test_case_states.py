@@ -8,9 +8,10 @@ from strategies import crossed, design, rcc, stage
 
 from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.engine.answers.linear import LinearAnswers
+from flexcli.engine.check import check
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import AS_PRINTED
-from flexcli.results import QuantityKind
+from flexcli.results import QuantityKind, Verdict
 
 E = 114e9
 H, L, B = 0.1e-3, 20e-3, 5e-3
@@ -221,3 +222,54 @@ def test_an_oblique_force_on_a_stage_is_shared_by_statics():
     axial = 1e-3 * cos(pi / 3) / (2 * B * H)
     assert largest(geometry, case, answers) == pytest.approx(bends + axial, rel=1e-3)
     assert largest(geometry, case, AS_PRINTED) == pytest.approx(bends + axial, rel=1e-12)
+
+
+DRAWN = {
+    "kind": "layout",
+    "bodies": {"st": {"at": ["0 mm", "0 mm"], "mass": "0.1 kg", "com": ["1 mm", "2 mm"]}},
+    "blades": {
+        name: {"between": ["ground", "st"], "from": ["5 mm", f"{y} mm"],
+               "to": ["25 mm", f"{5 * y} mm"], "b": "5 mm", "h": "0.2 mm"}
+        for name, y in (("a", 5), ("c", -5))
+    },
+    "moving": "st",
+    "motion": "rotation",
+}  # fmt: skip
+EXTREMES = {
+    "a weight on a drawing's own masses": (DRAWN, {"acceleration": {"level": "3 g", "axis": "y"}}),
+    "a moment on a drawing": (DRAWN, {"wrench": {"theta_z": "1 N*mm", "x": "1 N"}}),
+    "far beyond buckling": (rcc(**SIZES), {"load": {"force": "100 kN"}}),
+    "a stroke beside it": (
+        rcc(**SIZES),
+        {"stroke": {"rotation": "5 deg"}, "load": {"force": "100 kN"}},
+    ),
+    "a pivot turned right over": (rcc(**SIZES), {"wrench": {"theta_z": "100 N*m"}}),
+    "nearly parallel blades": (
+        {**rcc(**SIZES), "half_angle": "1e-6 deg"},
+        {"load": {"force": "1 N", "direction": "90 deg"}, "ends": "clamped-clamped"},
+    ),
+}
+
+
+@pytest.mark.parametrize("model", [None, "linear", "exact"])
+@pytest.mark.parametrize("kind", EXTREMES)
+def test_what_cannot_be_solved_is_a_row_of_the_report(kind, model):
+    geometry, case = EXTREMES[kind]
+    one = design(geometry, {"yield": 1}, {"c": case}, material=STRONG)
+    result = check(one, one.fixed_sizes(), "spec", model)
+    (row,) = [each for each in result.checks if each.name.startswith("yield")]
+    assert row.verdict in (Verdict.PASS, Verdict.FAIL, Verdict.UNDECIDED)
+    if row.factor != row.factor:
+        assert "no model has an answer" in row.quantity
+
+
+def test_the_masses_of_a_drawing_load_it():
+    """Two blades bear 0.1 kg at 3 g: beside its axial stress, bending by the arm to its centre."""
+    weighed, pushed = (
+        largest(DRAWN, case, LinearAnswers())
+        for case in (
+            {"acceleration": {"level": "30 m/s^2", "axis": "y"}},
+            {"wrench": {"y": "3 N", "theta_z": "3 N*mm"}},
+        )
+    )
+    assert weighed == pytest.approx(pushed, rel=1e-9)

@@ -1,6 +1,6 @@
 """The exact model of a joint: geometrically exact blades between its bodies, at full stroke."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from math import cos, inf, isfinite, nan, pi
 
 import numpy as np
@@ -66,6 +66,7 @@ class ExactAnswers(Answers):
         self.effects = Effects() if effects is None else effects
         self.tolerance = tolerance
         self.levels = levels
+        self._known_stresses: Remembered[tuple[list[EndStress], float]] = Remembered()
         self._known_states: Remembered[Equilibrium] = Remembered()
         self._known_pairs: Remembered[tuple[float, float]] = Remembered()
 
@@ -78,11 +79,14 @@ class ExactAnswers(Answers):
             QuantityKind.STIFFNESS: lambda: self._stiffness(ask)[1],
             QuantityKind.FREQUENCY: lambda: self._stiffness(ask)[1] / 2.0,
             QuantityKind.SAG: lambda: self._sag_error(ask),
-            QuantityKind.STRESS: lambda: self._stress_error(ask),
+            QuantityKind.STRESS: lambda: self._judged(ask)[1],
             QuantityKind.SHIFT: lambda: self._shift(ask)[1],
             QuantityKind.BUCKLING: lambda: 100.0 * self.tolerance,  # else it has no answer
         }.get(kind)
-        found = find() if find is not None else inf
+        try:
+            found = find() if find is not None else inf
+        except NotAvailable:
+            return None
         return ErrorRange(-found, found) if isfinite(found) else None
 
     def stiffness(self, ask: Ask) -> Quantity:
@@ -155,31 +159,30 @@ class ExactAnswers(Answers):
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""
-        return "stress at the faces, bending with the axial force", list(self._each(ask))
+        return "stress at the faces, bending with the axial force", self._judged(ask)[0]
 
-    def _each(self, ask: Ask) -> Iterator[EndStress]:
-        state = self.states(ask)
-        for blade in state.layout.blades:
-            found = blade_stress(state, blade.name, POINTS)
-            faces = {"left": found.left, "right": found.right}
-            yield from worst_of_stroke(ask, blade.name, faces)
+    def _judged(self, ask: Ask) -> tuple[list[EndStress], float]:
+        """Return the worst stresses of a case and the relative error of the largest."""
+        return self._known_stresses.of("stress", ask, lambda: self._judge_stress(ask))
 
-    def _stress_error(self, ask: Ask) -> float:
-        """Return by how much the stress changes from level to level, over the largest of a state.
+    def _judge_stress(self, ask: Ask) -> tuple[list[EndStress], float]:
+        """Return them; the error is by how much they change from one level to the next.
 
-        What lies between the places at which it is sampled counts besides.
+        What lies between the places at which the stress is sampled counts besides.
         """
         state = self.states(ask)
         before = state.coarser
-        if before is None:
-            return inf
-        change, most = np.zeros(state.designs), np.zeros(state.designs)
+        change, most, found = 0.0, 0.0, list[EndStress]()
         for blade in state.layout.blades:
-            pair = [blade_stress(each, blade.name, POINTS) for each in (state, before)]
-            for one, other in ((pair[0].left, pair[1].left), (pair[0].right, pair[1].right)):
-                change = np.maximum(change, np.abs(one - other).max(axis=1))
-                most = np.maximum(most, np.abs(one).max(axis=1))
-        return float(change.max() / most.max()) + SAMPLED if most.max() > 0.0 else inf
+            fine = blade_stress(state, blade.name, POINTS)
+            faces = {"left": fine.left, "right": fine.right}
+            found.extend(worst_of_stroke(ask, blade.name, faces))
+            most = max(most, *(float(np.abs(face).max()) for face in faces.values()))
+            if before is not None:
+                coarse = blade_stress(before, blade.name, POINTS)
+                pairs = ((fine.left, coarse.left), (fine.right, coarse.right))
+                change = max(change, *(float(np.abs(a - b).max()) for a, b in pairs))
+        return found, inf if before is None or most == 0.0 else change / most + SAMPLED
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the forces at which the joint buckles at any motion that the case holds."""

@@ -66,7 +66,10 @@ class LinearAnswers(Answers):
         known = EXACT if at_rest else AS_PRINTED.error(ask, kind)
         if known is None or kind not in (*AT_REST, QuantityKind.STRESS):
             return known
-        _, _, error = self._settled(ask)
+        try:
+            _, _, error = self._settled(ask)
+        except NotAvailable:
+            return None
         return known + ErrorRange(-error, error) if isfinite(error) else None
 
     def stiffness(self, ask: Ask) -> Quantity:

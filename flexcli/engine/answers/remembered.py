@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
 
 __all__ = ["Remembered"]
@@ -14,19 +15,23 @@ MOST = 32
 
 
 class Remembered(Generic[Answer]):
-    """Answers by what was asked and of which case, the latest of them."""
+    """Answers by what was asked and of which case, the latest of them; that there is none too."""
 
     def __init__(self) -> None:
-        self._known: list[tuple[str, Ask, Answer]] = []
+        self._known: list[tuple[str, Ask, Answer | NotAvailable]] = []
 
     def of(self, what: str, ask: Ask, find: Callable[[], Answer]) -> Answer:
         """Return the answer to a question on a case, found once."""
-        for name, known, answer in self._known:
-            if name == what and _same(known, ask):
-                return answer
-        answer = find()
-        self._known = [*self._known[1 - MOST :], (what, ask, answer)]
-        return answer
+        known = next((a for name, of, a in self._known if name == what and _same(of, ask)), None)
+        if known is None:
+            try:
+                known = find()
+            except NotAvailable as error:
+                known = error
+            self._known = [*self._known[1 - MOST :], (what, ask, known)]
+        if isinstance(known, NotAvailable):
+            raise known
+        return known
 
 
 def _same(one: Ask, other: Ask) -> bool:
