@@ -68,10 +68,11 @@ def _is_estimated(ask: Ask, kind: QuantityKind) -> bool:
     """Return whether the effects that the formula leaves out have estimates, and they hold."""
     elastic, scene = ask.material.elastic, ask.scene
     reach = scene.travel + scene.mean_travel
-    if bending_of(ask.geometry, ask.sizes, reach) is None:
-        return False
     if scene.push:
-        reach += scene.push / ask.geometry.stiffness(elastic, ask.sizes)
+        try:
+            reach += scene.push / ask.geometry.stiffness(elastic, ask.sizes)
+        except NotAvailable:
+            return False
     return is_known(ask.geometry, elastic, ask.sizes, reach, kind)
 
 
