@@ -112,7 +112,8 @@ def test_what_the_ends_hold_in_buckling_they_hold_in_stress(ends):
     found = {}
     for held in ("clamped-free", ends):
         case = {"load": {"force": "1 N"}, "ends": held}
-        found[held] = float(answers.critical(asked(geometry, case, answers))[0].force)
+        ways = answers.critical(asked(geometry, case, answers))
+        found[held] = min(float(way.force) for way in ways)
     between = (found["clamped-free"] * found[ends]) ** 0.5
     assert found[ends] > 1.02 * found["clamped-free"]
     case = {"load": {"force": f"{between!r} N"}}

@@ -25,6 +25,7 @@ from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import held_stiffness
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import Answers, Ask, EndStress
 from flexcli.parts.requirements.support import compliance_of
