@@ -106,10 +106,10 @@ def test_where_the_line_was_not_measured_its_error_is_unknown(case):
 
 
 def test_widening_is_left_out_of_the_numbers_and_in_their_error():
-    # E/(1 − ν²) is the most that a blade as wide as this may be stiffer by
+    # flat across its width it is stiffer by ν²/(1 − ν²), 12 %; this one by a part of that
     values = run({"height": "20 mm"}, material={"poisson_ratio": 0.33}).values
     assert values["k_free"].value == pytest.approx(3 * E * I / LENGTH**3, rel=1e-12)
-    assert values["k_free"].estimated_error >= 0.9 * (1 / (1 - 0.33**2) - 1) * 2 * 7.8 / 28.5
+    assert 0.01 <= values["k_free"].estimated_error <= 1 / (1 - 0.33**2) - 1
 
 
 def test_a_hard_stop_is_not_reached_and_says_so():

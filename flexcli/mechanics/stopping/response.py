@@ -216,7 +216,7 @@ class SteppedMotion:
                 if touched and (found := self._accepted(angular, point, order)) is not None:
                     return self._contact(found)
         # away from the stops for a whole burst where the linear motion is free as well
-        if free and not touched:
+        if free and not touched and float(driven.blade.damping.min()) > 0.0:
             return self._linear(angular)
         self.motion = None
         self.point = MotionPoint(*engine.state, phase)

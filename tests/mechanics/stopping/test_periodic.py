@@ -93,11 +93,12 @@ def test_a_motion_of_two_periods_is_found_as_one():
 
 
 def test_what_never_repeats_is_not_settled_and_has_a_range():
-    scene = oscillator(damping=0.01), Stops(LinearStop(1e3), 0.05, inf)
-    (step,) = steady_steps(*scene, angular=[2.8], amplitude=0.5)
+    # without damping a beat goes on for ever, and no motion is stable
+    scene = oscillator(), Stops(LinearStop(20.0), 1.0, 1.0)
+    (step,) = steady_steps(*scene, angular=[sqrt(2.0)], amplitude=0.1, kick=2.0)
     assert not step.settled
     assert step.multiplier is None
-    assert step.least < 0.9 * step.peaks.travel
+    assert step.least < step.peaks.travel
 
 
 def test_contact_ends_where_no_periodic_motion_goes_on():
