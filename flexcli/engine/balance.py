@@ -30,6 +30,7 @@ from flexcli.results import (
     Cost,
     CouplingTerm,
     Note,
+    QuantityKind,
     Result,
     Status,
     UnknownResult,
@@ -131,11 +132,15 @@ def _mechanism_values(
         return found
     found |= _stiffness_values(design, mechanism)
     unit = "N*m/rad" if after.base_turns else "N/m"
-    found["k_eq"] = Value(after.k, unit, "equivalent stiffness", source=SOURCE)
+    found["k_eq"] = Value(
+        after.k, unit, "equivalent stiffness", source=SOURCE, kind=QuantityKind.STIFFNESS
+    )
     for state in states:
         frequency = natural_frequency(state.k or 0.0, state.m)
         words = f"frequency {state.mounted} balancing" if states[1:] else "natural frequency"
-        found[f"f{suffix(state, states) or '_0'}"] = Value(frequency, "Hz", words, source=SOURCE)
+        found[f"f{suffix(state, states) or '_0'}"] = Value(
+            frequency, "Hz", words, source=SOURCE, kind=QuantityKind.FREQUENCY
+        )
     return found
 
 
@@ -147,7 +152,9 @@ def _stiffness_values(design: DesignSpec, mechanism: Mechanism) -> dict[str, Val
         k = float(geometry.stiffness(design.material.elastic, blade))
         name = "k_pivot" if geometry.motion == "rotation" else "k_stage"
         text = "stiffness of a joint"
-        found[name] = Value(k, geometry.stiffness_unit, text, source=geometry.source)
+        found[name] = Value(
+            k, geometry.stiffness_unit, text, source=geometry.source, kind=QuantityKind.STIFFNESS
+        )
     stated = mechanism.pivot_stiffness if isinstance(mechanism, ParallelStage) else None
     for number, given in enumerate(stated or (), start=1):
         if given is not None:

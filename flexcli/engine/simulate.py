@@ -32,7 +32,7 @@ from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask
-from flexcli.results import Cost, Result, Status, SweepPoint, SweepResult, Value
+from flexcli.results import Cost, QuantityKind, Result, Status, SweepPoint, SweepResult, Value
 
 __all__ = ["simulate"]
 
@@ -207,5 +207,7 @@ def _at_ends(design: DesignSpec, sweeps: tuple[SweepResult, ...]) -> dict[str, V
             suffix = "" if len(sweeps) == 1 else f"_{sweep.case}"
             for name, value in (("k_least", min(stiffness)), ("k_most", max(stiffness))):
                 label = f"{name[2:]} stiffness over the stroke"
-                found[name + suffix] = Value(value, unit, label, "exact")
+                found[name + suffix] = Value(
+                    value, unit, label, "exact", kind=QuantityKind.STIFFNESS
+                )
     return found

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 from math import pi, sqrt
 
+from flexcli.engine.admissible_stroke import admissible_stroke
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import NotAvailable, Sizes
 from flexcli.parts.material import Material
@@ -11,11 +12,9 @@ from flexcli.parts.mechanisms.carried import has_masses
 from flexcli.parts.own_motion import hanging_mass, own_mode
 from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
 from flexcli.parts.scene import Scene, largest_travel
-from flexcli.results import Value
+from flexcli.results import QuantityKind, Value
 
 __all__ = [
-    "DEFINED",
-    "QUANTITY_OF",
     "case_values",
     "stated_strength",
     "values",
@@ -24,28 +23,6 @@ __all__ = [
 
 STRENGTHS = ("admissible_stress", "fatigue_amplitude", "yield_strength")
 """What an admissible stroke is stated for: the first that the material gives."""
-
-QUANTITY_OF = {
-    "k_pivot": "stiffness",
-    "k_stage": "stiffness",
-    "k_eq": "stiffness",
-    "k_least": "stiffness",
-    "k_most": "stiffness",
-    "theta_adm": "stress",
-    "x_adm": "stress",
-    "shift": "shift",
-    "k_x": "sag",
-    "k_y": "sag",
-    "k_z": "sag",
-    "sag": "sag",
-    "f_0": "frequency",
-    "f_init": "frequency",
-    "f_final": "frequency",
-}
-"""Which of the quantities that effects change a value is, by the start of its name."""
-
-DEFINED = ("volume", "delta", "xi", "theta_stroke", "x_stroke", "theta_mean", "x_mean")
-"""Values that are what the spec says, in other words."""
 
 
 def values(design: DesignSpec, sizes: Sizes, answers: Answers = AS_PRINTED) -> dict[str, Value]:
@@ -61,13 +38,15 @@ def values(design: DesignSpec, sizes: Sizes, answers: Answers = AS_PRINTED) -> d
     stiffness = float(answers.stiffness(asks[0]))
     symbol = "k_pivot" if geometry.motion == "rotation" else "k_stage"
     found[symbol] = Value(
-        stiffness, geometry.stiffness_unit, "stiffness of a joint", answers.model, geometry.source
-    )
+        stiffness, geometry.stiffness_unit, "stiffness of a joint", answers.model, geometry.source,
+        kind=QuantityKind.STIFFNESS,
+    )  # fmt: skip
     found["volume"] = Value(
-        float(geometry.volume(sizes)), "m^3", "volume of what flexes in a joint"
-    )
+        float(geometry.volume(sizes)), "m^3", "volume of what flexes in a joint",
+        estimated_error=0.0,
+    )  # fmt: skip
     found |= geometry.values(material.elastic, sizes, largest_travel(scenes))
-    found |= _admissible(design, sizes)
+    found |= _admissible(design, asks[0])
     for ask in asks:
         found |= _shift(ask, found)
     if design.mechanism is not None:
@@ -86,7 +65,11 @@ def _own_frequency(ask: Ask, stiffness: float, found: Mapping[str, Value]) -> di
     mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
     value = factor * sqrt(stiffness / mode.mass) / (2.0 * pi)
     source = "lowest mode of all bodies that the motion takes part in"
-    return {"f_0": Value(value, "Hz", "natural frequency", ask.answers.model, source)}
+    return {
+        "f_0": Value(
+            value, "Hz", "natural frequency", ask.answers.model, source, kind=QuantityKind.FREQUENCY
+        )
+    }
 
 
 def _corrected_frequencies(
@@ -109,13 +92,12 @@ def _corrected_frequencies(
 def with_errors(values: Mapping[str, Value], errors: Mapping[str, float]) -> dict[str, Value]:
     """Return values with their estimated errors, from those of the quantities they are of."""
 
-    def error(name: str, value: Value) -> float | None:
-        if value.model == "given" or name.startswith(DEFINED):
+    def error(value: Value) -> float | None:
+        if value.model == "given":
             return 0.0
-        kind = next((k for start, k in QUANTITY_OF.items() if name.startswith(start)), "")
-        return errors.get(kind)
+        return errors.get(value.kind) if value.kind is not None else value.estimated_error
 
-    return {name: v._replace(estimated_error=error(name, v)) for name, v in values.items()}
+    return {name: v._replace(estimated_error=error(v)) for name, v in values.items()}
 
 
 def case_values(scenes: Iterable[Scene]) -> dict[str, Value]:
@@ -134,20 +116,21 @@ def stated_strength(material: Material) -> tuple[str, float] | None:
     return (name, material.strength(name)) if name is not None else None
 
 
-def _admissible(design: DesignSpec, sizes: Sizes) -> dict[str, Value]:
+def _admissible(design: DesignSpec, ask: Ask) -> dict[str, Value]:
     """Return the travel at which the stress reaches the strength that the material states."""
-    geometry, material = design.geometry, design.material
-    stated = stated_strength(material)
+    geometry, stated = design.geometry, stated_strength(design.material)
     if stated is None or not geometry.is_linear:
         return {}
-    try:
-        stresses = geometry.end_stresses(material.elastic, sizes, 1.0)
-    except NotAvailable:
-        return {}
-    most = max(abs(float(stress)) for stress in stresses.values())
     name, strength = stated
+    found = admissible_stroke(ask, strength)
+    if found is None:
+        return {}
     text = f"stroke at which the stress reaches the {name.replace('_', ' ')}"
-    return {f"{geometry.travel_symbol}_adm": Value(strength / most, geometry.travel_unit, text)}
+    return {
+        f"{geometry.travel_symbol}_adm": Value(
+            found.travel, geometry.travel_unit, text, ask.answers.model, estimated_error=found.error
+        )
+    }
 
 
 def _shift(ask: Ask, known: Mapping[str, Value]) -> dict[str, Value]:
@@ -160,7 +143,11 @@ def _shift(ask: Ask, known: Mapping[str, Value]) -> dict[str, Value]:
         return {}
     name = "shift" if "shift" not in known else f"shift_{ask.scene.case}"
     label = "parasitic shift at full stroke, positive towards the base"
-    return {name: Value(shift, "m", label, ask.answers.model, ask.geometry.source)}
+    return {
+        name: Value(
+            shift, "m", label, ask.answers.model, ask.geometry.source, kind=QuantityKind.SHIFT
+        )
+    }
 
 
 def _sag(ask: Ask) -> dict[str, Value]:
@@ -177,6 +164,10 @@ def _sag(ask: Ask) -> dict[str, Value]:
         return {}
     source, axis, model = ask.geometry.source, scene.axis, ask.answers.model
     return {
-        f"k_{axis}": Value(stiffness, "N/m", f"stiffness along {axis}", model, source),
-        f"sag_{axis}": Value(weight / stiffness, "m", f"sag along {axis}", model, "m a / K"),
+        f"k_{axis}": Value(
+            stiffness, "N/m", f"stiffness along {axis}", model, source, kind=QuantityKind.SAG
+        ),
+        f"sag_{axis}": Value(
+            weight / stiffness, "m", f"sag along {axis}", model, "m a / K", kind=QuantityKind.SAG
+        ),
     }

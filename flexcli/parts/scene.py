@@ -327,9 +327,13 @@ def _joint_travel(
             f"give {geometry.motion}:, or a mechanism that turns one into the other",
         )
     symbol, unit = geometry.travel_symbol, geometry.travel_unit
-    values[f"{symbol}_stroke"] = Value(travel, unit, "stroke of each joint (amplitude)")
+    values[f"{symbol}_stroke"] = Value(
+        travel, unit, "stroke of each joint (amplitude)", estimated_error=0.0
+    )
     if mean:
-        values[f"{symbol}_mean"] = Value(mean, unit, "middle of the stroke from rest")
+        values[f"{symbol}_mean"] = Value(
+            mean, unit, "middle of the stroke from rest", estimated_error=0.0
+        )
     return travel, mean
 
 

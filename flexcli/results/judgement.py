@@ -66,6 +66,8 @@ class Value(NamedTuple):
     """One named number in SI, with the model that made it and its estimated relative error.
 
     Nothing stands for an error that nobody can estimate, zero for what is given or defined.
+    ``kind`` says that the error is that of the model's numbers of this kind; without one the
+    value tells its own.
     """
 
     value: float
@@ -74,6 +76,7 @@ class Value(NamedTuple):
     model: str = "closed-form"
     source: str = ""
     estimated_error: float | None = None
+    kind: QuantityKind | None = None
 
 
 class Check(NamedTuple):

@@ -20,7 +20,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
 from flexcli.results import QuantityKind
 
-OUTER = {"plate widening", "blade mass"}
+OUTER = {"plate widening", "anticlastic", "clamp stress", "blade mass"}
 """What beams have no notion of: their own tests hold them."""
 
 EFFECTS = [effect for effect in MODEL_EFFECTS if effect.name not in OUTER]

@@ -39,7 +39,7 @@ def estimate(setting: Setting, kind: QuantityKind, effects: Iterable[ModelEffect
     if not is_known(setting.geometry, elastic, setting.sizes, travel, kind):
         return Estimate(1.0, None)
     changes = [
-        change
+        _beside_others(effect, change)
         for effect in effects
         if effect.indicator(setting) is not None
         and (not effect.lacks(setting) or effect.spans_what_it_needs)
@@ -50,6 +50,15 @@ def estimate(setting: Setting, kind: QuantityKind, effects: Iterable[ModelEffect
         return Estimate(1.0, None)
     factor = prod(1.0 + change.value for change in changes if change.value is not None)
     return Estimate(factor, left + FLOOR)
+
+
+def _beside_others(effect: ModelEffect, change: Change) -> Change:
+    """Return a change as it counts: what is whole has its own error for all that it does."""
+    if not effect.is_whole:
+        return change
+    if change.value is None:
+        return Change(0.0, 0.0, change.bound, change.sign)
+    return change._replace(bound=0.0)
 
 
 def left_by(changes: Sequence[Change], beside: Sequence[Change] = ()) -> ErrorRange | None:

@@ -254,7 +254,7 @@ class HingedPivot(_Hinged):
         p = self.offset(sizes)
         gain = hinged_pivot.admissible_rotation(gamma=1.0, l=sizes.l, p=p)
         return {
-            "delta": Value(float(p / sizes.l), "", "place of the centre, p/l"),
+            "delta": Value(float(p / sizes.l), "", "place of the centre, p/l", estimated_error=0.0),
             "k_hinge": Value(float(K), "N*m/rad", "rotational stiffness of a hinge"),
             "theta_per_gamma": Value(
                 float(np.asarray(gain)), "", "rotation of the pivot over its most turned hinge"

@@ -190,6 +190,8 @@ class NeckedDownStage(SagsAlongStroke):
             E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, xi=sizes.xi, blades=self.blades
         )
         return {
-            "xi": Value(float(sizes.xi), "", "share of the blade that bends, 2 l_c/l"),
+            "xi": Value(
+                float(sizes.xi), "", "share of the blade that bends, 2 l_c/l", estimated_error=0.0
+            ),
             "k_along": Value(float(along), "N/m", "stiffness along the blades at rest"),
         }

@@ -121,7 +121,14 @@ class BladePivot(BladeGeometry):
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return δ."""
-        return {"delta": Value(float(self.offset(sizes) / sizes.l), "", "place of the centre, p/l")}
+        return {
+            "delta": Value(
+                float(self.offset(sizes) / sizes.l),
+                "",
+                "place of the centre, p/l",
+                estimated_error=0.0,
+            )
+        }
 
 
 class PairPivot(BladePivot):

@@ -23,7 +23,7 @@ from flexcli.parts.mechanisms.free_value import Free, OrFree
 from flexcli.parts.mechanisms.stage_bodies import BalancingMass, InertiaTensor, Lever, Platform
 from flexcli.parts.stroke import Stroke
 from flexcli.parts.structure import Joint, Motion, Structure, assemble
-from flexcli.results import Note, Value
+from flexcli.results import Note, QuantityKind, Value
 
 __all__ = ["BalancingMass", "Coupling", "InertiaTensor", "Lever", "ParallelStage", "Platform"]
 
@@ -335,12 +335,22 @@ class ParallelStage(Mechanism):
         init, final = (self.equivalent_mass(balanced=on) for on in (False, True))
         found = self.balance_values() if self.coupling_limit() is not None else {}
         found |= self.mass_values()
-        found["k_eq"] = Value(k_eq, "N/m", "equivalent stiffness", source=SOURCE)
+        found["k_eq"] = Value(
+            k_eq, "N/m", "equivalent stiffness", source=SOURCE, kind=QuantityKind.STIFFNESS
+        )
         f_final = natural_frequency(k_eq, final)
-        found["f_final"] = Value(f_final, "Hz", "frequency after balancing", source=SOURCE)
+        found["f_final"] = Value(
+            f_final, "Hz", "frequency after balancing", source=SOURCE, kind=QuantityKind.FREQUENCY
+        )
         if init > 0.0:
             f_init = natural_frequency(k_eq, init)
-            found["f_init"] = Value(f_init, "Hz", "frequency before balancing", source=SOURCE)
+            found["f_init"] = Value(
+                f_init,
+                "Hz",
+                "frequency before balancing",
+                source=SOURCE,
+                kind=QuantityKind.FREQUENCY,
+            )
         return found
 
     def mass_values(self) -> dict[str, Value]:

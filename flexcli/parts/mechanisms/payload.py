@@ -15,7 +15,7 @@ from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
 from flexcli.parts.mechanisms.carried import carried
 from flexcli.parts.stroke import Stroke
 from flexcli.parts.structure import Structure
-from flexcli.results import Value
+from flexcli.results import QuantityKind, Value
 
 __all__ = ["Payload"]
 
@@ -113,4 +113,12 @@ class Payload(Mechanism):
             return {}
         mode = self.mode(joint_stiffness, geometry)
         frequency = sqrt(mode.stiffness / mode.mass) / (2 * pi)
-        return {"f_0": Value(frequency, "Hz", "natural frequency", source="√(k/m)/2π")}
+        return {
+            "f_0": Value(
+                frequency,
+                "Hz",
+                "natural frequency",
+                source="√(k/m)/2π",
+                kind=QuantityKind.FREQUENCY,
+            )
+        }

@@ -14,7 +14,7 @@ from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
 from flexcli.parts.mechanisms.carried import carried
 from flexcli.parts.stroke import Stroke
 from flexcli.parts.structure import Structure
-from flexcli.results import Value
+from flexcli.results import QuantityKind, Value
 
 __all__ = ["TipMass"]
 
@@ -119,4 +119,8 @@ class TipMass(Mechanism):
             return {}
         mode = self.mode(joint_stiffness, geometry)
         frequency = sqrt(mode.stiffness / mode.mass) / (2 * pi)
-        return {"f_0": Value(frequency, "Hz", "natural frequency", source=SOURCE)}
+        return {
+            "f_0": Value(
+                frequency, "Hz", "natural frequency", source=SOURCE, kind=QuantityKind.FREQUENCY
+            )
+        }
