@@ -40,8 +40,8 @@ GRID_ROUNDS = 8
 EASING = (1.0, 1.1, 1.5, 3.0, 10.0, 100.0)
 """By what the requirements are eased to find where a design that seems infeasible is judged."""
 
-SMALLEST = 1e-7
-"""A size [m] that no process makes: a sizing that leads there is held by nothing."""
+SMALLEST = 1e-9
+"""A size [m] of a few atoms: a sizing that leads there is held by nothing."""
 
 LARGE_SENSITIVITY = 3.0
 """Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""

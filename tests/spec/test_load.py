@@ -203,7 +203,7 @@ def test_a_reference_that_leads_nowhere_shows_where_it_stands(
     (folder / "loop.yaml").symlink_to(folder / "loop.yaml")
     (folder / "secret").write_text("token: 123\n")
     (folder / "secret.yaml").symlink_to(folder / "secret")
-    (folder / "large.yaml").write_bytes(b"#" * 2_000_000)
+    (folder / "large.yaml").write_bytes(b"#" * 4_000_000)
     (folder / "stroke.yaml").write_text("flexure: 1\nstroke: {rotation: 2 deg}\n")
     (folder / "only-version.yaml").write_text("flexure: 1\n")
     spec.write_text(design(material))
