@@ -16,9 +16,9 @@ from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import Answers, Ask, Limit, Requirement, RequirementError
+from flexcli.parts.requirements import Answers, Limit, Requirement, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.results import Check, Status, Verdict
+from flexcli.results import Check, ErrorRange, QuantityKind, Status, Verdict
 
 __all__ = ["FAR", "Judgement", "Used", "finest", "judge", "status_of"]
 
@@ -169,15 +169,15 @@ class _Ladder:
         if rung.name not in self.made:
             self.made[rung.name] = rung.make()
         ask = self.design.ask(scene, self.sizes, self.made[rung.name])
+        errors: dict[QuantityKind, ErrorRange | None] = {}
         for limit in requirement.limits(ask):
-            yield with_error(limit, ask)
-
-
-def with_error(limit: Limit, ask: Ask) -> Limit:
-    """Return a limit with the error of its number by the model that is asked."""
-    if limit.error is not None or limit.kind is None:
-        return limit
-    return replace(limit, error=ask.answers.error(ask, limit.kind))
+            kind = limit.kind
+            if limit.error is not None or kind is None:
+                yield limit
+                continue
+            if kind not in errors:  # one for all places of a stress
+                errors[kind] = ask.answers.error(ask, kind)
+            yield replace(limit, error=errors[kind])
 
 
 def _no_answer(
