@@ -36,19 +36,23 @@ def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterat
     """Yield the worst places of a blade's faces, from stresses (states, places) [Pa].
 
     States are those of :func:`flexcli.engine.answers.joint_states.of_case`: pairs of the two ends
-    of the stroke where there is one.
+    of the stroke where there is one. What the loads of the case pull on average, the same at both
+    faces, is told apart as axial: it takes no part in what a wide blade's bending does.
     """
     scene, joint = ask.scene, ask.geometry.joint_of(blade)
     reverses = scene.mean_travel == 0.0 and not scene.is_loaded
+    middle = np.mean(list(faces.values()), axis=0) * float(scene.is_loaded)
     for face, stress in faces.items():
-        pairs = (stress[::2], stress[1::2]) if scene.moves else (stress, stress)
-        for one, other in zip(*pairs, strict=True):
+        in_pairs = ((s[::2], s[1::2]) if scene.moves else (s, s) for s in (stress, middle))
+        (ones, others), (pulls, other_pulls) = in_pairs
+        for one, other, pull, last in zip(ones, others, pulls, other_pulls, strict=True):
             for place in _worst(one, other):
+                axial = float(pull[place] + last[place]) / 2.0
                 yield EndStress(
                     f"{blade}, {face} face",
                     float(abs(one[place] - other[place])) / 2.0,
-                    float(one[place] + other[place]) / 2.0,
-                    0.0,
+                    float(one[place] + other[place]) / 2.0 - axial,
+                    axial,
                     joint,
                     is_at_face=True,
                     reverses=reverses,
