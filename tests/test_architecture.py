@@ -1,6 +1,7 @@
 """The layers hold: which package may import which, no cycles, no printing below the report."""
 
 import ast
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -31,25 +32,39 @@ LAYERS = {
 PRINTERS = {"rich", "typer", "logging"}
 
 
+@cache
 def modules():
-    return sorted(ROOT.rglob("*.py"))
+    return tuple(sorted(ROOT.rglob("*.py")))
 
 
+@cache
 def name_of(path):
     parts = path.relative_to(ROOT.parent).with_suffix("").parts
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
+@cache
+def names():
+    return frozenset(name_of(path) for path in modules())
+
+
+@cache
+def tree_of(path):
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+@cache
 def imports_of(path):
-    """Yield every module that a file imports, inside functions too."""
-    known = {name_of(p) for p in modules()}
-    for node in ast.walk(ast.parse(path.read_text())):
+    """Return the names of every module that a file imports, inside functions too."""
+    found = set()
+    for node in ast.walk(tree_of(path)):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{path}: relative import"
-            inner = [f"{node.module}.{alias.name}" for alias in node.names]
-            yield from (name if name in known else node.module for name in inner)
+            inner = {f"{node.module}.{alias.name}" for alias in node.names}
+            found |= {name if name in names() else node.module for name in inner}
+    return frozenset(found)
 
 
 def package_of(module):
@@ -66,7 +81,7 @@ def test_imports_only_what_its_layer_may(path):
 
 
 def test_every_package_has_a_layer():
-    found = {package_of(name_of(p)) for p in modules()} - {""}
+    found = {package_of(name) for name in names()} - {""}
     assert found == set(LAYERS)
 
 
@@ -90,8 +105,7 @@ def test_there_is_no_import_cycle():
 def test_nothing_prints_below_the_report(path):
     if package_of(name_of(path)) in ("report", "cli"):
         return
-    tree = ast.parse(path.read_text())
-    called = [node.func for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    called = [node.func for node in ast.walk(tree_of(path)) if isinstance(node, ast.Call)]
     assert "print" not in [func.id for func in called if isinstance(func, ast.Name)]
     assert not {m.split(".")[0] for m in imports_of(path)} & PRINTERS
 
@@ -99,7 +113,7 @@ def test_nothing_prints_below_the_report(path):
 def test_the_command_line_imports_nothing_heavy_at_its_top():
     heavy = {"numpy", "scipy", "pint", "yaml", "pydantic", "rich"}
     for path in (ROOT / "cli").glob("*.py"):
-        tree = ast.parse(path.read_text())
+        tree = tree_of(path)
         top = {
             alias.name.split(".")[0]
             for node in tree.body

@@ -45,10 +45,10 @@ def found():
 
 
 def test_errors_fall_down_the_ladder(found):
-    names = ("closed-form", "linear", "exact, 4 nodes", "exact, 6 nodes", "exact, 8 nodes", "exact")
+    names = ("source", "linear", "exact, 4 nodes", "exact, 6 nodes", "exact, 8 nodes", "exact")
     errors = {row.model: row.error for row in found.models}
     fall = [max(errors[name], 1e-11) for name in names]
-    # the linear model's shift is the closed form's
+    # the linear model's shift is nearly that of the formulas
     assert fall[0] >= fall[1]
     assert all(a > 5.0 * b for a, b in pairwise(fall[1:]))
     assert errors["exact"] < 1e-9
@@ -100,7 +100,7 @@ def random_designs(count):
 def test_the_recommended_model_keeps_its_promise_on_random_designs(monkeypatch):
     monkeypatch.setattr(verb, "timed", ranked)
     kept = 0
-    for one, asked in random_designs(30):
+    for one, asked in random_designs(12):
         sizes = one.fixed_sizes()
         result = accuracy(one, sizes, "spec", 1, asked).accuracy
         assert result.recommended
@@ -110,7 +110,7 @@ def test_the_recommended_model_keeps_its_promise_on_random_designs(monkeypatch):
             if number.name in settled:
                 assert number.by(answers) == pytest.approx(number.by(TRUTH), rel=asked)
                 kept += 1
-    assert kept > 90
+    assert kept > 36
 
 
 def test_a_tighter_accuracy_takes_a_finer_model(monkeypatch):

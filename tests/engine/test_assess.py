@@ -1,5 +1,7 @@
 """Judging blades: one or many give the same margins, and targets count from both sides."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -10,7 +12,7 @@ from strategies import CASES, LOADS, crossed, design, rcc, specs
 from flexcli.engine import assess
 from flexcli.parts.geometries import Blade
 from flexcli.parts.requirements import Limit
-from flexcli.results import EXACT
+from flexcli.results import EXACT, Verdict
 
 ROUNDING = 1e-12
 H, L, B = np.meshgrid([2e-4, 5e-4], [5e-3, 2e-2], [2e-3, 1e-2])
@@ -51,9 +53,11 @@ def test_rounding_below_the_required_factor_is_no_failure():
 
 
 def test_without_demand_the_factor_is_infinite():
-    limit = Limit("x", "", "x", 0.0, 1.0, "Pa", "")
+    limit = Limit("x", "", "x", 0.0, 1.0, "Pa", "", error=EXACT)
     assert assess.factor(limit, 0.0, 1.0) == np.inf
-    assert assess.checks([limit])[0].passed
+    assert assess.checks([limit])[0].verdict is Verdict.PASS
+    # a nothing of which nobody knows how far it is off is no proof
+    assert assess.checks([replace(limit, error=None)])[0].verdict is Verdict.UNDECIDED
 
 
 def test_thicker_blades_lower_the_fatigue_margin_and_raise_the_buckling_margin():

@@ -7,7 +7,7 @@ from strategies import crossed, design, rcc, stage
 
 from flexcli.engine.check import check
 
-DESIGNS = 60
+DESIGNS = 30
 
 ROUNDING = 1e-7
 """What the exact model itself promises."""
@@ -29,19 +29,24 @@ def random_design(rng):
         else:
             part = crossed(**sizes, delta=float(rng.uniform(-0.95, -0.05)), half_angle=alpha)
     cases = {"move": {"stroke": stroke}}
-    return design(part, {"yield": 1}, cases, material={**MATERIAL, "poisson_ratio": 0.3})
+    # without a strength no admissible stroke is sought, which costs more than all the rest
+    elastic = {"youngs_modulus": MATERIAL["youngs_modulus"], "poisson_ratio": 0.3}
+    return design(part, {"l/h": {"min": 1}}, cases, material=elastic)
+
+
+@pytest.fixture(scope="module")
+def both():
+    """Return the values of random designs by the closed forms and by the exact model."""
+    rng = np.random.default_rng(7)
+    ones = [random_design(rng) for _ in range(DESIGNS)]
+    models = ("closed-form", "exact")
+    return [[check(one, one.fixed_sizes(), "spec", m).values for m in models] for one in ones]
 
 
 @pytest.mark.parametrize("name", ["stiffness", "shift"])
-def test_the_error_of_a_closed_form_bounds_the_true_one_in_95_of_100_designs(name):
-    rng = np.random.default_rng(7)
+def test_the_error_of_a_closed_form_bounds_the_true_one_in_95_of_100_designs(both, name):
     held, told = [], []
-    for _ in range(DESIGNS):
-        one = random_design(rng)
-        sizes = one.fixed_sizes()
-        closed, exact = (
-            check(one, sizes, "spec", model).values for model in ("closed-form", "exact")
-        )
+    for closed, exact in both:
         key = "shift" if name == "shift" else next(k for k in ("k_pivot", "k_stage") if k in closed)
         if closed[key].estimated_error is None:  # outside the validity of the formulas
             continue

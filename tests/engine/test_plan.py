@@ -68,7 +68,7 @@ def test_finer_accuracies_take_other_models_at_rising_cost_and_keep_their_promis
 
 def test_nothing_that_a_plan_leaves_out_matters_and_little_of_the_rest_is_idle():
     left, wrong, switched, idle = 0, 0, 0, 0
-    for design in scenes(50, seed=7):
+    for design in scenes(24, seed=7):
         found = planned(design)
         rows = audit(design, design.fixed_sizes(), found)
         wrong += sum(row.right is False for row in rows)
@@ -78,9 +78,9 @@ def test_nothing_that_a_plan_leaves_out_matters_and_little_of_the_rest_is_idle()
             if effect.on and true:
                 switched += 1
                 idle += max(map(abs, true)) < found.accuracy / 10.0
-    assert left > 50
+    assert left > 24
     assert wrong == 0
-    assert switched > 30
+    assert switched > 15
     assert idle <= switched / 10
 
 

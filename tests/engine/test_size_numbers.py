@@ -7,11 +7,10 @@ from math import log
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, assume, given, settings
-from judging import size_as_printed
+from judging import size_as_printed, size_by_as_printed
 from strategies import LOADS, PUSH, crossed, design, rcc, specs
 
 from flexcli.engine import assess
-from flexcli.engine.size import size_by
 from flexcli.engine.sizing.number_program import one_by_one
 from flexcli.errors import SolveError
 from flexcli.parts.geometries.rcc import RCCPivot
@@ -181,7 +180,7 @@ def test_a_dimension_without_grid_stays_continuous_and_optimal(objective):
 
 def test_the_better_of_two_branches_of_a_crossing_is_found():
     spec = design(crossed(p="-2 mm", **BOUNDED), LOADS)
-    numbers = size_by(spec, "spec")
+    numbers = size_by_as_printed(spec)
     h, l, b = np.meshgrid(
         *(np.geomspace(*r, 60) for r in ((5e-5, 2e-3), (2e-3, 8e-2), (1e-3, 3e-2)))
     )
@@ -214,9 +213,9 @@ def test_a_scalar_model_corrects_the_closed_form_in_few_evaluations():
     start = dict(zip("hlb", sizes_of(size_as_printed(spec, "spec")), strict=True))
     counted, vectorised = [], []
     limits = one_by_one(exact_limits(spec, counted))
-    found = size_by(spec, "spec", limits, base=closed, starts=[start], noise=1e-12)
+    found = size_by_as_printed(spec, limits, base=closed, starts=[start], noise=1e-12)
     assert len(counted) < 60
-    plain = size_by(spec, "spec", one_by_one(exact_limits(spec, vectorised)), starts=[start])
+    plain = size_by_as_printed(spec, one_by_one(exact_limits(spec, vectorised)), starts=[start])
     assert sizes_of(found) == pytest.approx(sizes_of(plain), rel=1e-6)
     worst = max(
         limit.demand * limit.required / limit.capacity
@@ -239,7 +238,7 @@ def test_branches_given_as_limits_of_their_own_meet_in_the_optimum():
         short = [replace(x, demand=x.demand * more) for x in limits if x.requirement == "fatigue"]
         return [*limits, *short]
 
-    result = size_by(spec, "spec", branches)
+    result = size_by_as_printed(spec, branches)
     assert result.values["l"].value == pytest.approx(6e-3, rel=1e-9)
     assert sum(row.startswith("fatigue") for row in result.sizing.active) == 2
 
@@ -255,7 +254,7 @@ def test_a_limit_with_a_kink_at_the_optimum_is_refused_with_its_remedy():
         ]
 
     with pytest.raises(SolveError, match="did not converge") as caught:
-        size_by(spec, "spec", kinked)
+        size_by_as_printed(spec, kinked)
     assert "each of its branches" in caught.value.remedy
 
 
@@ -267,7 +266,7 @@ def test_sizes_off_the_domain_of_a_model_are_avoided():
         limits = spec.closed_limits(spec.geometry.sized(sizes))
         return [replace(limit, demand=np.where(known, limit.demand, np.nan)) for limit in limits]
 
-    assert sizes_of(size_by(spec, "spec", slender_only)) == pytest.approx(
+    assert sizes_of(size_by_as_printed(spec, slender_only)) == pytest.approx(
         sizes_of(size_as_printed(spec, "spec")), rel=SAME
     )
 
@@ -283,14 +282,15 @@ def test_a_balance_counts_each_joint_with_sizes_of_its_own():
             for limit in spec.closed_limits(spec.geometry.sized(sizes))
         ]
 
-    result = size_by(spec, "spec", two_joints)
+    result = size_by_as_printed(spec, two_joints)
     assert result.sizing.certificate == "root of the square system"
     assert sizes_of(result) == pytest.approx(sizes_of(size_as_printed(spec, "spec")), rel=SAME)
 
 
 def test_with_nothing_free_the_given_sizes_are_judged():
     exact, numbers = both(design(rcc(h="1 mm", l="20 mm", b="10 mm"), LOADS))
-    assert numbers.checks == exact.checks
+    judged, found = ([c._replace(seconds=0.0) for c in r.checks] for r in (exact, numbers))
+    assert found == judged
     assert "nothing to choose" in numbers.sizing.certificate
 
 
@@ -302,7 +302,7 @@ def test_a_corrected_model_is_sized_on_a_grid_next_to_its_balance():
         return spec.closed_limits(spec.geometry.sized(sizes))
 
     exact = size_as_printed(spec, "spec")
-    found = size_by(spec, "spec", closed, base=closed)
+    found = size_by_as_printed(spec, closed, base=closed)
     assert sizes_of(found) == pytest.approx(sizes_of(exact), rel=SAME)
 
 
@@ -315,7 +315,7 @@ def test_a_grid_is_searched_by_the_limits_that_are_given():
         limits = spec.closed_limits(spec.geometry.sized(sizes))
         return [replace(x, demand=x.demand * (1.1 + sizes["h"] / 2e-3)) for x in limits]
 
-    result = size_by(spec, "spec", harder)
+    result = size_by_as_printed(spec, harder)
     points = np.array(np.meshgrid(*stock.values(), indexing="ij")).reshape(3, -1)
     limits = harder(dict(zip("hlb", points, strict=True)))
     used = np.max([x.demand * x.required / x.capacity for x in limits], axis=0)
@@ -324,15 +324,16 @@ def test_a_grid_is_searched_by_the_limits_that_are_given():
     assert sizes_of(result) == pytest.approx(points[:, volumes.argmin()], rel=1e-12)
 
 
-def test_limits_that_come_and_go_are_refused():
+def test_a_design_that_lacks_some_of_the_limits_is_avoided():
     spec = design(rcc(**BOUNDED), LOADS)
 
-    def fickle(sizes):
+    def slender_has_all(sizes):
         limits = spec.closed_limits(spec.geometry.sized(sizes))
-        return limits if sizes["h"].size == 1 else limits[:-1]
+        return limits if np.all(sizes["l"] > 30 * sizes["h"]) else limits[:-1]
 
-    with pytest.raises(ValueError, match="limits where"):
-        size_by(spec, "spec", fickle)
+    assert sizes_of(size_by_as_printed(spec, slender_has_all)) == pytest.approx(
+        sizes_of(size_as_printed(spec, "spec")), rel=SAME
+    )
 
 
 @pytest.mark.slow
@@ -346,7 +347,7 @@ def test_random_designs_are_no_worse_than_by_signomials(spec):
         except SolveError as error:
             assume(error.code not in ("unbounded", "undetermined"))
             raise
-        numbers = size_by(spec, "spec")
+        numbers = size_by_as_printed(spec)
     assert numbers.status is exact.status
     assume(exact.status.value == "pass")
     if numbers.sizing.objective == exact.sizing.objective == "least-volume":
