@@ -181,6 +181,20 @@ ROWS = (
 )
 
 
-@pytest.mark.parametrize("row", ROWS, ids=lambda row: f"{row.spec}, {row.command}")
+SLOW = ("stops-unjudged",)
+"""Specs whose cases are run in time, contact by contact."""
+
+
+@pytest.mark.parametrize(
+    "row",
+    [
+        pytest.param(
+            row,
+            id=f"{row.spec}, {row.command}",
+            marks=[pytest.mark.slow] if row.spec in SLOW else [],
+        )
+        for row in ROWS
+    ],
+)
 def test_what_is_true_is_said(row):
     row.statement(run(row.spec, row.command))

@@ -12,7 +12,7 @@ from flexcli.errors import SolveError
 from flexcli.parts.geometries import Blade
 
 LESS = 0.99
-ALLOWED = settings(max_examples=40, suppress_health_check=[HealthCheck.filter_too_much])
+ALLOWED = settings(max_examples=12, suppress_health_check=[HealthCheck.filter_too_much])
 
 
 def sized(spec):
