@@ -6,6 +6,7 @@ from time import perf_counter
 
 from flexcli.engine import left_out
 from flexcli.engine import values as design_values
+from flexcli.engine.beyond_elastic import beyond_elastic
 from flexcli.engine.judge import Judgement, judge
 from flexcli.engine.models import LADDER, answers_of, rungs
 from flexcli.errors import NoSolution, SolveError
@@ -76,7 +77,12 @@ def judged(
         values=values,
         checks=found.checks,
         effects=rows,
-        warnings=(*left_out.warnings(design, sizes, rows), *notes, *_open(design, found)),
+        warnings=(
+            *left_out.warnings(design, sizes, rows),
+            *beyond_elastic(design, sizes, answers, found.checks),
+            *notes,
+            *_open(design, found),
+        ),
         cost=Cost(0.0, found.models, max(errors, default=None), by_model=found.by_model),
     )
     if design.accuracy is None or answers.model == "source":

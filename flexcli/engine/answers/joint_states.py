@@ -88,14 +88,14 @@ def over_travels(ask: Ask, solver: Solver[Found], travels: Floats) -> Found:
 def _signs(scene: Scene) -> Floats:
     """Return the signs (combinations, groups) of what is stated and of each acceleration.
 
-    What is stated with its direction has no other.
+    A load that states its direction has no other; a wrench acts either way.
     """
     fields = ((0.0, 0.0, 0.0), *scene.accelerations)
     acts = [
         any(wrench[i] for i in IN_PLANE) or any(field[:2])
         for wrench, field in zip((scene.stated, *scene.inertial), fields, strict=True)
     ]
-    acts[0] = acts[0] and not scene.directed
+    acts[0] = acts[0] and not (scene.directed and scene.wrench is None)
     return np.array(list(product(*((1.0, -1.0) if on else (1.0,) for on in acts))))
 
 
