@@ -6,8 +6,9 @@ from time import perf_counter
 
 from flexcli.engine import left_out
 from flexcli.engine import values as design_values
+from flexcli.engine.beyond_elastic import beyond_elastic
 from flexcli.engine.judge import Judgement, judge
-from flexcli.engine.models import answers_of, rungs
+from flexcli.engine.models import LADDER, answers_of, rungs
 from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
@@ -65,7 +66,8 @@ def judged(
 ) -> Result:
     """Return a judgement with the values of a design by the cheapest model, and its warnings."""
     answers = answers_of(design, model or design.model or _cheapest(design))
-    values, rows = told_values(design, sizes, answers), left_out.effects(design, sizes, answers)
+    values, notes = _values_of_any(design, sizes, answers)
+    rows = left_out.effects(design, sizes, answers)
     errors = [v.estimated_error for v in values.values() if v.estimated_error is not None]
     result = Result(
         command=command,
@@ -75,7 +77,12 @@ def judged(
         values=values,
         checks=found.checks,
         effects=rows,
-        warnings=(*left_out.warnings(design, sizes, rows), *_open(design, found)),
+        warnings=(
+            *left_out.warnings(design, sizes, rows),
+            *beyond_elastic(design, sizes, answers, found.checks),
+            *notes,
+            *_open(design, found),
+        ),
         cost=Cost(0.0, found.models, max(errors, default=None), by_model=found.by_model),
     )
     if design.accuracy is None or answers.model == "source":
@@ -93,6 +100,26 @@ def told_values(design: DesignSpec, sizes: Sizes, answers: Answers) -> dict[str,
         text = f"a {design.geometry.name} {error}"
         raise NoSolution(f"{answers.model}-has-no-answer", text, "take another model") from error
     return design_values.with_errors(found, left_out.errors_of(design, sizes, answers))
+
+
+def _values_of_any(
+    design: DesignSpec, sizes: Sizes, answers: Answers
+) -> tuple[dict[str, Value], tuple[Note, ...]]:
+    """Return the values by a model, or by the cheapest that has an answer, which a note says."""
+    try:
+        return told_values(design, sizes, answers), ()
+    except SolveError as error:
+        reason = error
+    for name in LADDER:
+        if name == "closed-form" and not design.geometry.closed_forms:
+            continue
+        try:
+            found = told_values(design, sizes, answers_of(design, name))
+        except SolveError:
+            continue
+        text = f"the {answers.model} model has none of the values ({reason.text}); these are {name}"
+        return found, (Note("values-by-another-model", text),)
+    raise reason
 
 
 def _cheapest(design: DesignSpec) -> str:

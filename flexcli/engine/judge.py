@@ -14,7 +14,7 @@ from flexcli.engine import assess
 from flexcli.engine.models import Rung
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Answers, Limit, Requirement, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
@@ -148,8 +148,11 @@ class _Ladder:
         spent, reason = 0.0, ""
         for rung in self.rungs:
             started = perf_counter()
+            buckled: Buckled | None = None
             try:
                 limits = list(self._limits(requirement, scene, rung))
+            except Buckled as found:
+                buckled, limits = found, []
             except (NotAvailable, RequirementError, SolveError) as error:
                 reason, limits = str(error), []
             took = perf_counter() - started
@@ -159,6 +162,11 @@ class _Ladder:
                 key = check.full_name
                 if key not in best or not enough(best[key]):
                     best[key] = check._replace(model=rung.name, seconds=spent)
+            if buckled is not None:
+                for check in list(best.values()) or [_no_answer(requirement, scene, "", "", 0.0)]:
+                    if not enough(check):
+                        fails = _buckles(check, buckled.share)
+                        best[check.full_name] = fails._replace(model=rung.name, seconds=spent)
             if best and all(enough(check) for check in best.values()):
                 break
         if not best:
@@ -189,6 +197,15 @@ def _no_answer(
     return Check(
         requirement.label, case, text, nan, nan, "", nan, nan, Verdict.UNDECIDED, "",
         model=model, seconds=seconds,
+    )  # fmt: skip
+
+
+def _buckles(check: Check, share: float) -> Check:
+    """Return the row of a requirement that fails, for the loads of its case buckle the joint."""
+    return check._replace(
+        quantity="the joint buckles under this share of the loads of the case",
+        demand=1.0, capacity=share, unit="", factor=share, factor_range=(share, share),
+        verdict=Verdict.FAIL, source="loss of stability on the path of the loads",
     )  # fmt: skip
 
 

@@ -19,6 +19,7 @@ from flexcli.engine.planning.candidates import (
     errors_of,
     tolerance_for,
 )
+from flexcli.engine.planning.coverage import COVERAGE
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, SCENE_EFFECTS, ModelEffect, Setting
@@ -67,8 +68,8 @@ def plan(
     tolerance = tolerance_for(setting, names, asked)
     models = list(candidates(setting, names, known, on, tolerance))
     chosen = _taken(design, models, known, on, asked, model)
-    carried = on - chosen.missing
-    rows = (_row(k, carried, chosen, models) for k in known)
+    carried = (on - chosen.missing) | _always_in_beams(known, chosen)
+    rows = (_row(k, on, carried, chosen, models) for k in known)
     return Plan(
         accuracy=asked,
         reported=names,
@@ -95,7 +96,8 @@ def planned_answers(found: Plan) -> Answers:
         from flexcli.engine.answers.linear import LinearAnswers
         from flexcli.mechanics.mesh import Effects
 
-        blades = Effects(extension="axial extension" in on, shear="shear" in on)
+        off = {row.name for row in found.effects if row.asked == "off"}
+        blades = Effects(extension="axial extension" not in off, shear="shear" not in off)
         exact = found.model == ExactAnswers.model
         inner = ExactAnswers(blades, found.tolerance) if exact else LinearAnswers(blades)
     extra = [e for e in MODEL_EFFECTS if e.name in on and e.name not in inner.covers | inner.always]
@@ -155,9 +157,19 @@ def _taken(
     return min(models, key=lambda m: (len(m.missing), error_of(m, heard, on), m.cost))
 
 
-def _row(known: Known, on: set[str], model: Candidate, models: list[Candidate]) -> EffectRow:
+def _always_in_beams(known: list[Known], model: Candidate) -> set[str]:
+    """Return the effects that beams have whether they matter or not, unless the spec forbids.
+
+    Blades that do not stretch have no answer in a joint that is held more than it needs.
+    """
+    can = COVERAGE[model.name].can
+    return {k.name for k in known if k.name in can and k.asked != "off" and not k.lacks}
+
+
+def _row(
+    known: Known, on: set[str], carried: set[str], model: Candidate, models: list[Candidate]
+) -> EffectRow:
     name, estimates = known.name, known.estimates
-    carried = name in on or name in model.always
     could = tuple(m.name for m in models if carries(m.name, known))
     most = max(estimates, key=lambda n: estimates[n], default="")
     if known.lacks and known.asked != "off":
@@ -168,13 +180,13 @@ def _row(known: Known, on: set[str], model: Candidate, models: list[Candidate]) 
         why = f"not in the {model.name} model"
     elif name in on:
         why = f"matters most in {most}"
-    elif carried:
+    elif name in carried or name in model.always:
         why = f"always in the {model.name} model"
     else:
         why = "small enough to leave out" if most else "changes nothing that is reported"
     return EffectRow(
         name=name,
-        on=name in on,
+        on=name in carried,
         indicator=known.indicator,
         estimate=known.most,
         reason=f"{known.text}; {why}",

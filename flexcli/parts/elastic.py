@@ -2,11 +2,22 @@
 
 from typing import NamedTuple
 
-__all__ = ["Elastic", "NotAvailable"]
+__all__ = ["Buckled", "Elastic", "NotAvailable"]
 
 
 class NotAvailable(ValueError):
     """A quantity that a geometry has no closed form for."""
+
+
+class Buckled(NotAvailable):
+    """The loads of a case buckle the joint: ``share`` of them is where it loses its stability.
+
+    It is proved on the path of the loads; a solver that gives up on the way says nothing of it.
+    """
+
+    def __init__(self, share: float) -> None:
+        super().__init__(f"buckles at {share:.3g} of the forces of the case")
+        self.share = share
 
 
 class Elastic(NamedTuple):

@@ -150,6 +150,7 @@ ROWS = (
     Row("buckling-at-stroke", "check", fails("buckling", 194.5 / 220.0)),
     Row("blade-crushed", "check", fails("buckling", 1.104)),
     Row("acceleration-unjudged", "check", judges_or_names("acceleration")),
+    Row("acceleration-unjudged", "check", fails("yield")),
     Row("wrench-unjudged", "check", judges_or_names("wrench")),
     Row("stroke-and-acceleration", "check", judges_or_names("acceleration")),
     Row("sine-unjudged", "check", judges_or_names("sine")),

@@ -66,6 +66,11 @@ def test_finer_accuracies_take_other_models_at_rising_cost_and_keep_their_promis
     assert costs == sorted(set(costs))
 
 
+BEAMS_HAVE = ("shear", "axial extension")
+"""What beams have whether it matters or not: it costs nothing, and without it joints that are held
+more than they need have no answer."""
+
+
 def test_nothing_that_a_plan_leaves_out_matters_and_little_of_the_rest_is_idle():
     left, wrong, switched, idle = 0, 0, 0, 0
     for design in scenes(24, seed=7):
@@ -75,7 +80,8 @@ def test_nothing_that_a_plan_leaves_out_matters_and_little_of_the_rest_is_idle()
         for effect in found.effects:
             true = [r.true for r in rows if r.effect == effect.name and r.true is not None]
             left += not effect.on
-            if effect.on and true:
+            in_every_beam = found.model != "closed-form" and effect.name in BEAMS_HAVE
+            if effect.on and true and not in_every_beam:
                 switched += 1
                 idle += max(map(abs, true)) < found.accuracy / 10.0
     assert left > 24

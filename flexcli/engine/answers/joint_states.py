@@ -15,8 +15,9 @@ from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import LEVELS, solve
 from flexcli.mechanics.layout import Layout, Load, Point, Support
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.stability import critical_load
 from flexcli.mechanics.state import Equilibrium
-from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements import Ask
 from flexcli.parts.scene import IN_PLANE, Scene
@@ -37,6 +38,10 @@ Floats = NDArray[np.float64]
 
 RIGHT = 1e-9
 """Sine of twice an angle that counts as a right one."""
+
+
+ROUGH = 1e-6
+"""Tolerance of the share of the loads at which a joint buckles."""
 
 
 class Moved(Protocol):
@@ -81,12 +86,16 @@ def over_travels(ask: Ask, solver: Solver[Found], travels: Floats) -> Found:
 
 
 def _signs(scene: Scene) -> Floats:
-    """Return the signs (combinations, groups) of what is stated and of each acceleration."""
+    """Return the signs (combinations, groups) of what is stated and of each acceleration.
+
+    A load that states its direction has no other; a wrench acts either way.
+    """
     fields = ((0.0, 0.0, 0.0), *scene.accelerations)
     acts = [
         any(wrench[i] for i in IN_PLANE) or any(field[:2])
         for wrench, field in zip((scene.stated, *scene.inertial), fields, strict=True)
     ]
+    acts[0] = acts[0] and not (scene.directed and scene.wrench is None)
     return np.array(list(product(*((1.0, -1.0) if on else (1.0,) for on in acts))))
 
 
@@ -189,7 +198,8 @@ def at_rest(
 def solved(layout: Layout, held: Held, *, loads: Sequence[Load] = (), **how: Any) -> Equilibrium:
     """Return an equilibrium, or say why there is none where a requirement asks.
 
-    Motions and loads grow together; where that path ends before, the motions go first.
+    Motions and loads grow together; where that path ends before, the motions go first. That the
+    loads buckle the joint is said only where their path is seen to lose its stability.
     """
     try:
         state = solve(layout, held, loads=loads, **how)
@@ -197,12 +207,41 @@ def solved(layout: Layout, held: Held, *, loads: Sequence[Load] = (), **how: Any
             moved = solve(layout, held, **how)
             if moved.converged.all():
                 state = solve(layout, held, loads=loads, start=moved, **how)
+        stands = state.converged & (state.unstable == 0)
+        if loads and not stands.all():
+            _prove_buckled(layout, held, loads, int(np.argmin(stands)), how.get("effects"))
         state = state.checked()
     except SolveError as error:
         raise NotAvailable(f"has no exact equilibrium: {error}") from error
     if state.unstable.any():
-        raise NotAvailable("has no stable exact equilibrium: the forces of the case buckle it")
+        raise NotAvailable("has no stable exact equilibrium")
     return state
+
+
+def _prove_buckled(
+    layout: Layout, held: Held, loads: Sequence[Load], which: int, effects: Effects | None
+) -> None:
+    """Raise :class:`Buckled` where one of several states loses its stability as its loads grow.
+
+    What is held stands still where it is meanwhile. A path that is lost proves nothing.
+    """
+
+    def one(number: Any) -> float | None:
+        return None if number is None else float(np.ravel(number)[min(which, np.size(number) - 1)])
+
+    there: Held = {body: (one(x), one(y), one(phi)) for body, (x, y, phi) in held.items()}
+    pattern = [
+        load._replace(
+            force=(one(load.force[0]) or 0.0, one(load.force[1]) or 0.0),
+            moment=one(load.moment) or 0.0,
+        )
+        for load in loads
+    ]
+    try:
+        found = critical_load(layout, there, pattern, most=1.0, effects=effects, tolerance=ROUGH)
+    except SolveError:
+        return
+    raise Buckled(found.factor)
 
 
 def _moves(held: Mapping[str, Any]) -> bool:

@@ -5,9 +5,11 @@ from math import isfinite
 
 from flexcli.engine import values as design_values
 from flexcli.engine.plan import plan, planned_answers
+from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.results import Plan, Result
+from flexcli.results import Note, Plan, Result
 
 __all__ = ["simulate_by_plan", "told", "with_planned_values"]
 
@@ -18,9 +20,17 @@ LEFT_OUT = "effect-left-out"
 def with_planned_values(
     result: Result, design: DesignSpec, sizes: Sizes, model: str | None
 ) -> Result:
-    """Return a result with its values by the model that the spec's accuracy calls for."""
+    """Return a result with its values by the model that the spec's accuracy calls for.
+
+    They stay as they are, with a note, where that model has no answer.
+    """
     found = plan(design, sizes, model)
-    values = design_values.values(design, sizes, planned_answers(found))
+    try:
+        values = design_values.values(design, sizes, planned_answers(found))
+    except (NotAvailable, SolveError) as error:
+        text = f"the {found.model} model of the plan has no answer: {error}"
+        note = Note("planned-model-has-no-answer", text)
+        return replace(result, warnings=(*result.warnings, note))
     kept = {name: value for name, value in result.values.items() if name not in values}
     return told(replace(result, values={**kept, **values}), found)
 
@@ -31,7 +41,8 @@ def simulate_by_plan(design: DesignSpec, sizes: Sizes, spec: str, points: int) -
     from flexcli.mechanics.mesh import Effects
 
     found = plan(design, sizes, "exact")
-    blades = Effects(extension="axial extension" in found.on, shear="shear" in found.on)
+    on = set(found.on)
+    blades = Effects(extension="axial extension" in on, shear="shear" in on)
     return told(simulate(design, sizes, spec, points, blades), found)
 
 

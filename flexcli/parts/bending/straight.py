@@ -95,8 +95,8 @@ class Straight(Bending):
         return {}
 
     def amplified(self, n: float) -> Changes:
-        """Return nothing: there is no bending until it buckles."""
-        return {}
+        """Return nothing up to half of what buckles it: there is no bending until then."""
+        return {} if n * self.halves**2 < pi**2 / 2.0 else {"stress": UNKNOWN}
 
 
 class Necked(Straight):
