@@ -33,9 +33,7 @@ FLAT = [{"frequency": "20 Hz", "level": "0.01 g^2/Hz"},
         {"frequency": "400 Hz", "level": "0.01 g^2/Hz"}]  # fmt: skip
 EXPOSURE = 0.1
 """Duration of a random exposure [s]."""
-RANDOM = {
-    "launch": {"asd": {"profile": {"points": FLAT}, "q": 30, "duration": f"{EXPOSURE} s"}}
-}
+RANDOM = {"launch": {"asd": {"profile": {"points": FLAT}, "q": 30, "duration": f"{EXPOSURE} s"}}}
 LIVELY = {"damping": {"q": 10}}
 """Damping by which a sine is steady soon."""
 
