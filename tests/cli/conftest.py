@@ -1,9 +1,11 @@
 """A shell for the tests: runs ``flexure`` as a user does and keeps what it said."""
 
+import json
 import os
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -15,15 +17,14 @@ def example_text():
     return EXAMPLE.read_text()
 
 
-@pytest.fixture
-def flexure(tmp_path):
-    """Run the command in an empty folder; the answer has returncode, stdout and stderr."""
+def shell(folder):
+    """Return what runs the command in a folder."""
 
     def run(*arguments, stdin=None, stdout=subprocess.PIPE, **environment):
         command = [sys.executable, "-c", "from flexcli.cli.app import main; main()", *arguments]
         return subprocess.run(
             command,
-            cwd=tmp_path,
+            cwd=folder,
             env={**os.environ, "COLUMNS": "100", **environment},
             stdin=stdin,
             stdout=stdout,
@@ -34,3 +35,20 @@ def flexure(tmp_path):
         )
 
     return run
+
+
+@pytest.fixture
+def flexure(tmp_path):
+    """Run the command in an empty folder; the answer has returncode, stdout and stderr."""
+    return shell(tmp_path)
+
+
+@pytest.fixture(scope="session")
+def sizing(tmp_path_factory):
+    """Return what the one sizing of the example said and the design that it wrote."""
+    folder = tmp_path_factory.mktemp("sizing")
+    (folder / "flexure.yaml").write_text(EXAMPLE.read_text())
+    told = shell(folder)("size", "--write", "sized.yaml", "--format", "json")
+    assert told.returncode == 0, told.stderr
+    document, design = json.loads(told.stdout), (folder / "sized.yaml").read_text()
+    return SimpleNamespace(document=document, design=design)

@@ -39,7 +39,8 @@ def test_wrong_usage_exits_2_without_traceback(flexure, arguments):
 
 def test_without_a_file_the_folders_flexure_yaml_is_taken(flexure, tmp_path, example_text):
     (tmp_path / "flexure.yaml").write_text(example_text)
-    assert "size flexure.yaml" in " ".join(flexure("size").stdout.split())
+    told = flexure("size", "--model", "source")
+    assert "size flexure.yaml" in " ".join(told.stdout.split())
 
 
 def test_without_a_file_and_a_flexure_yaml_it_says_so(flexure):
@@ -76,7 +77,8 @@ def test_a_bug_exits_101_with_its_traceback(monkeypatch, capsys):
 def test_a_closed_pipe_ends_with_one_line(tmp_path, example_text):
     (tmp_path / "flexure.yaml").write_text(example_text)
     script = (
-        f"{sys.executable} -c 'from flexcli.cli.app import main; main()' size 2>err; echo $? >code"
+        f"{sys.executable} -c 'from flexcli.cli.app import main; main()' size --model source "
+        "2>err; echo $? >code"
     )
     reader = subprocess.run(
         ["bash", "-c", f"( {script} ) | true"], cwd=tmp_path, check=False, timeout=60
@@ -90,7 +92,7 @@ def test_a_closed_pipe_ends_with_one_line(tmp_path, example_text):
 def test_a_full_disk_ends_with_one_line_and_code_2(flexure, tmp_path, example_text):
     (tmp_path / "flexure.yaml").write_text(example_text)
     with open("/dev/full", "w") as full:
-        told = flexure("size", stdout=full)
+        told = flexure("size", "--model", "source", stdout=full)
     assert told.returncode == 2
     assert told.stderr.splitlines() == [
         "flexure: the output could not be written: No space left on device"
@@ -99,6 +101,6 @@ def test_a_full_disk_ends_with_one_line_and_code_2(flexure, tmp_path, example_te
 
 def test_no_color_and_narrow_terminals_are_honoured(flexure, tmp_path, example_text):
     (tmp_path / "flexure.yaml").write_text(example_text)
-    told = flexure("size", COLUMNS="40", NO_COLOR="1", FORCE_COLOR="")
+    told = flexure("size", "--model", "source", COLUMNS="40", NO_COLOR="1", FORCE_COLOR="")
     assert "\x1b[3" not in told.stdout
     assert max(len(line) for line in told.stdout.splitlines()) <= 40

@@ -55,9 +55,8 @@ def test_checks_decide_the_exit_code_and_stand_in_check_too(flexure, spec):
     assert failing == {("dynamic yield", "launch"), ("dynamic yield", "separation")}
 
 
-def test_the_real_modes_are_told_against_miles(flexure, tmp_path, example_text):
-    (tmp_path / "flexure.yaml").write_text(example_text)
-    assert flexure("size", "--write", "flexure.yaml").returncode == 0
+def test_the_real_modes_are_told_against_miles(flexure, tmp_path, sizing):
+    (tmp_path / "flexure.yaml").write_text(sizing.design)
     told = json.loads(flexure("asd", "response", "--format", "json").stdout)
     assert [note["code"] for note in told["warnings"]] == ["miles-conservative", "no-life"]
     (response,) = told["responses"]

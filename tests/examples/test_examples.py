@@ -61,6 +61,28 @@ def cases():
             yield pytest.param(folder, expected, row, id=f"{folder.name}-{row['of']}")
 
 
+def defaults():
+    """Yield every example with its verb alone: the ladder, and simulation where that decides."""
+    for folder in EXAMPLES:
+        expected = yaml.safe_load((folder / "expected.yaml").read_text())
+        verb = expected["command"].split()[0]
+        marks = [pytest.mark.slow] if verb == "size" else []
+        yield pytest.param(folder, verb, expected["verdict"], id=folder.name, marks=marks)
+
+
+@pytest.mark.parametrize(("folder", "verb", "verdict"), list(defaults()))
+def test_ends_with_its_verdict(folder, verb, verdict):
+    arguments = [verb, str(folder / "flexure.yaml"), "--format", "json"]
+    result = CliRunner().invoke(app, arguments)
+    document = json.loads(result.stdout)
+    assert document["status"] == verdict
+    assert result.exit_code == (0 if verdict == "pass" else 1)
+    verdicts = {check["verdict"] for check in document["checks"]}
+    assert verdicts <= {"pass", "fail", "undecided"}, "every load is judged"
+    assert ("fail" in verdicts) == (verdict == "fail")
+    assert ("undecided" in verdicts) >= (verdict == "undecided")
+
+
 RESULTS = {}
 
 
