@@ -71,10 +71,13 @@ def descend(program: BlackBox, y: Floats, known: Sequence[Descent] = ()) -> Desc
     models in optimization, Struct. Optim. 15, for corrected base models.
 
     """
+    y = np.clip(y, program.low, program.high)  # a start may have run away already
     at = program.taylor(y)
     none = np.zeros(at.values.size - 1)
     if not at.is_finite:
         return _ended(program, Status.STALLED, y, at, none, 0)
+    if _is_at_rim(program, y):
+        return _run_away(program, y, at, none, 0)
     penalty, *heavier = PENALTIES
     reach = TRUST
     multipliers = none
@@ -94,10 +97,8 @@ def descend(program: BlackBox, y: Floats, known: Sequence[Descent] = ()) -> Desc
                 reach = min(WIDEST, 3.0 * reach)
         else:
             reach = 0.25 * min(move, reach)
-        if (np.minimum(y - program.low, program.high - y) <= RIM).any():
-            ran = program.violation(at.values) <= FEASIBLE
-            status = Status.UNBOUNDED if ran else Status.INFEASIBLE
-            return _ended(program, status, y, at, multipliers, iteration)
+        if _is_at_rim(program, y):
+            return _run_away(program, y, at, multipliers, iteration)
         if step.violation <= FEASIBLE and not np.isinf(penalty):
             for other in known:
                 if np.abs(y - other.y).max() <= NEAR:
@@ -182,6 +183,20 @@ def _residual(program: BlackBox, at: Taylor, multipliers: Floats) -> float:
         float((-unequal).max(initial=0.0)),
         float(np.abs(unequal * at.values[1 : 1 + m]).max(initial=0.0)),
     )
+
+
+def _is_at_rim(program: BlackBox, y: Floats) -> bool:
+    """Return whether a variable has come to the ends between which it is looked for."""
+    return bool((np.minimum(y - program.low, program.high - y) <= RIM).any())
+
+
+def _run_away(
+    program: BlackBox, y: Floats, at: Taylor, multipliers: Floats, iteration: int
+) -> Descent:
+    """Return the end of a descent at the rim: unbounded where it is feasible there."""
+    ran = program.violation(at.values) <= FEASIBLE
+    status = Status.UNBOUNDED if ran else Status.INFEASIBLE
+    return _ended(program, status, y, at, multipliers, iteration)
 
 
 def _ended(

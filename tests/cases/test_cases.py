@@ -113,6 +113,16 @@ def tells(name, true, rel):
     return statement
 
 
+def knows_its_error(name, true):
+    """State that a value is no farther from the true one than it says."""
+
+    def statement(said):
+        value = said.found["values"][name]
+        assert isclose(abs(value["value"]), true, rel_tol=value["estimated_error"]), value
+
+    return statement
+
+
 def is_no_bug(said):
     """State that the outcome is named."""
     assert said.exit_code in (0, 1, 2)
@@ -170,6 +180,11 @@ ROWS = (
     Row("ends-in-stress", "check --model exact", passes("yield")),
     Row("moment-blade-shift", "check", tells("shift", 508e-9, PLATE)),
     Row("moment-blade-shift", "check --model exact", tells("shift", 508e-9, PLATE)),
+    Row("admissible-stroke", "check", theta_adm),
+    Row("necked-long-stroke", "check", knows_its_error("x_adm", 15.216e-3)),
+    Row("unseparated-shift", "check", tells("shift", 514.2e-9, 1e-3)),
+    Row("three-blade-accuracy", "check", passes("sag")),
+    Row("hinged-pivot-crash", "size", is_no_bug),
     Row("necked-crash", "size", is_no_bug),
     Row("necked-crash", "validate", is_no_bug),
     Row("notch-false-infeasible", "size", is_not_infeasible),
