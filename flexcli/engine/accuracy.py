@@ -114,19 +114,20 @@ def _why_not(number: Number) -> str:
 
 
 def timed(settled: Sequence[Settled[Number]], rungs: Sequence[Rung], runs: int) -> Timed:
-    """Return every number by every model, warm, and the seconds that each took.
+    """Return every number by every model, and the seconds that each took.
 
-    The models take turns, so that a busy machine slows all of them alike.
+    The code is warm, the models are new each time: none remembers what it solved before. They take
+    turns, so that a busy machine slows all of them alike.
     """
     values = np.full((len(rungs), len(settled)), np.nan)
     for i, rung in enumerate(rungs):
         for j, each in enumerate(settled):
-            value = each.number.tried(rung.answers)
+            value = each.number.tried(rung.new())
             values[i, j] = np.nan if value is None else value
     seconds = np.full((runs, *values.shape), np.nan)
     for run in range(runs):
         for i, j in np.argwhere(np.isfinite(values)):
-            by, answers = settled[j].number.by, rungs[i].answers
+            by, answers = settled[j].number.by, rungs[i].new()
             begun = perf_counter()
             by(answers)
             seconds[run, i, j] = perf_counter() - begun

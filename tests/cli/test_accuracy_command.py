@@ -38,7 +38,7 @@ def test_a_rough_answer_takes_a_cheaper_model_than_a_fine_one(flexure, spec):
         told = flexure("accuracy", "--accuracy", asked, "--format", "json")
         assert told.returncode == 0, told.stderr
         taken.append(json.loads(told.stdout)["accuracy"])
-    assert taken[0]["recommended"] == "closed-form"
+    assert taken[0]["recommended"] == "source"
     assert taken[1]["recommended"].startswith("exact")
     assert (taken[0]["accuracy"], taken[1]["accuracy"]) == (0.2, 1e-6)
     assert taken[0]["runs"] == 5

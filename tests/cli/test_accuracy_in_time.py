@@ -29,7 +29,7 @@ def test_the_example_shows_its_peaks_by_each_method(told):
 
 
 def test_it_names_the_cheapest_at_rest_and_in_time(told):
-    assert "within 1 %, all quantities: closed-form" in told.output
+    assert "within 1 %, all quantities: source" in told.output
     assert "within 1 %, all quantities in time: " in told.output
     assert "no model" not in told.output
     assert told.output.index("k_stage") < told.output.index("tip_peak_resonance")

@@ -104,7 +104,7 @@ def test_the_recommended_model_keeps_its_promise_on_random_designs(monkeypatch):
         sizes = one.fixed_sizes()
         result = accuracy(one, sizes, "spec", 1, asked).accuracy
         assert result.recommended
-        answers = dict(ladder(one.geometry))[result.recommended]
+        answers = dict(ladder(one.geometry))[result.recommended]()
         settled = {quantity.name for quantity in result.quantities}
         for number in numbers(one, sizes):
             if number.name in settled:

@@ -1,6 +1,7 @@
 """The ladder of models on one design, and the numbers that each is asked for."""
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from math import isfinite
 from typing import NamedTuple
 
@@ -37,10 +38,10 @@ class Finest(ExactAnswers):
 
 
 class Rung(NamedTuple):
-    """A model by the name that reports give it."""
+    """A model by the name that reports give it; a new one remembers no answer."""
 
     name: str
-    answers: Answers
+    new: Callable[[], Answers]
 
 
 class Number(NamedTuple):
@@ -66,17 +67,17 @@ def ladder(geometry: Geometry, tolerance: float = FINEST[0]) -> tuple[Rung, ...]
     Those of given nodes solve their equations to the finest's tolerance, so that their error is
     that of their nodes.
     """
-    closed = [Rung(AS_PRINTED.model, AS_PRINTED)] if geometry.closed_forms else []
+    closed = [Rung(AS_PRINTED.model, lambda: AS_PRINTED)] if geometry.closed_forms else []
     exact = [
-        Rung(f"exact, {nodes} nodes", ExactAnswers(tolerance=tolerance, levels=(nodes,)))
+        Rung(f"exact, {nodes} nodes", partial(ExactAnswers, tolerance=tolerance, levels=(nodes,)))
         for nodes in NODES
     ]
     return (
         *closed,
-        Rung("linear", LinearAnswers()),
+        Rung("linear", LinearAnswers),
         *exact,
-        Rung("exact", ExactAnswers()),
-        Rung(f"exact to {tolerance:g}", Finest(tolerance=tolerance)),
+        Rung("exact", ExactAnswers),
+        Rung(f"exact to {tolerance:g}", partial(Finest, tolerance=tolerance)),
     )
 
 
