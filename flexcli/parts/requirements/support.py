@@ -42,7 +42,10 @@ CENTRE = (0.0, 0.0, 0.0)
 
 STIFFER, SOFTER = ErrorRange(0.0, inf), ErrorRange(-1.0, 0.0)
 """Clamps keep a wide blade from narrowing and from warping, so that it is stiffer than the beams
-here and moves less, by how much they do not tell; of a ratio nothing is known."""
+here and moves less, by how much they do not tell."""
+
+IN_PLANE = {"x", "y", "theta_z"}
+"""Directions in which the blades bend and stretch, and do not twist."""
 
 SOURCE = "linear beams with shear, assembled in space at rest"
 
@@ -182,9 +185,21 @@ class Support(Bound):
             unit=self.unit,
             source=SOURCE,
             kind=QuantityKind.SUPPORT,
-            error=None if self.over else STIFFER,
+            error=self._error(ask),
         ):
             yield replace(limit, requirement=name)
+
+    def _error(self, ask: Ask) -> ErrorRange | None:
+        """Return how far real blades are off: of a ratio only in the plane, where no blade twists.
+
+        There each is stiffer than its beam by at most 1/(1 − ν²), and so is the joint.
+        """
+        if self.over is None:
+            return STIFFER
+        nu = ask.material.elastic.nu
+        if nu is None or not {self.direction, self.over} <= IN_PLANE:
+            return None
+        return ErrorRange(-(nu**2), 1.0 / (1.0 - nu**2) - 1.0)
 
 
 class Deflection(Bound):
