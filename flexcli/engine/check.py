@@ -13,6 +13,7 @@ from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
+from flexcli.parts.mechanisms.carried import has_limbs
 from flexcli.parts.requirements import Answers
 from flexcli.results import Cost, Note, Result, Value, Verdict
 
@@ -81,7 +82,7 @@ def judged(
             *left_out.warnings(design, sizes, rows),
             *beyond_elastic(design, sizes, answers, found.checks),
             *notes,
-            *_open(design, found),
+            *_open(design, sizes, found),
         ),
         cost=Cost(0.0, found.models, max(errors, default=None), by_model=found.by_model),
     )
@@ -131,9 +132,16 @@ def _has_something_to_judge(design: DesignSpec) -> bool:
     return coupled or design.stops is not None or any(True for _ in design.requirements.each())
 
 
-def _open(design: DesignSpec, found: Judgement) -> Iterator[Note]:
+def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
     """Yield what would decide a check that is not decided."""
     undecided = [c for c in found.checks if c.verdict is Verdict.UNDECIDED]
+    heavy = [c.name for c in undecided if c.name.startswith(("dynamic", "frequency", "sag"))]
+    if heavy and _has_limbs(design, sizes):
+        text = (
+            f"the limbs between the hinges have no stated mass, which {', '.join(heavy)} may turn "
+            "on; a layout whose bodies have masses would decide"
+        )
+        yield Note("limbs-without-mass", text)
     if undecided and design.material.poisson_ratio is None:
         names = ", ".join(dict.fromkeys(check.name for check in undecided))
         text = (
@@ -149,3 +157,10 @@ def _open(design: DesignSpec, found: Judgement) -> Iterator[Note]:
             f"of the densest metal; giving it may decide {names}"
         )
         yield Note("needs-density", text)
+
+
+def _has_limbs(design: DesignSpec, sizes: Sizes) -> bool:
+    try:
+        return has_limbs(design.geometry, design.material.elastic, sizes)
+    except NotAvailable:  # not made of blades in a plane
+        return False

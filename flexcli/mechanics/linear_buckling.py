@@ -177,15 +177,17 @@ def _at_nodes(
     stress, bends = _carried(assembly, tensions[0], found.motions[0])
     strained = float(np.max(stress)) / float(np.max(layout.E))
     turns = float(np.max(np.abs(found.motions[0, :, 2])))
-    most = strain / strained
+    most = strain / strained if strained else inf
     carried = {
         "most": most,
         "tensions": tensions[0],
         "strain": strained,
         "stress": float(np.max(stress)),
-        "bends": bends / strained,
-        "turns": turns / strained,
+        "bends": bends / strained if strained else inf,
+        "turns": turns / strained if strained else inf,
     }
+    if not strained:  # no blade bears any of it along itself: nothing to buckle
+        return LinearCritical(inf, **carried, mode=np.zeros((assembly.bodies, 3)))
     rest = assembly.linearise(0.0 * state, np.zeros(1), np.arange(1), demand)
     unit = row_units(closing_and_balance(assembly, demand, rest))[0]
     path = _Straight(assembly, demand, unit, state)

@@ -5,12 +5,14 @@ elements, direct integration, and the twins of ``tests/twins``.
 """
 
 import json
+import tempfile
 from collections.abc import Callable
 from math import degrees, isclose
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+import yaml
 from typer.testing import CliRunner
 
 from flexcli.cli.app import app
@@ -28,6 +30,7 @@ class Said(NamedTuple):
 
     exit_code: int
     found: dict
+    spec: str = ""
 
     @property
     def status(self):
@@ -44,11 +47,16 @@ class Said(NamedTuple):
 
 
 def run(spec, words):
-    """Run a command on a spec; a bug of ours is not caught."""
+    """Run a command on a spec of this folder; a bug of ours is not caught."""
+    return ran(str(HERE / f"{spec}.yaml"), words)._replace(spec=spec)
+
+
+def ran(path, words):
+    """Run a command on a file."""
     verb, *options = words.split()
     if verb == "asd":
         verb, options = f"asd {options[0]}", options[1:]
-    line = [*verb.split(), str(HERE / f"{spec}.yaml"), *options, "--format", "json"]
+    line = [*verb.split(), path, *options, "--format", "json"]
     result = CliRunner().invoke(app, line, catch_exceptions=False)
     return Said(result.exit_code, json.loads(result.stdout))
 
@@ -133,6 +141,30 @@ def is_not_infeasible(said):
     assert said.status != "infeasible"
 
 
+def sizes_what_exact_beams_hold(said):
+    """State that there is a design, and that the exact model finds no fault with it."""
+    assert said.status == "pass"
+    spec = yaml.safe_load((HERE / f"{said.spec}.yaml").read_text())
+    for name in ("h", "l", "b"):
+        spec["geometry"][name] = f"{said.value(name)!r} m"
+    spec.pop("size", None)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "sized.yaml")
+        path.write_text(yaml.safe_dump(spec))
+        again = ran(str(path), "check --model exact")
+    assert {row["verdict"] for row in again.found["checks"]} <= {"pass", "undecided"}
+
+
+def names_the_unbounded(size):
+    """State that a size which nothing holds is a finding, not a number."""
+
+    def statement(said):
+        assert said.exit_code in (1, 2)
+        assert any(f"thickness {size}" in finding["text"] for finding in said.found["findings"])
+
+    return statement
+
+
 class Row(NamedTuple):
     """A spec, the command, and what is true."""
 
@@ -185,6 +217,11 @@ ROWS = (
     Row("unseparated-shift", "check", tells("shift", 514.2e-9, 1e-3)),
     Row("three-blade-accuracy", "check", passes("sag")),
     Row("hinged-pivot-crash", "size", is_no_bug),
+    Row("scanner", "size", sizes_what_exact_beams_hold),
+    Row("exact-stock", "size --model exact", sizes_what_exact_beams_hold),
+    Row("exact-false-infeasible", "size --model exact", sizes_what_exact_beams_hold),
+    Row("support-not-sized", "size", sizes_what_exact_beams_hold),
+    Row("filleted-thin", "size", names_the_unbounded("h")),
     Row("necked-crash", "size", is_no_bug),
     Row("necked-crash", "validate", is_no_bug),
     Row("notch-false-infeasible", "size", is_not_infeasible),

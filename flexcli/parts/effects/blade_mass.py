@@ -96,7 +96,7 @@ def _frequency(setting: Setting) -> Change | None:
     if isinstance(setting.geometry, TORSIONAL):
         return _twisted(setting, setting.geometry)
     if has_limbs(setting.geometry, setting.material.elastic, setting.sizes):
-        return Change(None, inf, 0.0, -1)
+        return Change(None, 1.0, 0.0, -1)  # a mass that nobody states: down to nothing
     density = setting.material.density
     if density is None:
         return Change(None, abs(_ratio(setting, DENSEST)), 0.0, -1)

@@ -71,6 +71,8 @@ def borne(critical: Critical, material: Material) -> tuple[Quantity, str]:
     force, given = critical.force, material.yield_strength
     if given is None or critical.stress is None or isinstance(force, Signomial):
         return force, ""
+    if isinstance(critical.stress, float) and critical.stress == 0.0:  # across the blades
+        return force, ""
     strength = float(given.value)
     stress = np.asarray(critical.stress, dtype=np.float64)
     elastic = np.asarray(force, dtype=np.float64) * stress

@@ -1,0 +1,46 @@
+"""The limbs between hinges have a mass that nobody states: a frequency can only fall by it."""
+
+from math import pi, sqrt
+
+import pytest
+from strategies import design
+
+from flexcli.engine.check import check
+from flexcli.results import Verdict
+
+STEEL = {
+    "name": "steel",
+    "youngs_modulus": "210 GPa",
+    "poisson_ratio": 0.3,
+    "density": "7800 kg/m^3",
+    "yield_strength": "800 MPa",
+}
+STAGE = {"kind": "necked-down-stage", "h": "0.2 mm", "l_c": "5 mm", "l": "40 mm", "b": "2 mm",
+         "spacing": "40 mm"}  # fmt: skip
+
+
+def judged(share):
+    """Return what is said of a frequency that is a share of √(k/m)/2π, and the notes."""
+    l, xi = 40e-3, 0.25
+    k = 2.0 * 210e9 * 2e-3 * 0.2e-3**3 / (l**3 * xi * (3.0 - 3.0 * xi + xi**2))
+    least = share * sqrt(k / 0.05) / (2.0 * pi)
+    spec = design(
+        STAGE, {"frequency": {"min": f"{least!r} Hz"}}, {"op": {"stroke": {"translation": "1 mm"}}},
+        material=STEEL, mechanism={"kind": "payload", "mass": "50 g"},
+    )  # fmt: skip
+    result = check(spec, spec.fixed_sizes(), "test")
+    (row,) = [c for c in result.checks if c.name.startswith("frequency")]
+    return row, [note.code for note in result.warnings]
+
+
+def test_a_frequency_that_limbs_of_no_mass_miss_fails():
+    row, notes = judged(1.1)  # beyond what plates stiffen the hinges by
+    assert row.verdict is Verdict.FAIL
+    assert "limbs-without-mass" not in notes
+
+
+@pytest.mark.parametrize("share", [0.9, 0.5])
+def test_a_frequency_that_limbs_may_bring_down_is_open_and_says_why(share):
+    row, notes = judged(share)
+    assert row.verdict is Verdict.UNDECIDED
+    assert "limbs-without-mass" in notes
