@@ -79,6 +79,8 @@ def _check(limit: Limit) -> Check:
         verdict=verdict(between, asked),
         source=limit.source,
         factor_range=between,
+        is_target=limit.tolerance is not None,
+        kind=limit.kind,
     )
 
 

@@ -111,7 +111,7 @@ def balance(design: DesignSpec, spec: str) -> Result:
 
 def _stroke(design: DesignSpec) -> float:
     """Return the farthest that the joints travel in any case [rad or m]."""
-    scenes = (design.scene(name) for name in design.cases)
+    scenes = design.scenes()
     return max((scene.travel + scene.mean_travel for scene in scenes), default=0.0)
 
 

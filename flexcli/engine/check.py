@@ -8,7 +8,7 @@ from flexcli.engine import left_out
 from flexcli.engine import values as design_values
 from flexcli.engine.beyond_elastic import beyond_elastic
 from flexcli.engine.judge import Judgement, judge
-from flexcli.engine.models import LADDER, answers_of, rungs
+from flexcli.engine.models import LADDER, Rung, rungs
 from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
@@ -66,7 +66,7 @@ def judged(
     model: str | None = None,
 ) -> Result:
     """Return a judgement with the values of a design by the cheapest model, and its warnings."""
-    answers = answers_of(design, model or design.model or _cheapest(design))
+    answers = _answers(design, found, model or design.model or _cheapest(design))
     values, notes = _values_of_any(design, sizes, answers)
     rows = left_out.effects(design, sizes, answers)
     errors = [v.estimated_error for v in values.values() if v.estimated_error is not None]
@@ -84,7 +84,7 @@ def judged(
             *notes,
             *_open(design, sizes, found),
         ),
-        cost=Cost(0.0, found.models, max(errors, default=None), by_model=found.by_model),
+        cost=Cost(0.0, found.deciding, max(errors, default=None), by_model=found.by_model),
     )
     if design.accuracy is None or answers.model == "source":
         return result
@@ -115,12 +115,18 @@ def _values_of_any(
         if name == "closed-form" and not design.geometry.closed_forms:
             continue
         try:
-            found = told_values(design, sizes, answers_of(design, name))
+            found = told_values(design, sizes, Rung(design, name).answers)
         except SolveError:
             continue
         text = f"the {answers.model} model has none of the values ({reason.text}); these are {name}"
         return found, (Note("values-by-another-model", text),)
     raise reason
+
+
+def _answers(design: DesignSpec, found: Judgement, model: str) -> Answers:
+    """Return a model, the one that judged where it did, as it knows what it has solved."""
+    asked = next((rung for rung in found.rungs if rung.name == model), Rung(design, model))
+    return asked.answers
 
 
 def _cheapest(design: DesignSpec) -> str:
@@ -135,10 +141,10 @@ def _has_something_to_judge(design: DesignSpec) -> bool:
 def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
     """Yield what would decide a check that is not decided."""
     undecided = [c for c in found.checks if c.verdict is Verdict.UNDECIDED]
-    heavy = [c.name for c in undecided if c.name.startswith(("dynamic", "frequency", "sag"))]
-    if heavy and _has_limbs(design, sizes):
+    moving = ", ".join(dict.fromkeys(c.name for c in undecided if c.depends_on_mass))
+    if moving and _has_limbs(design, sizes):
         text = (
-            f"the limbs between the hinges have no stated mass, which {', '.join(heavy)} may turn "
+            f"the limbs between the hinges have no stated mass, which {moving} may turn "
             "on; a layout whose bodies have masses would decide"
         )
         yield Note("limbs-without-mass", text)
@@ -149,12 +155,10 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
             f"giving it may decide {names}"
         )
         yield Note("needs-poisson-ratio", text)
-    moving = [c for c in undecided if c.name.startswith(("dynamic", "frequency", "sag"))]
     if moving and design.material.density is None:
-        names = ", ".join(dict.fromkeys(check.name for check in moving))
         text = (
             "material.density is not given and the blades' mass was taken as anything up to that "
-            f"of the densest metal; giving it may decide {names}"
+            f"of the densest metal; giving it may decide {moving}"
         )
         yield Note("needs-density", text)
 

@@ -16,7 +16,7 @@ from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import Answers, Limit, Requirement, RequirementError
+from flexcli.parts.requirements import Limit, Requirement, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import Check, ErrorRange, QuantityKind, Status, Verdict
 
@@ -43,10 +43,11 @@ SURE = 1e-3
 
 
 class Judgement(NamedTuple):
-    """The checks of a design, each by the model that decided it, and what the models took [s]."""
+    """The checks of a design, the models that were asked, and what each of these took [s]."""
 
     checks: tuple[Check, ...]
     by_model: dict[str, float]
+    rungs: tuple[Rung, ...]
 
     @property
     def status(self) -> Status:
@@ -54,7 +55,7 @@ class Judgement(NamedTuple):
         return status_of(self.checks)
 
     @property
-    def models(self) -> str:
+    def deciding(self) -> str:
         """Return the models that decided, the finest last, in words."""
         names = dict.fromkeys(check.model for check in self.checks if check.model)
         return ", ".join(sorted(names, key=list(self.by_model).index)) or "closed-form"
@@ -72,14 +73,14 @@ def judge(design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...]) -> Judgemen
     """Return every check of a design by the models in turn."""
     ladder = _Ladder(design, sizes, rungs)
     found = list(assess.checks(design.own_limits(sizes)))
-    scenes = [design.scene(name) for name in design.cases]
+    scenes = design.scenes()
     looked_at: dict[str, set[LoadKind]] = {scene.case: set() for scene in scenes}
     for requirement, scene in design.questions(scenes):
         found.extend(ladder.climbed(requirement, scene))
         looked_at[scene.case] |= requirement.looks_at(scene)
     for scene in scenes:
         found.extend(_not_judged(scene, looked_at[scene.case]))
-    return Judgement(assess.worst_of_each(found), ladder.seconds)
+    return Judgement(assess.worst_of_each(found), ladder.seconds, rungs)
 
 
 class Used(NamedTuple):
@@ -101,7 +102,7 @@ def finest(
     by their place; all if left out. What no model has an answer for is not there.
     """
     ladder, found = _Ladder(design, sizes, rungs), {}
-    scenes = [design.scene(name) for name in design.cases]
+    scenes = design.scenes()
     for index, (requirement, scene) in enumerate(design.questions(scenes)):
         if only is not None and index not in only:
             continue
@@ -128,13 +129,12 @@ def _share(check: Check) -> float:
 
 
 class _Ladder:
-    """The models, made when they are first asked, and the time that each took."""
+    """The models in turn, and the time that each took."""
 
     def __init__(self, design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...]) -> None:
         self.design = design
         self.sizes = sizes
         self.rungs = rungs
-        self.made: dict[str, Answers] = {}
         self.seconds: dict[str, float] = {}
 
     def climbed(
@@ -174,9 +174,7 @@ class _Ladder:
         yield from best.values()
 
     def _limits(self, requirement: Requirement, scene: Scene, rung: Rung) -> Iterator[Limit]:
-        if rung.name not in self.made:
-            self.made[rung.name] = rung.make()
-        ask = self.design.ask(scene, self.sizes, self.made[rung.name])
+        ask = self.design.ask(scene, self.sizes, rung.answers)
         errors: dict[QuantityKind, ErrorRange | None] = {}
         for limit in requirement.limits(ask):
             kind = limit.kind

@@ -20,7 +20,7 @@ MADE = 5e-6
 
 def setting(design: DesignSpec, sizes: Sizes) -> Setting:
     """Return a design as effects are estimated on it."""
-    scenes = tuple(design.scene(name) for name in design.cases)
+    scenes = tuple(design.scenes())
     return Setting(design.material, design.geometry, design.mechanism, sizes, scenes, design.stops)
 
 

@@ -1,8 +1,7 @@
 """The models of a joint, from the cheapest to the finest, by the names that a user gives them."""
 
-from collections.abc import Callable, Mapping
-from functools import partial
-from typing import NamedTuple
+from collections.abc import Mapping
+from functools import cached_property
 
 from flexcli.engine.answers.corrected import Corrected
 from flexcli.errors import SolveError
@@ -10,19 +9,23 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect
 from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Answers
 
-__all__ = ["LADDER", "MODELS", "Rung", "answers_of", "rungs"]
+__all__ = ["LADDER", "Rung", "rungs"]
 
 LADDER = ("closed-form", "linear", "exact")
 """What judges, the cheapest first."""
 
-MODELS = ("source", *LADDER)
 
+class Rung:
+    """A model of a design by its name, made when it is first asked; it keeps what it solved."""
 
-class Rung(NamedTuple):
-    """A model by its name, made when it is first asked."""
+    def __init__(self, design: DesignSpec, name: str) -> None:
+        self.design = design
+        self.name = name
 
-    name: str
-    make: Callable[[], Answers]
+    @cached_property
+    def answers(self) -> Answers:
+        """Return the model itself."""
+        return _answers_of(self.design, self.name)
 
 
 def rungs(design: DesignSpec, model: str | None = None) -> tuple[Rung, ...]:
@@ -36,12 +39,12 @@ def rungs(design: DesignSpec, model: str | None = None) -> tuple[Rung, ...]:
     """
     asked = model or design.model
     if asked is not None:
-        return (Rung(asked, partial(answers_of, design, asked)),)
+        return (Rung(design, asked),)
     names = LADDER if design.geometry.closed_forms else LADDER[1:]
-    return tuple(Rung(name, partial(answers_of, design, name)) for name in names)
+    return tuple(Rung(design, name) for name in names)
 
 
-def answers_of(design: DesignSpec, model: str) -> Answers:
+def _answers_of(design: DesignSpec, model: str) -> Answers:
     """Return a model of a design's joint; solvers are imported for the models that need them.
 
     The sources' formulas are taken as they stand; the other models get a correction for every

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from time import perf_counter
 
 from flexcli.engine.judge import judge, status_of
-from flexcli.engine.models import answers_of, rungs
+from flexcli.engine.models import rungs
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.parts.asd import RandomVibration
@@ -51,7 +51,8 @@ def respond(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
     values: dict[str, Value] = {}
     notes: list[Note] = []
     rows: list[EffectRow] = []
-    answers = answers_of(design, rungs(design)[0].name)
+    models = rungs(design)
+    answers = models[0].answers
     for name in design.cases:
         scene = design.scene(name)
         if not scene.loads & SHAKES:
@@ -68,7 +69,7 @@ def respond(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
         values |= _worst_values(ask)
     if not responses:
         raise SolveError("no-vibration", "no case has a vibration or a shock", "add asd: to a case")
-    judged = judge(_dynamic_only(design), sizes, rungs(design))
+    judged = judge(_dynamic_only(design), sizes, models)
     checks = tuple(check for check in judged.checks if _is_of_response(check, design))
     return Result(
         command="asd response",

@@ -1,6 +1,6 @@
 """The verb simulate: the joint over its stroke, in exact equilibrium at every travel."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import inf, pi, sqrt
 from time import perf_counter
 
@@ -11,9 +11,9 @@ from flexcli.engine import left_out
 from flexcli.engine import values as design_values
 from flexcli.engine.answers.exact import TOLERANCE, ExactAnswers, driven_stiffness
 from flexcli.engine.answers.holds import driven_axis
-from flexcli.engine.answers.joint_states import blades_of, layout_of, over_travels
+from flexcli.engine.answers.joint_states import blades_of, over_travels
 from flexcli.engine.judge import judge
-from flexcli.engine.models import answers_of, rungs
+from flexcli.engine.models import rungs
 from flexcli.errors import SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.energy import strain_energy
@@ -42,9 +42,6 @@ ALL = Effects()
 
 EXACT_MODEL = ExactAnswers.model
 
-SECANT_STEPS, SETTLED = 30, 1e-9
-"""The stress is nearly in proportion to the stroke: each step keeps two digits more."""
-
 
 def simulate(
     design: DesignSpec, sizes: Sizes, spec: str, points: int, blades: Effects = ALL
@@ -72,9 +69,10 @@ def simulate(
     except NotAvailable as error:
         text = f"a {design.geometry.name} {error}"
         raise SolveError("no-layout", text, "take a joint that is made of blades") from error
-    found = judge(design, sizes, rungs(design, EXACT_MODEL))
+    models = rungs(design, EXACT_MODEL)
+    found = judge(design, sizes, models)
     reached = not any(sweep.missed for sweep in sweeps)
-    effects = left_out.effects(design, sizes, answers_of(design, EXACT_MODEL))
+    effects = left_out.effects(design, sizes, models[0].answers)
     errors = [p.estimated_error for sweep in sweeps for p in sweep.points]
     return Result(
         command="simulate",
@@ -82,8 +80,8 @@ def simulate(
         status=found.status if reached or found.status is not Status.PASS else Status.FAIL,
         title=design.title,
         values=design_values.with_errors(
-            {**values, **_at_ends(design, sweeps), **_admissible(moving[0], values, blades)},
-            left_out.errors_of(design, sizes, answers_of(design, EXACT_MODEL)),
+            {**values, **_at_ends(design, sweeps)},
+            left_out.errors_of(design, sizes, models[0].answers),
         ),
         checks=found.checks,
         sweeps=sweeps,
@@ -146,32 +144,6 @@ def _points(ask: Ask, state: Equilibrium, travels: Floats) -> tuple[SweepPoint, 
         for i in range(state.designs)
         if state.outcome[i] is Outcome.CONVERGED
     )
-
-
-def _admissible(ask: Ask, values: Mapping[str, Value], blades: Effects) -> dict[str, Value]:
-    """Return the stroke at which the stress at the faces reaches the strength, by the secant.
-
-    It starts from the closed form's; where the path ends before, nothing is said.
-    """
-    name, stated = f"{ask.geometry.travel_symbol}_adm", design_values.stated_strength(ask.material)
-    if name not in values or stated is None:
-        return {}
-    layout, closed = layout_of(ask), values[name]
-    (_, strength), travel = stated, closed.value
-    for _ in range(SECANT_STEPS):
-        state = solve(
-            layout,
-            {MOVING: ask.geometry.held(travel)},
-            effects=blades_of(layout, blades),
-            tolerance=TOLERANCE,
-        )
-        if not state.converged[0]:
-            return {}
-        stress = float(greatest_stress(state).total.max())
-        if abs(stress / strength - 1.0) < SETTLED:
-            return {name: closed._replace(value=travel, model="exact")}
-        travel *= strength / stress
-    return {}
 
 
 def _in_plane(state: Equilibrium, driven: int, own: Floats) -> Floats:

@@ -153,6 +153,10 @@ class DesignSpec(Part):
             case = case.model_copy(update=dict.fromkeys(out))
         return scene_of(name, case, self.mechanism, self.geometry)
 
+    def scenes(self) -> list[Scene]:
+        """Return every case in the terms of each joint."""
+        return [self.scene(name) for name in self.cases]
+
     def _left_out(self) -> list[str]:
         """Return the keys of the cases that the spec's effects leave out."""
         if not self.effects:
@@ -166,7 +170,7 @@ class DesignSpec(Part):
 
     def asks(self, sizes: Sizes, answers: Answers) -> list[Ask]:
         """Return what is asked in every case."""
-        return [self.ask(self.scene(name), sizes, answers) for name in self.cases]
+        return [self.ask(scene, sizes, answers) for scene in self.scenes()]
 
     def limits(self, sizes: Sizes, answers: Answers = AS_PRINTED) -> list[Limit]:
         """Return every limit of every requirement in every case, on floats, by a model."""
@@ -219,8 +223,7 @@ class DesignSpec(Part):
 
     def _limits(self, sizes: Sizes, answers: Answers, *, closed_form: bool) -> Iterator[Limit]:
         yield from self.own_limits(sizes)
-        scenes = [self.scene(name) for name in self.cases]
-        for requirement, scene in self.questions(scenes):
+        for requirement, scene in self.questions(self.scenes()):
             ask = self.ask(scene, sizes, answers)
             if not closed_form:
                 yield from requirement.judged(ask)

@@ -85,7 +85,8 @@ class Check(NamedTuple):
     ``factor`` is the factor of safety capacity/demand (for a bound, how far inside it the
     design is), ``margin`` is factor/required − 1. ``factor_range`` is where the factor lies by
     the estimated error of ``model``, nothing where that error is unknown; ``seconds`` is what it
-    took to decide, models asked in vain included.
+    took to decide, models asked in vain included. ``is_target`` says that the number has to equal
+    what is asked, within a tolerance; ``kind`` is what kind of number it is.
     """
 
     name: str
@@ -101,6 +102,8 @@ class Check(NamedTuple):
     factor_range: tuple[float, float] | None = None
     model: str = ""
     seconds: float = 0.0
+    is_target: bool = False
+    kind: QuantityKind | None = None
 
     @property
     def full_name(self) -> str:
@@ -108,9 +111,9 @@ class Check(NamedTuple):
         return f"{self.name}, {self.case}" if self.case else self.name
 
     @property
-    def is_target(self) -> bool:
-        """Return whether the number has to equal what is asked, within a tolerance."""
-        return self.name.endswith("(equals)")
+    def depends_on_mass(self) -> bool:
+        """Return whether the mass of the blades and bodies changes the number."""
+        return self.kind in (QuantityKind.FREQUENCY, QuantityKind.SAG, QuantityKind.RESPONSE)
 
     @property
     def passed(self) -> bool:

@@ -10,7 +10,7 @@ from pydantic import TypeAdapter
 from strategies import TITANIUM, design
 
 from flexcli.engine.check import check
-from flexcli.engine.models import answers_of, rungs
+from flexcli.engine.models import Rung, rungs
 from flexcli.errors import SolveError
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.linear import linear
@@ -277,7 +277,7 @@ def test_what_is_drawn_has_no_closed_form_and_says_what_has():
     with pytest.raises(NotAvailable, match="take --model linear or exact"):
         part.end_stresses(ELASTIC, sizes, 0.1)
     with pytest.raises(SolveError, match="no closed forms"):
-        answers_of(design(rcc(), {"yield": 1.5}, TURN), "closed-form")
+        Rung(design(rcc(), {"yield": 1.5}, TURN), "closed-form").answers
 
 
 @pytest.mark.parametrize(
@@ -291,7 +291,7 @@ def test_the_model_is_the_cheapest_that_there_is_unless_one_is_asked(geometry, a
 def test_the_linear_model_has_no_shift_and_says_which_has():
     part = design(rcc(), {"parasitic_shift": {"max": "1 um"}}, TURN)
     with pytest.raises(RequirementError, match="--model exact"):
-        part.limits(part.fixed_sizes(), answers_of(part, "linear"))
+        part.limits(part.fixed_sizes(), Rung(part, "linear").answers)
 
 
 def test_a_drawing_is_loaded_without_closed_forms_and_with_what_else_must_fit():

@@ -49,7 +49,7 @@ def between_stops(
     # rows that only say of statics which model made them have no seconds of their own
     for check in stopped.checks:
         by_model.setdefault(check.model, 0.0)
-    return Judgement((*kept, *stopped.checks), by_model)
+    return found._replace(checks=(*kept, *stopped.checks), by_model=by_model)
 
 
 def _is_seen(design: DesignSpec, check: Check) -> bool:

@@ -12,7 +12,6 @@ from time import perf_counter
 from typing import NamedTuple
 
 from flexcli.engine import assess
-from flexcli.engine.stopping.choice import choose
 from flexcli.engine.stopping.run import Enough, stop_runs
 from flexcli.engine.stopping.scene import contact_model
 from flexcli.engine.stopping.statics import (
@@ -23,7 +22,6 @@ from flexcli.engine.stopping.statics import (
     line_limit,
     root_error,
     static_limits,
-    task_of,
 )
 from flexcli.errors import SolveError
 from flexcli.formulas.stop_stiffness import bent_shape, free_stiffness
@@ -38,7 +36,7 @@ from flexcli.parts.stops import Ball, Cylinder
 from flexcli.parts.stops.stops import Simulation
 from flexcli.results import Check, ErrorRange, StopHistory, StopPlace, StopSimulation, Verdict
 
-__all__ = ["STATICS", "StopJudgement", "Watch", "judge_stops", "looked_at", "shakes", "stop_limits"]
+__all__ = ["STATICS", "StopJudgement", "Watch", "judge_stops", "looked_at", "shakes"]
 
 Watch = Callable[[str, float], bool]
 """Told the case and the share that is done; answers whether to go on."""
@@ -112,25 +110,6 @@ def looked_at(case: Case) -> frozenset[LoadKind]:
         )
         if there
     )
-
-
-def stop_limits(design: DesignSpec, sizes: Sizes) -> list[Limit]:
-    """Return the limits of a design's stops by line and statics, each with its error.
-
-    They take no time; :func:`judge_stops` simulates what they leave undecided.
-    """
-    assert design.stops is not None  # the caller's design
-    task = task_of(design, design.stops, sizes)
-    place = choose(task).place
-    found = list(static_limits(task, place))
-    shaken = [name for name, case in design.cases.items() if shakes(case)]
-    f_0 = _frequency(design, task)
-    for name in shaken:
-        error = line_error(task, place, design.cases[name], f_0)
-        found.append(line_limit(task, place, name, error))
-    if not shaken:
-        found.append(line_limit(task, place, "", None))
-    return found
 
 
 def judge_stops(

@@ -92,7 +92,7 @@ class StopTask(NamedTuple):
 def task_of(design: DesignSpec, stops: Stops, sizes: Sizes) -> StopTask:
     """Return what a design asks of its stops; each case with a stroke must stay free of contact."""
     material = design.material
-    scenes = [design.scene(name) for name in design.cases]
+    scenes = design.scenes()
     given = setting(design, sizes)
     travel = stops.allowed(material, sizes)
     return StopTask(
