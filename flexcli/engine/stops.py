@@ -21,8 +21,7 @@ from flexcli.engine.stopping.statics import (
 from flexcli.errors import SolveError
 from flexcli.formulas.card import Range, outside
 from flexcli.formulas.pi_law import FACTOR, MEASURED, SCATTER
-from flexcli.formulas.stop_design import HARD_STOP
-from flexcli.formulas.stop_line import REACHED, line_height
+from flexcli.formulas.stop_line import HARD_STOP, REACHED, line_height
 from flexcli.formulas.stop_stiffness import free_stiffness
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes

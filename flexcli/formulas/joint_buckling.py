@@ -118,6 +118,7 @@ def shares(*, angles: Sequence[float], direction: float, across: bool) -> tuple[
 
     Examples
     --------
+    >>> from math import pi
     >>> [round(n, 4) for n in shares(angles=(pi / 4, -pi / 4), direction=pi / 4, across=True)]
     [1.0, 0.0]
 
@@ -156,6 +157,7 @@ def sway(*, angles: Sequence[float], shares: Sequence[float]) -> float:
 
     Examples
     --------
+    >>> from math import pi
     >>> round(sway(angles=(pi / 4, -pi / 4), shares=(0.7, 0.7)), 6)
     1.0
 

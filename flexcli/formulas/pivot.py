@@ -2,31 +2,40 @@
 
 δ = p/l places that point: p is the distance from it to the near (inner) end of each blade, so
 δ > 0 is a remote centre of compliance, δ = −½ the symmetric cross-spring pivot. All of it is for
-small rotation of slender blades (h ≪ l, shear and axial extension left out).
+small rotation of slender blades (h ≪ l, shear and axial extension left out); the rotations at
+which the closed forms are 1 and 5 % off were measured with the exact solver by
+``tests/benchmarks/closed_form_limits.py``, which prints other half-angles and kinds as well.
 """
 
-from math import atan2, cos, pi, sin
+from collections.abc import Callable
+from math import atan2, cos, pi, radians, sin, sqrt
 
-from flexcli.formulas.card import SLENDER, Card, Range
-from flexcli.formulas.pivot_limits import (
-    SHIFT_LIMITS,
-    SHIFT_TURN,
-    STIFF_TURN,
-    STIFFNESS_LIMITS,
-    STRESS_LIMITS,
-    STRESS_TURN,
-)
+import numpy as np
+
+from flexcli.formulas.card import SLENDER, SMALL_ROTATION, Card, Range, Table
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import second_moment
 from flexcli.results import QuantityKind
 
 __all__ = [
     "CARDS",
+    "LIMITS",
+    "SHIFT_LIMITS",
+    "SHIFT_TURN",
+    "STIFFNESS_LIMITS",
+    "STIFF_TURN",
+    "STRESS_LIMITS",
+    "STRESS_TURN",
+    "SYMMETRIC_CARDS",
+    "WITTRICK",
+    "admissible_rotation",
     "axial_share",
     "end_stresses",
     "out_of_plane_stiffness",
     "parasitic_shift",
     "rotational_stiffness",
+    "stiffness_ratio",
+    "stroke_ratio",
 ]
 
 
@@ -241,7 +250,187 @@ def out_of_plane_stiffness(
 
 _BLADE = {"E": 114e9, "h": 637e-6, "l": 17.5e-3, "p": 2e-3}
 
-CARDS = (
+
+_NONE = 60.0
+"""Printed where the closed form is not that far off up to 60°, the end of the measurement."""
+
+LIMITS: dict[float, tuple[tuple[float, float], ...]] = {
+    -1.0: ((10.4, 24.2), (6.52, _NONE), (_NONE, _NONE)),
+    -0.75: ((10.1, 22.7), (2.40, 12.3), (13.9, 31.3)),
+    -0.5: ((8.12, 18.4), (1.15, 5.83), (12.3, 27.9)),
+    -0.25: ((10.1, 22.7), (2.40, 12.3), (9.39, 21.2)),
+    0.0: ((10.4, 24.2), (6.52, _NONE), (6.64, 14.9)),
+    0.25: ((4.89, 11.3), (17.0, 51.9), (5.50, 12.4)),
+    0.5: ((3.37, 7.78), (7.51, 29.1), (4.61, 10.5)),
+    1.0: ((2.13, 4.92), (1.88, 13.1), (3.47, 7.91)),
+}
+"""By δ at α = 45°: degrees at which (1 %, 5 %) of tangent stiffness, stress, shift are missed."""
+
+
+def _limit(number: int, share: int) -> Callable[[float], float]:
+    return lambda delta: radians(LIMITS[delta][number][share])
+
+
+def _table(number: int) -> Table:
+    columns = {
+        "theta at 1 %": ("rad", _limit(number, 0)),
+        "theta at 5 %": ("rad", _limit(number, 1)),
+    }
+    note = "α = 45°, slender blades, by the exact solver; 60° stands for no such angle up to there"
+    return Table("delta", tuple(LIMITS), columns, note)
+
+
+STIFFNESS_LIMITS, STRESS_LIMITS, SHIFT_LIMITS = (_table(number) for number in range(3))
+
+STIFF_TURN = Range(
+    "theta",
+    most=radians(4.0),
+    unit="rad",
+    why="tangent stiffness within 5 % for δ from −1 to 1 and α from 30° to 60°; 10.6° for δ from "
+    "−1 to 0, where it is within 1 % up to 4.7°",
+)
+
+STRESS_TURN = Range(
+    "theta",
+    most=radians(2.7),
+    unit="rad",
+    why="true stress at most 5 % higher for δ from −1 to 1 and α from 30° to 60° (worst for δ = 1 "
+    "and for −½ at 60°); the excess grows with θ itself, on the unsafe side",
+)
+
+SHIFT_TURN = Range(
+    "theta",
+    most=radians(7.0),
+    unit="rad",
+    why="shift within 5 % for δ from −0.75 to 1 and α from 30° to 60° but near Wittrick's "
+    "crossings, where the next order in θ rules",
+)
+
+
+WITTRICK = (sqrt(45.0) - 9.0) / 18.0
+"""δ = −0.1273… at which the leading term of the parasitic shift vanishes: 9δ² + 9δ + 1 = 0."""
+
+
+def admissible_rotation(
+    *, E: float, h: Quantity, l: Quantity, p: Quantity, stress: float
+) -> Quantity:
+    """Return the rotation at which the larger of the two end stresses reaches a given one.
+
+    ``θ = σ l / (E h max(|2 + 3δ|, |1 + 3δ|))``. Both ends count: the course's formula takes the
+    inner one, which is the larger for δ > −½ only.
+
+    Parameters
+    ----------
+    E : float
+        Young's modulus [Pa].
+    h, l : Quantity
+        Thickness and length of a blade [m]; floats or arrays.
+    p : Quantity
+        Distance from the centre to the inner ends [m], negative when the blades cross.
+    stress : float
+        Admissible stress σ [Pa].
+
+    Returns
+    -------
+    theta : Quantity
+        Admissible rotation [rad].
+
+    Examples
+    --------
+    >>> theta = admissible_rotation(E=1.0, h=1.0, l=50.0, p=-25.0, stress=4e-3)
+    >>> round(float(theta), 6)
+    0.4
+
+    References
+    ----------
+    Henein & Thalmann, lecture "Dimensioning of flexure joints", generalised cross-spring pivot
+    (inner end).
+
+    """
+    inner, outer = end_stresses(E=E, h=h, l=l, p=p, theta=1.0)
+    return stress / np.maximum(np.abs(inner), np.abs(outer))
+
+
+def stiffness_ratio(delta: Quantity) -> Quantity:
+    """Return the stiffness of a cross-spring pivot over that of the symmetric one.
+
+    ``4 (3δ² + 3δ + 1)``, for the same blades: 2.667 at Wittrick's crossing, where the course
+    prints about 3.3.
+
+    Parameters
+    ----------
+    delta : Quantity
+        δ = p/l [-].
+
+    Returns
+    -------
+    ratio : Quantity
+        Ratio of stiffness, 1 at δ = −½ [-].
+
+    Examples
+    --------
+    >>> round(stiffness_ratio(WITTRICK), 4)
+    2.6667
+
+    References
+    ----------
+    From the stiffness in Henein & Thalmann, lecture "Dimensioning of flexure joints".
+
+    """
+    return 4.0 * (3.0 * delta * (delta + 1.0) + 1.0)
+
+
+def stroke_ratio(delta: Quantity) -> Quantity:
+    """Return the admissible rotation of a cross-spring pivot over that of the symmetric one.
+
+    ``½ / max(|2 + 3δ|, |1 + 3δ|)``, for the same blades and stress: 1/3.236 at Wittrick's
+    crossing, where the course prints 1/3.2.
+
+    Parameters
+    ----------
+    delta : Quantity
+        δ = p/l [-].
+
+    Returns
+    -------
+    ratio : Quantity
+        Ratio of admissible rotations, 1 at δ = −½ [-].
+
+    Examples
+    --------
+    >>> round(float(1.0 / stroke_ratio(WITTRICK)), 4)
+    3.2361
+
+    References
+    ----------
+    From the stress in Henein & Thalmann, lecture "Dimensioning of flexure joints".
+
+    """
+    return 0.5 / np.maximum(np.abs(2.0 + 3.0 * delta), np.abs(1.0 + 3.0 * delta))
+
+
+_DELTA = Table(
+    variable="delta",
+    values=tuple(sorted((WITTRICK, -1.0 - WITTRICK, *(n / 10.0 for n in range(-15, 11))))),
+    columns={
+        "K l/(E I)": ("", lambda delta: 8.0 * (3.0 * delta * (delta + 1.0) + 1.0)),
+        "theta_max": (
+            "rad",
+            lambda delta: admissible_rotation(E=1.0, h=1.0, l=50.0, p=50.0 * delta, stress=4e-3),
+        ),
+        "shift/l": (
+            "",
+            lambda delta: parasitic_shift(l=1.0, p=delta, theta=pi / 12.0, half_angle=pi / 4.0),
+        ),
+        "stiffness ratio": ("", stiffness_ratio),
+        "stroke ratio": ("", stroke_ratio),
+    },
+    note="σ/E = 0.4 %, l/h = 50; shift at 15° with α = 45°; ratios to δ = −½. Where the shift's "
+    "leading term vanishes (δ = −0.1273, −0.8727) the next order in θ rules",
+)
+
+
+CARDS: tuple[Card, ...] = (
     Card(
         "pivot-stiffness",
         rotational_stiffness,
@@ -273,4 +462,17 @@ CARDS = (
         {"E": 116e9, "h": 250e-6, "l": 80e-3, "b": 30e-3, "blades": 3},
         (Range("b/l", most=0.2, why="shear across the width takes more than a tenth"),),
     ),
+)
+
+
+SYMMETRIC_CARDS: tuple[Card, ...] = (
+    Card(
+        "pivot-stroke",
+        admissible_rotation,
+        {"E": 114e9, "h": 637e-6, "l": 17.5e-3, "p": 2e-3, "stress": 200e6},
+        (SLENDER, SMALL_ROTATION),
+        {"delta": _DELTA},
+    ),
+    Card("stiffness-over-symmetric", stiffness_ratio, {"delta": WITTRICK}),
+    Card("stroke-over-symmetric", stroke_ratio, {"delta": WITTRICK}),
 )

@@ -7,7 +7,7 @@ changes of :mod:`flexcli.formulas.pivot_next_order` at the rotations of both add
 import numpy as np
 
 from flexcli.formulas import pivot_next_order as part
-from flexcli.formulas import pivot_next_shift as shifts
+from flexcli.formulas import pivot_next_order as shifts
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
 

@@ -6,8 +6,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.blade_matrix import deformation_rows
-from flexcli.formulas.blade_spring import Warping, blade_springs
+from flexcli.formulas.blade_spring import Warping, blade_springs, deformation_rows
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
 from flexcli.mechanics.layout import Blade, Layout, Number, Support
 

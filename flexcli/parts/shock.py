@@ -7,9 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
-from flexcli.formulas.half_sine import half_sine_damped
-from flexcli.formulas.shock_spectrum import srs_level
-from flexcli.formulas.velocity_shock import velocity_shock_acceleration
+from flexcli.formulas.shock import half_sine_damped, srs_level, velocity_shock_acceleration
 from flexcli.parts.base import Duration, Frequency, Part, QuantityOf, spec_error
 
 __all__ = ["HalfSine", "Shock", "SpectrumPoint"]

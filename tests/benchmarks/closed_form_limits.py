@@ -16,15 +16,14 @@ from flexcli.formulas import (
     hinged_pivot,
     pivot,
     pivot_next_order,
-    pivot_next_shift,
     stage_next_order,
     unseparated,
     unseparated_next_order,
 )
 from flexcli.formulas.necked_stage import end_stress, shortening, translational_stiffness
 from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
+from flexcli.formulas.pivot import WITTRICK
 from flexcli.formulas.profile import Constant, NeckedDown, Notch, Profile
-from flexcli.formulas.symmetric_pivot import WITTRICK
 from flexcli.mechanics.equilibrium import Equilibrium, solve
 from flexcli.mechanics.layout import Blade, Body, Layout
 from flexcli.mechanics.mesh import Effects
@@ -108,7 +107,7 @@ def separate(delta: float, degrees: float) -> None:
     near = [
         pivot_next_order.stiffness_change(**at),
         pivot_next_order.stress_change(**at),
-        pivot_next_shift.next_shift(**at) / shift,
+        pivot_next_order.next_shift(**at) / shift,
     ]
     theta, pick = reached(found, ANGLES)
     name = f"pivot δ={delta:.4g} α={degrees:.0f}°"

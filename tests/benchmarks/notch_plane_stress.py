@@ -10,9 +10,12 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.linalg import spsolve
 
-from flexcli.formulas.notch import circular_stiffness
-from flexcli.formulas.notch_law import law_stiffness
-from flexcli.formulas.stress_concentration import bending_factor, fitted_bending_factor
+from flexcli.formulas.notch import (
+    bending_factor,
+    circular_stiffness,
+    fitted_bending_factor,
+    law_stiffness,
+)
 
 NU = 0.3
 BLOCK = 3.0

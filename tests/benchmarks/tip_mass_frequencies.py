@@ -14,8 +14,7 @@ from scipy.optimize import least_squares
 
 from flexcli.formulas.section import second_moment
 from flexcli.formulas.stop_stiffness import free_stiffness
-from flexcli.formulas.tip_mass import TipBody, joined, massless_frequencies
-from flexcli.formulas.tip_mass_beam import tip_mass_frequencies
+from flexcli.formulas.tip_mass import TipBody, joined, massless_frequencies, tip_mass_frequencies
 from flexcli.units import parse_quantity
 
 DATA = Path(__file__).parents[2] / "examples" / "boundary-control" / "table-7-3.yaml"

@@ -8,7 +8,7 @@ import pytest
 from flexcli.engine.explain import _topics, explain, topics
 from flexcli.errors import SpecError
 from flexcli.formulas.card import outside, sheet
-from flexcli.formulas.symmetric_pivot import WITTRICK
+from flexcli.formulas.pivot import WITTRICK
 from flexcli.units import show
 
 TOPICS = _topics()
@@ -55,6 +55,11 @@ def test_every_geometry_and_every_formula_has_a_topic():
     names = {topic.name for topic in topics()}
     assert {"rcc", "cross-spring", "leaf-spring-stage"} <= names
     assert set(CARDS) <= names
+
+
+def test_no_two_formulas_share_a_name():
+    for topic in TOPICS.values():
+        assert all(CARDS[card.name].function is card.function for card in topic.cards)
 
 
 def test_the_names_of_the_lecture_lead_to_the_part():

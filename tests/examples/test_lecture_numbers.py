@@ -5,14 +5,8 @@ from math import pi, sin, sqrt
 import pytest
 
 from flexcli.engine.explain import explain
-from flexcli.formulas import (
-    hinged_stage,
-    necked_size,
-    notch,
-    notch_compliance,
-    stress_concentration,
-)
-from flexcli.formulas.symmetric_pivot import stiffness_ratio, stroke_ratio
+from flexcli.formulas import hinged_stage, necked_size, notch, notch_compliance
+from flexcli.formulas.pivot import stiffness_ratio, stroke_ratio
 
 HALF_DIGIT = 0.5e-5
 """Of a stroke printed in millimetres to two decimals [m]."""
@@ -66,7 +60,7 @@ def test_three_models_round_to_the_value_called_exact(stroke):
 
 
 def test_counting_the_stress_concentration_would_print_another_digit():
-    factor = stress_concentration.bending_factor(e=100e-6, r=R)
+    factor = notch.bending_factor(e=100e-6, r=R)
     stroke = float(hinge_rotation(factor) * L)
     assert abs(stroke - 2.83e-3) > HALF_DIGIT
     assert stroke == pytest.approx(2.82e-3, abs=HALF_DIGIT)
@@ -74,9 +68,7 @@ def test_counting_the_stress_concentration_would_print_another_digit():
 
 def test_stress_concentration_is_negligible_above_five_throats_not_below():
     """Printed: "if r < 5 h_min"; K_t falls as the radius grows."""
-    far, five, one = (
-        float(stress_concentration.bending_factor(e=1.0, r=r)) for r in (50.0, 5.0, 1.0)
-    )
+    far, five, one = (float(notch.bending_factor(e=1.0, r=r)) for r in (50.0, 5.0, 1.0))
     assert 1.0 < far < 1.005
     assert five == pytest.approx(1.04, abs=0.005)
     assert one == pytest.approx(1.18, abs=0.005)

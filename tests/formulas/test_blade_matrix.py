@@ -3,9 +3,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.blade_matrix import blade_compliance, blade_stiffness
-from flexcli.formulas.blade_spring import blade_springs
-from flexcli.formulas.constant_blade import middle_stiffness
+from flexcli.formulas.blade_spring import (
+    blade_compliance,
+    blade_springs,
+    blade_stiffness,
+    middle_stiffness,
+)
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.formulas.restrained_torsion import restrained_stiffness
 from flexcli.formulas.rigid_motion import compliance_from, motion_at

@@ -1,6 +1,5 @@
 """Euler loads against the characteristic equation of each way to hold the ends."""
 
-import doctest
 from math import cos, pi, sin
 
 import numpy as np
@@ -9,7 +8,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from flexcli.formulas import buckling as module
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.section import second_moment
 
@@ -44,10 +42,6 @@ def first_root(ends):
     (crossings,) = np.nonzero(values[:-1] * values[1:] < 0)
     first = crossings[0]
     return brentq(characteristic, grid[first], grid[first + 1], args=(ends,), xtol=1e-14)
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 @pytest.mark.parametrize("ends", sorted(EFFECTIVE_LENGTH))

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from flexcli.formulas.constant_blade import middle_stiffness
+from flexcli.formulas.blade_spring import middle_stiffness
 from flexcli.formulas.pivot import out_of_plane_stiffness
 from flexcli.formulas.stage import translational_stiffness
 from flexcli.formulas.torsion_bar import torsional_stiffness

@@ -1,13 +1,10 @@
 """Damage on a life curve of several lines, against closed forms and incomplete gamma functions."""
 
-import doctest
-
 import numpy as np
 import pytest
 from scipy.special import gamma, gammainc
 from stresses import SPECTRA
 
-from flexcli.formulas import curve_damage as module
 from flexcli.formulas.curve_damage import curve_damage_rate
 from flexcli.formulas.dirlik import dirlik_damage_rate, dirlik_density
 from flexcli.formulas.narrow_band import narrow_band_damage_rate, rayleigh_density
@@ -16,10 +13,6 @@ from flexcli.formulas.tovo_benasciutti import (
     tovo_benasciutti_damage_rate,
     tovo_benasciutti_density,
 )
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 @pytest.mark.parametrize("spectrum", SPECTRA)

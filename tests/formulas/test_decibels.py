@@ -1,12 +1,9 @@
 """Decibels: slopes of published profiles, and conversions against each other."""
 
-import doctest
-
 import numpy as np
 import pytest
 from spectra import GEVS, WORKMANSHIP
 
-from flexcli.formulas import decibels as module
 from flexcli.formulas.decibels import (
     db_per_octave_from_slope,
     levels_from_slopes,
@@ -17,10 +14,6 @@ from flexcli.formulas.spectrum import segment_slopes
 from flexcli.formulas.spectrum_integrals import rms
 
 ROUNDING = 1e-13  # some hundred operations in double precision
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_gevs_levels_follow_from_its_slopes():

@@ -1,21 +1,14 @@
 """The envelope: the greatest of its profiles everywhere, crossings exact."""
 
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from spectra import lines
 
-from flexcli.formulas import envelope as module
 from flexcli.formulas.envelope import envelope
 from flexcli.formulas.spectrum import spectral_level
 
 ROUNDING = 1e-13  # some hundred operations in double precision
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 @pytest.mark.parametrize("scale", ["log", "linear"])

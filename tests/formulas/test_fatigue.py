@@ -1,13 +1,10 @@
 """Fatigue of a blade: S-N interpolation and the corrections for a mean stress."""
 
-import doctest
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from stresses import SPECTRA
 
-from flexcli.formulas import fatigue as module
 from flexcli.formulas.fatigue import (
     amplitude_at_life,
     fully_reversed_amplitude,
@@ -21,10 +18,6 @@ from flexcli.formulas.spectral_moments import spectral_moments
 ROUNDING = 1e-12
 CURVE = ((1e4, 800e6), (1e5, 500e6), (1e7, 400e6))
 stresses = st.floats(1.0, 1e9)  # Pa
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_points_of_the_curve_come_back_exactly():

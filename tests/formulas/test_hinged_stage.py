@@ -7,15 +7,18 @@ from hypothesis import strategies as st
 
 from flexcli.formulas import necked_stage
 from flexcli.formulas.hinged_stage import admissible_stroke, law_stroke, translational_stiffness
-from flexcli.formulas.notch import admissible_rotation, circular_stiffness
+from flexcli.formulas.notch import (
+    admissible_rotation,
+    bending_factor,
+    circular_stiffness,
+    law_stiffness,
+)
 from flexcli.formulas.notch_compliance import (
     bending_reach,
     circular_compliance,
     planar_compliance,
 )
-from flexcli.formulas.notch_law import law_stiffness
 from flexcli.formulas.profile import NeckedDown
-from flexcli.formulas.stress_concentration import bending_factor
 from flexcli.numerics.signomial import variables
 
 NOTCH = {"E": 210e9, "b": 10e-3, "e": 100e-6, "r": 4e-3}

@@ -5,7 +5,7 @@ import pytest
 from mechanisms_for_tests import E, G, cantilever, pivot
 from scipy.integrate import quad
 
-from flexcli.formulas import blade_mass, blade_shear, pivot_under_load
+from flexcli.formulas import blade_mass, pivot_under_load, thick_blades
 from flexcli.formulas.beam_column import s_bending, uniform_bending
 from flexcli.formulas.pivot import axial_share, rotational_stiffness
 from flexcli.formulas.section import shear_parameter
@@ -70,8 +70,8 @@ def test_shear_softens_guided_blade_and_cantilever_as_timoshenko_says():
     Phi = shear_parameter(depth=h, l=L, poisson_ratio=E / (2.0 * G) - 1.0)
     layout = cantilever(h=h, l=L, b=B)
     K = translational_stiffness(E=E, h=h, l=L, b=B, blades=1)
-    cases = ((0.0, K, blade_shear.stiffness_change(Phi=Phi)),)
-    cases += ((None, K / 4.0, blade_shear.stiffness_change(Phi=Phi, series=0.25)),)
+    cases = ((0.0, K, thick_blades.stiffness_change(Phi=Phi)),)
+    cases += ((None, K / 4.0, thick_blades.stiffness_change(Phi=Phi, series=0.25)),)
     for turn, stiffness, change in cases:
         found = linear(layout, {"tip": (None, x, turn)}).reactions[0, 0, 1] / x
         assert found == pytest.approx(stiffness * (1.0 + change), rel=1e-12)
@@ -83,7 +83,7 @@ def test_shear_lowers_buckling_by_engessers_first_term():
     layout = cantilever(h=h, l=L, b=B)
     load = Load("tip", (L, 0.0), (-(np.pi**2) / 4.0 * E * B * h**3 / 12.0 / L**2, 0.0))
     with_shear = critical_load(layout, None, [load], most=1.5, effects=Effects(False, True))
-    change = blade_shear.buckling_change(Phi=Phi, effective_length=2.0)
+    change = thick_blades.buckling_change(Phi=Phi, effective_length=2.0)
     assert with_shear.factor - 1.0 == pytest.approx(change, rel=0.01)
 
 

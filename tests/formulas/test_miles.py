@@ -1,6 +1,5 @@
 """Miles: the number of the flexure course, and the worst case against a dense grid."""
 
-import doctest
 import itertools
 
 import numpy as np
@@ -9,14 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from spectra import GEVS, profiles
 
-from flexcli.formulas import miles as module
 from flexcli.formulas.miles import miles, miles_worst_case
 
 ROUNDING = 1e-12  # a handful of operations
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_miles_gives_the_251_g_of_the_flexure_course():

@@ -1,21 +1,14 @@
 """Narrow-band damage: the Rayleigh integral."""
 
-import doctest
-
 import numpy as np
 import pytest
 from scipy.integrate import quad
 from stresses import SPECTRA
 
-from flexcli.formulas import narrow_band as module
 from flexcli.formulas.narrow_band import narrow_band_damage_rate, rayleigh_density
 from flexcli.formulas.spectral_moments import Moments, spectral_moments
 
 QUADRATURE = 1e-9
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_narrow_band_damage_is_the_rayleigh_integral():

@@ -5,13 +5,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.necked_choice import (
+from flexcli.formulas.necked_size import (
     hinge_ratio,
+    hinge_thickness,
     shortest_hinge,
     stiffness_spread,
     thickness_for_spread,
 )
-from flexcli.formulas.necked_size import hinge_thickness
 from flexcli.formulas.necked_stage import end_stress, translational_stiffness
 
 GIVEN = {"E": 200e9, "sigma": 400e6, "l": 50e-3, "x": 2e-3}

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from flexcli.formulas.notch import circular_stiffness
-from flexcli.formulas.notch_law import CARDS, law_stiffness
+from flexcli.formulas.notch import LAW_CARDS, circular_stiffness, law_stiffness
 from flexcli.numerics.signomial import variables
 
 PRINTED = 0.07  # lecture: K ≈ 0.07 E b e^2.5 r^−0.5
@@ -64,7 +63,7 @@ def test_the_error_falls_steadily_so_that_its_range_is_one_interval():
 
 
 def test_the_chart_gives_the_errors():
-    (card,) = CARDS
+    (card,) = LAW_CARDS
     for name, share in (("error of 2/(9π)", 1.0), ("error of 0.07", SHARE)):
         _, column = card.tables["e/r"].columns[name]
         assert column(0.1) == pytest.approx(error(0.1, share), rel=1e-12)

@@ -1,6 +1,5 @@
 """The exact oscillator: limits, partial fractions, and quadrature beside it."""
 
-import doctest
 import itertools
 
 import numpy as np
@@ -10,7 +9,6 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 from spectra import GEVS, oscillators, profiles
 
-from flexcli.formulas import oscillator as module
 from flexcli.formulas.miles import miles
 from flexcli.formulas.oscillator import oscillator_response, white_noise_response
 from flexcli.formulas.spectrum import clip_profile
@@ -71,10 +69,6 @@ def flat_band(a, b, fn, Q):
     pole = np.sqrt(1 - 0.25 / Q**2) + 0.5j / Q
     between = np.log((b / fn - pole) / (b / fn + pole)) - np.log((a / fn - pole) / (a / fn + pole))
     return fn * (between / (2 * pole)).imag / (pole**2).imag
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 @pytest.mark.parametrize("scale", ["log", "linear"])

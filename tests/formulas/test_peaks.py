@@ -1,12 +1,9 @@
 """Peaks of a Gaussian signal: counts that cross-check each other, and the extreme value."""
 
-import doctest
-
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from flexcli.formulas import peaks as module
 from flexcli.formulas.peaks import (
     davenport_peak_factor,
     expected_exceedances,
@@ -15,10 +12,6 @@ from flexcli.formulas.peaks import (
 )
 
 ROUNDING = 1e-12  # a handful of operations
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_three_sigma_is_expected_once_in_e_to_the_4_5_cycles():

@@ -1,14 +1,12 @@
 """Pi terms: printed screen, and that they do not see the units."""
 
-import doctest
 from math import sqrt
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas import pi_terms as module
-from flexcli.formulas.pi_terms import pi_terms
+from flexcli.formulas.pi_law import pi_terms
 
 positive = st.floats(1e-3, 1e3)
 CASE = {"m": 9.96e-3, "k_free": 22.9e3, "k_contact": 229e3, "delta_G": 1e-5}
@@ -17,10 +15,6 @@ DIMENSIONS = {  # exponents of mass, length, time
     "m": (1, 0, 0), "k_free": (1, 0, -2), "k_contact": (1, 0, -2), "delta_G": (0, 1, 0),
     "f_D": (0, 0, -1), "delta_D": (0, 1, 0), "f_O": (0, 0, -1), "delta_O": (0, 1, 0),
 }  # fmt: skip
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 @given(positive, positive, positive)

@@ -1,7 +1,5 @@
 """The greatest exact response and Miles' shortfall: dense scans, limits, steps, units."""
 
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -9,7 +7,6 @@ from hypothesis import strategies as st
 from scipy.optimize import minimize_scalar
 from spectra import GEVS, profiles
 
-from flexcli.formulas import response_spectrum as module
 from flexcli.formulas.miles import miles, miles_worst_case
 from flexcli.formulas.oscillator import oscillator_response
 from flexcli.formulas.response_spectrum import (
@@ -22,10 +19,6 @@ from flexcli.formulas.spectrum import spectral_level
 
 PROMISED = 1e-8  # what the value is good for
 STEP = ([20, 100, 100, 2000], [0.01, 0.01, 0.16, 0.16])
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 @pytest.mark.parametrize("Q", [0.5, 5.0, 100.0, 1e4])

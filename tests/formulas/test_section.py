@@ -1,23 +1,16 @@
 """The rectangular section: moments against integrals, stresses and shear against definitions."""
 
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas import section as module
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment, shear_parameter
 
 ROUNDING = 1e-12
 SIMPSON = 1e-9  # Simpson's rule is exact for the square it integrates; the rest is rounding
 
 sizes = st.floats(1e-6, 1e3)
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_second_moment_is_the_integral_of_the_distance_squared():

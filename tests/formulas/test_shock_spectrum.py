@@ -1,18 +1,11 @@
 """Shock response spectra: straight in log-log axes, unknown outside the table."""
 
-import doctest
-
 import numpy as np
 import pytest
 
-from flexcli.formulas import shock_spectrum as module
-from flexcli.formulas.shock_spectrum import srs_level
+from flexcli.formulas.shock import srs_level
 
 ROUNDING = 1e-12
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_srs_table_is_straight_in_log_log_and_conservative_at_a_step():

@@ -1,16 +1,9 @@
 """Moments of a stress: bandwidth of ideal noise, and what no spectrum has."""
 
-import doctest
-
 import numpy as np
 import pytest
 
-from flexcli.formulas import spectral_moments as module
 from flexcli.formulas.spectral_moments import Moments, spectral_moments
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_bandwidth_of_ideal_low_pass_noise():

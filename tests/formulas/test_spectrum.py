@@ -1,20 +1,13 @@
 """Spectral densities: levels, slopes, steps and cuts of profiles, and what is no profile."""
 
-import doctest
-
 import numpy as np
 import pytest
 from spectra import GEVS
 
-from flexcli.formulas import spectrum as module
 from flexcli.formulas.spectrum import clip_profile, segment_slopes, spectral_level
 from flexcli.formulas.spectrum_integrals import rms
 
 ROUNDING = 1e-13  # some hundred operations in double precision
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_a_step_has_a_side_and_no_area():

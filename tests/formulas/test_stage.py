@@ -1,22 +1,15 @@
 """Parallel leaf-spring stage: printed numbers and a beam assembly."""
 
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas import stage as module
 from flexcli.formulas.stage import end_stress, shortening, translational_stiffness
 
 ROUNDING = 1e-12
 STEEL = {"E": 200e9, "h": 300e-6, "l": 50e-3}  # exercise 12 A
 sizes = st.floats(1e-5, 1.0)
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_stiffness_frequency_and_sag_of_exercise_12_a_are_the_printed_ones():

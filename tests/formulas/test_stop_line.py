@@ -1,14 +1,11 @@
 """The operating line at work: the worked example's gaps and heights, and its wrong intersection."""
 
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from flexcli.formulas import stop_line as module
 from flexcli.formulas.pi_law import contact_threshold, operating_line
 from flexcli.formulas.stop_line import REACHED, allowed_travel, line_gap, line_height
 from flexcli.formulas.stop_stiffness import (
@@ -27,10 +24,6 @@ RANGE = 200e-6
 
 def gap_at(L_a):
     return line_gap(L_a=L_a, L_b=L - L_a, delta_O=RANGE)
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_travel_and_stiffness_are_the_printed_ones():

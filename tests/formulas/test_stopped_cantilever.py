@@ -1,13 +1,10 @@
 """Statics of a cantilever with stops against the contact problem of a beam of two elements."""
 
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas import stopped_cantilever as module
 from flexcli.formulas.stop_stiffness import bent_shape, contact_stiffness, free_stiffness
 from flexcli.formulas.stopped_cantilever import (
     contact_load,
@@ -32,10 +29,6 @@ def compliances(a):
     at, weight = np.concatenate([low, high]), np.concatenate([w * a / 2, w * (1 - a) / 2])
     by_stop, by_tip = np.maximum(a - at, 0.0), 1.0 - at
     return [[np.sum(weight * p * q) for q in (by_stop, by_tip)] for p in (by_stop, by_tip)]
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 @given(shares, forces, gaps, gaps)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.stress_concentration import bending_factor, fitted_bending_factor
+from flexcli.formulas.notch import bending_factor, fitted_bending_factor
 
 
 def neuber(a):

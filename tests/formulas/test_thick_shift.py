@@ -8,7 +8,7 @@ from geometries_for_tests import geometry
 
 from flexcli.formulas.section import shear_parameter
 from flexcli.formulas.stage import shortening
-from flexcli.formulas.thick_shift import pivot_stretch, shear_factor, stage_stretch
+from flexcli.formulas.thick_blades import pivot_stretch, shear_factor, stage_stretch
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects

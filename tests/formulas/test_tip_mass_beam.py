@@ -1,6 +1,5 @@
 """A blade with mass and a body beyond its end: textbook roots, a fine mesh, light blades."""
 
-import doctest
 from math import pi
 from pathlib import Path
 
@@ -12,10 +11,8 @@ from hypothesis import strategies as st
 from scipy.linalg import eigh
 from scipy.optimize import brentq
 
-from flexcli.formulas import tip_mass_beam as module
 from flexcli.formulas.section import second_moment
-from flexcli.formulas.tip_mass import TipBody, joined, massless_frequencies
-from flexcli.formulas.tip_mass_beam import tip_mass_frequencies
+from flexcli.formulas.tip_mass import TipBody, joined, massless_frequencies, tip_mass_frequencies
 from flexcli.units import parse_quantity
 
 SPECIMENS = Path(__file__).parents[2] / "examples" / "boundary-control" / "table-7-3.yaml"
@@ -51,10 +48,6 @@ def meshed(m, c, J, modes, elements=40):
     M[-2:, -2:] += [[m, m * c], [m * c, J + m * c**2]]
     squared = eigh(K[2:, 2:], M[2:, 2:], eigvals_only=True, subset_by_index=(0, modes - 1))
     return np.sqrt(squared) / (2 * pi)
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_bare_blade_has_the_roots_of_the_textbook():

@@ -5,8 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.blade_matrix import blade_stiffness
-from flexcli.formulas.blade_spring import blade_springs
+from flexcli.formulas.blade_spring import blade_springs, blade_stiffness
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.torsion_bar import (
     CARDS,

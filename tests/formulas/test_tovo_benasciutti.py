@@ -1,19 +1,12 @@
 """Tovo and Benasciutti's weight against its printed form."""
 
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from stresses import ROUNDING, spectra
 
-from flexcli.formulas import tovo_benasciutti as module
 from flexcli.formulas.narrow_band import narrow_band_damage_rate
 from flexcli.formulas.tovo_benasciutti import tovo_benasciutti_damage_rate
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 @given(moments=spectra)

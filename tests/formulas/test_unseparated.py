@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from flexcli.formulas import pivot
-from flexcli.formulas.symmetric_pivot import WITTRICK, stiffness_ratio, stroke_ratio
+from flexcli.formulas.pivot import WITTRICK, stiffness_ratio, stroke_ratio
 from flexcli.formulas.unseparated import (
     unseparated_shift,
     unseparated_stiffness,

@@ -1,18 +1,11 @@
 """Velocity shock: energy, and ω² between acceleration and deflection."""
 
-import doctest
-
 import numpy as np
 import pytest
 
-from flexcli.formulas import velocity_shock as module
-from flexcli.formulas.velocity_shock import velocity_shock_acceleration, velocity_shock_deflection
+from flexcli.formulas.shock import velocity_shock_acceleration, velocity_shock_deflection
 
 ROUNDING = 1e-12
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_velocity_shock_acceleration_is_omega_squared_times_deflection():

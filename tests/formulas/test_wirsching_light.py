@@ -1,17 +1,10 @@
 """Wirsching and Light's factor on the narrow-band rate."""
 
-import doctest
-
 from stresses import SPECTRA
 
-from flexcli.formulas import wirsching_light as module
 from flexcli.formulas.narrow_band import narrow_band_damage_rate
 from flexcli.formulas.spectral_moments import spectral_moments
 from flexcli.formulas.wirsching_light import wirsching_light_damage_rate
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_wirsching_light_lies_below_the_narrow_band_rate():

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from mechanisms_for_tests import pivot
 
-from flexcli.formulas.pivot_next_shift import shift_across
-from flexcli.formulas.symmetric_pivot import WITTRICK
+from flexcli.formulas.pivot import WITTRICK
+from flexcli.formulas.pivot_next_order import shift_across
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.mesh import Effects
 

@@ -9,7 +9,7 @@ from judging import check_as_printed
 from strategies import design
 
 from flexcli.formulas.notch import circular_stiffness
-from flexcli.formulas.symmetric_pivot import WITTRICK
+from flexcli.formulas.pivot import WITTRICK
 from flexcli.mechanics.support import support_compliance
 from flexcli.parts.geometries.base import MOVING
 

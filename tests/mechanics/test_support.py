@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from planar_joint import blade_rows, joint_stiffness
 
 from flexcli.errors import SolveError
-from flexcli.formulas.constant_blade import middle_stiffness
+from flexcli.formulas.blade_spring import middle_stiffness
 from flexcli.formulas.pivot import rotational_stiffness
 from flexcli.formulas.profile import Constant, Notch
 from flexcli.formulas.rigid_motion import axes_about_z, compliance_from, stiffness_from

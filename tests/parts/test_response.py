@@ -5,10 +5,9 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
-from flexcli.formulas.half_sine import half_sine_damped
 from flexcli.formulas.oscillator import oscillator_response
+from flexcli.formulas.shock import half_sine_damped, velocity_shock_deflection
 from flexcli.formulas.stage import end_stress
-from flexcli.formulas.velocity_shock import velocity_shock_deflection
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.geometries import Blade, Elastic
 from flexcli.parts.geometries.leaf_stage import LeafSpringStage

@@ -8,8 +8,7 @@ import numpy as np
 
 from flexcli.engine.stopping.statics import StopTask, holds, margin, place_limits, stop_place
 from flexcli.formulas.pi_law import MEASURED
-from flexcli.formulas.stop_design import HARD_STOP
-from flexcli.formulas.stop_line import line_gap, line_height
+from flexcli.formulas.stop_line import HARD_STOP, line_gap, line_height
 from flexcli.formulas.stop_stiffness import height_share
 from flexcli.parts.mechanisms.free_value import Free
 from flexcli.results import StopHold, StopPlace

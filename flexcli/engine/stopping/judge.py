@@ -396,7 +396,7 @@ class _Ladder:
             return dict.fromkeys(_Peaks._fields, 0.0)
         if not peaks.force or not peaks.travel:
             return dict.fromkeys(_Peaks._fields, 0.0)
-        from flexcli.formulas.point_contact import point_contact
+        from flexcli.formulas.contact import point_contact
 
         # a ball gives more than a cylinder of its radius
         deep = point_contact(

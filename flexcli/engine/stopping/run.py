@@ -7,7 +7,7 @@ from time import perf_counter
 from flexcli.engine.stopping.excitation import Excitation, excitation
 from flexcli.engine.stopping.scene import contact_model, stop_scene
 from flexcli.engine.stopping.statics import StopTask, force_at_travel
-from flexcli.formulas.stopped_bending import bending_stress
+from flexcli.formulas.stopped_cantilever import bending_stress
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.mechanics.stopping.result import Peaks, StopOutcome
 from flexcli.mechanics.stopping.vibration import StoppedVibration

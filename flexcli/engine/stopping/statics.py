@@ -10,8 +10,9 @@ from flexcli.formulas.card import outside
 from flexcli.formulas.pi_law import MEASURED, SCATTER, contact_threshold, operating_line
 from flexcli.formulas.section import second_moment, shear_parameter
 from flexcli.formulas.stop_stiffness import bent_shape, contact_stiffness, stiffness_ratio
-from flexcli.formulas.stopped_bending import bending_moment, bending_stress
 from flexcli.formulas.stopped_cantilever import (
+    bending_moment,
+    bending_stress,
     contact_load,
     excess_load,
     load_at_travel,

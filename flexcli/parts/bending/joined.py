@@ -3,13 +3,7 @@
 from collections.abc import Callable
 from typing import ClassVar
 
-from flexcli.formulas import (
-    pivot,
-    pivot_next_order,
-    pivot_next_shift,
-    thick_pivot,
-    unseparated_next_order,
-)
+from flexcli.formulas import pivot, pivot_next_order, thick_blades, unseparated_next_order
 from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
 from flexcli.parts.bending.pair import Pair
 
@@ -73,7 +67,7 @@ class Joined(Bending):
         """Return what stretching shifts each part's centre across the bisector [m]."""
         return [
             float(
-                thick_pivot.shift_across(
+                thick_blades.pivot_shift_across(
                     h=self.h, theta=part.theta, poisson_ratio=-1.0, **part.blade
                 )
             )
@@ -93,7 +87,7 @@ class Joined(Bending):
         first = sum(self.leading)
         along = float(unseparated_next_order.next_shift(l=self.l, **self.turn)) / first
         across = sum(
-            float(pivot_next_shift.shift_across(theta=part.theta, **part.blade))
+            float(pivot_next_order.shift_across(theta=part.theta, **part.blade))
             for part in self.parts
         )
         across -= self.parts[0].theta * self.leading[1]  # the far part shifts along a turned axis

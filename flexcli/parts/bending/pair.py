@@ -3,13 +3,7 @@
 from math import inf, pi, tan
 from typing import ClassVar
 
-from flexcli.formulas import (
-    pivot,
-    pivot_next_order,
-    pivot_next_shift,
-    thick_pivot,
-    thick_shift,
-)
+from flexcli.formulas import pivot, pivot_next_order, thick_blades
 from flexcli.formulas.beam_column import s_bending, uniform_bending
 from flexcli.formulas.section import shear_parameter
 from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
@@ -66,12 +60,12 @@ class Pair(Bending):
         """Return what shear changes in the shift along the bisector, over that shift."""
         Phi = shear_parameter(depth=self.h, l=self.blade["l"], poisson_ratio=poisson_ratio)
         curved = 3.0 * self.gamma**2 / 20.0
-        return self._of_leading(-curved * float(thick_shift.shear_factor(Phi) - 1.0))
+        return self._of_leading(-curved * float(thick_blades.shear_factor(Phi) - 1.0))
 
     @property
     def stretched_along(self) -> float:
         """Return what stretching changes in the shift along the bisector, over that shift."""
-        return self._of_leading(float(thick_shift.pivot_stretch(h=self.h, **self.blade)))
+        return self._of_leading(float(thick_blades.pivot_stretch(h=self.h, **self.blade)))
 
     def stretched(self, n: float, direction: float | None) -> Changes:
         """Return up to 6ε tan α/(θ(1 + 3|γ|)), ε = n(h/l)²/12, of a force along the bisector.
@@ -121,8 +115,8 @@ class Pair(Bending):
         if first == 0.0:
             shift = Change(None, inf)
         else:
-            along = pivot_next_shift.shift_parts(**turn)
-            across = float(pivot_next_shift.shift_across(**turn)) / first
+            along = pivot_next_order.shift_parts(**turn)
+            across = float(pivot_next_order.shift_across(**turn)) / first
             bends = float(along.bound) / abs(first)
             shift = self.shifted(float(along.total) / first, across, bends)
             shift = shift._replace(error=shift.error + 1.2 * shift.bound**2)
@@ -167,7 +161,7 @@ class Pair(Bending):
         """Return the shift across that stretching makes over that along; Φ = 0 for ν = −1."""
         turn = {**self.blade, "theta": self.theta}
         first = abs(float(pivot.parasitic_shift(**turn)))
-        across = abs(float(thick_pivot.shift_across(h=self.h, poisson_ratio=-1.0, **turn)))
+        across = abs(float(thick_blades.pivot_shift_across(h=self.h, poisson_ratio=-1.0, **turn)))
         return across / first if first else inf
 
     def _of_leading(self, bracket: float) -> float:

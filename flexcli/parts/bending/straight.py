@@ -3,7 +3,7 @@
 from math import pi
 from typing import ClassVar
 
-from flexcli.formulas import blade_shear, necked_thick, stage_next_order, thick_shift
+from flexcli.formulas import necked_stage, stage_next_order, thick_blades
 from flexcli.formulas.beam_column import s_bending
 from flexcli.formulas.section import shear_parameter
 from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
@@ -38,15 +38,15 @@ class Straight(Bending):
         """Return what Φ in series with the bending changes, exactly at small stroke."""
         Phi = shear_parameter(depth=self.h, l=self.l, poisson_ratio=poisson_ratio)
         guided = Phi / self.halves**2
-        value = blade_shear.stiffness_change(Phi=guided)
-        shift = whole(thick_shift.shear_factor(guided) - 1.0)
+        value = thick_blades.stiffness_change(Phi=guided)
+        shift = whole(thick_blades.shear_factor(guided) - 1.0)
         return {"stiffness": whole(value), "stress": whole(value), "shift": shift}
 
     def extension(self) -> Changes:
         """Return the change of the shift alone: nothing stretches the blades at rest."""
         if not self.travel:
             return {}
-        value = thick_shift.stage_stretch(h=self.h, l=self.halves * self.l)
+        value = thick_blades.stage_stretch(h=self.h, l=self.halves * self.l)
         slender = (self.h / self.l) ** 2
         return {
             "stress": whole(0.0, 2.0 * slender * self.ratio),
@@ -109,16 +109,16 @@ class Necked(Straight):
     def shear(self, poisson_ratio: float) -> Changes:
         """Return what the shear of the hinges changes, exactly at small stroke."""
         Phi = shear_parameter(depth=self.h, l=self.l, poisson_ratio=poisson_ratio)
-        own = necked_thick.shear_parameter(Phi=Phi, xi=self.xi)
-        value = whole(blade_shear.stiffness_change(Phi=own))
-        shift = whole(necked_thick.shear_in_shift(Phi=own, xi=self.xi))
+        own = necked_stage.shear_parameter(Phi=Phi, xi=self.xi)
+        value = whole(thick_blades.stiffness_change(Phi=own))
+        shift = whole(necked_stage.shear_in_shift(Phi=own, xi=self.xi))
         return {"stiffness": value, "stress": value, "shift": shift}
 
     def extension(self) -> Changes:
         """Return the change of the shift alone: nothing stretches the hinges at rest."""
         if not self.travel:
             return {}
-        value = necked_thick.stretch_in_shift(h=self.h, l=self.l, xi=self.xi)
+        value = necked_stage.stretch_in_shift(h=self.h, l=self.l, xi=self.xi)
         slender = (self.h / self.l) ** 2 / self.xi
         return {
             "stress": whole(0.0, 2.0 * slender * self.ratio),

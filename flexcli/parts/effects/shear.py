@@ -2,9 +2,9 @@
 
 from typing import ClassVar
 
-from flexcli.formulas.blade_shear import buckling_change
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.section import shear_parameter
+from flexcli.formulas.thick_blades import buckling_change
 from flexcli.parts.bending import Change, Changes
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 

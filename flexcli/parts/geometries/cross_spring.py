@@ -7,8 +7,8 @@ from pydantic import Field, model_validator
 
 from flexcli.formulas import pivot
 from flexcli.formulas.card import SLENDER, Card, Range
+from flexcli.formulas.pivot import SYMMETRIC_CARDS, stiffness_ratio, stroke_ratio
 from flexcli.formulas.quantity import Quantity
-from flexcli.formulas.symmetric_pivot import CARDS, stiffness_ratio, stroke_ratio
 from flexcli.parts.base import Length, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
@@ -29,7 +29,7 @@ class CrossSpringPivot(PairPivot):
         "Henein & Thalmann, Dimensioning of flexure joints; Zhao & Bi 2010, Mech. Mach. Theory 45"
     )
 
-    cards: ClassVar[tuple[Card, ...]] = (*pivot.CARDS, *CARDS)
+    cards: ClassVar[tuple[Card, ...]] = (*pivot.CARDS, *SYMMETRIC_CARDS)
     validity: ClassVar[tuple[Range, ...]] = (
         SLENDER,
         Range(

@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 import numpy as np
 from pydantic import Field, model_validator
 
-from flexcli.formulas import necked_buckling, necked_choice, necked_size, necked_stage
+from flexcli.formulas import necked_buckling, necked_size, necked_stage
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import NeckedDown, per_design
 from flexcli.formulas.quantity import Quantity
@@ -56,7 +56,7 @@ class NeckedDownStage(SagsAlongStroke):
     cards: ClassVar[tuple[Card, ...]] = (
         *necked_stage.CARDS,
         *necked_size.CARDS,
-        *necked_choice.CARDS,
+        *necked_size.CARDS,
         *necked_buckling.CARDS,
     )
     validity: ClassVar[tuple[Range, ...]] = (

@@ -7,13 +7,7 @@ from typing import Any, ClassVar, Literal, NamedTuple
 import numpy as np
 from pydantic import Field, model_validator
 
-from flexcli.formulas import (
-    hinge_shift,
-    notch,
-    notch_compliance,
-    notch_law,
-    stress_concentration,
-)
+from flexcli.formulas import hinge_shift, notch, notch_compliance
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import Filleted, Notch, Profile, per_design
 from flexcli.formulas.quantity import Quantity
@@ -46,12 +40,12 @@ SOURCE = "Paros & Weisbord 1965, Machine Design 37; Neuber 1958 for the peak of 
 
 def throat_factor(way: Concentration, e: Quantity, r: Quantity) -> Quantity:
     """Return K_t by Neuber's deep notch of radius r, or 1 for the nominal stress."""
-    return 1.0 if way == "none" else stress_concentration.bending_factor(e=e, r=r)
+    return 1.0 if way == "none" else notch.bending_factor(e=e, r=r)
 
 
 def throat_peaks(way: Concentration, e: Quantity, r: Quantity) -> tuple[Quantity, Quantity]:
     """Return the factors of the peak over the nominal stress in bending and along the hinge."""
-    along = 1.0 if way == "none" else stress_concentration.axial_factor(e=e, r=r)
+    along = 1.0 if way == "none" else notch.axial_factor(e=e, r=r)
     return throat_factor(way, e, r), along
 
 
@@ -170,9 +164,9 @@ class CircularHinge(NotchGeometry):
         notch.CARDS[0],
         *notch.CARDS[2:],
         *notch_compliance.CARDS,
-        *notch_law.CARDS,
+        *notch.LAW_CARDS,
         *hinge_shift.CARDS,
-        *stress_concentration.CARDS,
+        *notch.CONCENTRATION_CARDS,
     )
     validity: ClassVar[tuple[Range, ...]] = (
         Range("e/r", most=0.2, why="as a plane body the hinge is softer, by 7 % at e/r = 0.2"),

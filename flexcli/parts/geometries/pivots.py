@@ -5,11 +5,11 @@ from itertools import combinations
 from math import cos, pi, sin
 from typing import Annotated, ClassVar
 
-from flexcli.formulas import pivot, pivot_next_shift, thick_pivot
-from flexcli.formulas.blade_shear import s_bending_share
+from flexcli.formulas import pivot, pivot_next_order, thick_blades
 from flexcli.formulas.card import Card
 from flexcli.formulas.profile import Constant, per_design
 from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.thick_blades import s_bending_share
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import QuantityOf
@@ -150,9 +150,9 @@ class PairPivot(BladePivot):
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return δ and the shift across the bisector, which the shift along it leaves out."""
         found, (h, l, _), p = super().values(elastic, sizes, travel), sizes, self.offset(sizes)
-        across = pivot_next_shift.shift_across(l=l, p=p, theta=travel, half_angle=self.half_angle)
+        across = pivot_next_order.shift_across(l=l, p=p, theta=travel, half_angle=self.half_angle)
         if elastic.nu is not None:
-            across = across + thick_pivot.shift_across(
+            across = across + thick_blades.pivot_shift_across(
                 h=h, l=l, p=p, theta=travel, half_angle=self.half_angle, poisson_ratio=elastic.nu
             )
         text = "parasitic shift across the bisector, by θ³ and by stretching"

@@ -4,9 +4,7 @@ from typing import Annotated, ClassVar, Literal, NamedTuple, TypeAlias
 
 from pydantic import AfterValidator, Field
 
-from flexcli.formulas.hertz import contact_modulus
-from flexcli.formulas.line_contact import line_contact
-from flexcli.formulas.point_contact import point_contact
+from flexcli.formulas.contact import contact_modulus, line_contact, point_contact
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, Stiffness, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.material import Material

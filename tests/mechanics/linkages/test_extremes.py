@@ -1,6 +1,5 @@
 """Extremes over a range of the input: exercise 12 C, closed forms, and no grid beats them."""
 
-import doctest
 from math import acos, degrees, pi, radians
 from types import SimpleNamespace
 
@@ -12,7 +11,6 @@ from linkages import crank_stage, four_bar, placed_four_bar, quick_return, slide
 
 from flexcli.errors import SolveError
 from flexcli.formulas.pivot import end_stresses
-from flexcli.mechanics.linkages import extremes as module
 from flexcli.mechanics.linkages.extremes import extremes
 from flexcli.mechanics.linkages.travel import travel
 
@@ -24,10 +22,6 @@ SIGMA, E, BLADE = 100e6, 73e9, 15e-3  # exercise 12 C: Avional, fatigue, length 
 
 def over(linkage, start, end):
     return extremes(travel(linkage, start, end), start, end)
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 # -- exercise 12 C -------------------------------------------------------------------------------

@@ -1,24 +1,17 @@
 """Springs of the joints at the input: energy, effort and stiffness agree with each other."""
 
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from linkages import crank_stage, four_bar, slider_crank
 
-from flexcli.mechanics.linkages import stiffness as module
 from flexcli.mechanics.linkages.stiffness import reflected
 from flexcli.mechanics.linkages.travel import motion, travel
 from flexcli.numerics.quadrature import gauss_rule
 
 ROUNDING = 1e-12
 stiffnesses = st.floats(0.1, 10.0)
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 def test_parallelogram_reflects_the_sum_of_its_pivots():

@@ -1,6 +1,5 @@
 """Linkages in motion: closed forms of positions and derivatives, stops, frames, closure."""
 
-import doctest
 from math import acos, hypot, pi
 
 import numpy as np
@@ -18,7 +17,6 @@ from linkages import (
 )
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.linkages import travel as module
 from flexcli.mechanics.linkages.linkage import Link, Linkage, Prismatic, Revolute
 from flexcli.mechanics.linkages.travel import End, motion, travel
 
@@ -46,10 +44,6 @@ def complex_step(function, x):
     h, d = 1e-30, 1e-5
     first, above, below = (function(x + s + 1j * h).imag / h for s in (0.0, d, -d))
     return first, (above - below) / (2 * d)
-
-
-def test_docstring_examples_run():
-    assert doctest.testmod(module).failed == 0
 
 
 # -- closed forms --------------------------------------------------------------------------------

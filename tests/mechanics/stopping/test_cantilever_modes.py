@@ -1,11 +1,8 @@
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.mechanics.stopping import cantilever_modes as module
 from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
 
 E, I, L, m = 60e9, 1e-13, 20e-3, 5e-3
@@ -74,7 +71,3 @@ def test_base_moment_of_the_first_mode_is_that_of_the_tip_force_of_a_massless_bl
 def test_a_stop_off_the_blade_is_refused(L_a):
     with pytest.raises(ValueError, match="must lie on the blade"):
         cantilever_modes(E=E, I=I, L=L, L_a=L_a, m=m)
-
-
-def test_the_example_runs():
-    assert doctest.testmod(module).failed == 0

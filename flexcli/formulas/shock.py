@@ -1,7 +1,7 @@
-"""Greatest response of an oscillator to a half-sine pulse of base acceleration.
+"""Greatest response of an oscillator to a shock of its base: half-sine, step of velocity, spectrum.
 
-The pulse is A sin(πt/τ) for 0 ≤ t ≤ τ. "Primary" is the greatest response while it lasts,
-"residual" the greatest after it.
+The half-sine pulse is A sin(πt/τ) for 0 ≤ t ≤ τ. "Primary" is the greatest response while it
+lasts, "residual" the greatest after it.
 """
 
 from dataclasses import dataclass
@@ -11,8 +11,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from flexcli.formulas.arguments import positive
+from flexcli.formulas.spectrum import checked_profile, spectral_level
 
-__all__ = ["PulseResponse", "half_sine_damped", "half_sine_undamped", "half_sine_velocity"]
+__all__ = [
+    "PulseResponse",
+    "half_sine_damped",
+    "half_sine_undamped",
+    "half_sine_velocity",
+    "srs_level",
+    "velocity_shock_acceleration",
+    "velocity_shock_deflection",
+]
+
 
 Floats = NDArray[np.float64]
 
@@ -249,3 +259,122 @@ def half_sine_damped(
     z, rate = _relative_motion(np.ones_like(s), s, quality)
     residual = _residual_maximum(z, rate, quality, quantity)
     return PulseResponse(primary=peak * primary, residual=peak * residual)
+
+
+def _speed(V: ArrayLike) -> Floats:
+    speed = np.asarray(V, dtype=np.float64)
+    if not (np.isfinite(speed).all() and (speed >= 0).all()):
+        raise ValueError(f"V must be finite and not negative, got {speed}")
+    return speed
+
+
+def velocity_shock_acceleration(V: ArrayLike, fn: ArrayLike) -> Floats:
+    """Give the acceleration an undamped oscillator passes on when its base changes velocity.
+
+    a = V · 2π f_n; in units of gravity, G_t = V (2π f_n)/g.
+
+    Parameters
+    ----------
+    V : array, any shape
+        Sudden change of velocity, [m/s].
+    fn : array that broadcasts with `V`
+        Natural frequency, [Hz].
+
+    Returns
+    -------
+    array
+        Peak acceleration, [m/s²].
+
+    Raises
+    ------
+    ValueError
+        When V is negative or f_n not positive.
+
+    Notes
+    -----
+    Exact for a change much faster than 1/f_n (pulse shorter than about 0.1/f_n), and linear:
+    the stop does not leave contact. Damping lowers it.
+
+    Examples
+    --------
+    >>> round(float(velocity_shock_acceleration(1.0, 100.0)), 1)
+    628.3
+
+    References
+    ----------
+    Monti 2014, MSc thesis (MIT), section 3.1.3 "Hard Stop", first displayed equation.
+    """
+    return _speed(V) * 2 * np.pi * positive(fn=fn)[0]
+
+
+def velocity_shock_deflection(V: ArrayLike, fn: ArrayLike) -> Floats:
+    """Give the deflection of an undamped oscillator when its base changes velocity.
+
+    Δd = V/(2π f_n)
+
+    Parameters
+    ----------
+    V : array, any shape
+        Sudden change of velocity, [m/s].
+    fn : array that broadcasts with `V`
+        Natural frequency, [Hz].
+
+    Returns
+    -------
+    array
+        Peak deflection, [m].
+
+    Raises
+    ------
+    ValueError
+        When V is negative or f_n not positive.
+
+    Examples
+    --------
+    >>> round(float(velocity_shock_deflection(1.0, 100.0)), 7)
+    0.0015915
+
+    References
+    ----------
+    Monti 2014, MSc thesis (MIT), section 3.1.3 "Hard Stop", second displayed equation.
+    """
+    return _speed(V) / (2 * np.pi * positive(fn=fn)[0])
+
+
+def srs_level(fn: ArrayLike, frequency: ArrayLike, level: ArrayLike) -> Floats:
+    """Interpolate a shock response spectrum given by a table, in log-log axes.
+
+    S(f) = S_1 (f/f_1)^m, m = ln(S_2/S_1)/ln(f_2/f_1)
+
+    Parameters
+    ----------
+    fn : array, any shape
+        Natural frequency, [Hz].
+    frequency : array, shape (n,)
+        Breakpoints, non-decreasing, [Hz].
+    level : array, shape (n,)
+        Peak acceleration of an oscillator of that frequency, [m/s²].
+
+    Returns
+    -------
+    array
+        Peak acceleration; at a step the greater, [m/s²].
+
+    Raises
+    ------
+    ValueError
+        When the table is not sound, or `fn` lies outside it: a shock response spectrum is not
+        zero there, it is unknown.
+
+    Examples
+    --------
+    >>> round(float(srs_level(1000.0, [100, 10000], [20.0, 2000.0])), 9)
+    200.0
+    """
+    f, s = checked_profile(frequency, level)
+    (asked,) = positive(fn=fn)
+    if asked.size and not (asked.min() >= f[0] and asked.max() <= f[-1]):
+        raise ValueError(
+            f"the table spans {f[0]:g} to {f[-1]:g} Hz, asked {asked.min():g} to {asked.max():g} Hz"
+        )
+    return spectral_level(asked, f, s, side="upper")
