@@ -192,7 +192,6 @@ _PIEZO = {"E": 60e9, "I": 1.2695e-12}
 
 CARDS: tuple[Card, ...] = (
     Card("bent-shape", bent_shape, {"share": 0.5}, (Range("x/L", 0.0, 1.0),)),
-    Card("cantilever-stiffness", free_stiffness, {**_PIEZO, "L": 28.5e-3}, (SLENDER,)),
     Card(
         "stopped-cantilever-stiffness",
         contact_stiffness,
