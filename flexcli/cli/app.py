@@ -22,6 +22,7 @@ from flexcli.cli import (
     stops,
     validate,
 )
+from flexcli.cli.common import with_common_options
 
 __all__ = ["app", "main"]
 
@@ -52,7 +53,8 @@ for verb in (
     materials,
     schema,
 ):
-    app.command(name=verb.NAME)(verb.run)
+    reads_no_spec = verb in (explain, materials, schema)
+    app.command(name=verb.NAME)(verb.run if reads_no_spec else with_common_options(verb.run))
 app.add_typer(asd.app)
 
 

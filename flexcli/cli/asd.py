@@ -15,6 +15,7 @@ from flexcli.cli.common import (
     FormatOption,
     attempt,
     finish,
+    with_common_options,
     write_file,
 )
 from flexcli.errors import Finding, SpecError
@@ -43,7 +44,7 @@ WriteOption = Annotated[
 ]
 
 
-app.command(response.NAME)(response.run)
+app.command(response.NAME)(with_common_options(response.run))
 
 
 @app.command("list")
@@ -55,18 +56,21 @@ def list_(style: FormatOption = Format.TEXT) -> None:
 
 
 @app.command()
+@with_common_options
 def show(name: ProfileArgument, style: FormatOption = Format.TEXT) -> None:
     """Show a profile: breakpoints, slopes, rms values, moments, curve and sources."""
     _finish("show", name, lambda: _described("show", name), style)
 
 
 @app.command()
+@with_common_options
 def grms(names: ProfilesArgument, style: FormatOption = Format.TEXT) -> None:
     """Compute the exact rms of profiles, beside the published one."""
     _finish("grms", ", ".join(names), lambda: _catalogue("grms", names), style)
 
 
 @app.command()
+@with_common_options
 def validate(
     files: Annotated[list[str], typer.Argument(help="Files of profiles.")],
     style: FormatOption = Format.TEXT,
@@ -80,6 +84,7 @@ def validate(
 
 
 @app.command()
+@with_common_options
 def envelope(
     names: ProfilesArgument, write: WriteOption = None, style: FormatOption = Format.TEXT
 ) -> None:
@@ -94,6 +99,7 @@ def envelope(
 
 
 @app.command()
+@with_common_options
 def scale(
     name: ProfileArgument,
     db: Annotated[float, typer.Option("--db", help="Decibels to add; 3 doubles the density.")],
@@ -114,6 +120,7 @@ def scale(
 
 
 @app.command("worst-case")
+@with_common_options
 def worst_case(
     spec: Annotated[
         str, typer.Argument(help="A design, a shipped profile, or a file of a profile.")

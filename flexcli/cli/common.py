@@ -4,6 +4,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from enum import Enum
+from functools import wraps
 from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
@@ -27,6 +28,7 @@ __all__ = [
     "fail",
     "finish",
     "spec_path",
+    "with_common_options",
     "write_file",
     "write_json",
     "write_text",
@@ -51,6 +53,14 @@ class Model(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
     EXACT = "exact"
 
 
+def _positive(seconds: float | None) -> float | None:
+    if seconds is not None and not 0.0 < seconds <= LONGEST:
+        raise typer.BadParameter(f"give seconds above 0, at most {LONGEST:g}")
+    return seconds
+
+
+LONGEST = 1e6
+
 ModelOption = Annotated[
     Model | None,
     typer.Option(
@@ -66,15 +76,77 @@ SpecArgument = Annotated[
 ]
 
 
+AllowOutsideOption = Annotated[
+    bool,
+    typer.Option(
+        "--allow-outside", help="Let specs name files outside their folders; not of strangers."
+    ),
+]
+TimeLimitOption = Annotated[
+    float | None,
+    typer.Option(
+        "--time-limit",
+        metavar="SECONDS",
+        callback=_positive,
+        help="Stop after so long, with what was done kept; exits 1, as Ctrl-C does.",
+    ),
+]
+
+
+def with_common_options(verb: Callable[..., None]) -> Callable[..., None]:
+    """Return a verb with the options that every verb has: where specs lead, and how long."""
+    from inspect import Parameter, signature
+
+    own = signature(verb)
+    added = {"allow_outside": (AllowOutsideOption, False), "time_limit": (TimeLimitOption, None)}
+
+    @wraps(verb)
+    def bounded_verb(
+        *, allow_outside: bool = False, time_limit: float | None = None, **given: Any
+    ) -> None:
+        from flexcli.cli import progress
+        from flexcli.spec.references import from_anywhere
+
+        token = progress.run.set(progress.Run(time_limit))
+        try:
+            with from_anywhere(allow_outside):
+                verb(**given)
+        finally:
+            progress.run.reset(token)
+
+    parameters = [
+        Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=option)
+        for name, (option, default) in added.items()
+    ]
+    bounded_verb.__signature__ = own.replace(  # type: ignore[attr-defined]
+        parameters=[*own.parameters.values(), *parameters]
+    )
+    bounded_verb.__annotations__ = {
+        **verb.__annotations__,
+        **{name: option for name, (option, _) in added.items()},
+    }
+    return bounded_verb
+
+
 def spec_path(spec: Path | None) -> Path:
     """Return the spec that is meant."""
     return spec if spec is not None else Path(DEFAULT_SPEC)
 
 
 def attempt(command: str, spec: Path, verb: Callable[[], Result]) -> Result:
-    """Run a verb on a spec; the user's mistakes become the findings of its result."""
+    """Run a verb on a spec; the user's mistakes become the findings of its result.
+
+    A run that was stopped, by Ctrl-C or by its time limit, decides nothing.
+    """
+    from flexcli.cli import progress
+
     try:
-        return verb()
+        with progress.bounded(f"{command} {spec}"):
+            return verb()
+    except KeyboardInterrupt:
+        run = progress.run.get() or progress.Run()
+        found = Finding(str(spec), run.stopped or "interrupted", run.remedy)
+        return Result(command, str(spec), Status.UNDECIDED, findings=(found,))
     except SpecError as error:
         findings = tuple(error.findings)
     except SolveError as error:

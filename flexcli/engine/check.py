@@ -7,7 +7,7 @@ from time import perf_counter
 from flexcli.engine import left_out
 from flexcli.engine import values as design_values
 from flexcli.engine.beyond_elastic import beyond_elastic
-from flexcli.engine.judge import Judgement, judge
+from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
 from flexcli.engine.models import LADDER, Rung, rungs
 from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
@@ -47,12 +47,19 @@ def check(design: DesignSpec, sizes: Sizes, spec: str, model: str | None = None)
             "the requirements are empty: there is nothing to judge",
             "ask for something, e.g. requirements: {yield: 1.5}",
         )
-    found = judge(design, sizes, rungs(design, model))
-    if design.stops is not None:
-        from flexcli.engine.stopping.between import between_stops
+    found: Judgement | None = None
+    try:
+        found = judge(design, sizes, rungs(design, model))
+        if design.stops is not None:
+            from flexcli.engine.stopping.between import between_stops
 
-        found = between_stops(found, design, sizes, model)
-    result = judged("check", design, sizes, spec, found, model)
+            found = between_stops(found, design, sizes, model)
+        result = judged("check", design, sizes, spec, found, model)
+    except KeyboardInterrupt as stopped:
+        so_far = stopped.so_far if isinstance(stopped, Interrupted) else found
+        if so_far is None:
+            raise
+        return stopped_result("check", design, spec, so_far, perf_counter() - started)
     assert result.cost is not None  # a judgement has one
     return replace(result, cost=replace(result.cost, seconds=perf_counter() - started))
 

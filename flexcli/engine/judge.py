@@ -18,9 +18,28 @@ from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Limit, Requirement, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.results import Check, ErrorRange, QuantityKind, Status, Verdict
+from flexcli.results import (
+    Check,
+    Cost,
+    ErrorRange,
+    Note,
+    QuantityKind,
+    Result,
+    Status,
+    Verdict,
+)
+from flexcli.results.activity import doing
 
-__all__ = ["FAR", "Judgement", "Used", "finest", "judge", "status_of"]
+__all__ = [
+    "FAR",
+    "Interrupted",
+    "Judgement",
+    "Used",
+    "finest",
+    "judge",
+    "status_of",
+    "stopped_result",
+]
 
 WOULD_LOOK = {
     LoadKind.STROKE: "yield, fatigue or parasitic_shift",
@@ -69,18 +88,48 @@ def status_of(checks: Iterable[Check]) -> Status:
     return Status.PASS if worst in (None, Verdict.PASS) else Status.UNDECIDED
 
 
+class Interrupted(KeyboardInterrupt):
+    """A judgement was interrupted; its checks so far, and a row for each that was not done."""
+
+    def __init__(self, so_far: Judgement) -> None:
+        super().__init__()
+        self.so_far = so_far
+
+
 def judge(design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...]) -> Judgement:
-    """Return every check of a design by the models in turn."""
+    """Return every check of a design by the models in turn; raise Interrupted at Ctrl-C."""
     ladder = _Ladder(design, sizes, rungs)
     found = list(assess.checks(design.own_limits(sizes)))
     scenes = design.scenes()
     looked_at: dict[str, set[LoadKind]] = {scene.case: set() for scene in scenes}
-    for requirement, scene in design.questions(scenes):
-        found.extend(ladder.climbed(requirement, scene))
+    questions = list(design.questions(scenes))
+    for index, (requirement, scene) in enumerate(questions):
+        try:
+            found.extend(ladder.climbed(requirement, scene))
+        except KeyboardInterrupt:
+            open_ = (_not_done(*question) for question in questions[index:])
+            so_far = assess.worst_of_each([*found, *open_])
+            raise Interrupted(Judgement(so_far, ladder.seconds, rungs)) from None
         looked_at[scene.case] |= requirement.looks_at(scene)
     for scene in scenes:
         found.extend(_not_judged(scene, looked_at[scene.case]))
     return Judgement(assess.worst_of_each(found), ladder.seconds, rungs)
+
+
+def stopped_result(
+    command: str, design: DesignSpec, spec: str, so_far: Judgement, seconds: float
+) -> Result:
+    """Return what a run had judged when it was stopped: it decides nothing but what fails."""
+    text = "the run was stopped: what it had not judged by then is undecided"
+    return Result(
+        command=command,
+        spec=spec,
+        status=Status.FAIL if so_far.status is Status.FAIL else Status.UNDECIDED,
+        title=design.title,
+        checks=so_far.checks,
+        warnings=(Note("interrupted", text),),
+        cost=Cost(seconds, so_far.deciding, None, by_model=so_far.by_model),
+    )
 
 
 class Used(NamedTuple):
@@ -147,6 +196,7 @@ class _Ladder:
         best: dict[str, Check] = {}
         spent, reason = 0.0, ""
         for rung in self.rungs:
+            doing(f"{requirement.label}, {scene.case}, by the {rung.name} model")
             started = perf_counter()
             buckled: Buckled | None = None
             try:
@@ -190,12 +240,17 @@ def _no_answer(
     requirement: Requirement, scene: Scene, reason: str, model: str, seconds: float
 ) -> Check:
     """Return the row of a requirement that no model could answer, with the reason."""
+    row = _open_row(requirement, scene, f"no model has an answer: {reason}")
+    return row._replace(model=model, seconds=seconds)
+
+
+def _not_done(requirement: Requirement, scene: Scene) -> Check:
+    return _open_row(requirement, scene, "not judged: the run was stopped before")
+
+
+def _open_row(requirement: Requirement, scene: Scene, text: str) -> Check:
     case = scene.case if requirement.per_case else ""
-    text = f"no model has an answer: {reason}"
-    return Check(
-        requirement.label, case, text, nan, nan, "", nan, nan, Verdict.UNDECIDED, "",
-        model=model, seconds=seconds,
-    )  # fmt: skip
+    return Check(requirement.label, case, text, nan, nan, "", nan, nan, Verdict.UNDECIDED, "")
 
 
 def _buckles(check: Check, share: float) -> Check:

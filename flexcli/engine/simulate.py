@@ -1,6 +1,7 @@
 """The verb simulate: the joint over its stroke, in exact equilibrium at every travel."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import inf, pi, sqrt
 from time import perf_counter
 
@@ -12,7 +13,7 @@ from flexcli.engine import values as design_values
 from flexcli.engine.answers.exact import TOLERANCE, ExactAnswers, driven_stiffness
 from flexcli.engine.answers.holds import driven_axis
 from flexcli.engine.answers.joint_states import blades_of, over_travels
-from flexcli.engine.judge import judge
+from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
 from flexcli.engine.models import rungs
 from flexcli.errors import SolveError
 from flexcli.mechanics.demand import Held
@@ -33,6 +34,7 @@ from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask
 from flexcli.results import Cost, QuantityKind, Result, Status, SweepPoint, SweepResult, Value
+from flexcli.results.activity import doing
 
 __all__ = ["simulate"]
 
@@ -63,14 +65,23 @@ def simulate(
         raise SolveError(
             "no-stroke", "no case moves the joint", "add stroke: to a case, e.g. {rotation: 5 deg}"
         )
+    models = rungs(design, EXACT_MODEL)
+    sweeps: tuple[SweepResult, ...] = ()
     try:
-        sweeps = tuple(_sweep(ask, points, blades) for ask in moving)
+        for ask in moving:
+            doing(f"the stroke of {ask.scene.case}")
+            sweeps += (_sweep(ask, points, blades),)
         values = design_values.values(design, sizes, answers)
+        found = judge(design, sizes, models)
     except NotAvailable as error:
         text = f"a {design.geometry.name} {error}"
         raise SolveError("no-layout", text, "take a joint that is made of blades") from error
-    models = rungs(design, EXACT_MODEL)
-    found = judge(design, sizes, models)
+    except KeyboardInterrupt as stopped:
+        if not sweeps:
+            raise
+        so_far = stopped.so_far if isinstance(stopped, Interrupted) else Judgement((), {}, models)
+        result = stopped_result("simulate", design, spec, so_far, perf_counter() - started)
+        return replace(result, sweeps=sweeps)
     reached = not any(sweep.missed for sweep in sweeps)
     effects = left_out.effects(design, sizes, models[0].answers)
     errors = [p.estimated_error for sweep in sweeps for p in sweep.points]

@@ -153,6 +153,11 @@ class SNCurve(_WithSource):
 class Material(Part):
     """Elastic, strength and fatigue properties; what nobody gave is absent, never guessed."""
 
+    extends: str = Field(
+        "",
+        description="name or path of a material whose values hold where none are given here",
+        examples=["ti-6al-4v"],
+    )
     name: str = ""
     condition: str = ""
     note: str = ""

@@ -9,7 +9,8 @@ import yaml
 from flexcli.errors import Finding, SpecError
 from flexcli.parts.asd import ASDProfile
 from flexcli.parts.design import DesignSpec
-from flexcli.spec.load import FORMAT, SUFFIXES, load, load_shipped
+from flexcli.spec.load import load, load_shipped
+from flexcli.spec.references import FORMAT, SUFFIXES
 from flexcli.spec.shipped import shipped_names
 from flexcli.units import written_in
 
