@@ -131,7 +131,10 @@ class _Resolver:
                     new, place = _extended(new, place, own, position.closest(path)[0])
                 value = _with(value, path, new)
                 position = _with_position(position, path, place)
-        return Document(document.file, value, position, lines, tuple(findings)), unresolved
+        found = replace(
+            document, value=value, position=position, lines=lines, findings=tuple(findings)
+        )
+        return found, unresolved
 
     def _found(self, kind: str, name: str, folder: Path, depth: int) -> Document:
         """Return the document of a spec named or given by its path from a folder."""

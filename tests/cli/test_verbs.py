@@ -62,7 +62,10 @@ def test_a_written_design_finds_files_from_its_new_folder(flexure, tmp_path, exa
     (tmp_path / "out").mkdir()
     assert flexure("size", "--write", "out/sized.yaml").returncode == 0
     assert yaml.safe_load((tmp_path / "out/sized.yaml").read_text())["material"] == "../mine.yaml"
-    assert flexure("check", "out/sized.yaml").returncode == 0
+    assert flexure("check", "out/sized.yaml", "--allow-outside").returncode == 0
+    told = flexure("check", "out/sized.yaml")
+    assert told.returncode == 2
+    assert "--allow-outside" in told.stderr
 
 
 def test_a_design_that_fails_exits_1(flexure, sized):
