@@ -14,9 +14,12 @@ from typing import Any, NamedTuple
 
 __all__ = [
     "DIMENSIONS",
+    "MAX_LENGTH",
+    "SLIPS",
     "Dimension",
     "QuantityError",
     "parse_quantity",
+    "registry",
     "show",
     "shown_unit",
     "written",
@@ -130,7 +133,7 @@ _SPELLING = str.maketrans({
 })  # fmt: skip
 _BARE_POWER = re.compile(r"(?<=[A-Za-z)])(?=[23](?![\d.]))")
 _TORQUE = re.compile(r"(?<![A-Za-z])(m?N)(mm?)(?![A-Za-z])")
-_SLIPS = {"mPa": "MPa", "Mm": "mm"}
+SLIPS = {"mPa": "MPa", "Mm": "mm"}
 """Units that exist, a billion times off what is meant in this field."""
 
 _PINT_DEFINITIONS = """
@@ -229,8 +232,8 @@ def _factor(unit: str, expected: Dimension) -> str:
     everyday = expected.units.get(plain)
     if everyday is not None:
         return everyday
-    if plain in _SLIPS:
-        raise QuantityError(f"'{unit}' is hardly meant", f"did you mean {_SLIPS[plain]}?")
+    if plain in SLIPS:
+        raise QuantityError(f"'{unit}' is hardly meant", f"did you mean {SLIPS[plain]}?")
     if not re.fullmatch(_UNIT, plain):
         raise QuantityError(f"'{unit}' is not a unit", f"write e.g. {expected.example}")
     return _factor_by_pint(plain, unit, expected.name)
@@ -244,14 +247,14 @@ def _factor_by_pint(unit: str, as_written: str, dimension: str) -> str:
     expected = DIMENSIONS[dimension]
     units = ", ".join(filter(None, expected.units))
     hint = f"{expected.named} is written e.g. {expected.example} (units: {units})"
-    registry = _registry()
+    known = registry()
     spelled = unit.replace("%", "percent")
     if "acceleration" in dimension:
         spelled = re.sub(r"(?<![A-Za-z_])g(?![A-Za-z_])", "g_n", spelled)
     try:
-        parsed = registry.parse_units(spelled)
-        target = registry.parse_units(expected.si or "dimensionless")
-        factor = registry.Quantity(Decimal(1), parsed).to(target).magnitude
+        parsed = known.parse_units(spelled)
+        target = known.parse_units(expected.si or "dimensionless")
+        factor = known.Quantity(Decimal(1), parsed).to(target).magnitude
     except pint.DimensionalityError:
         raise QuantityError(f"'{as_written}' does not measure {expected.named}", hint) from None
     except (pint.PintError, ArithmeticError, ValueError):  # the last for names such as "nan"
@@ -264,15 +267,15 @@ def _factor_by_pint(unit: str, as_written: str, dimension: str) -> str:
 
 
 @cache
-def _registry() -> Any:
-    """Return a Pint registry of only the units we accept (its full one is 30 times slower)."""
+def registry() -> Any:
+    """Return a Pint registry of the units that a spec may use (its full one is 30 times slower)."""
     import pint
 
-    registry: pint.UnitRegistry[Decimal] = pint.UnitRegistry(
+    found: pint.UnitRegistry[Decimal] = pint.UnitRegistry(
         None, non_int_type=Decimal, cache_folder=None
     )
-    registry.load_definitions(_PINT_DEFINITIONS.strip().splitlines())
-    return registry
+    found.load_definitions(_PINT_DEFINITIONS.strip().splitlines())
+    return found
 
 
 _SHOWN = {

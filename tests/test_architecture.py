@@ -17,11 +17,12 @@ BASE = {"errors", "units", "results"}
 LAYERS = {
     "errors": set(),
     "units": {"errors"},
+    "unit_patterns": {"errors", "units"},
     "results": {"errors"},
     "formulas": BASE | {"numerics"},
     "numerics": BASE,
     "mechanics": BASE | {"formulas", "numerics"},
-    "parts": BASE | {"formulas", "numerics", "mechanics"},
+    "parts": BASE | {"unit_patterns", "formulas", "numerics", "mechanics"},
     "spec": BASE | {"parts"},
     "engine": BASE | {"formulas", "numerics", "mechanics", "parts"},
     "report": BASE,

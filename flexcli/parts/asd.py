@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ValidationError, field_validator, model_validator
+from pydantic import Field, ValidationError, field_validator, model_validator
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from flexcli.formulas.decibels import levels_from_slopes, scale_level
@@ -131,9 +131,9 @@ class ASDProfile(Part):
     location: str = ""
     status: Literal["verified", "unverified", "reconstructed", "given"] = "given"
     note: str = ""
-    points: tuple[Breakpoint, ...] | None = None
+    points: tuple[Breakpoint, ...] | None = Field(None, json_schema_extra={"minItems": 2})
     start: Start | None = None
-    segments: tuple[Segment, ...] | None = None
+    segments: tuple[Segment, ...] | None = Field(None, json_schema_extra={"minItems": 1})
     interpolation: Literal["log-log", "linear"] = "log-log"
     duration: Duration | None = None
     axis: str = ""

@@ -15,6 +15,8 @@ __all__ = ["BalanceOptions", "Frequencies", "Tolerances"]
 LengthTolerance = Annotated[float, QuantityOf("length", at_least=0.0)]
 MassTolerance = Annotated[float, QuantityOf("mass", at_least=0.0)]
 
+MOST_POINTS = 100_000
+
 DECADES = (1.0, 10.0, 100.0, 1000.0)
 """Frequencies where nothing else is asked [Hz]."""
 
@@ -41,7 +43,7 @@ class Frequencies(Part):
     listed: tuple[Frequency, ...] = ()
     lowest: Frequency | None = Field(None, validation_alias=AliasPath("sweep", "from"))
     highest: Frequency | None = Field(None, validation_alias=AliasPath("sweep", "to"))
-    points: Annotated[int, Field(strict=True, ge=2, le=100_000)] = Field(
+    points: Annotated[int, Field(strict=True, ge=2, le=MOST_POINTS)] = Field(
         100, validation_alias=AliasPath("sweep", "points")
     )
 
@@ -67,10 +69,11 @@ class Frequencies(Part):
     def __get_pydantic_json_schema__(
         cls, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        one = {"type": "string", "examples": ["100 Hz"]}
+        one = QuantityOf("frequency", above=0.0).json_schema()
+        points = {"type": "integer", "minimum": 2, "maximum": MOST_POINTS}
         sweep = {
             "type": "object",
-            "properties": {"from": one, "to": one, "points": {"type": "integer", "minimum": 2}},
+            "properties": {"from": one, "to": one, "points": points},
             "required": ["from", "to"],
             "additionalProperties": False,
         }

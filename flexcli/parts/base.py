@@ -4,10 +4,16 @@ from collections.abc import Mapping
 from math import isfinite
 from typing import Annotated, Any, ClassVar, TypeAlias
 
-from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    model_validator,
+)
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from flexcli.units import DIMENSIONS, QuantityError, parse_quantity, show
+from flexcli.units import DIMENSIONS, LARGEST, MAX_LENGTH, QuantityError, parse_quantity, show
 
 __all__ = [
     "Acceleration",
@@ -22,14 +28,17 @@ __all__ = [
     "Inertia",
     "Length",
     "Mass",
+    "OneOrMore",
     "Part",
     "PositiveLength",
     "QuantityOf",
     "Ratio",
     "RotationalStiffness",
+    "Shorthand",
     "Stiffness",
     "Stress",
     "in_either",
+    "or_free",
     "said",
     "spec_error",
 ]
@@ -50,6 +59,26 @@ class Part(BaseModel):
     )
 
 
+class Shorthand(Part):
+    """A part that may be written as the plain value of one of its fields."""
+
+    stands_for: ClassVar[str]
+    """The field that a plain value gives."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_plain(cls, data: Any) -> Any:
+        return data if isinstance(data, dict) else {cls.stands_for: data}
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        whole = handler.resolve_ref_schema(handler(schema))
+        plain = {k: v for k, v in whole["properties"][cls.stands_for].items() if k != "title"}
+        return {"anyOf": [plain, whole]}
+
+
 def spec_error(text: str, hint: str = "", at: tuple[str | int, ...] = ()) -> PydanticCustomError:
     """Return a finding for a validator to raise: what is wrong and what would be right.
 
@@ -57,6 +86,16 @@ def spec_error(text: str, hint: str = "", at: tuple[str | int, ...] = ()) -> Pyd
     """
     message = text.replace("{", "(").replace("}", ")")
     return PydanticCustomError("spec", "{text}", {"text": message, "hint": hint, "at": list(at)})
+
+
+class OneOrMore:
+    """A type marker of lists: in a spec one value stands for a list of it alone."""
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        several = {"minItems": 1, **handler(schema)}
+        return {"anyOf": [several["items"], several]}
 
 
 class QuantityOf:
@@ -83,11 +122,44 @@ class QuantityOf:
     def __get_pydantic_json_schema__(
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
+        return self.json_schema()
+
+    def json_schema(self) -> dict[str, Any]:
+        """Return the JSON Schema of how a spec writes it; its title names it among all."""
+        from flexcli.unit_patterns import quantity_pattern  # loads Pint
+
         expected = DIMENSIONS[self.dimension]
-        described = f"{self.dimension}, e.g. {expected.example}"
-        if self.dimension == "ratio":
-            return {"type": ["number", "string"], "description": described}
-        return {"type": "string", "description": described, "examples": [expected.example]}
+        pattern = quantity_pattern(self.dimension, self._sign)
+        text = {"type": "string", "pattern": pattern, "maxLength": MAX_LENGTH}
+        bounds = [(words, bound) for words, bound, _ in self._bounds(0.0) if bound is not None]
+        title = {"title": " ".join([self.dimension, *(f"{w} {x:g}" for w, x in bounds)])}
+        if expected.si:
+            wrong = f"{expected.named} with its unit, e.g. {expected.example}"
+            return {**title, **text, "patternErrorMessage": wrong, "examples": [expected.example]}
+        ends = {
+            "exclusiveMinimum": self.above,
+            "minimum": self.at_least,
+            "exclusiveMaximum": self.below,
+            "maximum": LARGEST,
+        }
+        number = {"type": "number"} | {key: x for key, x in ends.items() if x is not None}
+        return {**title, "anyOf": [number, text]}
+
+    @property
+    def _sign(self) -> str:
+        """Return what the bounds say of the sign, as patterns of quantities name it."""
+        least = next((x for x in (self.above, self.at_least) if x is not None), -1.0)
+        if self.below is not None and self.below <= 0.0:
+            return "-"
+        return "" if least < 0.0 else "0+" if self.at_least == 0.0 else "+"
+
+    def _bounds(self, number: float) -> tuple[tuple[str, float | None, bool], ...]:
+        """Return each bound in words, its value, and whether a number keeps it."""
+        return (
+            ("above", self.above, self.above is None or number > self.above),
+            ("at least", self.at_least, self.at_least is None or number >= self.at_least),
+            ("below", self.below, self.below is None or number < self.below),
+        )
 
     def read(self, value: Any) -> float:
         """Return the SI value of what the spec says, or raise what is wrong with it."""
@@ -121,11 +193,7 @@ class QuantityOf:
         expected = DIMENSIONS[self.dimension]
         bounds = {
             f"{words} {show(bound, expected.si) if bound else 0}": holds
-            for words, bound, holds in (
-                ("above", self.above, self.above is None or number > self.above),
-                ("at least", self.at_least, self.at_least is None or number >= self.at_least),
-                ("below", self.below, self.below is None or number < self.below),
-            )
+            for words, bound, holds in self._bounds(number)
             if bound is not None
         }
         for bound, holds in bounds.items():
@@ -133,6 +201,20 @@ class QuantityOf:
                 example = f", e.g. {expected.example}" if expected.si else ""
                 hint = f"write {expected.named} {' and '.join(bounds)}{example}"
                 raise spec_error(f"{value} must be {bound}", hint)
+
+
+def or_free(quantity: QuantityOf) -> dict[str, Any]:
+    """Return the JSON Schema of a quantity, ``free``, or free between bounds."""
+    given = quantity.json_schema()
+    ends = {"type": "array", "items": {"anyOf": [given, {"type": "null"}]}}
+    bounded = {
+        "type": "object",
+        "properties": {"free": {**ends, "minItems": 2, "maxItems": 2}},
+        "required": ["free"],
+        "additionalProperties": False,
+    }
+    title = {"title": f"{given['title']}, or free"}
+    return {**title, "anyOf": [given, {"const": "free"}, bounded]}
 
 
 def in_either(value: Any, *dimensions: str) -> tuple[float, str]:

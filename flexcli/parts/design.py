@@ -5,7 +5,8 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
 
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import Field, GetJsonSchemaHandler, PrivateAttr, model_validator
+from pydantic_core import CoreSchema
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.balancing import BalanceOptions
@@ -83,6 +84,24 @@ class DesignSpec(Part):
             return data
         rest = {key: value for key, value in data.items() if key not in CASE_KEYS}
         return {**rest, "cases": {"design": {key: data[key] for key in loose}}}
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        whole = handler.resolve_ref_schema(handler(schema))
+        properties, required = whole["properties"], whole["required"]
+        (cases,) = properties["cases"].get("allOf", [properties["cases"]])
+        case = handler.resolve_ref_schema(cases["additionalProperties"])["properties"]
+        single = {"anyOf": [{"required": [key]} for key in case]} if "cases" in required else True
+        return {
+            **whole,
+            "properties": properties | case,
+            "required": [key for key in required if key != "cases"],
+            "if": {"required": ["cases"]},
+            "then": {"properties": dict.fromkeys(case, False)},
+            "else": single,
+        }
 
     @model_validator(mode="after")
     def _joints_fit(self) -> "DesignSpec":

@@ -36,7 +36,11 @@ class SweepRate(NamedTuple):
     def __get_pydantic_json_schema__(
         cls, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        return {"type": "string", "examples": ["0.05 Hz/s", "2 oct/min"]}
+        from flexcli.unit_patterns import number_pattern  # loads Pint
+
+        linear = QuantityOf("sweep rate", above=0.0).json_schema()
+        octaves = {"type": "string", "pattern": f"^\\s*{number_pattern('+')}\\s*oct/min\\s*$"}
+        return {"anyOf": [linear, octaves], "examples": ["0.05 Hz/s", "2 oct/min"]}
 
 
 def _rate(value: Any) -> SweepRate:

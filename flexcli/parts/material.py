@@ -1,7 +1,7 @@
 """The material of the blades: numbers with their source, and strength as an amplitude."""
 
 from itertools import pairwise
-from typing import Annotated, Any, Generic, Literal, TypeVar
+from typing import Annotated, Any, ClassVar, Generic, Literal, TypeVar
 
 from pydantic import Field, model_validator
 
@@ -12,6 +12,7 @@ from flexcli.parts.base import (
     Expansion,
     Part,
     QuantityOf,
+    Shorthand,
     Stress,
     spec_error,
 )
@@ -53,15 +54,12 @@ class _WithSource(Part):
         return self
 
 
-class Sourced(_WithSource, Generic[Number]):
+class Sourced(_WithSource, Shorthand, Generic[Number]):
     """A number with its source and status; a plain quantity stands for a given value."""
 
-    value: Number
+    stands_for: ClassVar[str] = "value"
 
-    @model_validator(mode="before")
-    @classmethod
-    def _from_plain(cls, data: Any) -> Any:
-        return data if isinstance(data, dict) else {"value": data}
+    value: Number
 
 
 class FatigueAmplitude(_WithSource):

@@ -3,10 +3,11 @@
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, TypeAlias
 
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, GetJsonSchemaHandler, Tag, model_validator
+from pydantic_core import CoreSchema
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.parts.base import Part, PositiveLength, spec_error
+from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
 
 __all__ = ["QUANTITIES", "Correction", "Grid", "Minimize", "Objective", "SizeOptions"]
 
@@ -35,6 +36,13 @@ class Grid(Part):
                 "a grid is a step or a list of sizes", "write 1 um, or [0.2 mm, 0.3 mm]"
             )
         return {"step": data}
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        size = QuantityOf("length", above=0.0).json_schema()
+        return {"anyOf": [size, {"type": "array", "items": size, "minItems": 1}]}
 
 
 class Correction(NamedTuple):

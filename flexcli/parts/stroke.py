@@ -2,9 +2,10 @@
 
 from typing import Any, ClassVar, Generic, TypeVar
 
-from pydantic import AliasChoices, AliasPath, Field, model_validator
+from pydantic import AliasChoices, AliasPath, Field, GetJsonSchemaHandler, model_validator
+from pydantic_core import CoreSchema
 
-from flexcli.parts.base import Angle, Count, Length, Part, spec_error
+from flexcli.parts.base import Angle, Count, Length, Part, QuantityOf, spec_error
 
 __all__ = ["Stroke"]
 
@@ -31,6 +32,15 @@ class Travel(Part, Generic[Number]):
         if isinstance(data, str) and data.strip().startswith("-"):
             raise spec_error(f"the amplitude {data} is negative", "write it without the sign")
         return {"end": data}
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        value = next(m for m in cls.model_fields["end"].metadata if isinstance(m, QuantityOf))
+        both = {"type": "array", "items": value.json_schema(), "minItems": 2, "maxItems": 2}
+        amplitude = QuantityOf(value.dimension, at_least=0.0).json_schema()
+        return {"anyOf": [amplitude, both]}
 
 
 class Stroke(Part):

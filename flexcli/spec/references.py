@@ -20,7 +20,7 @@ from flexcli.spec.findings import nearest, path_text
 from flexcli.spec.read import read_document
 from flexcli.spec.shipped import FOLDERS, shipped_names, shipped_path
 
-__all__ = ["FORMAT", "SUFFIXES", "checked_root", "from_anywhere", "no_version", "resolved"]
+__all__ = ["EXTENDS", "FORMAT", "REFERENCES", "SUFFIXES", "checked_root", "from_anywhere", "no_version", "resolved"]
 
 FORMAT = 1
 SUFFIXES = (".yaml", ".yml")
@@ -29,7 +29,7 @@ MAX_DEPTH = 8
 
 EXTENDS = "extends"
 
-_DESIGN = {
+REFERENCES = {
     ("material",): "material",
     ("geometry",): "geometry",
     ("stroke",): "stroke",
@@ -106,7 +106,7 @@ class _Resolver:
         known: dict[tuple[str, str], Document] = {}
         lines = dict(document.lines)
         value, position = document.value, document.position
-        for pattern, wanted in (_DESIGN if kind == "design" else {(kind,): kind}).items():
+        for pattern, wanted in (REFERENCES if kind == "design" else {(kind,): kind}).items():
             for path in _matches(value, pattern):
                 own = _at(value, path)
                 step = (*path, EXTENDS) if _extends(own, wanted) else path

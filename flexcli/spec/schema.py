@@ -1,35 +1,152 @@
-"""The JSON Schema of each kind of spec file."""
+"""The JSON Schema of each kind of spec file, from the parts that read it."""
 
+from collections.abc import Iterator
 from typing import Any
 
 from pydantic import TypeAdapter
+from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
+from pydantic_core import core_schema
 
-from flexcli.parts.design import CASE_KEYS, DesignSpec
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.fields import key_of, note
 from flexcli.spec.load import KINDS as PARTS
+from flexcli.spec.parse import parse_document
+from flexcli.spec.references import EXTENDS, FORMAT, REFERENCES
+from flexcli.spec.shipped import shipped_names
 
 __all__ = ["KINDS", "json_schema"]
 
 KINDS = ("design", *PARTS)
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
 def json_schema(kind: str) -> dict[str, Any]:
-    """Return the JSON Schema (2020-12) of a file of a kind."""
-    if kind != "design":
-        schema = TypeAdapter(PARTS[kind]).json_schema(by_alias=True)
-        definitions = schema.pop("$defs", {})
-        return {
-            "$schema": "https://json-schema.org/draft/2020-12/schema",
+    """Return the JSON Schema (2020-12) of a file of a kind.
+
+    It accepts what the tool does, but for what depends on more than one value: the rules between
+    keys, between parts and of mechanics.
+    """
+    model = DesignSpec if kind == "design" else PARTS[kind]
+    schema = TypeAdapter(model).json_schema(by_alias=True, schema_generator=_Generator)
+    definitions = schema.pop("$defs", {})
+    if kind == "design":
+        schema = _referring(schema, definitions)
+    else:
+        schema = {
             "type": "object",
-            "properties": {"flexure": {"const": 1}, kind: schema},
+            "properties": {"flexure": {"const": FORMAT}, kind: schema},
             "required": ["flexure", kind],
             "additionalProperties": False,
-            "$defs": definitions,
         }
-    schema = DesignSpec.model_json_schema(by_alias=True)
-    case = schema["$defs"]["Case"]["properties"]
-    schema["properties"].update({key: case[key] for key in CASE_KEYS})
-    schema["required"] = [key for key in schema["required"] if key != "cases"]
-    by_name = {"type": "string", "description": "name of a shipped spec, or a path ending in .yaml"}
-    for key in ("material", "geometry", "stroke"):
-        schema["properties"][key] = {"anyOf": [schema["properties"][key], by_name]}
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+    shared: dict[str, Any] = {}
+    schema = _sharing({**schema, "$defs": definitions}, shared)
+    schema["$defs"] |= shared
+    return {"$schema": DIALECT, "$id": f"urn:flexcli:{kind}:{FORMAT}", **schema}
+
+
+class _Generator(GenerateJsonSchema):
+    """Pydantic's own, with what stands below each field, and without what YAML here has not."""
+
+    def field_title_should_be_set(self, schema: Any) -> bool:
+        """Leave out titles: they repeat the names of the fields."""
+        return False
+
+    def model_schema(self, schema: core_schema.ModelSchema) -> JsonSchemaValue:
+        """Return the schema of a part with what its fields mean."""
+        found = super().model_schema(schema)
+        found.pop("title", None)
+        model = schema["cls"]
+        for name in model.model_fields:
+            key, said = key_of(model, name), note(model, name)
+            about: dict[str, Any] = {"description": said.text} if said.text else {}
+            if said.example:
+                about["examples"] = [_example(key, said.example)]
+            given = _given(found["properties"][key])
+            # what has a title keeps it for itself
+            found["properties"][key] = {"allOf": [given], **about} if about else given
+        return found
+
+    def default_schema(self, schema: core_schema.WithDefaultSchema) -> JsonSchemaValue:
+        """Leave out defaults: they are numbers in SI, which a spec cannot write."""
+        return self.generate_inner(schema["schema"])
+
+    def dict_schema(self, schema: core_schema.DictSchema) -> JsonSchemaValue:
+        """Refuse names that do not follow the pattern of a mapping's names."""
+        found = super().dict_schema(schema)
+        return {**found, "additionalProperties": False} if "patternProperties" in found else found
+
+    def tagged_union_schema(self, schema: core_schema.TaggedUnionSchema) -> JsonSchemaValue:
+        """Leave out OpenAPI's discriminator: each choice has its constant ``kind``."""
+        found = super().tagged_union_schema(schema)
+        found.pop("discriminator", None)
+        return found
+
+
+def _given(schema: dict[str, Any]) -> dict[str, Any]:
+    """Return the schema of a field that is given: a key without a value is a mistake."""
+    choices = [each for each in schema.get("anyOf", ()) if each != {"type": "null"}]
+    if len(choices) == 1:
+        return {**{k: v for k, v in schema.items() if k != "anyOf"}, **choices[0]}
+    return {**schema, "anyOf": choices} if choices else dict(schema)
+
+
+def _example(key: str, text: str) -> Any:
+    """Return the value of an example, which may be lines of its part."""
+    lines = text.startswith(f"{key}:")
+    value = parse_document(f"{{{text}}}" if lines else f"{key}: {text}", "").value
+    return value[key]
+
+
+def _referring(schema: dict[str, Any], definitions: dict[str, Any]) -> dict[str, Any]:
+    """Return a design's schema in which a spec may be named where the tool takes its name."""
+
+    def put(node: Any, path: tuple[str, ...], kind: str) -> None:
+        for inner in _alternatives(node, definitions):
+            if path[0] == "*":
+                put(inner["additionalProperties"], path[1:], kind)
+            elif path[0] in inner.get("properties", {}):
+                here = inner["properties"]
+                if path[1:]:
+                    put(here[path[0]], path[1:], kind)
+                elif _NAMED not in here[path[0]].get("anyOf", ()):
+                    here[path[0]] = _or_named(here[path[0]], kind)
+
+    for path, kind in REFERENCES.items():
+        put(schema, path, kind)
+    return schema
+
+
+_NAMED = {"type": "string", "pattern": r"\S"}
+
+
+def _or_named(schema: dict[str, Any], kind: str) -> dict[str, Any]:
+    about = {k: schema[k] for k in ("description", "examples") if k in schema}
+    rest = {k: v for k, v in schema.items() if k not in about}
+    rest = rest["allOf"][0] if "allOf" in rest else rest
+    shipped = {"enum": shipped_names(kind), "title": f"shipped {kind}"}
+    return {**about, "anyOf": [shipped, _NAMED, rest]}
+
+
+def _alternatives(node: Any, definitions: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Yield the objects that a node may be, through references and choices."""
+    if "$ref" in node:
+        yield from _alternatives(definitions[node["$ref"].rpartition("/")[2]], definitions)
+    for key in ("allOf", "anyOf", "oneOf"):
+        for inner in node.get(key, ()):
+            yield from _alternatives(inner, definitions)
+    if node.get("type") == "object":
+        yield node
+
+
+def _sharing(node: Any, shared: dict[str, Any]) -> Any:
+    """Return a schema in which what has a title is written once, among the definitions."""
+    if isinstance(node, list):
+        return [_sharing(each, shared) for each in node]
+    if not isinstance(node, dict):
+        return node
+    found = {key: _sharing(value, shared) for key, value in node.items()}
+    if isinstance(title := found.get("title"), str):
+        name = title.replace(" ", "-").replace(",", "")
+        shared[name] = found
+        return {"$ref": f"#/$defs/{name}"}
+    return {**found.pop("allOf")[0], **found} if "allOf" in found else found

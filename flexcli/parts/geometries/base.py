@@ -5,12 +5,13 @@ from collections.abc import Mapping
 from math import pi
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
-from pydantic import AliasPath, Field, model_validator
+from pydantic import AliasPath, Field, GetJsonSchemaHandler, model_validator
+from pydantic_core import CoreSchema
 
 from flexcli.formulas.card import Card, Range, outside
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Layout
-from flexcli.parts.base import Part, PositiveLength, spec_error
+from flexcli.parts.base import Part, PositiveLength, QuantityOf, or_free, spec_error
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.results import ErrorRange, QuantityKind, Value
 
@@ -90,6 +91,12 @@ class Extent(Part):
                 "write 0.2 mm, free, or {free: [0.1 mm, 1 mm]} (null where there is no bound)",
             )
         return data
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return or_free(QuantityOf("length", above=0.0))
 
     @model_validator(mode="after")
     def _in_order(self) -> "Extent":

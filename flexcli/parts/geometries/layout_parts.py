@@ -3,7 +3,8 @@
 from math import hypot
 from typing import Annotated, Any, TypeAlias
 
-from pydantic import Field, model_validator
+from pydantic import Field, GetJsonSchemaHandler, model_validator
+from pydantic_core import CoreSchema
 
 from flexcli.parts.base import (
     Angle,
@@ -12,6 +13,7 @@ from flexcli.parts.base import (
     Mass,
     Part,
     PositiveLength,
+    QuantityOf,
     RotationalStiffness,
     Stiffness,
     spec_error,
@@ -41,6 +43,18 @@ class Motion(Part):
                 "write rotation, or {translation: 90 deg}",
             )
         return data
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        direction = {
+            "type": "object",
+            "properties": {"translation": QuantityOf("angle").json_schema()},
+            "required": ["translation"],
+            "additionalProperties": False,
+        }
+        return {"anyOf": [{"const": "rotation"}, direction]}
 
 
 class DrawnBody(Part):

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from pydantic import GetJsonSchemaHandler
 from pydantic_core import CoreSchema
 
-from flexcli.parts.base import QuantityOf, spec_error
+from flexcli.parts.base import QuantityOf, or_free, spec_error
 from flexcli.units import DIMENSIONS
 
 __all__ = ["Free", "OrFree"]
@@ -24,15 +24,7 @@ class OrFree(QuantityOf):
     def __get_pydantic_json_schema__(
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        given = super().__get_pydantic_json_schema__(schema, handler)
-        ends = {"type": "array", "items": {"anyOf": [given, {"type": "null"}]}}
-        bounded = {
-            "type": "object",
-            "properties": {"free": {**ends, "minItems": 2, "maxItems": 2}},
-            "required": ["free"],
-            "additionalProperties": False,
-        }
-        return {"anyOf": [given, {"const": "free"}, bounded]}
+        return or_free(self)
 
     def read(self, value: Any) -> Any:
         """Return the SI value or what is free of it, or raise what is wrong."""

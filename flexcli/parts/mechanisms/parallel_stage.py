@@ -6,14 +6,15 @@ from math import inf
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, Field, GetJsonSchemaHandler, model_validator
+from pydantic_core import CoreSchema
 
 from flexcli.formulas import parallel_stage as planar
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.single_freedom import Expansion, SingleFreedom, expand
 from flexcli.formulas.transfer import natural_frequency
 from flexcli.mechanics.layout import Body
-from flexcli.parts.base import Angle, Mass, Part, QuantityOf, spec_error
+from flexcli.parts.base import Angle, Mass, QuantityOf, Shorthand, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
@@ -32,18 +33,25 @@ SOURCE = "exercise 9"
 ROUNDING = 1e-9
 """Coupling, over that before balancing, that counts as none."""
 
-PivotStiffness = Annotated[float, QuantityOf("rotational stiffness", at_least=0.0)]
+PIVOT = QuantityOf("rotational stiffness", at_least=0.0)
 
 
-class Coupling(Part):
+class Coupling(Shorthand):
     """How much of the coupling to the base may be left; a plain ratio stands for {max: ratio}."""
+
+    stands_for: ClassVar[str] = "max"
 
     max: Annotated[float, QuantityOf("ratio", at_least=0.0)]
 
-    @model_validator(mode="before")
-    @classmethod
-    def _from_plain(cls, data: Any) -> Any:
-        return data if isinstance(data, dict) else {"max": data}
+
+class _OneOrFour:
+    """A type marker: in a spec one value may stand for all four pivots."""
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        four = {"type": "array", "items": {"anyOf": [PIVOT.json_schema(), {"type": "null"}]}}
+        return {"anyOf": [PIVOT.json_schema(), {**four, "minItems": 4, "maxItems": 4}]}
 
 
 def _four(data: Any) -> Any:
@@ -81,9 +89,9 @@ class ParallelStage(Mechanism):
     coupling: Coupling | None = Field(
         None, description="largest coupling to the base, over that without balancing masses"
     )
-    pivot_stiffness: Annotated[tuple[PivotStiffness | None, ...] | None, BeforeValidator(_four)] = (
-        Field(None, alias="pivot-stiffness", description="in place of that of the blades")
-    )
+    pivot_stiffness: Annotated[
+        tuple[Annotated[float, PIVOT] | None, ...] | None, BeforeValidator(_four), _OneOrFour()
+    ] = Field(None, alias="pivot-stiffness", description="in place of that of the blades")
 
     @model_validator(mode="after")
     def _can_be_solved(self) -> "ParallelStage":

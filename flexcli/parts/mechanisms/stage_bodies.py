@@ -1,11 +1,11 @@
 """The bodies of a parallel stage as a spec writes them."""
 
-from typing import Annotated, Any
+from typing import Annotated, ClassVar
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from flexcli.formulas.parallel_stage import Rider
-from flexcli.parts.base import Inertia, Length, Mass, Part
+from flexcli.parts.base import Inertia, Length, Mass, Part, Shorthand
 from flexcli.parts.mechanisms.free_value import Free, OrFree
 
 __all__ = ["BalancingMass", "InertiaTensor", "Lever", "Platform"]
@@ -13,17 +13,14 @@ __all__ = ["BalancingMass", "InertiaTensor", "Lever", "Platform"]
 ACROSS = "centre of mass off the line through the lever's pivots, positive along x"
 
 
-class InertiaTensor(Part):
+class InertiaTensor(Shorthand):
     """Moments of inertia about the body's own centre of mass; a plain value stands for zz."""
+
+    stands_for: ClassVar[str] = "zz"
 
     xx: Inertia | None = None
     yy: Inertia | None = None
     zz: Inertia
-
-    @model_validator(mode="before")
-    @classmethod
-    def _from_plain(cls, data: Any) -> Any:
-        return data if isinstance(data, dict) else {"zz": data}
 
 
 class Lever(Part):

@@ -5,7 +5,7 @@ from typing import Annotated, Any, TypeVar
 
 from pydantic import BeforeValidator, Field
 
-from flexcli.parts.base import Part
+from flexcli.parts.base import OneOrMore, Part
 from flexcli.parts.requirements.as_printed import AS_PRINTED
 from flexcli.parts.requirements.ask import Answers, Ask, EndStress, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit, Requirement
@@ -42,7 +42,7 @@ def _as_list(data: Any) -> Any:
     return data if isinstance(data, list) else [data]
 
 
-Several = Annotated[tuple[Kind, ...], BeforeValidator(_as_list), Field(min_length=1)]
+Several = Annotated[tuple[Kind, ...], BeforeValidator(_as_list), Field(min_length=1), OneOrMore()]
 """One requirement of a kind, or a list of them (e.g. one per case)."""
 
 

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 from pydantic import model_validator
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.parts.base import Part, Ratio, spec_error
+from flexcli.parts.base import Part, Ratio, Shorthand, spec_error
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
@@ -96,16 +96,13 @@ class Requirement(Part):
             raise RequirementError(f"a {ask.geometry.name} {error}") from error
 
 
-class FactorRequirement(Requirement):
+class FactorRequirement(Requirement, Shorthand):
     """A required factor of safety; a plain number stands for {factor: number}."""
+
+    stands_for: ClassVar[str] = "factor"
 
     factor: Ratio
     cases: tuple[str, ...] | None = None
-
-    @model_validator(mode="before")
-    @classmethod
-    def _from_plain(cls, data: Any) -> Any:
-        return data if isinstance(data, dict) else {"factor": data}
 
     def covers(self, scene: Scene) -> bool:
         """Return whether the requirement is asked of this case."""

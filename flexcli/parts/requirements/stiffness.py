@@ -5,7 +5,8 @@ from typing import Any, ClassVar
 
 from pydantic import field_validator
 
-from flexcli.parts.base import in_either
+from flexcli.parts.base import RotationalStiffness, in_either
+from flexcli.parts.base import Stiffness as AStiffness
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.results import QuantityKind
@@ -13,12 +14,15 @@ from flexcli.results import QuantityKind
 __all__ = ["Stiffness"]
 
 
+_Either = AStiffness | RotationalStiffness
+
+
 class Stiffness(Bound):
     """Bounds on the stiffness of one joint, N·m/rad for a rotation and N/m for a translation."""
 
     label: ClassVar[str] = "stiffness"
 
-    @field_validator("min", "max", "equals", mode="before")
+    @field_validator("min", "max", "equals", mode="before", json_schema_input_type=_Either)
     @classmethod
     def _of_either_kind(cls, data: Any) -> Any:
         return None if data is None else in_either(data, "rotational stiffness", "stiffness")

@@ -15,7 +15,16 @@ from pydantic import Field, field_validator, model_validator
 
 from flexcli.errors import SolveError
 from flexcli.formulas.rigid_motion import motion_at
-from flexcli.parts.base import Length, in_either, spec_error
+from flexcli.parts.base import (
+    Length,
+    PositiveLength,
+    QuantityOf,
+    Ratio,
+    RotationalStiffness,
+    Stiffness,
+    in_either,
+    spec_error,
+)
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements.ask import Ask, RequirementError
@@ -36,6 +45,9 @@ Place = Annotated[
     tuple[Length, Length, Length],
     Field(description="where on the moving body, from the centre of a pivot, of a stage, or a tip"),
 ]
+
+_Given = Ratio | Stiffness | RotationalStiffness
+_Moved = PositiveLength | Annotated[float, QuantityOf("angle", above=0.0)]
 
 CENTRE = (0.0, 0.0, 0.0)
 """The moving body's point in the layout of its joint."""
@@ -117,7 +129,7 @@ class Support(Bound):
     over: Direction | None = None
     point: Place = CENTRE
 
-    @field_validator("min", "max", "equals", mode="before")
+    @field_validator("min", "max", "equals", mode="before", json_schema_input_type=_Given)
     @classmethod
     def _stiffness_or_ratio(cls, data: Any) -> Any:
         """Return value and SI unit, of whichever it is."""
@@ -215,7 +227,7 @@ class Deflection(Bound):
     direction: Direction
     point: Place = CENTRE
 
-    @field_validator("max", mode="before")
+    @field_validator("max", mode="before", json_schema_input_type=_Moved)
     @classmethod
     def _length_or_angle(cls, data: Any) -> Any:
         """Return value and SI unit, of whichever it is."""

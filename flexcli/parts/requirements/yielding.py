@@ -1,11 +1,11 @@
 """Yield: the largest stress of a case against an allowable of the material."""
 
 from collections.abc import Iterator
-from typing import Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import field_validator
 
-from flexcli.parts.base import spec_error
+from flexcli.parts.base import OneOrMore, spec_error
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
@@ -22,7 +22,7 @@ class Yield(FactorRequirement):
 
     label: ClassVar[str] = "yield"
 
-    allowable: tuple[Allowable, ...] = ("yield-strength",)
+    allowable: Annotated[tuple[Allowable, ...], OneOrMore()] = ("yield-strength",)
 
     @field_validator("allowable", mode="before")
     @classmethod
