@@ -23,6 +23,7 @@ __all__ = [
     "FormatOption",
     "Model",
     "ModelOption",
+    "OutputOption",
     "SpecArgument",
     "attempt",
     "fail",
@@ -31,6 +32,7 @@ __all__ = [
     "with_common_options",
     "write_file",
     "write_json",
+    "write_new",
     "write_text",
 ]
 
@@ -70,6 +72,9 @@ ModelOption = Annotated[
 ]
 FormatOption = Annotated[
     Format, typer.Option("--format", help="Text for people, JSON for scripts (on stdout, alone).")
+]
+OutputOption = Annotated[
+    Path | None, typer.Option("--output", "-o", help="File to write, which must be a new one.")
 ]
 SpecArgument = Annotated[
     Path | None, typer.Argument(help=f"Design file; {DEFAULT_SPEC} of this folder if left out.")
@@ -236,3 +241,11 @@ def write_file(path: Path, text: str) -> None:
         partial.unlink(missing_ok=True)
         sys.stderr.write(f"flexure: cannot write {path}: {error.strerror}\n")
         raise typer.Exit(2) from error
+
+
+def write_new(path: Path, text: str) -> None:
+    """Write a file that is not there yet."""
+    if path.exists():
+        sys.stderr.write(f"flexure: {path} exists; name another file, or remove it\n")
+        raise typer.Exit(2)
+    write_file(path, text)

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from flexcli.cli.common import write_json
+from flexcli.cli.common import OutputOption, write_json, write_new
 
 __all__ = ["NAME", "run"]
 
@@ -15,10 +15,20 @@ def run(
     kind: Annotated[
         str, typer.Argument(help="design, material, stroke, asd or geometry.")
     ] = "design",
+    output: OutputOption = None,
 ) -> None:
-    """Print the JSON Schema of a kind of spec."""
+    """Print the JSON Schema of a kind of spec, or write it to a file that specs can name.
+
+    An editor takes the schema that a spec's first line names, a path from the spec's own folder:
+    # yaml-language-server: $schema=flexure.schema.json
+    """
+    from flexcli.report.as_json import dumps
     from flexcli.spec.schema import KINDS, json_schema
 
     if kind not in KINDS:
         raise typer.BadParameter(f"'{kind}' is not one of {', '.join(KINDS)}")
-    write_json(json_schema(kind))
+    schema = json_schema(kind)
+    if output is None:
+        write_json(schema)
+    else:
+        write_new(output, dumps(schema) + "\n")

@@ -37,7 +37,8 @@ BEYOND = {
         "placed by p or by delta", "no room for min or max", "names one quantity",
         "is a translation or a rotation", "by 'points' or by 'basquin'", "a thickness is h or",
         "must name its source", "how far the tip may go", "this case loads nothing",
-        "a support without stiffness", "straight on log-log axes", "a translation has no centre", "has no length$", "needs two modes",
+        "a support without stiffness", "straight on log-log axes",
+        "a translation has no centre", "has no length$", "needs two modes",
     ),
     "between numbers": (
         "must rise", "do not rise", "is not below", "no width",
@@ -225,8 +226,8 @@ def test_a_typo_that_the_schema_lets_pass_is_beyond_any(typos: Any) -> None:
 
 UNITS = ("N m", "Nm", "mNm", "kN·mm", "m²", "m/s²", "m/s**2", "g²/Hz", "(m/s²)²/Hz", "µm", "μm",
          "°", "arcsec", "inch", "inches", "kpsi", "lbf/in", "N / mm", "lbf*in/deg", "/K", "ppm/K",
-         "dB/decade", "%", "percent", "mg", "min", "Mm", "mPa", "kkg", "mm2", "qm", "MN", "kilometers",
-         "J", "mJ", "ksi", "lb/in^3", "kHz/min", "")  # fmt: skip
+         "dB/decade", "%", "percent", "mg", "min", "Mm", "mPa", "kkg", "mm2", "qm", "MN",
+         "kilometers", "J", "mJ", "ksi", "lb/in^3", "kHz/min", "")  # fmt: skip
 """Units and what looks like them, everyday ones apart."""
 
 
