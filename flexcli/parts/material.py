@@ -3,7 +3,8 @@
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Generic, Literal, TypeVar
 
-from pydantic import Field, model_validator
+from pydantic import Field, GetJsonSchemaHandler, model_validator
+from pydantic_core import CoreSchema
 
 from flexcli.formulas.fatigue import amplitude_at_life, fully_reversed_amplitude
 from flexcli.parts.base import (
@@ -172,6 +173,14 @@ class Material(Part):
     fatigue_amplitude: FatigueAmplitude | None = None
     sn_amplitudes: SNCurve | None = None
     thermal_expansion: Sourced[Expansion] | None = None
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        whole = handler.resolve_ref_schema(handler(schema))
+        alone = {"required": whole.pop("required")}
+        return {**whole, "anyOf": [alone, {"required": ["extends"]}]}
 
     @model_validator(mode="after")
     def _strengths_in_order(self) -> "Material":

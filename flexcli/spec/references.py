@@ -20,7 +20,16 @@ from flexcli.spec.findings import nearest, path_text
 from flexcli.spec.read import read_document
 from flexcli.spec.shipped import FOLDERS, shipped_names, shipped_path
 
-__all__ = ["EXTENDS", "FORMAT", "REFERENCES", "SUFFIXES", "checked_root", "from_anywhere", "no_version", "resolved"]
+__all__ = [
+    "EXTENDS",
+    "FORMAT",
+    "REFERENCES",
+    "SUFFIXES",
+    "checked_root",
+    "from_anywhere",
+    "no_version",
+    "resolved",
+]
 
 FORMAT = 1
 SUFFIXES = (".yaml", ".yml")

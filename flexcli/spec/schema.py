@@ -29,6 +29,9 @@ def json_schema(kind: str) -> dict[str, Any]:
     model = DesignSpec if kind == "design" else PARTS[kind]
     schema = TypeAdapter(model).json_schema(by_alias=True, schema_generator=_Generator)
     definitions = schema.pop("$defs", {})
+    for part in (schema, *definitions.values()):
+        if EXTENDS in part.get("properties", {}):
+            part["properties"][EXTENDS] = _or_named(part["properties"][EXTENDS], "material")
     if kind == "design":
         schema = _referring(schema, definitions)
     else:

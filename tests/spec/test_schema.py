@@ -253,3 +253,13 @@ def test_a_pattern_takes_the_units_that_the_tool_reads(dimension: str) -> None:
 def test_a_pattern_knows_the_sign(sign: str, numbers: dict[str, bool]) -> None:
     pattern = quantity_pattern("length", sign)
     assert {text: bool(re.search(pattern, text)) for text in numbers} == numbers
+
+
+@pytest.mark.parametrize(("material", "valid"), [
+    ("ti-6al-4v", True), ("parts/mine.yaml", True), ({"youngs_modulus": "110 GPa"}, True),
+    ({"extends": "ti-6al-4v", "density": "4400 kg/m^3"}, True), ({"extends": 7}, False),
+    ({"density": "4400 kg/m^3"}, False), (["ti-6al-4v"], False), (7, False),
+])  # fmt: skip
+def test_a_material_is_named_written_out_or_extended(material: Any, valid: bool) -> None:
+    root = read_document(SPECS[0]).value
+    assert accepts({**root, "material": material}) is valid
