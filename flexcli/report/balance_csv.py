@@ -2,6 +2,7 @@
 
 from cmath import phase
 
+from flexcli.report.rows_csv import rows_csv
 from flexcli.results import TransferRow
 
 __all__ = ["transfer_csv"]
@@ -19,13 +20,11 @@ COLUMNS = (
 
 def transfer_csv(rows: tuple[TransferRow, ...]) -> str:
     """Return the table with a heading; a cell is empty where there is no number."""
-    lines = [",".join(COLUMNS)]
-    lines.extend(",".join(_cells(row)) for row in rows)
-    return "\n".join(lines) + "\n"
+    return rows_csv(COLUMNS, map(_cells, rows))
 
 
-def _cells(row: TransferRow) -> list[str]:
+def _cells(row: TransferRow) -> list[float | None]:
     numbers: list[float | None] = [row.frequency, row.init, row.final]
     for damped in (row.init_damped, row.final_damped):
         numbers += [None, None] if damped is None else [abs(damped), phase(damped)]
-    return ["" if number is None else repr(number) for number in numbers]
+    return numbers

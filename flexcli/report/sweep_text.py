@@ -1,12 +1,11 @@
 """A static sweep on screen, and as rows for a spreadsheet."""
 
-import csv
 from collections.abc import Sequence
-from io import StringIO
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from flexcli.report.rows_csv import rows_csv
 from flexcli.report.tables import table as new_table
 from flexcli.results import SweepPoint, SweepResult
 from flexcli.units import shown_unit
@@ -65,11 +64,6 @@ def sweep_table(sweep: SweepResult) -> RenderableType:
 
 def sweep_csv(sweeps: Sequence[SweepResult]) -> str:
     """Return every point of every case as CSV, SI units in the heading."""
-    text = StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    units = _units(sweeps[0])
-    names = SweepPoint._fields
-    writer.writerow(["case", *(f"{n} [{units[n]}]" if n in units else n for n in names)])
-    for sweep in sweeps:
-        writer.writerows([sweep.case, *point] for point in sweep.points)
-    return text.getvalue()
+    units, names = _units(sweeps[0]), SweepPoint._fields
+    heading = ("case", *(f"{n} [{units[n]}]" if n in units else n for n in names))
+    return rows_csv(heading, ((sweep.case, *point) for sweep in sweeps for point in sweep.points))

@@ -1,7 +1,7 @@
 """From pydantic's errors to findings: by their type and context, never by their English text."""
 
 from collections.abc import Iterable, Iterator
-from difflib import get_close_matches
+from difflib import SequenceMatcher, get_close_matches
 from functools import cache
 from itertools import takewhile
 from types import UnionType
@@ -14,9 +14,12 @@ from flexcli.parts.base import Part, QuantityOf, said
 from flexcli.spec.document import MAX_FINDINGS, Document, finding_at
 from flexcli.units import DIMENSIONS
 
-__all__ = ["findings_of", "nearest", "path_text"]
+__all__ = ["findings_of", "nearest", "path_text", "with_nearest_kinds"]
 
 Path = tuple[str | int, ...]
+
+NEAR = 0.6
+"""Likeness of two words (difflib's) from which one may be meant for the other."""
 
 _EXPECTED = {
     "string_type": ("a text", "write it in quotes if it looks like a number"),
@@ -38,7 +41,7 @@ def nearest(word: str, names: Iterable[str]) -> str:
     return f"one of: {shown}" if known else ""
 
 
-def _close(word: str, names: Iterable[str], cutoff: float = 0.6) -> str | None:
+def _close(word: str, names: Iterable[str], cutoff: float = NEAR) -> str | None:
     spelled = {name.casefold(): name for name in names}
     close = get_close_matches(word[:60].casefold(), spelled, n=1, cutoff=cutoff)
     return spelled[close[0]] if close else None
@@ -104,9 +107,12 @@ def _fault(raw: Any, model: Any) -> _Fault:
         case "union_tag_invalid":
             tag = context["discriminator"].strip("'")
             text = f"{said(given[tag])} is not a known {_noun(loc)}"
-            return _Fault((*loc, tag), text, _choice(given[tag], context["expected_tags"]))
+            near = _nearest_kind(raw, model)
+            hint = f"did you mean '{near.tag}'? it takes {near.shown}" if near else ""
+            hint = hint or _choice(given[tag], context["expected_tags"])
+            return _Fault((*loc, tag), text, hint)
         case "union_tag_not_found":
-            return _without_tag(context["discriminator"].strip("'"), given, model, loc)
+            return _without_tag(raw, model)
         case "too_short":
             return _Fault(loc, "is empty", f"give at least {context['min_length']}")
         case "greater_than_equal":
@@ -121,17 +127,102 @@ def _fault(raw: Any, model: Any) -> _Fault:
     if kind in _EXPECTED:
         expected, hint = _EXPECTED[kind]
         return _Fault(loc, f"{expected} is expected here, not {said(given)}", hint)
-    return _Fault(loc, raw["msg"], "see 'flexure schema' for what may stand here")
+    return _Fault(loc, f"{said(given)} cannot stand here", "see 'flexure schema' for what may")
 
 
-def _without_tag(tag: str, given: dict[str, Any], model: Any, loc: Path) -> _Fault:
+def _without_tag(raw: Any, model: Any) -> _Fault:
     """Return what to say of a mapping that does not tell its kind, or misspells the key."""
-    misspelled = _close(tag, given)
-    if misspelled is not None and misspelled not in _keys_at(model, loc):
+    loc, given, tag = raw["loc"], raw["input"], raw["ctx"]["discriminator"].strip("'")
+    misspelled = _misspelled_tag(raw, model)
+    if misspelled is not None:
         text = f"unknown key '{misspelled}'"
         return _Fault((*loc, misspelled), text, f"did you mean '{tag}'?", at_key=True)
     kinds = ", ".join(str(k) for m in _models_at(model, loc) for k in _tag_values(m))
-    return _Fault(loc, f"'{tag}' is missing", f"say which {_noun(loc)}: {kinds}", at_key=True)
+    near = _nearest_kind(raw, model)
+    fits = f"its keys fit '{near.tag}'; " if near else ""
+    return _Fault(loc, f"'{tag}' is missing", f"{fits}say which {_noun(loc)}: {kinds}", at_key=True)
+
+
+def _misspelled_tag(raw: Any, model: Any) -> str | None:
+    """Return the key that was meant to tell the kind."""
+    loc, given, tag = raw["loc"], raw["input"], raw["ctx"]["discriminator"].strip("'")
+    close = _close(tag, (key for key in given if isinstance(key, str)))
+    return close if close is not None and close not in _keys_at(model, loc) else None
+
+
+class _Kind(NamedTuple):
+    """The kind that a mapping most likely is meant to be, and the keys that it takes."""
+
+    tag: str
+    keys: tuple[str, ...]
+
+    @property
+    def shown(self) -> str:
+        return ", ".join(self.keys[:12]) + (", …" if len(self.keys) > 12 else "")
+
+
+def _nearest_kind(raw: Any, model: Any) -> _Kind | None:
+    """Return the kind of the nearest name whose keys fit best, or else that of the most keys."""
+    given, tag = raw["input"], raw["ctx"]["discriminator"].strip("'")
+    kinds = {str(k): m for m in _models_at(model, raw["loc"]) for k in _tag_values(m)}
+    if not isinstance(given, dict) or not kinds:
+        return None
+    misspelled = _misspelled_tag(raw, model)
+    named = str(given.get(tag, given.get(misspelled, "")))[:60].casefold()
+    keys = {str(key) for key in given} - {tag, misspelled}
+    near = {name: SequenceMatcher(None, named, name).ratio() for name in kinds}
+    words = set(named.split("-"))
+    close = [k for k in kinds if near[k] >= NEAR or words & set(k.split("-")) == set(k.split("-"))]
+    if not close:
+        shared = {name: len(keys & set(_fields(m))) for name, m in kinds.items()}
+        most = max(shared.values())
+        close = [name for name, count in shared.items() if count == most and 2 * most > len(keys)]
+    best = min(close, key=lambda name: _misfit(keys, kinds[name]) - near[name], default=None)
+    if best is None:
+        return None
+    return _Kind(best, tuple(key for key in _fields(kinds[best]) if key != tag))
+
+
+def _misfit(keys: set[str], model: type[BaseModel]) -> float:
+    """Return how many keys a kind does not know or lacks; one that is near counts half."""
+    known = {info.alias or name: info.is_required() for name, info in model.model_fields.items()}
+    lacking = {key for key, is_required in known.items() if is_required} - keys - {"kind"}
+    misfit = 0.0
+    for key in keys - set(known):
+        close = _close(key, lacking)
+        lacking.discard(close or "")
+        misfit += 0.5 if close else 1.0
+    return misfit + len(lacking)
+
+
+def with_nearest_kinds(value: Any, error: ValidationError, model: Any) -> Any | None:
+    """Return a value with unknown kinds put right, for the rest of it to be validated too.
+
+    Nothing when there is no unknown kind in it, or none is near.
+    """
+    mended = value
+    for raw in error.errors(include_url=False):
+        if raw["type"] not in ("union_tag_invalid", "union_tag_not_found"):
+            continue
+        near = _nearest_kind(raw, model)
+        if near is not None:
+            tag = raw["ctx"]["discriminator"].strip("'")
+            gone = _misspelled_tag(raw, model) if tag not in raw["input"] else None
+            rest = {key: inner for key, inner in raw["input"].items() if key != gone}
+            mended = _put(mended, raw["loc"], {**rest, tag: near.tag})
+    return None if mended is value else mended
+
+
+def _put(value: Any, loc: Path, new: Any) -> Any:
+    """Return a value with another at a pydantic location, whose own steps are passed over."""
+    if not loc:
+        return new
+    step, rest = loc[0], loc[1:]
+    if isinstance(value, dict) and step in value:
+        return {**value, step: _put(value[step], rest, new)}
+    if isinstance(value, list) and isinstance(step, int) and step < len(value):
+        return [*value[:step], _put(value[step], rest, new), *value[step + 1 :]]
+    return _put(value, rest, new)
 
 
 def _noun(loc: Path) -> str:

@@ -13,7 +13,7 @@ from flexcli.parts.geometries import AnyGeometry
 from flexcli.parts.material import Material
 from flexcli.parts.stroke import Stroke
 from flexcli.spec.document import Document, finding_at
-from flexcli.spec.findings import findings_of, nearest, path_text
+from flexcli.spec.findings import findings_of, nearest, path_text, with_nearest_kinds
 from flexcli.spec.read import read_document
 from flexcli.spec.references import checked_root, no_version, resolved
 from flexcli.spec.shipped import shipped_names, shipped_path
@@ -63,8 +63,8 @@ def load(path: Path) -> Loaded:
     findings = [f for f in findings if f.path not in unresolved]
     if document.findings or findings:
         raise SpecError(_each_once([*document.findings, *findings]))
-    if own is None:
-        _refuse_problems(part, document)
+    if own is None and (problems := _problems(part, document)):
+        raise SpecError(problems)
     return Loaded(kind, part, document)
 
 
@@ -91,22 +91,32 @@ def _adapter(kind: str) -> TypeAdapter[Any]:
 def _validated(
     kind: str, value: Any, document: Document, below: tuple[str, ...] = ()
 ) -> tuple[Any, list[Finding]]:
-    """Return the validated part, or nothing and what is wrong beyond what reading found."""
+    """Return the validated part, or nothing and what is wrong beyond what reading found.
+
+    Where a kind is unknown, the rest is held against the nearest one.
+    """
     try:
         return _adapter(kind).validate_python(value), []
     except ValidationError as error:
         model = DesignSpec if kind == "design" else KINDS[kind]
         found = findings_of(error, model, document, below)
         known = {(f.file, f.line, f.path) for f in document.findings}
-        return None, [f for f in found if (f.file, f.line, f.path) not in known]
+        found = [f for f in found if (f.file, f.line, f.path) not in known]
+        mended = with_nearest_kinds(value, error, model)
+        if mended is not None:
+            part, more = _validated(kind, mended, document, below)
+            found += more if part is None or below else _problems(part, document)
+        return None, found
 
 
 def _each_once(findings: list[Finding]) -> list[Finding]:
     """Leave out what is said already, as when two cases name the same file."""
-    return list({(f.file, f.line, f.column, f.text): f for f in reversed(findings)}.values())
+    once = {(f.file, f.line, f.column, f.text): f for f in reversed(findings)}
+    return list(reversed(once.values()))
 
 
-def _refuse_problems(design: DesignSpec, document: Document) -> None:
+def _problems(design: DesignSpec, document: Document) -> list[Finding]:
+    """Return what does not fit between parts of a design that are sound each."""
     findings = []
     for problem in design.problems():
         written = _as_written(problem.path, document)
@@ -122,8 +132,7 @@ def _refuse_problems(design: DesignSpec, document: Document) -> None:
                 at_key=bool(path) and (is_missing or bool(place.children)),
             )
         )
-    if findings:
-        raise SpecError(findings)
+    return findings
 
 
 def _as_written(path: tuple[str | int, ...], document: Document) -> tuple[str | int, ...]:

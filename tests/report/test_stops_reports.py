@@ -1,5 +1,6 @@
 """The answer of ``flexure stops`` as text and CSV, from results made by hand."""
 
+import csv
 from io import StringIO
 
 import pytest
@@ -97,6 +98,16 @@ def test_csv_keeps_every_digit():
     row = sweep_csv(result(sweeps=(sweep,))).splitlines()[1].split(",")
     assert float(row[2]) == 1 / 7
     assert row[6:] == ["false", "", "", ""]
+
+
+def test_any_name_of_a_case_keeps_to_its_cell():
+    name = 'sine, 1.5 g "slow"\nand back'
+    history = StopHistory(name, (0.1,), (1 / 3,), (0.0,), (2.5,))
+    sweep = StopSweep(name, "", (step(True, 1 / 7),), None, None, None)
+    for text in (history_csv(result(histories=(history,))), sweep_csv(result(sweeps=(sweep,)))):
+        (row,) = csv.DictReader(StringIO(text, newline=""))
+        assert row["case"] == name
+        assert None not in row, "no cell beyond the heading"
 
 
 def test_a_range_and_the_periods_of_a_motion_are_told():
