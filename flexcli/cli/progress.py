@@ -39,7 +39,7 @@ class Run:
         """Return what to do about a run that was stopped."""
         if self.limit is None:
             return "run it again to its end"
-        return "raise --time-limit, or ask for less: one case, a coarser accuracy, --model"
+        return "raise --time-limit, or ask for less at once"
 
 
 run: ContextVar[Run | None] = ContextVar("run", default=None)

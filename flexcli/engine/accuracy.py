@@ -49,7 +49,7 @@ def accuracy(
     tolerance, settled, unsettled = _settled(wanted)
     if not settled:
         text = f"a {design.geometry.name} {_why_not(wanted[0])}: there is nothing to compare with"
-        raise SolveError("one-model", text, "take a joint of which all blades are given")
+        raise SolveError("one-model", text, "'flexure check' judges it by the model that it has")
     rungs = ladder(design.geometry, tolerance)
     target = asked or design.accuracy or ACCURACY
     still = compared(settled, rungs, timed(settled, rungs, runs), target, unsettled)

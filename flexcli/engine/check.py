@@ -106,7 +106,8 @@ def told_values(design: DesignSpec, sizes: Sizes, answers: Answers) -> dict[str,
         found = design_values.values(design, sizes, answers)
     except NotAvailable as error:
         text = f"a {design.geometry.name} {error}"
-        raise NoSolution(f"{answers.model}-has-no-answer", text, "take another model") from error
+        remedy = "hold or support every body, or lessen the loads of the cases"
+        raise NoSolution(f"{answers.model}-has-no-answer", text, remedy) from error
     return design_values.with_errors(found, left_out.errors_of(design, sizes, answers))
 
 

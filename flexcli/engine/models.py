@@ -52,7 +52,7 @@ def _answers_of(design: DesignSpec, model: str) -> Answers:
     """
     if model in ("source", "closed-form") and not design.geometry.closed_forms:
         text = f"a {design.geometry.name} has no closed forms"
-        raise SolveError("no-closed-forms", text, "take --model linear or exact")
+        raise SolveError("no-closed-forms", text, "take model linear or exact, or name none")
     heard = _heard(design.effects)
     if model == "source":
         return Corrected(AS_PRINTED, (), model, left_out=heard)

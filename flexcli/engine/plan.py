@@ -145,11 +145,13 @@ def _taken(
 
     Where none does, it is the most accurate of those that carry the most of what is on.
     """
+    names = ", ".join(m.name for m in models)
     if model is not None:
         models = [m for m in models if m.name == model]
     if not models:
-        what = f"no {model} model" if model else "no model"
-        raise SolveError("no-model", f"a {design.geometry.name} has {what}", "take another model")
+        what = f"no {model} model to plan with" if model else "no model to plan with"
+        remedy = f"take --model {names}" if names else "leave accuracy: out; check judges it"
+        raise SolveError("no-model", f"a {design.geometry.name} has {what}", remedy)
     heard = [k for k in known if k.asked != "off"]
     good = [m for m in models if not m.missing and error_of(m, heard, on) <= asked]
     if good:

@@ -12,10 +12,10 @@ from flexcli.engine import left_out
 from flexcli.engine import values as design_values
 from flexcli.engine.answers.exact import TOLERANCE, ExactAnswers, driven_stiffness
 from flexcli.engine.answers.holds import driven_axis
-from flexcli.engine.answers.joint_states import blades_of, over_travels
+from flexcli.engine.answers.joint_states import blades_of, layout_of, over_travels
 from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
 from flexcli.engine.models import rungs
-from flexcli.errors import SolveError
+from flexcli.errors import NoSolution, SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.energy import strain_energy
 from flexcli.mechanics.equilibrium import solve
@@ -55,7 +55,8 @@ def simulate(
     Raises
     ------
     SolveError
-        When no case has a stroke, or the joint is not made of blades and bodies.
+        When no case has a stroke, the joint is not made of blades and bodies, or it has no
+        equilibrium (:class:`NoSolution`).
 
     """
     started = perf_counter()
@@ -74,8 +75,7 @@ def simulate(
         values = design_values.values(design, sizes, answers)
         found = judge(design, sizes, models)
     except NotAvailable as error:
-        text = f"a {design.geometry.name} {error}"
-        raise SolveError("no-layout", text, "take a joint that is made of blades") from error
+        raise _no_sweep(moving[0], error) from error
     except KeyboardInterrupt as stopped:
         if not sweeps:
             raise
@@ -105,6 +105,18 @@ def simulate(
             by_model=found.by_model,
         ),
     )
+
+
+def _no_sweep(ask: Ask, error: NotAvailable) -> SolveError:
+    """Return why there is no simulation: of what joint, or of what loads and stroke."""
+    text = f"a {ask.geometry.name} {error}"
+    try:
+        layout_of(ask)
+    except NotAvailable:
+        remedy = "'flexure check' judges it by its formulas; blades in a plane can be simulated"
+        return SolveError("no-layout", text, remedy)
+    remedy = "lessen the loads or the stroke of its cases, or state ends: that hold it"
+    return NoSolution("no-equilibrium", text, remedy)
 
 
 def _sweep(ask: Ask, points: int, blades: Effects) -> SweepResult:

@@ -124,7 +124,7 @@ def lost_path() -> SolveError:
     return SolveError(
         "lost-path",
         "the path of the load pattern is lost before anything is critical",
-        "lessen what is held, or trace the path by arc length to see where it goes",
+        "hold fewer of its motions, or lessen its stroke",
     )
 
 

@@ -196,7 +196,7 @@ def critical_load(
     raise SolveError(
         "inaccurate",
         "the finest nodes do not settle the critical load",
-        "ask for less accuracy",
+        "the linear model tells the load at rest",
     )
 
 
@@ -290,6 +290,6 @@ def _critical(search: Search, found: CriticalPoint, error: float, most: float) -
 def _none_up_to(most: float) -> SolveError:
     return SolveError(
         "no-critical-load",
-        f"no equilibrium up to {most:g} times the pattern is critical",
-        "raise the largest factor, or turn the pattern round",
+        f"no equilibrium up to {most:g} times the loads is critical",
+        "only the opposite direction of the loads may buckle it",
     )

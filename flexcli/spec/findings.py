@@ -132,7 +132,7 @@ def _fault(raw: Any, model: Any) -> _Fault:
 
 def _without_tag(raw: Any, model: Any) -> _Fault:
     """Return what to say of a mapping that does not tell its kind, or misspells the key."""
-    loc, given, tag = raw["loc"], raw["input"], raw["ctx"]["discriminator"].strip("'")
+    loc, tag = raw["loc"], raw["ctx"]["discriminator"].strip("'")
     misspelled = _misspelled_tag(raw, model)
     if misspelled is not None:
         text = f"unknown key '{misspelled}'"

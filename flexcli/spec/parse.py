@@ -224,7 +224,7 @@ class _Reader:
         """Raise what broke the syntax, and the findings before it."""
         if not isinstance(error, yaml.MarkedYAMLError):
             self._give_up(
-                self._position(0, 0), "", f"is not valid YAML: {error}", "save it as UTF-8 text"
+                self._position(0, 0), "", "is not valid YAML", "save it as UTF-8 text"
             )
         bracket = self.brackets[-1] if self.brackets else None
         mark, text, hint = explain(error, self.text, self.lines[self.file], bracket)

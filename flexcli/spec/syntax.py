@@ -46,7 +46,7 @@ def explain(
     if bracket and "flow" in words:
         start = bracket
     rule = next((rule for rule in _SYNTAX if rule.words in words), None)
-    said, hint = f"is not valid YAML: {words}", "check indentation, brackets and quotes"
+    said, hint = "is not valid YAML here", "check indentation, brackets and quotes"
     if rule:
         said, hint = rule.text, rule.hint
     if rule and rule.unclosed:

@@ -305,7 +305,11 @@ class _Ladder:
             if (history := run.history()) is not None:
                 self.histories.append(history)
         if not found:
-            raise SolveError("no-excitation", f"case '{case}' does not shake the blade", "")
+            raise SolveError(
+                "no-excitation",
+                f"case '{case}' does not shake the blade",
+                "give it a sine, sweep, shock or asd",
+            )
         return found
 
     def _enough(self, strengths: list[_Strength], errors: dict[str, ErrorRange]) -> Enough:

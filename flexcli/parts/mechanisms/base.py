@@ -94,6 +94,7 @@ class Mechanism(Part):
     def hanging_mass(self) -> float:
         """Return the mass that the joints carry against gravity [kg]."""
 
+    @abstractmethod
     def structure(
         self,
         geometry: Geometry,
@@ -106,7 +107,6 @@ class Mechanism(Part):
 
         ``density`` is that of the blades [kg/m³]; 0 leaves their mass out.
         """
-        raise MechanismError("asd", "this mechanism has no linear structure yet", "")
 
     @abstractmethod
     def freedom(
