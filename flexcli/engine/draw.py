@@ -1,0 +1,312 @@
+"""The verb draw: the joint at rest and at the ends of its stroke, as the exact model has it."""
+
+from collections.abc import Callable, Sequence
+from math import cos, sin
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.engine.answers.exact import TOLERANCE, ExactAnswers
+from flexcli.engine.answers.joint_states import blades_of, over_travels
+from flexcli.engine.values import stated_strength
+from flexcli.errors import SolveError
+from flexcli.mechanics.demand import Held
+from flexcli.mechanics.equilibrium import solve
+from flexcli.mechanics.layout import Blade, Layout, Load
+from flexcli.mechanics.mesh import Effects, column
+from flexcli.mechanics.points import point_motion
+from flexcli.mechanics.shape import centre_line
+from flexcli.mechanics.state import Equilibrium, Outcome
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries import Geometry, Sizes
+from flexcli.parts.geometries.base import GROUND, MOVING
+from flexcli.parts.requirements import Ask
+from flexcli.results.drawing import (
+    XY,
+    Drawing,
+    DrawnAngle,
+    DrawnBlade,
+    DrawnBody,
+    DrawnForce,
+    DrawnState,
+)
+
+__all__ = ["drawing"]
+
+Floats = NDArray[np.float64]
+
+STATES = 21
+"""Travels from end to end of the stroke: the path of the centre is drawn through them."""
+
+AT_REST = 33
+"""Places on each piece of a blade at rest, enough to see the shape of a notch."""
+
+Turn = Callable[[Floats], Floats]
+
+
+def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawing:
+    """Return the joint of a design as it is drawn, in the axes of its cases.
+
+    Parameters
+    ----------
+    design : DesignSpec
+        The design.
+    sizes : named tuple
+        Its sizes [m].
+    case : str, optional
+        The case whose stroke and forces are drawn; the first that moves the joint, if left out.
+
+    Raises
+    ------
+    SolveError
+        When there is no such case.
+
+    """
+    if case is not None and case not in design.cases:
+        text = f"there is no case {case}"
+        raise SolveError("no-such-case", text, f"name one of {', '.join(design.cases)}")
+    asks = design.asks(sizes, ExactAnswers())
+    named = [a for a in asks if a.scene.case == case]
+    ask = next(iter(named or [a for a in asks if a.scene.moves] or asks))
+    geometry, notes = design.geometry, []
+    if getattr(geometry, "spacing", 1.0) is None:
+        apart = geometry.length(sizes) / 2.0
+        geometry = geometry.model_copy(update={"spacing": apart})
+        ask = ask._replace(geometry=geometry)
+        notes.append("the distance from blade to blade is not in the spec")
+    if design.mechanism is not None:
+        notes.append("the joint alone, without the bodies of its mechanism")
+    given = tuple((name, float(size)) for name, size in sizes._asdict().items())
+    strength = stated_strength(design.material)
+    try:
+        layout = geometry.layout(design.material.elastic, sizes)
+    except NotAvailable:
+        twists = geometry.strain == "twist"
+        blades, bodies = _bar(geometry, sizes) if twists else ((), _links(geometry))
+        return Drawing(
+            kind=geometry.name, motion=geometry.motion, blades=blades, bodies=bodies, sizes=given,
+            centre=(0.0, 0.0), case=ask.scene.case, unit=geometry.travel_unit, twists=twists,
+            notes=tuple(notes),
+        )  # fmt: skip
+    turn = _turning(-geometry.axes)
+    states, path, missed = _moved(ask, turn) if ask.scene.moves else ((), (), "")
+    centre = np.array([float(c) for c in layout.body(MOVING).point])
+    return Drawing(
+        kind=geometry.name,
+        motion=geometry.motion,
+        blades=tuple(_blade(blade, turn) for blade in layout.blades),
+        bodies=_bodies(layout, turn, _moving(geometry)),
+        sizes=given,
+        centre=_place(turn(centre)),
+        case=ask.scene.case,
+        unit=geometry.travel_unit,
+        states=states,
+        path=path,
+        forces=tuple(_forces(ask, layout, -geometry.axes)),
+        angles=tuple(_angles(geometry)),
+        missed=missed,
+        strength=strength[1] if strength is not None else None,
+        notes=tuple(notes),
+    )
+
+
+def _turning(angle: float) -> Turn:
+    c, s = cos(angle), sin(angle)
+    matrix = np.array([[c, -s], [s, c]])
+    matrix[np.abs(matrix) < 1e-12] = 0.0  # quarter turns leave straight lines straight
+    return lambda places: places @ matrix.T
+
+
+def _place(place: Floats) -> XY:
+    return float(place[0]), float(place[1])
+
+
+def _line(places: Floats) -> tuple[XY, ...]:
+    return tuple(_place(place) for place in places)
+
+
+def _ends(blade: Blade) -> tuple[Floats, Floats]:
+    start, end = (np.array([float(column(c)[0]) for c in p]) for p in (blade.start, blade.end))
+    return start, end
+
+
+def _blade(blade: Blade, turn: Turn) -> DrawnBlade:
+    """Return a blade at rest, its thickness at places crowded where it changes."""
+    start, end = _ends(blade)
+    l = float(np.hypot(*(end - start)))
+    s, h = [0.0], [0.0]
+    u = np.linspace(-1.0, 1.0, AT_REST)[None, :]
+    for piece in blade.profile.pieces(l):
+        at = np.broadcast_to(piece.position(u), u.shape)[0]
+        if at[0] > s[-1] + 1e-9 * l:  # a rigid stretch before it
+            s, h = [*s, float(at[0])], [*h, 0.0]
+        s.extend(at.tolist())
+        h.extend(np.broadcast_to(piece.thickness(u), u.shape)[0].tolist())
+    if s[-1] < l * (1.0 - 1e-9):
+        s, h = [*s, s[-1], l], [*h, 0.0, 0.0]
+    if h[0] == 0.0 and s[1] == 0.0:
+        s, h = s[1:], h[1:]
+    axis = start + (np.array(s) / l)[:, None] * (end - start)
+    width, height = float(column(blade.b)[0]), float(column(blade.z)[0])
+    return DrawnBlade(
+        blade.name, blade.first, blade.second, _line(turn(axis)), tuple(h), width, height
+    )
+
+
+def _bodies(layout: Layout, turn: Turn, moving: str) -> tuple[DrawnBody, ...]:
+    """Return the ground and the bodies with what is clamped to them."""
+    known = {body.name: body for body in layout.bodies}
+    names = [GROUND, *known]
+    places: dict[str, list[XY]] = {name: [] for name in names}
+    ways: dict[str, list[XY]] = {name: [] for name in names}
+    depths: dict[str, list[float]] = {name: [] for name in names}
+    for blade in layout.blades:
+        start, end = _ends(blade)
+        along = turn((end - start) / np.hypot(*(end - start)))
+        h = [x for x in _blade(blade, turn).thickness if x > 0.0]
+        for body, place, way, depth in (
+            (blade.first, start, -along, h[0]),
+            (blade.second, end, along, h[-1]),
+        ):
+            name = body if body in known else GROUND
+            places[name].append(_place(turn(place)))
+            ways[name].append(_place(way))
+            depths[name].append(depth)
+    found = []
+    for name in names:
+        if not places[name]:
+            continue
+        point, com = np.zeros(2), None
+        if name in known:
+            rigid = known[name]
+            point = np.array([float(column(c)[0]) for c in rigid.point])
+            has_mass = float(column(rigid.mass)[0]) > 0.0
+            com = np.array([float(column(c)[0]) for c in rigid.com]) if has_mass else None
+        found.append(
+            DrawnBody(
+                name=moving if name == MOVING else name,
+                clamps=tuple(places[name]),
+                ways=tuple(ways[name]),
+                depths=tuple(depths[name]),
+                point=_place(turn(point)),
+                is_ground=name == GROUND,
+                com=None if com is None else _place(turn(com)),
+            )
+        )
+    return tuple(found)
+
+
+def _moving(geometry: Geometry) -> str:
+    """Return what the moving body is called: by the spec, where it draws it."""
+    return str(getattr(geometry, "moving", "moving body"))
+
+
+def _moved(ask: Ask, turn: Turn) -> tuple[tuple[DrawnState, ...], tuple[XY, ...], str]:
+    """Return the ends of the stroke, the path of the centre, and what was not reached."""
+    scene = ask.scene
+    travels = np.linspace(scene.middle + scene.travel, scene.middle - scene.travel, STATES)
+
+    def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> Equilibrium:
+        effects = blades_of(layout, Effects())
+        return solve(layout, held, loads=loads, effects=effects, tolerance=TOLERANCE)
+
+    state = over_travels(ask, solver, travels)
+    for outcome in state.outcome:
+        if outcome is not Outcome.CONVERGED:
+            return (), (), str(outcome.value)
+    layout = state.layout
+    centre = np.array([float(column(c)[0]) for c in layout.body(MOVING).point])
+    path = centre + point_motion(state, MOVING, layout.body(MOVING).point)
+    lines = {blade.name: centre_line(state, blade.name) for blade in layout.blades}
+    states = []
+    for i in (0, STATES - 1) if scene.travel else (0,):
+        motions = {}
+        for k, body in enumerate(layout.bodies):
+            x, y = turn(state.motions[i, k, :2])
+            name = _moving(ask.geometry) if body.name == MOVING else body.name
+            motions[name] = (float(x), float(y), float(state.motions[i, k, 2]))
+        states.append(
+            DrawnState(
+                travel=float(travels[i]),
+                axes={name: _line(turn(line.place[i])) for name, line in lines.items()},
+                stress={name: tuple(line.stress[i].tolist()) for name, line in lines.items()},
+                motions=motions,
+            )
+        )
+    return tuple(states), _line(turn(path)), ""
+
+
+def _forces(ask: Ask, layout: Layout, angle: float) -> list[DrawnForce]:
+    """Return the forces of the case on the moving body."""
+    at = _turning(angle)(np.array([float(column(c)[0]) for c in layout.body(MOVING).point]))
+    return [
+        DrawnForce(
+            ask.scene.force_name if len(ask.scene.forces) == 1 else f"F{k}",
+            _place(at),
+            (cos(direction + angle), sin(direction + angle)),
+            abs(force),
+        )
+        for k, (force, direction) in enumerate(ask.scene.forces, 1)
+        if force != 0.0
+    ]
+
+
+def _angles(geometry: Geometry) -> list[DrawnAngle]:
+    """Return the angles that the spec states, at the centre."""
+    half = getattr(geometry, "half_angle", None)
+    if half is None:
+        return []
+    return [DrawnAngle("2α", (0.0, 0.0), -float(half), float(half))]
+
+
+def _bar(geometry: Geometry, sizes: Any) -> tuple[tuple[DrawnBlade, ...], tuple[DrawnBody, ...]]:
+    """Return bars that twist about their axis, one behind the other, as seen from the side."""
+    l = float(sizes.l)
+    deep = float(getattr(sizes, "b", None) or getattr(sizes, "d", None) or sizes.h)
+    across = float(getattr(sizes, "h", deep))
+    held = getattr(geometry, "bars", 1) > 1
+    spans = [("bar 1", 0.0, l)] + ([("bar 2", 2.5 * l, 1.5 * l)] if held else [])
+    blades, ground, moving = [], [], []
+    for name, start, end in spans:
+        axis = ((start, 0.0), (end, 0.0))
+        blades.append(DrawnBlade(name, GROUND, MOVING, axis, (deep, deep), across))
+        way = 1.0 if end > start else -1.0
+        ground.append(((start, 0.0), (-way, 0.0)))
+        moving.append(((end, 0.0), (way, 0.0)))
+    bodies = tuple(
+        DrawnBody(
+            name,
+            tuple(place for place, _ in ends),
+            tuple(way for _, way in ends),
+            (deep,) * len(ends),
+            ends[0][0],
+            is_ground=name == GROUND,
+        )
+        for name, ends in ((GROUND, ground), (_moving(geometry), moving))
+    )
+    return tuple(blades), bodies
+
+
+def _links(geometry: Any) -> tuple[DrawnBody, ...]:
+    """Return the links of a linkage with ideal joints, each by the places of its joints."""
+    found = []
+    for link in geometry.rigid.moving:
+        pins = tuple(
+            (float(joint.at[0]), float(joint.at[1]))
+            for joint in geometry.joints.values()
+            if link in joint.links
+        )
+        none = ((0.0, 0.0),) * len(pins)
+        found.append(DrawnBody(link, pins, none, (0.0,) * len(pins), pins[0]))
+    ground = tuple(
+        (float(joint.at[0]), float(joint.at[1]))
+        for joint in geometry.joints.values()
+        if geometry.ground in joint.links
+    )
+    down = ((0.0, -1.0),) * len(ground)
+    return (
+        DrawnBody(GROUND, ground, down, (0.0,) * len(ground), ground[0], is_ground=True),
+        *found,
+    )

@@ -1,0 +1,140 @@
+"""The bent centre line of a blade in equilibrium, and the stress along it."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.along import along, flexible_pieces
+from flexcli.mechanics.element import turned
+from flexcli.mechanics.mesh import SHEAR_FACTOR, Segment, column, pick
+from flexcli.mechanics.points import point_motion
+from flexcli.mechanics.state import Equilibrium, Part
+from flexcli.numerics.collocation import gauss_nodes, integration_to
+
+__all__ = ["CentreLine", "centre_line"]
+
+Floats = NDArray[np.float64]
+
+_NODES = 24
+"""Gauss nodes on a piece for the way along it: rounding for every profile."""
+
+
+class CentreLine(NamedTuple):
+    """Places along a blade (designs, points): arc at rest s [m], place (.., 2) [m], stress [Pa].
+
+    ``stress`` is the larger of both faces' magnitudes, zero on rigid stretches, ``h`` the
+    thickness [m], zero there too.
+    """
+
+    s: Floats
+    place: Floats
+    stress: Floats
+    h: Floats
+
+
+def centre_line(state: Equilibrium, blade: str, points: int = 17) -> CentreLine:
+    """Return where the axis of a blade lies, at ``points`` places on each flexible piece.
+
+    ``r(s) = r(0) + ∫ ((1 + ε) t + γ n) ds`` from the moved start, with t the direction of the
+    section's normal and n across it; ε and γ of the section forces, where the state has them.
+
+    Parameters
+    ----------
+    state : Equilibrium
+        The designs in equilibrium.
+    blade : str
+        Name of the blade.
+    points : int
+        Places on each flexible piece, its ends among them.
+
+    Returns
+    -------
+    CentreLine
+        From the start of the blade to its end, rigid stretches by their two ends.
+
+    """
+    index = [b.name for b in state.layout.blades].index(blade)
+    drawn = state.layout.blades[index]
+    start = np.stack(np.broadcast_arrays(*(column(c) for c in drawn.start)), axis=-1)
+    end = np.stack(np.broadcast_arrays(*(column(c) for c in drawn.end)), axis=-1)
+    way = np.broadcast_to(end - start, (state.designs, 2))
+    frame = np.zeros(state.designs)
+    origin = np.broadcast_to(start, (state.designs, 2))
+    if drawn.first in [body.name for body in state.layout.bodies]:
+        frame = state.motions[:, state.layout.index(drawn.first), 2]
+        origin = origin + point_motion(state, drawn.first, drawn.start)
+    angle = np.arctan2(way[:, 1], way[:, 0])
+    length = np.hypot(way[:, 0], way[:, 1])
+    whole = [_of_part(state, part, index, points, length[part.rows]) for part in state.parts]
+    local = state.scatter([np.moveaxis(np.stack(each), 0, 1) for each in whole])
+    s, x, y, stress, h = np.moveaxis(local, 1, 0)
+    bent = np.stack([x, y], axis=-1)
+    turn = np.broadcast_to((angle + frame)[:, None], x.shape)
+    place = origin[:, None, :] + bent + turned(bent, turn)[1]
+    return CentreLine(s, place, stress, h)
+
+
+def _of_part(
+    state: Equilibrium, part: Part, blade: int, points: int, length: Floats
+) -> tuple[Floats, ...]:
+    """Return s, x, y in the frame of the start, stress and h (designs of the part, places)."""
+    rows = part.rows.size
+    u = np.tile(np.linspace(-1.0, 1.0, points), (rows, 1))
+    at = np.zeros((rows, 3))  # s, x, y reached
+    found: list[Floats] = [np.zeros((rows, 5, 1))]
+    turn = np.zeros(rows)
+    for segment in flexible_pieces(part, blade):
+        piece = _piece(state, part, blade, segment, u)
+        s, psi = piece[:, 0], piece[:, 5]
+        at = _straight_to(at, s[:, 0], psi[:, 0])
+        piece[:, 1] += at[:, 1, None]
+        piece[:, 2] += at[:, 2, None]
+        found.append(piece[:, :5])
+        at, turn = np.stack([s[:, -1], piece[:, 1, -1], piece[:, 2, -1]], axis=-1), psi[:, -1]
+    at = _straight_to(at, length, turn)
+    last = np.zeros((rows, 5, 1))
+    last[:, :3, 0] = at
+    return tuple(np.moveaxis(np.concatenate([*found, last], axis=-1), 1, 0))
+
+
+def _straight_to(at: Floats, s: Floats, psi: Floats) -> Floats:
+    """Return where a rigid stretch ends that goes on to s in the direction ψ."""
+    step = s - at[:, 0]
+    return np.stack([s, at[:, 1] + step * np.cos(psi), at[:, 2] + step * np.sin(psi)], axis=-1)
+
+
+def _piece(state: Equilibrium, part: Part, blade: int, segment: Segment, u: Floats) -> Floats:
+    """Return s, x, y from the piece's start, stress, h and ψ at u (designs, 6, points)."""
+    assert segment.piece is not None  # a flexible one
+    nodes = np.tile(gauss_nodes(_NODES)[0], (part.rows.size, 1))
+    x_u, y_u = _rates(state, part, blade, segment, nodes)
+    to = integration_to(_NODES, u)
+    x, y = (np.sum(to * rate[:, None, :], axis=-1) for rate in (x_u, y_u))
+    section = along(state, part, blade, segment, u)
+    bends, pulls = (pick(column(k), part.rows)[:, None] for k in state.layout.blades[blade].peak)
+    bending = bends * 6.0 * section.M / (section.b * section.h**2)
+    stress = np.abs(bending) + np.abs(pulls * section.N / (section.b * section.h))
+    return np.stack([section.s, x, y, stress, section.h, section.psi], axis=1)
+
+
+def _rates(
+    state: Equilibrium, part: Part, blade: int, segment: Segment, u: Floats
+) -> tuple[Floats, Floats]:
+    """Return dx/du and dy/du of the bent axis [m]."""
+    section, layout = along(state, part, blade, segment, u), state.layout
+    area = section.b * section.h
+    epsilon, gamma = np.zeros(u.shape), np.zeros(u.shape)
+    if state.effects.extension:
+        epsilon = section.N / (pick(column(layout.E), part.rows)[:, None] * area)
+    if state.effects.shear and layout.G is not None:
+        gamma = section.Q / (SHEAR_FACTOR * pick(column(layout.G), part.rows)[:, None] * area)
+    everywhere = np.zeros((state.designs, u.shape[1]))
+    everywhere[part.rows] = u
+    assert segment.piece is not None  # a flexible one
+    slope = np.broadcast_to(segment.piece.slope(everywhere), everywhere.shape)[part.rows]
+    cos, sin = np.cos(section.psi), np.sin(section.psi)
+    return (
+        slope * ((1.0 + epsilon) * cos - gamma * sin),
+        slope * ((1.0 + epsilon) * sin + gamma * cos),
+    )

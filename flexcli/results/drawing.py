@@ -1,0 +1,104 @@
+"""A mechanism as it is drawn: at rest and moved, in metres, in the axes of the spec."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+__all__ = ["XY", "Drawing", "DrawnAngle", "DrawnBlade", "DrawnBody", "DrawnForce", "DrawnState"]
+
+XY = tuple[float, float]
+"""A place [m] in the plane."""
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnBlade:
+    """A blade at rest: its axis from end to end, the thickness at each place of it.
+
+    Where ``thickness`` is zero the blade is rigid, and the spec does not say how thick. ``width``
+    is that across the plane, ``height`` that of its middle over the plane [m].
+    """
+
+    name: str
+    first: str
+    second: str
+    axis: tuple[XY, ...]
+    thickness: tuple[float, ...]
+    width: float
+    height: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnBody:
+    """A rigid body, or the ground: where blades are clamped to it, and the ways they leave it.
+
+    ``clamps`` are the places, ``ways`` the unit vectors from the blade into the body, ``depths``
+    the thickness of each blade there, ``point`` its reference point.
+    """
+
+    name: str
+    clamps: tuple[XY, ...]
+    ways: tuple[XY, ...]
+    depths: tuple[float, ...]
+    point: XY
+    is_ground: bool = False
+    com: XY | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnState:
+    """The mechanism moved by ``travel``: axes of the blades, stress [Pa] there, bodies' motions.
+
+    ``motions`` are (x, y, φ) of each body's point [m, m, rad].
+    """
+
+    travel: float
+    axes: Mapping[str, tuple[XY, ...]]
+    stress: Mapping[str, tuple[float, ...]]
+    motions: Mapping[str, tuple[float, float, float]]
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnForce:
+    """A force [N] at a place, with its name; its direction is a unit vector."""
+
+    name: str
+    at: XY
+    way: XY
+    newtons: float
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnAngle:
+    """An angle at a place, from one direction to another [rad], with its name."""
+
+    name: str
+    at: XY
+    start: float
+    end: float
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """A joint, stage or layout as it is drawn.
+
+    ``sizes`` are (symbol, value [m]) as the spec names them; ``states`` are in the order + end, −
+    end of the stroke, ``path`` is where the centre or moving point goes between them; ``unit`` is
+    that of the travel, ``missed`` why a case has no states. A bar that twists is a blade on its
+    axis; ``twists`` says so.
+    """
+
+    kind: str
+    motion: str
+    blades: tuple[DrawnBlade, ...]
+    bodies: tuple[DrawnBody, ...]
+    sizes: tuple[tuple[str, float], ...]
+    centre: XY
+    case: str = ""
+    unit: str = "m"
+    states: tuple[DrawnState, ...] = ()
+    path: tuple[XY, ...] = ()
+    forces: tuple[DrawnForce, ...] = ()
+    angles: tuple[DrawnAngle, ...] = ()
+    missed: str = ""
+    twists: bool = False
+    strength: float | None = None
+    notes: tuple[str, ...] = ()

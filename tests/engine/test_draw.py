@@ -1,0 +1,161 @@
+"""What is drawn lies where the solver, statics and published shapes say that it lies."""
+
+from math import cos, hypot, sin
+
+import numpy as np
+import pytest
+from geometries_for_tests import MATERIAL, SAMPLES, spec
+from scipy.integrate import solve_bvp
+
+from flexcli.engine.draw import drawing
+from flexcli.engine.simulate import simulate
+from flexcli.errors import SolveError
+from flexcli.parts.design import DesignSpec
+from flexcli.report.drawing_svg import magnification
+
+PLANAR = sorted(set(SAMPLES) - {"torsion-bar", "round-torsion-bar", "torsion-star"})
+
+
+def design(geometry, cases=None, **others):
+    rotates = geometry["kind"] in ROTATES
+    stroke = {"rotation": "2 deg"} if rotates else {"translation": "0.3 mm"}
+    return DesignSpec.model_validate(
+        {
+            "flexure": 1,
+            "material": MATERIAL,
+            "geometry": geometry,
+            "cases": cases or {"work": {"stroke": stroke}},
+            "requirements": {"yield": 1.5},
+            **others,
+        }
+    )
+
+
+ROTATES = {
+    "rcc", "cross-spring", "unseparated-cross", "three-blade", "star", "notch-hinge",
+    "moment-blade", "elliptic-hinge", "filleted-hinge", "hinged-pivot",
+    "torsion-bar", "round-torsion-bar", "torsion-star",
+}  # fmt: skip
+
+
+def drawn(kind, **changes):
+    part = design(spec(kind, **changes))
+    return drawing(part, part.fixed_sizes())
+
+
+def moved(place, body, motion):
+    """Return where a place of a body is after its motion, worked out anew."""
+    (u, v, phi), (px, py) = motion, body.point
+    rx, ry = place[0] - px, place[1] - py
+    return px + u + cos(phi) * rx - sin(phi) * ry, py + v + sin(phi) * rx + cos(phi) * ry
+
+
+@pytest.mark.parametrize("kind", PLANAR)
+def test_bent_blades_end_where_the_bodies_carry_them(kind):
+    found = drawn(kind)
+    bodies = {body.name: body for body in found.bodies}
+    known = {name.replace("moving body", "moving"): body for name, body in bodies.items()}
+    assert len(found.states) == 2
+    for state in found.states:
+        motions = {n.replace("moving body", "moving"): m for n, m in state.motions.items()}
+        for blade in found.blades:
+            for name, k in ((blade.first, 0), (blade.second, -1)):
+                want = blade.axis[k]
+                if name in motions:
+                    want = moved(want, known[name], motions[name])
+                size = hypot(*(b - a for a, b in zip(blade.axis[0], blade.axis[-1], strict=True)))
+                # the exact model's own tolerance is 1e-9 of the length
+                assert state.axes[blade.name][k] == pytest.approx(want, abs=1e-7 * size)
+
+
+@pytest.mark.parametrize("kind", PLANAR)
+def test_the_two_ends_of_a_stroke_lie_either_side_of_rest(kind):
+    found = drawn(kind)
+    plus, minus = found.states
+    assert plus.travel == -minus.travel > 0.0
+    for name, (u, v, phi) in plus.motions.items():
+        most = max(abs(u), abs(v), abs(phi) * 1e-2)
+        if most > 1e-6:
+            x, y, turn = minus.motions[name]
+            assert u * x <= 0.0 or v * y <= 0.0 or phi * turn <= 0.0
+
+
+def test_a_blade_turned_by_a_moment_is_an_arc():
+    found = drawn("moment-blade", h=0.02)
+    state = found.states[0]
+    l, theta = 20e-3, state.travel
+    (line,) = state.axes.values()
+    places = np.array(line)
+    # on a circle of radius l/θ about the point across the clamp, whose axis is stretched by nothing
+    start, way = places[0], np.array(found.blades[0].axis[-1]) - places[0]
+    across = np.array([-way[1], way[0]]) / np.hypot(*way)
+    centre = start + across * (l / theta)
+    np.testing.assert_allclose(np.hypot(*(places - centre).T), l / theta, rtol=1e-9)
+
+
+def test_a_pushed_cantilever_is_the_elastica():
+    part = design(
+        {"kind": "cantilever", "h": "0.05 mm", "l": "50 mm", "b": "10 mm"},
+        {"work": {"stroke": {"translation": "25 mm"}}},
+    )
+    found = drawing(part, part.fixed_sizes())
+    line = np.array(next(iter(found.states[0].axes.values())))
+    start, end = (np.array(found.blades[0].axis[k]) for k in (0, -1))
+    l, way = 50e-3, (end - start) / np.hypot(*(end - start))
+    x, y = (line - start) @ way / l, np.abs((line - start) @ np.array([-way[1], way[0]])) / l
+    want = elastica(0.5)
+    np.testing.assert_allclose(y, np.interp(x, want[2], want[3]), atol=1e-5)  # 2000 places
+
+
+def elastica(rise):
+    """Return ψ, ψ', x, y of a blade of unit length whose end is pushed up by a force across it."""
+
+    def rates(s, z, q):
+        return np.vstack([z[1], -q[0] * np.cos(z[0]), np.cos(z[0]), np.sin(z[0])])
+
+    def ends(first, last, q):
+        return np.array([first[0], first[2], first[3], last[1], last[3] - rise])
+
+    s = np.linspace(0.0, 1.0, 41)
+    guess = np.array([rise * s * 1.5, 1.5 * (1 - s), s, rise * s**2])
+    found = solve_bvp(rates, ends, s, guess, p=[3.0], tol=1e-9)
+    assert found.success
+    return found.sol(np.linspace(0.0, 1.0, 2000))
+
+
+def test_the_stress_along_a_blade_is_greatest_where_simulate_finds_it():
+    part = design(spec("leaf-spring-stage"))
+    found = drawing(part, part.fixed_sizes())
+    swept = simulate(part, part.fixed_sizes(), "spec", 2).sweeps[0].points[-1]
+    most = max(max(stress) for stress in found.states[0].stress.values())
+    assert most == pytest.approx(swept.total, rel=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["torsion-bar", "round-torsion-bar", "torsion-star"])
+def test_bars_that_twist_are_drawn_at_rest(kind):
+    found = drawn(kind)
+    assert found.twists
+    assert len(found.blades) in (1, 2)
+    assert not found.states
+
+
+def test_a_drawing_has_the_thickness_of_its_profile():
+    found = drawn("notch-hinge")
+    (blade,) = found.blades
+    assert min(blade.thickness) == pytest.approx(0.05e-3)
+    assert max(blade.thickness) == pytest.approx(0.05e-3 + 2 * 2e-3)
+
+
+def test_the_overlay_is_magnified_by_a_round_number_and_said():
+    small = drawn("leaf-spring-stage")
+    times = magnification(small)
+    assert times in {1.0, 2.0, 3.0, 5.0, 10.0, 20.0}
+    ends = np.array(small.states[0].axes["blade 1"])[-1] - np.array(small.blades[0].axis)[-1]
+    assert times * np.hypot(*ends) < 0.2 * 20e-3
+
+
+def test_a_case_that_is_not_there_is_told_with_those_that_are():
+    part = design(spec("rcc"))
+    with pytest.raises(SolveError, match="no case flight") as caught:
+        drawing(part, part.fixed_sizes(), "flight")
+    assert "work" in caught.value.remedy
