@@ -59,6 +59,17 @@ def oscillators(draw, frequency):
     return fn, Q
 
 
+def white_noise(fn, Q, level):
+    """Return the rms responses of an oscillator to white noise, in closed form (Crandall 1963)."""
+    pseudo, omega = np.sqrt(np.pi / 2 * fn * Q * level), 2 * np.pi * fn
+    return {
+        "absolute_acceleration": pseudo * np.sqrt(1 + Q**-2),
+        "pseudo_acceleration": pseudo,
+        "relative_velocity": pseudo / omega,
+        "relative_displacement": pseudo / omega**2,
+    }
+
+
 def part(f, g, **more):
     """Return arrays of a profile, in hertz and g²/Hz, as the part that a spec gives.
 

@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from flexcli.formulas.arguments import positive
-from flexcli.formulas.miles import miles
 from flexcli.formulas.spectrum import Scale, checked_profile
 from flexcli.numerics.quadrature import gauss_rule
 
@@ -25,7 +24,6 @@ __all__ = [
     "OscillatorResponse",
     "oscillator_response",
     "response_integrals",
-    "white_noise_response",
 ]
 
 Floats = NDArray[np.float64]
@@ -67,12 +65,6 @@ class OscillatorResponse:
     pseudo_acceleration: Floats
     relative_displacement: Floats
     relative_velocity: Floats
-
-    @property
-    def crossing_frequency(self) -> Floats:
-        """Mean rate at which z passes zero upwards, ż_rms/(2π z_rms) [Hz] (Rice 1945)."""
-        rate: Floats = self.relative_velocity / (2 * np.pi * self.relative_displacement)
-        return rate
 
 
 def _log_distance(f: Floats, fn: Floats) -> Floats:
@@ -263,47 +255,4 @@ def oscillator_response(
         pseudo_acceleration=np.sqrt(still).reshape(natural.shape),
         relative_displacement=(np.sqrt(still) / omega**2).reshape(natural.shape),
         relative_velocity=(np.sqrt(moving) / omega).reshape(natural.shape),
-    )
-
-
-def white_noise_response(fn: ArrayLike, Q: ArrayLike, level: ArrayLike) -> OscillatorResponse:
-    """Give the exact root-mean-square response to white noise from 0 to ∞ Hz.
-
-    ω_n² z_rms = ω_n ż_rms = sqrt(π/2 · f_n Q G),  a_rms = sqrt(1 + 1/Q²) ω_n² z_rms
-
-    Parameters
-    ----------
-    fn : array, any shape
-        Natural frequency, [Hz].
-    Q : array that broadcasts with `fn`
-        Quality factor, any positive value, [-].
-    level : array that broadcasts with `fn`
-        One-sided density of base acceleration, [x²/Hz].
-
-    Returns
-    -------
-    OscillatorResponse
-        As `oscillator_response`.
-
-    Raises
-    ------
-    ValueError
-        When f_n or Q is not positive or the level is negative.
-
-    Examples
-    --------
-    >>> round(float(white_noise_response(2000, 100, 0.2).absolute_acceleration), 2)
-    250.68
-
-    References
-    ----------
-    Crandall, Mark 1963, Random Vibration in Mechanical Systems, section 2.
-    """
-    pseudo = miles(fn, Q, level)
-    omega = 2 * np.pi * np.asarray(fn, dtype=np.float64)
-    return OscillatorResponse(
-        absolute_acceleration=pseudo * np.hypot(1, 1 / np.asarray(Q, dtype=np.float64)),
-        pseudo_acceleration=pseudo,
-        relative_displacement=pseudo / omega**2,
-        relative_velocity=pseudo / omega,
     )

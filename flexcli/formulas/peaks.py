@@ -10,7 +10,6 @@ __all__ = [
     "davenport_peak_factor",
     "expected_exceedances",
     "peak_factor",
-    "peak_probability",
 ]
 
 Floats = NDArray[np.float64]
@@ -148,39 +147,3 @@ def expected_exceedances(k: ArrayLike, f0: ArrayLike, T: ArrayLike) -> Floats:
     rate, time = positive(f0=f0, T=T)
     count: Floats = 2 * rate * time * np.exp(-0.5 * np.asarray(k, dtype=np.float64) ** 2)
     return count
-
-
-def peak_probability(k: ArrayLike, f0: ArrayLike, T: ArrayLike) -> Floats:
-    """Give the chance that a Gaussian signal goes beyond ±k·rms at least once.
-
-    p = 1 − exp(−n), n the expected exceedances, taken as independent.
-
-    Parameters
-    ----------
-    k : array, any shape
-        Level over root mean square, [-].
-    f0 : array that broadcasts with `k`
-        Rate of upward zero crossings, [Hz].
-    T : array that broadcasts with `k`
-        Duration, [s].
-
-    Returns
-    -------
-    array
-        Probability, [-].
-
-    Raises
-    ------
-    ValueError
-        When f_0 or T is not positive.
-
-    Notes
-    -----
-    Excursions of a lightly damped oscillator come in clumps, so this errs on the safe side.
-
-    Examples
-    --------
-    >>> round(float(peak_probability(5, 200, 60)), 3)
-    0.086
-    """
-    return -np.expm1(-expected_exceedances(k, f0, T))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from flexcli.formulas.miles import miles
 from flexcli.formulas.oscillator import PANELS_AT_ONCE, oscillator_response, response_integrals
@@ -18,9 +18,7 @@ __all__ = [
     "MilesShortfall",
     "ResponseMaximum",
     "ResponseSpectrum",
-    "miles_shortfall",
     "peak_ratio",
-    "response_maximum",
 ]
 
 Floats = NDArray[np.float64]
@@ -306,7 +304,19 @@ class ResponseSpectrum:
             yield rows, still + moving / self.Q**2
 
     def maximum(self) -> ResponseMaximum:
-        """Return the greatest response over all natural frequencies: see `response_maximum`."""
+        """Return the greatest exact response over all natural frequencies.
+
+        max a_rms(f_n) for f_1 ≤ f_n ≤ f_2/r_p, between which it lies (see `peak_ratio`):
+        bracketed on a grid that holds every breakpoint and is graded towards it as f_b/Q, then
+        narrowed. The value is found to 1e-10; the frequency, where the maximum is flat, to some
+        1e-5 of the width of the peak.
+
+        Examples
+        --------
+        >>> most = ResponseSpectrum(np.array([20.0, 2000]), np.full(2, 0.2005), 100).maximum()
+        >>> round(most.response, 1), round(most.frequency)
+        (241.9, 1923)
+        """
         points = np.unique(np.concatenate([self.grid[0], self._beyond]))
 
         def response(fn: Floats, _: Integers) -> Floats:
@@ -316,7 +326,17 @@ class ResponseSpectrum:
         return ResponseMaximum(value, place)
 
     def shortfall(self) -> MilesShortfall:
-        """Return where in the band Miles is farthest below: see `miles_shortfall`."""
+        """Return where in the band Miles is farthest below the exact response.
+
+        max a_rms(f_n)/sqrt(π/2 · f_n Q G(f_n)) − 1; at a step, against both of its levels.
+
+        Examples
+        --------
+        >>> f, g = np.array([20.0, 100, 100, 2000]), np.array([0.01, 0.01, 0.16, 0.16])
+        >>> low = ResponseSpectrum(f, g, 50).shortfall()
+        >>> round(low.excess, 2), round(low.frequency, 3)
+        (1.87, 100.0)
+        """
         f, g, scale = self.frequency, self.level, self.scale
 
         def excess(fn: Floats, segment: Integers) -> Floats:
@@ -327,83 +347,3 @@ class ResponseSpectrum:
 
         value, place, _ = greatest(excess, *self.grid)
         return MilesShortfall(value - 1.0, place)
-
-
-def response_maximum(
-    frequency: ArrayLike, level: ArrayLike, Q: float, *, scale: Scale = "log"
-) -> ResponseMaximum:
-    """Find the greatest exact response over all natural frequencies.
-
-    max a_rms(f_n) for f_1 ≤ f_n ≤ f_2/r_p, between which it lies (see `peak_ratio`), with a_rms
-    of `ResponseSpectrum`: bracketed on a grid that holds every breakpoint and is graded towards
-    it as f_b/Q, then narrowed.
-
-    Parameters
-    ----------
-    frequency, level : arrays, shape (n,)
-        Base acceleration density of positive frequencies, [Hz] and [x²/Hz].
-    Q : float
-        Quality factor, at least 0.5, [-].
-    scale : "log" or "linear"
-        Axes in which the profile is straight.
-
-    Returns
-    -------
-    ResponseMaximum
-        Root-mean-square absolute acceleration [x], and its natural frequency [Hz].
-
-    Raises
-    ------
-    ValueError
-        When the profile is not sound or Q is below 0.5.
-
-    Notes
-    -----
-    The value is found to 1e-10; the frequency, where the maximum is flat, to some 1e-5 of the
-    width of the peak.
-
-    Examples
-    --------
-    >>> most = response_maximum([20, 2000], [0.2005, 0.2005], 100)
-    >>> round(most.response, 1), round(most.frequency)
-    (241.9, 1923)
-    """
-    f, g = checked_profile(frequency, level, scale=scale)
-    return ResponseSpectrum(f, g, Q, scale).maximum()
-
-
-def miles_shortfall(
-    frequency: ArrayLike, level: ArrayLike, Q: float, *, scale: Scale = "log"
-) -> MilesShortfall:
-    """Find where in the band Miles is farthest below the exact response.
-
-    max a_rms(f_n)/sqrt(π/2 · f_n Q G(f_n)) − 1; at a step, against both of its levels.
-
-    Parameters
-    ----------
-    frequency, level : arrays, shape (n,)
-        Base acceleration density of positive frequencies and levels, [Hz] and [x²/Hz].
-    Q : float
-        Quality factor, at least 0.5, [-].
-    scale : "log" or "linear"
-        Axes in which the profile is straight.
-
-    Returns
-    -------
-    MilesShortfall
-        Excess of the exact absolute acceleration over Miles, negative where Miles is safe
-        everywhere [-], and the natural frequency [Hz].
-
-    Raises
-    ------
-    ValueError
-        When the profile is not sound or Q is below 0.5.
-
-    Examples
-    --------
-    >>> low = miles_shortfall([20, 100, 100, 2000], [0.01, 0.01, 0.16, 0.16], 50)
-    >>> round(low.excess, 2), round(low.frequency, 3)
-    (1.87, 100.0)
-    """
-    f, g = checked_profile(frequency, level, scale=scale)
-    return ResponseSpectrum(f, g, Q, scale).shortfall()

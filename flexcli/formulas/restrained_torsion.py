@@ -13,7 +13,6 @@ from flexcli.formulas.torsion_shapes import warping_constant
 __all__ = [
     "CARDS",
     "TwistStress",
-    "equivalent_stress",
     "restrained_stiffness",
     "restrained_stresses",
 ]
@@ -167,38 +166,6 @@ def restrained_stresses(
         shear=np.asarray(shear_factor(h_, b_) * G_ * np.minimum(h_, b_) * rate * middle),
         normal=np.asarray(_plate_modulus(E_, G_) * b_ * h_ / 4.0 * bend),
     )
-
-
-def equivalent_stress(*, shear: ArrayLike, normal: ArrayLike) -> Floats:
-    """Return von Mises' equivalent stress of a normal and a shear stress at one place.
-
-    ``σ_eq = √(σ² + 3τ²)``.
-
-    Parameters
-    ----------
-    shear, normal : array_like
-        Shear stress τ and normal stress σ [Pa]; broadcast.
-
-    Returns
-    -------
-    σ_eq : array
-        Equivalent stress [Pa].
-
-    Notes
-    -----
-    Ductile material; safe when the largest τ and the largest σ of different places are put in.
-
-    Examples
-    --------
-    >>> round(float(equivalent_stress(shear=1.0, normal=1.0)), 6)
-    2.0
-
-    References
-    ----------
-    von Mises (1913), Mechanik der festen Körper im plastisch-deformablen Zustand.
-
-    """
-    return np.asarray(np.hypot(normal, np.sqrt(3.0) * np.asarray(shear)))
 
 
 _STRIP = {"E": 2.6, "G": 1.0, "h": 0.01, "b": 1.0}

@@ -9,10 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
     "axes_about_z",
-    "compliance_from",
     "motion_along",
     "motion_at",
-    "stiffness_from",
 ]
 
 Floats = NDArray[np.float64]
@@ -111,71 +109,3 @@ def axes_about_z(angle: ArrayLike) -> Floats:
     axes[..., 1, 0], axes[..., 1, 1] = -s, c
     axes[..., 2, 2] = 1.0
     return axes
-
-
-def stiffness_from(K: ArrayLike, offset: ArrayLike, axes: ArrayLike) -> Floats:
-    """Return a stiffness stated about another point and along other axes.
-
-    ``K' = Yᵀ K Y`` with Y the motion of the old point by a motion of the new one.
-
-    Parameters
-    ----------
-    K : array_like, shape (..., 6, 6)
-        Stiffness at the old point [N/m, N, N·m/rad].
-    offset : array_like, shape (..., 3)
-        Vector from the old to the new point, along the old axes [m].
-    axes : array_like, shape (..., 3, 3)
-        New axes as rows, in the old ones [-].
-
-    Returns
-    -------
-    K' : array, shape (..., 6, 6)
-        Stiffness at the new point along the new axes [N/m, N, N·m/rad].
-
-    Notes
-    -----
-    Bodies side by side add their stiffness once it is stated about one point.
-
-    Examples
-    --------
-    >>> K = stiffness_from(np.diag([0, 9.0, 0, 0, 0, 1.0]), [2.0, 0, 0], np.eye(3))
-    >>> float(K[5, 5]), float(K[1, 5])
-    (37.0, -18.0)
-
-    """
-    back = motion_at(-np.asarray(offset, dtype=np.float64)) @ motion_along(axes).swapaxes(-1, -2)
-    return np.asarray(back.swapaxes(-1, -2) @ np.asarray(K) @ back)
-
-
-def compliance_from(C: ArrayLike, offset: ArrayLike, axes: ArrayLike) -> Floats:
-    """Return a compliance stated about another point and along other axes.
-
-    ``C' = X C Xᵀ`` with X the motion of the new point by a motion of the old one.
-
-    Parameters
-    ----------
-    C : array_like, shape (..., 6, 6)
-        Compliance at the old point [m/N, 1/N, rad/(N·m)].
-    offset : array_like, shape (..., 3)
-        Vector from the old to the new point, along the old axes [m].
-    axes : array_like, shape (..., 3, 3)
-        New axes as rows, in the old ones [-].
-
-    Returns
-    -------
-    C' : array, shape (..., 6, 6)
-        Compliance at the new point along the new axes [m/N, 1/N, rad/(N·m)].
-
-    Notes
-    -----
-    Joints one after the other add their compliance once it is stated about one point.
-
-    Examples
-    --------
-    >>> C = compliance_from(np.diag([0, 0, 0, 0, 0, 1.0]), [2.0, 0, 0], np.eye(3))
-    >>> float(C[1, 1]), float(C[1, 5])
-    (4.0, 2.0)
-
-    """
-    forth = motion_along(axes) @ motion_at(offset)
-    return np.asarray(forth @ np.asarray(C) @ forth.swapaxes(-1, -2))

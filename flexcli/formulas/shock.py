@@ -16,11 +16,8 @@ from flexcli.formulas.spectrum import checked_profile, spectral_level
 __all__ = [
     "PulseResponse",
     "half_sine_damped",
-    "half_sine_undamped",
-    "half_sine_velocity",
     "srs_level",
     "velocity_shock_acceleration",
-    "velocity_shock_deflection",
 ]
 
 
@@ -30,40 +27,8 @@ Floats = NDArray[np.float64]
 # each to 1/8 of the step: 1/48 period shrinks to 1e-8 of it, and a maximum is flat.
 _SAMPLES = 48
 _ZOOM_POINTS, _ZOOMS = 17, 8
-# Beyond this many periods in the pulse it is quasi-static: sample the undamped form instead.
+# Beyond this many periods in the pulse it is quasi-static, and is refused.
 _MOST_PERIODS = 200.0
-
-
-def half_sine_velocity(A: ArrayLike, tau: ArrayLike) -> Floats:
-    """Give the change of velocity of a half-sine pulse.
-
-    V = 2 A τ/π
-
-    Parameters
-    ----------
-    A : array, any shape
-        Peak acceleration, [m/s²].
-    tau : array that broadcasts with `A`
-        Duration, [s].
-
-    Returns
-    -------
-    array
-        Velocity, [m/s].
-
-    Raises
-    ------
-    ValueError
-        When A or τ is not positive.
-
-    Examples
-    --------
-    >>> round(float(half_sine_velocity(500.0, 0.001)), 4)
-    0.3183
-    """
-    peak, duration = positive(A=A, tau=tau)
-    velocity: Floats = 2 * peak * duration / np.pi
-    return velocity
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,61 +42,6 @@ class PulseResponse:
     def maximax(self) -> Floats:
         """The greater of both [m/s²]."""
         return np.maximum(self.primary, self.residual)
-
-
-def half_sine_undamped(fn: ArrayLike, A: ArrayLike, tau: ArrayLike) -> PulseResponse:
-    """Give the response maxima of an undamped oscillator to a half-sine base pulse.
-
-    With s = f_n τ and sinc(x) = sin(πx)/(πx):
-    residual/A = 2πs/(2s + 1) · |sinc(s − 1/2)|;
-    primary/A = 2πs/(2s + 1) · sinc(1 − 2s) for s ≤ 1/2 (reached at the pulse's end), else
-    2s/(2s − 1) · sin(2πn/(2s + 1)) with n ≥ 1 the whole number nearest (2s + 1)/4.
-
-    Parameters
-    ----------
-    fn : array, any shape
-        Natural frequency, [Hz].
-    A : array that broadcasts with `fn`
-        Peak base acceleration, [m/s²].
-    tau : array that broadcasts with `fn`
-        Duration of the pulse, [s].
-
-    Returns
-    -------
-    PulseResponse
-        Of the absolute acceleration, which is ω_n² z without damping, [m/s²].
-
-    Raises
-    ------
-    ValueError
-        When a value is not positive.
-
-    Notes
-    -----
-    Regular through s = 1/2, where the oscillator is in tune with the pulse and both are π/2.
-    As s → 0 the residual tends to 4s·A, the velocity shock of V = 2Aτ/π; as s → ∞ the primary
-    tends to A.
-
-    Examples
-    --------
-    >>> peak = half_sine_undamped([1.0, 800.0, 1e5], 1.0, 0.001).maximax
-    >>> peak.round(3).tolist()
-    [0.004, 1.768, 1.005]
-
-    References
-    ----------
-    Ayre 1961 in Harris, Crede (eds), Shock and Vibration Handbook, section 8.
-    """
-    natural, peak, duration = np.broadcast_arrays(*positive(fn=fn, A=A, tau=tau))
-    s = natural * duration
-    common = 2 * np.pi * s / (2 * s + 1)
-    residual = common * np.abs(np.sinc(s - 0.5))
-    n = np.maximum(1.0, np.rint((2 * s + 1) / 4))
-    # for n = 1, sin(2π/(2s + 1)) = sin(π(2s − 1)/(2s + 1)): sinc takes the 0/0 at s = 1/2 out
-    first = common * np.sinc((2 * s - 1) / (2 * s + 1))
-    later = 2 * s / np.where(n > 1, 2 * s - 1, 1.0) * np.sin(2 * np.pi * n / (2 * s + 1))
-    primary = np.where(s < 0.5, common * np.sinc(1 - 2 * s), np.where(n > 1, later, first))
-    return PulseResponse(primary=peak * primary, residual=peak * residual)
 
 
 def _relative_motion(phase: Floats, s: Floats, Q: Floats) -> tuple[Floats, Floats]:
@@ -305,40 +215,6 @@ def velocity_shock_acceleration(V: ArrayLike, fn: ArrayLike) -> Floats:
     Monti 2014, MSc thesis (MIT), section 3.1.3 "Hard Stop", first displayed equation.
     """
     return _speed(V) * 2 * np.pi * positive(fn=fn)[0]
-
-
-def velocity_shock_deflection(V: ArrayLike, fn: ArrayLike) -> Floats:
-    """Give the deflection of an undamped oscillator when its base changes velocity.
-
-    Δd = V/(2π f_n)
-
-    Parameters
-    ----------
-    V : array, any shape
-        Sudden change of velocity, [m/s].
-    fn : array that broadcasts with `V`
-        Natural frequency, [Hz].
-
-    Returns
-    -------
-    array
-        Peak deflection, [m].
-
-    Raises
-    ------
-    ValueError
-        When V is negative or f_n not positive.
-
-    Examples
-    --------
-    >>> round(float(velocity_shock_deflection(1.0, 100.0)), 7)
-    0.0015915
-
-    References
-    ----------
-    Monti 2014, MSc thesis (MIT), section 3.1.3 "Hard Stop", second displayed equation.
-    """
-    return _speed(V) / (2 * np.pi * positive(fn=fn)[0])
 
 
 def srs_level(fn: ArrayLike, frequency: ArrayLike, level: ArrayLike) -> Floats:

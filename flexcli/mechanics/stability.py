@@ -28,7 +28,7 @@ from flexcli.mechanics.path import arc_weight, state_of, steps_of
 from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.arc_length import CLOSE, follow
 
-__all__ = ["Critical", "critical_load", "is_stable", "unstable_directions", "ways_let_go"]
+__all__ = ["Critical", "critical_load", "is_stable", "ways_let_go"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -77,11 +77,6 @@ class Critical:
     mode: Floats
     turns: bool
     estimated_error: float
-
-
-def unstable_directions(state: Equilibrium) -> Integers:
-    """Return in how many independent ways each design would fall if let go (designs,)."""
-    return state.unstable
 
 
 def is_stable(state: Equilibrium) -> NDArray[np.bool_]:

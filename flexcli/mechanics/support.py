@@ -1,4 +1,4 @@
-"""Support stiffness: the 6×6 stiffness and compliance of one body of a layout at rest.
+"""Support compliance: the 6×6 compliance of one body of a layout at rest.
 
 The blades are linear beams in space between rigid bodies; every other body of the layout is free
 and unloaded. Blades are kept as rows √k · deformation, and the other bodies are condensed on
@@ -15,14 +15,16 @@ from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.spring_rows import Place, spring_rows
 from flexcli.numerics.square_root import Singular, condensed, inverse
 
-__all__ = ["support_compliance", "support_stiffness"]
+__all__ = [
+    "support_compliance",
+]
 
 Floats = NDArray[np.float64]
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 """Those of the layout."""
 
 
-def support_stiffness(
+def support_compliance(
     layout: Layout,
     body: str,
     point: Place,
@@ -31,7 +33,7 @@ def support_stiffness(
     shear_factor: float = SHEAR_FACTOR,
     warping: Warping = "free",
 ) -> Floats:
-    """Return the stiffness of a body about a point, all other bodies free.
+    """Return the compliance of a body at a point, all other bodies free.
 
     Parameters
     ----------
@@ -50,49 +52,15 @@ def support_stiffness(
 
     Returns
     -------
-    K : array, shape (..., 6, 6)
-        Stiffness against (x, y, z, θ_x, θ_y, θ_z) [N/m, N, N·m/rad], symmetric; positive definite
-        unless the body has a freedom without any spring.
-
-    Notes
-    -----
-    Small motion from rest; loads and gravity of the layout play no part.
-
-    Raises
-    ------
-    SolveError
-        When the layout has no shear modulus, or another body hangs on nothing.
-    ValueError
-        When no body has that name, or the axes are not orthonormal.
-
-    References
-    ----------
-    Przemieniecki (1968), Theory of Matrix Structural Analysis, section 5.6 and chapter 9.
-
-    """
-    R = _factor(layout, body, point, axes, shear_factor=shear_factor, warping=warping)
-    return np.asarray(R.swapaxes(-1, -2) @ R)
-
-
-def support_compliance(
-    layout: Layout,
-    body: str,
-    point: Place,
-    axes: ArrayLike = AXES,
-    *,
-    shear_factor: float = SHEAR_FACTOR,
-    warping: Warping = "free",
-) -> Floats:
-    """Return the compliance of a body at a point, all other bodies free.
-
-    Parameters are those of :func:`support_stiffness`. Prefer this to inverting its matrix: where
-    thin blades stand askew to the axes, the products in K have lost digits that are here.
-
-    Returns
-    -------
     C : array, shape (..., 6, 6)
         Compliance to (F_x, F_y, F_z, M_x, M_y, M_z) [m/N, 1/N, rad/(N·m)], symmetric positive
         definite.
+
+    Notes
+    -----
+    Small motion from rest; loads and gravity of the layout play no part. It is found without the
+    stiffness: where thin blades stand askew to the axes, the products in that have lost digits
+    that are here.
 
     Raises
     ------
@@ -100,6 +68,10 @@ def support_compliance(
         When the layout has no shear modulus, or a body has a freedom without any spring.
     ValueError
         When no body has that name, or the axes are not orthonormal.
+
+    References
+    ----------
+    Przemieniecki (1968), Theory of Matrix Structural Analysis, section 5.6 and chapter 9.
 
     """
     R = _factor(layout, body, point, axes, shear_factor=shear_factor, warping=warping)

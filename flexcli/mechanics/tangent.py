@@ -7,7 +7,7 @@ from flexcli.mechanics.mesh import pick
 from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.stack import solve_stack
 
-__all__ = ["body_stiffness", "free_compliance", "free_names", "held_stiffness"]
+__all__ = ["body_stiffness", "free_compliance", "held_stiffness"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -66,7 +66,7 @@ def free_compliance(state: Equilibrium) -> Floats:
     Returns
     -------
     array, shape (designs, free, free)
-        Compliance [m/N, rad/N, rad/(N·m)] in the order of ``free_names``; zero along what
+        Compliance [m/N, rad/N, rad/(N·m)] by body, and x, y, φ within one; zero along what
         inextensible blades hold, negative where the equilibrium is unstable.
 
     """
@@ -83,12 +83,6 @@ def free_compliance(state: Equilibrium) -> Floats:
         energy = pick(part.assembly.length * part.assembly.force, part.rows)[:, None, None]
         values.append(compliance * size[:, :, None] * size[:, None, :] / energy)
     return state.scatter(values)
-
-
-def free_names(state: Equilibrium) -> tuple[tuple[str, int], ...]:
-    """Return body and axis (0: x, 1: y, 2: φ) of every free coordinate."""
-    names = [body.name for body in state.layout.bodies]
-    return tuple((names[i // 3], int(i % 3)) for i in state.parts[0].demand.free)
 
 
 def _condensed(state: Equilibrium, part: Part, keep: Integers, free: Integers) -> Floats:

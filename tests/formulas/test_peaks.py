@@ -8,7 +8,6 @@ from flexcli.formulas.peaks import (
     davenport_peak_factor,
     expected_exceedances,
     peak_factor,
-    peak_probability,
 )
 
 ROUNDING = 1e-12  # a handful of operations
@@ -18,7 +17,6 @@ def test_three_sigma_is_expected_once_in_e_to_the_4_5_cycles():
     T = np.exp(4.5) / 200
     assert float(peak_factor(200, T)) == pytest.approx(3, rel=ROUNDING)
     assert float(expected_exceedances(3, 200, T)) == pytest.approx(2, rel=ROUNDING)  # both signs
-    assert float(peak_probability(3, 200, T)) == pytest.approx(1 - np.exp(-2), rel=ROUNDING)
 
 
 def test_davenport_factor_is_the_mean_of_the_extreme_value_density():

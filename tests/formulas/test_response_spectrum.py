@@ -11,9 +11,7 @@ from flexcli.formulas.miles import miles, miles_worst_case
 from flexcli.formulas.oscillator import oscillator_response
 from flexcli.formulas.response_spectrum import (
     ResponseSpectrum,
-    miles_shortfall,
     peak_ratio,
-    response_maximum,
 )
 from flexcli.formulas.spectrum import spectral_level
 
@@ -21,10 +19,14 @@ PROMISED = 1e-8  # what the value is good for
 STEP = ([20, 100, 100, 2000], [0.01, 0.01, 0.16, 0.16])
 
 
+def spectrum(f, g, Q, scale="log"):
+    return ResponseSpectrum(np.asarray(f, float), np.asarray(g, float), Q, scale)
+
+
 @pytest.mark.parametrize("Q", [0.5, 5.0, 100.0, 1e4])
 @pytest.mark.parametrize("profile", [GEVS, STEP, ([20, 2000], [0.04, 0.0004])])
 def test_the_maximum_agrees_with_a_scalar_minimiser(profile, Q):
-    most = response_maximum(*profile, Q)
+    most = spectrum(*profile, Q).maximum()
 
     def response(fn):
         return float(oscillator_response(*profile, fn, Q).absolute_acceleration)
@@ -43,7 +45,7 @@ def test_the_maximum_agrees_with_a_scalar_minimiser(profile, Q):
 @settings(max_examples=40)
 def test_no_natural_frequency_responds_more(profile, Q, data):
     f, g = profile
-    most = response_maximum(f, g, Q)
+    most = spectrum(f, g, Q).maximum()
     near = f[data.draw(st.integers(0, f.size - 1))]
     scan = np.concatenate([
         f[0] * (f[-1] / f[0]) ** np.linspace(0, 1, 60),
@@ -60,7 +62,7 @@ def test_no_natural_frequency_responds_more(profile, Q, data):
 @settings(max_examples=40)
 def test_no_natural_frequency_of_the_band_exceeds_miles_more(profile, Q):
     f, g = profile
-    low = miles_shortfall(f, g, Q)
+    low = spectrum(f, g, Q).shortfall()
     scan = f[0] * (f[-1] / f[0]) ** np.linspace(0, 1, 120)
     scan = scan[(scan >= f[0]) & (scan <= f[-1])]
     exact = oscillator_response(f, g, scan, Q).absolute_acceleration
@@ -72,14 +74,14 @@ def test_no_natural_frequency_of_the_band_exceeds_miles_more(profile, Q):
 
 def test_below_a_step_miles_misses_half_of_the_resonance_above():
     # at the step of a lightly damped oscillator half the resonance sees either level
-    low = miles_shortfall(*STEP, 1e5)
+    low = spectrum(*STEP, 1e5).shortfall()
     assert low.frequency == pytest.approx(100, rel=1e-4)
     assert (1 + low.excess) ** 2 == pytest.approx((0.01 + 0.16) / 2 / 0.01, rel=1e-3)
 
 
 @pytest.mark.parametrize("Q", [100.0, 1e3, 1e4])
 def test_the_maximum_tends_to_miles_worst_case_as_q_grows(Q):
-    most, worst = response_maximum(*GEVS, Q), miles_worst_case(*GEVS, Q)
+    most, worst = spectrum(*GEVS, Q).maximum(), miles_worst_case(*GEVS, Q)
     # the resonance is some 1/Q wide, and the level falls on one side of it only
     assert most.response == pytest.approx(float(worst.response), rel=3 / Q)
     assert most.frequency == pytest.approx(worst.frequency, rel=1 / Q)
@@ -89,16 +91,16 @@ def test_the_maximum_tends_to_miles_worst_case_as_q_grows(Q):
 @settings(max_examples=20)
 def test_units_scale_out(profile, unit):
     f, g = profile
-    base, louder = response_maximum(f, g, 20.0), response_maximum(f, g * unit**2, 20.0)
+    base, louder = spectrum(f, g, 20.0).maximum(), spectrum(f, g * unit**2, 20.0).maximum()
     assert louder.response == pytest.approx(unit * base.response, rel=PROMISED)
-    assert miles_shortfall(f, g * unit**2, 20.0).excess == pytest.approx(
-        miles_shortfall(f, g, 20.0).excess, abs=PROMISED * 10
+    assert spectrum(f, g * unit**2, 20.0).shortfall().excess == pytest.approx(
+        spectrum(f, g, 20.0).shortfall().excess, abs=PROMISED * 10
     )
 
 
 def test_linear_lines_serve_too():
     f, g = [20.0, 1000.0, 2000.0], [0.1, 1.0, 0.1]
-    most = response_maximum(f, g, 50.0, scale="linear")
+    most = spectrum(f, g, 50.0, scale="linear").maximum()
     scan = np.linspace(20, 2000, 4000)
     dense = oscillator_response(f, g, scan, 50.0, scale="linear").absolute_acceleration
     assert dense.max() <= most.response * (1 + PROMISED)
@@ -107,7 +109,7 @@ def test_linear_lines_serve_too():
 
 def test_an_overdamped_oscillator_is_refused():
     with pytest.raises(ValueError, match=r"at least 0\.5"):
-        response_maximum(*GEVS, 0.4)
+        spectrum(*GEVS, 0.4).maximum()
 
 
 def jagged(count, seed, low=20.0, high=2000.0):
@@ -158,7 +160,7 @@ def test_a_flat_profile_of_many_points_is_that_of_two(Q):
     f = np.geomspace(20, 2000, 1500)
     many, two = (
         ResponseSpectrum(f, np.full(1500, 0.3), Q),
-        response_maximum([20, 2000], [0.3] * 2, Q),
+        spectrum([20, 2000], [0.3] * 2, Q).maximum(),
     )
     assert many.maximum().response == pytest.approx(two.response, rel=1e-9)
     fn = np.geomspace(30, 1500, 7)
@@ -170,7 +172,7 @@ def test_a_flat_profile_of_many_points_is_that_of_two(Q):
 def test_a_line_at_one_frequency_is_felt_most_above_it(Q):
     # |H_a|² at r² = Q² (√(1 + 2/Q²) − 1) is a maximum: r_p lies below 1
     ratio = peak_ratio(Q)
-    most = response_maximum([100.0, 100.0 * (1 + 1e-6)], [1.0, 1.0], Q)
+    most = spectrum([100.0, 100.0 * (1 + 1e-6)], [1.0, 1.0], Q).maximum()
     assert most.frequency * ratio == pytest.approx(100.0, rel=1e-4 if Q < 100 else 1e-5)
 
     def gain(r):
@@ -181,7 +183,7 @@ def test_a_line_at_one_frequency_is_felt_most_above_it(Q):
 
 
 def test_an_overdamped_oscillator_is_felt_most_beyond_the_band():
-    most = response_maximum([500, 2000], [0.01, 1.0], 0.5)
+    most = spectrum([500, 2000], [0.01, 1.0], 0.5).maximum()
     assert most.frequency > 2000
     beyond = oscillator_response([500, 2000], [0.01, 1.0], [2000, most.frequency, 1e5], 0.5)
     at_edge, there, far = beyond.absolute_acceleration

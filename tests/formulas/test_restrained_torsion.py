@@ -6,7 +6,6 @@ from numpy.polynomial import legendre
 
 from flexcli.formulas.restrained_torsion import (
     CARDS,
-    equivalent_stress,
     restrained_stiffness,
     restrained_stresses,
 )
@@ -118,10 +117,6 @@ def test_torque_is_the_bimoment_and_the_twist_of_half_the_strip(l, θ):
     bimoment = warping_constant(h, b) * σ / (b * h / 4)
     half = G * float(torsion_constant(h, b)) * θ / 2 + bimoment
     assert K * θ * l / 2 == pytest.approx(half, rel=1e-10)
-
-
-def test_equivalent_stress_of_pure_shear_is_root_three():
-    assert float(equivalent_stress(shear=-2.0, normal=0.0)) == pytest.approx(2 * 3**0.5, rel=1e-15)
 
 
 def test_moduli_that_no_isotropic_material_has_are_refused():

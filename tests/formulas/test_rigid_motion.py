@@ -5,10 +5,8 @@ from hypothesis import strategies as st
 
 from flexcli.formulas.rigid_motion import (
     axes_about_z,
-    compliance_from,
     motion_along,
     motion_at,
-    stiffness_from,
 )
 
 coordinates = st.floats(-2.0, 2.0)
@@ -19,11 +17,6 @@ seeds = st.integers(0, 2**32 - 1)
 def random_axes(seed):
     Q, _ = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))
     return Q * np.linalg.det(Q)
-
-
-def random_stiffness(seed):
-    A = np.random.default_rng(seed).normal(size=(6, 6))
-    return A @ A.T + np.eye(6)
 
 
 @given(r=vectors, θ=vectors)
@@ -47,31 +40,6 @@ def test_going_on_is_going_there_at_once(r, s):
     np.testing.assert_allclose(motion_at(s) @ motion_at(r), both, atol=1e-14)
 
 
-@given(r=vectors, seed=seeds)
-def test_stiffness_and_compliance_stay_inverse_wherever_they_are_stated(r, seed):
-    K, axes = random_stiffness(seed), random_axes(seed)
-    C = np.linalg.inv(K)
-    product = stiffness_from(K, r, axes) @ compliance_from(C, r, axes)
-    np.testing.assert_allclose(product, np.eye(6), atol=1e-9)
-
-
-@given(r=vectors, seed=seeds)
-def test_energy_of_a_motion_is_the_same_wherever_it_is_stated(r, seed):
-    K, axes = random_stiffness(seed), random_axes(seed)
-    d = np.random.default_rng(seed + 1).normal(size=6)
-    moved = motion_along(axes) @ motion_at(r) @ d
-    energy = moved @ stiffness_from(K, r, axes) @ moved
-    assert energy == pytest.approx(d @ K @ d, rel=1e-9)
-
-
-@given(r=vectors, seed=seeds)
-def test_there_and_back_gives_the_same_stiffness(r, seed):
-    K, axes = random_stiffness(seed), random_axes(seed)
-    there = stiffness_from(K, r, axes)
-    back = stiffness_from(there, -axes @ np.array(r), axes.T)
-    np.testing.assert_allclose(back, K, atol=1e-10 * np.abs(there).max())
-
-
 def test_turn_about_z_leaves_z():
     axes = axes_about_z(np.array([0.3, -2.0]))
     np.testing.assert_allclose(axes @ axes.swapaxes(-1, -2), [np.eye(3)] * 2, atol=1e-15)
@@ -85,11 +53,3 @@ def test_turn_about_z_leaves_z():
 def test_axes_that_are_no_frame_are_refused(axes):
     with pytest.raises(ValueError, match="orthonormal rows"):
         motion_along(axes)
-
-
-def test_array_call_equals_element_wise_calls():
-    rng = np.random.default_rng(5)
-    K, r = np.stack([random_stiffness(k) for k in range(4)]), rng.normal(size=(4, 3))
-    axes = np.stack([random_axes(k) for k in range(4)])
-    each = [stiffness_from(*one) for one in zip(K, r, axes, strict=True)]
-    np.testing.assert_allclose(stiffness_from(K, r, axes), each, rtol=1e-12, atol=1e-12)

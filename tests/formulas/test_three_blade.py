@@ -9,7 +9,7 @@ from flexcli.formulas import pivot
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.three_blade import CARDS, out_of_plane_compliance, out_of_plane_stiffness
 from flexcli.mechanics.layout import Blade, Body, Layout
-from flexcli.mechanics.support import support_compliance, support_stiffness
+from flexcli.mechanics.support import support_compliance
 from flexcli.numerics.signomial import variables
 
 E, NU, l, m, g = 116e9, 0.34, 80e-3, 0.8, 3.7
@@ -38,9 +38,7 @@ def three_blades(thickness, width, p=0.0):
 
 @given(ratio=st.floats(0.01, 1.0), p=st.floats(0.0, 0.05))
 def test_formula_is_the_support_stiffness_along_the_axis(ratio, p):
-    K = support_stiffness(three_blades(h, ratio * l, p), "payload", (0.0, 0.0, 0.0))
     expected = out_of_plane_stiffness(E=E, G=G, h=h, l=l, b=ratio * l)
-    assert K[2, 2] == pytest.approx(expected, rel=1e-11)
     # free to tilt or not: the three blades keep the body from it
     C = support_compliance(three_blades(h, ratio * l, p), "payload", (0.0, 0.0, 0.0))
     assert C[2, 2] == pytest.approx(1 / expected, rel=1e-9)

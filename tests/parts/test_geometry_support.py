@@ -5,10 +5,11 @@ import pytest
 from geometries_for_tests import ELASTIC, SAMPLES, asked, geometry, travel
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support import compliance_from
 
 from flexcli.formulas.blade_spring import SHEAR_FACTOR
-from flexcli.formulas.rigid_motion import axes_about_z, compliance_from, motion_at
-from flexcli.mechanics.support import support_compliance, support_stiffness
+from flexcli.formulas.rigid_motion import axes_about_z, motion_at
+from flexcli.mechanics.support import support_compliance
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 
@@ -83,10 +84,9 @@ def test_shear_softens_the_stroke_by_the_stated_share_of_s_bending(kind):
 @settings(max_examples=10)
 @given(point=places)
 def test_matrices_are_symmetric_and_positive_definite(kind, point):
-    for form in (support_compliance, support_stiffness):
-        matrix = form(layout(kind), MOVING, point)
-        np.testing.assert_array_equal(matrix, matrix.T)
-        assert np.linalg.eigvalsh(scaled(matrix, matrix)).min() > 0.0
+    matrix = support_compliance(layout(kind), MOVING, point)
+    np.testing.assert_array_equal(matrix, matrix.T)
+    assert np.linalg.eigvalsh(scaled(matrix, matrix)).min() > 0.0
 
 
 @every_kind
@@ -98,16 +98,6 @@ def test_moved_to_another_point_and_axes_they_agree(kind, point, turn):
     there = support_compliance(found, MOVING, point, axes)
     moved = compliance_from(here, point, axes)
     np.testing.assert_allclose(scaled(moved, there), scaled(there, there), atol=1e-9)
-
-
-@every_kind
-def test_stiffness_is_the_inverse_of_compliance(kind):
-    found = layout(kind)
-    C = support_compliance(found, MOVING, centre(found))
-    K = support_stiffness(found, MOVING, centre(found))
-    size = np.sqrt(np.diag(C))
-    product = (K * np.outer(size, size)) @ (C / np.outer(size, size))
-    np.testing.assert_allclose(product, np.eye(6), atol=1e-7)
 
 
 @every_kind

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from flexcli.formulas.oscillator import oscillator_response
-from flexcli.formulas.shock import half_sine_damped, velocity_shock_deflection
+from flexcli.formulas.shock import half_sine_damped
 from flexcli.formulas.stage import end_stress
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.geometries import Blade, Elastic
@@ -145,7 +145,7 @@ def test_a_half_sine_moves_a_stage_as_one_oscillator(duration):
 
 def test_a_velocity_shock_deflects_a_stage_as_the_thesis_says():
     shock = Shock.model_validate({"velocity": "1 m/s", "axis": "x"})
-    expected = float(velocity_shock_deflection(1.0, FN))  # Monti 2014: Δd = V/(2π f_n)
+    expected = 1.0 / (2 * pi * FN)  # Monti 2014: Δd = V/(2π f_n)
     assert shock_peaks(stage(), shock)["travel"] == pytest.approx(expected, rel=EXACT)
 
 

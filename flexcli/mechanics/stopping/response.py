@@ -24,10 +24,8 @@ from flexcli.numerics.signal_pieces import sine
 __all__ = [
     "Step",
     "SteppedMotion",
-    "SteppedResponse",
     "steady_steps",
     "stepped_motion",
-    "stepped_response",
 ]
 
 Floats = NDArray[np.float64]
@@ -63,20 +61,6 @@ class Step(NamedTuple):
     periods: int = 1
     multiplier: float | None = None
     least: float | None = None
-
-
-class SteppedResponse(NamedTuple):
-    """Steps as arrays (steps,): rad/s, tip [m], clamp [N·m], push [N], contacts per period.
-
-    ``settled`` is false where no periodic motion was found: beats, or chaos.
-    """
-
-    angular: Floats
-    travel: Floats
-    base_moment: Floats
-    force: Floats
-    contacts: Floats
-    settled: NDArray[np.bool_]
 
 
 @dataclass(eq=False)
@@ -311,23 +295,3 @@ def steady_steps(
         elif motion.driven.amplitude != A:
             motion = replace(motion, driven=DrivenBlade(blade, stops, float(A)), known=[])
         yield motion.follow(float(omega))
-
-
-def stepped_response(
-    blade: ModalBlade,
-    stops: Stops,
-    *,
-    angular: Iterable[float],
-    amplitude: ArrayLike,
-    kick: float = 0.0,
-) -> SteppedResponse:
-    """Return all steps of ``steady_steps`` as arrays."""
-    steps = list(steady_steps(blade, stops, angular=angular, amplitude=amplitude, kick=kick))
-    return SteppedResponse(
-        angular=np.array([s.angular for s in steps]),
-        travel=np.array([s.peaks.travel for s in steps]),
-        base_moment=np.array([s.peaks.base_moment for s in steps]),
-        force=np.array([s.peaks.force for s in steps]),
-        contacts=np.array([s.contacts for s in steps]),
-        settled=np.array([s.settled for s in steps]),
-    )

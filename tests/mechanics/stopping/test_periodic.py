@@ -4,11 +4,11 @@ from math import cos, exp, hypot, inf, pi, sin, sqrt, tan
 
 import numpy as np
 import pytest
-from oscillators import oscillator
+from oscillators import oscillator, stepped
 
 from flexcli.mechanics.stopping.laws import LinearStop, RigidStop, Stops
 from flexcli.mechanics.stopping.periodic import DrivenBlade, MotionPoint
-from flexcli.mechanics.stopping.response import steady_steps, stepped_motion, stepped_response
+from flexcli.mechanics.stopping.response import steady_steps, stepped_motion
 
 AT_REST = MotionPoint(np.zeros(1), np.zeros(1))
 CLOSED = 1e-9
@@ -104,9 +104,10 @@ def test_what_never_repeats_is_not_settled_and_has_a_range():
 def test_contact_ends_where_no_periodic_motion_goes_on():
     """Beyond the fold a run from the last motion falls back to the one without contact."""
     scene = oscillator(damping=0.05), Stops(LinearStop(100.0), 1.0, 1.0)
-    found = stepped_response(*scene, angular=np.linspace(0.9, 2.5, 33), amplitude=0.2)
-    last = int(np.flatnonzero(found.contacts)[-1])
-    assert found.settled.all()
-    exact = 0.2 / np.hypot(1.0 - found.angular**2, 0.1 * found.angular)
-    np.testing.assert_allclose(found.travel[last + 1 :], exact[last + 1 :], rtol=1e-12)
-    assert found.travel[last] > 3.0 * exact[last]
+    angular = np.linspace(0.9, 2.5, 33)
+    steps, travel = stepped(*scene, angular=angular, amplitude=0.2)
+    last = int(np.flatnonzero([step.contacts for step in steps])[-1])
+    assert all(step.settled for step in steps)
+    exact = 0.2 / np.hypot(1.0 - angular**2, 0.1 * angular)
+    np.testing.assert_allclose(travel[last + 1 :], exact[last + 1 :], rtol=1e-12)
+    assert travel[last] > 3.0 * exact[last]
