@@ -231,6 +231,7 @@ def oscillator_response(
     Examples
     --------
     >>> exact = oscillator_response([20, 2000], [0.04, 0.04], 200, 10)
+    >>> from flexcli.formulas.miles import miles
     >>> round(float(exact.absolute_acceleration), 3), round(float(miles(200, 10, 0.04)), 3)
     (11.23, 11.21)
 
