@@ -2,13 +2,12 @@
 
 import numpy as np
 
-from flexcli.mechanics.linkages.linkage import Link, Linkage, Prismatic, Revolute
+from flexcli.mechanics.linkages.linkage import Linkage, Prismatic, Revolute
 
 
 def four_bar(A, B, C, D, drive="A"):
     """Joints at A and D on the ground, B and C on the coupler; the rocker's angle is D's."""
     return Linkage(
-        tuple(map(Link, ("base", "crank", "coupler", "rocker"))),
         (
             Revolute("A", "base", "crank", A),
             Revolute("B", "crank", "coupler", B),
@@ -38,7 +37,6 @@ def slider_crank(r, rod, offset=0.0, angle=np.pi / 2, drive="theta"):
     """Crank of radius r at the origin, rod to a stage that slides along x at a height."""
     x = r * np.cos(angle) + np.sqrt(rod**2 - (r * np.sin(angle) - offset) ** 2)
     return Linkage(
-        tuple(map(Link, ("base", "crank", "rod", "stage"))),
         (
             Revolute("theta", "base", "crank", (0.0, 0.0)),
             Revolute("elbow", "crank", "rod", (r * np.cos(angle), r * np.sin(angle))),
@@ -53,7 +51,6 @@ def slider_crank(r, rod, offset=0.0, angle=np.pi / 2, drive="theta"):
 def quick_return(r, d):
     """A crank about the origin carries a block that slides along an arm about (0, −d)."""
     return Linkage(
-        tuple(map(Link, ("base", "crank", "block", "arm"))),
         (
             Revolute("crank", "base", "crank", (0.0, 0.0)),
             Revolute("pin", "crank", "block", (0.0, r)),
@@ -68,7 +65,6 @@ def quick_return(r, d):
 def crank_stage(L, drive="theta"):
     """Exercise 12 C: θ clockwise of an upright crank, α of the rod, β = α − θ, z of the stage."""
     return Linkage(
-        tuple(map(Link, ("base", "crank", "rod", "stage"))),
         (
             Revolute("theta", "crank", "base", (0.0, 0.0)),
             Revolute("beta", "rod", "crank", (0.0, L)),
@@ -88,4 +84,4 @@ def redrawn(linkage, change):
         else j._replace(direction=change(*j.direction, 0.0))
         for j in linkage.joints
     )
-    return Linkage(linkage.links, joints, linkage.ground, linkage.input)
+    return Linkage(joints, linkage.ground, linkage.input)

@@ -1,4 +1,8 @@
-"""A mechanism as a linear structure: rigid bodies on the blades of its joints, in one plane."""
+"""A mechanism as a linear structure: rigid bodies on the blades of its joints, in one plane.
+
+Bodies, blades and supports are those of :mod:`flexcli.mechanics.layout`, here with several copies
+of one joint put together, and reduced to matrices.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -12,13 +16,13 @@ from flexcli.mechanics.layout import Body, Layout, Point, Support
 from flexcli.mechanics.vibrating_layout import vibrating_layout
 from flexcli.parts.geometries.base import GROUND, MOVING
 
-__all__ = ["MOTIONS", "Joint", "Motion", "Structure", "assemble", "joined", "turned"]
+__all__ = ["MOTIONS", "OwnMotion", "PlacedJoint", "Structure", "assemble", "joined", "turned"]
 
 Floats = NDArray[np.float64]
 
 
-class Joint(NamedTuple):
-    """A joint between two bodies (by name), its centre at a point [m], turned from x [rad]."""
+class PlacedJoint(NamedTuple):
+    """Where a copy of the joint stands: its two bodies, its centre [m], its turn from x [rad]."""
 
     name: str
     first: str
@@ -27,7 +31,7 @@ class Joint(NamedTuple):
     orientation: float
 
 
-class Motion(NamedTuple):
+class OwnMotion(NamedTuple):
     """The mechanism's own motion: a body's, along a direction (x, y, φ), as an output's name."""
 
     body: str
@@ -72,9 +76,9 @@ MOTIONS = ("travel", "rotation")
 
 def assemble(
     bodies: Sequence[Body],
-    joints: Sequence[Joint],
+    joints: Sequence[PlacedJoint],
     joint: Layout,
-    motion: Motion | None,
+    motion: OwnMotion | None,
     *,
     density: float = 0.0,
     held: Sequence[tuple[str, int]] = (),
@@ -85,11 +89,11 @@ def assemble(
     ----------
     bodies : sequence of Body
         Those that the joints connect; no other body moves but those within a joint.
-    joints : sequence of Joint
+    joints : sequence of PlacedJoint
         Where copies of the joint stand.
     joint : Layout
         The joint between the ground and its moving body.
-    motion : Motion or None
+    motion : OwnMotion or None
         The mechanism's own motion, nothing where it is locked.
     density : float
         Of the blades [kg/m³]; 0 leaves their mass out.
@@ -153,7 +157,7 @@ def turned(place: Point, angle: float, shift: Point = (0.0, 0.0)) -> Point:
     return shift[0] + c * x - s * y, shift[1] + s * x + c * y
 
 
-def _placed(joint: Layout, at: Joint) -> Layout:
+def _placed(joint: Layout, at: PlacedJoint) -> Layout:
     """Return a copy of a joint where it stands, its own bodies by names of their own."""
     called = {GROUND: at.first, MOVING: at.second}
     called |= {b.name: f"{at.name} {b.name}" for b in joint.bodies if b.name != MOVING}

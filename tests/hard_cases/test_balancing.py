@@ -3,13 +3,14 @@
 from math import isfinite, pi
 
 import pytest
+from stages import rider
 from strategies import TITANIUM
 
 from flexcli.engine.balance import balance as balance_verb
-from flexcli.formulas.parallel_stage import NO_RIDER, Lever, Rider, Stage, system
-from flexcli.formulas.single_freedom import expand
 from flexcli.formulas.spectrum_integrals import rms_displacement
 from flexcli.formulas.transfer import natural_frequency, transfer
+from flexcli.mechanics.parallel_stage import NO_BALANCE, Lever, Stage, system
+from flexcli.mechanics.single_freedom import expand
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.mechanisms.force_balance import Unknown, balance
 from flexcli.parts.mechanisms.free_value import Free
@@ -25,7 +26,9 @@ ROUNDING = 1e-13
 def stage(first, third, platform=M_2):
     """Give the stage of exercise 9 with (mass, arm) of its balancing masses, or none."""
     levers = tuple(
-        Lever(Rider(M_1, ARM_1, 0.0, 5e-6), NO_RIDER if b is None else Rider(b[0], -b[1], 0.0, 0.0))
+        Lever(
+            rider(M_1, ARM_1, 0.0, 5e-6), NO_BALANCE if b is None else rider(b[0], -b[1], 0.0, 0.0)
+        )
         for b in (first, third)
     )
     return Stage(H, platform, 0.0, levers)
@@ -92,7 +95,7 @@ def test_one_balancing_mass_on_one_side_does_the_work_of_two(kept):
     assert one.found[0] == pytest.approx(two.found[0], rel=ROUNDING)
     kept(one.found[0], two.found[0])
     assert left(one) < ROUNDING
-    assert one.stage.levers[1].balance == NO_RIDER
+    assert one.stage.levers[1].balance == NO_BALANCE
 
 
 @pytest.mark.parametrize("side", [0, 1])

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 from judging import check_as_printed, size_as_printed
 from planar_joint import joint_stiffness
+from stages import rider
 from strategies import CASES, LOADS, TITANIUM, crossed, design, rcc
 
-from flexcli.formulas.parallel_stage import Lever, Rider, Stage, system
 from flexcli.formulas.pivot import end_stresses, parasitic_shift, rotational_stiffness
-from flexcli.formulas.single_freedom import expand
+from flexcli.mechanics.parallel_stage import Lever, Stage, system
+from flexcli.mechanics.single_freedom import expand
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.geometries import Blade, Elastic
 from flexcli.parts.geometries.rcc import RCCPivot
@@ -73,7 +74,7 @@ def stage(levers, across=0.0):
         68e-3,
         0.0,
         tuple(
-            Lever(Rider(m, s, across, 5e-6), Rider(0.03, -0.02, across, 1e-6))
+            Lever(rider(m, s, across, 5e-6), rider(0.03, -0.02, across, 1e-6))
             for m, s in (first, third)
         ),
     )

@@ -11,7 +11,7 @@ from flexcli.numerics.modes import natural_modes
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Blade
 from flexcli.parts.geometries.rcc import RCCPivot
-from flexcli.parts.structure import Joint, Motion, assemble
+from flexcli.parts.structure import OwnMotion, PlacedJoint, assemble
 
 E, h, l, b, p = 114e9, 637e-6, 17.5e-3, 10e-3, 2e-3
 PAIR = (pi / 4, -pi / 4)
@@ -29,7 +29,9 @@ def body(name, mass, inertia, com=ORIGIN):
 
 
 def alone(payload, turn=0.0):
-    return assemble([payload], [Joint("J", "ground", payload.name, ORIGIN, turn)], LAYOUT, None)
+    return assemble(
+        [payload], [PlacedJoint("J", "ground", payload.name, ORIGIN, turn)], LAYOUT, None
+    )
 
 
 def test_a_joint_of_massless_blades_is_the_spring_of_its_closed_form():
@@ -61,9 +63,9 @@ def test_turning_the_whole_mechanism_leaves_its_frequencies(angle, density):
 
         bodies = [body("one", 0.05, 2e-5, at(0.01, -0.012)), body("two", 0.07, 1e-5, at(0.0, 0.03))]
         joints = [
-            Joint("A", "ground", "one", at(0.0, 0.0), 0.4 + turn),
-            Joint("B", "one", "two", at(0.0, 0.02), -0.2 + turn),
-            Joint("C", "ground", "two", at(0.03, 0.02), turn),
+            PlacedJoint("A", "ground", "one", at(0.0, 0.0), 0.4 + turn),
+            PlacedJoint("B", "one", "two", at(0.0, 0.02), -0.2 + turn),
+            PlacedJoint("C", "ground", "two", at(0.03, 0.02), turn),
         ]
         structure = assemble(bodies, joints, LAYOUT, None, density=density)
         return natural_modes(structure.stiffness, structure.mass).angular
@@ -75,8 +77,8 @@ def test_turning_the_whole_mechanism_leaves_its_frequencies(angle, density):
 def test_the_moved_mass_is_that_of_bodies_and_blades_on_both_axes(density):
     bodies = [body("one", 0.05, 2e-5, (0.01, 0.02)), body("two", 0.07, 1e-5)]
     joints = [
-        Joint("A", "ground", "one", ORIGIN, 0.0),
-        Joint("B", "one", "two", (0.0, 0.02), 0.0),
+        PlacedJoint("A", "ground", "one", ORIGIN, 0.0),
+        PlacedJoint("B", "one", "two", (0.0, 0.02), 0.0),
     ]
     structure = assemble(bodies, joints, LAYOUT, None, density=density)
     whole = 0.12 + 4 * density * b * h * l
@@ -84,7 +86,7 @@ def test_the_moved_mass_is_that_of_bodies_and_blades_on_both_axes(density):
 
 
 def test_a_held_coordinate_is_no_freedom():
-    joints = [Joint("J", "ground", "platform", ORIGIN, 0.0)]
+    joints = [PlacedJoint("J", "ground", "platform", ORIGIN, 0.0)]
     platform = body("platform", 0.1, 0.0, (0.0, 0.02))
     structure = assemble([platform], joints, LAYOUT, None, held=[("platform", 2)])
     assert structure.mass.shape == (2, 2)
@@ -92,8 +94,8 @@ def test_a_held_coordinate_is_no_freedom():
 
 @pytest.mark.parametrize("density", [0.0, 4430.0])
 def test_reciprocity_a_static_force_on_a_body_appears_in_its_joint(density):
-    joints = [Joint("J", "ground", "payload", ORIGIN, 0.0)]
-    given = Motion("payload", (1.0, 0.0, 0.0), "travel")
+    joints = [PlacedJoint("J", "ground", "payload", ORIGIN, 0.0)]
+    given = OwnMotion("payload", (1.0, 0.0, 0.0), "travel")
     found = assemble([body("payload", 0.1, 1e-5)], joints, LAYOUT, given, density=density)
     force = np.zeros(found.mass.shape[0])
     force[:2] = 3.0, 4.0

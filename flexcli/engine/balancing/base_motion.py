@@ -7,8 +7,8 @@ import numpy as np
 
 from flexcli.engine.balancing.freedom import Freedom
 from flexcli.errors import SolveError
-from flexcli.formulas.single_freedom import Expansion, expand
 from flexcli.formulas.transfer import natural_frequency, transfer
+from flexcli.mechanics.single_freedom import Expansion, expand
 from flexcli.parts.asd import RandomVibration
 from flexcli.results import GravityRow, TransferRow, Value
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from math import hypot
 
-from flexcli.formulas.parallel_stage import Stage
+from flexcli.mechanics.parallel_stage import Stage
 from flexcli.parts.balancing import Tolerances
 from flexcli.results import CouplingTerm, Value
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from flexcli.formulas.single_freedom import Expansion, SingleFreedom, expand
+from flexcli.mechanics.single_freedom import Expansion, SingleFreedom, expand
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import NotAvailable
 from flexcli.parts.mechanisms import Mechanism

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from flexcli.engine.balancing.base_motion import suffix
 from flexcli.engine.balancing.freedom import Freedom
-from flexcli.formulas.single_freedom import Expansion, SingleFreedom, expand
+from flexcli.mechanics.single_freedom import Expansion, SingleFreedom, expand
 from flexcli.numerics.taylor import Taylor
 from flexcli.results import StrokeRow
 

@@ -65,10 +65,9 @@ def extremes(travel: Travel, start: float, end: float) -> dict[str, Extremes]:
 
     Examples
     --------
-    >>> from flexcli.mechanics.linkages.linkage import Link, Linkage, Prismatic, Revolute
+    >>> from flexcli.mechanics.linkages.linkage import Linkage, Prismatic, Revolute
     >>> from flexcli.mechanics.linkages.travel import travel
     >>> stage = Linkage(
-    ...     tuple(map(Link, ("base", "crank", "rod", "stage"))),
     ...     (Revolute("theta", "crank", "base", (0.0, 0.0)),
     ...      Revolute("beta", "rod", "crank", (0.0, 50e-3)),
     ...      Revolute("alpha", "stage", "rod", (-50e-3, 50e-3)),

@@ -1,5 +1,9 @@
 """A planar linkage as assembled: rigid links, revolute and prismatic joints, ground and input.
 
+Links have neither mass nor elasticity, so that a name is all there is to one: what moves them is
+the geometry of their joints, at any amplitude. Bodies with mass on springs are in
+:mod:`flexcli.mechanics.layout`.
+
 Numbers are floats in the assembled pose, in which every deflection is zero. A deflection is the
 motion of a joint's second link relative to its first: an angle, anticlockwise [rad], or a travel
 along the joint's direction [m].
@@ -9,13 +13,7 @@ from dataclasses import dataclass
 from math import hypot, isfinite
 from typing import NamedTuple, TypeAlias
 
-__all__ = ["Joint", "Link", "Linkage", "Prismatic", "Revolute"]
-
-
-class Link(NamedTuple):
-    """A rigid link."""
-
-    name: str
+__all__ = ["Joint", "Linkage", "Prismatic", "Revolute"]
 
 
 class Revolute(NamedTuple):
@@ -44,44 +42,47 @@ Joint: TypeAlias = Revolute | Prismatic
 
 @dataclass(frozen=True)
 class Linkage:
-    """Links, the joints between them, ``ground`` (the link at rest), ``input`` (the joint driven).
+    """Joints between links, ``ground`` (the link at rest), ``input`` (the joint driven).
 
     Raises
     ------
     ValueError
-        For names given twice or unknown, a joint of a link with itself, a direction of no
-        length, and coordinates that are not finite: all of them in one message.
+        For joints named twice, an unknown ground or input, a joint of a link with itself, a
+        direction of no length, and coordinates that are not finite: all of them in one message.
 
     Examples
     --------
-    >>> Linkage((Link("base"), Link("arm")), (Revolute("hub", "base", "arm", (0.0, 0.0)),),
-    ...         ground="base", input="hubb")
+    >>> Linkage((Revolute("hub", "base", "arm", (0.0, 0.0)),), ground="base", input="hubb")
     Traceback (most recent call last):
     ValueError: the input 'hubb' is no joint
     """
 
-    links: tuple[Link, ...]
     joints: tuple[Joint, ...]
     ground: str
     input: str
 
     def __post_init__(self) -> None:
-        links, joints = [link.name for link in self.links], [joint.name for joint in self.joints]
-        mistakes = [f"two links are named '{name}'" for name in _repeated(links)]
-        mistakes += [f"two joints are named '{name}'" for name in _repeated(joints)]
-        if self.ground not in links:
+        joints = [joint.name for joint in self.joints]
+        repeated = sorted({name for name in joints if joints.count(name) > 1})
+        mistakes = [f"two joints are named '{name}'" for name in repeated]
+        if self.ground not in self.links:
             mistakes.append(f"the ground '{self.ground}' is no link")
         if self.input not in joints:
             mistakes.append(f"the input '{self.input}' is no joint")
         for joint in self.joints:
-            mistakes += [f"joint '{joint.name}' {what}" for what in _mistakes(joint, links)]
+            mistakes += [f"joint '{joint.name}' {what}" for what in _mistakes(joint)]
         if mistakes:
             raise ValueError("; ".join(mistakes))
 
     @property
+    def links(self) -> tuple[str, ...]:
+        """Return the names of all links, in the order in which the joints name them."""
+        return tuple(dict.fromkeys(name for j in self.joints for name in (j.first, j.second)))
+
+    @property
     def moving(self) -> tuple[str, ...]:
         """Return the names of the links that may move."""
-        return tuple(link.name for link in self.links if link.name != self.ground)
+        return tuple(name for name in self.links if name != self.ground)
 
     @property
     def count(self) -> int:
@@ -89,15 +90,10 @@ class Linkage:
         return 3 * len(self.moving) - 2 * len(self.joints)
 
 
-def _repeated(names: list[str]) -> list[str]:
-    return sorted({name for name in names if names.count(name) > 1})
-
-
-def _mistakes(joint: Joint, links: list[str]) -> list[str]:
+def _mistakes(joint: Joint) -> list[str]:
     """Return what is wrong with one joint."""
     place = joint.point if isinstance(joint, Revolute) else joint.direction
-    ends = dict.fromkeys((joint.first, joint.second))
-    found = [f"names the unknown link '{name}'" for name in ends if name not in links]
+    found = []
     if joint.first == joint.second:
         found.append(f"joins '{joint.first}' with itself")
     if not all(isfinite(coordinate) for coordinate in place):

@@ -26,9 +26,9 @@ def freedoms(linkage: Linkage) -> int:
 
     Examples
     --------
-    >>> from flexcli.mechanics.linkages.linkage import Link, Revolute
+    >>> from flexcli.mechanics.linkages.linkage import Revolute
     >>> hub = Revolute("hub", "base", "arm", (0.0, 0.0))
-    >>> freedoms(Linkage((Link("base"), Link("arm")), (hub,), ground="base", input="hub"))
+    >>> freedoms(Linkage((hub,), ground="base", input="hub"))
     1
 
     """

@@ -10,13 +10,13 @@ from flexcli.mechanics.linkages.equations import Loops, loops
 from flexcli.mechanics.linkages.linkage import Linkage
 from flexcli.numerics.loop_closure import Solution
 
-__all__ = ["Motion", "moved"]
+__all__ = ["LinkageMotion", "moved"]
 
 Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class LinkageMotion:
     """Deflection of every joint [rad or m] at values of the input, from the assembled pose.
 
     ``ratios`` are the first derivatives of the deflections by the input, ``curvatures`` the
@@ -38,7 +38,7 @@ class Motion:
         return u + x * c - y * s, v + x * s + y * c
 
 
-def moved(linkage: Linkage, inputs: Floats, solution: Solution) -> Motion:
+def moved(linkage: Linkage, inputs: Floats, solution: Solution) -> LinkageMotion:
     """Return the motion that solutions of the loop equations, one per input, stand for."""
     equations = loops(linkage)
     unit = equations.units()
@@ -53,7 +53,7 @@ def moved(linkage: Linkage, inputs: Floats, solution: Solution) -> Motion:
         return {name: columns[:, i].reshape(inputs.shape) for i, name in enumerate(names)}
 
     shifts, turns = _poses(linkage, equations, q, inputs.shape)
-    return Motion(
+    return LinkageMotion(
         inputs,
         named(equations.rows(q)[..., 2] * unit),
         named(ratio * per_input),

@@ -12,7 +12,7 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.linkages.equations import Loops, loops
 from flexcli.mechanics.linkages.linkage import Linkage
 from flexcli.mechanics.linkages.mobility import require_one_freedom
-from flexcli.mechanics.linkages.motion import Motion, moved
+from flexcli.mechanics.linkages.motion import LinkageMotion, moved
 from flexcli.numerics.loop_closure import Curve, follow, solve_at
 
 __all__ = ["End", "Stop", "Travel", "motion", "travel"]
@@ -55,7 +55,7 @@ class Travel:
         equations = loops(self.linkage)
         return self.curve.parameters * float(equations.units()[equations.input])
 
-    def at(self, inputs: ArrayLike) -> Motion:
+    def at(self, inputs: ArrayLike) -> LinkageMotion:
         """Return the motion at values of the input [rad or m], of any shape.
 
         Raises
@@ -108,9 +108,8 @@ def travel(linkage: Linkage, start: float, end: float) -> Travel:
 
     Examples
     --------
-    >>> from flexcli.mechanics.linkages.linkage import Link, Prismatic, Revolute
+    >>> from flexcli.mechanics.linkages.linkage import Prismatic, Revolute
     >>> slider_crank = Linkage(
-    ...     tuple(map(Link, ("base", "crank", "rod", "stage"))),
     ...     (Revolute("theta", "base", "crank", (0.0, 0.0)),
     ...      Revolute("elbow", "crank", "rod", (0.0, 1.0)),
     ...      Revolute("wrist", "rod", "stage", (1.0, 0.0)),
@@ -138,7 +137,7 @@ def travel(linkage: Linkage, start: float, end: float) -> Travel:
     )
 
 
-def motion(linkage: Linkage, inputs: ArrayLike) -> Motion:
+def motion(linkage: Linkage, inputs: ArrayLike) -> LinkageMotion:
     """Return the deflection of every joint at values of the input, from the assembled pose.
 
     Parameters
@@ -150,7 +149,7 @@ def motion(linkage: Linkage, inputs: ArrayLike) -> Motion:
 
     Returns
     -------
-    Motion
+    LinkageMotion
         Deflections, their first and second derivatives, and poses.
 
     Raises

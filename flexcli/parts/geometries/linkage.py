@@ -13,7 +13,7 @@ from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.mechanics.linkages.extremes import Extremes, extremes
-from flexcli.mechanics.linkages.linkage import Link, Linkage, Prismatic, Revolute
+from flexcli.mechanics.linkages.linkage import Linkage, Prismatic, Revolute
 from flexcli.mechanics.linkages.travel import Travel, motion, travel
 from flexcli.parts.base import Angle, Length, Part, spec_error
 from flexcli.parts.elastic import Elastic, NotAvailable
@@ -87,14 +87,13 @@ class LinkageGeometry(Geometry):
     @cached_property
     def rigid(self) -> Linkage:
         """Return the linkage as rigid links."""
-        names = dict.fromkeys(name for joint in self.joints.values() for name in joint.links)
         joints = tuple(
             Revolute(name, *joint.links, joint.at)
             if joint.along is None
             else Prismatic(name, *joint.links, joint.along)
             for name, joint in self.joints.items()
         )
-        return Linkage(tuple(map(Link, names)), joints, self.ground, self.input)
+        return Linkage(joints, self.ground, self.input)
 
     # which motion it is depends on its input: no constant of the class, as it is elsewhere
     @property

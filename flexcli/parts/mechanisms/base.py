@@ -6,7 +6,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import model_validator
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.formulas.single_freedom import SingleFreedom
+from flexcli.mechanics.single_freedom import SingleFreedom
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Geometry, Sizes

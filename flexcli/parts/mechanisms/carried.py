@@ -11,7 +11,7 @@ from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
 from flexcli.parts.geometries.leaf_stage import LeafSpringStage
 from flexcli.parts.geometries.linkage import LinkageGeometry
 from flexcli.parts.geometries.single_blade import MomentBlade
-from flexcli.parts.structure import Joint, Motion, Structure, assemble, joined, turned
+from flexcli.parts.structure import OwnMotion, PlacedJoint, Structure, assemble, joined, turned
 
 __all__ = [
     "carried",
@@ -77,11 +77,11 @@ def carried(
     rotates = geometry.motion == "rotation"
     return assemble(
         [body],
-        [Joint(joint, GROUND, name, (0.0, 0.0), turn)],
+        [PlacedJoint(joint, GROUND, name, (0.0, 0.0), turn)],
         layout,
-        Motion(name, (0.0, 0.0, 1.0), "rotation")
+        OwnMotion(name, (0.0, 0.0, 1.0), "rotation")
         if rotates
-        else Motion(name, (*stroke, 0.0), "travel"),
+        else OwnMotion(name, (*stroke, 0.0), "travel"),
         density=density,
         held=[(name, 2)] if is_guided(geometry) else [],
     )

@@ -10,7 +10,8 @@ from dataclasses import replace
 from math import inf, isfinite
 from typing import NamedTuple
 
-from flexcli.formulas.parallel_stage import Lever, Rider, Stage
+from flexcli.mechanics.layout import Body
+from flexcli.mechanics.parallel_stage import Stage
 from flexcli.parts.mechanisms.free_value import Free
 from flexcli.units import show
 
@@ -65,35 +66,31 @@ class Unknown(NamedTuple):
             return replace(stage, height=value)
         levers = list(stage.levers)
         for side in self.sides:
-            levers[side] = _with_balance(levers[side], self._rider(levers[side], side, value))
+            balance = self._set(levers[side].balance, side, value)
+            levers[side] = replace(levers[side], balance=balance)
         return replace(stage, levers=(levers[0], levers[1]))
 
-    def _rider(self, lever: Lever, side: int, value: float) -> Rider:
+    def _set(self, balance: Body, side: int, value: float) -> Body:
         if self.kind == "arm":
-            return replace(lever.balance, along=-value)
+            return balance._replace(com=(balance.com[0], -value))
         if self.kind == "mass":
-            return replace(lever.balance, mass=value)
+            return balance._replace(mass=value)
         share = value if side == 0 else 1.0 - value
-        return replace(lever.balance, mass=self.total * share)
+        return balance._replace(mass=self.total * share)
 
     def rates(self, stage: Stage) -> tuple[float, ...]:
         """Return the change of the static moment per unit of the unknown, side by side."""
         if self.kind == "height":
             return (stage.platform,)
-        riders = [stage.levers[side].balance for side in self.sides]
+        masses = [stage.levers[side].balance for side in self.sides]
         if self.kind == "arm":
-            return tuple(-rider.mass for rider in riders)
-        if self.kind == "mass":
-            return tuple(rider.along for rider in riders)
-        return self.total * riders[0].along, -self.total * riders[1].along
+            return tuple(-each.mass for each in masses)
+        along = tuple(each.com[1] for each in masses)
+        return along if self.kind == "mass" else (self.total * along[0], -self.total * along[1])
 
     def shown(self, value: float) -> str:
         """Return a value of it as a person reads it."""
         return show(value, self.unit) if self.unit else f"{value:.4g}"
-
-
-def _with_balance(lever: Lever, balance: Rider) -> Lever:
-    return replace(lever, balance=balance)
 
 
 class Balancing(NamedTuple):
@@ -129,7 +126,7 @@ def balance(stage: Stage, unknowns: Sequence[Unknown], allowed: float) -> Balanc
 
 
 def _cost(stage: Stage) -> tuple[float, float]:
-    return stage.added_mass, sum(abs(lever.balance.along) for lever in stage.levers)
+    return stage.added_mass, sum(abs(lever.balance.com[1]) for lever in stage.levers)
 
 
 def _with_one_at_a_bound(

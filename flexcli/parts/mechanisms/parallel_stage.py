@@ -9,11 +9,11 @@ import numpy as np
 from pydantic import BeforeValidator, Field, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
-from flexcli.formulas import parallel_stage as planar
 from flexcli.formulas.quantity import Quantity
-from flexcli.formulas.single_freedom import Expansion, SingleFreedom, expand
 from flexcli.formulas.transfer import natural_frequency
+from flexcli.mechanics import parallel_stage as planar
 from flexcli.mechanics.layout import Body
+from flexcli.mechanics.single_freedom import Expansion, SingleFreedom, expand
 from flexcli.parts.base import Angle, Mass, QuantityOf, Shorthand, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
@@ -23,7 +23,7 @@ from flexcli.parts.mechanisms.force_balance import Balancing, Unknown, balance
 from flexcli.parts.mechanisms.free_value import Free, OrFree
 from flexcli.parts.mechanisms.stage_bodies import BalancingMass, InertiaTensor, Lever, Platform
 from flexcli.parts.stroke import Stroke
-from flexcli.parts.structure import Joint, Motion, Structure, assemble
+from flexcli.parts.structure import OwnMotion, PlacedJoint, Structure, assemble, joined
 from flexcli.results import Note, QuantityKind, Value
 
 __all__ = ["BalancingMass", "Coupling", "InertiaTensor", "Lever", "ParallelStage", "Platform"]
@@ -154,7 +154,7 @@ class ParallelStage(Mechanism):
         """Return the stage with what was free chosen, and whether that does."""
         height = 1.0 if isinstance(self.stated_height, Free) else self.stated_height
         first, third = (
-            planar.Lever(lever.rider, planar.NO_RIDER if body is None else body.rider)
+            planar.Lever(lever.body, planar.NO_BALANCE if body is None else body.body)
             for lever, body in zip((self.solid_1, self.solid_3), self._balances, strict=True)
         )
         stage = planar.Stage(height, self.solid_2.mass, self.solid_2.com, (first, third))
@@ -294,12 +294,12 @@ class ParallelStage(Mechanism):
         platform = GROUND if lock else "solid 2"
         for side, lever in enumerate(self.stage().levers):
             name = f"solid {2 * side + 1}"
-            bodies.append(_rigid(name, lever))
+            bodies.append(joined(name, (0.0, 0.0), lever.bodies))
             for joint, first, y in (
                 (f"P{2 * side + 1}", GROUND, 0.0),
                 (f"P{2 * side + 2}", platform, self.height),
             ):
-                joints.append(Joint(joint, first, name, (0.0, y), self.bisector))
+                joints.append(PlacedJoint(joint, first, name, (0.0, y), self.bisector))
         if lock is None:
             com = (0.0, self.height)
             bodies.append(Body(platform, (0.0, 0.0), self.solid_2.mass, 0.0, com))
@@ -307,7 +307,7 @@ class ParallelStage(Mechanism):
             bodies,
             joints,
             joint_layout(geometry, elastic, sizes),
-            None if lock else Motion(platform, (1.0, 0.0, 0.0), "travel"),
+            None if lock else OwnMotion(platform, (1.0, 0.0, 0.0), "travel"),
             density=density,
             held=() if lock else [(platform, 2)],
         )
@@ -372,14 +372,14 @@ class ParallelStage(Mechanism):
     def balance_values(self) -> dict[str, Value]:
         """Return arms and masses of the balancing masses, and the coupling they leave."""
         found: dict[str, Value] = {}
-        riders = {
+        masses = {
             number: lever.balance
             for number, lever in zip((1, 3), self.stage().levers, strict=True)
-            if lever.balance != planar.NO_RIDER
+            if lever.balance != planar.NO_BALANCE
         }
         for symbol, unit, label, sizes in (
-            ("l_bal", "m", "arm of", {n: -rider.along for n, rider in riders.items()}),
-            ("m_bal", "kg", "mass of", {n: rider.mass for n, rider in riders.items()}),
+            ("l_bal", "m", "arm of", {n: -each.com[1] for n, each in masses.items()}),
+            ("m_bal", "kg", "mass of", {n: each.mass for n, each in masses.items()}),
         ):
             if len(sizes) == 2 and len(set(sizes.values())) == 1:
                 found[symbol] = Value(sizes[1], unit, f"{label} each balancing mass", source=SOURCE)
@@ -409,20 +409,3 @@ def _share(first: Free, third: Free, total: float) -> Free:
     least = max(first.least or 0.0, total - (inf if third.most is None else third.most))
     most = min(inf if first.most is None else first.most, total - (third.least or 0.0))
     return Free(max(least / total, 0.0), min(most / total, 1.0))
-
-
-def _rigid(name: str, lever: planar.Lever) -> Body:
-    """Return a lever and its balancing mass as one body, from its base pivot."""
-    mass = lever.mass
-    across, along = (
-        sum(r.mass * where for r, where in places) / mass if mass else 0.0
-        for places in (
-            [(r, r.across) for r in lever.riders],
-            [(r, r.along) for r in lever.riders],
-        )
-    )
-    inertia = sum(
-        r.inertia + r.mass * ((r.along - along) ** 2 + (r.across - across) ** 2)
-        for r in lever.riders
-    )
-    return Body(name, (0.0, 0.0), mass, inertia, (across, along))

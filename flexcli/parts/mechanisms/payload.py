@@ -6,8 +6,8 @@ from typing import ClassVar, Literal
 from pydantic import Field, model_validator
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.formulas.single_freedom import Body as MovingBody
-from flexcli.formulas.single_freedom import SingleFreedom, Spring
+from flexcli.mechanics.layout import Body
+from flexcli.mechanics.single_freedom import SingleFreedom
 from flexcli.parts.base import Inertia, Mass, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Geometry, Sizes
@@ -96,12 +96,13 @@ class Payload(Mechanism):
 
         The parasitic motion is towards the base of a stage, along the bisector of a pivot.
         """
+        body = Body("payload", (0.0, 0.0), self.mass)
         if geometry.motion == "rotation":
-            inertia = self.mode(joint_stiffness, geometry).mass
-            body = MovingBody("payload", self.mass, inertia, lambda q: (q * q * shift, 0.0, q))
+            body = body._replace(inertia=self.mode(joint_stiffness, geometry).mass)
+            moving = (body, lambda q: (q * q * shift, 0.0, q))
         else:
-            body = MovingBody("payload", self.mass, 0.0, lambda q: (q, q * q * -shift, 0.0))
-        return SingleFreedom([body], [Spring("joint", joint_stiffness, lambda q: q)], lambda q: q)
+            moving = (body, lambda q: (q, q * q * -shift, 0.0))
+        return SingleFreedom([moving], joint_stiffness, lambda q: q)
 
     def hanging_mass(self) -> float:
         """Return the payload's mass."""

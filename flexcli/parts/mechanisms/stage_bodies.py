@@ -4,7 +4,7 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from flexcli.formulas.parallel_stage import Rider
+from flexcli.mechanics.layout import Body
 from flexcli.parts.base import Inertia, Length, Mass, Part, Shorthand
 from flexcli.parts.mechanisms.free_value import Free, OrFree
 
@@ -32,9 +32,9 @@ class Lever(Part):
     inertia: InertiaTensor
 
     @property
-    def rider(self) -> Rider:
-        """Return the body in the lever's own axes."""
-        return Rider(self.mass, self.com, self.offset, self.inertia.zz)
+    def body(self) -> Body:
+        """Return the body at rest, from its base pivot along y."""
+        return Body("solid", (0.0, 0.0), self.mass, self.inertia.zz, (self.offset, self.com))
 
 
 class Platform(Part):
@@ -57,8 +57,8 @@ class BalancingMass(Part):
     inertia: InertiaTensor
 
     @property
-    def rider(self) -> Rider:
-        """Return the body in the lever's own axes; what is free counts as zero."""
+    def body(self) -> Body:
+        """Return the body at rest, from the base pivot along y; what is free counts as zero."""
         mass = 0.0 if isinstance(self.mass, Free) else self.mass
         arm = 0.0 if isinstance(self.arm, Free) else self.arm
-        return Rider(mass, -arm, self.offset, self.inertia.zz)
+        return Body("balance", (0.0, 0.0), mass, self.inertia.zz, (self.offset, -arm))

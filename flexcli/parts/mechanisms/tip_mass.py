@@ -6,7 +6,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.formulas.single_freedom import SingleFreedom
+from flexcli.mechanics.single_freedom import SingleFreedom
 from flexcli.parts.base import Inertia, Length, QuantityOf
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Geometry, Sizes

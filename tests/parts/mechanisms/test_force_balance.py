@@ -5,8 +5,9 @@ from dataclasses import replace
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from stages import rider
 
-from flexcli.formulas.parallel_stage import Lever, Rider, Stage
+from flexcli.mechanics.parallel_stage import Lever, Stage
 from flexcli.parts.mechanisms.force_balance import Unknown, balance
 from flexcli.parts.mechanisms.free_value import Free
 
@@ -20,7 +21,7 @@ VANISHES = 1e-12
 
 def stage(masses=(M_BAL, M_BAL), arms=(0.0, 0.0), com=L_C1, platform=M_2):
     levers = (
-        Lever(Rider(M_1, com, 0.0, 5e-6), Rider(mass, -arm, 0.0, 1e-6))
+        Lever(rider(M_1, com, 0.0, 5e-6), rider(mass, -arm, 0.0, 1e-6))
         for mass, arm in zip(masses, arms, strict=True)
     )
     return Stage(H, platform, 0.0, tuple(levers))

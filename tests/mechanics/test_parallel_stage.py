@@ -5,9 +5,10 @@ from dataclasses import replace
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from stages import rider
 
-from flexcli.formulas.parallel_stage import Lever, Rider, Stage, system
-from flexcli.formulas.single_freedom import expand
+from flexcli.mechanics.parallel_stage import Lever, Stage, system
+from flexcli.mechanics.single_freedom import expand
 
 H, M_1, M_2, M_BAL = 20e-3, 17.138708e-3, 68.122300e-3, 35.565044e-3
 L_C1, J_1, J_BAL = 10.411598e-3, 5.3569824e-6, 1.1271682e-6
@@ -19,7 +20,7 @@ ROUNDING = 1e-13
 
 
 def exercise(arm=L_BAL):
-    lever = Lever(Rider(M_1, L_C1, 0.0, J_1), Rider(M_BAL, -arm, 0.0, J_BAL))
+    lever = Lever(rider(M_1, L_C1, 0.0, J_1), rider(M_BAL, -arm, 0.0, J_BAL))
     return Stage(H, M_2, 0.0, (lever, lever))
 
 
@@ -57,7 +58,7 @@ def test_the_slip_of_the_source_would_leave_another_arm():
 
 
 lengths = st.floats(-0.05, 0.05)
-riders = st.builds(Rider, st.floats(1e-3, 0.1), lengths, st.floats(-5e-3, 5e-3), st.floats(0, 1e-5))
+riders = st.builds(rider, st.floats(1e-3, 0.1), lengths, st.floats(-5e-3, 5e-3), st.floats(0, 1e-5))
 levers = st.builds(Lever, riders, riders)
 stages = st.builds(
     lambda height, platform, a, b: Stage(height, platform, 0.0, (a, b)),
@@ -86,7 +87,7 @@ def test_a_stage_balanced_at_rest_is_balanced_at_every_angle_along_both_axes(the
 
 def test_a_centre_of_mass_beside_the_line_of_the_pivots_is_a_coupling_of_first_order():
     """τ_x = S/H − E/H tan θ and τ_y = −(S tan θ + E)/H with E = Σ m e."""
-    lever = Lever(Rider(M_1, L_C1, 1e-3, J_1), Rider(M_BAL, -L_BAL, 0.0, J_BAL))
+    lever = Lever(rider(M_1, L_C1, 1e-3, J_1), rider(M_BAL, -L_BAL, 0.0, J_BAL))
     motion = at_rest(Stage(H, M_2, 0.0, (lever, lever)))
     E = 2 * M_1 * 1e-3
     tau = motion.coupling_x.coefficients
@@ -112,11 +113,13 @@ def test_slopes_of_the_coupling_are_its_derivatives(stage):
     }
     for side, lever in enumerate(stage.levers):
         for part, key, sign in (("solid", "com", 1.0), ("balance", "arm", -1.0)):
-            rider = getattr(lever, part)
-            for field, name in (("mass", "mass"), ("along", key)):
-                new = replace(
-                    lever, **{part: replace(rider, **{field: stepped(getattr(rider, field))})}
-                )
+            body = getattr(lever, part)
+            changed = {
+                "mass": body._replace(mass=stepped(body.mass)),
+                key: body._replace(com=(body.com[0], stepped(body.com[1]))),
+            }
+            for name, one in changed.items():
+                new = replace(lever, **{part: one})
                 pair = (new, stage.levers[1]) if side == 0 else (stage.levers[0], new)
                 slope = coupling(replace(stage, levers=pair))
                 expected[f"{part}-{2 * side + 1} {name}"] = slope * (sign if name == key else 1.0)

@@ -1,60 +1,47 @@
 """Parallel stage of rigid bodies as one degree of freedom: two levers and a platform."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import cos as number_cos
 from math import sin as number_sin
 from typing import NamedTuple
 
-from flexcli.formulas.single_freedom import Body, Path, SingleFreedom, Spring
+from flexcli.mechanics.layout import Body
+from flexcli.mechanics.single_freedom import SingleFreedom
 from flexcli.numerics.taylor import Scalar, Taylor, cos, sin
 
-__all__ = ["NO_RIDER", "Lever", "Rider", "Stage", "Term", "system"]
+__all__ = ["NO_BALANCE", "Lever", "Stage", "Term", "system"]
 
 
-@dataclass(frozen=True)
-class Rider:
-    """A body fixed to a lever: where its centre of mass is in the lever's own axes.
-
-    ``along`` runs from the base pivot to the upper one, ``across`` along the stroke [m].
-    """
-
-    mass: float
-    along: float
-    across: float
-    inertia: float
-
-    @property
-    def moment(self) -> float:
-        """Return the static moment m s about the base pivot [kg·m]."""
-        return self.mass * self.along
-
-
-NO_RIDER = Rider(0.0, 0.0, 0.0, 0.0)
+NO_BALANCE = Body("none", (0.0, 0.0))
 """What a lever without a balancing mass carries."""
 
 
 @dataclass(frozen=True)
 class Lever:
-    """Solid 1 or 3 with its balancing mass."""
+    """Solid 1 or 3 with its balancing mass, both stated at its base pivot (0, 0).
 
-    solid: Rider
-    balance: Rider = NO_RIDER
+    At rest the lever points along y from there to its upper pivot, and the stroke is along x.
+    """
+
+    solid: Body
+    balance: Body = NO_BALANCE
 
     @property
-    def riders(self) -> tuple[Rider, Rider]:
+    def bodies(self) -> tuple[Body, Body]:
         """Return both bodies."""
         return self.solid, self.balance
 
     @property
     def mass(self) -> float:
         """Return the mass of both [kg]."""
-        return self.solid.mass + self.balance.mass
+        return float(self.solid.mass + self.balance.mass)
 
     @property
     def moment(self) -> float:
         """Return their static moment about the base pivot [kg·m]."""
-        return self.solid.moment + self.balance.moment
+        moment: float = sum(body.mass * body.com[1] for body in self.bodies)
+        return moment
 
 
 class Term(NamedTuple):
@@ -90,7 +77,7 @@ class Stage:
     @property
     def added_mass(self) -> float:
         """Return the balancing masses together [kg]."""
-        return sum(lever.balance.mass for lever in self.levers)
+        return float(sum(lever.balance.mass for lever in self.levers))
 
     def without_balance(self) -> "Stage":
         """Return the stage before its balancing masses are mounted."""
@@ -103,25 +90,14 @@ class Stage:
         yield Term("solid-2 mass", "mass", self.platform, "kg", 1.0)
         for number, lever in zip((1, 3), self.levers, strict=True):
             parts = [(f"solid-{number}", lever.solid, "com", 1.0)]
-            if lever.balance != NO_RIDER:
+            if lever.balance != NO_BALANCE:
                 parts.append((f"balance-{number}", lever.balance, "arm", -1.0))
-            for name, rider, key, sign in parts:
-                yield Term(f"{name} mass", "mass", rider.mass, "kg", rider.along / H)
-                yield Term(f"{name} {key}", key, sign * rider.along, "m", sign * rider.mass / H)
+            for name, body, key, sign in parts:
+                along = body.com[1]
+                yield Term(f"{name} mass", "mass", body.mass, "kg", along / H)
+                yield Term(f"{name} {key}", key, sign * along, "m", sign * body.mass / H)
         levers = sum(lever.moment for lever in self.levers)
         yield Term("height", "height", H, "m", -levers / H**2)
-
-
-def _rider_path(rider: Rider, base: "_Drift") -> Path:
-    """Return the path of a body on a lever that leans by q towards x."""
-
-    def path(q: Taylor) -> tuple[Scalar, Scalar, Scalar]:
-        s, c = sin(q), cos(q)
-        x = s * rider.along + c * rider.across
-        y = c * rider.along - s * rider.across
-        return x + base.x(q), y + base.y(q), -q
-
-    return path
 
 
 class _Drift(NamedTuple):
@@ -139,18 +115,18 @@ class _Drift(NamedTuple):
 
 def system(
     stage: Stage,
-    stiffness: tuple[float, ...],
+    stiffness: Sequence[float],
     *,
     shift: float = 0.0,
     direction: float = 0.0,
 ) -> SingleFreedom:
-    """Return the stage as bodies and springs on the angle of its levers.
+    """Return the stage as bodies and one spring on the angle of its levers.
 
     Parameters
     ----------
     stage : Stage
         Masses and lengths.
-    stiffness : tuple of float
+    stiffness : sequence of float
         Stiffness of the four pivots, k_1 to k_4 [N·m/rad].
     shift : float
         Parasitic shift of a pivot per squared rotation [m/rad²], taken the same way at all four:
@@ -179,13 +155,17 @@ def system(
     def output(q: Taylor) -> Taylor:
         return sin(q) * stage.height + top.x(q)
 
-    def platform(q: Taylor) -> tuple[Scalar, Scalar, Scalar]:
-        return output(q), cos(q) * stage.height + stage.platform_com + top.y(q), 0.0
+    def upper_pivots(q: Taylor) -> tuple[Scalar, Scalar, Scalar]:
+        return output(q), cos(q) * stage.height + top.y(q), 0.0
 
-    bodies = [Body("solid-2", stage.platform, 0.0, platform)]
-    for number, lever in zip((1, 3), stage.levers, strict=True):
-        for name, rider in zip(("solid", "balance"), lever.riders, strict=True):
-            path = _rider_path(rider, base)
-            bodies.append(Body(f"{name}-{number}", rider.mass, rider.inertia, path))
-    springs = [Spring(f"P{number}", k, lambda q: q) for number, k in enumerate(stiffness, start=1)]
-    return SingleFreedom(bodies, springs, output)
+    def lever(q: Taylor) -> tuple[Scalar, Scalar, Scalar]:
+        return base.x(q), base.y(q), -q
+
+    platform = Body(
+        "solid-2",
+        (0.0, stage.height),
+        stage.platform,
+        com=(0.0, stage.height + stage.platform_com),
+    )
+    levers = [(body, lever) for each in stage.levers for body in each.bodies]
+    return SingleFreedom([(platform, upper_pivots), *levers], sum(stiffness), output)

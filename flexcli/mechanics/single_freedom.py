@@ -1,9 +1,10 @@
 r"""Rigid bodies on one degree of freedom, on a base that accelerates and turns: Lagrange, once.
 
-With the coordinate q, each body at x(q), y(q) turned by φ(q) (anticlockwise) in the base's frame,
-springs stretched by e(q), and the displacement u(q) that the force F works on:
+Bodies are those of :mod:`flexcli.mechanics.layout`. With the coordinate q, each has its centre of
+mass at x(q), y(q) and is turned by φ(q) (anticlockwise) in the base's frame, a spring of stiffness
+k resists q, and the displacement u(q) is what the force F works on:
 
-    T = ½ m_q q̇² + (c_x γ̇_x + c_y γ̇_y + c_φ Ω) q̇ + …,   V = Σ ½ k e²
+    T = ½ m_q q̇² + (c_x γ̇_x + c_y γ̇_y + c_φ Ω) q̇ + …,   V = ½ k q²
     m_q = Σ m (x'² + y'²) + J φ'²
     c_x = Σ m x',   c_y = Σ m y',   c_φ = Σ m (x y' − y x') + J φ'
 
@@ -24,36 +25,23 @@ the orders beyond the first are what is asked of the stroke.
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, TypeAlias
 
-from flexcli.numerics.taylor import Scalar, Taylor, lifted
+from flexcli.mechanics.layout import Body
+from flexcli.numerics.taylor import Scalar, Taylor, cos, lifted, sin
 
-__all__ = ["Body", "Expansion", "Path", "SingleFreedom", "Spring", "expand"]
+__all__ = ["Expansion", "Path", "SingleFreedom", "expand"]
 
 Path: TypeAlias = Callable[[Taylor], tuple[Scalar, Scalar, Scalar]]
-"""Position x, y [m] and angle [rad] of a body's centre of mass as functions of the coordinate."""
-
-
-class Body(NamedTuple):
-    """A rigid body: mass [kg], inertia about its centre of mass [kg·m²], where it goes."""
-
-    name: str
-    mass: float
-    inertia: float
-    path: Path
-
-
-class Spring(NamedTuple):
-    """A linear spring: stiffness [N/m or N·m/rad], stretch [m or rad] of the coordinate."""
-
-    name: str
-    stiffness: float
-    stretch: Callable[[Taylor], Scalar]
+"""Position x, y [m] of a body's reference point and turn [rad] from rest, of the coordinate."""
 
 
 class SingleFreedom(NamedTuple):
-    """Bodies and springs on one coordinate, and the displacement that the force works on."""
+    """Bodies and where they go with the coordinate, its spring, what the force works on.
 
-    bodies: Sequence[Body]
-    springs: Sequence[Spring]
+    The spring has its stiffness against the coordinate [N/m or N·m/rad], and is at rest at zero.
+    """
+
+    bodies: Sequence[tuple[Body, Path]]
+    spring: float
     output: Callable[[Taylor], Scalar]
 
 
@@ -86,7 +74,7 @@ def expand(system: SingleFreedom, at: float = 0.0, *, order: int = 3) -> Expansi
     Parameters
     ----------
     system : SingleFreedom
-        Bodies, springs and output.
+        Bodies, spring and output.
     at : float
         Coordinate to expand about [m or rad].
     order : int
@@ -99,7 +87,7 @@ def expand(system: SingleFreedom, at: float = 0.0, *, order: int = 3) -> Expansi
 
     Notes
     -----
-    Rigid bodies, massless linear springs, motion in a plane. The output must move with the
+    Rigid bodies, a massless linear spring, motion in a plane. The output must move with the
     coordinate at ``at`` (u' ≠ 0).
 
     Examples
@@ -107,8 +95,8 @@ def expand(system: SingleFreedom, at: float = 0.0, *, order: int = 3) -> Expansi
     Mass on a spring whose base shakes:
 
     >>> stage = SingleFreedom(
-    ...     [Body("stage", 1.0, 0.0, lambda q: (q, 0.0, 0.0))],
-    ...     [Spring("leaf", 864.0, lambda q: q)],
+    ...     [(Body("stage", (0.0, 0.0), mass=1.0), lambda q: (q, 0.0, 0.0))],
+    ...     864.0,
     ...     lambda q: q,
     ... )
     >>> motion = expand(stage)
@@ -126,17 +114,14 @@ def expand(system: SingleFreedom, at: float = 0.0, *, order: int = 3) -> Expansi
     rate = output.derivative()
     nothing = lifted(0.0, kept - 1)
     mass = c_x = c_y = c_phi = nothing
-    for body in system.bodies:
-        x, y, phi = (lifted(term, kept) for term in body.path(q))
+    for body, path in system.bodies:
+        x, y, phi = _centre(body, *(lifted(term, kept) for term in path(q)))
         dx, dy, dphi = x.derivative(), y.derivative(), phi.derivative()
         mass = mass + (dx * dx + dy * dy) * body.mass + dphi * dphi * body.inertia
         c_x = c_x + dx * body.mass
         c_y = c_y + dy * body.mass
         c_phi = c_phi + (x * dy - y * dx) * body.mass + dphi * body.inertia
-    potential = lifted(0.0, kept)
-    for spring in system.springs:
-        stretch = lifted(spring.stretch(q), kept)
-        potential = potential + stretch * stretch * (0.5 * spring.stiffness)
+    potential = q * q * (0.5 * system.spring)
     force = potential.derivative() / rate
     return Expansion(
         output=output,
@@ -149,3 +134,10 @@ def expand(system: SingleFreedom, at: float = 0.0, *, order: int = 3) -> Expansi
         coupling_rotation=c_phi / rate,
         potential=potential,
     )
+
+
+def _centre(body: Body, x: Taylor, y: Taylor, phi: Taylor) -> tuple[Taylor, Taylor, Taylor]:
+    """Return where the centre of mass goes with the reference point, and the turn."""
+    across, along = (body.com[i] - body.point[i] for i in (0, 1))
+    s, c = sin(phi), cos(phi)
+    return c * across - s * along + x, c * along + s * across + y, phi

@@ -11,9 +11,11 @@ from math import cos, pi, sin, sqrt
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from stages import rider
 
-from flexcli.formulas.parallel_stage import Lever, Rider, Stage, system
-from flexcli.formulas.single_freedom import Body, SingleFreedom, Spring, expand
+from flexcli.mechanics.layout import Body
+from flexcli.mechanics.parallel_stage import Lever, Stage, system
+from flexcli.mechanics.single_freedom import SingleFreedom, expand
 
 STEP = 1e-30
 """Step of a derivative by complex step: there is no subtraction, so that it may be tiny."""
@@ -25,14 +27,14 @@ DIFFERENCE = 1e-7
 """Relative agreement where a central difference in time or place is taken."""
 
 K = (15.0, 16.0, 14.0, 15.5)
-SOLID_1 = Rider(0.0171, 0.0104, 0.0011, 5.4e-6)
-SOLID_3 = Rider(0.0150, 0.0120, -0.0004, 4.4e-6)
-BALANCE = Rider(0.0356, -0.0242, 0.0007, 1.1e-6)
+SOLID_1 = rider(0.0171, 0.0104, 0.0011, 5.4e-6)
+SOLID_3 = rider(0.0150, 0.0120, -0.0004, 4.4e-6)
+BALANCE = rider(0.0356, -0.0242, 0.0007, 1.1e-6)
 STAGE = Stage(0.02, 0.0681, 0.003, (Lever(SOLID_1, BALANCE), Lever(SOLID_3)))
 
 
 def riders(stage):
-    return [rider for lever in stage.levers for rider in lever.riders]
+    return [body for lever in stage.levers for body in lever.bodies]
 
 
 def places(stage, x):
@@ -41,7 +43,8 @@ def places(stage, x):
     s, c = cmath.sin(theta), cmath.cos(theta)
     yield stage.platform, 0.0, x, stage.height * c + stage.platform_com, 0.0 * x
     for r in riders(stage):
-        yield r.mass, r.inertia, r.along * s + r.across * c, r.along * c - r.across * s, -theta
+        across, along = r.com
+        yield r.mass, r.inertia, along * s + across * c, along * c - across * s, -theta
 
 
 def kinetic(stage, x, dx, base_x, base_y, turn):
@@ -152,8 +155,8 @@ def test_the_equation_of_motion_holds_along_a_motion_of_stage_and_base(time):
 
 def linear_stage(shortening=0.0):
     return SingleFreedom(
-        [Body("stage", 1.0, 0.0, lambda q: (q, q * q * -shortening, 0.0))],
-        [Spring("blades", 864.0, lambda q: q)],
+        [(Body("stage", (0.0, 0.0), 1.0), lambda q: (q, q * q * -shortening, 0.0))],
+        864.0,
         lambda q: q,
     )
 
@@ -174,8 +177,8 @@ def test_gravity_along_the_blades_of_a_stage_stiffens_it_by_its_weight_over_thei
 def test_the_rotary_stage_of_exercise_12_b_feels_its_base_turn_and_nothing_else():
     J, k = 1.72e-4, 0.679
     stage = SingleFreedom(
-        [Body("payload", 0.8, J, lambda q: (0.0, 0.0, q))],
-        [Spring("pivot", k, lambda q: q)],
+        [(Body("payload", (0.0, 0.0), 0.8, J), lambda q: (0.0, 0.0, q))],
+        k,
         lambda q: q,
     )
     motion = expand(stage, 0.1)
@@ -186,7 +189,7 @@ def test_the_rotary_stage_of_exercise_12_b_feels_its_base_turn_and_nothing_else(
 
 @given(st.floats(-1.2, 1.2), st.floats(0.001, 0.1), st.floats(-0.05, 0.05))
 def test_energies_are_positive(theta, mass, along):
-    stage = Stage(0.02, 0.01, 0.0, (Lever(Rider(mass, along, 0.0, 1e-6)), Lever(SOLID_3)))
+    stage = Stage(0.02, 0.01, 0.0, (Lever(rider(mass, along, 0.0, 1e-6)), Lever(SOLID_3)))
     motion = expand(system(stage, K), theta)
     assert motion.mass.value > 0.0
     assert motion.potential.value >= 0.0
