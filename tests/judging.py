@@ -4,20 +4,15 @@ from dataclasses import replace
 
 from flexcli.engine.assess import ROUNDING
 from flexcli.engine.check import check
-from flexcli.engine.size import size, size_by
+from flexcli.engine.size import size
 from flexcli.results import Status, Verdict
 
-__all__ = ["check_as_printed", "size_as_printed", "size_by_as_printed"]
+__all__ = ["check_as_printed", "size_as_printed"]
 
 
 def size_as_printed(design, name="spec"):
     """Return a design sized by the formulas; it passes where their own numbers do."""
     return _by_own_numbers(size(design, name, "source"))
-
-
-def size_by_as_printed(design, limits_of=None, **options):
-    """Return a design sized by limits that are numbers; it passes where the formulas' own do."""
-    return _by_own_numbers(size_by(design, "spec", limits_of, **options))
 
 
 def check_as_printed(design, sizes, name="spec"):

@@ -1,21 +1,20 @@
 """The verb size: choose the free dimensions, then judge the chosen design like any other."""
 
-from collections.abc import Iterable, Mapping
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from math import inf
 from time import perf_counter
 
 from flexcli.engine.check import judged
 from flexcli.engine.judge import judge
 from flexcli.engine.models import Rung, rungs
-from flexcli.engine.sizing.balanced import Balanced, NotBalanced
+from flexcli.engine.sizing.balanced import Balanced, NotBalanced, balanced
+from flexcli.engine.sizing.conflict import explain_conflict
 from flexcli.engine.sizing.decided import corrections_at, difference
 from flexcli.engine.sizing.free_height import best_height, with_height
-from flexcli.engine.sizing.grid import GridPoint
-from flexcli.engine.sizing.number_program import LimitsOf, number_sizing
-from flexcli.engine.sizing.number_route import NumberRoute
-from flexcli.engine.sizing.posynomial_route import PosynomialRoute
-from flexcli.engine.sizing.route import Route
+from flexcli.engine.sizing.optimum import active_rows, certificate, optimum, refuse, sensitivities
+from flexcli.engine.sizing.program import SizingProgram, sizing_program
+from flexcli.engine.sizing.stock import StockChoice, from_stock
 from flexcli.errors import NoSolution, SolveError
 from flexcli.numerics.geometric_program import Outcome, Solution
 from flexcli.parts.design import DesignSpec
@@ -24,7 +23,7 @@ from flexcli.parts.sizing import Correction, Objective
 from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value
 from flexcli.units import show
 
-__all__ = ["size", "size_by"]
+__all__ = ["size"]
 
 ROUNDS = 15
 SETTLED = 1e-7
@@ -94,54 +93,9 @@ def size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
 def _merit(design: DesignSpec) -> float | None:
     """Return what a sizing by the formulas makes least, else nothing where none is feasible."""
     objective = design.size.objective
-    route = _route(design)
-    solution = route.least("least-volume" if objective == "balanced" else objective)
+    named = "least-volume" if objective == "balanced" else objective
+    solution = optimum(sizing_program(design), named)
     return solution.objective if solution.converged else None
-
-
-def size_by(
-    design: DesignSpec,
-    spec: str,
-    limits_of: LimitsOf | None = None,
-    *,
-    base: LimitsOf | None = None,
-    starts: Iterable[Mapping[str, float]] = (),
-    noise: float = 1e-14,
-) -> Result:
-    """Return the design sized by limits that are numbers, or the conflict that leaves none.
-
-    Parameters
-    ----------
-    design : DesignSpec
-        The design whose free dimensions are chosen.
-    spec : str
-        Its name in the result.
-    limits_of : callable, optional
-        Its limits at many sizes, the closed forms if not given; see :func:`number_sizing`, also
-        for what follows.
-    base : callable, optional
-        A cheaper model of the same limits, which is corrected to them.
-    starts : iterable of mapping
-        Free sizes [m] to start from instead of a search between the bounds.
-    noise : float
-        Relative error [-] of the limits' numbers that changes from design to design.
-
-    Returns
-    -------
-    Result
-        The sized design, judged by its closed forms.
-
-    """
-    route = NumberRoute(
-        design, number_sizing(design, limits_of, base=base, starts=starts, noise=noise)
-    )
-    return _chosen_and_judged(design, spec, rungs(design, "source"), "source", route)
-
-
-def _route(design: DesignSpec) -> Route:
-    if design.geometry.posynomial:
-        return PosynomialRoute(design)
-    return NumberRoute(design, number_sizing(design))
 
 
 def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str | None) -> Result:
@@ -191,7 +145,7 @@ def _continuous(design: DesignSpec, corrections: Mapping[str, Correction]) -> Si
     free = design.model_copy(update={"size": design.size.model_copy(update={"rounding": {}})})
     for ease in EASING:
         corrected = free.corrected(corrections, ease)
-        chosen = _choose(corrected, _route(corrected))
+        chosen = _choose(corrected, sizing_program(corrected))
         if chosen is not None:
             _refuse_runaway(design, chosen.sizes)
             return _ideal(chosen)
@@ -222,100 +176,95 @@ def _chosen_and_judged(
     spec: str,
     ladder: tuple[Rung, ...],
     model: str | None,
-    route: Route | None = None,
 ) -> Result:
     given = design.fixed_sizes()
     if given is not None:
         return _judged(design, spec, _Choice(given, _nothing_free()), ladder, model)
-    route = route or _route(design)
-    chosen = _choose(design, route)
+    program = sizing_program(design)
+    chosen = _choose(design, program)
     if chosen is None:
-        return _infeasible(design, spec, route)
+        return _infeasible(design, spec, program)
     _refuse_runaway(design, chosen.sizes)
     return _judged(design, spec, chosen, ladder, model)
 
 
+@dataclass(frozen=True, eq=False)
 class _Choice:
     """A chosen blade and how it was found."""
 
-    def __init__(
-        self,
-        sizes: Sizes,
-        sizing: SizingResult,
-        ideal: Sizes | None = None,
-        notes: tuple[Note, ...] = (),
-        iterations: int = 0,
-        *,
-        failed_grid: bool = False,
-    ) -> None:
-        self.sizes = sizes
-        self.sizing = sizing
-        self.ideal = ideal
-        self.notes = notes
-        self.iterations = iterations
-        self.failed_grid = failed_grid
+    sizes: Sizes
+    sizing: SizingResult
+    ideal: Sizes | None = None
+    notes: tuple[Note, ...] = ()
+    iterations: int = 0
+    failed_grid: bool = False
 
 
 def _nothing_free() -> SizingResult:
     return SizingResult("none: every size is given", "nothing to choose")
 
 
-def _choose(design: DesignSpec, route: Route) -> _Choice | None:
+def _choose(design: DesignSpec, program: SizingProgram) -> _Choice | None:
     """Return the chosen design, or nothing when the requirements conflict."""
-    smallest = route.least("least-volume")
+    smallest = optimum(program, "least-volume")
     if smallest.outcome is Outcome.INFEASIBLE:
         return None
     if design.size.objective == "balanced":
-        return _choose_balanced(design, route, smallest)
-    return _choose_optimum(design, route, smallest, design.size.objective)
+        return _choose_balanced(design, program, smallest)
+    return _choose_optimum(design, program, smallest, design.size.objective)
 
 
 def _choose_optimum(
-    design: DesignSpec, route: Route, smallest: Solution, objective: Objective
+    design: DesignSpec, program: SizingProgram, smallest: Solution, objective: Objective
 ) -> _Choice:
     name = objective if isinstance(objective, str) else _spoken(objective.model_dump())
-    solution = smallest if name == "least-volume" else route.least(objective)
-    route.refuse(objective, solution, smallest)
+    solution = smallest if name == "least-volume" else optimum(program, objective)
+    refuse(program, objective, solution, smallest)
     remarks = []
     if solution.tie_breakers:
         remarks.append(
             "the optimum is not unique: of all equally good designs this one has the least "
             "volume, then the shortest, narrowest and thinnest blades"
         )
+    slopes = sensitivities(program, objective, solution)
+    if slopes is None:
+        remarks.append(
+            "no sensitivities: what holds the optimum does not move it alike when demands grow "
+            "and when they fall"
+        )
     sizing = SizingResult(
         objective=name,
-        certificate=_certificate(design, route.certificate(solution)),
-        active=route.active(solution),
-        sensitivities=route.sensitivities(objective, solution),
+        certificate=_certificate(design, certificate(program, solution)),
+        active=active_rows(program, solution),
+        sensitivities=slopes or (),
         remarks=tuple(remarks),
     )
-    others = [] if name == "least-volume" else _least_volume(design, route, smallest)
+    others = [] if name == "least-volume" else _least_volume(design, program, smallest)
     return _on_grid(
-        design, route, sizing, route.complete(solution.x), objective, others,
+        design, program, sizing, program.complete(solution.x), objective, others,
         iterations=solution.iterations, label="optimum",
     )  # fmt: skip
 
 
-def _least_volume(design: DesignSpec, route: Route, smallest: Solution) -> list[Design]:
+def _least_volume(design: DesignSpec, program: SizingProgram, smallest: Solution) -> list[Design]:
     """Return the design of least volume to compare with, where there is one."""
     if not smallest.converged or design.is_corrected:  # corrected near the choice, not there
         return []
-    return [_design(design, "least volume", route.complete(smallest.x))]
+    return [_design(design, "least volume", program.complete(smallest.x))]
 
 
 def _spoken(objective: Mapping[str, str | None]) -> str:
     return " ".join(f"{verb} {name}" for verb, name in objective.items() if name)
 
 
-def _choose_balanced(design: DesignSpec, route: Route, smallest: Solution) -> _Choice:
-    found = route.balanced()
+def _choose_balanced(design: DesignSpec, program: SizingProgram, smallest: Solution) -> _Choice:
+    found = balanced(program)
     if isinstance(found, NotBalanced):
-        chosen = _choose_optimum(design, route, smallest, "least-volume")
+        chosen = _choose_optimum(design, program, smallest, "least-volume")
         text = f"no balanced design: {found.reason}; sized for least volume instead"
-        chosen.notes = (*chosen.notes, Note("no-balanced-design", text))
-        return chosen
-    ideal = route.complete(found.x)
-    least = _least_volume(design, route, smallest)
+        return replace(chosen, notes=(*chosen.notes, Note("no-balanced-design", text)))
+    ideal = program.complete(found.x)
+    least = _least_volume(design, program, smallest)
     remarks = []
     if not smallest.converged:
         remarks = ["there is no least volume to compare with: nothing holds it"]
@@ -328,15 +277,14 @@ def _choose_balanced(design: DesignSpec, route: Route, smallest: Solution) -> _C
     sizing = SizingResult(
         objective="balanced",
         certificate=_certificate(
-            design, "root of the square system" if found.condition else "least volume on the rest"
+            design, "root of the square system" if found.is_square else "least volume on the rest"
         ),
         active=found.active,
         sensitivities=found.sensitivities,
         remarks=tuple(remarks),
     )
-    chosen = _on_grid(design, route, sizing, ideal, None, least, iterations=0, label="balanced")
-    chosen.notes = (*chosen.notes, *_conditioning(found))
-    return chosen
+    chosen = _on_grid(design, program, sizing, ideal, None, least, iterations=0, label="balanced")
+    return replace(chosen, notes=(*chosen.notes, *_conditioning(found)))
 
 
 def _certificate(design: DesignSpec, found: str) -> str:
@@ -358,7 +306,7 @@ def _conditioning(found: Balanced) -> tuple[Note, ...]:
 
 def _on_grid(
     design: DesignSpec,
-    route: Route,
+    program: SizingProgram,
     sizing: SizingResult,
     ideal: Sizes,
     objective: Objective | None,
@@ -371,20 +319,21 @@ def _on_grid(
 
     Without an objective the point nearest to the ideal blade is taken.
     """
-    grids = {name: grid for name, grid in design.size.rounding.items() if name in route.names}
+    grids = {name: grid for name, grid in design.size.rounding.items() if name in program.names}
     designs = [_design(design, label, ideal), *others]
     if not grids:
         return _Choice(ideal, replace(sizing, designs=tuple(designs)), iterations=iterations)
-    centre = {name: float(getattr(ideal, name)) for name in route.names}
-    point = route.on_grid(grids, objective, centre)
+    centre = {name: float(getattr(ideal, name)) for name in program.names}
+    goals = None if objective is None else program.objectives(objective)
+    point = from_stock(design, program, grids, goals, centre)
     if point.x is None:
         text = "the manufacturing grid has no feasible design"
         if not point.proved:
             text = "no feasible design was found on the manufacturing grid"
         note = Note("no-grid-point", f"{text}: take a finer grid or more stock sizes")
         designed = replace(sizing, designs=tuple(designs))
-        return _Choice(ideal, designed, ideal, (note,), iterations, failed_grid=True)
-    blade = route.complete(point.x)
+        return _Choice(ideal, designed, ideal, (note,), iterations, True)
+    blade = program.complete(point.x)
     designs.append(_design(design, "on the grid", blade))
     return _Choice(
         blade,
@@ -402,7 +351,7 @@ def _grid_remark(
     design: DesignSpec,
     blade: Sizes,
     ideal: Sizes,
-    point: GridPoint,
+    point: StockChoice,
     objective: Objective | None,
 ) -> str:
     what = "of the least objective" if objective else "nearest to the balanced design"
@@ -461,8 +410,8 @@ def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
     return found
 
 
-def _infeasible(design: DesignSpec, spec: str, route: Route) -> Result:
-    conflict, sure = route.conflict()
+def _infeasible(design: DesignSpec, spec: str, program: SizingProgram) -> Result:
+    conflict, sure = explain_conflict(program)
     objective = design.size.objective
     return Result(
         command="size",

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from flexcli.numerics.log_stencil import Field, Taylor, differences, gradients
+from flexcli.numerics.log_stencil import Field, Taylor, differences
 from flexcli.numerics.signomial import Floats
 
 __all__ = ["BlackBox"]
@@ -27,11 +27,6 @@ class BlackBox:
         How many rows after the first are ≤ 0; the rest are equalities.
     low, high
         Ends of the world in y: a run that gets there is unbounded.
-    base
-        Cheaper rows of nearly the same shape. Where given, only the difference of the true rows
-        from these is expanded, to first order: a monomial correction of each (space mapping).
-    noise
-        Rounding of the rows, in logarithms.
     """
 
     names: tuple[str, ...]
@@ -39,17 +34,10 @@ class BlackBox:
     inequalities: int
     low: Floats
     high: Floats
-    base: Field | None = None
-    noise: float = 1e-14
 
     def taylor(self, y: Floats) -> Taylor:
         """Return the expansion of all rows at one point."""
-        base = self.base
-        if base is None:
-            return differences(self.rows, y)
-        inner = differences(base, y)
-        values, slopes = gradients(lambda points: self.rows(points) - base(points), y)
-        return Taylor(inner.values + values, inner.gradients + slopes, inner.curvatures)
+        return differences(self.rows, y)
 
     def violation(self, values: Floats) -> float:
         """Return the largest log violation, 0 where all rows hold."""
@@ -59,29 +47,15 @@ class BlackBox:
     def chosen(self, kept: Sequence[int]) -> BlackBox:
         """Return the program with some of its inequalities, and without equalities."""
         picked = [0, *(1 + i for i in kept)]
-
-        def some_of(field: Field) -> Field:
-            return lambda y: field(y)[picked]
-
-        return replace(
-            self,
-            rows=some_of(self.rows),
-            base=some_of(self.base) if self.base is not None else None,
-            inequalities=len(kept),
-        )
+        return replace(self, rows=lambda y: self.rows(y)[picked], inequalities=len(kept))
 
     def along(self, origin: Floats, basis: Floats) -> BlackBox:
         """Return the program on the plane y = origin + basis z of orthonormal directions."""
-
-        def on_plane(field: Field) -> Field:
-            return lambda z: field(origin[:, None] + basis @ z)
-
         reach = np.full(basis.shape[1], float((self.high - self.low).max()))
         return replace(
             self,
             names=tuple(f"direction {k}" for k in range(basis.shape[1])),
-            rows=on_plane(self.rows),
-            base=on_plane(self.base) if self.base is not None else None,
+            rows=lambda z: self.rows(origin[:, None] + basis @ z),
             low=-reach,
             high=reach,
         )

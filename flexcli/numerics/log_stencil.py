@@ -9,7 +9,7 @@ import numpy as np
 
 from flexcli.numerics.signomial import Floats
 
-__all__ = ["STEP", "Field", "Taylor", "differences", "gradients"]
+__all__ = ["STEP", "Field", "Taylor", "differences"]
 
 Field: TypeAlias = Callable[[Floats], Floats]
 """Rows at points: from logarithms of the variables (n, points) to values (rows, points)."""
@@ -58,11 +58,3 @@ def differences(rows: Field, y: Floats) -> Taylor:
     for k, (i, j) in enumerate(pairs):
         H[:, i, j] = H[:, j, i] = 0.5 * (bends[:, n + k] - bends[:, i] - bends[:, j])
     return Taylor(values, slopes, H)
-
-
-def gradients(rows: Field, y: Floats) -> tuple[Floats, Floats]:
-    """Return values and gradients at y by central differences of second order: 1 + 2 n points."""
-    n = y.size
-    moves = STEP * np.eye(n)
-    found = rows(np.column_stack([y[:, None], y[:, None] + moves, y[:, None] - moves]))
-    return found[:, 0], (found[:, 1 : n + 1] - found[:, n + 1 :]) / (2.0 * STEP)

@@ -9,10 +9,11 @@ import numpy as np
 
 from flexcli.numerics.black_box import BlackBox
 from flexcli.numerics.convex_program import FEASIBLE, Status
+from flexcli.numerics.geometric_program import ACTIVE, Outcome, Solution
 from flexcli.numerics.signomial import Floats
-from flexcli.numerics.successive import Descent, descend
+from flexcli.numerics.successive import RIM, Descent, descend
 
-__all__ = ["BestOfStarts", "best_of_starts", "spread", "starts_among"]
+__all__ = ["BestOfStarts", "best_of_starts", "solve_black_boxes", "spread", "starts_among"]
 
 SAME = 1e-7
 """Optima whose log objectives differ by less are one."""
@@ -74,6 +75,41 @@ def starts_among(points: Floats, values: Floats, inequalities: int, count: int) 
         if len(chosen) == count:
             break
     return chosen
+
+
+def solve_black_boxes(
+    programs: Sequence[BlackBox],
+    starts: Sequence[Floats],
+    limits: Sequence[str],
+    equalities: Sequence[str],
+) -> Solution:
+    """Return the best end of all starts, ties broken by the further programs, by names of rows."""
+    found = best_of_starts(programs, starts)
+    program, end = programs[0], found.end
+    slack = end.values[1 : 1 + len(limits)].tolist()
+    unequal, equal = np.split(end.multipliers, [len(limits)])
+    rim = np.minimum(end.y - program.low, program.high - end.y) <= RIM
+    unbounded = end.status is Status.UNBOUNDED
+    with np.errstate(over="ignore", under="ignore"):
+        x, objective = np.exp(end.y), float(np.exp(end.values[0]))
+    return Solution(
+        outcome=Outcome[end.status.name],
+        x=dict(zip(program.names, x.tolist(), strict=True)),
+        objective=objective,
+        multipliers=dict(zip(limits, unequal.tolist(), strict=True)),
+        equality_multipliers=dict(zip(equalities, equal.tolist(), strict=True)),
+        active=tuple(k for k, value in zip(limits, slack, strict=True) if abs(value) <= ACTIVE),
+        slack=dict(zip(limits, slack, strict=True)),
+        gap=float("inf"),
+        kkt_residual=end.residual,
+        iterations=end.iterations,
+        certificate="local",
+        unique=found.unique,
+        optima=found.optima,
+        violation=end.violation,
+        runaway=tuple(n for n, at in zip(program.names, rim, strict=True) if unbounded and at),
+        tie_breakers=("next objective",) if found.tied else (),
+    )
 
 
 def best_of_starts(programs: Sequence[BlackBox], starts: Sequence[Floats]) -> BestOfStarts:

@@ -32,6 +32,8 @@ NO_GAIN = 1e-9
 trust region that is not narrow it makes an optimum, though too flat for Newton's method."""
 RIM = 1e-6
 """Distance from the end of the world, in logarithms, at which a variable has run away."""
+NOISE = 1e-14
+"""Rounding of the rows, in logarithms."""
 NEWTON_STEPS = 8
 SAME_RANK = 1e-9
 """Singular values below this share of the largest are zero in Newton's systems, whose curvatures
@@ -66,9 +68,7 @@ def descend(program: BlackBox, y: Floats, known: Sequence[Descent] = ()) -> Desc
 
     References
     ----------
-    R. Fletcher (1987), Practical Methods of Optimization, §14.4; N. M. Alexandrov, J. E. Dennis,
-    R. M. Lewis, V. Torczon (1998), A trust-region framework for managing the use of approximation
-    models in optimization, Struct. Optim. 15, for corrected base models.
+    R. Fletcher (1987), Practical Methods of Optimization, §14.4.
 
     """
     y = np.clip(y, program.low, program.high)  # a start may have run away already
@@ -144,7 +144,7 @@ def _newton_end(
     multipliers = np.zeros(at.values.size - 1)
     multipliers[chosen] = step.multipliers[chosen]
     best = _residual(program, at, multipliers)
-    done = program.noise / STEP
+    done = NOISE / STEP
     for _ in range(NEWTON_STEPS):
         if best <= done:
             break

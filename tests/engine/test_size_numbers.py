@@ -2,18 +2,16 @@
 
 import warnings
 from dataclasses import replace
-from math import log
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, assume, given, settings
-from judging import size_as_printed, size_by_as_printed
+from judging import size_as_printed
 from strategies import LOADS, PUSH, crossed, design, rcc, specs
 
 from flexcli.engine import assess
-from flexcli.engine.sizing.number_program import one_by_one
 from flexcli.errors import SolveError
-from flexcli.parts.geometries.rcc import RCCPivot
+from flexcli.parts.design import DesignSpec
 
 SAME = 1e-8
 BOUNDED = {
@@ -23,15 +21,21 @@ BOUNDED = {
 }
 
 
-class NumberPivot(RCCPivot):
-    """An RCC pivot whose closed forms are taken for numbers."""
-
-    posynomial = False
-
-
 def as_numbers(spec):
-    pivot = NumberPivot.model_construct(**spec.geometry.__dict__)
-    return spec.model_copy(update={"geometry": pivot})
+    """A design whose closed forms are taken for numbers."""
+    kind = type(spec.geometry)
+    numbers = type(kind.__name__, (kind,), {"posynomial": False})
+    return spec.model_copy(update={"geometry": numbers.model_construct(**spec.geometry.__dict__)})
+
+
+def with_limits(spec, changed):
+    """A design known as numbers with limits of its own, made of its closed forms."""
+
+    class Own(DesignSpec):
+        def closed_limits(self, sizes):
+            return changed(super().closed_limits(sizes), sizes)
+
+    return Own.model_construct(**as_numbers(spec).__dict__)
 
 
 def both(spec):
@@ -180,7 +184,7 @@ def test_a_dimension_without_grid_stays_continuous_and_optimal(objective):
 
 def test_the_better_of_two_branches_of_a_crossing_is_found():
     spec = design(crossed(p="-2 mm", **BOUNDED), LOADS)
-    numbers = size_by_as_printed(spec)
+    numbers = size_as_printed(as_numbers(spec))
     h, l, b = np.meshgrid(
         *(np.geomspace(*r, 60) for r in ((5e-5, 2e-3), (2e-3, 8e-2), (1e-3, 3e-2)))
     )
@@ -190,101 +194,72 @@ def test_the_better_of_two_branches_of_a_crossing_is_found():
     assert numbers.status.value == "pass"
 
 
-def exact_limits(spec, counted):
-    """Limits that are a few per cent off the closed forms, unevenly, one design at a time."""
-
-    def limits(sizes):
-        counted.append(sizes)
-        bend = 1.0 + 0.04 * np.sin(log(sizes["l"] / sizes["h"]))
-        return [
-            replace(limit, demand=limit.demand * bend) if limit.requirement == "fatigue" else limit
-            for limit in spec.closed_limits(spec.geometry.sized(sizes))
-        ]
-
-    return limits
+def of_fatigue(limits, factor):
+    """The fatigue limits with a factor on their demand."""
+    return [replace(x, demand=x.demand * factor) for x in limits if x.requirement == "fatigue"]
 
 
-def test_a_scalar_model_corrects_the_closed_form_in_few_evaluations():
-    spec = design(rcc(**BOUNDED), LOADS)
-
-    def closed(sizes):
-        return spec.closed_limits(spec.geometry.sized(sizes))
-
-    start = dict(zip("hlb", sizes_of(size_as_printed(spec, "spec")), strict=True))
-    counted, vectorised = [], []
-    limits = one_by_one(exact_limits(spec, counted))
-    found = size_by_as_printed(spec, limits, base=closed, starts=[start], noise=1e-12)
-    assert len(counted) < 60
-    plain = size_by_as_printed(spec, one_by_one(exact_limits(spec, vectorised)), starts=[start])
-    assert sizes_of(found) == pytest.approx(sizes_of(plain), rel=1e-6)
-    worst = max(
-        limit.demand * limit.required / limit.capacity
-        for limit in exact_limits(spec, [])(dict(zip("hlb", sizes_of(found), strict=True)))
-    )
-    assert worst == pytest.approx(1.0, abs=1e-9)
-
-
-def steeper_when_short(spec, sizes):
-    """Fatigue limits, and the factor on their demand, 1 for long blades, with a kink at 6 mm."""
-    limits = spec.closed_limits(spec.geometry.sized(sizes))
-    return limits, (sizes["l"] / 6e-3) ** -1.5
+def steeper_when_short(sizes):
+    """A factor on a demand, 1 for long blades, with a kink at 6 mm."""
+    return (sizes.l / 6e-3) ** -1.5
 
 
 def test_branches_given_as_limits_of_their_own_meet_in_the_optimum():
-    spec = design(rcc(**BOUNDED), LOADS)
+    def branches(limits, sizes):
+        return [*limits, *of_fatigue(limits, steeper_when_short(sizes))]
 
-    def branches(sizes):
-        limits, more = steeper_when_short(spec, sizes)
-        short = [replace(x, demand=x.demand * more) for x in limits if x.requirement == "fatigue"]
-        return [*limits, *short]
-
-    result = size_by_as_printed(spec, branches)
+    result = size_as_printed(with_limits(design(rcc(**BOUNDED), LOADS), branches))
     assert result.values["l"].value == pytest.approx(6e-3, rel=1e-9)
     assert sum(row.startswith("fatigue") for row in result.sizing.active) == 2
 
 
 def test_a_limit_with_a_kink_at_the_optimum_is_refused_with_its_remedy():
-    spec = design(rcc(**BOUNDED), LOADS)
-
-    def kinked(sizes):
-        limits, more = steeper_when_short(spec, sizes)
-        return [
-            replace(x, demand=x.demand * np.maximum(1.0, more)) if x.requirement == "fatigue" else x
-            for x in limits
-        ]
+    def kinked(limits, sizes):
+        others = [x for x in limits if x.requirement != "fatigue"]
+        return [*others, *of_fatigue(limits, np.maximum(1.0, steeper_when_short(sizes)))]
 
     with pytest.raises(SolveError, match="did not converge") as caught:
-        size_by_as_printed(spec, kinked)
+        size_as_printed(with_limits(design(rcc(**BOUNDED), LOADS), kinked))
     assert "each of its branches" in caught.value.remedy
 
 
 def test_sizes_off_the_domain_of_a_model_are_avoided():
     spec = design(rcc(**BOUNDED), LOADS)
 
-    def slender_only(sizes):
-        known = sizes["l"] > 30 * sizes["h"]
-        limits = spec.closed_limits(spec.geometry.sized(sizes))
+    def slender_only(limits, sizes):
+        known = sizes.l > 30 * sizes.h
         return [replace(limit, demand=np.where(known, limit.demand, np.nan)) for limit in limits]
 
-    assert sizes_of(size_by_as_printed(spec, slender_only)) == pytest.approx(
-        sizes_of(size_as_printed(spec, "spec")), rel=SAME
+    assert sizes_of(size_as_printed(with_limits(spec, slender_only))) == pytest.approx(
+        sizes_of(size_as_printed(spec)), rel=SAME
+    )
+
+
+def test_a_design_that_lacks_some_of_the_limits_is_avoided():
+    spec = design(rcc(**BOUNDED), LOADS)
+
+    def slender_has_all(limits, sizes):
+        return limits if np.all(sizes.l > 30 * sizes.h) else limits[:-1]
+
+    assert sizes_of(size_as_printed(with_limits(spec, slender_has_all))) == pytest.approx(
+        sizes_of(size_as_printed(spec)), rel=SAME
     )
 
 
 def test_a_balance_counts_each_joint_with_sizes_of_its_own():
     spec = design(rcc(), LOADS, size={"objective": "balanced"})
 
-    def two_joints(sizes):
+    def two_joints(limits, _):
         return [
             replace(limit, requirement="fatigue", joint={"fatigue": "A", "yield": "B"}[kind])
             if (kind := limit.requirement) != "buckling"
             else limit
-            for limit in spec.closed_limits(spec.geometry.sized(sizes))
+            for limit in limits
         ]
 
-    result = size_by_as_printed(spec, two_joints)
+    result = size_as_printed(with_limits(spec, two_joints))
     assert result.sizing.certificate == "root of the square system"
-    assert sizes_of(result) == pytest.approx(sizes_of(size_as_printed(spec, "spec")), rel=SAME)
+    assert sizes_of(result) == pytest.approx(sizes_of(size_as_printed(spec)), rel=SAME)
 
 
 def test_with_nothing_free_the_given_sizes_are_judged():
@@ -294,46 +269,22 @@ def test_with_nothing_free_the_given_sizes_are_judged():
     assert "nothing to choose" in numbers.sizing.certificate
 
 
-def test_a_corrected_model_is_sized_on_a_grid_next_to_its_balance():
-    rounding = {"h": ["0.2 mm", "0.5 mm", "1 mm"]}
-    spec = design(rcc(**BOUNDED), LOADS, size={"objective": "balanced", "round": rounding})
-
-    def closed(sizes):
-        return spec.closed_limits(spec.geometry.sized(sizes))
-
-    exact = size_as_printed(spec, "spec")
-    found = size_by_as_printed(spec, closed, base=closed)
-    assert sizes_of(found) == pytest.approx(sizes_of(exact), rel=SAME)
-
-
-def test_a_grid_is_searched_by_the_limits_that_are_given():
+def test_a_grid_is_searched_by_the_limits_of_the_design():
     stock = {"h": [1.6e-4, 1.9e-4, 2.3e-4], "l": [6e-3, 7e-3, 9e-3], "b": [0.022, 0.03]}
     rounding = {name: [f"{size!r} m" for size in sizes] for name, sizes in stock.items()}
     spec = design(rcc(**BOUNDED), LOADS, size={"round": rounding})
 
-    def harder(sizes):
-        limits = spec.closed_limits(spec.geometry.sized(sizes))
-        return [replace(x, demand=x.demand * (1.1 + sizes["h"] / 2e-3)) for x in limits]
+    def harder(limits, sizes):
+        return [replace(x, demand=x.demand * (1.1 + sizes.h / 2e-3)) for x in limits]
 
-    result = size_by_as_printed(spec, harder)
+    result = size_as_printed(with_limits(spec, harder))
     points = np.array(np.meshgrid(*stock.values(), indexing="ij")).reshape(3, -1)
-    limits = harder(dict(zip("hlb", points, strict=True)))
+    sizes = spec.geometry.sized(dict(zip("hlb", points, strict=True)))
+    limits = harder(spec.closed_limits(sizes), sizes)
     used = np.max([x.demand * x.required / x.capacity for x in limits], axis=0)
     volumes = np.where(used <= 1.0, points.prod(axis=0), np.inf)
     assert np.isfinite(volumes.min())
     assert sizes_of(result) == pytest.approx(points[:, volumes.argmin()], rel=1e-12)
-
-
-def test_a_design_that_lacks_some_of_the_limits_is_avoided():
-    spec = design(rcc(**BOUNDED), LOADS)
-
-    def slender_has_all(sizes):
-        limits = spec.closed_limits(spec.geometry.sized(sizes))
-        return limits if np.all(sizes["l"] > 30 * sizes["h"]) else limits[:-1]
-
-    assert sizes_of(size_by_as_printed(spec, slender_has_all)) == pytest.approx(
-        sizes_of(size_as_printed(spec, "spec")), rel=SAME
-    )
 
 
 @pytest.mark.slow
@@ -347,7 +298,7 @@ def test_random_designs_are_no_worse_than_by_signomials(spec):
         except SolveError as error:
             assume(error.code not in ("unbounded", "undetermined"))
             raise
-        numbers = size_by_as_printed(spec)
+        numbers = size_as_printed(as_numbers(spec))
     assert numbers.status is exact.status
     assume(exact.status.value == "pass")
     if numbers.sizing.objective == exact.sizing.objective == "least-volume":

@@ -160,29 +160,6 @@ def test_ties_are_broken_by_the_next_objective_on_the_plane_of_equally_good_poin
     assert not alone.unique
 
 
-def test_a_base_model_with_corrections_saves_most_evaluations_of_the_true_one():
-    """The true rows are 3 % off their base, unevenly; the corrected base finds their optimum."""
-    counted = {"true": 0}
-
-    def base(y):
-        x, z = np.exp(y)
-        return np.array([np.log(x * z + z**2), log_utilisation(1.0, x * z**2), y[0] - 2.0])
-
-    def true(y):
-        counted["true"] += y.shape[1]
-        bend = 0.03 * np.sin(y[0] + 0.5 * y[1])
-        return base(y) + np.array([0 * bend, bend, 0 * bend])
-
-    start = descend(black_box(base, "xz", 2), np.zeros(2)).y
-    plain = descend(black_box(true, "xz", 2), start)
-    alone, counted["true"] = counted["true"], 0
-    found = descend(black_box(true, "xz", 2, base=base), start)
-    assert found.status is Status.CONVERGED
-    assert counted["true"] < 0.7 * alone
-    assert found.values[0] == pytest.approx(plain.values[0], abs=1e-9)
-    assert found.y == pytest.approx(plain.y, abs=1e-6)
-
-
 def test_starts_keep_their_distance_and_come_best_first():
     points = spread(np.full(2, -3.0), np.full(2, 3.0), 256)
     values = np.array([points.sum(axis=0), 1.0 - points[0]])  # x ≥ e

@@ -1,196 +1,368 @@
-"""A design as a geometric program: limits and bounds as rows over the free dimensions."""
+"""A design as a program over the logarithms of its free dimensions, and its solution.
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
-from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
+Where every closed form is a signomial, the rows are exact and the program is a geometric one: its
+optimum is proved where all rows are convex in the logarithms. Else the rows are known as numbers,
+and local models of them, by value, slope and curvature, are renewed as the sizes move.
+"""
 
-from flexcli.formulas.quantity import Quantity
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from math import exp, log
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.engine.sizing.rows import ONE, Row, Term, rows_of, size_of
+from flexcli.errors import NoSolution
+from flexcli.numerics.black_box import BlackBox
+from flexcli.numerics.geometric_program import Solution
+from flexcli.numerics.lexicographic import minimize_lexicographic
+from flexcli.numerics.log_stencil import Field
+from flexcli.numerics.log_utilisation import log_utilisation
+from flexcli.numerics.many_starts import solve_black_boxes, spread, starts_among
 from flexcli.numerics.ratios import Equality, Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, as_signomial, variables
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import Limit
 from flexcli.parts.sizing import Objective
-from flexcli.units import show
 
-__all__ = ["Row", "SizingProgram", "bounds_of", "objective_of", "sizing_program", "ties"]
+__all__ = ["STARTS", "SizingProgram", "sizing_program"]
 
+Floats = NDArray[np.float64]
 
-DIGITS = 4
-"""Significant digits of a proposed relaxation, rounded to the side that does."""
-
-LEEWAY = 1e-9
-"""Relative noise of a solve: what a proposal is eased by before it is rounded."""
-
-
-@dataclass(frozen=True)
-class Row:
-    """Where a row ``demand ≤ capacity`` comes from: a limit, or a bound on a dimension."""
-
-    name: str
-    demand: Quantity
-    capacity: Quantity
-    limit: Limit | None = None
-    bound: float = 0.0
-
-    @property
-    def requirement(self) -> tuple[object, ...]:
-        """Return what rows have in common that the spec states once: both ends, signs and axes."""
-        limit = self.limit
-        if limit is None:
-            return (self.name,)
-        stated = [s for s in (limit.demand, limit.capacity) if isinstance(s, float)]
-        return limit.name, limit.required, *(stated if limit.is_bound else ())
-
-    @property
-    def power(self) -> int:
-        """Return the power that demand and capacity are given raised to."""
-        return self.limit.power if self.limit is not None else 1
-
-    def constraint(
-        self, key: str, *, tighter: float = 1.0, ease: Quantity = 1.0
-    ) -> Ratio | Settled:
-        """Return the row with its demand times ``tighter`` or its capacity times ``ease``."""
-        return at_most(key, self.demand * tighter**self.power, self.capacity * ease)
-
-    def equality(self, key: str, *, more: Quantity = 1.0, less: Quantity = 1.0) -> Equality:
-        """Return the row of a target that is ``more/less`` times as large."""
-        difference = as_signomial(self.demand * less) - as_signomial(self.capacity * more)
-        return Equality(key, difference.positive_part(), difference.negative_part())
-
-    @property
-    def driver(self) -> str:
-        """Return what the demand of the row grows with."""
-        if self.limit is None:
-            return "bound"
-        return self.limit.driver or ("target" if self.limit.tolerance is not None else "bound")
-
-    def relaxed(self, ratio: float, *, upward: bool) -> str:
-        """Return what would do if this row alone gave way, as the spec states it.
-
-        ``ratio`` > 1 is on its utilisation; a target moves ``upward`` or down.
-        """
-        ratio = ratio ** (1.0 / self.power)
-        limit = self.limit
-        if limit is None:
-            new = self._given_way(self.bound, ratio, upward=not self.name.startswith("least"))
-            return f"bound {show(self.bound, 'm')} → {show(new, 'm')}"
-        if limit.is_bound:
-            side = limit.demand if limit.variant == "min" else limit.capacity
-            given = float(side) ** (1.0 / limit.power)
-            sense = {"min": False, "max": True, "equals": upward}[limit.variant]
-            new = self._given_way(given, ratio, upward=sense)
-            return f"{limit.variant} {show(given, limit.unit)} → {show(new, limit.unit)}"
-        new = self._given_way(limit.required, ratio, upward=False)
-        return f"required factor {limit.required:.4g} → {new:.4g}"
-
-    @staticmethod
-    def _given_way(given: float, ratio: float, *, upward: bool) -> float:
-        """Return a value moved by a ratio and rounded on to the digits that are shown."""
-        eased = ratio * (1.0 + LEEWAY)
-        new = Decimal(given * eased if upward else given / eased)
-        last = Decimal(1).scaleb(new.adjusted() - DIGITS + 1)
-        return float(new.quantize(last, ROUND_CEILING if upward else ROUND_FLOOR))
+WORLD = (1e-10, 1e4)
+"""Sizes [m] beyond which a dimension has run away."""
+USUAL = (1e-5, 1.0)
+"""Sizes [m] among which the search starts where the design gives no bound."""
+LIKELY = (1e-4, 1e-1)
+"""Sizes [m] between which a first design is looked for where nothing bounds it."""
+OPEN_SIDE = 1e4
+"""Ratio of the ends of that range where one of them is given and lies outside the usual."""
+FAR = 1e3
+"""Largest logarithm of an unknown that eases rows."""
+SAMPLES = 1024
+"""Points among which the starts are chosen."""
+STARTS = 5
+"""Local runs per optimum of rows known as numbers, from the best of many points."""
+TRIALS, ENOUGH = 500, 8
+"""Designs tried for a first one, and those after which the one of most numbers is taken."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SizingProgram:
-    """Rows over the free dimensions; ``rows`` says what each stands for."""
+    """The rows of a design by their keys, over the logarithms of its free dimensions.
+
+    ``values`` gives ln(demand/capacity) of all rows at many points, shape (n, points) to
+    (rows, points), NaN outside the domain of the formulas. ``exact`` tells that the rows are
+    signomials, which ``rows`` then holds.
+    """
 
     names: tuple[str, ...]
     sizes: Sizes
-    constraints: tuple[Ratio | Settled, ...]
-    equalities: tuple[Equality, ...]
-    rows: dict[str, Row] = field(default_factory=dict)
-
-    @property
-    def targets(self) -> tuple[str, ...]:
-        """Return the keys of the targets."""
-        return tuple(row.name for row in self.equalities)
+    rows: dict[str, Row]
+    constraints: tuple[str, ...]
+    targets: tuple[str, ...]
+    values: Field
+    exact: bool
 
     @property
     def curved(self) -> tuple[str, ...]:
-        """Return the names of what is not convex in the logarithms."""
-        rows: list[Ratio | Equality] = [r for r in self.constraints if isinstance(r, Ratio)]
-        curved = [row for row in (*rows, *self.equalities) if not row.is_convex]
-        return tuple(dict.fromkeys(self.rows[row.name].name for row in curved))
+        """Return the names of the requirements that are not convex in the logarithms."""
+        if not self.exact:
+            return tuple(dict.fromkeys(self.rows[key].name for key in self._limiting))
+        rows = [(key, self._ratio(Term(key))) for key in self.constraints]
+        curved = [key for key, row in rows if isinstance(row, Ratio) and not row.is_convex]
+        curved += [key for key in self.targets if not self._equality(Term(key)).is_convex]
+        return tuple(dict.fromkeys(self.rows[key].name for key in curved))
 
-    def banded(self) -> list[Ratio | Settled]:
+    @property
+    def _limiting(self) -> tuple[str, ...]:
+        return (*self.constraints, *self.targets)
+
+    def complete(self, x: Mapping[str, Floats | float]) -> Sizes:
+        """Return the sizes of a solution, fixed dimensions included."""
+        return self.sizes._replace(**{name: x[name] for name in self.names})
+
+    def at(self, keys: Sequence[str], x: Mapping[str, Floats | float]) -> Floats:
+        """Return ln(demand/capacity) of some rows at sizes, shape (rows, points)."""
+        y = np.log(np.array([np.atleast_1d(x[name]) for name in self.names]))
+        return np.asarray(self.picked(keys)(y))
+
+    def picked(self, keys: Sequence[str]) -> Field:
+        """Return some rows as functions of the logarithms of the sizes."""
+        everything = list(self.rows)
+        places = [everything.index(key) for key in keys]
+        return lambda y: self.values(y)[places]
+
+    def limits(self) -> list[Term]:
+        """Return the rows that must not exceed zero."""
+        return [Term(key) for key in self.constraints]
+
+    def equalities(self) -> list[Term]:
+        """Return the rows of the targets."""
+        return [Term(key) for key in self.targets]
+
+    def banded(self) -> list[Term]:
         """Return the constraints with each target as the band of its tolerance."""
-        rows = list(self.constraints)
-        for row in self.equalities:
-            limit = self.rows[row.name].limit
-            assert limit is not None  # a bound on a dimension is no equality
+        found = self.limits()
+        for key in self.targets:
+            limit = self.rows[key].limit
+            assert limit is not None  # a bound on a dimension is no target
             assert limit.tolerance is not None
-            band = (1.0 + limit.tolerance) ** limit.power
-            rows.append(at_most(row.name + " above", row.numerator, row.denominator * band))
-            rows.append(at_most(row.name + " below", row.denominator, row.numerator * band))
-        return rows
+            width = limit.power * float(np.log1p(limit.tolerance))
+            found += [Term(key, 1.0, -width), Term(key, -1.0, -width)]
+        return found
 
-    def complete(self, x: Mapping[str, Quantity]) -> Sizes:
-        """Return the blade of a solution, fixed dimensions included."""
-        return self.sizes._replace(**x)
+    def objectives(self, objective: Objective) -> list[Term]:
+        """Return what becomes least, then what breaks ties: volume, l, b, h."""
+        order = {"l": 0, "b": 1, "h": 2}
+        sizes = sorted(self.names, key=lambda name: order.get(name, 3))
+        goals = [self.goal(objective), Term("volume"), *(Term(size_of(name)) for name in sizes)]
+        return list(dict.fromkeys(goals))
+
+    def goal(self, objective: Objective) -> Term:
+        """Return the row that an objective makes least, a constant where its size is fixed."""
+        named = {"least-volume": "volume", "least-stiffness": "k_pivot", "balanced": "volume",
+                 "mass": "volume", "shortest": "l"}  # fmt: skip
+        if isinstance(objective, str):
+            name, sign = named[objective], 1.0
+        else:
+            sign = 1.0 if objective.minimize is not None else -1.0
+            name = objective.minimize or objective.maximize or ""
+            name = named.get(name, name)
+        if name in self.names:
+            return Term(size_of(name), sign)
+        given = self.sizes._asdict()
+        return Term(ONE, 1.0, sign * log(given[name])) if name in given else Term(name, sign)
+
+    def least(
+        self,
+        goals: Sequence[Term],
+        limits: Sequence[Term],
+        equal: Sequence[Term] = (),
+        near: Mapping[str, float] | None = None,
+    ) -> Solution:
+        """Make the first goal least subject to rows, ties broken by the next goals.
+
+        ``near`` are sizes to start from, instead of a search for starts.
+        """
+        eases = [name for term in (*goals, *limits, *equal) for name, _ in term.eases]
+        names = (*self.names, *dict.fromkeys(eases))
+        if self.exact:
+            return self._least_exact(names, goals, limits, equal, near)
+        boxes = [self._black_box(names, [goal, *limits, *equal], len(limits)) for goal in goals]
+        if near is None:
+            starts = self.starts(boxes[0])
+        else:
+            starts = [np.array([log(near[name]) if name in near else 0.0 for name in names])]
+        return solve_black_boxes(
+            boxes, starts, [term.key for term in limits], [term.key for term in equal]
+        )
+
+    # -- rows as signomials ------------------------------------------------------------------
+
+    def _least_exact(
+        self,
+        names: tuple[str, ...],
+        goals: Sequence[Term],
+        limits: Sequence[Term],
+        equal: Sequence[Term],
+        near: Mapping[str, float] | None,
+    ) -> Solution:
+        """Solve a geometric program; a goal with negative terms by its least upper bound."""
+        first, *ties = (self._sides(goal) for goal in goals)
+        objectives = [demand / capacity for demand, capacity in ties if _divides(demand, capacity)]
+        rows = [self._ratio(term) for term in limits]
+        if _divides(*first):
+            objectives = [first[0] / first[1], *objectives]
+        else:
+            (top,) = variables("upper bound")
+            rows.append(at_most("objective", first[0], first[1] * top))
+            objectives, names = [top, *objectives], (*names, "upper bound")
+        return minimize_lexicographic(
+            objectives, rows, [self._equality(term) for term in equal], names,
+            [near] if near is not None else (),
+        )  # fmt: skip
+
+    def _sides(self, term: Term) -> tuple[Signomial, Signomial]:
+        """Return demand and capacity of a term, of which the first is at most the second."""
+        row = self.rows[term.key]
+        demand, capacity = as_signomial(row.demand), as_signomial(row.capacity)
+        if term.sign < 0.0:
+            demand, capacity = capacity, demand
+        demand = demand * exp(term.shift)
+        for name, power in term.eases:
+            (unknown,) = variables(name)
+            capacity = capacity * unknown**power
+        return demand, capacity
+
+    def _ratio(self, term: Term) -> Ratio | Settled:
+        return at_most(term.key, *self._sides(term))
+
+    def _equality(self, term: Term) -> Equality:
+        demand, capacity = self._sides(term)
+        difference = demand - capacity
+        return Equality(term.key, difference.positive_part(), difference.negative_part())
+
+    def ratios(self, limits: Sequence[Term]) -> list[Ratio | Settled]:
+        """Return rows as ratios of posynomials that are at most one."""
+        return [self._ratio(term) for term in limits]
+
+    def exact_equalities(self) -> list[Equality]:
+        """Return the targets as ratios of posynomials that are one."""
+        return [self._equality(Term(key)) for key in self.targets]
+
+    # -- rows as numbers ---------------------------------------------------------------------
+
+    def _black_box(self, names: tuple[str, ...], terms: Sequence[Term], limits: int) -> BlackBox:
+        n = len(self.names)
+        rows = self.picked([term.key for term in terms])
+        sign, shift = (np.array([term[k] for term in terms])[:, None] for k in (1, 2))
+        powers = np.array(
+            [[dict(term.eases).get(name, 0.0) for name in names[n:]] for term in terms]
+        )
+
+        def moved(y: Floats) -> Floats:
+            return np.asarray(sign * rows(y[:n]) + shift - powers @ y[n:])
+
+        low, high = (np.full(n, log(end)) for end in WORLD)
+        further = np.full(len(names) - n, FAR)
+        return BlackBox(names, moved, limits, np.append(low, -further), np.append(high, further))
+
+    def starts(self, program: BlackBox) -> list[Floats]:
+        """Return the best of many points between the bounds."""
+        points = self.samples()
+        further = np.zeros((program.low.size - len(self.names), points.shape[1]))
+        points = np.vstack([points, further])
+        return starts_among(points, program.rows(points), program.inequalities, STARTS)
+
+    def samples(self, beyond: float = 1.0) -> Floats:
+        """Return points spread over the bounds and some times beyond, in logarithms."""
+        ends = np.log(np.array([self._range(name) for name in self.names]).reshape(-1, 2))
+        return spread(ends[:, 0] - log(beyond), ends[:, 1] + log(beyond), SAMPLES)
+
+    def _range(self, name: str) -> tuple[float, float]:
+        low, high = (self.rows.get(f"{side} {name}") for side in ("least", "most"))
+        if low is not None and high is not None:
+            return low.bound, high.bound
+        if low is not None:
+            return low.bound, max(USUAL[1], low.bound * OPEN_SIDE)
+        if high is not None:
+            return min(USUAL[0], high.bound / OPEN_SIDE), high.bound
+        return USUAL
+
+
+def _divides(demand: Signomial, capacity: Signomial) -> bool:
+    """Return whether a quotient is a posynomial."""
+    return demand.is_posynomial and capacity.is_monomial
 
 
 def sizing_program(design: DesignSpec) -> SizingProgram:
-    """Return the geometric program of a design's requirements and bounds."""
-    names = design.geometry.free
-    symbols = dict(zip(names, variables(*names), strict=True)) if names else {}
-    sizes = design.geometry.sized(symbols)
-    constraints: list[Ratio | Settled] = []
-    equalities: list[Equality] = []
-    rows: dict[str, Row] = {}
-    for index, limit in enumerate(design.closed_limits(sizes)):
-        key = f"{index} {limit.name}"
-        asked = limit.required**limit.power
-        row = Row(f"{limit.name}: {limit.quantity}", limit.demand * asked, limit.capacity, limit)
-        rows[key] = row
-        if limit.tolerance is not None:
-            equalities.append(row.equality(key))
-        else:
-            constraints.append(row.constraint(key))
-    for key, row in bounds_of(design, symbols).items():
-        rows[key] = row
-        constraints.append(row.constraint(key))
-    return SizingProgram(names, sizes, tuple(constraints), tuple(equalities), rows)
+    """Return the program of a design's requirements and bounds.
+
+    Notes
+    -----
+    Rows known as numbers are smooth in the sizes: where a demand is the largest of several, each
+    is a limit of its own.
+
+    """
+    names, exact = design.geometry.free, bool(design.geometry.posynomial)
+    x = dict(zip(names, variables(*names), strict=True)) if exact else _probe(design)
+    rows = rows_of(design, x)
+    limiting = [key for key, row in rows.items() if row.limit is not None or row.bound]
+    targets = tuple(key for key in limiting if rows[key].is_target)
+    sides = _signomial_sides(rows) if exact else _formula_sides(design, len(rows))
+    plain = np.array([key in targets or key not in limiting for key in rows])
+
+    def values(y: Floats) -> Floats:
+        demand, capacity = np.empty((len(rows), *y.shape[1:])), np.empty((len(rows), *y.shape[1:]))
+        with np.errstate(all="ignore"):  # far from any design numbers may overflow
+            for k, (needed, offered) in enumerate(sides(dict(zip(names, np.exp(y), strict=True)))):
+                demand[k], capacity[k] = needed, offered
+            found = log_utilisation(demand, capacity)
+            found[plain] = np.log(demand[plain] / capacity[plain])
+        return found
+
+    return SizingProgram(
+        names=names,
+        sizes=design.geometry.sized(x),
+        rows=rows,
+        constraints=tuple(key for key in limiting if key not in targets),
+        targets=targets,
+        values=values if exact else _guarded(values, len(rows)),
+        exact=exact,
+    )
 
 
-def bounds_of(design: DesignSpec, sizes: Mapping[str, Quantity]) -> dict[str, Row]:
-    """Return the bounds on the free dimensions, whose sizes are given, as rows by their keys."""
-    rows: dict[str, Row] = {}
-    for name in design.geometry.free:
-        extent, x = design.geometry.extents[name], sizes[name]
-        if extent.least is not None:
-            rows[f"least {name}"] = Row(f"least {name}", extent.least, x, bound=extent.least)
-        if extent.most is not None:
-            rows[f"most {name}"] = Row(f"most {name}", x, extent.most, bound=extent.most)
-    return rows
+Sides: TypeAlias = Callable[[Mapping[str, Floats]], Sequence[tuple[Floats | float, Floats | float]]]
+"""Demand and capacity of every row at many sizes."""
 
 
-def objective_of(design: DesignSpec, objective: Objective, sizes: Sizes) -> Signomial:
-    """Return what an objective minimises, on the blade's signomials."""
-    geometry = design.geometry
-    volume = geometry.volume(sizes)
-    stiffness = geometry.stiffness(design.material.elastic, sizes)
-    lengths = sizes._asdict()
-    by_name = {
-        "least-volume": volume,
-        "least-stiffness": stiffness,
-        "balanced": volume,
-        "volume": volume,
-        "mass": volume,
-        "k_pivot": stiffness,
-        **({"shortest": lengths["l"]} if "l" in lengths else {}),
-        **lengths,
+def _signomial_sides(rows: Mapping[str, Row]) -> Sides:
+    both = [(as_signomial(row.demand), as_signomial(row.capacity)) for row in rows.values()]
+    return lambda x: [(demand.at(**x), capacity.at(**x)) for demand, capacity in both]
+
+
+def _formula_sides(design: DesignSpec, count: int) -> Sides:
+    def sides(x: Mapping[str, Floats]) -> list[tuple[Floats, Floats]]:
+        rows = rows_of(design, x)
+        if len(rows) != count:
+            raise ValueError(f"{len(rows)} rows where {count} were found before")
+        return [(row.demand, row.capacity) for row in rows.values()]
+
+    return sides
+
+
+def _guarded(values: Field, rows: int) -> Field:
+    """Return rows with NaN for the designs of which the formulas have no numbers."""
+
+    def guarded(y: Floats) -> Floats:
+        with suppress(ArithmeticError, ValueError):
+            return values(y)
+        shape = y.shape[1:]
+        found = np.full((rows, *shape), np.nan)
+        flat, each = y.reshape(len(y), -1), found.reshape(rows, -1)
+        for i in range(flat.shape[1]) if flat.shape[1] > 1 else ():
+            each[:, i : i + 1] = guarded(flat[:, i : i + 1])
+        return found
+
+    return guarded
+
+
+def _probe(design: DesignSpec) -> dict[str, Floats]:
+    """Return sizes of which the formulas have all numbers, looked for between the bounds.
+
+    Raises
+    ------
+    NoSolution
+        When there are none among many.
+
+    """
+    extents, names = design.geometry.extents, design.geometry.free
+    ends = {
+        name: (extents[name].least or LIKELY[0], extents[name].most or LIKELY[1]) for name in names
     }
-    if isinstance(objective, str):
-        return as_signomial(by_name[objective])
-    if objective.minimize is not None:
-        return as_signomial(by_name[objective.minimize])
-    return as_signomial(1.0 / by_name[objective.maximize or ""])
-
-
-def ties(sizes: Iterable[str]) -> list[str]:
-    """Return what breaks ties after the volume: shortest, then narrowest, then thinnest."""
-    order = {"l": 0, "b": 1, "h": 2}
-    return sorted(sizes, key=lambda name: order.get(name, 3))
+    rng = np.random.default_rng(0)
+    best: dict[str, Floats] = {}
+    most = -1
+    for trial in range(TRIALS):
+        shares = np.full(len(names), 0.5) if trial == 0 else rng.random(len(names))
+        sizes = {
+            name: np.full(1, low * (high / low) ** share)
+            for (name, (low, high)), share in zip(ends.items(), shares, strict=True)
+        }
+        with suppress(ArithmeticError, ValueError):
+            count = len(rows_of(design, sizes))
+            if count > most:
+                best, most = sizes, count
+            if trial >= ENOUGH:
+                break
+    if not best:
+        raise NoSolution(
+            "no-design-to-start-from",
+            f"no sizes were found of which a {design.geometry.name} has numbers",
+            "bound its free sizes to what can be made",
+        )
+    return best
