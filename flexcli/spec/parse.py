@@ -223,9 +223,7 @@ class _Reader:
     def _not_yaml(self, error: yaml.YAMLError) -> NoReturn:
         """Raise what broke the syntax, and the findings before it."""
         if not isinstance(error, yaml.MarkedYAMLError):
-            self._give_up(
-                self._position(0, 0), "", "is not valid YAML", "save it as UTF-8 text"
-            )
+            self._give_up(self._position(0, 0), "", "is not valid YAML", "save it as UTF-8 text")
         bracket = self.brackets[-1] if self.brackets else None
         mark, text, hint = explain(error, self.text, self.lines[self.file], bracket)
         self._give_up(self._at(mark), "", text, hint)
