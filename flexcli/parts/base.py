@@ -143,7 +143,8 @@ class QuantityOf:
             "maximum": LARGEST,
         }
         number = {"type": "number"} | {key: x for key, x in ends.items() if x is not None}
-        return {**title, "anyOf": [number, text]}
+        shown = {} if self.below is not None else {"examples": [float(expected.example)]}
+        return {**title, "anyOf": [number, text], **shown}
 
     @property
     def _sign(self) -> str:
