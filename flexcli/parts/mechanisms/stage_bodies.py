@@ -8,8 +8,6 @@ from flexcli.parts.mechanisms.free_value import Free, OrFree
 
 __all__ = ["BalancingMass", "InertiaTensor", "Lever", "Platform"]
 
-ACROSS = "centre of mass off the line through the lever's pivots, positive along x"
-
 
 class InertiaTensor(Shorthand):
     """Moments of inertia about the body's own centre of mass; a plain value stands for zz."""
