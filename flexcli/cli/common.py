@@ -1,21 +1,18 @@
-"""What the verbs share: which files, which format, how output is written and a run ends."""
+"""What the verbs share: which files, which model, and what becomes of the user's mistakes."""
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from enum import Enum
 from functools import wraps
-from io import StringIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
 
+from flexcli.cli.output import Format, FormatOption, finish, write_json, write_text
 from flexcli.errors import Finding, NoSolution, SolveError, SpecError
 from flexcli.results import Result, Status
-
-if TYPE_CHECKING:
-    from rich.console import Console
 
 __all__ = [
     "DEFAULT_SPEC",
@@ -37,13 +34,6 @@ __all__ = [
 ]
 
 DEFAULT_SPEC = "flexure.yaml"
-
-
-class Format(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
-    """How a result is printed."""
-
-    TEXT = "text"
-    JSON = "json"
 
 
 class Model(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
@@ -69,9 +59,6 @@ ModelOption = Annotated[
         "--model",
         help="Model that judges alone; each check by the cheapest that decides it, if left out.",
     ),
-]
-FormatOption = Annotated[
-    Format, typer.Option("--format", help="Text for people, JSON for scripts (on stdout, alone).")
 ]
 OutputOption = Annotated[
     Path | None, typer.Option("--output", "-o", help="File to write, which must be a new one.")
@@ -165,70 +152,6 @@ def fail(command: str, spec: str, error: SpecError, style: Format) -> NoReturn:
     """End a run on the user's mistakes alone."""
     result = Result(command, spec, Status.ERROR, findings=tuple(error.findings))
     finish(command, [result], style, many=False)
-
-
-def finish(command: str, results: Sequence[Result], style: Format, *, many: bool) -> NoReturn:
-    """Print results and leave with the exit code of the worst."""
-    if style is Format.JSON:
-        from flexcli.report import as_json
-
-        one = None if many else as_json.document(results[0])
-        write_json(one or as_json.summary(command, results))
-    else:
-        from flexcli.report import as_text
-
-        findings = [found for result in results for found in result.findings]
-        if findings:
-            write_text(lambda console: as_text.print_findings(findings, console), sys.stderr)
-        shown = [result for result in results if not result.findings]
-
-        def body(console: "Console") -> None:
-            for result in shown:
-                as_text.print_result(result, console)
-            if many:
-                as_text.print_summary(results, console)
-
-        if shown or many:
-            write_text(body)
-    raise typer.Exit(max((result.status.exit_code for result in results), default=0))
-
-
-def write_text(body: Callable[["Console"], None], stream: Any = None) -> None:
-    """Render with rich for the terminal that reads, and write it whole."""
-    from rich.console import Console
-
-    stream = stream or sys.stdout
-    reader = Console(file=stream)
-    text = StringIO()
-    whole = Console(
-        file=text,
-        width=reader.width,
-        force_terminal=reader.is_terminal,
-        no_color=reader.no_color,
-        highlight=False,
-        markup=False,
-        emoji=False,
-    )
-    body(whole)
-    _write(text.getvalue(), stream)
-
-
-def write_json(content: Any) -> None:
-    """Write JSON to stdout."""
-    from flexcli.report import as_json
-
-    _write(as_json.dumps(content) + "\n", sys.stdout)
-
-
-def _write(text: str, stream: Any) -> None:
-    try:
-        stream.write(text)
-        stream.flush()
-    except OSError as error:
-        # keep the interpreter's shutdown from flushing into the broken stream once more
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
-        sys.stderr.write(f"flexure: the output could not be written: {error.strerror}\n")
-        raise typer.Exit(2) from error
 
 
 def write_file(path: Path, content: str | bytes) -> None:

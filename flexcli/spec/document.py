@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from flexcli.errors import Finding
+from flexcli.errors import Finding, printable
 
-__all__ = ["Document", "Position", "finding_at", "printable"]
+__all__ = ["Document", "Position", "finding_at"]
 
 MAX_FINDINGS = 100
 MAX_SHOWN = 500
@@ -70,13 +70,4 @@ def finding_at(
         line,
         column,
         printable(source),
-    )
-
-
-def printable(text: str) -> str:
-    """Return a text that cannot steer a terminal; each character keeps its column."""
-    if text.isprintable():
-        return text
-    return "".join(
-        c if c.isprintable() else " " if c.isspace() else "\N{REPLACEMENT CHARACTER}" for c in text
     )

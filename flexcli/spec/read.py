@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from flexcli.errors import Finding, SpecError
-from flexcli.spec.document import Document, printable
+from flexcli.errors import Finding, SpecError, printable
+from flexcli.spec.document import Document
 from flexcli.spec.parse import parse_document
 
 __all__ = ["read_document"]
