@@ -1,11 +1,12 @@
 """A YAML file as read: plain values, where each stands, and findings that point there."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from flexcli.errors import Finding, printable
+from flexcli.errors import Finding
 
-__all__ = ["Document", "Position", "finding_at"]
+__all__ = ["Document", "Position", "finding_at", "printable"]
 
 MAX_FINDINGS = 100
 MAX_SHOWN = 500
@@ -37,13 +38,18 @@ class Position(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Document:
-    """The plain values of a YAML file, its positions and lines, and what is wrong so far."""
+    """The plain values of a YAML file, its positions and lines, and what is wrong so far.
+
+    ``text`` is that of the file; ``changed`` holds the values put in since it was read, by path.
+    """
 
     file: str
     value: Any
     position: Position
     lines: dict[str, list[str]]
     findings: tuple[Finding, ...] = ()
+    text: str = ""
+    changed: Mapping[tuple[str | int, ...], Any] = field(default_factory=dict)
 
 
 def finding_at(
@@ -70,4 +76,13 @@ def finding_at(
         line,
         column,
         printable(source),
+    )
+
+
+def printable(text: str) -> str:
+    """Return a text that cannot steer a terminal; each character keeps its column."""
+    if text.isprintable():
+        return text
+    return "".join(
+        c if c.isprintable() else " " if c.isspace() else "\N{REPLACEMENT CHARACTER}" for c in text
     )

@@ -5,7 +5,7 @@ from io import StringIO
 import pytest
 from rich.console import Console
 
-from flexcli.report.asd_text import worst_cases
+from flexcli.report.asd import worst_cases
 from flexcli.results import WorstCaseRow
 
 
@@ -22,9 +22,7 @@ def row(**changes):
 
 def told(*rows):
     text = StringIO()
-    console = Console(file=text, width=150)
-    for part in worst_cases(rows):
-        console.print(part)
+    Console(file=text, width=150).print(worst_cases(rows))
     return text.getvalue()
 
 

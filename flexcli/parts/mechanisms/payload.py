@@ -3,7 +3,7 @@
 from math import pi, sqrt
 from typing import ClassVar, Literal
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Body
@@ -28,9 +28,7 @@ class Payload(Mechanism):
 
     kind: Literal["payload"]
     mass: Mass
-    """Mass of the body that the joint carries, e.g. ``20 g``."""
-    inertia: Inertia | None = None
-    """Moment of inertia about the axis of rotation, e.g. ``5e-6 kg*m^2``."""
+    inertia: Inertia | None = Field(None, description="about the axis of rotation")
 
     @model_validator(mode="after")
     def _has_mass(self) -> "Payload":
