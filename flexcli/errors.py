@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-__all__ = ["Finding", "NoSolution", "SolveError", "SpecError"]
+__all__ = ["Finding", "NoSolution", "SolveError", "SpecError", "printable"]
 
 
 @dataclass(frozen=True)
@@ -43,3 +43,12 @@ class SolveError(Exception):
 
 class NoSolution(SolveError):
     """A good spec of which a solver found no answer, or of which there is none: exit code 1."""
+
+
+def printable(text: str) -> str:
+    """Return a text that cannot steer a terminal; each character keeps its column."""
+    if text.isprintable():
+        return text
+    return "".join(
+        c if c.isprintable() else " " if c.isspace() else "\N{REPLACEMENT CHARACTER}" for c in text
+    )

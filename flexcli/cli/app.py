@@ -1,9 +1,10 @@
-"""The ``flexure`` command: its verbs, and the edge where a bug becomes its exit code."""
+"""The ``flexure`` command: its verbs, and the edge where a mistake or a bug becomes a code."""
 
 import gc
 import os
 import sys
 import traceback
+from typing import Any
 
 import typer
 
@@ -24,6 +25,7 @@ from flexcli.cli import (
     validate,
 )
 from flexcli.cli.common import with_common_options
+from flexcli.cli.output import Format, any_stream, asked_format, write_failure
 
 __all__ = ["app", "main"]
 
@@ -32,12 +34,16 @@ EXIT_BUG = 101
 GARBAGE_THRESHOLD = 100_000
 """New objects between searches for garbage; Python's own 700 cost a twentieth of a short run."""
 
+EXIT_CODES = (
+    "Exit codes: 0 passed; 1 the design fails, is infeasible or undecided; 2 bad input or usage; "
+    "101 a bug of ours."
+)
+
 app = typer.Typer(
     name="flexure",
-    epilog="Exit codes: 0 passed; 1 the design fails or is infeasible; 2 bad input or usage; "
-    "101 a bug of ours.",
+    epilog=EXIT_CODES,
     no_args_is_help=True,
-    add_completion=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
@@ -58,6 +64,12 @@ for verb in (
     reads_no_spec = verb in (explain, materials, schema)
     app.command(name=verb.NAME)(verb.run if reads_no_spec else with_common_options(verb.run))
 app.add_typer(asd.app)
+for command in (*app.registered_commands, *asd.app.registered_commands):
+    command.epilog = EXIT_CODES
+
+
+UsageError: Any = typer.BadParameter.__base__
+"""What typer raises for wrong usage; its name differs between versions, its place does not."""
 
 
 def _version(wanted: bool) -> None:
@@ -75,16 +87,36 @@ def root(
     """Size, check and simulate flexures from a YAML spec."""
 
 
+def _for_machines(style: Format) -> int:
+    """Run the command line and return its exit code; wrong usage is told in the asked format."""
+    try:
+        return app(standalone_mode=False) or 0
+    except UsageError as error:
+        context = error.ctx
+        verb = context.info_name if context is not None and context.parent is not None else ""
+        write_failure(style, error.format_message(), verb, "see flexure --help")
+        return int(error.exit_code)
+    except typer.Abort:
+        return 1
+
+
 def main() -> None:
     """Run the command line; what nobody foresaw is a bug and says so."""
     gc.set_threshold(GARBAGE_THRESHOLD)
     # pydantic would read the metadata of every installed package to look for plugins
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    any_stream()
+    style = asked_format(sys.argv[1:])
     try:
-        app()
-    except Exception:
+        if style is Format.TEXT:
+            app()
+        else:
+            sys.exit(_for_machines(style))
+    except Exception as error:
         traceback.print_exc()
         sys.stderr.write("flexure: this is a bug of ours; please report it with the spec\n")
+        if style is not Format.TEXT:
+            write_failure(style, f"a bug of ours: {type(error).__name__}: {error}")
         sys.exit(EXIT_BUG)
     finally:
         gc.freeze()  # the end of the process need not search all that was imported

@@ -1,24 +1,20 @@
 """``flexure balance``: what the motion of the base does, before and after balancing."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from flexcli.cli.common import (
     Format,
     FormatOption,
-    SetOption,
-    SpecsArgument,
+    SpecArgument,
+    attempt,
     finish,
-    on_each,
-    only_one,
+    spec_path,
+    write_file,
 )
-from flexcli.cli.files import ForceOption, saved
 from flexcli.results import Result
-
-if TYPE_CHECKING:
-    from flexcli.api import Loaded
 
 __all__ = ["NAME", "run"]
 
@@ -26,28 +22,25 @@ NAME = "balance"
 
 
 def run(
-    specs: SpecsArgument = None,
-    stated: SetOption = None,
+    spec: SpecArgument = None,
     style: FormatOption = Format.TEXT,
     csv: Annotated[
         Path | None, typer.Option("--csv", help="Save the table of the transfer functions.")
     ] = None,
-    force: ForceOption = False,
 ) -> None:
     """Balance a mechanism against its base's motion: arms, masses, coupling, T(ω), residuals."""
-    only_one(NAME, "--csv", specs, csv, style)
+    path = spec_path(spec)
+    result = attempt(NAME, path, lambda: _balance(path, csv))
+    finish(NAME, [result], style, many=False)
 
-    def verb(spec: "Loaded") -> Result:
-        from flexcli import api
 
-        return api.balance(spec)
+def _balance(path: Path, csv: Path | None) -> Result:
+    from flexcli.engine.balance import balance
+    from flexcli.report.balance_csv import transfer_csv
+    from flexcli.spec.load import load_design
 
-    def text() -> str | None:
-        from flexcli.report.balance_csv import transfer_csv
-
-        found = results[0].balance
-        return transfer_csv(found.transfer) if found is not None else None
-
-    results = on_each(NAME, specs, stated, verb)
-    with saved(csv, text, force=force, nothing="there are no transfer functions"):
-        finish(NAME, results, style, many=len(results) > 1)
+    design, _ = load_design(path)
+    result = balance(design, str(path))
+    if csv is not None and result.balance is not None:
+        write_file(csv, transfer_csv(result.balance.transfer))
+    return result

@@ -2,24 +2,12 @@
 
 from enum import Enum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from flexcli.cli.common import (
-    Format,
-    SetOption,
-    SpecsArgument,
-    fail,
-    finish,
-    on_each,
-)
-from flexcli.cli.files import ForceOption, write_or_end
-from flexcli.errors import Finding, SpecError
+from flexcli.cli.common import Format, SpecArgument, attempt, finish, spec_path, write_file
 from flexcli.results import Result, Status
-
-if TYPE_CHECKING:
-    from flexcli.api import Loaded
 
 __all__ = ["NAME", "run"]
 
@@ -35,13 +23,11 @@ class View(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
 
 
 def run(
-    specs: SpecsArgument = None,
+    spec: SpecArgument = None,
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="SVG or PNG file; SVG to stdout if left out."),
     ] = None,
-    force: ForceOption = False,
-    stated: SetOption = None,
     view: Annotated[View, typer.Option("--view", help="From where it is seen.")] = View.FRONT,
     case: Annotated[
         str | None, typer.Option("--case", help="Case whose stroke and forces are drawn.")
@@ -51,36 +37,35 @@ def run(
     ] = False,
 ) -> None:
     """Draw the joint to scale as SVG: at rest, deflected, with sizes, forces and centre."""
-    if len(specs or ()) > 1:
-        fail(NAME, "", SpecError([Finding(NAME, "draws one spec", "name one")]), Format.TEXT)
+    path = spec_path(spec)
     drawn: list[str] = []
-
-    def verb(spec: "Loaded") -> Result:
-        drawn.append(_drawn(spec, view, case, stress=stress))
-        return Result(NAME, "", Status.PASS)
-
-    results = on_each(NAME, specs, stated, verb)
+    result = attempt(NAME, path, lambda: _draw(path, drawn, view, case, stress=stress))
     if not drawn:
-        finish(NAME, results, Format.TEXT, many=False)
+        finish(NAME, [result], Format.TEXT, many=False)
     (svg,) = drawn
     if output is None:
         typer.echo(svg, nl=False)
     elif output.suffix == ".png":
         from flexcli.report.raster import png
 
-        write_or_end(output, png(svg), force=force)
+        write_file(output, png(svg))
     else:
-        write_or_end(output, svg, force=force)
+        write_file(output, svg)
 
 
-def _drawn(spec: "Loaded", view: View, case: str | None, *, stress: bool) -> str:
-    from flexcli import api
+def _draw(path: Path, drawn: list[str], view: View, case: str | None, *, stress: bool) -> Result:
+    from flexcli.engine.draw import drawing
     from flexcli.report.drawing_svg import drawing_svg
+    from flexcli.spec.given import given_sizes
+    from flexcli.spec.load import load_design
 
-    found = api.drawing(spec, case=case)
-    title = spec.part.title or found.kind
+    design, document = load_design(path)
+    found = drawing(design, given_sizes(design, document), case)
+    title = design.title or found.kind
     if view is View.FRONT:
-        return drawing_svg(found, title, stress=stress)
-    from flexcli.report.drawing_views import view_svg
+        drawn.append(drawing_svg(found, title, stress=stress))
+    else:
+        from flexcli.report.drawing_views import view_svg
 
-    return view_svg(found, title, view.value)
+        drawn.append(view_svg(found, title, view.value))
+    return Result(NAME, str(path), Status.PASS, title=design.title)

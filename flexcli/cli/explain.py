@@ -4,7 +4,8 @@ from typing import Annotated
 
 import typer
 
-from flexcli.cli.common import Format, FormatOption, fail, write_json, write_text
+from flexcli.cli.common import fail
+from flexcli.cli.output import CatalogueFormatOption, Format, write_json, write_text
 
 __all__ = ["NAME", "run"]
 
@@ -18,7 +19,7 @@ def run(
     table: Annotated[
         str | None, typer.Option("--table", help="Print a chart as data, e.g. delta.")
     ] = None,
-    style: FormatOption = Format.TEXT,
+    style: CatalogueFormatOption = Format.TEXT,
 ) -> None:
     """Explain a joint: its formulas with symbols, units, validity, source and a worked case."""
     from flexcli.engine.explain import explain, topics

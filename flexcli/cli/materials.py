@@ -4,7 +4,8 @@ from typing import Annotated
 
 import typer
 
-from flexcli.cli.common import Format, FormatOption, fail, write_json, write_text
+from flexcli.cli.common import fail
+from flexcli.cli.output import CatalogueFormatOption, Format, write_json, write_text
 
 __all__ = ["NAME", "run"]
 
@@ -13,7 +14,7 @@ NAME = "materials"
 
 def run(
     name: Annotated[str | None, typer.Argument(help="Material to show; all if left out.")] = None,
-    style: FormatOption = Format.TEXT,
+    style: CatalogueFormatOption = Format.TEXT,
 ) -> None:
     """List the shipped materials, or show one: every number with its status and source."""
     from flexcli.errors import SpecError

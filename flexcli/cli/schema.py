@@ -4,8 +4,7 @@ from typing import Annotated
 
 import typer
 
-from flexcli.cli.common import OutputOption, write_json
-from flexcli.cli.files import ForceOption, write_or_end
+from flexcli.cli.common import OutputOption, write_json, write_new
 
 __all__ = ["NAME", "run"]
 
@@ -17,7 +16,6 @@ def run(
         str, typer.Argument(help="design, material, stroke, asd or geometry.")
     ] = "design",
     output: OutputOption = None,
-    force: ForceOption = False,
 ) -> None:
     """Print the JSON Schema of a kind of spec, or write it to a file that specs can name.
 
@@ -33,4 +31,4 @@ def run(
     if output is None:
         write_json(schema)
     else:
-        write_or_end(output, dumps(schema) + "\n", force=force)
+        write_new(output, dumps(schema) + "\n")

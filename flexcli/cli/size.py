@@ -1,25 +1,22 @@
 """``flexure size``: choose h, l, b."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from flexcli.cli.common import (
     Format,
     FormatOption,
+    Model,
     ModelOption,
-    SetOption,
-    SpecsArgument,
+    SpecArgument,
+    attempt,
     finish,
-    on_each,
-    only_one,
+    spec_path,
+    write_file,
 )
-from flexcli.cli.files import ForceOption, saved
 from flexcli.results import Result
-
-if TYPE_CHECKING:
-    from flexcli.api import Loaded
 
 __all__ = ["NAME", "run"]
 
@@ -27,36 +24,30 @@ NAME = "size"
 
 
 def run(
-    specs: SpecsArgument = None,
+    spec: SpecArgument = None,
     model: ModelOption = None,
-    stated: SetOption = None,
     style: FormatOption = Format.TEXT,
     write: Annotated[
-        Path | None,
-        typer.Option(
-            "--write", help="Save the sized design as a spec for check; comments and order stay."
-        ),
+        Path | None, typer.Option("--write", help="Save the sized design as a spec for check.")
     ] = None,
-    force: ForceOption = False,
 ) -> None:
     """Choose blade thickness h, length l and width b; print margins and what holds them."""
-    only_one(NAME, "--write", specs, write, style)
-    designs: list[Loaded] = []
+    path = spec_path(spec)
+    result = attempt(NAME, path, lambda: _size(path, write, model))
+    finish(NAME, [result], style, many=False)
 
-    def verb(spec: "Loaded") -> Result:
-        from flexcli import api
 
-        designs.append(spec)
-        return api.size(spec, model=model.value if model else None)
+def _size(path: Path, write: Path | None, model: Model | None) -> Result:
+    from flexcli.engine.size import size
+    from flexcli.spec.load import load_design
+    from flexcli.spec.save import sized_text
 
-    def text() -> str | None:
-        from flexcli import api
-
-        (result,) = results
-        if write is None or not result.checks or not api.is_sized(designs[0], result):
-            return None
-        return api.spec_text(api.sized(designs[0], result), write.parent)
-
-    results = on_each(NAME, specs, stated, verb)
-    with saved(write, text, force=force, nothing="no sizes were chosen"):
-        finish(NAME, results, style, many=len(results) > 1)
+    design, document = load_design(path)
+    result = size(design, str(path), model.value if model else None)
+    if write is not None and result.checks:
+        geometry = design.geometry
+        sizes = {geometry.place(name): result.values[name].value for name in geometry.extents}
+        chosen = result.values.get("H")
+        height = chosen.value if chosen is not None and chosen.model == "sized" else None
+        write_file(write, sized_text(path, document, write, sizes, height))
+    return result

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from flexcli.errors import SolveError
 from flexcli.mechanics.assembly import Assembly, finer
 from flexcli.mechanics.demand import Demand
-from flexcli.mechanics.falling import closing_and_balance, ways_to_fall
+from flexcli.mechanics.inertia_count import closing_and_balance, inertia_count
 from flexcli.mechanics.path import steps_of
 from flexcli.numerics.arc_length import Hyperplane, correct_on
 
@@ -48,13 +48,13 @@ _ALONE = np.arange(1)
 
 
 class Point(NamedTuple):
-    """An equilibrium on the plane s: λ, unknowns, ways to fall, and P (see ``Search.point``)."""
+    """An equilibrium on the plane s: λ, unknowns, inertia count, and P (see ``Search.point``)."""
 
     s: float
     parameter: float
     x: Floats
     P: Floats
-    ways: int
+    unstable: int
 
 
 class CriticalPoint(NamedTuple):
@@ -73,7 +73,7 @@ class CriticalPoint(NamedTuple):
 class Search(NamedTuple):
     """A stretch of a path: planes at the distances s from ``plane``, which is normal to it.
 
-    ``counted`` is the demand with what is let go in counting the ways to fall; ``length`` is the
+    ``counted`` is the demand with what is free in the inertia count; ``length`` is the
     longest step along the path, ``unit`` are those of blade forces and free motions in S.
     """
 
@@ -90,9 +90,9 @@ class Search(NamedTuple):
         P is S without its poles (:func:`without_poles`).
         """
         at = self.assembly.linearise(x[None], np.array([parameter]), _ALONE, self.demand)
-        ways = int(ways_to_fall(self.assembly, self.counted, at, x[None], _ALONE)[0])
+        unstable = int(inertia_count(self.assembly, self.counted, at, x[None], _ALONE)[0])
         S = closing_and_balance(self.assembly, self.counted, at)[0] * np.outer(self.unit, self.unit)
-        return Point(s, parameter, x, without_poles(S, self.assembly.blades), ways)
+        return Point(s, parameter, x, without_poles(S, self.assembly.blades), unstable)
 
     def at(self, s: float, low: Point, high: Point) -> Point:
         """Return the equilibrium on the plane s, from the straight line through two points."""
@@ -112,7 +112,7 @@ def without_poles(S: Floats, blades: int) -> Floats:
 
     Z is a unit compliance of every body and a unit stiffness of every blade added: P is singular
     where S⁻¹ is infinite, and finite before, where S⁻¹ has the signs of Z. S itself has poles,
-    where a blade with its ends let go would buckle.
+    where a blade with its ends free would buckle.
     """
     Z = np.ones(S.shape[-1])
     Z[: 3 * blades] = -1.0
@@ -132,7 +132,7 @@ def first_critical(search: Search, low: Point, high: Point) -> CriticalPoint:
     """Return the first critical point between two points of a path, stable and unstable.
 
     Where ``P v = 0``: by the linear eigenvalue problem on the straight line through P at the two
-    newest points, between sides that the number of ways to fall tells apart, and by halves where
+    newest points, between sides that the inertia count tells apart, and by halves where
     no such line crosses between them.
 
     Parameters
@@ -168,15 +168,15 @@ def first_critical(search: Search, low: Point, high: Point) -> CriticalPoint:
             older, newest, halve = newest, search.at((low.s + high.s) / 2.0, low, high), False
         elif min(s - low.s, high.s - s) <= aside:
             before, after = search.at(s - aside, low, high), search.at(s + aside, low, high)
-            if before.ways == 0 < after.ways:
+            if before.unstable == 0 < after.unstable:
                 return _between(before, after)
-            older, newest, halve = low, before if before.ways else after, True
+            older, newest, halve = low, before if before.unstable else after, True
         else:
             width = high.s - low.s
             older, newest = newest, search.at(s, low, high)
             # an end that stands still is brought nearer by halves
             halve = max(newest.s - low.s, high.s - newest.s) > 0.9 * width
-        low, high = (low, newest) if newest.ways else (newest, high)
+        low, high = (low, newest) if newest.unstable else (newest, high)
     raise lost_path()
 
 
@@ -190,7 +190,7 @@ def on_finer(search: Search, fine: Search, found: CriticalPoint) -> CriticalPoin
     while reach * aside < search.length:
         middle = (found.before.s + found.after.s) / 2.0
         low, high = (fine.at(middle + side * reach * aside, *sides) for side in (-1.0, 1.0))
-        if low.ways == 0 < high.ways:
+        if low.unstable == 0 < high.unstable:
             return _between(low, high) if reach == 1.0 else first_critical(fine, low, high)
         reach *= 30.0
     raise lost_path()

@@ -1,7 +1,7 @@
-"""What is asked of a mechanism: motions held and forces applied, on the way from one to another.
+"""Demand on a mechanism: motions held and forces applied, on the way from one to another.
 
 Everything is scaled by a length and a force of each design. A share of the way λ in [0, 1] blends
-the demand of the start (rest, or an earlier equilibrium with its reactions) into the one asked.
+the demand of the start (rest, or an earlier equilibrium with its reactions) into that prescribed.
 """
 
 from collections.abc import Mapping, Sequence

@@ -98,7 +98,7 @@ def element(
     # a turn of the start turns the force in its frame by −iν
     p = np.zeros(force.shape)
     p[..., 0], p[..., 1] = nu.imag, -nu.real
-    give = (F @ p[..., None])[..., 0]
+    deflection = (F @ p[..., None])[..., 0]
     pull, moment = at.scale * nu, np.conj(lever) * nu
     far = np.conj(a_j) * nu
     gap = at.scale * (_complex(pose_j) - _complex(pose_i)) + a_j_moved - along_moved - bent
@@ -114,13 +114,13 @@ def element(
     H[..., :3, :3] = -F
     H[..., 0, 6] = H[..., 1, 7] = at.scale
     H[..., 0, 3] = H[..., 1, 4] = -at.scale
-    H[..., :3, 5] = -give
+    H[..., :3, 5] = -deflection
     H[..., 0, 5] += lever.imag
     H[..., 1, 5] -= lever.real
     H[..., 2, 5] -= 1.0
     H[..., 0, 8], H[..., 1, 8], H[..., 2, 8] = -a_j.imag, a_j.real, 1.0
     H[..., 3:, :3] = np.swapaxes(H[..., :3, 3:], -1, -2)
-    H[..., 5, 5] = moment.real - np.sum(give * p, axis=-1)
+    H[..., 5, 5] = moment.real - np.sum(deflection * p, axis=-1)
     H[..., 8, 8] = -far.real
     return gradient, H
 

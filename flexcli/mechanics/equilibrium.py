@@ -19,12 +19,12 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.asked import demand_of, designs_of
 from flexcli.mechanics.assembly import Assembly, assemble, at_nodes, finer
 from flexcli.mechanics.demand import Demand, Held
-from flexcli.mechanics.falling import ways_to_fall
+from flexcli.mechanics.inertia_count import inertia_count
 from flexcli.mechanics.layout import Layout, Load, Number
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.prescribed_motion import demand_of, designs_of
 from flexcli.mechanics.state import Equilibrium, Outcome, Part
 from flexcli.numerics.continuation import TRUST, March, march
 from flexcli.numerics.newton import NewtonEnd, NewtonResult, newton
@@ -174,7 +174,9 @@ def _march(assembly: Assembly, demand: Demand, x: Floats, scale: Floats, toleran
         return assembly.step(at, share, rows, demand)
 
     def kind(at: Floats, share: Floats, rows: Integers) -> Integers:
-        return ways_to_fall(assembly, demand, assembly.linearise(at, share, rows, demand), at, rows)
+        return inertia_count(
+            assembly, demand, assembly.linearise(at, share, rows, demand), at, rows
+        )
 
     return march(correct, step, assembly.length_of, kind, x)
 

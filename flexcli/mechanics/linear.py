@@ -6,11 +6,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.asked import demand_of, designs_of
 from flexcli.mechanics.assembly import Assembly, assemble
 from flexcli.mechanics.demand import Demand, Held
 from flexcli.mechanics.layout import Layout, Load, Number
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.prescribed_motion import demand_of, designs_of
 from flexcli.mechanics.si import blade_forces, body_forces, body_motions
 
 __all__ = ["NODES", "LinearSolution", "linear", "straight_state"]

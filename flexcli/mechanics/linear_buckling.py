@@ -10,14 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.asked import demand_of
 from flexcli.mechanics.assembly import Assembly, assemble
 from flexcli.mechanics.critical_point import Point, crossing, mode_of, without_poles
 from flexcli.mechanics.demand import Demand, Held
-from flexcli.mechanics.falling import closing_and_balance, row_units, ways_to_fall
+from flexcli.mechanics.inertia_count import closing_and_balance, inertia_count, row_units
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.linear import straight_state
 from flexcli.mechanics.mesh import Effects, meshes
+from flexcli.mechanics.prescribed_motion import demand_of
 
 __all__ = ["LinearCritical", "linear_critical"]
 
@@ -56,7 +56,7 @@ class LinearCritical:
     where blades are thinnest. ``bends`` is the largest motion across a blade of one end against
     the other, over its length and ``strain``, ``turns`` the largest rotation of a body over
     ``strain``: both zero where the load leaves the blades straight. ``mode`` is the motion of each
-    body (x [m], y [m], φ [rad]) in the way it falls, zero when only blades buckle between bodies.
+    body (x [m], y [m], φ [rad]) in its unstable direction, zero when blades alone buckle.
     """
 
     factor: float
@@ -81,11 +81,12 @@ class _Straight(NamedTuple):
         """Return the states at factors as points of a path, whose place is the factor."""
         rows, x = np.arange(factors.size), factors[:, None] * self.state
         at = self.assembly.linearise(x, factors, rows, self.demand)
-        ways = ways_to_fall(self.assembly, self.demand, at, x, rows)
+        unstable = inertia_count(self.assembly, self.demand, at, x, rows)
         S = closing_and_balance(self.assembly, self.demand, at) * np.outer(self.unit, self.unit)
         P = without_poles(S, self.assembly.blades)
         return [
-            Point(float(f), float(f), *rest) for f, *rest in zip(factors, x, P, ways, strict=True)
+            Point(float(f), float(f), *rest)
+            for f, *rest in zip(factors, x, P, unstable, strict=True)
         ]
 
 
@@ -222,21 +223,21 @@ def _carried(assembly: Assembly, tensions: Floats, motions: Floats) -> tuple[Flo
 
 
 def _bracket(path: _Straight, most: float, one: float) -> tuple[Point, Point] | None:
-    """Return two points a few per cent apart, one at which it stands and one at which it falls.
+    """Return two points a few per cent apart, one at which it is stable and one at which it is not.
 
     ``one`` is the factor at which the most loaded blade bears EI/l².
     """
     top = min(most, _AT_FIRST * one)
     points = path.points(np.array([top * 0.5**i for i in reversed(range(_HALVINGS))]))
-    if points[0].ways > 0:
+    if points[0].unstable > 0:
         low = points[0].s
         points = [*path.points(np.array([low * 0.5**i for i in range(_FAR, 0, -1)])), *points]
-    elif points[-1].ways == 0 and top < most:
+    elif points[-1].unstable == 0 and top < most:
         larger = most / top
         points = path.points(np.array([top * larger ** (i / _FAR) for i in range(_FAR + 1)]))
-    if points[-1].ways == 0:
+    if points[-1].unstable == 0:
         return None
-    if points[0].ways > 0:
+    if points[0].unstable > 0:
         raise SolveError(
             "unstable-start",
             "the mechanism is unstable without its load",
@@ -249,7 +250,7 @@ def _bracket(path: _Straight, most: float, one: float) -> tuple[Point, Point] | 
 
 
 def _first_fall(points: list[Point]) -> tuple[Point, Point]:
-    return next((a, b) for a, b in pairwise(points) if a.ways == 0 < b.ways)
+    return next((a, b) for a, b in pairwise(points) if a.unstable == 0 < b.unstable)
 
 
 def _refined(path: _Straight, low: Point, high: Point) -> tuple[float, Floats]:
@@ -267,5 +268,5 @@ def _refined(path: _Straight, low: Point, high: Point) -> tuple[float, Floats]:
             return last, vectors[:, int(np.argmin(sizes))].real
         last, (point,) = s, path.points(np.array([s]))
         older, newest = newest, point
-        low, high = (low, point) if point.ways else (point, high)
+        low, high = (low, point) if point.unstable else (point, high)
     raise SolveError("inaccurate", "the critical load of straight blades does not settle", "")

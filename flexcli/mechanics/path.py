@@ -6,13 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.asked import demand_of
 from flexcli.mechanics.assembly import Assembly, assemble, at_nodes, finer
 from flexcli.mechanics.demand import Demand, Held
 from flexcli.mechanics.equilibrium import LEVELS, difference, solve
-from flexcli.mechanics.falling import ways_of_one
+from flexcli.mechanics.inertia_count import inertia_count_of_one
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.prescribed_motion import demand_of
 from flexcli.mechanics.state import Equilibrium, Outcome, Part
 from flexcli.numerics.arc_length import Steps, correct_on, follow
 
@@ -132,7 +132,7 @@ def trace(
         stride=_FIRST,
         longest=_LONGEST,
         goal=far_enough,
-        kind=lambda x, share: ways_of_one(coarse, demand, x, share),
+        kind=lambda x, share: inertia_count_of_one(coarse, demand, x, share),
         tolerance=_TOLERANCE,
         most=most,
     )

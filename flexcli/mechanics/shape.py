@@ -5,10 +5,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.along import along, flexible_pieces
 from flexcli.mechanics.element import turned
 from flexcli.mechanics.mesh import SHEAR_FACTOR, Segment, column, pick
 from flexcli.mechanics.points import point_motion
+from flexcli.mechanics.section_forces import flexible_pieces, section_forces
 from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.collocation import gauss_nodes, integration_to
 
@@ -111,7 +111,7 @@ def _piece(state: Equilibrium, part: Part, blade: int, segment: Segment, u: Floa
     x_u, y_u = _rates(state, part, blade, segment, nodes)
     to = integration_to(_NODES, u)
     x, y = (np.sum(to * rate[:, None, :], axis=-1) for rate in (x_u, y_u))
-    section = along(state, part, blade, segment, u)
+    section = section_forces(state, part, blade, segment, u)
     bends, pulls = (pick(column(k), part.rows)[:, None] for k in state.layout.blades[blade].peak)
     bending = bends * 6.0 * section.M / (section.b * section.h**2)
     stress = np.abs(bending) + np.abs(pulls * section.N / (section.b * section.h))
@@ -122,7 +122,7 @@ def _rates(
     state: Equilibrium, part: Part, blade: int, segment: Segment, u: Floats
 ) -> tuple[Floats, Floats]:
     """Return dx/du and dy/du of the bent axis [m]."""
-    section, layout = along(state, part, blade, segment, u), state.layout
+    section, layout = section_forces(state, part, blade, segment, u), state.layout
     area = section.b * section.h
     epsilon, gamma = np.zeros(u.shape), np.zeros(u.shape)
     if state.effects.extension:

@@ -1,4 +1,4 @@
-"""Stability of an equilibrium: how many ways there are to fall, the critical load and its mode."""
+"""Stability of an equilibrium: unstable directions, the critical load and its mode."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.asked import demand_of
 from flexcli.mechanics.assembly import Assembly, at_nodes, finer
 from flexcli.mechanics.critical_point import (
     CriticalPoint,
@@ -21,14 +20,20 @@ from flexcli.mechanics.critical_point import (
 )
 from flexcli.mechanics.demand import Demand, Held, held_of
 from flexcli.mechanics.equilibrium import LEVELS, solve
-from flexcli.mechanics.falling import closing_and_balance, row_units, ways_of_one, ways_to_fall
+from flexcli.mechanics.inertia_count import (
+    closing_and_balance,
+    inertia_count,
+    inertia_count_of_one,
+    row_units,
+)
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.path import arc_weight, state_of, steps_of
+from flexcli.mechanics.prescribed_motion import demand_of
 from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.arc_length import CLOSE, follow
 
-__all__ = ["Critical", "critical_load", "is_stable", "ways_let_go"]
+__all__ = ["Critical", "critical_load", "inertia_count_held", "is_stable"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -64,7 +69,7 @@ _LEVEL = 1e-4
 class Critical:
     """The critical factor of a load pattern, the state just below it, how many modes meet there.
 
-    ``mode`` is the motion (x [m], y [m], φ [rad]) of each body in the direction of falling, with
+    ``mode`` is the motion (x [m], y [m], φ [rad]) of each body in the unstable direction, with
     a largest entry (lengths in mean blade lengths) of one, zero when only blades buckle between
     bodies that stand still. ``turns`` tells a limit point, where the load has its maximum and the
     mechanism snaps, from a branching point, past which it buckles away from its path.
@@ -84,8 +89,8 @@ def is_stable(state: Equilibrium) -> NDArray[np.bool_]:
     return np.asarray(state.unstable == 0)
 
 
-def ways_let_go(state: Equilibrium, held: Held) -> Integers:
-    """Return in how many ways designs would fall with nothing but ``held`` held (designs,).
+def inertia_count_held(state: Equilibrium, held: Held) -> Integers:
+    """Return in how many directions designs are unstable, only ``held`` held (designs,).
 
     What else holds them in the state is taken for an effort that keeps its size.
     """
@@ -93,8 +98,8 @@ def ways_let_go(state: Equilibrium, held: Held) -> Integers:
     for part, at in zip(state.parts, state.linearised, strict=True):
         index, free, _ = held_of(state.layout, held, part.assembly.length)
         counted = part.demand._replace(held=index, free=free)
-        ways = ways_to_fall(part.assembly, counted, at, part.x, part.rows)
-        values.append(ways.astype(np.float64))
+        unstable = inertia_count(part.assembly, counted, at, part.x, part.rows)
+        values.append(unstable.astype(np.float64))
     return np.rint(state.scatter(values)).astype(np.intp)
 
 
@@ -116,7 +121,7 @@ def critical_load(
     The path runs from the equilibrium under the layout's own loads and what is held, by arc length,
     to where a first direction gets unstable. What ``held`` holds decides which load this is: a body
     locked, free to turn, or free in the plane are three different numbers. What ``driven`` holds
-    besides stays where it is along the path, by an effort that keeps its size when the body falls.
+    besides stays where it is along the path, by an effort that keeps its size.
 
     Parameters
     ----------
@@ -131,7 +136,7 @@ def critical_load(
     careful : bool
         Whether a path that is lost in strides is walked again in small steps.
     driven : mapping, optional
-        Motions at which an effort keeps the mechanism while the loads grow, free to fall.
+        Motions at which an effort keeps the mechanism while the loads grow, free to buckle.
     start : Equilibrium, optional
         Where the path begins, as in :func:`flexcli.mechanics.equilibrium.solve`.
     effects, tolerance, levels
@@ -145,7 +150,7 @@ def critical_load(
     Raises
     ------
     SolveError
-        ``unstable-start`` when the mechanism falls without the pattern, ``no-critical-load``
+        ``unstable-start`` when the mechanism is unstable without the pattern, ``no-critical-load``
         when nothing is critical up to ``most``, ``lost-path`` when the path ends before,
         ``inaccurate`` when the finest nodes leave the factor unsure; what ``solve`` says of the
         equilibrium without the pattern.
@@ -163,7 +168,7 @@ def critical_load(
     ).checked()
     coarse = rest.parts[0].assembly
     index, free, _ = held_of(layout, held, coarse.length)
-    if ways_let_go(rest, held)[0]:
+    if inertia_count_held(rest, held)[0]:
         raise SolveError(
             "unstable-start",
             "the mechanism is unstable before the load pattern acts",
@@ -230,9 +235,9 @@ def _stretch(
     demand, counted = demands
     known: list[tuple[Floats, int]] = []
 
-    def ways(x: Floats, parameter: float) -> int:
+    def unstable(x: Floats, parameter: float) -> int:
         if not (known and known[-1][0] is x):
-            known.append((x, ways_of_one(assembly, counted, x, parameter)))
+            known.append((x, inertia_count_of_one(assembly, counted, x, parameter)))
         return known[-1][1]
 
     points = follow(
@@ -241,17 +246,17 @@ def _stretch(
         arc_weight(assembly),
         stride=gait.first,
         longest=gait.longest,
-        goal=lambda x, parameter: parameter >= 1.0 or ways(x, parameter) > 0,
-        kind=ways,
+        goal=lambda x, parameter: parameter >= 1.0 or unstable(x, parameter) > 0,
+        kind=unstable,
         tolerance=_CORRECTION,
         most=_MOST,
         close=gait.close,
     )
     last = points[-1]
-    fell = ways(last.x, last.parameter) > 0
-    if not fell and last.parameter >= 1.0:
+    lost = unstable(last.x, last.parameter) > 0
+    if not lost and last.parameter >= 1.0:
         raise _none_up_to(most)
-    if not fell:
+    if not lost:
         raise lost_path()
     before = points[-2]
     s = float(before.tangent @ (before.weight * (last.x - before.x)))
@@ -275,7 +280,7 @@ def _critical(search: Search, found: CriticalPoint, error: float, most: float) -
     return Critical(
         factor=found.parameter * most,
         state=state_of(layout, effects, part, error, 0),
-        multiplicity=found.after.ways,
+        multiplicity=found.after.unstable,
         mode=mode_of(assembly, search.counted, found.null * search.unit),
         turns=bool(abs(found.slope) < _LEVEL * search.plane.slope),
         estimated_error=error,

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from flexcli.errors import SolveError
 from flexcli.mechanics.assembly import Assembly, Linearised
 from flexcli.mechanics.demand import Demand
-from flexcli.mechanics.falling import ways_to_fall
+from flexcli.mechanics.inertia_count import inertia_count
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.si import blade_forces, body_forces, body_motions
@@ -127,12 +127,12 @@ class Equilibrium:
 
     @cached_property
     def unstable(self) -> Integers:
-        """Return in how many independent ways each design would fall if let go (designs,).
+        """Return in how many directions each design is unstable (designs,).
 
         Zero where the equilibrium is stable, its held coordinates held.
         """
         values = [
-            ways_to_fall(part.assembly, part.demand, at, part.x, part.rows).astype(np.float64)
+            inertia_count(part.assembly, part.demand, at, part.x, part.rows).astype(np.float64)
             for part, at in zip(self.parts, self.linearised, strict=True)
         ]
         return np.rint(self.scatter(values)).astype(np.intp)

@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.along import along, flexible_pieces
 from flexcli.mechanics.mesh import Segment, column, pick
+from flexcli.mechanics.section_forces import flexible_pieces, section_forces
 from flexcli.mechanics.state import Equilibrium, Part
 
 __all__ = ["BladeStress", "Peak", "blade_stress", "greatest_stress"]
@@ -115,7 +115,7 @@ def greatest_stress(state: Equilibrium) -> Peak:
 
 def _stress(state: Equilibrium, part: Part, blade: int, segment: Segment, u: Floats) -> Floats:
     """Return place, bending stress and axial stress (designs, 3, points)."""
-    at = along(state, part, blade, segment, u)
+    at = section_forces(state, part, blade, segment, u)
     bends, pulls = (pick(column(k), part.rows)[:, None] for k in state.layout.blades[blade].peak)
     bending = bends * 6.0 * at.M / (at.b * at.h**2)
     return np.stack([at.s, bending, pulls * at.N / (at.b * at.h)], axis=1)

@@ -56,8 +56,11 @@ class Breakpoint(Part):
     """One corner of a profile; ``step`` says that the level jumps here from the point before."""
 
     frequency: Frequency
+    """Frequency of the corner, e.g. ``20 Hz``."""
     level: AccelerationDensity
+    """Acceleration spectral density at the corner, e.g. ``0.02 g^2/Hz``."""
     step: bool = False
+    """Whether the level jumps here: the point before has the same frequency, e.g. ``true``."""
 
     @field_validator("step", mode="before")
     @classmethod
@@ -71,15 +74,20 @@ class Start(Part):
     """The lower end of a profile given by segments; its level may follow from a plateau's."""
 
     frequency: Frequency
+    """Lowest frequency of the profile, e.g. ``20 Hz``."""
     level: AccelerationDensity | None = None
+    """Level there; left out, it follows from the plateau of a segment, e.g. ``0.02 g^2/Hz``."""
 
 
 class Segment(Part):
     """A straight line on log-log axes: a slope in dB per octave, or a plateau by its level."""
 
     to: Frequency
+    """Frequency where the segment ends, e.g. ``to: 50 Hz, slope: 6 dB/oct``."""
     slope: Slope | None = None
+    """Slope of the level; a plateau has a level instead, e.g. ``slope: 6 dB/oct, to: 50 Hz``."""
     level: AccelerationDensity | None = None
+    """Level of a plateau; a slope has none, e.g. ``level: 0.16 g^2/Hz, to: 800 Hz``."""
 
     @model_validator(mode="after")
     def _slope_or_plateau(self) -> "Segment":
@@ -95,7 +103,9 @@ class Tolerance(Part):
     """How far the level of a test may be off, by its standard."""
 
     above: Margin
+    """How far above the profile a test may be, e.g. ``3 dB``."""
     below: Margin
+    """How far below the profile a test may be, e.g. ``1.5 dB``."""
 
 
 class MassScaling(Part):
@@ -105,7 +115,9 @@ class MassScaling(Part):
     """
 
     reference: ItemMass
+    """Mass of an item up to which the level is the full one, e.g. ``22.7 kg``."""
     uniform_to: ItemMass
+    """Mass up to which the whole level falls with it; beyond, the shape changes, e.g. ``59 kg``."""
 
     @model_validator(mode="after")
     def _in_order(self) -> "MassScaling":
@@ -126,20 +138,45 @@ class ASDProfile(Part):
     """An acceleration spectral density: its breakpoints, or where it starts and its segments."""
 
     name: str = ""
+    """Name of the profile as reports print it, e.g. ``GEVS qualification``."""
     standard: str = ""
+    """Document that the profile is from, e.g. ``GSFC-STD-7000``."""
     revision: str = ""
+    """Revision of the document, e.g. ``B``."""
     location: str = ""
+    """Page or table in the document, e.g. ``table 2.4-3``."""
     status: Literal["verified", "unverified", "reconstructed", "given"] = "given"
+    """How far the numbers were checked against the document, e.g. ``verified``."""
     note: str = ""
+    """Anything a reader should know of the numbers, e.g. ``read off a chart``."""
     points: tuple[Breakpoint, ...] | None = Field(None, json_schema_extra={"minItems": 2})
+    """Corners of the profile by rising frequency; or give start and segments,
+    e.g. ``[{frequency: 20 Hz, level: 0.02 g^2/Hz}, {frequency: 2 kHz, level: 0.02 g^2/Hz}]``.
+    """
     start: Start | None = None
+    """Lower end of a profile that is given by segments,
+    e.g. ``start: {frequency: 20 Hz, level: 0.02 g^2/Hz}, segments: [{to: 2 kHz, slope: 0
+    dB/oct}]``.
+    """
     segments: tuple[Segment, ...] | None = Field(None, json_schema_extra={"minItems": 1})
+    """Straight lines from the start, each a slope or a plateau,
+    e.g. ``segments: [{to: 50 Hz, slope: 6 dB/oct}, {to: 800 Hz, level: 0.16 g^2/Hz}], start:
+    {frequency: 20 Hz}``.
+    """
     interpolation: Literal["log-log", "linear"] = "log-log"
+    """Axes on which the profile is straight between its corners, e.g. ``log-log``."""
     duration: Duration | None = None
+    """Time that the vibration lasts, e.g. ``2 min``."""
     axis: str = ""
+    """Axes of the standard that the profile is for, in its own words, e.g. ``all``."""
     tolerance: Tolerance | None = None
+    """How far the level of a test may be off, by the standard,
+    e.g. ``{above: 3 dB, below: 1.5 dB}``.
+    """
     published_grms: Acceleration | None = None
+    """Root mean square that the document prints, to check the numbers by, e.g. ``14.1 g``."""
     mass_scaling: MassScaling | None = None
+    """How the level falls for heavier items, e.g. ``{reference: 22.7 kg, uniform_to: 182 kg}``."""
 
     @model_validator(mode="after")
     def _is_one_profile(self) -> "ASDProfile":
@@ -298,13 +335,25 @@ class RandomVibration(Part):
     """
 
     profile: ASDProfile
+    """The profile: inline, the name of a shipped one, or a path, e.g. ``gevs-qualification``."""
     q: Annotated[float, QuantityOf("ratio", at_least=0.5)]
+    """Quality factor Q of the response, e.g. ``100``."""
     sigma: Ratio = 3.0
+    """Peak that is designed for, in root mean squares, e.g. ``3``."""
     scale: Gain = 0.0
+    """Raises the whole level, e.g. ``-3 dB``."""
     tolerance: Margin = 0.0
+    """Raises the level to the upper edge of the test's tolerance, e.g. ``3 dB``."""
     mass: ItemMass | None = None
+    """Mass of the item, where the profile scales with it,
+    e.g. ``mass: 45 kg, profile: gevs-qualification, q: 100``.
+    """
     duration: Duration | None = None
+    """Time it lasts, in place of the profile's, e.g. ``60 s``."""
     axis: Literal["x", "y", "x and y"] = "x"
+    """Axes along which the base is shaken; x is that of the stroke, or of a pivot's symmetry,
+    e.g. ``x and y``.
+    """
 
     @model_validator(mode="before")
     @classmethod

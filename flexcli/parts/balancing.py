@@ -24,10 +24,14 @@ DECADES = (1.0, 10.0, 100.0, 1000.0)
 class Tolerances(Part):
     """How far the numbers of the built stage may be off, ±, each on its own."""
 
-    mass: MassTolerance = Field(0.0, description="of every body")
-    com: LengthTolerance = Field(0.0, description="of the centres of mass of solids 1 and 3")
-    arm: LengthTolerance = Field(0.0, description="of the balancing masses")
-    height: LengthTolerance = Field(0.0, description="of the levers")
+    mass: MassTolerance = 0.0
+    """Tolerance of the mass of every body, ±, e.g. ``50 mg``."""
+    com: LengthTolerance = 0.0
+    """Tolerance of the centres of mass of solids 1 and 3, ±, e.g. ``50 um``."""
+    arm: LengthTolerance = 0.0
+    """Tolerance of the arms of the balancing masses, ±, e.g. ``50 um``."""
+    height: LengthTolerance = 0.0
+    """Tolerance of the height of the levers, ±, e.g. ``10 um``."""
 
     @property
     def any(self) -> bool:
@@ -70,10 +74,20 @@ class Frequencies(Part):
         cls, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
         one = QuantityOf("frequency", above=0.0).json_schema()
-        points = {"type": "integer", "minimum": 2, "maximum": MOST_POINTS}
+        points = {
+            "type": "integer",
+            "minimum": 2,
+            "maximum": MOST_POINTS,
+            "description": "Number of frequencies, in equal ratios",
+            "examples": [100],
+        }
         sweep = {
             "type": "object",
-            "properties": {"from": one, "to": one, "points": points},
+            "properties": {
+                "from": {"allOf": [one], "description": "Lowest frequency"},
+                "to": {"allOf": [one], "description": "Highest frequency"},
+                "points": points,
+            },
             "required": ["from", "to"],
             "additionalProperties": False,
         }
@@ -89,14 +103,18 @@ class Frequencies(Part):
 class BalanceOptions(Part):
     """The section ``balance``: what is reported of the mechanism on its shaking base."""
 
-    frequencies: Frequencies | None = Field(
-        None, description="where the transfer function is asked"
-    )
+    frequencies: Frequencies | None = None
+    """Where the transfer function is printed: a list, or a sweep,
+    e.g. ``{from: 1 Hz, to: 1 kHz, points: 50}``.
+    """
     tolerances: Tolerances = Tolerances.model_construct()
-    asd: RandomVibration | None = Field(
-        None, description="vibration of the base while the mechanism is free to move"
-    )
+    """How far the built stage may be off, e.g. ``{mass: 50 mg, arm: 50 um}``."""
+    asd: RandomVibration | None = None
+    """Vibration of the base while the mechanism is free to move,
+    e.g. ``{profile: gevs-qualification, q: 100}``.
+    """
     gravity: Acceleration = STANDARD_GRAVITY
+    """Gravity that the orientation of the stage turns about, e.g. ``9.81 m/s^2``."""
 
     def asked(self) -> tuple[float, ...]:
         """Return the frequencies of the transfer function [Hz]."""

@@ -143,7 +143,9 @@ class QuantityOf:
             "maximum": LARGEST,
         }
         number = {"type": "number"} | {key: x for key, x in ends.items() if x is not None}
-        return {**title, "anyOf": [number, text]}
+        inside = 0.5 * (self.below or self.above or 0.0)
+        shown = float(expected.example) if self.below is None else inside
+        return {**title, "anyOf": [number, text], "examples": [shown]}
 
     @property
     def _sign(self) -> str:

@@ -25,7 +25,6 @@ from flexcli.parts.requirements import (
     Requirement,
     RequirementError,
     Requirements,
-    are_at_rest,
 )
 from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.scene import Scene, scene_of
@@ -33,12 +32,11 @@ from flexcli.parts.sizing import QUANTITIES, Correction, SizeOptions
 from flexcli.parts.stops import Stops, StopsMisfit
 from flexcli.results import EXACT
 
-__all__ = ["DesignSpec", "ModelName", "Problem"]
+__all__ = ["DesignSpec", "Problem"]
 
 CASE_KEYS = tuple(Case.model_fields)
 EffectName: TypeAlias = Literal[tuple(effect.key for effect in EFFECTS)]  # type: ignore[valid-type]
 Wish: TypeAlias = Literal["auto", "on", "off"]
-ModelName: TypeAlias = Literal["source", "closed-form", "linear", "exact"]
 
 
 class Problem(NamedTuple):
@@ -53,24 +51,49 @@ class DesignSpec(Part):
     """The design file."""
 
     flexure: Literal[1]
+    """Version of the format, e.g. ``1``."""
     title: str = ""
+    """Title that reports print, e.g. ``Focus stage, take-off``."""
     material: Material
+    """Material of what flexes: inline, the name of a shipped one, or a path, e.g. ``ti-6al-4v``."""
     geometry: AnyGeometry
+    """The joint or stage and its sizes, given or free: inline, the name of a shipped one, or a
+    path,
+    e.g. ``{kind: rcc, p: 2 mm, half_angle: 45 deg, h: free, l: free, b: 10 mm}``.
+    """
     mechanism: AnyMechanism | None = None
-    cases: dict[str, Case] = Field(
-        min_length=1, description="what it lives through; a single case may stand at the top level"
-    )
+    """Bodies that the joints carry, e.g. ``{kind: payload, mass: 20 g, inertia: 5e-6 kg*m^2}``."""
+    cases: dict[str, Case] = Field(min_length=1)
+    """What the flexure lives through, by names of your own; a single case may stand at the top
+    level,
+    e.g. ``{operation: {stroke: {rotation: 1 deg, cycles: 1e6}}}``.
+    """
     requirements: Requirements
+    """What is asked of the design; nothing is implied, e.g. ``{fatigue: 2.5, yield: 1.5}``."""
     size: SizeOptions = SizeOptions.model_construct()
+    """How 'flexure size' chooses the free sizes,
+    e.g. ``{objective: balanced, round: {h: 1 um, l: 0.5 mm}}``.
+    """
     balance: BalanceOptions = BalanceOptions.model_construct()
+    """What 'flexure balance' reports of the mechanism,
+    e.g. ``{frequencies: [1 Hz, 10 Hz, 100 Hz]}``.
+    """
     stops: Stops | None = None
-    accuracy: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] | None = Field(
-        None, description="of every reported number; effects are on where it needs them"
-    )
-    effects: dict[EffectName, Wish] = Field({}, description="auto where left out")
-    model: ModelName | None = Field(
-        None, description="that judges all checks; each by the cheapest that decides, if left out"
-    )
+    """End stops along a blade with a tip mass,
+    e.g. ``{height: 10 mm, gap: 0.2 mm, bending: 1.5}``.
+    """
+    accuracy: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] | None = None
+    """Error that every reported number may have; effects are on where it needs them,
+    e.g. ``1 %``.
+    """
+    effects: dict[EffectName, Wish] = Field({})
+    """Effects that are asked for or left out; auto where nothing is said,
+    e.g. ``{shear: on, gravity: off}``.
+    """
+    model: Literal["source", "closed-form", "linear", "exact"] | None = None
+    """Model that judges all checks; left out, each is judged by the cheapest that decides,
+    e.g. ``exact``.
+    """
 
     _corrections: Mapping[str, Correction] = PrivateAttr(default_factory=dict)
     _ease: float = PrivateAttr(1.0)
@@ -78,13 +101,11 @@ class DesignSpec(Part):
     @model_validator(mode="before")
     @classmethod
     def _single_case(cls, data: Any) -> Any:
-        """Take a single case from the top level; what is asked of a design at rest needs none."""
-        if not isinstance(data, dict) or "cases" in data:
+        """Take a single case from the top level."""
+        if not isinstance(data, dict):
             return data
         loose = [key for key in data if key in CASE_KEYS]
-        if not loose and are_at_rest(data.get("requirements")):
-            return {**data, "cases": {"design": Case.at_rest()}}
-        if not loose:
+        if not loose or "cases" in data:
             return data
         rest = {key: value for key, value in data.items() if key not in CASE_KEYS}
         return {**rest, "cases": {"design": {key: data[key] for key in loose}}}

@@ -23,7 +23,9 @@ class Sine(Part):
     """A sine of the base's acceleration along x, its amplitude and frequency."""
 
     acceleration: Amplitude
+    """Amplitude of the acceleration, e.g. ``2 g``."""
     frequency: Frequency
+    """Frequency of the sine, e.g. ``60 Hz``."""
 
 
 class SweepRate(NamedTuple):
@@ -56,11 +58,15 @@ class Sweep(Part):
     """A sine of constant acceleration whose frequency goes from one value to another."""
 
     start: Frequency = Field(alias="from")
+    """Frequency where the sweep starts, e.g. ``5 Hz``."""
     end: Frequency = Field(alias="to")
-    rate: Annotated[SweepRate, BeforeValidator(_rate)] = Field(
-        description="in Hz/s, or oct/min for equal ratios in equal times"
-    )
+    """Frequency where the sweep ends, e.g. ``100 Hz``."""
+    rate: Annotated[SweepRate, BeforeValidator(_rate)]
+    """How fast the frequency goes: in Hz/s, or oct/min for equal ratios in equal times,
+    e.g. ``2 oct/min``.
+    """
     acceleration: Amplitude
+    """Amplitude of the acceleration, e.g. ``1 g``."""
 
     @model_validator(mode="after")
     def _goes_somewhere(self) -> "Sweep":

@@ -9,7 +9,7 @@ import re
 import sys
 from collections.abc import Iterator, Mapping
 from functools import cache
-from inspect import cleandoc, getsource
+from inspect import getsource
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -36,7 +36,7 @@ def note(model: type[BaseModel], field: str) -> Note:
         if text is not None:
             found = _EXAMPLE.search(text)
             plain = _EXAMPLE.sub("", text).replace("``", "'")
-            return Note(" ".join(plain.split()), found["example"] if found else "")
+            return Note(plain.removesuffix("."), found["example"] if found else "")
     return Note("", "")
 
 
@@ -67,4 +67,4 @@ def _below(part: ast.ClassDef) -> Iterator[tuple[str, str]]:
                 ast.AnnAssign(target=ast.Name(id=name)),
                 ast.Expr(value=ast.Constant(value=str(said))),
             ):
-                yield name, cleandoc(said)
+                yield name, " ".join(said.split())

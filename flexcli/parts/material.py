@@ -3,7 +3,7 @@
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Generic, Literal, TypeVar
 
-from pydantic import Field, GetJsonSchemaHandler, model_validator
+from pydantic import GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
 from flexcli.formulas.fatigue import amplitude_at_life, fully_reversed_amplitude
@@ -43,7 +43,11 @@ class MissingProperty(ValueError):
 
 class _WithSource(Part):
     status: Status = "given"
+    """Where the number comes from; given is a plain number of your own,
+    e.g. ``status: handbook, source: MMPDS-2023 table 5.4.1``.
+    """
     source: str = ""
+    """Document and page that the number is from, e.g. ``MMPDS-2023 table 5.4.1``."""
 
     @model_validator(mode="after")
     def _name_the_source(self) -> "_WithSource":
@@ -61,14 +65,18 @@ class Sourced(_WithSource, Shorthand, Generic[Number]):
     stands_for: ClassVar[str] = "value"
 
     value: Number
+    """The number with its unit."""
 
 
 class FatigueAmplitude(_WithSource):
     """Stress amplitude (half of the range) that is borne for a number of cycles."""
 
     value: Stress
+    """Stress amplitude, half of the range, e.g. ``510 MPa``."""
     cycles: Count | None = None
+    """Number of cycles that it is borne for, e.g. ``1e7``."""
     stress_ratio: Annotated[float, QuantityOf("ratio", at_least=-1.0, below=1.0)] | None = None
+    """Least over largest stress of the test: -1 is fully reversed, e.g. ``-1``."""
 
     @model_validator(mode="before")
     @classmethod
@@ -85,16 +93,22 @@ class SNPoint(Part):
     """One point of an S-N curve: cycles to failure at a stress amplitude."""
 
     cycles: Count
+    """Cycles to failure, e.g. ``1e6``."""
     amplitude: Stress
+    """Stress amplitude, half of the range, e.g. ``500 MPa``."""
 
 
 class Basquin(Part):
     """Amplitude = coefficient (2 N)^exponent between two lives."""
 
     coefficient: Stress
+    """Stress amplitude at half a cycle, e.g. ``2000 MPa``."""
     exponent: Annotated[float, QuantityOf("ratio", above=-1.0, below=0.0)]
+    """Exponent of 2 N, negative, e.g. ``-0.1``."""
     from_cycles: Count = 1e3
+    """Life from which the line holds, e.g. ``1e3``."""
     to_cycles: Count
+    """Life up to which the line holds, e.g. ``1e7``."""
 
     @model_validator(mode="after")
     def _in_order(self) -> "Basquin":
@@ -116,8 +130,17 @@ class SNCurve(_WithSource):
     """S-N curve in amplitudes: points joined by log-log lines, or Basquin's law."""
 
     points: tuple[SNPoint, ...] = ()
+    """Points of the curve by rising cycles; or give basquin,
+    e.g. ``[{cycles: 1e4, amplitude: 700 MPa}, {cycles: 1e7, amplitude: 510 MPa}]``.
+    """
     basquin: Basquin | None = None
+    """Basquin's law, amplitude = coefficient (2 N)^exponent,
+    e.g. ``{coefficient: 2000 MPa, exponent: -0.08, to_cycles: 1e7}``.
+    """
     stress_ratio: Annotated[float, QuantityOf("ratio", at_least=-1.0, below=1.0)] | None = None
+    """Least over largest stress of the tests: -1 is fully reversed,
+    e.g. ``stress_ratio: -1, basquin: {coefficient: 2000 MPa, exponent: -0.08, to_cycles: 1e7}``.
+    """
 
     @model_validator(mode="after")
     def _one_description(self) -> "SNCurve":
@@ -152,27 +175,42 @@ class SNCurve(_WithSource):
 class Material(Part):
     """Elastic, strength and fatigue properties; what nobody gave is absent, never guessed."""
 
-    extends: str = Field(
-        "",
-        description="name or path of a material whose values hold where none are given here",
-        examples=["ti-6al-4v"],
-    )
+    extends: str = ""
+    """Name or path of a material whose values hold where none are given here,
+    e.g. ``ti-6al-4v``.
+    """
     name: str = ""
+    """Name that reports print, e.g. ``Ti-6Al-4V``."""
     condition: str = ""
+    """Heat treatment or temper, e.g. ``annealed``."""
     note: str = ""
+    """Anything a reader should know of the numbers,
+    e.g. ``sheet, across the rolling direction``.
+    """
     youngs_modulus: Sourced[Stress]
+    """Young's modulus E, e.g. ``114 GPa``."""
     poisson_ratio: Sourced[Annotated[float, QuantityOf("ratio", above=-1.0, below=0.5)]] | None = (
         None
     )
+    """Poisson's ratio, e.g. ``0.34``."""
     density: Sourced[Density] | None = None
-    tensile_strength: Sourced[Stress] | None = Field(None, description="R_m")
-    yield_strength: Sourced[Stress] | None = Field(None, description="R_p0.2")
-    admissible_stress: Sourced[Stress] | None = Field(
-        None, description="a design stress given as such by its source"
-    )
+    """Mass per volume, e.g. ``4430 kg/m^3``."""
+    tensile_strength: Sourced[Stress] | None = None
+    """Tensile strength R_m, e.g. ``950 MPa``."""
+    yield_strength: Sourced[Stress] | None = None
+    """Yield strength R_p0.2, e.g. ``880 MPa``."""
+    admissible_stress: Sourced[Stress] | None = None
+    """A design stress that its source gives as such, e.g. ``400 MPa``."""
     fatigue_amplitude: FatigueAmplitude | None = None
+    """Stress amplitude that is borne for a number of cycles,
+    e.g. ``{value: 510 MPa, cycles: 1e7}``.
+    """
     sn_amplitudes: SNCurve | None = None
+    """S-N curve in stress amplitudes,
+    e.g. ``{basquin: {coefficient: 2000 MPa, exponent: -0.08, to_cycles: 1e7}}``.
+    """
     thermal_expansion: Sourced[Expansion] | None = None
+    """Coefficient of thermal expansion, e.g. ``8.6e-6 1/K``."""
 
     @classmethod
     def __get_pydantic_json_schema__(

@@ -27,24 +27,41 @@ class HalfSine(Part):
     """A half-sine pulse of the base acceleration."""
 
     acceleration: PeakAcceleration
+    """Peak of the pulse, e.g. ``30 g``."""
     duration: Duration
+    """Time that the pulse lasts, e.g. ``11 ms``."""
 
 
 class SpectrumPoint(Part):
     """One point of a shock response spectrum; log-log lines between points."""
 
     frequency: Frequency
+    """Frequency of the point, e.g. ``100 Hz``."""
     acceleration: PeakAcceleration
+    """Peak acceleration of an oscillator of that frequency, e.g. ``50 g``."""
 
 
 class Shock(Part):
     """One shock, along one axis; Q of the response."""
 
     half_sine: HalfSine | None = Field(None, alias="half-sine")
+    """A half-sine pulse of the base; or give velocity or srs,
+    e.g. ``{acceleration: 30 g, duration: 11 ms}``.
+    """
     velocity: Annotated[float, QuantityOf("velocity", above=0.0)] | None = None
+    """A sudden change of the base's velocity, e.g. ``1 m/s``."""
     srs: tuple[SpectrumPoint, ...] = ()
+    """A shock response spectrum, two points or more,
+    e.g. ``[{frequency: 100 Hz, acceleration: 50 g}, {frequency: 2 kHz, acceleration: 1000 g}]``.
+    """
     q: Annotated[float, QuantityOf("ratio", at_least=0.5)] = 10.0
+    """Quality factor Q of the response,
+    e.g. ``q: 10, half-sine: {acceleration: 30 g, duration: 11 ms}``.
+    """
     axis: Literal["x", "y"] = "x"
+    """Axis along which the base is shocked,
+    e.g. ``axis: y, half-sine: {acceleration: 30 g, duration: 11 ms}``.
+    """
 
     @model_validator(mode="after")
     def _one_description(self) -> "Shock":

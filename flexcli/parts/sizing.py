@@ -69,7 +69,9 @@ class Minimize(Part):
     """An objective by the name of a quantity: the least of it, or the most."""
 
     minimize: str | None = None
+    """A size, or volume, mass or k_pivot, that shall be least, e.g. ``k_pivot``."""
     maximize: str | None = None
+    """A size that shall be largest, e.g. ``h``."""
 
     @model_validator(mode="after")
     def _one(self) -> "Minimize":
@@ -95,4 +97,8 @@ class SizeOptions(Part):
     """
 
     objective: Objective = "least-volume"
+    """What the free sizes are chosen for, e.g. ``{minimize: k_pivot}``."""
     rounding: dict[str, Grid] = Field({}, alias="round")
+    """Grid of each size: a step, or the sizes in stock; continuous where left out,
+    e.g. ``{h: [0.1 mm, 0.2 mm, 0.3 mm]}``.
+    """

@@ -1,1 +1,1 @@
-"""How results are shown: text and JSON, from results only."""
+"""How results are shown, in each of the formats, from results only."""

@@ -4,15 +4,13 @@ from collections.abc import Iterator
 from math import inf
 
 from rich.console import RenderableType
-from rich.table import Table
-from rich.text import Text
 
 from flexcli.report.curve import curve
-from flexcli.report.tables import table
-from flexcli.results import AccuracyResult, ModelAccuracy, QuantityAccuracy
+from flexcli.report.tables import Drawing, Line, Rows, table
+from flexcli.results import AccuracyResult, ModelAccuracy, QuantityAccuracy, Result
 from flexcli.units import show
 
-__all__ = ["accuracy_tables", "told_error"]
+__all__ = ["accuracy_tables", "section", "told_error"]
 
 DIGITS = 8
 """Of values, so that models can be told apart."""
@@ -28,13 +26,19 @@ LEAVES_OUT_IN_TIME = (
 )
 
 
+def section(result: Result) -> Iterator[RenderableType]:
+    """Yield what a result has of it."""
+    if result.accuracy is not None:
+        yield from accuracy_tables(result.accuracy)
+
+
 def accuracy_tables(found: AccuracyResult) -> Iterator[RenderableType]:
     """Yield a table for each quantity, one of the whole, the curve and what to take."""
     yield from _ladder(found, "")
-    yield Text(LEAVES_OUT, "dim")
+    yield Line((LEAVES_OUT, "dim"))
     if found.in_time is not None:
         yield from _ladder(found.in_time, " in time")
-        yield Text(LEAVES_OUT_IN_TIME, "dim")
+        yield Line((LEAVES_OUT_IN_TIME, "dim"))
 
 
 def _ladder(found: AccuracyResult, where: str) -> Iterator[RenderableType]:
@@ -46,7 +50,7 @@ def _ladder(found: AccuracyResult, where: str) -> Iterator[RenderableType]:
     if len(front) > 1:
         yield _curve(found, front)
     take = found.recommended or "no model"
-    yield Text(f"within {told_error(found.accuracy)}, all quantities{where}: {take}", "bold")
+    yield Line((f"within {told_error(found.accuracy)}, all quantities{where}: {take}", "bold"))
 
 
 def told_error(error: float, bound: float = 0.0) -> str:
@@ -62,7 +66,7 @@ def _seconds(row: ModelAccuracy) -> tuple[str, str]:
     return show(row.seconds, "s", 3), f"{show(row.least, 's', 3)} … {show(row.most, 's', 3)}"
 
 
-def _quantity(quantity: QuantityAccuracy) -> Table:
+def _quantity(quantity: QuantityAccuracy) -> Rows:
     title = f"{quantity.name}, {quantity.label} (finest known to {quantity.bound:.1e})"
     rows = table(title, "", "model", "value", "error", "time", "spread", numbers=range(2, 6))
     for reading in quantity.readings:
@@ -78,7 +82,7 @@ def _quantity(quantity: QuantityAccuracy) -> Table:
     return rows
 
 
-def _whole(found: AccuracyResult, where: str) -> Table:
+def _whole(found: AccuracyResult, where: str) -> Rows:
     bound = _bound(found)
     marked = "(• Pareto set, ← the cheapest that does)"
     title = f"All quantities{where}, median of {found.runs} runs {marked}"
@@ -97,7 +101,7 @@ def _bound(found: AccuracyResult) -> float:
     return max(quantity.bound for quantity in found.quantities)
 
 
-def _curve(found: AccuracyResult, front: list[ModelAccuracy]) -> Text:
+def _curve(found: AccuracyResult, front: list[ModelAccuracy]) -> Drawing:
     bound = _bound(found)
     drawn = curve(
         [model.seconds for model in front],
@@ -105,4 +109,4 @@ def _curve(found: AccuracyResult, front: list[ModelAccuracy]) -> Text:
         linear=False,
         units=("s", "error"),
     )
-    return Text(drawn)
+    return Drawing(drawn)

@@ -1,26 +1,44 @@
 """Results as JSON by the output contract: stable keys, SI numbers, also when a run fails."""
 
 import json
-from collections.abc import Sequence
-from math import isfinite
+from collections.abc import Callable, Mapping, Sequence
+from math import isfinite, nan
 from typing import Any
 
 from flexcli import __version__
 from flexcli.errors import Finding
 from flexcli.report.balance_json import balance_document
+from flexcli.report.formats import Page, Report
 from flexcli.report.plan_json import plan_document
 from flexcli.report.stops_json import stops_document
-from flexcli.results import Result, SizingResult, Status
+from flexcli.results import Cost, Result, SizingResult, Status
 
-__all__ = ["FORMAT", "document", "dumps", "summary"]
+__all__ = ["FORMAT", "document", "dumps", "render", "summary"]
 
 FORMAT = 1
 """Version of the output contract."""
 
 
-def dumps(content: Any) -> str:
-    """Return JSON text; numbers that JSON has not (infinity) become null, rows mappings."""
-    return json.dumps(_plain(content), indent=2, ensure_ascii=False, allow_nan=False)
+def render(report: Report, page: Page) -> str:
+    """Return one document, or that of several results."""
+    one = None if report.is_of_many else document(report.results[0])
+    return dumps(one or summary(report.command, report.results), page.encoding) + "\n"
+
+
+def dumps(content: Any, encoding: str = "utf-8") -> str:
+    """Return JSON text; numbers that JSON has not (infinity) become null, rows mappings.
+
+    What the encoding lacks, and what could steer a terminal, is escaped.
+    """
+    options: dict[str, Any] = {"indent": 2, "allow_nan": False}
+    text = json.dumps(_plain(content), ensure_ascii=False, **options)
+    try:
+        text.encode(encoding)
+    except UnicodeEncodeError:
+        return json.dumps(_plain(content), **options)
+    if text.replace("\n", "").isprintable():
+        return text
+    return json.dumps(_plain(content), **options).replace("\x7f", "\\u007f")
 
 
 def document(result: Result) -> dict[str, Any]:
@@ -60,6 +78,7 @@ def document(result: Result) -> dict[str, Any]:
                 "model": check.model,
                 "cost": check.seconds,
                 "source": check.source,
+                "place": check.place,
             }
             for check in result.checks
         ],
@@ -79,32 +98,22 @@ def document(result: Result) -> dict[str, Any]:
         "warnings": [{"code": note.code, "text": note.text} for note in result.warnings],
         "findings": [finding(found) for found in result.findings],
     }
-    if result.sizing is not None:
-        content["sizing"] = _sizing(result.sizing)
-    if result.responses:
-        content["responses"] = list(result.responses)
-    for key in ("profiles", "breakpoints", "worst_cases", "sweeps"):
-        if getattr(result, key):
-            content[key] = list(getattr(result, key))
-    if result.balance is not None:
-        content["balance"] = balance_document(result.balance)
-    if result.stops is not None:
-        content["stops"] = stops_document(result.stops)
-    if result.accuracy is not None:
-        content["accuracy"] = result.accuracy
-    if result.plan is not None:
-        content["plan"] = plan_document(result.plan)
-    if result.audit:
-        content["audit"] = list(result.audit)
-    if result.cost is not None:
-        content["cost"] = {
-            "seconds": result.cost.seconds,
-            "model": result.cost.model,
-            "estimated_error": result.cost.estimated_error,
-            "iterations": result.cost.iterations,
-            "by_model": dict(result.cost.by_model),
-        }
+    for name, section in result.sections.items():
+        content[name] = SECTIONS[name](section) if name in SECTIONS else section
+    content["cost"] = _cost(result.cost)
     return content
+
+
+def _cost(cost: Cost | None) -> dict[str, Any]:
+    """Return what an answer cost; nothing stands for what was not measured."""
+    cost = cost or Cost(nan, "", None)
+    return {
+        "seconds": cost.seconds,
+        "model": cost.model,
+        "estimated_error": cost.estimated_error,
+        "iterations": cost.iterations,
+        "by_model": dict(cost.by_model),
+    }
 
 
 def finding(found: Finding) -> dict[str, Any]:
@@ -128,6 +137,7 @@ def summary(command: str, results: Sequence[Result]) -> dict[str, Any]:
         "version": __version__,
         "status": worst.value,
         "results": [document(result) for result in results],
+        "cost": {"seconds": sum(r.cost.seconds for r in results if r.cost is not None)},
     }
 
 
@@ -144,6 +154,15 @@ def _sizing(sizing: SizingResult) -> dict[str, Any]:
         "conflict": [{"name": r.name, "factor": r.factor, "text": r.text} for r in sizing.conflict],
         "remarks": list(sizing.remarks),
     }
+
+
+SECTIONS: Mapping[str, Callable[[Any], Any]] = {
+    "sizing": _sizing,
+    "balance": balance_document,
+    "stops": stops_document,
+    "plan": plan_document,
+}
+"""Sections that the contract has otherwise than their records are."""
 
 
 def _plain(content: Any) -> Any:

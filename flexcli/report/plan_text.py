@@ -4,19 +4,25 @@ from collections.abc import Iterator, Sequence
 from math import isfinite
 
 from rich.console import RenderableType
-from rich.table import Table
-from rich.text import Text
 
-from flexcli.report.tables import table
-from flexcli.results import AuditRow, Plan
+from flexcli.report.tables import Cell, Line, Rows, table
+from flexcli.results import AuditRow, Plan, Result
 
-__all__ = ["audit_table", "plan_tables"]
+__all__ = ["audit_table", "plan_tables", "section", "share"]
+
+
+def section(result: Result) -> Iterator[RenderableType]:
+    """Yield the plan, whole where it was asked for, and its audit."""
+    if result.plan is not None:
+        yield from plan_tables(result.plan, whole=result.command == "plan")
+    if result.audit:
+        yield audit_table(result.audit)
 
 
 def plan_tables(plan: Plan, *, whole: bool) -> Iterator[RenderableType]:
     """Yield the effects with what they change of each number, and the models; or it in short."""
     if not whole:
-        yield Text(_short(plan))
+        yield Line(_short(plan), hang=2)
         return
     names = plan.reported
     effects = table(
@@ -24,7 +30,7 @@ def plan_tables(plan: Plan, *, whole: bool) -> Iterator[RenderableType]:
     )
     for row in plan.effects:
         shares = (share(row.estimates[n]) if n in row.estimates else "" for n in names)
-        mark = Text("on", "green") if row.on else Text("off", "dim")
+        mark = ("on", "green") if row.on else ("off", "dim")
         effects.add_row(row.name, mark, row.asked, *shares, row.reason)
     yield effects
     models = table("Models", "", "model", "cost", "error", "does not carry", numbers=[2, 3])
@@ -33,21 +39,21 @@ def plan_tables(plan: Plan, *, whole: bool) -> Iterator[RenderableType]:
         cells = (f"{model.cost:.3g}", share(model.error), ", ".join(model.missing))
         models.add_row(taken, model.name, *cells)
     yield models
-    yield Text(_short(plan))
+    yield Line(_short(plan), hang=2)
 
 
-def audit_table(rows: Sequence[AuditRow]) -> Table:
+def audit_table(rows: Sequence[AuditRow]) -> Rows:
     """Return what each effect truly changes beside its estimate."""
     found = table(
         "Audit", "effect", "", "number", "estimate", "true", "plan", "how", numbers=[3, 4]
     )
     for row in rows:
         true = "?" if row.true is None else f"{row.true:+z.2%}" if abs(row.true) < 10.0 else "> 10"
-        verdict = {True: Text("right", "green"), False: Text("WRONG", "bold red"), None: Text("")}
+        verdict: Cell = ""
+        if row.right is not None:
+            verdict = ("right", "green") if row.right else ("WRONG", "bold red")
         on = "on" if row.on else "off"
-        found.add_row(
-            row.effect, on, row.quantity, share(row.estimate), true, verdict[row.right], row.how
-        )
+        found.add_row(row.effect, on, row.quantity, share(row.estimate), true, verdict, row.how)
     return found
 
 

@@ -1,28 +1,32 @@
 """The response of a case's modes as tables."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import inf
 
-from rich.console import Group, RenderableType
-from rich.table import Table
-from rich.text import Text
+from rich.console import RenderableType
 
-from flexcli.report.tables import table
-from flexcli.results import CaseResponse, ModeResult, OutputResult
+from flexcli.report.tables import Line, Rows, table
+from flexcli.results import CaseResponse, ModeResult, OutputResult, Result
 from flexcli.units import show
 
-__all__ = ["response_tables"]
+__all__ = ["response_tables", "section"]
 
 PER_MODE = (("stress", "Pa"), ("force", "N"))
 """What of each mode is shown: the worst output of a kind, with its unit."""
 
 
-def response_tables(response: CaseResponse) -> RenderableType:
-    """Return modes, outputs and lives of one case."""
-    parts: list[RenderableType] = [Text(f"{response.case}: {response.kind}", "bold")]
+def section(result: Result) -> Iterator[RenderableType]:
+    """Yield the response of every case."""
+    for response in result.responses:
+        yield from response_tables(response)
+
+
+def response_tables(response: CaseResponse) -> Iterator[RenderableType]:
+    """Yield modes, outputs and lives of one case."""
+    yield Line((f"{response.case}: {response.kind}", "bold"))
     if response.modes:
-        parts.append(_modes(response.modes))
-    parts.append(_outputs(response.outputs))
+        yield _modes(response.modes)
+    yield _outputs(response.outputs)
     if response.lives:
         joints = [name.removeprefix("stress ") for name in response.lives]
         lives = table("Life", "method", *joints, numbers=range(1, 1 + len(joints)))
@@ -30,8 +34,7 @@ def response_tables(response: CaseResponse) -> RenderableType:
         for method in by_joint[0]:
             lives.add_row(method, *(show(found[method], "s", 3) for found in by_joint))
         lives.add_row("longest over shortest", *(f"{_spread(found):.2g}" for found in by_joint))
-        parts.append(lives)
-    return Group(*parts)
+        yield lives
 
 
 def _spread(lives: Mapping[str, float]) -> float:
@@ -40,7 +43,7 @@ def _spread(lives: Mapping[str, float]) -> float:
     return longest / shortest if 0.0 < shortest < inf else 1.0
 
 
-def _modes(modes: tuple[ModeResult, ...]) -> Table:
+def _modes(modes: tuple[ModeResult, ...]) -> Rows:
     rows = table("Modes", "frequency", "moves", "rms stress", "rms force", "", numbers=range(4))
     for mode in modes:
         worst = [
@@ -54,7 +57,7 @@ def _modes(modes: tuple[ModeResult, ...]) -> Table:
     return rows
 
 
-def _outputs(outputs: tuple[OutputResult, ...]) -> Table:
+def _outputs(outputs: tuple[OutputResult, ...]) -> Rows:
     if all(row.rms is None for row in outputs):
         rows = table("Responses", "output", "peak", numbers=[1])
         for row in outputs:

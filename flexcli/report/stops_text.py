@@ -3,26 +3,30 @@
 from collections.abc import Iterator
 
 from rich.console import RenderableType
-from rich.table import Table
-from rich.text import Text
 
-from flexcli.report.tables import table
-from flexcli.results import StopPlace, StopSimulation, StopsResult, StopSweep, SweepStep
+from flexcli.report.tables import Line, Rows, table
+from flexcli.results import Result, StopPlace, StopSimulation, StopsResult, StopSweep, SweepStep
 from flexcli.units import show
 
-__all__ = ["stops_tables"]
+__all__ = ["section", "stops_tables"]
 
 MOST_STEPS = 25
 """Steps of a frequency response that a terminal gets; CSV and JSON have all."""
 
 
+def section(result: Result) -> Iterator[RenderableType]:
+    """Yield what a result has of it."""
+    if result.stops is not None:
+        yield from stops_tables(result.stops)
+
+
 def stops_tables(stops: StopsResult) -> Iterator[RenderableType]:
     """Yield the stop, the operating line, and what was simulated."""
     if stops.outcome == "infeasible":
-        yield Text.assemble(("no stop does: ", "bold red"), stops.reason)
-        yield Text(f"remedy: {stops.remedy}")
+        yield Line(("no stop does: ", "bold red"), stops.reason, hang=2)
+        yield Line(f"remedy: {stops.remedy}")
     height, gap = show(stops.chosen.L_a, "m", 5), show(stops.chosen.delta_G, "m")
-    yield Text(f"{stops.chosen.name}: height {height}, gap {gap}", "bold")
+    yield Line((f"{stops.chosen.name}: height {height}, gap {gap}", "bold"))
     yield _line(stops.places)
     if stops.holds:
         yield _holds(stops)
@@ -32,7 +36,7 @@ def stops_tables(stops: StopsResult) -> Iterator[RenderableType]:
         yield from _sweep(sweep)
 
 
-def _line(places: tuple[StopPlace, ...]) -> Table:
+def _line(places: tuple[StopPlace, ...]) -> Rows:
     heads = ("stop", "height", "gap", "π5", "tip touches", "force", "bending", "shear")
     rows = table("Operating line, tip at the end of its travel", *heads, numbers=range(1, 8))
     for place in places:
@@ -49,7 +53,7 @@ def _line(places: tuple[StopPlace, ...]) -> Table:
     return rows
 
 
-def _holds(stops: StopsResult) -> Table:
+def _holds(stops: StopsResult) -> Rows:
     rows = table("Heights at which each limit holds", "limit", "heights")
     for hold in stops.holds:
         ranges = (f"{show(least, 'm')} to {show(most, 'm')}" for least, most in hold.ranges)
@@ -57,7 +61,7 @@ def _holds(stops: StopsResult) -> Table:
     return rows
 
 
-def _simulation(found: StopSimulation) -> Table:
+def _simulation(found: StopSimulation) -> Rows:
     """Return one case as a table of two columns."""
     rows = table(f"Simulated: {found.case}", "", "", numbers=[1])
     rows.add_row("excitation", f"{found.kind}, Q = {found.q:g}")
@@ -94,16 +98,16 @@ def _simulation(found: StopSimulation) -> Table:
 
 
 def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
-    yield Text(f"Frequency response with stops: {sweep.case}, {sweep.how}", "bold")
+    yield Line((f"Frequency response with stops: {sweep.case}, {sweep.how}", "bold"))
     if sweep.law:
-        yield Text(f"  stop: {sweep.law}; {show(sweep.seconds, 's', 3)}")
+        yield Line(f"  stop: {sweep.law}; {show(sweep.seconds, 's', 3)}")
     for way, band in (("up", sweep.contact_up), ("down", sweep.contact_down)):
         if band is None:
-            yield Text(f"  going {way} the blade does not touch")
+            yield Line(f"  going {way} the blade does not touch")
         else:
-            yield Text(f"  going {way} it touches from {_band(band)}")
+            yield Line(f"  going {way} it touches from {_band(band)}")
     if sweep.metastable is not None:
-        yield Text(f"  metastable: {_band(sweep.metastable)} (two motions are possible)")
+        yield Line(f"  metastable: {_band(sweep.metastable)} (two motions are possible)")
     heads = ("frequency", "tip, up", "tip, down", "force, up", "force, down")
     rows = table("", *heads, numbers=range(5))
     pairs = _by_frequency(sweep.steps)
@@ -117,9 +121,9 @@ def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
         )
     yield rows
     if not all(step.settled for step in sweep.steps):
-        yield Text("* unsettled: no periodic motion found; the range that a run shows", "dim")
+        yield Line(("* unsettled: no periodic motion found; the range that a run shows", "dim"))
     if every > 1:
-        yield Text(f"every {every}. of {len(pairs)} steps; --csv and JSON have all", "dim")
+        yield Line((f"every {every}. of {len(pairs)} steps; --csv and JSON have all", "dim"))
 
 
 def _settled(step: SweepStep) -> str:

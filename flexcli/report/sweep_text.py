@@ -1,16 +1,15 @@
 """A static sweep on screen, and as rows for a spreadsheet."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from rich.console import Group, RenderableType
-from rich.text import Text
+from rich.console import RenderableType
 
 from flexcli.report.rows_csv import rows_csv
-from flexcli.report.tables import table as new_table
-from flexcli.results import SweepPoint, SweepResult
+from flexcli.report.tables import Line, table
+from flexcli.results import Result, SweepPoint, SweepResult
 from flexcli.units import shown_unit
 
-__all__ = ["sweep_csv", "sweep_table"]
+__all__ = ["section", "sweep_csv", "sweep_table"]
 
 
 def _units(sweep: SweepResult) -> dict[str, str]:
@@ -32,8 +31,14 @@ def _units(sweep: SweepResult) -> dict[str, str]:
     }
 
 
-def sweep_table(sweep: SweepResult) -> RenderableType:
-    """Return the sweep of one case as a table."""
+def section(result: Result) -> Iterator[RenderableType]:
+    """Yield the sweep of every case."""
+    for sweep in result.sweeps:
+        yield from sweep_table(sweep)
+
+
+def sweep_table(sweep: SweepResult) -> Iterator[RenderableType]:
+    """Yield the sweep of one case as a table, and what is to be said of it."""
     units = _units(sweep)
     columns = {
         "travel": "travel",
@@ -44,22 +49,23 @@ def sweep_table(sweep: SweepResult) -> RenderableType:
         "bending": "bending",
         "total": "at faces",
     }
+    if sweep.missed:
+        yield Line((sweep.missed, "yellow"))
     if not sweep.points:
-        return Text(sweep.missed, "yellow")
+        return
     if all(point.frequency is not None for point in sweep.points):
         columns["frequency"] = "frequency"
     scales = {
         name: shown_unit(max(abs(getattr(p, name)) for p in sweep.points), units[name])
         for name in columns
     }
-    heads = [f"{title}\n[{scales[name][0]}]" for name, title in columns.items()]
-    found = new_table(f"Over the stroke, {sweep.case}", *heads, numbers=range(len(heads)))
+    heads = [f"{title} [{scales[name][0]}]" for name, title in columns.items()]
+    found = table(f"Over the stroke, {sweep.case}", *heads, numbers=range(len(heads)))
     for point in sweep.points:
         found.add_row(*(f"{getattr(point, name) / scales[name][1]:.5g}" for name in columns))
-    notes = [Text(sweep.missed, "yellow")] if sweep.missed else []
+    yield found
     if not all(point.stable for point in sweep.points):
-        notes.append(Text("unstable where the drive is let go", "yellow"))
-    return Group(found, *notes)
+        yield Line(("unstable where the drive is let go", "yellow"))
 
 
 def sweep_csv(sweeps: Sequence[SweepResult]) -> str:

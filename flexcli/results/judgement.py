@@ -11,6 +11,7 @@ __all__ = [
     "EffectRow",
     "ErrorRange",
     "Note",
+    "Place",
     "Property",
     "QuantityKind",
     "Value",
@@ -79,6 +80,15 @@ class Value(NamedTuple):
     kind: QuantityKind | None = None
 
 
+class Place(NamedTuple):
+    """Where a spec says something: file, line and column from 1 on, and the path in the spec."""
+
+    file: str
+    line: int
+    column: int
+    path: str
+
+
 class Check(NamedTuple):
     """One requirement of one case: demand against capacity.
 
@@ -86,7 +96,8 @@ class Check(NamedTuple):
     design is), ``margin`` is factor/required − 1. ``factor_range`` is where the factor lies by
     the estimated error of ``model``, nothing where that error is unknown; ``seconds`` is what it
     took to decide, models asked in vain included. ``is_target`` says that the number has to equal
-    what is asked, within a tolerance; ``kind`` is what kind of number it is.
+    what is asked, within a tolerance; ``kind`` is what kind of number it is. ``path`` is that of
+    what asks for it in the spec, ``place`` where that stands, once somebody has looked it up.
     """
 
     name: str
@@ -104,6 +115,8 @@ class Check(NamedTuple):
     seconds: float = 0.0
     is_target: bool = False
     kind: QuantityKind | None = None
+    path: tuple[str | int, ...] = ()
+    place: Place | None = None
 
     @property
     def full_name(self) -> str:

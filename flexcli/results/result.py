@@ -1,8 +1,9 @@
 """The answer of one command about one spec."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from enum import Enum
+from typing import Any
 
 from flexcli.errors import Finding
 from flexcli.results.accuracy import AccuracyResult
@@ -43,9 +44,19 @@ class Cost:
     by_model: Mapping[str, float] = field(default_factory=dict)
 
 
+HEADER = frozenset(
+    {"command", "spec", "status", "title", "values", "checks", "effects", "warnings"}
+    | {"findings", "cost"}
+)
+"""Fields that every result has; all others are sections."""
+
+
 @dataclass(frozen=True, eq=False)
 class Result:
-    """The answer of one command about one spec."""
+    """The answer of one command about one spec: a header, and sections that it may have.
+
+    A new kind of section is a record, a field here and its entry in ``report/as_text.py``.
+    """
 
     command: str
     spec: str
@@ -68,3 +79,9 @@ class Result:
     accuracy: AccuracyResult | None = None
     plan: Plan | None = None
     audit: tuple[AuditRow, ...] = ()
+
+    @property
+    def sections(self) -> dict[str, Any]:
+        """Return the sections that it has, by name."""
+        names = (f.name for f in fields(self) if f.name not in HEADER)
+        return {name: getattr(self, name) for name in names if getattr(self, name)}

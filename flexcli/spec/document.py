@@ -1,12 +1,11 @@
 """A YAML file as read: plain values, where each stands, and findings that point there."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from flexcli.errors import Finding
+from flexcli.errors import Finding, printable
 
-__all__ = ["Document", "Position", "finding_at", "printable"]
+__all__ = ["Document", "Position", "finding_at"]
 
 MAX_FINDINGS = 100
 MAX_SHOWN = 500
@@ -38,18 +37,13 @@ class Position(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Document:
-    """The plain values of a YAML file, its positions and lines, and what is wrong so far.
-
-    ``text`` is that of the file; ``changed`` holds the values put in since it was read, by path.
-    """
+    """The plain values of a YAML file, its positions and lines, and what is wrong so far."""
 
     file: str
     value: Any
     position: Position
     lines: dict[str, list[str]]
     findings: tuple[Finding, ...] = ()
-    text: str = ""
-    changed: Mapping[tuple[str | int, ...], Any] = field(default_factory=dict)
 
 
 def finding_at(
@@ -76,13 +70,4 @@ def finding_at(
         line,
         column,
         printable(source),
-    )
-
-
-def printable(text: str) -> str:
-    """Return a text that cannot steer a terminal; each character keeps its column."""
-    if text.isprintable():
-        return text
-    return "".join(
-        c if c.isprintable() else " " if c.isspace() else "\N{REPLACEMENT CHARACTER}" for c in text
     )

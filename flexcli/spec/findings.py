@@ -10,9 +10,9 @@ from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_ori
 from pydantic import BaseModel, ValidationError
 
 from flexcli.errors import Finding
-from flexcli.parts.base import Part, QuantityOf, said
+from flexcli.parts.base import Part, said
+from flexcli.parts.fields import note
 from flexcli.spec.document import MAX_FINDINGS, Document, finding_at
-from flexcli.units import DIMENSIONS
 
 __all__ = ["findings_of", "nearest", "path_text", "with_nearest_kinds"]
 
@@ -267,33 +267,17 @@ def _shared(path: Path, loc: Path) -> int:
 
 
 def _how_to_add(key: str, model: Any, loc: Path) -> str:
-    """Return how a missing key is written, with an example where its type has one."""
+    """Return how a missing key is written, with its example, and what it is."""
     for candidate in _models_at(model, loc):
         for name, info in candidate.model_fields.items():
             if key not in (info.alias, name):
                 continue
-            line = f"{key}: {_example(info.annotation, info.metadata)}".rstrip()
-            return f"add '{line}'" + (f" ({info.description})" if info.description else "")
+            about = note(candidate, name)
+            line = about.example
+            if not line.startswith(f"{key}:"):
+                line = f"{key}: {line}".rstrip()
+            return f"add '{line}'" + (f" ({about.text})" if about.text else "")
     return f"add '{key}:'"
-
-
-def _example(annotation: Any, metadata: Iterable[Any]) -> str:
-    """Return how a value of a type is written, where that is a quantity or one name."""
-    for marker in metadata:
-        if isinstance(marker, QuantityOf):
-            return DIMENSIONS[marker.dimension].example
-    if get_origin(annotation) is Literal:
-        return str(get_args(annotation)[0])
-    if get_origin(annotation) is Annotated:
-        return _example(get_args(annotation)[0], get_args(annotation)[1:])
-    if isinstance(annotation, type) and issubclass(annotation, Part):
-        shorthand = next((n for n in ("value", "fixed") if n in annotation.model_fields), None)
-        if shorthand is not None:
-            info = annotation.model_fields[shorthand]
-            return _example(info.annotation, info.metadata)
-    if get_origin(annotation) in (Union, UnionType):
-        return next(filter(None, (_example(a, ()) for a in get_args(annotation))), "")
-    return ""
 
 
 def _some_keys(model: Any, loc: Path) -> str:

@@ -83,8 +83,7 @@ class _Reader:
                 self._give_up(place, "", "a second document starts here", "keep one in a file")
         except yaml.YAMLError as error:
             self._not_yaml(error)
-        findings = tuple(self.findings)
-        return Document(self.file, node.value, node.position, self.lines, findings, self.text)
+        return Document(self.file, node.value, node.position, self.lines, tuple(self.findings))
 
     def _position(self, line: int, column: int) -> Position:
         return Position(self.file, line + 1, column + 1, line + 1, column + 1, {})

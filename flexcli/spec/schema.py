@@ -3,20 +3,25 @@
 from collections.abc import Iterator
 from typing import Any
 
-from pydantic import TypeAdapter
+from pydantic import BaseModel, TypeAdapter
+from pydantic.fields import FieldInfo
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema
 
+from flexcli.parts.base import QuantityOf
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.fields import key_of, note
 from flexcli.spec.load import KINDS as PARTS
 from flexcli.spec.parse import parse_document
 from flexcli.spec.references import EXTENDS, FORMAT, REFERENCES
 from flexcli.spec.shipped import shipped_names
+from flexcli.units import written
 
-__all__ = ["KINDS", "json_schema"]
+__all__ = ["BESIDE", "KINDS", "json_schema"]
 
 KINDS = ("design", *PARTS)
+BESIDE = "beside"
+"""Keyword of the keys without which an example would not stand, for those who write it out."""
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
@@ -59,14 +64,12 @@ class _Generator(GenerateJsonSchema):
         found = super().model_schema(schema)
         found.pop("title", None)
         model = schema["cls"]
-        for name in model.model_fields:
-            key, said = key_of(model, name), note(model, name)
-            about: dict[str, Any] = {"description": said.text} if said.text else {}
-            if said.example:
-                about["examples"] = [_example(key, said.example)]
-            given = _given(found["properties"][key])
-            # what has a title keeps it for itself
-            found["properties"][key] = {"allOf": [given], **about} if about else given
+        for name, info in model.model_fields.items():
+            key = key_of(model, name)
+            value = _given(found["properties"].pop(key))
+            if value is not None:
+                # what has a title keeps its own description
+                found["properties"][key] = {"allOf": [value], **_about(model, name, info)}
         return found
 
     def default_schema(self, schema: core_schema.WithDefaultSchema) -> JsonSchemaValue:
@@ -85,19 +88,46 @@ class _Generator(GenerateJsonSchema):
         return found
 
 
-def _given(schema: dict[str, Any]) -> dict[str, Any]:
-    """Return the schema of a field that is given: a key without a value is a mistake."""
+def _given(schema: dict[str, Any]) -> dict[str, Any] | None:
+    """Return the schema of a field that is given, nothing where it cannot be.
+
+    A key without a value is a mistake.
+    """
+    if schema.get("type") == "null":
+        return None
     choices = [each for each in schema.get("anyOf", ()) if each != {"type": "null"}]
     if len(choices) == 1:
         return {**{k: v for k, v in schema.items() if k != "anyOf"}, **choices[0]}
-    return {**schema, "anyOf": choices} if choices else dict(schema)
+    return {**schema, "anyOf": choices} if choices else schema
 
 
-def _example(key: str, text: str) -> Any:
-    """Return the value of an example, which may be lines of its part."""
-    lines = text.startswith(f"{key}:")
-    value = parse_document(f"{{{text}}}" if lines else f"{key}: {text}", "").value
-    return value[key]
+def _about(model: type[BaseModel], name: str, info: FieldInfo) -> dict[str, Any]:
+    """Return what a field means, its example and its default."""
+    key, said = key_of(model, name), note(model, name)
+    about: dict[str, Any] = {}
+    if name == "kind":
+        about["description"] = (model.__doc__ or "").partition("\n")[0].removesuffix(".")
+    if said.text:
+        about["description"] = said.text
+    if said.example:
+        lines = said.example.startswith(f"{key}:")
+        text = f"{{{said.example}}}" if lines else f"{key}: {said.example}"
+        beside = parse_document(text, "").value
+        about["examples"] = [beside.pop(key)]
+        if beside:
+            about[BESIDE] = beside
+    default = _written(info)
+    return about if default in (None, "") else {**about, "default": default}
+
+
+def _written(info: FieldInfo) -> Any:
+    """Return a default as a spec would write it, nothing where there is none to write."""
+    if isinstance(info.default, bool | str | int):
+        return info.default
+    quantity = next((each for each in info.metadata if isinstance(each, QuantityOf)), None)
+    if isinstance(info.default, float) and quantity is not None:
+        return written(info.default, quantity.dimension)
+    return None
 
 
 def _referring(schema: dict[str, Any], definitions: dict[str, Any]) -> dict[str, Any]:

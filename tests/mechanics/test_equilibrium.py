@@ -13,12 +13,12 @@ from scipy.special import ellipeinc, ellipkinc
 
 from flexcli.errors import SolveError
 from flexcli.formulas.pivot import parasitic_shift, rotational_stiffness
-from flexcli.mechanics.asked import demand_of
 from flexcli.mechanics.assembly import assemble
 from flexcli.mechanics.energy import strain_energy
 from flexcli.mechanics.equilibrium import Outcome, solve
 from flexcli.mechanics.layout import Body, Load, Support
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.prescribed_motion import demand_of
 from flexcli.numerics.newton import newton
 
 SLENDER = Effects(extension=False, shear=False)

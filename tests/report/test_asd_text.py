@@ -5,7 +5,7 @@ from io import StringIO
 import pytest
 from rich.console import Console
 
-from flexcli.report.asd import worst_cases
+from flexcli.report.asd_text import worst_cases
 from flexcli.results import WorstCaseRow
 
 
@@ -22,7 +22,9 @@ def row(**changes):
 
 def told(*rows):
     text = StringIO()
-    Console(file=text, width=150).print(worst_cases(rows))
+    console = Console(file=text, width=150)
+    for part in worst_cases(rows):
+        console.print(part)
     return text.getvalue()
 
 

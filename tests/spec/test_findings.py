@@ -115,7 +115,7 @@ def test_a_choice_of_shapes_gives_one_finding(size: str, path: str) -> None:
 def test_a_missing_key_shows_at_the_key_of_its_mapping() -> None:
     found = finding(changed("p: 2 mm, ", ""))
     assert (found.line, found.column, found.path) == (4, 1, "geometry")
-    assert found.hint == "add 'p: 0.2 mm'"
+    assert found.hint.startswith("add 'p: 2 mm' (Distance from the centre")
 
 
 def test_a_misspelled_key_is_not_also_missing() -> None:

@@ -19,7 +19,8 @@ from flexcli.errors import SpecError
 from flexcli.spec.load import KINDS as PARTS
 from flexcli.spec.load import load
 from flexcli.spec.read import read_document
-from flexcli.spec.schema import KINDS, json_schema
+from flexcli.spec.schema import KINDS
+from flexcli.spec.schema import json_schema as made
 from flexcli.unit_patterns import quantity_pattern
 from flexcli.units import DIMENSIONS, QuantityError, parse_quantity
 
@@ -76,6 +77,9 @@ BEYOND = {
 """What findings say that no schema can find, by the reason."""
 
 
+json_schema = cache(made)
+
+
 @cache
 def validator(kind: str) -> Any:
     return Draft202012Validator(json_schema(kind))
@@ -114,6 +118,52 @@ def test_what_the_tool_reads_is_valid(path: Path) -> None:
     root = read_document(path).value
     errors = [e.json_path for e in validator(kind_of(root)).iter_errors(root)]
     assert not errors
+
+
+def objects(node: Any) -> Iterator[Any]:
+    """Yield every description of a mapping in a schema."""
+    for inner in node.values() if isinstance(node, dict) else node:
+        if isinstance(inner, dict | list):
+            yield from objects(inner)
+    if isinstance(node, dict) and node.get("type") == "object":
+        yield node
+
+
+def keys() -> Iterator[tuple[str, Any]]:
+    """Yield every key that a design may have with its schema, once."""
+    found = {
+        (name, json.dumps(inner)): inner
+        for each in objects(json_schema("design"))
+        for name, inner in each.get("properties", {}).items()
+        if isinstance(inner, dict) and name != "free"
+    }
+    return ((name, inner) for (name, _), inner in found.items())
+
+
+def examples(schema: Any) -> list[Any]:
+    """Return the examples of a key, its own or those of what it is written as."""
+    choices = (schema, *schema.get("anyOf", ()))
+    definitions = json_schema("design")["$defs"]
+    meant = [definitions[c["$ref"].rpartition("/")[2]] if "$ref" in c else c for c in choices]
+    found = [e for each in (*choices, *meant) for e in each.get("examples", ())]
+    return [schema["const"]] if "const" in schema else found
+
+
+KEYS = tuple(keys())
+
+
+def test_every_key_is_described_with_an_example() -> None:
+    assert len(KEYS) > 250
+    assert not [name for name, schema in KEYS if len(schema.get("description", "")) < 8]
+    assert not [name for name, schema in KEYS if not examples(schema)]
+
+
+def test_every_example_is_what_its_key_takes() -> None:
+    definitions = json_schema("design")["$defs"]
+    for name, schema in KEYS:
+        validate = Draft202012Validator({"$defs": definitions, **schema})
+        for example in examples(schema):
+            assert validate.is_valid(example), f"{name}: {example}"
 
 
 def reason(text: str) -> str | None:

@@ -13,7 +13,7 @@ from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Blade, Body, Layout, Load
 from flexcli.mechanics.linear_buckling import LinearCritical, linear_critical
 from flexcli.mechanics.mesh import Effects
-from flexcli.mechanics.stability import critical_load, ways_let_go
+from flexcli.mechanics.stability import critical_load, inertia_count_held
 from flexcli.mechanics.state import Equilibrium
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.ends import ENDS, Hold
@@ -272,7 +272,7 @@ class _Exact:
             )  # fmt: skip
         except SolveError as error:
             raise NotAvailable(f"has no exact critical load: {error}") from error
-        stands = state.converged & (ways_let_go(state, self._kept(start)) == 0)
+        stands = state.converged & (inertia_count_held(state, self._kept(start)) == 0)
         if stands.all():
             told = self._told(float(factors[-1]), straight.stress, ErrorRange(0.0, 0.0))
             return told._replace(source=f"{told.source}; beyond, it leans away")

@@ -49,6 +49,7 @@ class ConstantProfile(BladeProfile):
 
     kind: Literal["constant"]
     h: Extent
+    """Thickness, in the direction in which the blade bends, e.g. ``0.2 mm``."""
 
     def shape(self, size: Any) -> shapes.Profile:
         """Return h."""
@@ -60,7 +61,9 @@ class NeckedDownProfile(BladeProfile):
 
     kind: Literal["necked-down"]
     h: Extent
+    """Thickness of the hinges at both ends, e.g. ``0.1 mm``."""
     l_c: PositiveLength
+    """Length of a hinge, e.g. ``5 mm``."""
 
     def shape(self, size: Any) -> shapes.Profile:
         """Return the two hinges."""
@@ -78,7 +81,9 @@ class NotchProfile(BladeProfile):
 
     kind: Literal["notch"]
     e: Extent
-    depth: PositiveLength = Field(description="half the blade's length for circular notches")
+    """Thickness of the throat, e.g. ``0.1 mm``."""
+    depth: PositiveLength
+    """Depth of the notches; half the blade's length for circular ones, e.g. ``2 mm``."""
 
     def shape(self, size: Any) -> shapes.Profile:
         """Return the two half-ellipses."""
@@ -94,7 +99,9 @@ class FilletedProfile(BladeProfile):
 
     kind: Literal["filleted"]
     h: Extent
+    """Thickness, in the direction in which the blade bends, e.g. ``0.2 mm``."""
     r: PositiveLength
+    """Radius of the fillets at both ends, e.g. ``0.5 mm``."""
 
     def shape(self, size: Any) -> shapes.Profile:
         """Return the blade with its fillets."""
@@ -113,8 +120,12 @@ class TabulatedProfile(BladeProfile):
     """Thicknesses h at fractions of the length, straight lines between them."""
 
     kind: Literal["tabulated"]
-    at: tuple[Fraction, ...] = Field(description="from 0 at the blade's start to 1 at its end")
+    at: tuple[Fraction, ...]
+    """Fractions of the length, from 0 at the blade's start to 1 at its end,
+    e.g. ``at: [0, 0.5, 1], h: [0.3 mm, 0.2 mm, 0.3 mm]``.
+    """
     h: tuple[PositiveLength, ...]
+    """Thickness at each of the fractions, e.g. ``h: [0.3 mm, 0.2 mm, 0.3 mm], at: [0, 0.5, 1]``."""
 
     @model_validator(mode="after")
     def _is_a_table(self) -> "TabulatedProfile":

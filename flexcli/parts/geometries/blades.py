@@ -26,8 +26,11 @@ class BladeGeometry(Geometry):
     validity: ClassVar[tuple[Range, ...]] = (SLENDER,)
 
     h: Extent
+    """Thickness, in the direction in which the blade bends, e.g. ``0.2 mm``."""
     l: Extent
+    """Free length, along the blade from end to end, e.g. ``20 mm``."""
     b: Extent
+    """Width, across the plane of the motion, e.g. ``10 mm``."""
 
     @property
     @abstractmethod

@@ -43,10 +43,18 @@ class CrossSpringPivot(PairPivot):
 
     kind: Literal["cross-spring"]
     p: Length | None = None
+    """Distance from the centre of rotation to the near end of each blade, negative where they
+    cross,
+    e.g. ``p: -10 mm, half_angle: 45 deg``.
+    """
     delta: Annotated[float, QuantityOf("ratio")] | None = None
-    pairs: Annotated[int, Field(strict=True, ge=1, le=1000)] = Field(
-        1, description="of equal blades, side by side along the axis"
-    )
+    """Place of the centre as p/l, in place of p: -0.5 is the middle of the blades,
+    e.g. ``delta: -0.5, half_angle: 45 deg``.
+    """
+    pairs: Annotated[int, Field(strict=True, ge=1, le=1000)] = 1
+    """Number of equal pairs of blades, side by side along the axis,
+    e.g. ``pairs: 2, delta: -0.5``.
+    """
 
     @model_validator(mode="after")
     def _one_crossing(self) -> "CrossSpringPivot":

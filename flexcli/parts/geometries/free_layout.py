@@ -47,14 +47,32 @@ class FreeLayout(Geometry):
 
     kind: Literal["layout"]
     bodies: Annotated[dict[Name, DrawnBody], Field(min_length=1, max_length=100)]
+    """Rigid bodies by names of your own; ground is there already,
+    e.g. ``{stage: {at: [0 mm, 20 mm], mass: 50 g}}``.
+    """
     blades: Annotated[dict[Name, DrawnBlade], Field(min_length=1, max_length=300)]
-    moving: Name = Field(description="body that the stroke moves")
-    moves: Motion = Field(alias="motion", description="rotation, or {translation: direction}")
-    centre: Place | None = Field(None, description="of a rotation; where the moving body is at")
+    """Blades by names of your own, each between two bodies,
+    e.g. ``{left: {between: [ground, stage], from: [-10 mm, 0 mm], to: [-10 mm, 20 mm], h: 0.2 mm,
+    b: 10 mm}}``.
+    """
+    moving: Name
+    """Body that the stroke moves, e.g. ``stage``."""
+    moves: Motion = Field(alias="motion")
+    """What the stroke makes it do: a rotation, or a translation in a direction from x,
+    e.g. ``{translation: 0 deg}``.
+    """
+    centre: Place | None = None
+    """Centre of a rotation; left out, the point of the moving body,
+    e.g. ``centre: [0 mm, 0 mm], motion: rotation``.
+    """
     supports: tuple[DrawnSupport, ...] = ()
-    concentration: Concentration = Field(
-        CONCENTRATION, alias="stress-concentration", description="K_t of notches, or none"
-    )
+    """Springs from bodies to the ground,
+    e.g. ``[{body: stage, at: [0 mm, 20 mm], x: 1 N/mm, y: 1 N/mm}]``.
+    """
+    concentration: Concentration = Field(CONCENTRATION, alias="stress-concentration")
+    """How the peak of the stress in a notch counts: Neuber's deep notch, or not at all,
+    e.g. ``none``.
+    """
 
     @model_validator(mode="after")
     def _fits_together(self) -> "FreeLayout":

@@ -49,12 +49,17 @@ class _Hinged(Geometry):
     posynomial: ClassVar[bool] = False
 
     e: Extent
+    """Thickness of the throats, e.g. ``0.1 mm``."""
     r: Extent
+    """Radius of the notches, e.g. ``1 mm``."""
     l: Extent
+    """Distance between the hinges of a limb, throat to throat, e.g. ``20 mm``."""
     b: Extent
-    concentration: Concentration = Field(
-        CONCENTRATION, alias="stress-concentration", description="K_t of the throats, or none"
-    )
+    """Width, across the plane of the motion, e.g. ``10 mm``."""
+    concentration: Concentration = Field(CONCENTRATION, alias="stress-concentration")
+    """How the peak of the stress in a throat counts: Neuber's deep notch, or not at all,
+    e.g. ``none``.
+    """
 
     @model_validator(mode="after")
     def _hinges_fit(self) -> "_Hinged":
@@ -131,7 +136,9 @@ class HingedStage(SagsAlongStroke, _Hinged):
 
     kind: Literal["hinged-stage"]
     limbs: Annotated[int, Field(strict=True, ge=2, le=1000)] = 2
-    spacing: PositiveLength | None = Field(None, description="from each limb to the next")
+    """Number of equal limbs, e.g. ``2``."""
+    spacing: PositiveLength | None = None
+    """Distance from each limb to the next, e.g. ``30 mm``."""
 
     def stiffness(self, elastic: Elastic, sizes: LimbSizes) -> Quantity:
         """Return the stiffness along the stroke [N/m]."""
@@ -191,9 +198,14 @@ class HingedPivot(_Hinged):
     also: ClassVar[tuple[str, ...]] = ("hinged-rcc", "hinged-cross")
 
     kind: Literal["hinged-pivot"]
-    p: Length | None = Field(None, description="from the centre to the inner hinges")
+    p: Length | None = None
+    """Distance from the centre of rotation to the inner hinges, negative where the limbs cross,
+    e.g. ``p: 5 mm, half_angle: 45 deg``.
+    """
     delta: Annotated[float, QuantityOf("ratio")] | None = None
+    """Place of the centre as p/l, in place of p, e.g. ``delta: 0.2, half_angle: 45 deg``."""
     half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
+    """Angle between each limb and the bisector, e.g. ``45 deg``."""
 
     @model_validator(mode="after")
     def _one_centre(self) -> "HingedPivot":

@@ -30,7 +30,7 @@ Place: TypeAlias = tuple[Length, Length]
 class Motion(Part):
     """What the moving body does: a rotation, or a translation in a direction from x."""
 
-    translation: Angle | None = Field(None, description="direction of travel, from x")
+    translation: Angle | None = None
 
     @model_validator(mode="before")
     @classmethod
@@ -50,7 +50,12 @@ class Motion(Part):
     ) -> dict[str, Any]:
         direction = {
             "type": "object",
-            "properties": {"translation": QuantityOf("angle").json_schema()},
+            "properties": {
+                "translation": {
+                    "allOf": [QuantityOf("angle").json_schema()],
+                    "description": "Direction of the travel, as an angle from x",
+                }
+            },
             "required": ["translation"],
             "additionalProperties": False,
         }
@@ -61,21 +66,36 @@ class DrawnBody(Part):
     """A rigid body: its point, its mass and its inertia about its centre of mass."""
 
     at: Place
+    """Point of the body in the drawing, x and y, e.g. ``[0 mm, 20 mm]``."""
     mass: Mass = 0.0
+    """Mass of the body, e.g. ``50 g``."""
     inertia: Inertia = 0.0
-    com: Place | None = Field(None, description="centre of mass; at, if left out")
+    """Moment of inertia about its centre of mass, around the axis of the plane,
+    e.g. ``5e-6 kg*m^2``.
+    """
+    com: Place | None = None
+    """Centre of mass; left out, the point of the body, e.g. ``[0 mm, 22 mm]``."""
 
 
 class DrawnBlade(Part):
     """A straight blade from one body to another, or to the ground."""
 
     between: tuple[Name, Name]
+    """The two bodies that it joins; ground is the base, e.g. ``[ground, stage]``."""
     start: Place = Field(alias="from")
+    """Where it starts, on the first body, e.g. ``[-10 mm, 0 mm]``."""
     end: Place = Field(alias="to")
+    """Where it ends, on the second body, e.g. ``[-10 mm, 20 mm]``."""
     b: PositiveLength
-    z: Length = Field(0.0, description="height of its middle over the plane of the mechanism")
-    h: Extent | None = Field(None, description="a constant thickness; else give a profile")
+    """Width, across the plane of the motion, e.g. ``10 mm``."""
+    z: Length = 0.0
+    """Height of its middle over the plane of the mechanism, e.g. ``5 mm``."""
+    h: Extent | None = None
+    """Thickness, where it is constant; else give a profile, e.g. ``0.2 mm``."""
     profile: AnyProfile | None = None
+    """Thickness along the blade, where it is not constant,
+    e.g. ``{kind: necked-down, h: 0.1 mm, l_c: 5 mm}``.
+    """
 
     @model_validator(mode="after")
     def _is_a_blade(self) -> "DrawnBlade":
@@ -111,10 +131,15 @@ class DrawnSupport(Part):
     """Springs from a body to the ground at a point: along x, along y and in rotation."""
 
     body: Name
+    """Body that the springs hold, e.g. ``stage``."""
     at: Place
+    """Point where they hold it, e.g. ``[0 mm, 20 mm]``."""
     x: Stiffness | None = None
+    """Stiffness along x, e.g. ``1 N/mm``."""
     y: Stiffness | None = None
+    """Stiffness along y, e.g. ``1 N/mm``."""
     theta: RotationalStiffness | None = None
+    """Stiffness in rotation, e.g. ``1 N*m/rad``."""
 
     @model_validator(mode="after")
     def _is_a_spring(self) -> "DrawnSupport":

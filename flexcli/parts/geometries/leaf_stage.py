@@ -31,10 +31,11 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
 
     kind: Literal["leaf-spring-stage"]
     blades: Annotated[int, Field(strict=True, ge=2, le=1000)] = 2
-    spacing: PositiveLength | None = Field(None, description="from each blade to the next")
-    drive: Length | None = Field(
-        None, description="where the stage is driven, from the base's side of the blades"
-    )
+    """Number of equal blades, e.g. ``2``."""
+    spacing: PositiveLength | None = None
+    """Distance from each blade to the next, e.g. ``30 mm``."""
+    drive: Length | None = None
+    """Height where the stage is driven, along the blades from the base, e.g. ``10 mm``."""
 
     @property
     def blade_count(self) -> int:

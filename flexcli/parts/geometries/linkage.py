@@ -40,10 +40,17 @@ class LinkageJoint(Part):
     """
 
     links: tuple[Name, Name]
+    """The two links that it joins, e.g. ``[crank, base]``."""
     at: Place = (0.0, 0.0)
-    along: Direction | None = Field(None, description="direction of a stage; a pivot has none")
+    """Point of the joint in the drawing, x and y, e.g. ``[0 mm, 50 mm]``."""
+    along: Direction | None = None
+    """Direction of a stage, as x and y; a pivot has none, e.g. ``[1, 0]``."""
     flexure: AnyFlexure | None = None
+    """The pivot or stage that the joint is; left out, it is ideal,
+    e.g. ``{kind: cross-spring, delta: -0.5, half_angle: 45 deg, h: 0.1 mm, l: 15 mm, b: 5 mm}``.
+    """
     turned: Angle = 0.0
+    """Angle from x to the flexure's axis of symmetry, e.g. ``90 deg``."""
 
     @model_validator(mode="after")
     def _flexure_fits(self) -> "LinkageJoint":
@@ -71,8 +78,13 @@ class LinkageGeometry(Geometry):
 
     kind: Literal["linkage"]
     ground: Name
+    """Link that stands still, e.g. ``base``."""
     input: Name
+    """Joint that the stroke moves, e.g. ``theta``."""
     joints: Annotated[dict[Name, LinkageJoint], Field(min_length=2, max_length=100)]
+    """Joints by names of your own, each between two links,
+    e.g. ``{theta: {links: [crank, base]}, z: {links: [base, crank], along: [1, 0]}}``.
+    """
 
     @model_validator(mode="after")
     def _moves(self) -> "LinkageGeometry":

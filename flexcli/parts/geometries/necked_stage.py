@@ -67,11 +67,17 @@ class NeckedDownStage(SagsAlongStroke):
 
     kind: Literal["necked-down-stage"]
     h: Extent
+    """Thickness of the hinges, e.g. ``0.1 mm``."""
     l_c: Extent
+    """Length of a hinge, at each end of a blade, e.g. ``4 mm``."""
     l: Extent
+    """Length of a whole blade, hinges and middle, e.g. ``40 mm``."""
     b: Extent
+    """Width, across the plane of the motion, e.g. ``10 mm``."""
     blades: Annotated[int, Field(strict=True, ge=2, le=1000)] = 2
-    spacing: PositiveLength | None = Field(None, description="from each blade to the next")
+    """Number of equal blades, e.g. ``2``."""
+    spacing: PositiveLength | None = None
+    """Distance from each blade to the next, e.g. ``30 mm``."""
 
     @model_validator(mode="after")
     def _hinges_fit(self) -> "NeckedDownStage":

@@ -56,9 +56,10 @@ class NotchGeometry(Geometry):
     source: ClassVar[str] = SOURCE
     posynomial: ClassVar[bool] = False
 
-    concentration: Concentration = Field(
-        CONCENTRATION, alias="stress-concentration", description="K_t of the throat, or none"
-    )
+    concentration: Concentration = Field(CONCENTRATION, alias="stress-concentration")
+    """How the peak of the stress in a throat counts: Neuber's deep notch, or not at all,
+    e.g. ``none``.
+    """
 
     @abstractmethod
     def profile(self, sizes: Any) -> tuple[Profile, Quantity]:
@@ -174,8 +175,11 @@ class CircularHinge(NotchGeometry):
 
     kind: Literal["notch-hinge"]
     e: Extent
+    """Thickness of the throat, e.g. ``0.1 mm``."""
     r: Extent
+    """Radius of the notches, e.g. ``2 mm``."""
     b: Extent
+    """Width, across the plane of the motion, e.g. ``10 mm``."""
 
     def profile(self, sizes: CircularSizes) -> tuple[Profile, Quantity]:
         """Return two half-circles."""
@@ -224,9 +228,13 @@ class EllipticHinge(NotchGeometry):
 
     kind: Literal["elliptic-hinge"]
     e: Extent
+    """Thickness of the throat, e.g. ``0.1 mm``."""
     depth: Extent
+    """Depth of the notches, half an axis of the ellipse, e.g. ``2 mm``."""
     l: Extent
+    """Length of the hinge, the other axis of the ellipse, e.g. ``6 mm``."""
     b: Extent
+    """Width, across the plane of the motion, e.g. ``10 mm``."""
 
     def profile(self, sizes: EllipticSizes) -> tuple[Profile, Quantity]:
         """Return two half-ellipses."""
@@ -279,9 +287,13 @@ class FilletedHinge(NotchGeometry):
 
     kind: Literal["filleted-hinge"]
     h: Extent
+    """Thickness between the fillets, e.g. ``0.1 mm``."""
     r: Extent
+    """Radius of the fillets, e.g. ``0.5 mm``."""
     l: Extent
+    """Length of the hinge with its fillets, e.g. ``5 mm``."""
     b: Extent
+    """Width, across the plane of the motion, e.g. ``10 mm``."""
 
     @model_validator(mode="after")
     def _fillets_fit(self) -> "FilletedHinge":

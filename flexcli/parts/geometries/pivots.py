@@ -135,6 +135,7 @@ class PairPivot(BladePivot):
     """A pivot of pairs of blades at ± a half-angle from their bisector."""
 
     half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
+    """Angle between each blade and the bisector, e.g. ``45 deg``."""
 
     @property
     def blade_angles(self) -> tuple[float, ...]:

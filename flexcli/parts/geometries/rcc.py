@@ -18,6 +18,7 @@ class RCCPivot(PairPivot):
 
     kind: Literal["rcc"]
     p: Annotated[float, QuantityOf("length", at_least=0.0)]
+    """Distance from the centre of rotation to the near end of each blade, e.g. ``2 mm``."""
 
     def offset(self, sizes: Blade) -> Quantity:
         """Return p [m]."""

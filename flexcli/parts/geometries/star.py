@@ -20,8 +20,15 @@ class StarPivot(BladePivot):
 
     kind: Literal["star"]
     angles: Annotated[tuple[Angle, ...], Field(min_length=2, max_length=1000)]
+    """Direction of each blade from x, e.g. ``angles: [0 deg, 120 deg, 240 deg], p: 2 mm``."""
     p: Length | None = None
+    """Distance from the centre of rotation to the near end of each blade,
+    e.g. ``p: 2 mm, angles: [0 deg, 120 deg, 240 deg]``.
+    """
     delta: Annotated[float, QuantityOf("ratio")] | None = None
+    """Place of the centre as p/l, in place of p,
+    e.g. ``delta: 0.1, angles: [0 deg, 120 deg, 240 deg]``.
+    """
 
     @model_validator(mode="after")
     def _one_centre(self) -> "StarPivot":

@@ -24,6 +24,7 @@ class ThreeBladePivot(BladePivot):
 
     kind: Literal["three-blade"]
     p: Annotated[float, QuantityOf("length", at_least=0.0)] = 0.0
+    """Distance from the axis to the inner ends of the blades, e.g. ``2 mm``."""
 
     @property
     def blade_angles(self) -> tuple[float, ...]:

@@ -57,12 +57,13 @@ class TorsionGeometry(Geometry):
     strain: ClassVar[str] = "twist"
     posynomial: ClassVar[bool] = False
 
-    bars: Bars = Field(1, description="on one axis; 2 hold the body between them")
-    shortening: Literal["free", "held"] | None = Field(
-        None,
-        description="whether the bars' ends may come closer as they twist; two bars hold each "
-        "other, of one bar it is open unless stated",
-    )
+    bars: Bars = 1
+    """Number of bars on the axis; two hold the body between them, e.g. ``2``."""
+    shortening: Literal["free", "held"] | None = None
+    """Whether the ends of the bars may come closer as they twist; two bars hold each other, of one
+    bar it is open unless stated,
+    e.g. ``held``.
+    """
 
     @abstractmethod
     def torsion_constant(self, sizes: Any) -> Quantity:
@@ -174,9 +175,13 @@ class TorsionBar(TorsionGeometry):
 
     kind: Literal["torsion-bar"]
     h: Extent
+    """Thickness of the section, e.g. ``0.3 mm``."""
     l: Extent
+    """Length of a bar, e.g. ``20 mm``."""
     b: Extent
+    """Width of the section, e.g. ``3 mm``."""
     warping: Literal["free", "restrained"] = "free"
+    """Whether the clamps keep the end sections flat, e.g. ``restrained``."""
 
     def thin(self, sizes: Blade) -> Quantity:
         """Return the lesser of h and b [m]."""
@@ -266,7 +271,9 @@ class RoundTorsionBar(TorsionGeometry):
 
     kind: Literal["round-torsion-bar"]
     d: Extent
+    """Diameter of the bar, e.g. ``1 mm``."""
     l: Extent
+    """Length of a bar, e.g. ``20 mm``."""
 
     def thin(self, sizes: RoundSizes) -> Quantity:
         """Return the diameter [m]."""
@@ -317,9 +324,13 @@ class TorsionStar(TorsionGeometry):
 
     kind: Literal["torsion-star"]
     h: Extent
+    """Thickness of a strip, e.g. ``0.2 mm``."""
     l: Extent
+    """Length of a bar, e.g. ``20 mm``."""
     b: Extent
+    """Full width of a strip, e.g. ``5 mm``."""
     strips: Annotated[int, Field(strict=True, ge=2, le=100)] = 2
+    """Number of strips that cross on the axis: 2 make a cross, 3 a star, e.g. ``2``."""
 
     def section(self, sizes: Blade) -> Section:
         """Return that of its strips."""

@@ -30,7 +30,7 @@ class UnseparatedPivot(PairPivot):
 
     kind: Literal["unseparated-cross"]
     crossing: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] = 0.5
-    """Share of the blades on the side of the base."""
+    """Share of the blades' length on the side of the base, e.g. ``0.5``."""
 
     def offset(self, sizes: Blade) -> Quantity:
         """Return minus the length on the side of the base [m]."""

@@ -38,7 +38,9 @@ class Damping(Part):
     """Damping of the mechanism's own motion: a quality factor, or the ratio 1/(2Q)."""
 
     q: Annotated[float, QuantityOf("ratio", at_least=0.5)] | None = None
+    """Quality factor Q of the mechanism's own motion; or give ratio, e.g. ``100``."""
     ratio: Annotated[float, QuantityOf("ratio", above=0.0)] | None = None
+    """Damping ratio, 1/(2Q), e.g. ``0.5 %``."""
 
     @model_validator(mode="after")
     def _one(self) -> "Damping":
@@ -63,6 +65,7 @@ class Mechanism(Part):
     joint_motion: ClassVar[str | None]
 
     damping: Damping | None = None
+    """Damping of the mechanism's own motion, e.g. ``{q: 100}``."""
 
     @abstractmethod
     def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:

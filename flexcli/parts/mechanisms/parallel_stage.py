@@ -42,6 +42,7 @@ class Coupling(Shorthand):
     stands_for: ClassVar[str] = "max"
 
     max: Annotated[float, QuantityOf("ratio", at_least=0.0)]
+    """Largest coupling that may be left, over that without balancing masses, e.g. ``1 %``."""
 
 
 class _OneOrFour:
@@ -74,24 +75,38 @@ class ParallelStage(Mechanism):
     joint_motion: ClassVar[str | None] = "rotation"
 
     kind: Literal["parallel-stage"]
-    stated_height: Annotated[float | Free, OrFree("length", above=0.0)] = Field(
-        alias="height", description="H, from base pivot to upper pivot"
-    )
-    bisector: Annotated[Angle, Field(description="axis of symmetry of the pivots from x")] = 0.0
+    stated_height: Annotated[float | Free, OrFree("length", above=0.0)] = Field(alias="height")
+    """Height H of the levers, from base pivot to upper pivot, e.g. ``20 mm``."""
+    bisector: Angle = 0.0
+    """Angle from x to the axis of symmetry of the pivots, e.g. ``90 deg``."""
     solid_1: Lever = Field(alias="solid-1")
+    """Lever on the base pivot P1, e.g. ``{mass: 17.1 g, com: 10.4 mm, inertia: 5.4e-6 kg*m^2}``."""
     solid_2: Platform = Field(alias="solid-2")
+    """Body on both levers, which moves along x without turning, e.g. ``{mass: 68 g}``."""
     solid_3: Lever = Field(alias="solid-3")
+    """Lever on the base pivot P3, e.g. ``{mass: 17.1 g, com: 10.4 mm, inertia: 5.4e-6 kg*m^2}``."""
     balance_1: BalancingMass | None = Field(None, alias="balance-1")
+    """Balancing mass on solid 1, beyond its base pivot,
+    e.g. ``{mass: free, arm: 15 mm, inertia: 2e-6 kg*m^2}``.
+    """
     balance_3: BalancingMass | None = Field(None, alias="balance-3")
-    added_mass: Mass | None = Field(
-        None, alias="added-mass", description="of both balancing masses, when their split is free"
-    )
-    coupling: Coupling | None = Field(
-        None, description="largest coupling to the base, over that without balancing masses"
-    )
+    """Balancing mass on solid 3, beyond its base pivot,
+    e.g. ``{mass: free, arm: 15 mm, inertia: 2e-6 kg*m^2}``.
+    """
+    added_mass: Mass | None = Field(None, alias="added-mass")
+    """Sum of both balancing masses, where their split is free,
+    e.g. ``added-mass: 120 g, balance-1: {mass: free, arm: 15 mm, inertia: 2e-6 kg*m^2}, balance-3:
+    {mass: free, arm: 15 mm, inertia: 2e-6 kg*m^2}``.
+    """
+    coupling: Coupling | None = None
+    """Largest coupling to the base, over that without balancing masses, e.g. ``1 %``."""
     pivot_stiffness: Annotated[
         tuple[Annotated[float, PIVOT] | None, ...] | None, BeforeValidator(_four), _OneOrFour()
-    ] = Field(None, alias="pivot-stiffness", description="in place of that of the blades")
+    ] = Field(None, alias="pivot-stiffness")
+    """Stiffness of the pivots in place of that of the blades: one for all, or one for each of P1
+    to P4,
+    e.g. ``0.5 N*m/rad``.
+    """
 
     @model_validator(mode="after")
     def _can_be_solved(self) -> "ParallelStage":

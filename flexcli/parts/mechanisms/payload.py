@@ -3,7 +3,7 @@
 from math import pi, sqrt
 from typing import ClassVar, Literal
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Body
@@ -28,7 +28,9 @@ class Payload(Mechanism):
 
     kind: Literal["payload"]
     mass: Mass
-    inertia: Inertia | None = Field(None, description="about the axis of rotation")
+    """Mass of the body that the joint carries, e.g. ``20 g``."""
+    inertia: Inertia | None = None
+    """Moment of inertia about the axis of rotation, e.g. ``5e-6 kg*m^2``."""
 
     @model_validator(mode="after")
     def _has_mass(self) -> "Payload":

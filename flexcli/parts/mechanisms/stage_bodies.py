@@ -2,15 +2,11 @@
 
 from typing import Annotated, ClassVar
 
-from pydantic import Field
-
 from flexcli.mechanics.layout import Body
 from flexcli.parts.base import Inertia, Length, Mass, Part, Shorthand
 from flexcli.parts.mechanisms.free_value import Free, OrFree
 
 __all__ = ["BalancingMass", "InertiaTensor", "Lever", "Platform"]
-
-ACROSS = "centre of mass off the line through the lever's pivots, positive along x"
 
 
 class InertiaTensor(Shorthand):
@@ -19,17 +15,30 @@ class InertiaTensor(Shorthand):
     stands_for: ClassVar[str] = "zz"
 
     xx: Inertia | None = None
+    """Moment of inertia around x, e.g. ``xx: 3e-6 kg*m^2, zz: 5.4e-6 kg*m^2``."""
     yy: Inertia | None = None
+    """Moment of inertia around y, e.g. ``yy: 3e-6 kg*m^2, zz: 5.4e-6 kg*m^2``."""
     zz: Inertia
+    """Moment of inertia around z, the axis of the pivots, e.g. ``5.4e-6 kg*m^2``."""
 
 
 class Lever(Part):
     """Solid 1 or 3: it turns about its pivot on the base."""
 
     mass: Mass
-    com: Length = Field(description="centre of mass from the base pivot, positive to solid 2")
-    offset: Length = Field(0.0, description=ACROSS)
+    """Mass of the lever, e.g. ``17.1 g``."""
+    com: Length
+    """Height of its centre of mass over the base pivot, positive towards solid 2,
+    e.g. ``10.4 mm``.
+    """
+    offset: Length = 0.0
+    """Distance of the centre of mass from the line through the lever's pivots, positive along x,
+    e.g. ``0.1 mm``.
+    """
     inertia: InertiaTensor
+    """Moment of inertia about its own centre of mass, around the axis of the plane,
+    e.g. ``5.4e-6 kg*m^2``.
+    """
 
     @property
     def body(self) -> Body:
@@ -41,20 +50,26 @@ class Platform(Part):
     """Solid 2: it moves along x without turning."""
 
     mass: Mass
-    com: Length = Field(
-        0.0, description="height of the centre of mass over the upper pivots, for reaction torques"
-    )
+    """Mass of the body, e.g. ``68 g``."""
+    com: Length = 0.0
+    """Height of its centre of mass over the upper pivots, for reaction torques, e.g. ``5 mm``."""
 
 
 class BalancingMass(Part):
     """A mass on a lever beyond its base pivot, away from solid 2; mass or arm may be free."""
 
     mass: Annotated[float | Free, OrFree("mass", at_least=0.0)]
-    arm: Annotated[float | Free, OrFree("length")] = Field(
-        description="from the base pivot, positive away from solid 2"
-    )
-    offset: Length = Field(0.0, description=ACROSS)
+    """Mass, given or free, e.g. ``free``."""
+    arm: Annotated[float | Free, OrFree("length")]
+    """Distance from the base pivot, positive away from solid 2, given or free, e.g. ``15 mm``."""
+    offset: Length = 0.0
+    """Distance of the centre of mass from the line through the lever's pivots, positive along x,
+    e.g. ``0.1 mm``.
+    """
     inertia: InertiaTensor
+    """Moment of inertia about its own centre of mass, around the axis of the plane,
+    e.g. ``5.4e-6 kg*m^2``.
+    """
 
     @property
     def body(self) -> Body:

@@ -3,8 +3,6 @@
 from math import pi, sqrt
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Field
-
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.single_freedom import SingleFreedom
 from flexcli.parts.base import Inertia, Length, QuantityOf
@@ -31,8 +29,11 @@ class TipMass(Mechanism):
 
     kind: Literal["tip-mass"]
     mass: BodyMass
-    offset: Length = Field(0.0, description="of its centre beyond the end of the blade")
-    inertia: Inertia = Field(0.0, description="about its centre, around the axis of bending")
+    """Mass on the end of the blade, e.g. ``3 g``."""
+    offset: Length = 0.0
+    """Distance of its centre beyond the end of the blade, e.g. ``2 mm``."""
+    inertia: Inertia = 0.0
+    """Moment of inertia about its centre, around the axis of bending, e.g. ``1e-8 kg*m^2``."""
 
     @property
     def is_point(self) -> bool:

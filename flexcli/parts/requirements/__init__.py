@@ -1,7 +1,7 @@
 """Requirements that a spec can ask; a new one is a file here and a field below."""
 
 from collections.abc import Iterator
-from typing import Annotated, Any, TypeVar, get_args
+from typing import Annotated, Any, TypeVar
 
 from pydantic import BeforeValidator, Field
 
@@ -33,7 +33,6 @@ __all__ = [
     "Requirement",
     "RequirementError",
     "Requirements",
-    "are_at_rest",
 ]
 
 Kind = TypeVar("Kind", bound=Requirement)
@@ -51,37 +50,49 @@ class Requirements(Part):
     """What is asked of the design; none is implied."""
 
     fatigue: Several[Fatigue] | None = None
+    """Factor on the stress amplitude of the stroke against what the material bears for its cycles,
+    e.g. ``2.5``.
+    """
     buckling: Several[Buckling] | None = None
+    """Factor on the load against the least that buckles the joint; the case says what holds the
+    ends,
+    e.g. ``2.5``.
+    """
     yielding: Several[Yield] | None = Field(None, alias="yield")
+    """Factor on the largest stress of a case against the yield strength, or other strengths,
+    e.g. ``{factor: 1.5, allowable: [yield-strength, fatigue-amplitude]}``.
+    """
     dynamic_yield: Several[DynamicYield] | None = Field(None, alias="dynamic-yield")
+    """Factor on the peak stress of the modes under vibration or shock, e.g. ``1.5``."""
     dynamic_buckling: Several[DynamicBuckling] | None = Field(None, alias="dynamic-buckling")
+    """Factor on the peak axial force of the modes under vibration or shock, e.g. ``2.5``."""
     dynamic_life: Several[DynamicLife] | None = Field(None, alias="dynamic-life")
+    """Factor on the fatigue life under random vibration, e.g. ``4``."""
     stiffness: Several[Stiffness] | None = None
+    """Bounds on the stiffness of a joint along its motion, e.g. ``{max: 15 N*m/rad}``."""
     frequency: Several[Frequency] | None = None
+    """Bounds on the frequency of the mechanism's own motion, e.g. ``{min: 20 Hz}``."""
     sag: Several[Sag] | None = None
+    """Bounds on how far a steady acceleration moves the body, e.g. ``{max: 10 um}``."""
     mass: Several[Mass] | None = None
+    """Bounds on the mass of what flexes, e.g. ``{max: 5 g}``."""
     parasitic_shift: Several[ParasiticShift] | None = None
+    """Bound on the motion that comes with the stroke but was not asked for,
+    e.g. ``{max: 5 um}``.
+    """
     support: Several[Support] | None = None
+    """Bounds on the stiffness in a direction that the joint should hold, or on a ratio of two,
+    e.g. ``{direction: z, min: 1 N/um}``.
+    """
     deflection: Several[Deflection] | None = None
+    """Bound on how far a case's wrench moves a point, e.g. ``{direction: z, max: 5 um}``."""
     slenderness: Several[Slenderness] | None = Field(None, alias="l/h")
+    """Bounds on length over thickness of a blade, e.g. ``{min: 20}``."""
     width_ratio: Several[WidthRatio] | None = Field(None, alias="b/h")
+    """Bounds on width over thickness of a blade, e.g. ``{min: 10}``."""
 
     def each(self) -> Iterator[tuple[tuple[str | int, ...], Requirement]]:
         """Yield every requirement with its path below ``requirements``."""
         for field, info in type(self).model_fields.items():
             for index, requirement in enumerate(getattr(self, field) or ()):
                 yield (info.alias or field, index), requirement
-
-
-AT_REST = {
-    info.alias or field
-    for field, info in Requirements.model_fields.items()
-    # the class of Several[Kind] | None
-    if not get_args(get_args(get_args(info.annotation)[0])[0])[0].per_case
-}
-"""Requirements of the joint itself, whatever it lives through."""
-
-
-def are_at_rest(written: Any) -> bool:
-    """Return whether requirements, as a spec has them, are all of the joint itself."""
-    return isinstance(written, dict) and bool(written) and AT_REST.issuperset(written)

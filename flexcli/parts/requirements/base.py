@@ -102,7 +102,11 @@ class FactorRequirement(Requirement, Shorthand):
     stands_for: ClassVar[str] = "factor"
 
     factor: Ratio
+    """How many times the demand the design must bear, e.g. ``1.5``."""
     cases: tuple[str, ...] | None = None
+    """Cases that it is asked of; all that it is about, if left out,
+    e.g. ``cases: [operation], factor: 1.5``.
+    """
 
     def covers(self, scene: Scene) -> bool:
         """Return whether the requirement is asked of this case."""
@@ -115,9 +119,13 @@ class Bound(Requirement):
     per_case: ClassVar[bool] = False
 
     min: Any = None
+    """The least that it may be."""
     max: Any = None
+    """The most that it may be."""
     equals: Any = None
+    """What it shall be, within the tolerance."""
     tolerance: Ratio = 0.01
+    """How far from the target it may be, as a share, e.g. ``2 %``."""
 
     @model_validator(mode="before")
     @classmethod

@@ -47,7 +47,9 @@ class _Dynamic(FactorRequirement):
     closed_form: ClassVar[bool] = False
 
     peak: Literal["sigma", "duration"] = "sigma"
-    """Peaks of a random response: sigma times the rms, or what the duration lets expect."""
+    """Peaks of a random response: sigma times the rms, or what the duration lets expect,
+    e.g. ``duration``.
+    """
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the base moves in this case."""
@@ -106,6 +108,7 @@ class DynamicYield(_Dynamic):
     label: ClassVar[str] = "dynamic yield"
 
     allowable: Allowable = "yield-strength"
+    """Strength that the stress is held against, e.g. ``fatigue-amplitude``."""
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the peak stress at every joint against the allowable."""
@@ -175,8 +178,11 @@ class DynamicLife(_Dynamic):
     method: Literal[
         "least", "narrow-band", "steinberg", "wirsching-light", "dirlik", "tovo-benasciutti"
     ] = "least"
+    """Method of the damage of a random stress; the least life of all, if left out,
+    e.g. ``dirlik``.
+    """
     mean_stress: Annotated[float, QuantityOf("stress", at_least=0.0)] = 0.0
-    """Tension that stands at the blade's end beside the vibration, by Goodman."""
+    """Tension that stands at the blade's end beside the vibration, by Goodman, e.g. ``50 MPa``."""
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case vibrates at random."""

@@ -27,6 +27,7 @@ class Fatigue(FactorRequirement):
     label: ClassVar[str] = "fatigue"
 
     mean_stress: Literal["goodman", "soderberg", "swt", "none"] = "goodman"
+    """How the mean stress counts, e.g. ``soderberg``."""
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case has a stroke that repeats."""

@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, field_validator, model_validator
+from pydantic import field_validator, model_validator
 
 from flexcli.errors import SolveError
 from flexcli.formulas.rigid_motion import motion_at
@@ -41,10 +41,7 @@ width of the blades, the axis of a pivot; y completes them. A layout has its dra
 
 DIRECTIONS = get_args(Direction)
 
-Place = Annotated[
-    tuple[Length, Length, Length],
-    Field(description="where on the moving body, from the centre of a pivot, of a stage, or a tip"),
-]
+Place = tuple[Length, Length, Length]
 
 _Given = Ratio | Stiffness | RotationalStiffness
 _Moved = PositiveLength | Annotated[float, QuantityOf("angle", above=0.0)]
@@ -126,8 +123,16 @@ class Support(Bound):
     closed_form: ClassVar[bool] = False
 
     direction: Direction
+    """Direction of the force or moment, e.g. ``direction: z, min: 1 N/um``."""
     over: Direction | None = None
+    """Direction whose stiffness it is compared with; the bounds are then plain ratios,
+    e.g. ``over: x, direction: y, min: 100``.
+    """
     point: Place = CENTRE
+    """Point on the moving body where it is asked, from the centre of a pivot or of a stage, or
+    from a tip,
+    e.g. ``[0 mm, 5 mm, 0 mm]``.
+    """
 
     @field_validator("min", "max", "equals", mode="before", json_schema_input_type=_Given)
     @classmethod
@@ -223,9 +228,15 @@ class Deflection(Bound):
 
     min: None = None
     max: Any
+    """The most that the point may move or turn, e.g. ``max: 5 um, direction: z``."""
     equals: None = None
     direction: Direction
+    """Direction of the motion, e.g. ``direction: z, max: 5 um``."""
     point: Place = CENTRE
+    """Point on the moving body that is asked about, from the centre of a pivot or of a stage, or
+    from a tip,
+    e.g. ``[0 mm, 5 mm, 0 mm]``.
+    """
 
     @field_validator("max", mode="before", json_schema_input_type=_Moved)
     @classmethod

@@ -23,6 +23,9 @@ class Yield(FactorRequirement):
     label: ClassVar[str] = "yield"
 
     allowable: Annotated[tuple[Allowable, ...], OneOrMore()] = ("yield-strength",)
+    """Strengths that the stress is held against: one, or a list,
+    e.g. ``[yield-strength, fatigue-amplitude]``.
+    """
 
     @field_validator("allowable", mode="before")
     @classmethod

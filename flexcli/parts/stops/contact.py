@@ -45,6 +45,7 @@ class Rigid(Contact):
 
     kind: Literal["rigid"]
     restitution: Restitution | None = None
+    """Share of the speed that is left after an impact, from 0 to 1, e.g. ``0.5``."""
 
 
 class Spring(Contact):
@@ -52,14 +53,18 @@ class Spring(Contact):
 
     kind: Literal["spring"]
     stiffness: Stiffness
+    """Stiffness of the stop, e.g. ``100 N/mm``."""
     restitution: Bounce = 1.0
+    """Share of the speed that its dashpot leaves, e.g. ``0.5``."""
 
 
 class _Round(Contact):
     has_stress: ClassVar[bool] = True
 
     radius: PositiveLength
-    material: Material = Field(description="of the stop: inline, a shipped one, or a path")
+    """Radius of the stop's head, e.g. ``5 mm``."""
+    material: Material
+    """Material of the stop: inline, the name of a shipped one, or a path, e.g. ``17-4ph-h900``."""
 
     def modulus(self, blade: Elastic) -> float:
         """Return the contact modulus E* of blade and stop [Pa]."""
@@ -84,7 +89,8 @@ class Cylinder(_Round):
     """A cylinder along the width of the blade, aligned with it."""
 
     kind: Literal["cylinder"]
-    width: PositiveLength = Field(description="length of the line of contact")
+    width: PositiveLength
+    """Length of the line of contact, e.g. ``5 mm``."""
 
     def stress(self, force: float, blade: Elastic) -> ContactStress:
         """Return Hertz' line contact."""

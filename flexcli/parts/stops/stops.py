@@ -32,30 +32,40 @@ class Simulation(Part):
     """How ``flexure stops --simulate`` verifies the stops."""
 
     modes: Annotated[int, Field(strict=True, ge=1, le=20)] = 1
-    confidence: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] = Field(
-        0.8, description="that one more exposure shows no higher peak (random vibration)"
-    )
+    """Number of modes of the blade that take part, e.g. ``3``."""
+    confidence: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] = 0.8
+    """Confidence that one more exposure shows no higher peak, under random vibration,
+    e.g. ``90 %``.
+    """
     seed: Annotated[int, Field(strict=True, ge=0)] = 0
+    """Seed of the random vibration, e.g. ``1``."""
 
 
 class Stops(Part):
     """The section ``stops``; height and gap are given, or free for the tool to choose."""
 
-    height: Place = Field(Free(), description="above the clamped end of the blade")
-    gap: Place = Field(Free(), description="between the blade at rest and a stop")
+    height: Place = Free()
+    """Height of the stops above the clamped end of the blade, given or free, e.g. ``10 mm``."""
+    gap: Place = Free()
+    """Gap between the blade at rest and a stop, given or free, e.g. ``0.2 mm``."""
     sides: Literal["both", "one"] = "both"
-    smallest_gap: PositiveLength | None = Field(
-        None, alias="smallest-gap", description="that manufacturing and assembly allow"
-    )
-    travel: PositiveLength | None = Field(
-        None, description="of the tip to each side; left out, what the free blade's base bears"
-    )
+    """Sides on which stops stand, e.g. ``one``."""
+    smallest_gap: PositiveLength | None = Field(None, alias="smallest-gap")
+    """Smallest gap that manufacturing and assembly allow, e.g. ``0.1 mm``."""
+    travel: PositiveLength | None = None
+    """Travel of the tip to each side; left out, what the free blade's base bears, e.g. ``2 mm``."""
     contact: AnyContact = Rigid.model_construct(kind="rigid")
-    bending: Strength | None = Field(None, description="factor on the blade's bending stress")
-    shear: Strength | None = Field(
-        None, description="factor on the shear below a contact, against half the strength (Tresca)"
-    )
+    """What a stop is where the blade touches it,
+    e.g. ``{kind: ball, radius: 5 mm, material: 17-4ph-h900}``.
+    """
+    bending: Strength | None = None
+    """Factor on the blade's bending stress, e.g. ``1.5``."""
+    shear: Strength | None = None
+    """Factor on the shear below a contact, against half the strength (Tresca),
+    e.g. ``shear: 1.5, contact: {kind: ball, radius: 5 mm, material: 17-4ph-h900}``.
+    """
     simulation: Simulation = Simulation.model_construct()
+    """How 'flexure stops --simulate' verifies the stops, e.g. ``{modes: 3, confidence: 90 %}``."""
 
     @model_validator(mode="after")
     def _is_one_task(self) -> "Stops":

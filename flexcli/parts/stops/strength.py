@@ -15,7 +15,9 @@ class Strength(Shorthand):
     stands_for: ClassVar[str] = "factor"
 
     factor: Ratio
+    """How many times the stress the strength must be, e.g. ``1.5``."""
     allowable: Allowable = "yield-strength"
+    """Strength that the stress is held against, e.g. ``tensile-strength``."""
 
     def of(self, material: Material) -> float:
         """Return the strength [Pa], or raise :class:`MissingProperty`."""

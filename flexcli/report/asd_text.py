@@ -1,18 +1,16 @@
 """Profiles and worst cases as text: lists, a sheet with its curve, tables over Q."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import isinf
 
-from rich.console import Group, RenderableType
-from rich.table import Table
-from rich.text import Text
+from rich.console import RenderableType
 
 from flexcli.report.curve import curve
-from flexcli.report.tables import table
-from flexcli.results import BreakpointRow, ProfileRow, WorstCaseRow
+from flexcli.report.tables import Drawing, Line, Rows, table
+from flexcli.results import BreakpointRow, ProfileRow, Result, WorstCaseRow
 from flexcli.units import STANDARD_GRAVITY, show
 
-__all__ = ["profile_list", "profile_sheet", "worst_cases"]
+__all__ = ["profile_list", "profile_sheet", "section", "worst_cases"]
 
 _AXES = {"log-log": "straight on log-log axes", "linear": "straight on linear axes"}
 
@@ -21,18 +19,29 @@ def _g(value: float | None) -> str:
     return "" if value is None else f"{value / STANDARD_GRAVITY:.4g} g"
 
 
-def profile_list(rows: Sequence[ProfileRow]) -> Table:
+def section(result: Result) -> Iterator[RenderableType]:
+    """Yield the sheet of one profile, or the list of several, and the worst cases."""
+    if result.breakpoints:
+        yield from profile_sheet(result.profiles[0], result.breakpoints)
+    elif result.profiles:
+        yield profile_list(result.profiles)
+    if result.worst_cases:
+        yield from worst_cases(result.worst_cases)
+
+
+def profile_list(rows: Sequence[ProfileRow]) -> Rows:
     """Return one line per profile: rms as computed and as published, status, standard."""
     listed = table("", "name", "rms", "published", "status", "standard", numbers=[1, 2])
-    listed.columns[0].no_wrap = True
     for row in rows:
         standard = " ".join(filter(None, (row.standard, row.revision)))
         listed.add_row(row.name, _g(row.g_rms), _g(row.published_grms), row.status, standard)
     return listed
 
 
-def profile_sheet(row: ProfileRow, breakpoints: Sequence[BreakpointRow]) -> RenderableType:
-    """Return breakpoints with slopes, the curve, and where the numbers come from."""
+def profile_sheet(
+    row: ProfileRow, breakpoints: Sequence[BreakpointRow]
+) -> Iterator[RenderableType]:
+    """Yield breakpoints with slopes, the curve, and where the numbers come from."""
     points = table("Breakpoints", "frequency", "level", "slope to the next", numbers=[0, 1, 2])
     for point in breakpoints:
         level = f"{point.level / STANDARD_GRAVITY**2:.4g} g²/Hz"
@@ -58,7 +67,7 @@ def profile_sheet(row: ProfileRow, breakpoints: Sequence[BreakpointRow]) -> Rend
         [point.level / STANDARD_GRAVITY**2 for point in breakpoints],
         linear=row.interpolation == "linear",
     )
-    return Group(points, Text(drawn), facts)
+    yield from (points, Drawing(drawn), facts)
 
 
 def _slope(slope: float | None) -> str:
@@ -67,19 +76,20 @@ def _slope(slope: float | None) -> str:
     return "step" if isinf(slope) else f"{slope:+z.2f} dB/oct"
 
 
-def worst_cases(rows: Sequence[WorstCaseRow]) -> RenderableType:
-    """Return Miles beside the exact response, and the peaks, over cases and Q.
+def worst_cases(rows: Sequence[WorstCaseRow]) -> Iterator[RenderableType]:
+    """Yield Miles beside the exact response, and the peaks, over cases and Q.
 
     Of a single row, whose values stand alone, only what was applied to the profile.
     """
     applied = dict.fromkeys(
         f"{', '.join(filter(None, (row.case, row.profile)))}: {row.applied}" for row in rows
     )
-    told = Text("\n".join(applied), "dim")
-    return told if len(rows) == 1 else Group(_miles(rows), _exact(rows), _peaks(rows), told)
+    if len(rows) > 1:
+        yield from (_miles(rows), _exact(rows), _peaks(rows))
+    yield from (Line((told, "dim")) for told in applied)
 
 
-def _miles(rows: Sequence[WorstCaseRow]) -> Table:
+def _miles(rows: Sequence[WorstCaseRow]) -> Rows:
     miles = table(
         "Miles over all frequencies", "case", "Q", "worst at", "Miles", "exact there",
         "Miles over it", numbers=range(1, 6),
@@ -92,7 +102,7 @@ def _miles(rows: Sequence[WorstCaseRow]) -> Table:
     return miles
 
 
-def _exact(rows: Sequence[WorstCaseRow]) -> Table:
+def _exact(rows: Sequence[WorstCaseRow]) -> Rows:
     exact = table(
         "Exact response", "case", "Q", "greatest", "at", "Miles over it",
         "in the band below by", "at", numbers=range(1, 7),
@@ -107,7 +117,7 @@ def _exact(rows: Sequence[WorstCaseRow]) -> Table:
     return exact
 
 
-def _peaks(rows: Sequence[WorstCaseRow]) -> Table:
+def _peaks(rows: Sequence[WorstCaseRow]) -> Rows:
     peaks = table(
         "Peaks", "case", "Q", "duration", "as designed", "√(2 ln f₀T)", "Davenport",
         numbers=range(1, 6),

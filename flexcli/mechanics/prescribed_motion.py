@@ -1,4 +1,4 @@
-"""What a solution is asked for, blended from what holds where its path starts."""
+"""Prescribed motions and loads of a solution, blended from what holds where its path starts."""
 
 from collections.abc import Sequence
 
@@ -45,7 +45,7 @@ def demand_of(
     load_factor: Number = 1.0,
     start: Equilibrium | None = None,
 ) -> Demand:
-    """Return what is asked, blended from what holds at the start."""
+    """Return the prescribed motions and loads, blended from what holds at the start."""
     layout, length, force = assembly.layout, assembly.length, assembly.force
     index, free, after = held_of(layout, held, length)
     own = (*layout.loads, *weights_of(layout))

@@ -1,4 +1,4 @@
-"""In how many ways designs would fall if let go: negative directions of the whole energy."""
+"""Inertia count: how many negative eigenvalues the energy of an equilibrium has; none is stable."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,16 +8,16 @@ from flexcli.mechanics.beam import local
 from flexcli.mechanics.demand import Demand
 from flexcli.mechanics.mesh import pick
 
-__all__ = ["closing_and_balance", "row_units", "ways_of_one", "ways_to_fall"]
+__all__ = ["closing_and_balance", "inertia_count", "inertia_count_of_one", "row_units"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 
-def ways_to_fall(
+def inertia_count(
     assembly: Assembly, demand: Demand, at: Linearised, x: Floats, rows: Integers
 ) -> Integers:
-    """Return the number of negative directions of each design's energy (designs,).
+    """Return the number of negative eigenvalues of each design's energy (designs,).
 
     ``Σ n(blade with its end free) + n(S) − 3 blades``, bodies and sections of the blades alike,
     with S the matrix of closing and balance: the inertia of a matrix is that of its Schur
@@ -54,14 +54,14 @@ def ways_to_fall(
     S = closing_and_balance(assembly, demand, at)
     unit = row_units(S)
     negative = np.sum(np.linalg.eigvalsh(S * unit[:, :, None] * unit[:, None, :]) < 0.0, axis=-1)
-    return np.asarray(negative - 3 * assembly.blades + _ends_let_go(assembly, at, x, rows))
+    return np.asarray(negative - 3 * assembly.blades + _blades_alone(assembly, at, x, rows))
 
 
-def ways_of_one(assembly: Assembly, demand: Demand, x: Floats, share: float) -> int:
-    """Return the number of negative directions of a single design at an equilibrium."""
+def inertia_count_of_one(assembly: Assembly, demand: Demand, x: Floats, share: float) -> int:
+    """Return the number of negative eigenvalues of a single design at an equilibrium."""
     alone = np.arange(1)
     at = assembly.linearise(x[None], np.array([share]), alone, demand)
-    return int(ways_to_fall(assembly, demand, at, x[None], alone)[0])
+    return int(inertia_count(assembly, demand, at, x[None], alone)[0])
 
 
 def closing_and_balance(assembly: Assembly, demand: Demand, at: Linearised) -> Floats:
@@ -78,8 +78,8 @@ def row_units(S: Floats) -> Floats:
     return np.asarray(1.0 / np.sqrt(np.where(size > 0.0, size, 1.0)))
 
 
-def _ends_let_go(assembly: Assembly, at: Linearised, x: Floats, rows: Integers) -> Integers:
-    """Return how many negative directions the blades have, their ends let go (designs,).
+def _blades_alone(assembly: Assembly, at: Linearised, x: Floats, rows: Integers) -> Integers:
+    """Return how many negative eigenvalues the blades have, their ends free (designs,).
 
     Those of ``1 − A f_ψ``, with A symmetric and positive in its weights: the eigenvalues of
     ``A f_ψ`` are real, and at most those with f_ψ where it is positive.

@@ -1,4 +1,4 @@
-"""What the sections of one blade feel, at any place of a flexible piece."""
+"""Section forces of a blade: axial force, shear and moment at any place of a flexible piece."""
 
 from typing import NamedTuple
 
@@ -10,7 +10,7 @@ from flexcli.mechanics.mesh import Segment, column, pick
 from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.collocation import gauss_nodes, integration_to, interpolation_matrix
 
-__all__ = ["Section", "along", "flexible_pieces"]
+__all__ = ["Section", "flexible_pieces", "section_forces"]
 
 Floats = NDArray[np.float64]
 
@@ -33,7 +33,9 @@ def flexible_pieces(part: Part, blade: int) -> tuple[Segment, ...]:
     return tuple(s for s in part.assembly.meshes[k].segments[a] if s.piece is not None)
 
 
-def along(state: Equilibrium, part: Part, blade: int, segment: Segment, u: Floats) -> Section:
+def section_forces(
+    state: Equilibrium, part: Part, blade: int, segment: Segment, u: Floats
+) -> Section:
     """Return rotation from the start, forces [N] and moment [N·m] at u of a flexible segment.
 
     Parameters

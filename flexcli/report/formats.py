@@ -1,0 +1,44 @@
+"""The formats in which results are rendered; a new one is a file here and a member below."""
+
+from enum import StrEnum
+from importlib import import_module
+from typing import NamedTuple
+
+from flexcli.results import Result
+
+__all__ = ["Format", "Page", "Report"]
+
+
+class Report(NamedTuple):
+    """What a command has to tell: its results, and whether they are of several specs."""
+
+    command: str
+    results: tuple[Result, ...]
+    is_of_many: bool = False
+
+
+class Page(NamedTuple):
+    """What the output is written on: columns, colours, and the characters that it can show."""
+
+    width: int = 80
+    is_coloured: bool = False
+    encoding: str = "utf-8"
+
+
+class Format(StrEnum):
+    """How results are rendered: by the module ``as_<value>`` of this package.
+
+    Each has ``render(report, page)``, which returns the text for stdout.
+    """
+
+    TEXT = "text"
+    JSON = "json"
+    JUNIT = "junit"
+    SARIF = "sarif"
+    GITHUB = "github"
+    MARKDOWN = "markdown"
+
+    def render(self, report: Report, page: Page) -> str:
+        """Return the text for stdout; only the asked format is imported."""
+        text: str = import_module(f"flexcli.report.as_{self.value}").render(report, page)
+        return text

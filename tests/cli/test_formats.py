@@ -1,0 +1,194 @@
+"""What comes out of the command on a real terminal, in any encoding, and in the formats of CI."""
+
+import fcntl
+import io
+import json
+import os
+import pty
+import re
+import struct
+import subprocess
+import sys
+import termios
+from contextlib import redirect_stderr, redirect_stdout
+from types import SimpleNamespace
+from xml.etree import ElementTree
+
+import pytest
+import typer.testing
+
+from flexcli.cli import app as command
+
+NAME = "σ³ ½ ←"
+"""A case's name of which ascii, cp1252 and latin-1 lack something."""
+
+SPEC = f"""\
+flexure: 1
+title: a stage
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0.34, yield_strength: 800 MPa}}
+geometry: {{kind: leaf-spring-stage, h: 300 um, l: 50 mm, b: 10 mm}}
+cases:
+  "{NAME}": {{stroke: {{translation: 2 mm}}}}
+requirements:
+  stiffness: {{max: 1 N/m}}
+  yield: 1.5
+"""
+
+STIFFNESS, YIELD = (SPEC.splitlines().index(f"  {row}") + 1
+                    for row in ("stiffness: {max: 1 N/m}", "yield: 1.5"))  # fmt: skip
+
+
+@pytest.fixture
+def design(tmp_path):
+    (tmp_path / "flexure.yaml").write_text(SPEC, encoding="utf-8")
+    return tmp_path
+
+
+def on_terminal(folder, columns, *arguments):
+    """Return what the command writes on a terminal of so many columns, and its exit code."""
+    ours, its = pty.openpty()
+    fcntl.ioctl(its, termios.TIOCSWINSZ, struct.pack("HHHH", 50, columns, 0, 0))
+    environment = {key: value for key, value in os.environ.items()
+                   if key not in ("COLUMNS", "LINES", "NO_COLOR", "FORCE_COLOR")}  # fmt: skip
+    run = subprocess.Popen(
+        [sys.executable, "-c", "from flexcli.cli.app import main; main()", *arguments],
+        cwd=folder, stdin=its, stdout=its, stderr=subprocess.DEVNULL,
+        env={**environment, "TERM": "xterm", "PYTHONIOENCODING": "utf-8"},
+    )  # fmt: skip
+    os.close(its)
+    told = b""
+    try:
+        while part := os.read(ours, 65536):
+            told += part
+    except OSError:  # Linux says so at the end of what a terminal's other side wrote
+        pass
+    os.close(ours)
+    return told.decode().replace("\r\n", "\n"), run.wait(timeout=60)
+
+
+@pytest.mark.parametrize("columns", [40, 80, 200])
+def test_a_terminal_of_any_width_shows_verdict_and_name_of_every_check(design, columns):
+    told, code = on_terminal(design, columns, "check")
+    assert code == 1
+    assert "\x1b[1;31mFAIL" in told
+    text = re.sub(r"\x1b\[[\d;]*m", "", told)
+    assert max(map(len, text.splitlines())) <= columns
+    assert re.search(r"^FAIL +stiffness \(max\)", text, re.MULTILINE)
+    assert re.search(rf"^pass +yield \(yield-strength\), {NAME}", text, re.MULTILINE)
+
+
+@pytest.fixture
+def inside(monkeypatch, design):
+    """Run the command in this process on streams of an encoding, in the folder of the design."""
+
+    def run(*arguments, encoding="utf-8"):
+        streams = [io.TextIOWrapper(io.BytesIO(), encoding=encoding) for _ in range(2)]
+        monkeypatch.chdir(design)
+        monkeypatch.setenv("COLUMNS", "100")
+        monkeypatch.setattr(sys, "argv", ["flexure", *arguments])
+        out, err = redirect_stdout(streams[0]), redirect_stderr(streams[1])
+        with out, err, pytest.raises(SystemExit) as ended:
+            command.main()
+        for stream in streams:
+            stream.flush()
+        texts = [stream.buffer.getvalue().decode(encoding) for stream in streams]
+        return SimpleNamespace(code=ended.value.code, out=texts[0], err=texts[1])
+
+    return run
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "latin-1", "utf-8"])
+def test_any_encoding_of_stdout_will_do(inside, encoding):
+    told = inside("check", encoding=encoding)
+    assert told.code == 1
+    spelt = {"ascii": "sigma^3 1/2 <-", "cp1252": "sigma³ ½ <-", "latin-1": "sigma³ ½ <-"}
+    assert f"yield (yield-strength), {spelt.get(encoding, NAME)}" in told.out
+    assert max(map(len, told.out.splitlines())) <= 100
+    told = inside("check", "--format", "json", encoding=encoding)
+    assert NAME in [row["case"] for row in json.loads(told.out)["checks"]]
+
+
+def test_a_console_that_knows_only_ascii_gets_ascii(flexure, design):
+    told = flexure("check", PYTHONIOENCODING="ascii")
+    assert told.returncode == 1
+    assert "yield (yield-strength), sigma^3 1/2 <-" in told.stdout
+    assert "Traceback" not in told.stderr
+
+
+def test_findings_and_help_need_no_more_than_ascii(inside, design):
+    (design / "flexure.yaml").write_text(SPEC.replace("2 mm", "2 µσ"), encoding="utf-8")
+    told = inside("check", encoding="ascii")
+    assert told.code == 2
+    assert "2 usigma" in told.err
+    assert inside("--help", encoding="ascii").code == 0
+
+
+@pytest.mark.parametrize("style", ["text", "json", "github", "markdown", "sarif", "junit"])
+def test_the_name_of_a_file_cannot_steer_a_terminal(inside, style):
+    told = inside("check", "\x1b[31m\x9b2Jx.yaml", "--format", style)
+    assert told.code == 2
+    assert not set(told.out + told.err) & {"\x1b", "\x9b"}
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("check", "--nonsense"),
+        ("simulate", "--points", "many"),
+        ("stops", "--seed", "-1"),
+        ("check", "missing.yaml"),
+        ("materials", "unobtainium"),
+        ("nonsense",),
+    ],
+)
+def test_wrong_usage_is_told_in_the_asked_format(inside, arguments):
+    told = inside(*arguments, "--format", "json")
+    assert told.code == 2
+    document = json.loads(told.out)
+    assert document["status"] == "error"
+    assert document["findings"][0]["text"]
+    assert "cost" in document
+
+
+def test_wrong_usage_is_an_error_in_ci_too(inside):
+    assert inside("check", "--nonsense", "--format", "github").out.startswith("::error ")
+    told = inside("check", "--nonsense", "--format", "junit")
+    assert told.code == 2
+    assert ElementTree.fromstring(told.out)[0].get("errors") == "1"
+
+
+def test_a_format_of_results_is_refused_where_there_are_none(inside):
+    told = inside("materials", "--format", "junit")
+    assert told.code == 2
+    assert ElementTree.fromstring(told.out)[0].get("errors") == "1"
+
+
+def test_a_bug_is_told_in_the_asked_format(monkeypatch, capsys):
+    def broken(**_):
+        raise RuntimeError("not foreseen")
+
+    monkeypatch.setattr(command, "app", broken)
+    monkeypatch.setattr(sys, "argv", ["flexure", "check", "--format", "json"])
+    with pytest.raises(SystemExit) as ended:
+        command.main()
+    assert ended.value.code == 101
+    assert "not foreseen" in json.loads(capsys.readouterr().out)["findings"][0]["text"]
+
+
+VERBS = ("size", "check", "simulate", "plan", "accuracy", "balance", "stops", "explain",
+         "validate", "materials", "schema", "asd response", "asd worst-case")  # fmt: skip
+
+
+@pytest.mark.parametrize("verb", VERBS)
+@pytest.mark.parametrize("option", ["-h", "--help"])
+def test_the_help_of_every_command_has_its_exit_codes(verb, option):
+    told = typer.testing.CliRunner().invoke(command.app, [*verb.split(), option])
+    assert told.exit_code == 0
+    words = " ".join(told.stdout.split())
+    for code in ("0 passed", "1 the design fails", "2 bad input", "101 a bug"):
+        assert code in words
+
+
+def test_the_shell_can_complete():
+    told = typer.testing.CliRunner().invoke(command.app, ["--help"]).stdout
+    assert "--install-completion" in told
