@@ -1,3 +1,71 @@
-"""flexcli: a design desk for flexure mechanisms."""
+"""flexcli: a design desk for flexure mechanisms.
+
+The verbs of :mod:`flexcli.api` are here too, e.g. ``flexcli.check("flexure.yaml")``; they are
+imported when the first of them is asked for.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from flexcli.api import (
+        Loaded,
+        accuracy,
+        asd_envelope,
+        asd_grms,
+        asd_list,
+        asd_response,
+        asd_scale,
+        asd_show,
+        asd_worst_case,
+        balance,
+        check,
+        drawing,
+        is_sized,
+        load,
+        plan,
+        simulate,
+        size,
+        sized,
+        spec_text,
+        stops,
+        validate,
+    )
 
 __version__ = "0.1.0"
+
+__all__ = [
+    "Loaded",
+    "__version__",
+    "accuracy",
+    "asd_envelope",
+    "asd_grms",
+    "asd_list",
+    "asd_response",
+    "asd_scale",
+    "asd_show",
+    "asd_worst_case",
+    "balance",
+    "check",
+    "drawing",
+    "is_sized",
+    "load",
+    "plan",
+    "simulate",
+    "size",
+    "sized",
+    "spec_text",
+    "stops",
+    "validate",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in __all__:
+        raise AttributeError(f"module 'flexcli' has no attribute '{name}'")
+    from flexcli import api
+
+    return getattr(api, name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

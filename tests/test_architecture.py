@@ -1,6 +1,8 @@
 """The layers hold: which package may import which, no cycles, no printing below the report."""
 
 import ast
+import subprocess
+import sys
 from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -26,7 +28,9 @@ LAYERS = {
     "spec": BASE | {"parts"},
     "engine": BASE | {"formulas", "numerics", "mechanics", "parts"},
     "report": BASE,
-    "cli": BASE | {"parts", "spec", "engine", "report"},
+    "api": BASE | {"parts", "spec", "engine"},
+    "cli": BASE | {"parts", "spec", "engine", "report", "api"},
+    "": {"api"},
 }
 """What each package may import, besides itself (the table of the design, layer by layer)."""
 
@@ -82,7 +86,7 @@ def test_imports_only_what_its_layer_may(path):
 
 
 def test_every_package_has_a_layer():
-    found = {package_of(name) for name in names()} - {""}
+    found = {package_of(name) for name in names()}
     assert found == set(LAYERS)
 
 
@@ -126,3 +130,13 @@ def test_the_command_line_imports_nothing_heavy_at_its_top():
             if isinstance(node, ast.ImportFrom)
         }
         assert not top & heavy, path.name
+
+
+def test_the_package_offers_what_the_api_does_and_imports_it_when_asked():
+    from flexcli import api
+
+    assert {*flexcli.__all__} - {"__version__"} == {*api.__all__}
+    assert all(getattr(flexcli, name) is getattr(api, name) for name in api.__all__)
+    code = "import sys, flexcli; print([m for m in sys.modules if 'numpy' in m or 'yaml' in m])"
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert told.stdout.strip() == "[]"

@@ -4,25 +4,26 @@ from collections.abc import Callable
 from functools import partial
 from math import isfinite
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from flexcli.cli import response
 from flexcli.cli.common import (
     DEFAULT_SPEC,
+    STDIN,
     Format,
     FormatOption,
+    SetOption,
     attempt,
     finish,
+    overrides_of,
+    read,
     with_common_options,
-    write_file,
 )
+from flexcli.cli.files import ForceOption, saved
 from flexcli.errors import Finding, SpecError
 from flexcli.results import Result
-
-if TYPE_CHECKING:
-    from flexcli.parts.asd import ASDProfile
 
 __all__ = ["NAME", "app"]
 
@@ -50,23 +51,27 @@ app.command(response.NAME)(with_common_options(response.run))
 @app.command("list")
 def list_(style: FormatOption = Format.TEXT) -> None:
     """List the shipped profiles: rms as computed and as published, status, standard."""
-    from flexcli.spec.shipped import shipped_names
+    from flexcli import api
 
-    _finish("list", "", lambda: _catalogue("list", shipped_names(NAME)), style)
+    _finish("list", "", api.asd_list, style)
 
 
 @app.command()
 @with_common_options
 def show(name: ProfileArgument, style: FormatOption = Format.TEXT) -> None:
     """Show a profile: breakpoints, slopes, rms values, moments, curve and sources."""
-    _finish("show", name, lambda: _described("show", name), style)
+    from flexcli import api
+
+    _finish("show", name, partial(api.asd_show, name), style)
 
 
 @app.command()
 @with_common_options
 def grms(names: ProfilesArgument, style: FormatOption = Format.TEXT) -> None:
     """Compute the exact rms of profiles, beside the published one."""
-    _finish("grms", ", ".join(names), lambda: _catalogue("grms", names), style)
+    from flexcli import api
+
+    _finish("grms", ", ".join(names), partial(api.asd_grms, names), style)
 
 
 @app.command()
@@ -76,9 +81,12 @@ def validate(
     style: FormatOption = Format.TEXT,
 ) -> None:
     """Validate profiles; warn where the published rms is not that of the breakpoints."""
+    from flexcli import api
+
     command = f"{NAME} validate"
     results = [
-        attempt(command, Path(name), partial(_catalogue, "validate", [name])) for name in files
+        attempt(command, Path(name), partial(api.asd_grms, [name], command=command))
+        for name in files
     ]
     finish(command, results, style, many=len(files) > 1)
 
@@ -86,16 +94,16 @@ def validate(
 @app.command()
 @with_common_options
 def envelope(
-    names: ProfilesArgument, write: WriteOption = None, style: FormatOption = Format.TEXT
+    names: ProfilesArgument,
+    write: WriteOption = None,
+    force: ForceOption = False,
+    style: FormatOption = Format.TEXT,
 ) -> None:
     """Form the envelope of profiles, with the exact points where they cross."""
-    from flexcli.engine.asd import enveloped
-    from flexcli.spec.profiles import load_profiles
+    from flexcli import api
 
-    def run() -> Result:
-        return _made("envelope", ", ".join(names), write, enveloped(load_profiles(names)))
-
-    _finish("envelope", ", ".join(names), run, style)
+    verb = partial(api.asd_envelope, names)
+    _finish_made("envelope", ", ".join(names), verb, write, style, force=force)
 
 
 @app.command()
@@ -104,19 +112,15 @@ def scale(
     name: ProfileArgument,
     db: Annotated[float, typer.Option("--db", help="Decibels to add; 3 doubles the density.")],
     write: WriteOption = None,
+    force: ForceOption = False,
     style: FormatOption = Format.TEXT,
 ) -> None:
     """Scale the level of a profile by decibels."""
-    from flexcli.engine.asd import scaled
-    from flexcli.spec.profiles import load_profile
+    from flexcli import api
 
     if not abs(db) <= _MOST_DB:
         raise typer.BadParameter(f"give decibels from -{_MOST_DB:g} to {_MOST_DB:g}")
-
-    def run() -> Result:
-        return _made("scale", name, write, scaled(name, load_profile(name), db))
-
-    _finish("scale", name, run, style)
+    _finish_made("scale", name, partial(api.asd_scale, name, db), write, style, force=force)
 
 
 @app.command("worst-case")
@@ -132,10 +136,24 @@ def worst_case(
     duration: Annotated[
         str | None, typer.Option("--duration", help="Time of exposure, e.g. '2 min'.")
     ] = None,
+    stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
     """Give Miles' worst case over all frequencies, beside the exact response and its peaks."""
-    _finish("worst-case", spec, lambda: _worst_case(spec, qualities or [], duration), style)
+
+    def verb() -> Result:
+        from flexcli import api
+
+        _refuse_no_quality(qualities or [])
+        source = spec if spec != STDIN else read(Path(spec), None)
+        return api.asd_worst_case(
+            source,
+            qualities=qualities or (),
+            duration=_seconds(duration),
+            overrides=overrides_of(stated),
+        )
+
+    _finish("worst-case", spec, verb, style)
 
 
 def _finish(verb: str, spec: str, run: Callable[[], Result], style: Format) -> None:
@@ -143,51 +161,38 @@ def _finish(verb: str, spec: str, run: Callable[[], Result], style: Format) -> N
     finish(command, [attempt(command, Path(spec), run)], style, many=False)
 
 
-def _catalogue(verb: str, names: list[str]) -> Result:
-    from flexcli.engine.asd import catalogue
-    from flexcli.spec.profiles import load_profiles
+def _finish_made(
+    verb: str,
+    spec: str,
+    run: Callable[[], Result],
+    write: Path | None,
+    style: Format,
+    *,
+    force: bool,
+) -> None:
+    """Show a profile that was made, and save it where that is wished."""
 
-    return catalogue(f"{NAME} {verb}", load_profiles(names))
-
-
-def _described(verb: str, name: str) -> Result:
-    from flexcli.engine.asd import describe
-    from flexcli.spec.profiles import load_profile
-
-    return describe(f"{NAME} {verb}", name, load_profile(name))
-
-
-def _made(verb: str, spec: str, write: Path | None, profile: "ASDProfile") -> Result:
-    from flexcli.engine.asd import describe
-    from flexcli.spec.profiles import profile_text
-
-    if write is not None:
-        if write.suffix not in (".yaml", ".yml"):
+    def made() -> Result:
+        if write is not None and write.suffix not in (".yaml", ".yml"):
             raise SpecError([Finding(str(write), "is no name of a spec", "end it in .yaml")])
-        write_file(write, profile_text(profile))
-    return describe(f"{NAME} {verb}", spec, profile)
+        return run()
+
+    def text() -> str | None:
+        from flexcli.spec.profiles import profile_text
+
+        return profile_text(result) if result.breakpoints else None
+
+    command = f"{NAME} {verb}"
+    result = attempt(command, Path(spec), made)
+    with saved(write, text, force=force, nothing="there is no profile"):
+        finish(command, [result], style, many=False)
 
 
-def _worst_case(spec: str, qualities: list[float], duration: str | None) -> Result:
-    from flexcli.engine.asd_worst_case import environments, exposed, worst_case
-    from flexcli.parts.asd import ASDProfile
-    from flexcli.spec.profiles import load_design_or_profile
-
+def _refuse_no_quality(qualities: list[float]) -> None:
     wrong = [q for q in qualities if not (isfinite(q) and q > 0.0)]
     if wrong:
         findings = [Finding("--q", f"{q:g} is no quality factor", "give e.g. 100") for q in wrong]
         raise SpecError(findings)
-    time = _seconds(duration)
-    source = load_design_or_profile(spec)
-    if isinstance(source, ASDProfile):
-        if not qualities:
-            raise SpecError([Finding(spec, "a profile needs a quality factor", "add --q 100")])
-        found = exposed(spec, source, qualities, time)
-        return worst_case(found, spec, source.name)
-    found = environments(source, qualities, time)
-    if not found:
-        raise SpecError([Finding(spec, "no case has an asd", "add one, or name a profile")])
-    return worst_case(found, spec, source.title)
 
 
 def _seconds(duration: str | None) -> float | None:

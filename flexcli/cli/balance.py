@@ -1,20 +1,24 @@
 """``flexure balance``: what the motion of the base does, before and after balancing."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from flexcli.cli.common import (
     Format,
     FormatOption,
-    SpecArgument,
-    attempt,
+    SetOption,
+    SpecsArgument,
     finish,
-    spec_path,
-    write_file,
+    on_each,
+    only_one,
 )
+from flexcli.cli.files import ForceOption, saved
 from flexcli.results import Result
+
+if TYPE_CHECKING:
+    from flexcli.api import Loaded
 
 __all__ = ["NAME", "run"]
 
@@ -22,25 +26,28 @@ NAME = "balance"
 
 
 def run(
-    spec: SpecArgument = None,
+    specs: SpecsArgument = None,
+    stated: SetOption = None,
     style: FormatOption = Format.TEXT,
     csv: Annotated[
         Path | None, typer.Option("--csv", help="Save the table of the transfer functions.")
     ] = None,
+    force: ForceOption = False,
 ) -> None:
     """Balance a mechanism against its base's motion: arms, masses, coupling, T(ω), residuals."""
-    path = spec_path(spec)
-    result = attempt(NAME, path, lambda: _balance(path, csv))
-    finish(NAME, [result], style, many=False)
+    only_one(NAME, "--csv", specs, csv, style)
 
+    def verb(spec: "Loaded") -> Result:
+        from flexcli import api
 
-def _balance(path: Path, csv: Path | None) -> Result:
-    from flexcli.engine.balance import balance
-    from flexcli.report.balance_csv import transfer_csv
-    from flexcli.spec.load import load_design
+        return api.balance(spec)
 
-    design, _ = load_design(path)
-    result = balance(design, str(path))
-    if csv is not None and result.balance is not None:
-        write_file(csv, transfer_csv(result.balance.transfer))
-    return result
+    def text() -> str | None:
+        from flexcli.report.balance_csv import transfer_csv
+
+        found = results[0].balance
+        return transfer_csv(found.transfer) if found is not None else None
+
+    results = on_each(NAME, specs, stated, verb)
+    with saved(csv, text, force=force, nothing="there are no transfer functions"):
+        finish(NAME, results, style, many=len(results) > 1)

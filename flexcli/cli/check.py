@@ -1,8 +1,7 @@
 """``flexure check``: margins of given designs."""
 
-from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -10,13 +9,15 @@ from flexcli.cli.common import (
     DEFAULT_SPEC,
     Format,
     FormatOption,
-    Model,
     ModelOption,
-    attempt,
+    SetOption,
     finish,
+    on_each,
 )
-from flexcli.errors import Finding, SpecError
 from flexcli.results import Result
+
+if TYPE_CHECKING:
+    from flexcli.api import Loaded
 
 __all__ = ["NAME", "run"]
 
@@ -26,26 +27,22 @@ NAME = "check"
 def run(
     specs: Annotated[
         list[Path] | None,
-        typer.Argument(help=f"Designs or folders of them; {DEFAULT_SPEC} if left out."),
+        typer.Argument(
+            help=f"Designs, folders of them, or - for stdin; {DEFAULT_SPEC} if left out."
+        ),
     ] = None,
     model: ModelOption = None,
+    stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Check given designs: every requirement with demand, capacity, factor and margin."""
+    """Check designs: every requirement with demand, capacity, factor and margin."""
     from flexcli.spec.folder import designs_in
 
+    def verb(spec: "Loaded") -> Result:
+        from flexcli import api
+
+        return api.check(spec, model=model.value if model else None)
+
     paths = designs_in(specs or [Path(DEFAULT_SPEC)])
-    results = [attempt(NAME, path, partial(_check, path, model)) for path in paths]
+    results = on_each(NAME, paths, stated, verb)
     finish(NAME, results, style, many=len(specs or []) > 1 or len(paths) != 1)
-
-
-def _check(path: Path, model: Model | None) -> Result:
-    from flexcli.engine.check import check
-    from flexcli.spec.given import given_sizes
-    from flexcli.spec.load import load_design
-
-    if path.is_dir():
-        hint = "a design has flexure, material, geometry, cases and requirements"
-        raise SpecError([Finding(str(path), "there is no design in this folder", hint)])
-    design, document = load_design(path)
-    return check(design, given_sizes(design, document), str(path), model.value if model else None)

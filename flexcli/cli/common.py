@@ -1,12 +1,11 @@
 """What the verbs share: which files, which model, and what becomes of the user's mistakes."""
 
-import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from enum import Enum
-from functools import wraps
+from functools import partial, wraps
 from pathlib import Path
-from typing import Annotated, Any, NoReturn
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
@@ -14,26 +13,33 @@ from flexcli.cli.output import Format, FormatOption, finish, write_json, write_t
 from flexcli.errors import Finding, NoSolution, SolveError, SpecError
 from flexcli.results import Result, Status
 
+if TYPE_CHECKING:
+    from flexcli.api import Loaded
+
 __all__ = [
     "DEFAULT_SPEC",
+    "STDIN",
     "Format",
     "FormatOption",
     "Model",
     "ModelOption",
     "OutputOption",
-    "SpecArgument",
+    "SetOption",
+    "SpecsArgument",
     "attempt",
     "fail",
     "finish",
-    "spec_path",
+    "on_each",
+    "only_one",
+    "overrides_of",
+    "read",
     "with_common_options",
-    "write_file",
     "write_json",
-    "write_new",
     "write_text",
 ]
 
 DEFAULT_SPEC = "flexure.yaml"
+STDIN = "-"
 
 
 class Model(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
@@ -61,10 +67,20 @@ ModelOption = Annotated[
     ),
 ]
 OutputOption = Annotated[
-    Path | None, typer.Option("--output", "-o", help="File to write, which must be a new one.")
+    Path | None, typer.Option("--output", "-o", help="File to write; a new one, without --force.")
 ]
-SpecArgument = Annotated[
-    Path | None, typer.Argument(help=f"Design file; {DEFAULT_SPEC} of this folder if left out.")
+SpecsArgument = Annotated[
+    list[Path] | None,
+    typer.Argument(
+        metavar="[SPEC]...",
+        help=f"Design files, or - for stdin; {DEFAULT_SPEC} of this folder if left out.",
+    ),
+]
+SetOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set", metavar="PATH=VALUE", help="Put a value over the spec's, e.g. geometry.h=0.2mm."
+    ),
 ]
 
 
@@ -120,9 +136,63 @@ def with_common_options(verb: Callable[..., None]) -> Callable[..., None]:
     return bounded_verb
 
 
-def spec_path(spec: Path | None) -> Path:
-    """Return the spec that is meant."""
-    return spec if spec is not None else Path(DEFAULT_SPEC)
+def on_each(
+    command: str,
+    specs: Sequence[Path] | None,
+    stated: Sequence[str] | None,
+    verb: Callable[["Loaded"], Result],
+) -> list[Result]:
+    """Run a verb on every spec, with what ``--set`` states put over its values."""
+    paths = specs or [Path(DEFAULT_SPEC)]
+    return [attempt(command, path, partial(_told, path, stated, verb)) for path in paths]
+
+
+def _told(path: Path, stated: Sequence[str] | None, verb: Callable[["Loaded"], Result]) -> Result:
+    return verb(read(path, stated))
+
+
+def read(path: Path, stated: Sequence[str] | None) -> "Loaded":
+    """Read a spec, from stdin where its name is ``-``, with values put over its own."""
+    from flexcli import api
+
+    overrides = overrides_of(stated)
+    if str(path) != STDIN:
+        return api.load(path, overrides=overrides)
+    from flexcli.spec.read import MAX_BYTES, text_of
+
+    text = text_of(sys.stdin.buffer.read(MAX_BYTES + 1), _name(path))
+    # a line alone would be the path of a spec
+    return api.load(text + "\n", overrides=overrides, name=_name(path))
+
+
+def _name(path: Path) -> str:
+    return "<stdin>" if str(path) == STDIN else str(path)
+
+
+def overrides_of(stated: Sequence[str] | None) -> dict[str, str]:
+    """Return what ``--set`` states by its paths, or raise SpecError where it states nothing."""
+    findings: list[Finding] = []
+    found: dict[str, str] = {}
+    for text in stated or ():
+        path, equals, value = text.partition("=")
+        path = path.strip()
+        if not equals:
+            findings.append(Finding("--set", f"'{text}' has no '='", "write geometry.h=0.2mm"))
+        elif path in found:
+            findings.append(Finding("--set", f"{path} is set twice", "keep one of them"))
+        found[path] = value
+    if findings:
+        raise SpecError(findings)
+    return found
+
+
+def only_one(
+    command: str, option: str, specs: Sequence[Path] | None, value: Path | None, style: Format
+) -> None:
+    """End the run where a file is to be written for several specs."""
+    if value is not None and len(specs or ()) > 1:
+        finding = Finding(option, "takes the result of one spec", "name one spec")
+        fail(command, "", SpecError([finding]), style)
 
 
 def attempt(command: str, spec: Path, verb: Callable[[], Result]) -> Result:
@@ -133,42 +203,22 @@ def attempt(command: str, spec: Path, verb: Callable[[], Result]) -> Result:
     from flexcli.cli import progress
 
     try:
-        with progress.bounded(f"{command} {spec}"):
+        with progress.bounded(f"{command} {_name(spec)}"):
             return verb()
     except KeyboardInterrupt:
         run = progress.run.get() or progress.Run()
-        found = Finding(str(spec), run.stopped or "interrupted", run.remedy)
-        return Result(command, str(spec), Status.UNDECIDED, findings=(found,))
+        found = Finding(_name(spec), run.stopped or "interrupted", run.remedy)
+        return Result(command, _name(spec), Status.UNDECIDED, findings=(found,))
     except SpecError as error:
         findings = tuple(error.findings)
     except SolveError as error:
-        findings = (Finding(str(spec), error.text, error.remedy),)
+        findings = (Finding(_name(spec), error.text, error.remedy),)
         if isinstance(error, NoSolution):
-            return Result(command, str(spec), Status.UNDECIDED, findings=findings)
-    return Result(command=command, spec=str(spec), status=Status.ERROR, findings=findings)
+            return Result(command, _name(spec), Status.UNDECIDED, findings=findings)
+    return Result(command=command, spec=_name(spec), status=Status.ERROR, findings=findings)
 
 
 def fail(command: str, spec: str, error: SpecError, style: Format) -> NoReturn:
     """End a run on the user's mistakes alone."""
     result = Result(command, spec, Status.ERROR, findings=tuple(error.findings))
     finish(command, [result], style, many=False)
-
-
-def write_file(path: Path, content: str | bytes) -> None:
-    """Write a file whole or not at all."""
-    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        partial.write_bytes(content if isinstance(content, bytes) else content.encode())
-        partial.replace(path)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        sys.stderr.write(f"flexure: cannot write {path}: {error.strerror}\n")
-        raise typer.Exit(2) from error
-
-
-def write_new(path: Path, text: str) -> None:
-    """Write a file that is not there yet."""
-    if path.exists():
-        sys.stderr.write(f"flexure: {path} exists; name another file, or remove it\n")
-        raise typer.Exit(2)
-    write_file(path, text)

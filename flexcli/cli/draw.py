@@ -2,12 +2,24 @@
 
 from enum import Enum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from flexcli.cli.common import Format, SpecArgument, attempt, finish, spec_path, write_file
+from flexcli.cli.common import (
+    Format,
+    SetOption,
+    SpecsArgument,
+    fail,
+    finish,
+    on_each,
+)
+from flexcli.cli.files import ForceOption, write_or_end
+from flexcli.errors import Finding, SpecError
 from flexcli.results import Result, Status
+
+if TYPE_CHECKING:
+    from flexcli.api import Loaded
 
 __all__ = ["NAME", "run"]
 
@@ -23,11 +35,13 @@ class View(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
 
 
 def run(
-    spec: SpecArgument = None,
+    specs: SpecsArgument = None,
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="SVG or PNG file; SVG to stdout if left out."),
     ] = None,
+    force: ForceOption = False,
+    stated: SetOption = None,
     view: Annotated[View, typer.Option("--view", help="From where it is seen.")] = View.FRONT,
     case: Annotated[
         str | None, typer.Option("--case", help="Case whose stroke and forces are drawn.")
@@ -37,35 +51,36 @@ def run(
     ] = False,
 ) -> None:
     """Draw the joint to scale as SVG: at rest, deflected, with sizes, forces and centre."""
-    path = spec_path(spec)
+    if len(specs or ()) > 1:
+        fail(NAME, "", SpecError([Finding(NAME, "draws one spec", "name one")]), Format.TEXT)
     drawn: list[str] = []
-    result = attempt(NAME, path, lambda: _draw(path, drawn, view, case, stress=stress))
+
+    def verb(spec: "Loaded") -> Result:
+        drawn.append(_drawn(spec, view, case, stress=stress))
+        return Result(NAME, "", Status.PASS)
+
+    results = on_each(NAME, specs, stated, verb)
     if not drawn:
-        finish(NAME, [result], Format.TEXT, many=False)
+        finish(NAME, results, Format.TEXT, many=False)
     (svg,) = drawn
     if output is None:
         typer.echo(svg, nl=False)
     elif output.suffix == ".png":
         from flexcli.report.raster import png
 
-        write_file(output, png(svg))
+        write_or_end(output, png(svg), force=force)
     else:
-        write_file(output, svg)
+        write_or_end(output, svg, force=force)
 
 
-def _draw(path: Path, drawn: list[str], view: View, case: str | None, *, stress: bool) -> Result:
-    from flexcli.engine.draw import drawing
+def _drawn(spec: "Loaded", view: View, case: str | None, *, stress: bool) -> str:
+    from flexcli import api
     from flexcli.report.drawing_svg import drawing_svg
-    from flexcli.spec.given import given_sizes
-    from flexcli.spec.load import load_design
 
-    design, document = load_design(path)
-    found = drawing(design, given_sizes(design, document), case)
-    title = design.title or found.kind
+    found = api.drawing(spec, case=case)
+    title = spec.part.title or found.kind
     if view is View.FRONT:
-        drawn.append(drawing_svg(found, title, stress=stress))
-    else:
-        from flexcli.report.drawing_views import view_svg
+        return drawing_svg(found, title, stress=stress)
+    from flexcli.report.drawing_views import view_svg
 
-        drawn.append(view_svg(found, title, view.value))
-    return Result(NAME, str(path), Status.PASS, title=design.title)
+    return view_svg(found, title, view.value)

@@ -1,9 +1,12 @@
 """``flexure asd response``: what the mechanism's own modes make of a vibration or a shock."""
 
-from pathlib import Path
+from typing import TYPE_CHECKING
 
-from flexcli.cli.common import Format, FormatOption, SpecArgument, attempt, finish, spec_path
+from flexcli.cli.common import Format, FormatOption, SetOption, SpecsArgument, finish, on_each
 from flexcli.results import Result
+
+if TYPE_CHECKING:
+    from flexcli.api import Loaded
 
 __all__ = ["NAME", "run"]
 
@@ -11,17 +14,15 @@ NAME = "response"
 COMMAND = "asd response"
 
 
-def run(spec: SpecArgument = None, style: FormatOption = Format.TEXT) -> None:
-    """Modes, rms and peak travel, stress and force, and life of a given design, per case."""
-    path = spec_path(spec)
-    result = attempt(COMMAND, path, lambda: _respond(path))
-    finish(COMMAND, [result], style, many=False)
+def run(
+    specs: SpecsArgument = None, stated: SetOption = None, style: FormatOption = Format.TEXT
+) -> None:
+    """Modes, rms and peak travel, stress and force, and life of a design, per case."""
 
+    def verb(spec: "Loaded") -> Result:
+        from flexcli import api
 
-def _respond(path: Path) -> Result:
-    from flexcli.engine.response import respond
-    from flexcli.spec.given import given_sizes
-    from flexcli.spec.load import load_design
+        return api.asd_response(spec)
 
-    design, document = load_design(path)
-    return respond(design, given_sizes(design, document), str(path))
+    results = on_each(COMMAND, specs, stated, verb)
+    finish(COMMAND, results, style, many=len(results) > 1)

@@ -4,7 +4,8 @@ from typing import Annotated
 
 import typer
 
-from flexcli.cli.common import OutputOption, write_json, write_new
+from flexcli.cli.common import OutputOption, write_json
+from flexcli.cli.files import ForceOption, write_or_end
 
 __all__ = ["NAME", "run"]
 
@@ -16,6 +17,7 @@ def run(
         str, typer.Argument(help="design, material, stroke, asd or geometry.")
     ] = "design",
     output: OutputOption = None,
+    force: ForceOption = False,
 ) -> None:
     """Print the JSON Schema of a kind of spec, or write it to a file that specs can name.
 
@@ -31,4 +33,4 @@ def run(
     if output is None:
         write_json(schema)
     else:
-        write_new(output, dumps(schema) + "\n")
+        write_or_end(output, dumps(schema) + "\n", force=force)

@@ -1,20 +1,24 @@
 """``flexure simulate``: the joint over its stroke, by geometrically exact mechanics."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from flexcli.cli.common import (
     Format,
     FormatOption,
-    SpecArgument,
-    attempt,
+    SetOption,
+    SpecsArgument,
     finish,
-    spec_path,
-    write_file,
+    on_each,
+    only_one,
 )
+from flexcli.cli.files import ForceOption, saved
 from flexcli.results import Result
+
+if TYPE_CHECKING:
+    from flexcli.api import Loaded
 
 __all__ = ["NAME", "run"]
 
@@ -22,35 +26,30 @@ NAME = "simulate"
 
 
 def run(
-    spec: SpecArgument = None,
+    specs: SpecsArgument = None,
     points: Annotated[
         int, typer.Option("--points", min=2, max=10_000, help="Travels over the stroke.")
     ] = 11,
     table: Annotated[
         Path | None, typer.Option("--csv", help="Save every point, with SI units.")
     ] = None,
+    force: ForceOption = False,
+    stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
     """Simulate the stroke: effort, stiffness, shift and stress at every travel, and margins."""
-    path = spec_path(spec)
-    result = attempt(NAME, path, lambda: _simulate(path, points, table))
-    finish(NAME, [result], style, many=False)
+    only_one(NAME, "--csv", specs, table, style)
 
+    def verb(spec: "Loaded") -> Result:
+        from flexcli import api
 
-def _simulate(path: Path, points: int, table: Path | None) -> Result:
-    from flexcli.engine.simulate import simulate
-    from flexcli.report.sweep_text import sweep_csv
-    from flexcli.spec.given import given_sizes
-    from flexcli.spec.load import load_design
+        return api.simulate(spec, points=points)
 
-    design, document = load_design(path)
-    sizes = given_sizes(design, document)
-    if design.accuracy is not None:
-        from flexcli.engine.planning.by_plan import simulate_by_plan
+    def text() -> str | None:
+        from flexcli.report.sweep_text import sweep_csv
 
-        result = simulate_by_plan(design, sizes, str(path), points)
-    else:
-        result = simulate(design, sizes, str(path), points)
-    if table is not None:
-        write_file(table, sweep_csv(result.sweeps))
-    return result
+        return sweep_csv(results[0].sweeps) if results[0].sweeps else None
+
+    results = on_each(NAME, specs, stated, verb)
+    with saved(table, text, force=force, nothing="no stroke was simulated"):
+        finish(NAME, results, style, many=len(results) > 1)

@@ -1,22 +1,25 @@
 """``flexure size``: choose h, l, b."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from flexcli.cli.common import (
     Format,
     FormatOption,
-    Model,
     ModelOption,
-    SpecArgument,
-    attempt,
+    SetOption,
+    SpecsArgument,
     finish,
-    spec_path,
-    write_file,
+    on_each,
+    only_one,
 )
+from flexcli.cli.files import ForceOption, saved
 from flexcli.results import Result
+
+if TYPE_CHECKING:
+    from flexcli.api import Loaded
 
 __all__ = ["NAME", "run"]
 
@@ -24,30 +27,36 @@ NAME = "size"
 
 
 def run(
-    spec: SpecArgument = None,
+    specs: SpecsArgument = None,
     model: ModelOption = None,
+    stated: SetOption = None,
     style: FormatOption = Format.TEXT,
     write: Annotated[
-        Path | None, typer.Option("--write", help="Save the sized design as a spec for check.")
+        Path | None,
+        typer.Option(
+            "--write", help="Save the sized design as a spec for check; comments and order stay."
+        ),
     ] = None,
+    force: ForceOption = False,
 ) -> None:
     """Choose blade thickness h, length l and width b; print margins and what holds them."""
-    path = spec_path(spec)
-    result = attempt(NAME, path, lambda: _size(path, write, model))
-    finish(NAME, [result], style, many=False)
+    only_one(NAME, "--write", specs, write, style)
+    designs: list[Loaded] = []
 
+    def verb(spec: "Loaded") -> Result:
+        from flexcli import api
 
-def _size(path: Path, write: Path | None, model: Model | None) -> Result:
-    from flexcli.engine.size import size
-    from flexcli.spec.load import load_design
-    from flexcli.spec.save import sized_text
+        designs.append(spec)
+        return api.size(spec, model=model.value if model else None)
 
-    design, document = load_design(path)
-    result = size(design, str(path), model.value if model else None)
-    if write is not None and result.checks:
-        geometry = design.geometry
-        sizes = {geometry.place(name): result.values[name].value for name in geometry.extents}
-        chosen = result.values.get("H")
-        height = chosen.value if chosen is not None and chosen.model == "sized" else None
-        write_file(write, sized_text(path, document, write, sizes, height))
-    return result
+    def text() -> str | None:
+        from flexcli import api
+
+        (result,) = results
+        if write is None or not result.checks or not api.is_sized(designs[0], result):
+            return None
+        return api.spec_text(api.sized(designs[0], result), write.parent)
+
+    results = on_each(NAME, specs, stated, verb)
+    with saved(write, text, force=force, nothing="no sizes were chosen"):
+        finish(NAME, results, style, many=len(results) > 1)

@@ -1,21 +1,25 @@
 """``flexure stops``: size an end stop on a blade, and verify it in time."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from flexcli.cli.common import (
     Format,
     FormatOption,
-    SpecArgument,
-    attempt,
+    SetOption,
+    SpecsArgument,
     finish,
-    spec_path,
-    write_file,
+    on_each,
+    only_one,
 )
+from flexcli.cli.files import ForceOption, saved
 from flexcli.errors import Finding, SpecError
 from flexcli.results import Result
+
+if TYPE_CHECKING:
+    from flexcli.api import Loaded
 
 __all__ = ["NAME", "run"]
 
@@ -23,7 +27,8 @@ NAME = "stops"
 
 
 def run(
-    spec: SpecArgument = None,
+    specs: SpecsArgument = None,
+    stated: SetOption = None,
     style: FormatOption = Format.TEXT,
     simulate: Annotated[
         bool | None,
@@ -42,6 +47,7 @@ def run(
     csv: Annotated[
         Path | None, typer.Option("--csv", help="Save the history, or with --sweep the response.")
     ] = None,
+    force: ForceOption = False,
 ) -> None:
     """Size an end stop: gap, height, stresses, contact; Ctrl-C keeps what was simulated.
 
@@ -49,38 +55,29 @@ def run(
     simulation, with a rigid contact where that suffices. One that was interrupted is no proof: it
     exits 1.
     """
-    path = spec_path(spec)
-    result = attempt(NAME, path, lambda: _stops(path, simulate, sweep, seed, csv))
-    finish(NAME, [result], style, many=False)
+    only_one(NAME, "--csv", specs, csv, style)
 
+    def verb(spec: "Loaded") -> Result:
+        from flexcli import api
+        from flexcli.cli.progress import watched
 
-def _stops(
-    path: Path, simulate: bool | None, sweep: bool, seed: int | None, csv: Path | None
-) -> Result:
-    from flexcli.cli.progress import watched
-    from flexcli.engine.stopping.by_plan import with_plan
-    from flexcli.engine.stopping.simulation import decided, simulated
-    from flexcli.engine.stopping.sweep import swept
-    from flexcli.engine.stops import stops
-    from flexcli.report.stops_csv import history_csv, sweep_csv
-    from flexcli.spec.given import given_sizes
-    from flexcli.spec.load import load_design
-
-    if csv is not None and not (simulate or sweep):
-        raise SpecError(
-            [Finding("--csv", "there is no table to save", "add --simulate or --sweep")]
+        if csv is not None and not (simulate or sweep):
+            raise SpecError(
+                [Finding("--csv", "there is no table to save", "add --simulate or --sweep")]
+            )
+        kept = csv is not None and not sweep
+        return api.stops(
+            spec, simulate=simulate, sweep=sweep, seed=seed, keep_history=kept, watched=watched
         )
-    design, document = load_design(path)
-    sizes = given_sizes(design, document)
-    result = with_plan(stops(design, sizes, str(path)), design, sizes)
-    with watched() as watch:
-        if simulate:
-            kept = csv is not None and not sweep
-            result = simulated(result, design, sizes, watch, seed=seed, keep_history=kept)
-        elif simulate is None:
-            result = decided(result, design, sizes, watch, seed=seed)
-        if sweep:
-            result = swept(result, design, sizes, watch)
-    if csv is not None and result.stops is not None:
-        write_file(csv, sweep_csv(result.stops) if sweep else history_csv(result.stops))
-    return result
+
+    def text() -> str | None:
+        from flexcli.report.stops_csv import history_csv, sweep_csv
+
+        found = results[0].stops
+        if found is None:
+            return None
+        return sweep_csv(found) if sweep else history_csv(found)
+
+    results = on_each(NAME, specs, stated, verb)
+    with saved(csv, text, force=force, nothing="nothing was simulated"):
+        finish(NAME, results, style, many=len(results) > 1)

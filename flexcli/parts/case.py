@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from pydantic import model_validator
+from pydantic import PrivateAttr, model_validator
 
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.base import Acceleration, Angle, Force, Part, QuantityOf, spec_error
@@ -113,9 +113,19 @@ class Case(Part):
     e.g. ``ends: clamped-guided, load: {force: 10 N}``.
     """
 
+    _is_at_rest: bool = PrivateAttr(False)
+
+    @classmethod
+    def at_rest(cls) -> "Case":
+        """Return the case of a design of which nothing is asked but what it is."""
+        case = cls.model_construct()
+        case._is_at_rest = True
+        return case
+
     @model_validator(mode="after")
     def _asks_something(self) -> "Case":
-        if not self.vibrates and not any((self.stroke, self.load, self.wrench, self.acceleration)):
+        loads = (self.stroke, self.load, self.wrench, self.acceleration, self._is_at_rest)
+        if not self.vibrates and not any(loads):
             raise spec_error(
                 "this case loads nothing",
                 "give it a stroke, a load, an acceleration, an asd, a shock, a sine or a sweep",

@@ -25,6 +25,7 @@ from flexcli.parts.requirements import (
     Requirement,
     RequirementError,
     Requirements,
+    are_at_rest,
 )
 from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.scene import Scene, scene_of
@@ -32,11 +33,12 @@ from flexcli.parts.sizing import QUANTITIES, Correction, SizeOptions
 from flexcli.parts.stops import Stops, StopsMisfit
 from flexcli.results import EXACT
 
-__all__ = ["DesignSpec", "Problem"]
+__all__ = ["DesignSpec", "ModelName", "Problem"]
 
 CASE_KEYS = tuple(Case.model_fields)
 EffectName: TypeAlias = Literal[tuple(effect.key for effect in EFFECTS)]  # type: ignore[valid-type]
 Wish: TypeAlias = Literal["auto", "on", "off"]
+ModelName: TypeAlias = Literal["source", "closed-form", "linear", "exact"]
 
 
 class Problem(NamedTuple):
@@ -90,7 +92,7 @@ class DesignSpec(Part):
     """Effects that are asked for or left out; auto where nothing is said,
     e.g. ``{shear: on, gravity: off}``.
     """
-    model: Literal["source", "closed-form", "linear", "exact"] | None = None
+    model: ModelName | None = None
     """Model that judges all checks; left out, each is judged by the cheapest that decides,
     e.g. ``exact``.
     """
@@ -101,11 +103,13 @@ class DesignSpec(Part):
     @model_validator(mode="before")
     @classmethod
     def _single_case(cls, data: Any) -> Any:
-        """Take a single case from the top level."""
-        if not isinstance(data, dict):
+        """Take a single case from the top level; what is asked of a design at rest needs none."""
+        if not isinstance(data, dict) or "cases" in data:
             return data
         loose = [key for key in data if key in CASE_KEYS]
-        if not loose or "cases" in data:
+        if not loose and are_at_rest(data.get("requirements")):
+            return {**data, "cases": {"design": Case.at_rest()}}
+        if not loose:
             return data
         rest = {key: value for key, value in data.items() if key not in CASE_KEYS}
         return {**rest, "cases": {"design": {key: data[key] for key in loose}}}

@@ -1,6 +1,7 @@
 """A YAML file as read: plain values, where each stands, and findings that point there."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from flexcli.errors import Finding, printable
@@ -37,13 +38,18 @@ class Position(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Document:
-    """The plain values of a YAML file, its positions and lines, and what is wrong so far."""
+    """The plain values of a YAML file, its positions and lines, and what is wrong so far.
+
+    ``text`` is that of the file; ``changed`` holds the values put in since it was read, by path.
+    """
 
     file: str
     value: Any
     position: Position
     lines: dict[str, list[str]]
     findings: tuple[Finding, ...] = ()
+    text: str = ""
+    changed: Mapping[tuple[str | int, ...], Any] = field(default_factory=dict)
 
 
 def finding_at(

@@ -1,5 +1,6 @@
 """From a spec file to its validated part: read, resolve references, validate, cross-check."""
 
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,11 +15,12 @@ from flexcli.parts.material import Material
 from flexcli.parts.stroke import Stroke
 from flexcli.spec.document import Document, finding_at
 from flexcli.spec.findings import findings_of, nearest, path_text, with_nearest_kinds
+from flexcli.spec.overrides import overridden, overrides_of, refuse_waiting
 from flexcli.spec.read import read_document
 from flexcli.spec.references import checked_root, no_version, resolved
 from flexcli.spec.shipped import shipped_names, shipped_path
 
-__all__ = ["KINDS", "Loaded", "load", "load_design", "load_shipped"]
+__all__ = ["KINDS", "Loaded", "load", "load_design", "load_shipped", "validated"]
 
 KINDS: dict[str, Any] = {
     "material": Material,
@@ -49,11 +51,22 @@ def load_design(path: Path) -> tuple[DesignSpec, Document]:
 
 def load(path: Path) -> Loaded:
     """Read and validate a spec of any kind, or raise :class:`SpecError` with every finding."""
-    document = read_document(path)
+    return validated(read_document(path), path.parent)
+
+
+def validated(
+    document: Document, folder: Path, overrides: Mapping[Any, Any] | None = None
+) -> Loaded:
+    """Validate a document whose paths start at a folder, with values put over its own.
+
+    Raises :class:`SpecError` with every finding.
+    """
+    document, waiting = overridden(document, overrides_of(overrides or {}))
     root = checked_root(document)
     own = _own_kind(root)
     kind = own or "design"
-    document, unresolved = resolved(document, path.parent, kind)
+    document, unresolved = resolved(document, folder, kind)
+    document = refuse_waiting(*overridden(document, waiting))
     if own is None:
         part, findings = _validated(kind, document.value, document)
     else:

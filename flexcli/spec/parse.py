@@ -83,7 +83,8 @@ class _Reader:
                 self._give_up(place, "", "a second document starts here", "keep one in a file")
         except yaml.YAMLError as error:
             self._not_yaml(error)
-        return Document(self.file, node.value, node.position, self.lines, tuple(self.findings))
+        findings = tuple(self.findings)
+        return Document(self.file, node.value, node.position, self.lines, findings, self.text)
 
     def _position(self, line: int, column: int) -> Position:
         return Position(self.file, line + 1, column + 1, line + 1, column + 1, {})

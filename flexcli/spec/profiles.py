@@ -1,6 +1,6 @@
 """A vibration profile named on the command line, and one written to a file."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -9,9 +9,11 @@ import yaml
 from flexcli.errors import Finding, SpecError
 from flexcli.parts.asd import ASDProfile
 from flexcli.parts.design import DesignSpec
-from flexcli.spec.load import load, load_shipped
+from flexcli.results import Result
+from flexcli.spec.load import Loaded, load_shipped, validated
+from flexcli.spec.read import read_document
 from flexcli.spec.references import FORMAT, SUFFIXES
-from flexcli.spec.shipped import shipped_names
+from flexcli.spec.shipped import shipped_path
 from flexcli.units import written_in
 
 __all__ = ["load_design_or_profile", "load_profile", "load_profiles", "profile_text"]
@@ -20,28 +22,30 @@ KIND = "asd"
 _HINT = "a profile holds 'flexure' and 'asd' alone"
 
 
-def load_design_or_profile(name: str) -> DesignSpec | ASDProfile:
+def load_design_or_profile(name: str, overrides: Mapping[Any, Any] | None = None) -> Loaded:
     """Return a shipped profile by its name, or the design or profile of a file.
 
     Raises SpecError with every finding.
     """
     is_file = Path(name).suffix in SUFFIXES or Path(name).exists()
-    if name in shipped_names(KIND) or not is_file:
-        profile: ASDProfile = load_shipped(KIND, name)
-        return profile
-    loaded = load(Path(name))
+    path = shipped_path(KIND, name)
+    if path is None and not is_file:
+        load_shipped(KIND, name)  # raises what is near to it
+    path = path or Path(name)
+    loaded = validated(read_document(path), path.parent, overrides)
     if not isinstance(loaded.part, DesignSpec | ASDProfile):
         text = f"is a spec of kind {loaded.kind}, neither a design nor an ASD profile"
         raise SpecError([Finding(name, text, _HINT)])
-    return loaded.part
+    return loaded
 
 
 def load_profile(name: str) -> ASDProfile:
     """Return a shipped profile by its name, or that of a file; raise SpecError."""
-    found = load_design_or_profile(name)
+    found = load_design_or_profile(name).part
     if isinstance(found, DesignSpec):
         raise SpecError([Finding(name, "is a design, not an ASD profile", _HINT)])
-    return found
+    profile: ASDProfile = found
+    return profile
 
 
 def load_profiles(names: Sequence[str]) -> dict[str, ASDProfile]:
@@ -58,17 +62,20 @@ def load_profiles(names: Sequence[str]) -> dict[str, ASDProfile]:
     return profiles
 
 
-def profile_text(profile: ASDProfile) -> str:
-    """Return a profile of points as the text of a spec: reading it gives the same floats back."""
-    content: dict[str, Any] = {"name": profile.name, "note": profile.note}
-    content["points"] = [
-        {
+def profile_text(described: Result) -> str:
+    """Return a described profile as the text of a spec: reading it gives the same floats back."""
+    (profile,) = described.profiles
+    content: dict[str, Any] = {"name": profile.title, "note": profile.note}
+    content["points"] = []
+    before = None
+    for point in described.breakpoints:
+        row = {
             "frequency": written_in("Hz", point.frequency, "frequency"),
             "level": written_in("g^2/Hz", point.level, "acceleration density"),
-            **({"step": True} if point.step else {}),
         }
-        for point in profile.points or ()
-    ]
+        is_step = point.frequency == before
+        content["points"].append({**row, "step": True} if is_step else row)
+        before = point.frequency
     if profile.interpolation != "log-log":
         content["interpolation"] = profile.interpolation
     if profile.duration is not None:

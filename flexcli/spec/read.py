@@ -6,7 +6,7 @@ from flexcli.errors import Finding, SpecError, printable
 from flexcli.spec.document import Document
 from flexcli.spec.parse import parse_document
 
-__all__ = ["read_document"]
+__all__ = ["MAX_BYTES", "read_document", "text_of"]
 
 MAX_BYTES = 2_000_000
 
@@ -22,11 +22,16 @@ def read_document(path: Path, name: str | None = None) -> Document:
     except OSError as error:
         text = f"cannot be read: {error.strerror}"
         raise SpecError([Finding(file, text, "give the path of a YAML file")]) from error
+    return parse_document(text_of(raw, file), file)
+
+
+def text_of(raw: bytes, file: str) -> str:
+    """Return the text of a spec's bytes, or raise :class:`SpecError` where they are none."""
     if len(raw) > MAX_BYTES:
         text = f"is larger than {MAX_BYTES} bytes, too large for a spec"
         raise SpecError([Finding(file, text, "give the path of a spec")])
     try:
-        text = raw.decode("utf-8-sig")
+        return raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         lines = raw[: error.start].decode("utf-8", errors="replace").split("\n")
         raise SpecError(
@@ -41,7 +46,6 @@ def read_document(path: Path, name: str | None = None) -> Document:
                 )
             ]
         ) from error
-    return parse_document(text, file)
 
 
 def _not_a_file(path: Path, file: str) -> Finding:

@@ -43,6 +43,24 @@ def flexure(tmp_path):
     return shell(tmp_path)
 
 
+@pytest.fixture
+def inside(tmp_path, monkeypatch):
+    """Run the command in an empty folder in this process, which need not import it anew."""
+    from typer.testing import CliRunner
+
+    from flexcli.cli.app import app
+
+    def run(*arguments, stdin=None):
+        with monkeypatch.context() as at:
+            at.chdir(tmp_path)
+            told = CliRunner().invoke(app, arguments, input=stdin, env={"COLUMNS": "100"})
+        if told.exception is not None and not isinstance(told.exception, SystemExit):
+            raise told.exception
+        return SimpleNamespace(returncode=told.exit_code, stdout=told.stdout, stderr=told.stderr)
+
+    return run
+
+
 @pytest.fixture(scope="session")
 def sizing(tmp_path_factory):
     """Return what the one sizing of the example said and the design that it wrote."""

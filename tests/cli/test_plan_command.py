@@ -65,25 +65,28 @@ def test_a_spec_without_accuracy_is_planned_for_one_that_is_told(flexure, spec):
     assert document["plan"]["accuracy"] == 0.01
 
 
-def test_a_free_design_is_planned_for_the_sizes_of_closed_forms(flexure, spec):
+def test_a_free_design_is_planned_for_the_sizes_that_size_chooses(flexure, spec):
     spec.write_text(
         SPEC.replace("h: 0.3 mm", "h: free").replace(
             "{yield: 1}", "{yield: 1, stiffness: {min: 0.3 N*m/rad}}"
         )
     )
     document = json.loads(flexure("plan", "--format", "json").stdout)
-    assert document["warnings"][0]["code"] == "planned-for-sized"
+    assert document["warnings"][0]["code"] == "sized-first"
     sized = json.loads(flexure("size", "--format", "json").stdout)
     assert sized["plan"]["on"] == document["plan"]["on"]
     assert sized["status"] == "pass"
 
 
 def test_requirements_in_conflict_leave_nothing_to_plan(flexure, spec):
+    """The answer is that of the sizing: which requirements cannot all hold."""
     text = SPEC.replace("h: 0.3 mm", "h: {free: [0.1 mm, 0.2 mm]}")
     spec.write_text(text.replace("yield: 1", "yield: 1, stiffness: {min: 1 kN*m/rad}"))
-    run = flexure("plan")
-    assert run.returncode == 2
-    assert "no sizes meet the requirements" in run.stderr
+    run = flexure("plan", "--format", "json")
+    document = json.loads(run.stdout)
+    assert run.returncode == 1
+    assert (document["command"], document["status"]) == ("plan", "infeasible")
+    assert "stiffness" in " ".join(row["name"] for row in document["sizing"]["conflict"])
 
 
 @pytest.mark.parametrize("verb", ["check", "simulate"])

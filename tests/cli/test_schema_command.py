@@ -14,5 +14,5 @@ def test_the_schema_replaces_no_file(flexure, tmp_path):
     (tmp_path / "mine.json").write_text("mine")
     told = flexure("schema", "--output", "mine.json")
     assert told.returncode == 2
-    assert "mine.json exists" in told.stderr
+    assert "cannot write mine.json: it exists" in told.stderr
     assert (tmp_path / "mine.json").read_text() == "mine"

@@ -112,13 +112,6 @@ def test_an_empty_folder_is_no_success(flexure, tmp_path):
     assert "nothing" in told.stderr
 
 
-def test_a_free_dimension_cannot_be_checked(flexure, tmp_path, example_text):
-    (tmp_path / "flexure.yaml").write_text(example_text)
-    told = flexure("check")
-    assert told.returncode == 2
-    assert "flexure.yaml:8:6: geometry.h: h is free" in told.stderr
-
-
 def test_an_infeasible_spec_exits_1_names_the_conflict_and_writes_nothing(
     flexure, tmp_path, example_text
 ):

@@ -1,10 +1,8 @@
-"""The answer of ``flexure plan``: the plan of a design, sized by closed forms where it is free."""
+"""The answer of ``flexure plan``: the plan of a design, audited where that is wished."""
 
 from time import perf_counter
 
 from flexcli.engine.plan import ACCURACY, plan
-from flexcli.engine.size import size
-from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.results import AuditRow, Cost, Note, Result, Status, Value
@@ -13,26 +11,11 @@ __all__ = ["planned"]
 
 
 def planned(
-    design: DesignSpec, sizes: Sizes | None, spec: str, model: str | None, *, audit: bool
+    design: DesignSpec, sizes: Sizes, spec: str, model: str | None, *, audit: bool
 ) -> Result:
-    """Return the plan for given sizes, else for those that the closed forms choose.
-
-    Raises
-    ------
-    SolveError
-        When the requirements conflict, so that there are no sizes to plan for.
-
-    """
+    """Return the plan for given sizes, audited where that is wished."""
     started = perf_counter()
     notes = []
-    if sizes is None:
-        chosen = size(design, spec).values
-        if any(name not in chosen for name in design.geometry.free):
-            raise SolveError(
-                "nothing-to-plan", "no sizes meet the requirements", "see flexure size"
-            )
-        sizes = design.geometry.sized({n: chosen[n].value for n in design.geometry.free})
-        notes.append(Note("planned-for-sized", "planned for the sizes that closed forms choose"))
     if design.accuracy is None:
         text = f"the spec asks for no accuracy; planned for {ACCURACY:.0%}"
         notes.append(Note("accuracy-assumed", text))

@@ -1,7 +1,7 @@
 """Requirements that a spec can ask; a new one is a file here and a field below."""
 
 from collections.abc import Iterator
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any, TypeVar, get_args
 
 from pydantic import BeforeValidator, Field
 
@@ -33,6 +33,7 @@ __all__ = [
     "Requirement",
     "RequirementError",
     "Requirements",
+    "are_at_rest",
 ]
 
 Kind = TypeVar("Kind", bound=Requirement)
@@ -96,3 +97,17 @@ class Requirements(Part):
         for field, info in type(self).model_fields.items():
             for index, requirement in enumerate(getattr(self, field) or ()):
                 yield (info.alias or field, index), requirement
+
+
+AT_REST = {
+    info.alias or field
+    for field, info in Requirements.model_fields.items()
+    # the class of Several[Kind] | None
+    if not get_args(get_args(get_args(info.annotation)[0])[0])[0].per_case
+}
+"""Requirements of the joint itself, whatever it lives through."""
+
+
+def are_at_rest(written: Any) -> bool:
+    """Return whether requirements, as a spec has them, are all of the joint itself."""
+    return isinstance(written, dict) and bool(written) and AT_REST.issuperset(written)

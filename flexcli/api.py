@@ -1,0 +1,437 @@
+"""The verbs as functions, for notebooks, scripts and the command line alike.
+
+Each takes a spec and returns a :class:`~flexcli.results.Result`, in SI units. A spec is the path of
+a file, YAML text (a string of more than one line), or what :func:`load` returned. ``overrides``
+are values put over those of the spec, by their paths, e.g. ``{"geometry.h": "0.2 mm"}``, written
+as in the spec. Sizes that a design leaves free are chosen first, as by :func:`size`, and a note in
+the result says so; where no sizes meet the requirements, the result is that of the sizing.
+
+Raises
+------
+SpecError
+    Mistakes in the spec or in an argument: all findings, with file, line and column.
+SolveError
+    A question that has no answer for this design, with its remedy; ``NoSolution`` where a good
+    spec was asked and the solver found none.
+
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import replace
+from os import PathLike, fspath
+from pathlib import Path
+from time import perf_counter
+from typing import Any, TypeAlias, get_args
+
+from flexcli.errors import Finding, NoSolution, SolveError, SpecError
+from flexcli.parts.design import DesignSpec, ModelName
+from flexcli.parts.geometries import Sizes
+from flexcli.results import Note, Result, Status
+from flexcli.results.drawing import Drawing
+from flexcli.spec.findings import nearest
+from flexcli.spec.load import Loaded, validated
+from flexcli.spec.overrides import Place
+from flexcli.spec.parse import parse_document
+from flexcli.spec.read import read_document
+from flexcli.spec.references import from_anywhere
+from flexcli.units import show, written
+
+__all__ = [
+    "Loaded",
+    "accuracy",
+    "asd_envelope",
+    "asd_grms",
+    "asd_list",
+    "asd_response",
+    "asd_scale",
+    "asd_show",
+    "asd_worst_case",
+    "balance",
+    "check",
+    "drawing",
+    "is_sized",
+    "load",
+    "plan",
+    "simulate",
+    "size",
+    "sized",
+    "spec_text",
+    "stops",
+    "validate",
+]
+
+Spec: TypeAlias = str | PathLike[str] | Loaded
+Overrides: TypeAlias = Mapping[str, Any]
+Watch: TypeAlias = Callable[[str, float], bool]
+
+
+def load(
+    source: Spec,
+    *,
+    overrides: Overrides | None = None,
+    name: str = "<text>",
+    allow_outside: bool = False,
+) -> Loaded:
+    """Read and validate a spec of any kind, so that several verbs need not read it again.
+
+    Parameters
+    ----------
+    source : str, path or Loaded
+        The spec.
+    overrides : mapping, optional
+        Values put over its own.
+    name : str, optional
+        What findings and results call a spec that is given as text.
+    allow_outside : bool
+        Let the spec name files outside its folder; not for a spec of strangers.
+
+    """
+    if isinstance(source, Loaded):
+        return _again(source, overrides) if overrides else source
+    with from_anywhere() if allow_outside else nullcontext():
+        if isinstance(source, str) and "\n" in source:
+            return validated(parse_document(source, name), Path(), overrides)
+        path = Path(fspath(source))
+        return validated(read_document(path), path.parent, overrides)
+
+
+def validate(source: Spec, *, overrides: Overrides | None = None) -> Result:
+    """Return a pass that tells kind and name of a sound spec; anything else is raised."""
+    spec = load(source, overrides=overrides)
+    name = getattr(spec.part, "title", "") or getattr(spec.part, "name", "")
+    return Result("validate", _name(spec), Status.PASS, title=f"{spec.kind} {name}".rstrip())
+
+
+def size(source: Spec, *, model: str | None = None, overrides: Overrides | None = None) -> Result:
+    """Choose the free sizes of a design; ``model`` alone judges, over that of the spec."""
+    from flexcli.engine.size import size as chosen
+
+    spec = _design(source, overrides)
+    return chosen(spec.part, _name(spec), _model(model))
+
+
+def sized(source: Spec, sizing: Result) -> Loaded:
+    """Return a design with the sizes that a sizing chose, ready for any verb.
+
+    Raises :class:`SolveError` where the sizing chose none.
+    """
+    spec = _design(source, None)
+    if not is_sized(spec, sizing):
+        text = "the sizing chose no sizes"
+        raise SolveError("not-sized", text, "mend what the result says is in conflict")
+    design: DesignSpec = spec.part
+    geometry, height = design.geometry, sizing.values.get("H")
+    lengths: dict[Place, float] = {
+        ("geometry", *geometry.place(name)): sizing.values[name].value for name in geometry.free
+    }
+    if height is not None and height.model == "sized":
+        lengths["mechanism", "height"] = height.value
+    return _again(spec, {place: written(x, "length") for place, x in lengths.items()})
+
+
+def is_sized(source: Spec, sizing: Result) -> bool:
+    """Return whether a sizing chose every free size of a design."""
+    design: DesignSpec = _design(source, None).part
+    return all(name in sizing.values for name in design.geometry.free)
+
+
+def spec_text(spec: Loaded, folder: str | PathLike[str] = ".") -> str:
+    """Return a sized design as the text of a spec whose paths start at a folder.
+
+    Comments and order stay; a comment says which tool sized it, and when.
+    """
+    from flexcli.spec.save import spec_text as text_of
+
+    return text_of(spec, Path(fspath(folder)))
+
+
+def check(source: Spec, *, model: str | None = None, overrides: Overrides | None = None) -> Result:
+    """Judge a design: each check by the cheapest model that decides it, or by one ``model``."""
+    from flexcli.engine.check import check as judged
+
+    def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
+        return judged(design, sizes, name, model)
+
+    return _on_sizes("check", source, overrides, verb, _model(model))
+
+
+def simulate(source: Spec, *, points: int = 11, overrides: Overrides | None = None) -> Result:
+    """Follow the stroke of every case by the exact model, at so many travels.
+
+    A spec with ``accuracy:`` has the effects of its plan and no others.
+    """
+
+    def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
+        if design.accuracy is not None:
+            from flexcli.engine.planning.by_plan import simulate_by_plan
+
+            return simulate_by_plan(design, sizes, name, points)
+        from flexcli.engine.simulate import simulate as swept
+
+        return swept(design, sizes, name, points)
+
+    return _on_sizes("simulate", source, overrides, verb)
+
+
+def plan(
+    source: Spec,
+    *,
+    model: str | None = None,
+    audit: bool = False,
+    overrides: Overrides | None = None,
+) -> Result:
+    """Say which effects a design calls for and which model carries them; audit: and if it held."""
+    from flexcli.engine.planning.planned import planned
+
+    def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
+        return planned(design, sizes, name, model, audit=audit)
+
+    return _on_sizes("plan", source, overrides, verb, _model(model))
+
+
+def accuracy(
+    source: Spec,
+    *,
+    asked: float | None = None,
+    runs: int = 5,
+    overrides: Overrides | None = None,
+) -> Result:
+    """Compare the models on a design: value, error and time of each, median of so many runs.
+
+    ``asked`` is the relative error that will do, over that of the spec.
+    """
+    from flexcli.engine.accuracy import accuracy as compared
+
+    def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
+        return compared(design, sizes, name, runs, asked)
+
+    return _on_sizes("accuracy", source, overrides, verb)
+
+
+def balance(source: Spec, *, overrides: Overrides | None = None) -> Result:
+    """Balance a mechanism against the motion of its base.
+
+    Blades that cannot be sized, since nothing is asked of them, leave it without a stiffness.
+    """
+    from flexcli.engine.balance import balance as balanced
+
+    spec = _design(source, overrides)
+    try:
+        spec, notes, instead = _sized_first("balance", spec)
+    except SolveError as error:
+        notes, instead = (Note("not-sized", f"the blades are not sized: {error.text}"),), None
+    if instead is not None:
+        return instead
+    result = balanced(spec.part, _name(spec))
+    return replace(result, warnings=(*notes, *result.warnings))
+
+
+def stops(
+    source: Spec,
+    *,
+    simulate: bool | None = None,
+    sweep: bool = False,
+    seed: int | None = None,
+    keep_history: bool = False,
+    watched: Callable[[], AbstractContextManager[Watch]] = lambda: nullcontext(lambda *_: True),
+    overrides: Overrides | None = None,
+) -> Result:
+    """Size an end stop on a blade and verify it.
+
+    Parameters
+    ----------
+    source, overrides
+        The spec, as everywhere.
+    simulate : bool, optional
+        Run every case in time to its end, or none; left out, what the line leaves undecided.
+    sweep : bool
+        Give the frequency response with stops, up and down.
+    seed : int, optional
+        Of random vibration, over that of the spec.
+    keep_history : bool
+        Keep the samples of what is run.
+    watched : callable
+        Gives, for the time of a simulation, a watch: told what runs and the share done, it answers
+        whether to go on.
+
+    """
+    from flexcli.engine.stopping.by_plan import with_plan
+    from flexcli.engine.stopping.simulation import decided, simulated
+    from flexcli.engine.stopping.sweep import swept
+    from flexcli.engine.stops import stops as placed
+
+    def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
+        result = with_plan(placed(design, sizes, name), design, sizes)
+        with watched() as watch:
+            if simulate:
+                kept = keep_history
+                result = simulated(result, design, sizes, watch, seed=seed, keep_history=kept)
+            elif simulate is None:
+                result = decided(result, design, sizes, watch, seed=seed)
+            return swept(result, design, sizes, watch) if sweep else result
+
+    return _on_sizes("stops", source, overrides, verb)
+
+
+def drawing(
+    source: Spec, *, case: str | None = None, overrides: Overrides | None = None
+) -> Drawing:
+    """Return the shape of a joint to scale, at rest and at the ends of the stroke of a case."""
+    from flexcli.engine.draw import drawing as drawn
+
+    spec, _, instead = _sized_first("draw", _design(source, overrides))
+    if instead is not None:
+        text = "no sizes meet the requirements: there is nothing to draw"
+        raise NoSolution("not-sized", text, "see flexure size")
+    design: DesignSpec = spec.part
+    return drawn(design, design.geometry.sized({}), case)
+
+
+def asd_response(source: Spec, *, overrides: Overrides | None = None) -> Result:
+    """Say what the modes of a design make of the vibration or the shock of every case."""
+    from flexcli.engine.response import respond
+
+    return _on_sizes("asd response", source, overrides, respond)
+
+
+def asd_worst_case(
+    source: Spec,
+    *,
+    qualities: Sequence[float] = (),
+    duration: float | None = None,
+    overrides: Overrides | None = None,
+) -> Result:
+    """Give Miles' worst case beside the exact response, of a design or of a profile.
+
+    ``source`` may also be the name of a shipped profile; a profile needs quality factors, a design
+    has its own. ``duration`` [s] of exposure is over that of the spec.
+    """
+    from flexcli.engine.asd_worst_case import environments, exposed, worst_case
+    from flexcli.parts.asd import ASDProfile
+    from flexcli.spec.profiles import load_design_or_profile
+
+    if isinstance(source, str) and "\n" not in source:
+        spec, name = load_design_or_profile(source, overrides), source
+    else:
+        spec = load(source, overrides=overrides)
+        name = _name(spec)
+    if isinstance(spec.part, ASDProfile):
+        if not qualities:
+            raise SpecError([Finding(name, "a profile needs a quality factor", "add --q 100")])
+        return worst_case(exposed(name, spec.part, qualities, duration), name, spec.part.name)
+    design: DesignSpec = _design(spec, None).part
+    found = environments(design, qualities, duration)
+    if not found:
+        raise SpecError([Finding(name, "no case has an asd", "add one, or name a profile")])
+    return worst_case(found, name, design.title)
+
+
+def asd_list() -> Result:
+    """List the shipped profiles: rms as computed and as published, status, standard."""
+    from flexcli.spec.shipped import shipped_names
+
+    return asd_grms(shipped_names("asd"), command="asd list")
+
+
+def asd_grms(names: Sequence[str], *, command: str = "asd grms") -> Result:
+    """Compute the rms of profiles, by shipped names or files, beside the published one."""
+    from flexcli.engine.asd import catalogue
+    from flexcli.spec.profiles import load_profiles
+
+    return catalogue(command, load_profiles(names))
+
+
+def asd_show(name: str) -> Result:
+    """Describe a profile: breakpoints, slopes, rms values, moments, sources."""
+    from flexcli.engine.asd import describe
+    from flexcli.spec.profiles import load_profile
+
+    return describe("asd show", name, load_profile(name))
+
+
+def asd_envelope(names: Sequence[str]) -> Result:
+    """Describe the envelope of profiles, with the exact points where they cross."""
+    from flexcli.engine.asd import describe, enveloped
+    from flexcli.spec.profiles import load_profiles
+
+    return describe("asd envelope", ", ".join(names), enveloped(load_profiles(names)))
+
+
+def asd_scale(name: str, db: float) -> Result:
+    """Describe a profile with its level raised by so many decibels."""
+    from flexcli.engine.asd import describe, scaled
+    from flexcli.spec.profiles import load_profile
+
+    return describe("asd scale", name, scaled(name, load_profile(name), db))
+
+
+def _again(spec: Loaded, overrides: Mapping[Any, Any]) -> Loaded:
+    """Validate a spec anew with values put over its own; what it names was allowed before."""
+    document = spec.document
+    text = parse_document(document.text, document.file)
+    with from_anywhere():
+        return validated(text, Path(document.file).parent, {**document.changed, **overrides})
+
+
+def _name(spec: Loaded) -> str:
+    return spec.document.file
+
+
+def _model(name: str | None) -> str | None:
+    """Return the name of a model, or raise what is near to it."""
+    known = get_args(ModelName)
+    if name is not None and name not in known:
+        raise SpecError([Finding("model", f"there is no model '{name}'", nearest(name, known))])
+    return name
+
+
+def _design(source: Spec, overrides: Overrides | None) -> Loaded:
+    spec = load(source, overrides=overrides)
+    if spec.kind != "design":
+        text = f"is a spec of kind {spec.kind}, not a design"
+        hint = "name it in a design: flexure, material, geometry, cases, requirements"
+        raise SpecError([Finding(_name(spec), text, hint)])
+    return spec
+
+
+def _sized_first(
+    command: str, spec: Loaded, model: str | None = None
+) -> tuple[Loaded, tuple[Note, ...], Result | None]:
+    """Return a design with its free sizes chosen, what to say of it, or what says why not."""
+    free = spec.part.geometry.free
+    if not free:
+        return spec, (), None
+    sizing = size(spec, model=model)
+    if not is_sized(spec, sizing):
+        note = Note("sized-first", f"{', '.join(free)} free: no sizes meet the requirements")
+        warnings = (note, *sizing.warnings)
+        return spec, (), replace(sizing, command=command, warnings=warnings)
+    chosen = ", ".join(f"{name} = {show(sizing.values[name].value, 'm', 5)}" for name in free)
+    text = f"sized first, as by flexure size: {chosen}"
+    return sized(spec, sizing), (Note("sized-first", text),), None
+
+
+def _on_sizes(
+    command: str,
+    source: Spec,
+    overrides: Overrides | None,
+    verb: Callable[[DesignSpec, Sizes, str], Result],
+    model: str | None = None,
+) -> Result:
+    """Return what a verb says of a design with sizes, chosen first where the spec has none."""
+    started = perf_counter()
+    spec = _design(source, overrides)
+    spec, notes, instead = _sized_first(command, spec, model)
+    if instead is not None:
+        return instead
+    design: DesignSpec = spec.part
+    sizes = design.fixed_sizes()
+    assert sizes is not None  # given, or chosen above
+    result = verb(design, sizes, _name(spec))
+    if not notes:
+        return result
+    cost = result.cost
+    if cost is not None:
+        cost = replace(cost, seconds=perf_counter() - started)
+    return replace(result, warnings=(*notes, *result.warnings), cost=cost)
