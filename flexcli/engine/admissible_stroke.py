@@ -51,6 +51,8 @@ def _inverted(ask: Ask, strength: float, first: float) -> AdmissibleStroke | Non
     for _ in range(ROUNDS):
         at = _moved(ask, travel)
         stress = max(abs(float(each.largest)) for each in ask.answers.stresses(at)[1])
+        if not stress > 0.0:
+            return None  # too small a number to tell
         off = log(strength / stress)
         if before is not None and travel != before[0]:
             seen = log(stress / before[1]) / log(travel / before[0])

@@ -115,14 +115,19 @@ def springs_of(layout: Layout, length: Floats, force: Floats) -> tuple[Spring, .
 def held_of(
     layout: Layout, held: Held, length: Floats
 ) -> tuple[NDArray[np.intp], NDArray[np.intp], Floats]:
-    """Return the coordinates held, the free ones, and the scaled values of the held."""
+    """Return the coordinates held, the free ones, and the scaled values of the held.
+
+    What an ideal joint guides is held at rest, unless its motion is given.
+    """
     names = [body.name for body in layout.bodies]
     for name in held:
         if name not in names:
             raise KeyError(f"held is {name!r}, which is no body of the layout")
     index, values = [], []
     for body, name in enumerate(names):
-        for axis, value in enumerate(held.get(name, (None, None, None))):
+        guided = layout.guides.get(name, (False, False, False))
+        for axis, asked in enumerate(held.get(name, (None, None, None))):
+            value = 0.0 if asked is None and guided[axis] else asked
             if value is not None:
                 index.append(3 * body + axis)
                 values.append(column(value) / (length if axis < 2 else 1.0))

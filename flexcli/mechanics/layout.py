@@ -5,7 +5,8 @@ blade) in space. Numbers are floats, or arrays of shape (designs,) for a batch o
 differ in nothing but numbers; positions are global, in the pose in which nothing is strained.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple, TypeAlias
 
 from flexcli.formulas.profile import Profile
@@ -76,6 +77,8 @@ class Layout:
 
     ``E`` and ``G`` [Pa] are the blades' (no G where the material gives none: then nothing that
     shear takes part in can be asked); ``acceleration`` [m/s²] acts on every mass (gravity).
+    ``guides`` are bodies on ideal joints to the ground: which of (x, y, φ) of their reference
+    points cannot move in the plane.
     """
 
     bodies: tuple[Body, ...]
@@ -85,6 +88,7 @@ class Layout:
     supports: tuple[Support, ...] = ()
     loads: tuple[Load, ...] = ()
     acceleration: Point = (0.0, 0.0)
+    guides: Mapping[str, tuple[bool, bool, bool]] = field(default_factory=dict)
 
     def index(self, name: str) -> int:
         """Return where a body stands among those that may move; it must be one of them."""

@@ -1,11 +1,15 @@
 """A linkage as a geometry: deflections, stresses and stiffness of its joints' own flexures."""
 
-from math import pi, radians
+from math import cos, pi, radians
 
 import numpy as np
 import pytest
 from pydantic import TypeAdapter, ValidationError
 
+from flexcli.mechanics.equilibrium import solve
+from flexcli.mechanics.linear import linear
+from flexcli.mechanics.linkages.travel import motion
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import AnyGeometry, Elastic
 
 ADAPTER = TypeAdapter(AnyGeometry)
@@ -130,3 +134,55 @@ def test_the_crank_of_exercise_12_c_turns_to_one_side_only():
     ranges = design.geometry.deflections(-radians(15), radians(15))
     assert ranges["alpha"].least == pytest.approx(0.0, abs=1e-12)
     assert ranges["z"].greatest - ranges["z"].least == pytest.approx(25.88e-3, abs=5e-6)
+
+
+def crank(links, arm="50 mm"):
+    """A crank that drives a guided stage over a rod, all three pivots of thin blades."""
+    thin = pivot(h="0.02 mm")
+    joints = {
+        "theta": {"links": links, "at": ["0 mm", "0 mm"], "flexure": thin},
+        "beta": {"links": ["rod", "crank"], "at": ["0 mm", arm], "flexure": thin},
+        "alpha": {"links": ["rod", "stage"], "at": [f"-{arm}", arm], "flexure": thin},
+        "z": {"links": ["base", "stage"], "along": [1, 0]},
+    }
+    spec = {"kind": "linkage", "ground": "base", "input": "theta", "joints": joints}
+    return ADAPTER.validate_python(spec)
+
+
+@pytest.mark.parametrize("links", [["base", "crank"], ["crank", "base"]])
+@pytest.mark.parametrize("turn", [0.1, -0.1])
+def test_blades_on_an_ideal_guide_move_as_the_rigid_links_do(links, turn):
+    """The centres of the three pivots move by 5 θ² l/(60 cos 45°) at most: so far it is off."""
+    linkage = crank(links)
+    layout = linkage.plane_layout(STEEL, linkage.sized({}))
+    state = solve(layout, {"moving": linkage.held(turn)}).checked()
+    x, y, phi = state.motions[0, layout.index("stage")]
+    assert (y, phi) == (0.0, 0.0)
+    rigid = float(motion(linkage.rigid, turn).deflections["z"])
+    assert abs(x) == pytest.approx(abs(rigid), abs=3 * 5 * turn**2 * 15e-3 / (60 * cos(pi / 4)))
+    # the crank turns against the rod farther to one side: the input's own sense is kept
+    against = abs(phi_of(state, "moving") - phi_of(state, "rod"))
+    ends = [float(motion(linkage.rigid, t).deflections["beta"]) for t in (turn, -turn)]
+    assert against == pytest.approx(abs(ends[0]), rel=0.02)
+    assert against != pytest.approx(abs(ends[1]), rel=0.02)
+
+
+def phi_of(state, body):
+    return float(state.motions[0, state.layout.index(body), 2])
+
+
+def test_a_linkage_on_an_ideal_guide_has_the_stiffness_that_its_pivots_reflect():
+    """Thin blades: stretching adds (h/l)² and their centres' motion nothing at rest."""
+    linkage = crank(["base", "crank"])
+    sizes = linkage.sized({})
+    layout = linkage.plane_layout(STEEL, sizes)
+    found = linear(layout, {"moving": linkage.held(1.0)}).reactions[0, layout.index("moving"), 2]
+    assert found == pytest.approx(linkage.stiffness(STEEL, sizes), rel=1e-4)
+
+
+def test_ideal_joints_that_no_solver_has_are_named():
+    spec = parallelogram()
+    del spec["joints"]["p3"]["flexure"]
+    linkage = ADAPTER.validate_python(spec)
+    with pytest.raises(NotAvailable, match="ideal joint p3"):
+        linkage.plane_layout(STEEL, linkage.sized({}))

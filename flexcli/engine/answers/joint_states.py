@@ -58,7 +58,7 @@ Solver = Callable[[Layout, Held, Sequence[Load]], Found]
 
 def layout_of(ask: Ask) -> Layout:
     """Return the joint as bodies and blades."""
-    return ask.geometry.layout(ask.material.elastic, ask.sizes)
+    return ask.geometry.plane_layout(ask.material.elastic, ask.sizes)
 
 
 def blades_of(layout: Layout, effects: Effects) -> Effects:
@@ -254,6 +254,8 @@ def _moves(held: Mapping[str, Any]) -> bool:
 def turned(layout: Layout, angle: float) -> Layout:
     """Return a layout turned about the origin by an angle [rad]."""
     c, s = cos(angle), sin(angle)
+    if layout.guides and abs(s) > RIGHT:
+        raise NotAvailable("has ideal joints: no load along another axis than x")
 
     def place(point: Point) -> Point:
         x, y = point

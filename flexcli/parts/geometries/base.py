@@ -340,6 +340,10 @@ class Geometry(Part):
         """
         raise NotAvailable("is not made of straight blades in a plane")
 
+    def plane_layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
+        """Return the layout for what stays in its plane, where ideal joints may guide bodies."""
+        return self.layout(elastic, sizes)
+
     def held(self, travel: float) -> Held:
         """Return what a stroke imposes on the moving body of the layout."""
         return (None, None, travel) if self.motion == "rotation" else (None, travel, None)

@@ -210,7 +210,7 @@ class LinkageGeometry(Geometry):
 
     def joint_of(self, place: str) -> str:
         """Return the joint that a place of :meth:`end_stresses` belongs to."""
-        return place.partition(",")[0]
+        return place.partition(",")[0].partition(" ")[0]  # "theta blade 1, right face" too
 
     def volume(self, sizes: Sizes) -> Quantity:
         """Return the volume of all flexures [m³]."""
@@ -251,18 +251,30 @@ class LinkageGeometry(Geometry):
         return min(f.length(self.sizes_of(name, sizes)) for name, f in self.flexures())
 
     def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
-        """Return the flexures between the links; the input joint's second link is ``moving``."""
+        """Return the flexures between the links; the input joint's moving link is ``moving``."""
+        for name, joint in self.joints.items():
+            if joint.flexure is None:
+                raise NotAvailable(f"has an ideal joint {name}: give it a flexure")
+        return self.plane_layout(elastic, sizes)
+
+    def plane_layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
+        """Return the flexures between the links, which ideal joints to the ground may guide.
+
+        The input turns its moving link anticlockwise or takes it along y, in its own sense: for
+        that the drawing may be turned or mirrored.
+        """
         driven = self.joints[self.input].links
         if self.ground not in driven:
             raise NotAvailable("has an input between two moving links: no single body to drive")
         moving = driven[0] if driven[1] == self.ground else driven[1]
         named = {self.ground: GROUND, moving: MOVING}
         middle = self.joints[self.input].at
+        guides = {named.get(link, link): guide for link, guide in self._guides()}
         bodies = [Body(named.get(name, name), middle) for name in self.rigid.moving]
         blades = []
         for name, joint in self.joints.items():
             if joint.flexure is None:
-                raise NotAvailable(f"has an ideal joint {name}: give it a flexure")
+                continue
             part = joint.flexure.layout(elastic, self.sizes_of(name, sizes))
             ends = {
                 GROUND: named.get(joint.links[0], joint.links[0]),
@@ -285,7 +297,25 @@ class LinkageGeometry(Geometry):
                 )
                 for blade in part.blades
             ]
-        return Layout(tuple(bodies), tuple(blades), elastic.E, elastic.shear)
+        layout = Layout(tuple(bodies), tuple(blades), elastic.E, elastic.shear, guides=guides)
+        moves = self.joints[self.input]
+        turn = 0.0 if moves.along is None else -moves.angle
+        return _posed(layout, turn, mirrored=driven[1] == self.ground)
+
+    def _guides(self) -> Iterator[tuple[str, tuple[bool, bool, bool]]]:
+        """Yield the links on ideal stages to the ground, and which of (x, y, φ) these hold."""
+        guided = set[str]()
+        for name, joint in self.joints.items():
+            if joint.flexure is not None:
+                continue
+            link = next((link for link in joint.links if link != self.ground), self.ground)
+            if self.ground not in joint.links or joint.along is None or 0.0 not in joint.along:
+                what = "is no stage along x or y on the ground"
+                raise NotAvailable(f"has an ideal joint {name} that {what}: give it a flexure")
+            if link in guided:
+                raise NotAvailable(f"has two ideal joints on {link}: give them flexures")
+            guided.add(link)
+            yield link, (joint.along[0] == 0.0, joint.along[1] == 0.0, True)
 
     def values(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Value]:
         """Return the largest deflection of every joint over ± the travel."""
@@ -299,6 +329,31 @@ class LinkageGeometry(Geometry):
             label = f"largest deflection of {name}, {where}"
             found[f"{name}_max"] = Value(ranges.largest, unit, label, source="rigid links")
         return found
+
+
+def _posed(layout: Layout, angle: float, *, mirrored: bool) -> Layout:
+    """Return a layout turned by an angle about the origin, then mirrored at the x axis."""
+    c, s, side = cos(angle), sin(angle), -1.0 if mirrored else 1.0
+    if layout.guides and abs(s * c) > ROUNDING:
+        raise NotAvailable("has an ideal joint oblique to its input: give it a flexure")
+    crosswise = abs(s) > abs(c)
+
+    def place(point: Point) -> Point:
+        x, y = point
+        return c * x - s * y, side * (s * x + c * y)
+
+    return replace(
+        layout,
+        bodies=tuple(b._replace(point=place(b.point), com=place(b.com)) for b in layout.bodies),
+        blades=tuple(
+            replace(blade, start=place(blade.start), end=place(blade.end))
+            for blade in layout.blades
+        ),
+        guides={
+            link: (y, x, phi) if crosswise else (x, y, phi)
+            for link, (x, y, phi) in layout.guides.items()
+        },
+    )
 
 
 def _placed(point: Point, joint: LinkageJoint) -> Point:
