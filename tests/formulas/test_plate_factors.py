@@ -5,17 +5,25 @@ from functools import cache
 import numpy as np
 import pytest
 from numpy.polynomial import Polynomial
-from plates import clamped_block
+from plates import clamped_block, notched_block
 from plates.clamped_strip import PURE, S_SHAPE, Strip
+from pydantic import TypeAdapter
 
 from flexcli.formulas import clamp_stress
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
+from flexcli.formulas.profile import Constant
 from flexcli.formulas.restrained_torsion import restrained_stiffness
 from flexcli.formulas.torsion_section import torsion_constant
+from flexcli.mechanics.wide_hinge import wide_hinge
+from flexcli.parts.bending.wide import wide_blades
+from flexcli.parts.geometries import AnyGeometry
 
 RITZ = 5e-5
 """What the Ritz solution of few functions is off by, against 1e-3 that is asked of the fits."""
+
+SOLID = 1e-3
+"""What the solid of few functions is off by."""
 
 WIDTHS = (0.05, 0.2, 0.5, 1.0, 2.0, 10.0)
 RATIOS = (0.2, 0.3, 0.45)
@@ -162,3 +170,32 @@ def test_a_thick_blade_has_the_factor_of_a_narrower_plate():
     true = clamped_block.bending_factor(b=b, h=h, nu=nu)
     assert true < thin
     assert abs(k - true) <= plates.factor_error(k, thin)
+
+
+@cache
+def solid_notch(e, b, nu):
+    return notched_block.stiffness(e=e, b=b, nu=nu)
+
+
+@pytest.mark.parametrize(
+    ("nu", "sharp", "wide"),
+    [(0.45, 0.02, 6), (0.45, 0.1, 2), (0.45, 0.1, 20), (0.45, 0.5, 6), (0.3, 0.5, 20)],
+)
+def test_a_wide_notch_is_as_stiff_as_the_solid(nu, sharp, wide):
+    """Over a notch too narrow to be kept flat, as the factor is over the beam."""
+    hinge = TypeAdapter(AnyGeometry).validate_python(
+        {"kind": "notch-hinge", "e": f"{sharp} mm", "r": "1 mm", "b": f"{wide * sharp} mm"}
+    )
+    found = wide_blades(hinge, hinge.sized({}), nu).stiffness
+    true = solid_notch(sharp, wide * sharp, nu) / solid_notch(sharp, 0.2 * sharp, nu)
+    assert found.low - SOLID <= true <= found.high + SOLID
+    assert found.high - found.low <= 0.35 * plates.bound(nu)  # a range that tells something
+
+
+@pytest.mark.parametrize("b", [0.2, 0.5, 1.0, 3.0, 20.0])
+def test_a_hinge_of_constant_thickness_is_the_clamped_strip(b):
+    found = wide_hinge(Constant, (1e-3,), 1.0, b, 0.3)
+    assert found.stiffness == pytest.approx(strip(b, 0.3).bending_factor(), rel=2e-4)
+    # the middle moves by θ² l (1 − f/3)/8, f what the blade shortens more than the beam
+    shortening = plates.pure_shortening_factor(b=b, l=1.0, poisson_ratio=0.3)
+    assert found.shift == pytest.approx(1.0 - (shortening - 1.0) / 2.0, abs=1.5e-3)

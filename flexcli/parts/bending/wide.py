@@ -6,7 +6,10 @@ from typing import Any, NamedTuple
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
+from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
+from flexcli.formulas.profile import Notch, Profile
 from flexcli.formulas.section import second_moment
+from flexcli.mechanics.wide_hinge import wide_hinge
 from flexcli.parts.bending.base import Change
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Geometry, Sizes
@@ -17,12 +20,17 @@ from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
 from flexcli.parts.geometries.leaf_stage import LeafSpringStage
 from flexcli.parts.geometries.linkage import LinkageGeometry
 from flexcli.parts.geometries.necked_stage import NeckedDownStage
-from flexcli.parts.geometries.notch import CircularHinge, EllipticHinge, FilletedHinge
+from flexcli.parts.geometries.notch import NotchGeometry
 from flexcli.parts.geometries.pivots import BladePivot, PairPivot
 from flexcli.parts.geometries.single_blade import Cantilever, GuidedBlade, MomentBlade
 from flexcli.parts.geometries.unseparated import UnseparatedPivot
 
 __all__ = ["Factor", "WideBlades", "wide_blades"]
+
+RITZ_ERROR = 1e-3
+"""Largest error of a plate solved by Ritz's method with few functions [-]."""
+
+UNIT = Elastic(1.0, None)
 
 CANCELS = 10.0
 """Times that a layout's shift may be smaller than the shortening of a blade that makes it."""
@@ -67,11 +75,8 @@ def wide_blades(geometry: Geometry, sizes: Sizes, nu: float) -> WideBlades | Non
         return _of_linkage(geometry, sizes, nu)
     if isinstance(geometry, FreeLayout):
         return _of_layout(geometry, sizes, nu)
-    if isinstance(geometry, CircularHinge | EllipticHinge | FilletedHinge):
-        profile_length = float(geometry.profile(sizes)[1])
-        return _of_notch(float(geometry.throat(sizes)[0]), profile_length, geometry, sizes, nu)
-    if isinstance(geometry, HingedStage | HingedPivot):
-        return _of_notch(float(sizes.e), 2.0 * float(sizes.r), geometry, sizes, nu)
+    if isinstance(geometry, NotchGeometry | HingedStage | HingedPivot):
+        return _of_notch(geometry, sizes, nu)
     if isinstance(geometry, NeckedDownStage):
         return _of_necks(sizes, nu)
     blade = geometry.blade(sizes)
@@ -162,24 +167,49 @@ def _of_necks(sizes: Any, nu: float) -> WideBlades:
     return WideBlades(b / l_c, stiffness, stiffness, held, (0.0, share * pure))
 
 
-def _of_notch(e: float, length: float, geometry: Geometry, sizes: Any, nu: float) -> WideBlades:
-    """Return the factors of a throat of thickness e that the body beside it holds.
-
-    It bends over as much of its length as a blade of its thickness and stiffness would have; it
-    is held at least as well as over its whole length.
-    """
-    b, one = float(sizes.b), Elastic(1.0, None)
+def _of_notch(geometry: Geometry, sizes: Any, nu: float) -> WideBlades:
+    """Return the factors of a hinge of its thickness profile that rigid bodies hold."""
+    b = float(sizes.b)
     if isinstance(geometry, HingedStage | HingedPivot):
-        turn = float(geometry.hinge(one, sizes)[0])
+        e, l = float(sizes.e), 2.0 * float(sizes.r)
+        profile: Profile = Notch(e, l / 2.0)
+        turn = float(geometry.hinge(UNIT, sizes)[0])
+        C = circular_compliance(E=1.0, b=1.0, e=e, r=l / 2.0)
+        # a force across the limb bends its hinges by a moment that is not the same all along
+        reach = float(bending_reach(across=C.across, turn=C.turn)) / float(sizes.l)
+        uneven = 4.0 * reach**2
     else:
-        turn = float(geometry.stiffness(one, sizes))
-    bends = min(float(second_moment(b, e)) / turn, length)
-    at: dict[str, Any] = {"b": b, "poisson_ratio": nu, "h": e}
-    value = float(plates.pure_bending_factor(l=bends, **at))
-    low = float(plates.pure_bending_factor(l=length, **at))
-    factor = Factor(value, low, 1.0 + float(plates.bound(nu)))
-    held = dict.fromkeys(EFFECTIVE_LENGTH, factor)
-    return WideBlades(b / bends, factor, factor, held, (0.0, float(plates.bound(nu)) / 5.0))
+        e = float(geometry.throat(sizes)[0])
+        profile, l = geometry.profile(type(sizes)(*map(float, sizes)))
+        turn, uneven = float(geometry.stiffness(UNIT, sizes)), 0.0
+    numbers = tuple(float(each) for each in vars(profile).values())
+    thin, thick = (
+        wide_hinge(type(profile), numbers, float(l), width, nu)
+        for width in (b, float(plates.effective_width(b=b, h=e)))
+    )
+    widening, bends = float(plates.bound(nu)), float(second_moment(b, e)) / turn
+    factor = _as_a_solid(thick.stiffness, e / b, e / bends, widening)
+    low, high = factor.low - uneven * widening, factor.high + uneven * widening
+    factor = factor._replace(low=max(1.0, low), high=high)
+    held = dict.fromkeys(EFFECTIVE_LENGTH, factor._replace(high=1.0 + widening))
+    moves = (thin.shift, thick.shift)
+    middle = sum(moves) / 2.0 - 1.0
+    spread = abs(moves[0] - moves[1]) / 2.0 + 0.3 * max(abs(m - 1.0) for m in moves)
+    # of limbs the path of the whole counts, which their hinges shorten by a share of it
+    shift = (0.0, abs(middle) + spread) if uneven else (middle, spread)
+    return WideBlades(b / bends, factor, factor, held, shift)
+
+
+def _as_a_solid(plate: float, t: float, depth: float, widening: float) -> Factor:
+    """Return the factor of a notch from that of the plate, which is thin.
+
+    Solids of t = e/b up to ½ and e/r from 0.005 to 0.5 widen by 0.65 t less, to 0.75 t about that;
+    a throat as deep as it bends long (``depth``) spreads its own stress when it is kept flat.
+    """
+    over, share = plate - 1.0, 0.14 * depth**2
+    away = min(RITZ_ERROR, plates.OF_WIDENING * over) + over * (0.75 * t + share)
+    value = 1.0 + over * max(1.0 - 0.65 * t, 0.35)
+    return Factor(value, max(1.0, value - away), min(1.0 + widening * (1.0 + share), value + away))
 
 
 def _of_layout(geometry: FreeLayout, sizes: Sizes, nu: float) -> WideBlades | None:
