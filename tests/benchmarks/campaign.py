@@ -16,7 +16,11 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 import yaml
 from twins.campaign import KINDS, tried
 
-SINS = ("", "undecided", "unsafe pass", "finding", "traceback", "error")
+SINS = (
+    "", "undecided", "lacks a property", "unsafe pass", "finding", "traceback", "error",
+    "nothing to ask",
+)  # fmt: skip
+INNOCENT = ("", "nothing to ask")
 
 
 def main():
@@ -33,7 +37,7 @@ def main():
         counts[found.kind][found.sin] += 1
         counts["all"][found.sin] += 1
         decided.update(found.said.models)
-        if found.sin:
+        if found.sin not in INNOCENT:
             text = yaml.safe_dump(
                 found.spec, sort_keys=False, width=10_000, default_flow_style=None
             )
@@ -44,9 +48,9 @@ def main():
             if key not in examples or len(text) < len(examples[key][1]):
                 examples[key] = (head, text)
     width = max(map(len, counts))
-    print(f"{'kind':{width}} " + " ".join(f"{s or 'right':>11}" for s in SINS))
+    print(f"{'kind':{width}} " + " ".join(f"{s or 'right':>16}" for s in SINS))
     for kind in sorted(counts):
-        print(f"{kind:{width}} " + " ".join(f"{counts[kind][s]:11}" for s in SINS))
+        print(f"{kind:{width}} " + " ".join(f"{counts[kind][s]:16}" for s in SINS))
     print("rows decided by", dict(decided))
     if args.found:
         args.found.write_text("---\n".join(h + t for _, (h, t) in sorted(examples.items())))

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from twins.verdicts import ERROR, UNDECIDED, checked
+from twins.verdicts import ERROR, UNDECIDED, checked, spoken
 
 PIVOTS = ("rcc", "cross-spring", "star", "three-blade", "unseparated-cross", "hinged-pivot")
 HINGES = ("moment-blade", "notch-hinge", "elliptic-hinge", "filleted-hinge")
@@ -326,6 +326,12 @@ class Tried(NamedTuple):
 
 
 CLEAN = ""
+LACKS = "lacks a property"
+NOT_ASKED = "nothing to ask"
+OPEN = {
+    "needs-poisson-ratio": "poisson_ratio", "needs-density": "density", "limbs-without-mass": None,
+}  # fmt: skip
+"""Notes on what the spec does not give, and the property of the material that it is."""
 
 
 def tried(seed, kinds=KINDS, finest=True):
@@ -339,33 +345,45 @@ def tried(seed, kinds=KINDS, finest=True):
             return Tried(found.kind, "", spec, first, None, "traceback")
         if first.exit_code != 2:
             break
-        # what this joint has no answer for is a finding of the spec: it asks for less
-        keys = [key for key in found.easy if key in first.text.replace("-", "_")] or list(
-            found.easy
-        )
-        gone = keys[int(rng.integers(len(keys)))]
-        found.easy = {key: value for key, value in found.easy.items() if key != gone}
-        if not found.easy:
+        # what this joint or case has no answer for is a finding of the spec: it asks for less
+        named = {place.split(".")[1].split("[")[0] for place in first.places if "." in place}
+        gone = [key for key in found.easy if spoken(key) in map(spoken, named)]
+        if not gone:
             return Tried(found.kind, "", spec, first, None, "finding")
+        found.easy = {key: value for key, value in found.easy.items() if key not in gone}
+        if not found.easy:
+            return Tried(found.kind, "", spec, first, None, NOT_ASKED)
     rows = [
         row for row in first.rows
         if row["factor"] is not None and row["required"] is not None and 0 < row["factor"] < 1e15
         and _key(row["name"], found.easy)
     ]  # fmt: skip
     if not rows:
-        return Tried(found.kind, "", spec, first, None, CLEAN)
+        return Tried(found.kind, "", spec, first, None, NOT_ASKED)
     row = rows[int(rng.integers(len(rows)))]
     name = _key(row["name"], found.easy)
     block = _near(found.easy[name], row, 1.0 + NEAR * rng.choice([-1.0, 1.0]))
     spec = {**found.spec, "requirements": {name: block}}
     said = checked(spec, name)
     best = checked(spec, name, "exact") if finest and said.verdict == "pass" else None
-    return Tried(found.kind, name, spec, said, best, _sin(said, best))
+    sin = _sin(said, best)
+    if sin == UNDECIDED and _lacks(said, spec, name):
+        sin = LACKS
+    return Tried(found.kind, name, spec, said, best, sin)
+
+
+def _lacks(said, spec, name):
+    """Return whether a property that the spec does not give would decide."""
+    missing = [OPEN[code] for code in said.notes if code in OPEN]
+    if not missing or None in missing:
+        return bool(missing)
+    given = {"poisson_ratio": 0.3, "density": "4430 kg/m^3"}
+    material = {**{each: given[each] for each in missing}, **spec["material"]}
+    return checked({**spec, "material": material}, name).verdict != UNDECIDED
 
 
 def _key(name, easy):
-    spoken = name.replace("-", " ")
-    keys = [key for key in easy if spoken.startswith(key.replace("_", " ").replace("-", " "))]
+    keys = [key for key in easy if spoken(name).startswith(spoken(key))]
     return max(keys, key=len, default="")
 
 

@@ -31,6 +31,8 @@ class Said(NamedTuple):
     by_model: dict
     text: str = ""
     rows: tuple = ()
+    notes: tuple = ()
+    places: tuple = ()
 
 
 def checked(spec, name, model=None):
@@ -47,11 +49,11 @@ def checked(spec, name, model=None):
         text = "".join(traceback.format_exception(result.exception))
         return Said(ERROR, "bug", 101, (), (), (), seconds, {}, text)
     found = json.loads(result.stdout)
-    label = name.replace("_", " ")
+    label = spoken(name)
     every = found.get("checks", [])
     rows = [
         row for row in every
-        if row["name"].replace("_", " ").startswith(label) and row["verdict"] != "not judged"
+        if spoken(row["name"]).startswith(label) and row["verdict"] != "not judged"
     ]  # fmt: skip
     verdicts = {row["verdict"] for row in rows}
     verdict = "fail" if "fail" in verdicts else UNDECIDED
@@ -71,7 +73,14 @@ def checked(spec, name, model=None):
         (found.get("cost") or {}).get("by_model", {}),
         findings,
         tuple(every),
+        tuple(note["code"] for note in found.get("warnings", [])),
+        tuple(f["path"] for f in found.get("findings", [])),
     )
+
+
+def spoken(name):
+    """Return the name of a requirement as a row has it, whatever ties its words."""
+    return name.replace("_", " ").replace("-", " ")
 
 
 def score(said, kept):
