@@ -15,13 +15,15 @@ class Change(NamedTuple):
 
     ``error`` is how far off 1 + value may be, as a share of it; ``sign`` tells that the number
     can but rise (+1) or fall (−1). Without a value the change is unknown: a bound without one is
-    an order of magnitude, by which nothing is judged.
+    an order of magnitude, by which nothing is judged. ``other`` is how far off it may be, whatever
+    shape the blades take beside other effects.
     """
 
     value: float | None
     bound: float
     error: float = 0.0
     sign: int = 0
+    other: float = inf
 
 
 Changes: TypeAlias = Mapping[str, Change]

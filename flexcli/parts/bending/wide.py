@@ -1,7 +1,10 @@
 """Wide blades: how much stiffer the blades or hinges of a joint are than the beams of them."""
 
 from collections.abc import Iterable, Sequence
+from math import inf
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
@@ -9,11 +12,10 @@ from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
 from flexcli.formulas.profile import Notch, Profile
 from flexcli.formulas.section import second_moment
-from flexcli.mechanics.wide_hinge import wide_hinge
 from flexcli.parts.bending.base import Change
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Geometry, Sizes
-from flexcli.parts.geometries.base import Blade
+from flexcli.parts.geometries.base import MOVING, Blade
 from flexcli.parts.geometries.blade_profile import ConstantProfile
 from flexcli.parts.geometries.free_layout import FreeLayout
 from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
@@ -37,18 +39,22 @@ CANCELS = 10.0
 
 
 class Factor(NamedTuple):
-    """A plate's number over the beam's: the best value, and the range it is in [-]."""
+    """A plate's number over the beam's: the best value, and the range it is in [-].
+
+    ``other`` is how far off the value may be for blades that bend in any other shape, as a share.
+    """
 
     value: float
     low: float
     high: float
+    other: float = inf
 
     def change(self, nu_known: bool) -> Change:
         """Return it as a change; where ν is not known, it was taken as ½ and is a bound."""
         if not nu_known:
             return Change(None, self.high - 1.0, 0.0, 1)
         error = max(self.high - self.value, self.value - self.low) / self.value
-        return Change(self.value - 1.0, self.high - 1.0, error)
+        return Change(self.value - 1.0, self.high - 1.0, error, other=self.other)
 
 
 class WideBlades(NamedTuple):
@@ -67,6 +73,8 @@ class WideBlades(NamedTuple):
     sag: tuple[float, float] | None = None
     bends: tuple[float, float] | None = None
     """Curvatures at both ends of a blade of constant thickness, over the travel [1/m or 1/m²]."""
+    bent: Blade | None = None
+    """The blade that these are of, where the joint has more than one shape of blades."""
 
 
 def wide_blades(geometry: Geometry, sizes: Sizes, nu: float) -> WideBlades | None:
@@ -113,6 +121,11 @@ def _of_blades(geometry: Geometry, sizes: Sizes, blade: Blade, nu: float) -> Wid
         bends = 1.0 / blade.l, 1.0 / blade.l
     else:
         return None
+    # of all shapes between clamps pure bending curls the most, and a flat plate not at all
+    least = _factor(plates.pure_bending_factor, blade, nu).low
+    most = 1.0 + float(plates.bound(nu))
+    apart = max(most / stiffness.value - 1.0, 1.0 - least / stiffness.value)
+    stiffness = stiffness._replace(other=apart)
     held = {ends: _buckling(blade, nu, ends) for ends in EFFECTIVE_LENGTH}
     if isinstance(geometry, BladePivot):  # whose body turns as well: the shape is none of these
         held |= {ends: _hull(held.values(), at=held[ends]) for ends in held if ends != LOCKED}
@@ -169,6 +182,8 @@ def _of_necks(sizes: Any, nu: float) -> WideBlades:
 
 def _of_notch(geometry: Geometry, sizes: Any, nu: float) -> WideBlades:
     """Return the factors of a hinge of its thickness profile that rigid bodies hold."""
+    from flexcli.mechanics.wide_hinge import wide_hinge
+
     b = float(sizes.b)
     if isinstance(geometry, HingedStage | HingedPivot):
         e, l = float(sizes.e), 2.0 * float(sizes.r)
@@ -236,7 +251,70 @@ def _of_layout(geometry: FreeLayout, sizes: Sizes, nu: float) -> WideBlades | No
     spread = stiffness.high - stiffness.low
     stress = Factor(stiffness.value, max(1.0 - spread, stiffness.low - spread), flat + spread)
     buckles = dict.fromkeys(EFFECTIVE_LENGTH, Factor(stiffness.value, 1.0, flat))
-    return WideBlades(most, stiffness, stress, buckles, (0.0, CANCELS * path))
+    plain = WideBlades(most, stiffness, stress, buckles, (0.0, CANCELS * path))
+    straight = all(
+        isinstance(drawn.thickness, ConstantProfile) for drawn in geometry.blades.values()
+    )
+    return _of_its_shapes(geometry, sizes, nu, plain) if straight else plain
+
+
+def _of_its_shapes(geometry: FreeLayout, sizes: Sizes, nu: float, plain: WideBlades) -> WideBlades:
+    """Return the factors of a layout of blades of constant thickness by how its beams bend.
+
+    A clamped blade takes the even and the odd part of its bending each by its own factor. With
+    the motions of the beams the energy of the plates is an upper bound, with their forces a lower.
+    """
+    from flexcli.mechanics.linear import linear
+
+    layout = geometry.layout(Elastic(1.0, nu), sizes)
+    solution = linear(layout, {MOVING: geometry.held(1.0)})
+    if not solution.unique.all():
+        return plain
+    axis = 2 if geometry.motion == "rotation" else 1
+    whole = float(solution.reactions[0, layout.index(MOVING), axis])
+    more = less = 0.0  # of twice the energy
+    each, bends, curved = [], (0.0, 0.0), 0.0
+    for drawn, strip, force in zip(
+        geometry.blades.items(), layout.blades, solution.end_forces[0], strict=True
+    ):
+        name, own = drawn
+        h, b = float(own.thickness.thinnest(geometry.size_of(name, sizes))), float(own.b)
+        (x, y), l = np.subtract(strip.end, strip.start), own.length
+        last = float(force[2])
+        first = last + float(force[1] * x - force[0] * y)
+        even, odd = (first + last) / 2.0, (first - last) / 2.0
+        compliance = l / float(second_moment(b, h))
+        blade = Blade(h, l, b)
+        pure, bent = (
+            _factor(f, blade, nu) for f in (plates.pure_bending_factor, plates.guided_factor)
+        )
+        parts = ((even**2 * compliance, pure), (odd**2 / 3.0 * compliance, bent))
+        more += sum(energy * (factor.high - 1.0) for energy, factor in parts)
+        less += sum(energy * (1.0 / factor.low - 1.0) for energy, factor in parts)
+        ends = abs(even) + abs(odd)
+        if ends:
+            share = abs(odd) / ends
+            each.append(Factor(
+                pure.value + share * (bent.value - pure.value),
+                pure.low + share * (bent.low - pure.low),
+                pure.high + share * (bent.high - pure.high),
+            ))  # fmt: skip
+        over = b**2 / h * ends * compliance / l
+        if over > curved:
+            curved, bends = over, (first * compliance / l, last * compliance / l)
+            bent_blade = blade
+    if whole <= 0.0 or not each:
+        return plain
+    high, low = 1.0 + more / whole, 1.0 / (1.0 + less / whole)
+    at = _hull(each)
+    spread = at.high - at.low
+    # what one blade takes more of than another adds to its own factor
+    stress = Factor(at.value, max(1.0 - spread, at.low - spread), at.high + spread)
+    middle, least = (low + high) / 2.0, _hull([plain.stiffness]).low
+    most = 1.0 + float(plates.bound(nu))
+    other = max(most / middle - 1.0, 1.0 - least / middle)
+    stiffness = Factor(middle, max(1.0, low), high, other)
+    return plain._replace(stiffness=stiffness, stress=stress, bends=bends, bent=bent_blade)
 
 
 def _of_linkage(geometry: LinkageGeometry, sizes: Sizes, nu: float) -> WideBlades | None:

@@ -31,8 +31,7 @@ class Anticlastic(ModelEffect):
         ends = _end_curvatures(setting)
         if ends is None:
             return None
-        assert setting.blade is not None  # those that have curvatures
-        h, _, b = (float(size) for size in setting.blade)
+        h, _, b = _blade(setting)
         searle = b**2 * max(abs(end) for end in ends) / h
         return Indicator(searle, f"b²κ/h = {searle:.2g}")
 
@@ -41,8 +40,7 @@ class Anticlastic(ModelEffect):
         ends, wide = _end_curvatures(setting), wide_of(setting)
         if ends is None or wide is None:
             return {}
-        assert setting.blade is not None  # those that have curvatures
-        h, _, b = (float(size) for size in setting.blade)
+        h, _, b = _blade(setting)
         nu, held = setting.poisson_bound, wide.stress.value
         most = (1.0 + float(bound(nu))) / held - 1.0
         if self.lacks(setting):
@@ -54,6 +52,15 @@ class Anticlastic(ModelEffect):
         curved = float(secant_factor(beta=beta, poisson_ratio=nu) @ share / share.sum())
         value = float(held_and_curved(held=held, curved=curved, poisson_ratio=nu)) / held - 1.0
         return {"stress": Change(value, min(2.0 * value, max(most, value)), value)}
+
+
+def _blade(setting: Setting) -> tuple[float, float, float]:
+    """Return h, l and b of the blade whose curvatures are told [m]."""
+    wide = wide_of(setting)
+    blade = (wide.bent if wide is not None else None) or setting.blade
+    assert blade is not None  # those that have curvatures
+    h, l, b = (float(size) for size in blade)
+    return h, l, b
 
 
 def _end_curvatures(setting: Setting) -> tuple[float, float] | None:

@@ -126,10 +126,10 @@ class ModelEffect(Effect):
         found = dict(self.changes(setting))
         stiffness = found.get("stiffness")
         if stiffness is not None:
-            value, bound, error, sign = stiffness
+            value, bound, error, sign, other = stiffness
             half = None if value is None else (1.0 + value) ** 0.5 - 1.0
             inverse = None if value is None else 1.0 / (1.0 + value) - 1.0
-            found.setdefault("frequency", Change(half, bound / 2.0, error / 2.0, sign))
+            found.setdefault("frequency", Change(half, bound / 2.0, error / 2.0, sign, other / 2.0))
             found.setdefault("sag", Change(inverse, _grown(bound, bound), error, -sign))
         return found
 

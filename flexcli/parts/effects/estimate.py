@@ -65,17 +65,20 @@ def left_by(changes: Sequence[Change], beside: Sequence[Change] = ()) -> ErrorRa
     """Return what is left of changes that a model's number is corrected by, unknown if one is.
 
     Effects multiply. Nobody derived what two of them do to each other: that is of the size of
-    their product, and those ``beside``, which the model carries itself, count there too.
+    their product, and no more than one of them may be off for any shape of the blades. Those
+    ``beside``, which the model carries itself, count there too.
     """
     low = high = 0.0
-    for value, _, alone, sign in changes:
+    for value, _, alone, sign, _ in changes:
         if value is None or not value > -1.0 or not isfinite(value + alone):
             return None
         one_sided = sign if value == 0.0 else 0
         low += 0.0 if one_sided > 0 else alone
         high += 0.0 if one_sided < 0 else alone
     pairs = [*combinations(changes, 2), *((one, other) for one in changes for other in beside)]
-    both = BETWEEN * sum(
-        one.bound * other.bound for one, other in pairs if one.bound and other.bound
+    both = sum(
+        min(BETWEEN * one.bound * other.bound, one.other, other.other)
+        for one, other in pairs
+        if one.bound and other.bound
     )
     return ErrorRange(-low - both, high + both) if max(low, high) + both < MOST else None

@@ -5,6 +5,7 @@ from typing import ClassVar
 from flexcli.parts.bending import Change, Changes
 from flexcli.parts.bending.wide import WideBlades, wide_blades
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
+from flexcli.parts.geometries import Geometry, Sizes
 
 __all__ = ["PlateWidening", "wide_of"]
 
@@ -53,7 +54,27 @@ class PlateWidening(ModelEffect):
 
 def wide_of(setting: Setting) -> WideBlades | None:
     """Return the factors of the wide blades of a design, for ν = ½ where it is not given."""
-    return wide_blades(setting.geometry, setting.sizes, setting.poisson_bound)
+    return _LAST.of(setting)
+
+
+class _Last:
+    """The factors that were asked last: every effect of wide blades asks for the same."""
+
+    def __init__(self) -> None:
+        self.asked: tuple[Geometry, Sizes, float] | None = None
+        self.found: WideBlades | None = None
+
+    def of(self, setting: Setting) -> WideBlades | None:
+        """Return the factors of a setting."""
+        geometry, sizes, nu = setting.geometry, setting.sizes, setting.poisson_bound
+        last = self.asked
+        if last is None or last[0] is not geometry or last[1:] != (sizes, nu):
+            self.found = wide_blades(geometry, sizes, nu)
+            self.asked = geometry, sizes, nu
+        return self.found
+
+
+_LAST = _Last()
 
 
 def _buckling(wide: WideBlades, setting: Setting, known: bool) -> Change:
