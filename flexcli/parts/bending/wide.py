@@ -194,6 +194,7 @@ def _of_notch(geometry: Geometry, sizes: Any, nu: float) -> WideBlades:
         reach = float(bending_reach(across=C.across, turn=C.turn)) / float(sizes.l)
         uneven = 4.0 * reach**2
     else:
+        assert isinstance(geometry, NotchGeometry)  # the caller's other kind
         e = float(geometry.throat(sizes)[0])
         profile, l = geometry.profile(type(sizes)(*map(float, sizes)))
         turn, uneven = float(geometry.stiffness(UNIT, sizes)), 0.0
