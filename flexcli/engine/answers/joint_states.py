@@ -1,9 +1,9 @@
 """The joint of a case in equilibrium: at the ends of its stroke, under its loads, as it is held."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
-from math import atan2, cos, sin
+from math import atan2, cos, inf, sin
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
@@ -14,6 +14,7 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import LEVELS, solve
 from flexcli.mechanics.layout import Layout, Load, Point, Support
+from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.stability import critical_load
 from flexcli.mechanics.state import Equilibrium
@@ -39,6 +40,9 @@ Floats = NDArray[np.float64]
 RIGHT = 1e-9
 """Sine of twice an angle that counts as a right one."""
 
+
+NEAR, FAR = 3.0, 30.0
+"""Times what straight blades bear within which joints of bent blades are seen to buckle."""
 
 ROUGH = 1e-6
 """Tolerance of the share of the loads at which a joint buckles."""
@@ -237,11 +241,38 @@ def _prove_buckled(
         )
         for load in loads
     ]
+    for most in _reaches(layout, there, pattern, effects):
+        try:
+            found = critical_load(
+                layout, there, pattern, most=most, effects=effects, tolerance=ROUGH
+            )
+        except SolveError:
+            continue
+        raise Buckled(found.factor)
+
+
+def _reaches(
+    layout: Layout, held: Held, pattern: Sequence[Load], effects: Effects | None
+) -> Iterator[float]:
+    """Yield how far the loads may have to grow, as shares: little beyond what straight blades bear.
+
+    Loads a thousand times as large would be walked in strides in which the path is lost.
+    """
+    def at_rest(motion: Any) -> float | None:
+        return None if motion is None else 0.0
+
+    still: Held = {
+        body: (at_rest(x), at_rest(y), at_rest(phi)) for body, (x, y, phi) in held.items()
+    }
     try:
-        found = critical_load(layout, there, pattern, most=1.0, effects=effects, tolerance=ROUGH)
+        bears = linear_critical(layout, still, pattern, effects=effects).factor
     except SolveError:
-        return
-    raise Buckled(found.factor)
+        bears = inf
+    for reach in (NEAR, FAR):
+        if reach * bears < 1.0:
+            yield reach * bears
+    if not FAR * bears < 1.0:
+        yield 1.0
 
 
 def _moves(held: Mapping[str, Any]) -> bool:
