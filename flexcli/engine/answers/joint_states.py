@@ -258,6 +258,7 @@ def _reaches(
 
     Loads a thousand times as large would be walked in strides in which the path is lost.
     """
+
     def at_rest(motion: Any) -> float | None:
         return None if motion is None else 0.0
 
