@@ -237,12 +237,6 @@ def _bracket(path: _Straight, most: float, one: float) -> tuple[Point, Point] | 
         points = path.points(np.array([top * larger ** (i / _FAR) for i in range(_FAR + 1)]))
     if points[-1].unstable == 0:
         return None
-    if points[0].unstable > 0:
-        raise SolveError(
-            "unstable-start",
-            "the mechanism is unstable without its load",
-            "hold more of its motions",
-        )
     low_point, high_point = _first_fall(points)
     low, width = low_point.s, high_point.s - low_point.s
     between = path.points(np.array([low + width * i / _CUTS for i in range(1, _CUTS)]))
@@ -250,7 +244,14 @@ def _bracket(path: _Straight, most: float, one: float) -> tuple[Point, Point] | 
 
 
 def _first_fall(points: list[Point]) -> tuple[Point, Point]:
-    return next((a, b) for a, b in pairwise(points) if a.unstable == 0 < b.unstable)
+    for a, b in pairwise(points):
+        if a.unstable <= 0 < b.unstable:
+            return a, b
+    raise SolveError(
+        "unstable-start",
+        "the mechanism is unstable without its load",
+        "hold more of its motions",
+    )
 
 
 def _refined(path: _Straight, low: Point, high: Point) -> tuple[float, Floats]:
