@@ -12,10 +12,7 @@ __all__ = [
     "PointContact",
     "contact_modulus",
     "line_contact",
-    "line_load",
     "point_contact",
-    "point_load",
-    "relative_radius",
 ]
 
 
@@ -47,34 +44,6 @@ def contact_modulus(*, E_1: Quantity, nu_1: Quantity, E_2: Quantity, nu_2: Quant
 
     """
     return 1.0 / ((1.0 - nu_1**2) / E_1 + (1.0 - nu_2**2) / E_2)
-
-
-def relative_radius(R_1: Quantity, R_2: Quantity) -> Quantity:
-    """Return the relative radius of two balls, or of two parallel cylinders, in contact.
-
-    ``1/R = 1/R1 + 1/R2``: for a ball on a flat (R2 infinite) the ball's own.
-
-    Parameters
-    ----------
-    R_1, R_2 : Quantity
-        Radius of each body [m]; infinite for a flat, negative for a hollow.
-
-    Returns
-    -------
-    Quantity
-        R [m].
-
-    Examples
-    --------
-    >>> relative_radius(2.0, 2.0), relative_radius(0.05, float("inf"))
-    (1.0, 0.05)
-
-    References
-    ----------
-    Johnson (1985), Contact Mechanics, equation (4.3).
-
-    """
-    return 1.0 / (1.0 / R_1 + 1.0 / R_2)
 
 
 LINE_SHEAR = 0.30028310
@@ -129,40 +98,6 @@ def line_contact(*, F: Quantity, b: Quantity, R: Quantity, E_star: Quantity) -> 
     """
     pressure = (F * E_star / (pi * b * R)) ** 0.5
     return LineContact(2.0 * R * pressure / E_star, pressure, LINE_SHEAR * pressure)
-
-
-def line_load(*, p: Quantity, b: Quantity, R: Quantity, E_star: Quantity) -> Quantity:
-    """Return the force that presses a cylinder on a body with a peak pressure.
-
-    ``F = π b R p²/E*``.
-
-    Parameters
-    ----------
-    p : Quantity
-        Peak pressure [Pa].
-    b : Quantity
-        Length of the line [m].
-    R : Quantity
-        Relative radius [m].
-    E_star : Quantity
-        Contact modulus E* [Pa].
-
-    Returns
-    -------
-    Quantity
-        Normal force [N].
-
-    Examples
-    --------
-    >>> round(line_load(p=11.18e6, b=7.8e-3, R=50e-3, E_star=53.2e9), 2)
-    2.88
-
-    References
-    ----------
-    Johnson (1985), Contact Mechanics, equation (4.45).
-
-    """
-    return pi * b * R * p**2 / E_star
 
 
 _CYLINDER = {"b": 7.8e-3, "R": 50e-3, "E_star": 53.2e9}
@@ -227,38 +162,6 @@ def point_contact(*, F: Quantity, R: Quantity, E_star: Quantity) -> PointContact
     return PointContact(radius, radius**2 / R, pressure, POINT_SHEAR * pressure)
 
 
-def point_load(*, p: Quantity, R: Quantity, E_star: Quantity) -> Quantity:
-    """Return the force that presses a ball on a body with a peak pressure.
-
-    ``F = π³ p³ R²/(6 E*²)``.
-
-    Parameters
-    ----------
-    p : Quantity
-        Peak pressure [Pa].
-    R : Quantity
-        Relative radius [m].
-    E_star : Quantity
-        Contact modulus E* [Pa].
-
-    Returns
-    -------
-    Quantity
-        Normal force [N].
-
-    Examples
-    --------
-    >>> round(point_load(p=85.8e6, R=50e-3, E_star=53.2e9), 2)
-    2.88
-
-    References
-    ----------
-    Johnson (1985), Contact Mechanics, equation (4.24).
-
-    """
-    return (pi * p) ** 3 * R**2 / (6.0 * E_star**2)
-
-
 _BALL = {"R": 50e-3, "E_star": 53.2e9}
 _POINT = (
     Range("a/R", most=0.1, why="each body is taken for a half-space"),
@@ -273,9 +176,6 @@ CARDS: tuple[Card, ...] = (
         {"E_1": 70e9, "nu_1": 0.33, "E_2": 70e9, "nu_2": 0.33},
         (Range("nu", -1.0, 0.5),),
     ),
-    Card("contact-radius", relative_radius, {"R_1": 0.05, "R_2": 0.1}),
     Card("line-contact", line_contact, {"F": 2.88, **_CYLINDER}, _LINE),
-    Card("line-contact-load", line_load, {"p": 11.18e6, **_CYLINDER}, _LINE),
     Card("point-contact", point_contact, {"F": 2.88, **_BALL}, _POINT),
-    Card("point-contact-load", point_load, {"p": 85.8e6, **_BALL}, _POINT),
 )

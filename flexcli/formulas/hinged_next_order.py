@@ -11,47 +11,11 @@ from flexcli.formulas.quantity import Quantity
 
 __all__ = [
     "CARDS",
-    "pivot_moment_change",
     "pivot_shift_change",
     "pivot_turn_change",
-    "stage_force_change",
     "stage_shift_change",
     "stage_turn_change",
 ]
-
-
-def stage_force_change(*, l: Quantity, x: Quantity) -> Quantity:
-    """Return the relative change that a large stroke makes to the force over the stroke.
-
-    ``F/(K x) − 1 = ψ/(sin ψ cos ψ) − 1``, ``sin ψ = x/l``: (2/3)(x/l)² at first; the tangent
-    stiffness changes by three times that.
-
-    Parameters
-    ----------
-    l, x : Quantity
-        Distance between the hinges of a limb and travel of the stage [m].
-
-    Returns
-    -------
-    change : Quantity
-        True over closed-form secant stiffness, less one [-].
-
-    Notes
-    -----
-    Hinges that turn about their own centres.
-
-    Examples
-    --------
-    >>> round(float(stage_force_change(l=1.0, x=0.1)), 5)
-    0.00672
-
-    References
-    ----------
-    Derivative of the energy n K_hinge ψ² of the springs.
-
-    """
-    psi = np.arcsin(x / l)
-    return _over_sine(psi) / np.cos(psi) - 1.0
 
 
 def stage_turn_change(*, l: Quantity, x: Quantity) -> Quantity:
@@ -79,7 +43,7 @@ def stage_turn_change(*, l: Quantity, x: Quantity) -> Quantity:
     Kinematics of a parallelogram.
 
     """
-    return _over_sine(np.arcsin(x / l)) - 1.0
+    return over_sine(np.arcsin(x / l)) - 1.0
 
 
 def stage_shift_change(*, l: Quantity, x: Quantity) -> Quantity:
@@ -108,50 +72,6 @@ def stage_shift_change(*, l: Quantity, x: Quantity) -> Quantity:
 
     """
     return np.tan(np.arcsin(x / l) / 2.0) ** 2
-
-
-def pivot_moment_change(
-    *, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity
-) -> Quantity:
-    """Return the relative change that a large rotation makes to the moment over the rotation.
-
-    ``M/(Kθ) − 1 = θ² (γ² − 1)(3(γ² − 1) tan²α − 8γ²)/(24(1 + γ²))``, ``γ = 1 + 2δ``; the tangent
-    stiffness changes by three times that.
-
-    Parameters
-    ----------
-    l, p : Quantity
-        Distance between the hinges of a limb and from the centre to the inner one [m].
-    theta : Quantity
-        Rotation [rad].
-    half_angle : Quantity
-        Half the angle between the limbs [rad].
-
-    Returns
-    -------
-    change : Quantity
-        True over closed-form secant stiffness, less one [-].
-
-    Notes
-    -----
-    Hinges that turn about their own centres. The next term is of order θ⁴.
-
-    Examples
-    --------
-    >>> from math import pi
-    >>> round(float(8.0 * pivot_moment_change(l=1.0, p=-0.5, theta=0.1, half_angle=pi / 4)), 9)
-    0.01
-
-    References
-    ----------
-    Derived from the constant length of each limb, see the module.
-
-    """
-    gamma = 1.0 + 2.0 * p / l
-    apart = gamma**2 - 1.0
-    tangent = np.tan(half_angle)
-    share = apart * (3.0 * apart * tangent**2 - 8.0 * gamma**2) / (24.0 * (1.0 + gamma**2))
-    return theta**2 * share
 
 
 def pivot_turn_change(
@@ -243,7 +163,7 @@ def pivot_shift_change(
     return -(theta**2) * (share - 3.0 * (gamma**2 - 1.0) * np.tan(half_angle) ** 2) / 48.0
 
 
-def _over_sine(psi: Quantity) -> Quantity:
+def over_sine(psi: Quantity) -> Quantity:
     """Return ψ/sin ψ, 1 at rest."""
     return 1.0 / np.sinc(psi / np.pi)
 
@@ -254,10 +174,8 @@ _TURN = Range("theta", -0.35, 0.35, "the change is the next term only", "rad")
 _STROKE = Range("x/l", -1.0, 1.0, "a limb reaches no further")
 
 CARDS = (
-    Card("hinged-stage-force-at-large-stroke", stage_force_change, _STAGE, (_STROKE,)),
     Card("hinged-stage-turn-at-large-stroke", stage_turn_change, _STAGE, (_STROKE,)),
     Card("hinged-stage-shift-at-large-stroke", stage_shift_change, _STAGE, (_STROKE,)),
-    Card("hinged-pivot-moment-at-large-rotation", pivot_moment_change, _PIVOT, (_TURN,)),
     Card("hinged-pivot-turn-at-large-rotation", pivot_turn_change, _PIVOT, (_TURN,)),
     Card("hinged-pivot-shift-at-large-rotation", pivot_shift_change, _PIVOT, (_TURN,)),
 )

@@ -59,7 +59,7 @@ def turning_stiffness(
     the centre: its end moves across by β l θ and turns by θ. With ψ'' = ñψ − m q and y' = mψ + s q
     (Reissner's beam about its straight state, q the force across in EI/l²) the moment of its end
     forces about the centre is k θ. Without shear and stretching it is the sum of
-    ``pivot_under_load.loaded_stiffness``, ``1/τ + γ²(n/4) τ/(1 − τ) + n (γ² − 1)/4``.
+    ``loaded_pivot.loaded_stiffness``, ``1/τ + γ²(n/4) τ/(1 − τ) + n (γ² − 1)/4``.
 
     Examples
     --------

@@ -8,7 +8,6 @@ from flexcli.formulas.arguments import positive
 __all__ = [
     "MINIMUM_CYCLES",
     "davenport_peak_factor",
-    "expected_exceedances",
     "peak_factor",
 ]
 
@@ -109,41 +108,3 @@ def davenport_peak_factor(f0: ArrayLike, T: ArrayLike) -> Floats:
     """
     c = peak_factor(f0, T)
     return c + _EULER_GAMMA / c
-
-
-def expected_exceedances(k: ArrayLike, f0: ArrayLike, T: ArrayLike) -> Floats:
-    """Count how often a Gaussian signal goes beyond ±k·rms, on average.
-
-    n = 2 f_0 T exp(−k²/2), crossings of +k upwards and of −k downwards together.
-
-    Parameters
-    ----------
-    k : array, any shape
-        Level over root mean square, 3 for "3σ", [-].
-    f0 : array that broadcasts with `k`
-        Rate of upward zero crossings, [Hz].
-    T : array that broadcasts with `k`
-        Duration, [s].
-
-    Returns
-    -------
-    array
-        Mean number of excursions, [-].
-
-    Raises
-    ------
-    ValueError
-        When f_0 or T is not positive.
-
-    Examples
-    --------
-    >>> round(float(expected_exceedances(3, 200, 60)))
-    267
-
-    References
-    ----------
-    Rice 1945, Bell System Technical Journal 24, 46–156.
-    """
-    rate, time = positive(f0=f0, T=T)
-    count: Floats = 2 * rate * time * np.exp(-0.5 * np.asarray(k, dtype=np.float64) ** 2)
-    return count

@@ -35,7 +35,6 @@ __all__ = [
     "next_shift",
     "shift_across",
     "shift_parts",
-    "stiffness_change",
     "stress_bound",
     "stress_change",
 ]
@@ -114,41 +113,6 @@ def moment_change(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quan
 
     """
     return moment_parts(l=l, p=p, theta=theta, half_angle=half_angle).total
-
-
-def stiffness_change(
-    *, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity
-) -> Quantity:
-    """Return the relative change that a large rotation makes to the tangent stiffness.
-
-    ``(dM/dθ)/K − 1``, three times that of the moment over the rotation.
-
-    Parameters
-    ----------
-    l, p : Quantity
-        Length of a blade and distance from the centre to the inner ends [m].
-    theta : Quantity
-        Rotation [rad].
-    half_angle : Quantity
-        Half the angle between the blades [rad].
-
-    Returns
-    -------
-    change : Quantity
-        True over closed-form stiffness, less one [-].
-
-    Examples
-    --------
-    >>> from math import pi
-    >>> round(float(2.0 * stiffness_change(l=1.0, p=-0.5, theta=0.1, half_angle=pi / 4)), 9)
-    0.01
-
-    References
-    ----------
-    Derivative of :func:`moment_change` times the rotation.
-
-    """
-    return 3.0 * moment_change(l=l, p=p, theta=theta, half_angle=half_angle)
 
 
 def stress_change(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
@@ -349,7 +313,6 @@ def shift_across(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quant
 
 CARDS: tuple[Card, ...] = (
     Card("pivot-moment-at-large-rotation", moment_change, _PIVOT, LARGE_ROTATION),
-    Card("pivot-stiffness-at-large-rotation", stiffness_change, _PIVOT, LARGE_ROTATION),
     Card("pivot-stress-at-large-rotation", stress_change, _PIVOT, LARGE_ROTATION),
     Card("pivot-next-shift", next_shift, _PIVOT, LARGE_ROTATION),
     Card("pivot-shift-across", shift_across, _PIVOT, LARGE_ROTATION),

@@ -7,75 +7,7 @@ of a guided blade, and a cantilever, is an elastica θ' = c(s) f ∫cos θ ds un
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
 
-__all__ = ["CARDS", "force_change", "shift_change", "stiffness_change", "stress_change"]
-
-
-def force_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
-    """Return the relative change that a large stroke makes to the force over the stroke.
-
-    ``F/(K x) − 1 = (x/l)² 9(140 − 315ξ + 273ξ² − 105ξ³ + 15ξ⁴)/(70 (3 − 3ξ + ξ²)³)``: 36/35
-    (x/l)² of a blade that bends all along (ξ = 1), 2/3 (x/l)² of one between pivots (ξ → 0).
-
-    Parameters
-    ----------
-    l, x : Quantity
-        Length of the blade and travel of its tip [m].
-    xi : Quantity
-        Share of the blade's length that bends, 2 l_c/l; 1 for a leaf spring and a cantilever [-].
-
-    Returns
-    -------
-    change : Quantity
-        True over closed-form secant stiffness, less one [-].
-
-    Notes
-    -----
-    Next term of order (x/l)⁴; slender blades without axial load.
-
-    Examples
-    --------
-    >>> round(35.0 * force_change(l=1.0, x=0.1), 6)
-    0.36
-
-    References
-    ----------
-    Derived: θ = f θ₁ + f³ θ₃ with θ₁' = c ∫ds, θ₃' = −c ∫θ₁²/2 ds over the rest of the half blade,
-    its end at ∫(θ − θ³/6) ds. For ξ = 1 the series of Bisshopp & Drucker (1945), Quarterly of
-    Applied Mathematics 3.
-
-    """
-    share = 140.0 - xi * (315.0 - xi * (273.0 - xi * (105.0 - 15.0 * xi)))
-    return (x / l) ** 2 * 9.0 * share / (70.0 * _flexible(xi) ** 3)
-
-
-def stiffness_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
-    """Return the relative change that a large stroke makes to the tangent stiffness.
-
-    ``(dF/dx)/K − 1``, three times that of the force over the stroke.
-
-    Parameters
-    ----------
-    l, x : Quantity
-        Length of the blade and travel of its tip [m].
-    xi : Quantity
-        Share of the blade's length that bends, 2 l_c/l [-].
-
-    Returns
-    -------
-    change : Quantity
-        True over closed-form stiffness, less one [-].
-
-    Examples
-    --------
-    >>> round(35.0 * stiffness_change(l=1.0, x=0.1), 6)
-    1.08
-
-    References
-    ----------
-    Derivative of :func:`force_change` times the stroke.
-
-    """
-    return 3.0 * force_change(l=l, x=x, xi=xi)
+__all__ = ["CARDS", "shift_change", "stress_change"]
 
 
 def stress_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
@@ -111,7 +43,7 @@ def stress_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
 
     """
     share = 105.0 - xi * (105.0 + xi * (126.0 - xi * (238.0 - xi * (123.0 - 21.0 * xi))))
-    return (x / l) ** 2 * 3.0 * share / (70.0 * _flexible(xi) ** 3)
+    return (x / l) ** 2 * 3.0 * share / (70.0 * flexible_share(xi) ** 3)
 
 
 def shift_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
@@ -146,10 +78,10 @@ def shift_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
     share = xi * (29355.0 - xi * (15605.0 - xi * (4548.0 - xi * (600.0 - 15.0 * xi))))
     share = 4725.0 - xi * (18690.0 - xi * (31710.0 - share))
     first = 15.0 - xi * (25.0 - xi * (15.0 - 3.0 * xi))
-    return (x / l) ** 2 * 3.0 * share / (140.0 * _flexible(xi) ** 3 * first)
+    return (x / l) ** 2 * 3.0 * share / (140.0 * flexible_share(xi) ** 3 * first)
 
 
-def _flexible(xi: Quantity) -> Quantity:
+def flexible_share(xi: Quantity) -> Quantity:
     """Return the compliance of the hinges over that of their share of the blade."""
     return 3.0 - 3.0 * xi + xi**2
 
@@ -158,8 +90,6 @@ _STROKE = Range("x/l", -0.35, 0.35, "the change is the next term only")
 _BLADE = {"l": 50e-3, "x": 5e-3, "xi": 1.0}
 
 CARDS = (
-    Card("stage-force-at-large-stroke", force_change, _BLADE, (_STROKE,)),
-    Card("stage-stiffness-at-large-stroke", stiffness_change, _BLADE, (_STROKE,)),
     Card("stage-stress-at-large-stroke", stress_change, _BLADE, (_STROKE,)),
     Card("stage-shift-at-large-stroke", shift_change, _BLADE, (_STROKE,)),
 )

@@ -13,7 +13,7 @@ from flexcli.formulas.beam_column import s_bending, uniform_bending
 from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.quantity import Quantity
 
-__all__ = ["CARDS", "held_shares", "moment_change", "stress_change", "tension"]
+__all__ = ["CARDS", "held_shares", "stress_change", "tension"]
 
 
 def held_shares(angles: tuple[float, ...]) -> tuple[float, ...]:
@@ -93,57 +93,6 @@ def tension(
     return misfit * share / ((h / l) ** 2 / 12.0 + bows)
 
 
-def moment_change(
-    *, h: Quantity, l: Quantity, p: Quantity, theta: Quantity, angles: tuple[float, ...]
-) -> Quantity:
-    """Return the relative change that the tension makes to the moment over the rotation.
-
-    ``M/(Kθ) − 1 = Σ (k_s + 3γ² k_a + n (γ² − 1)/4)/(N(1 + 3γ²)) − 1`` over N blades, the
-    stability functions of ``pivot_under_load`` at the tension of the rotation: for blades evenly
-    around the centre ``24 c² (θ l/h)²/(1 + 3γ²)`` at first, where the tangent stiffness changes by
-    three times that.
-
-    Parameters
-    ----------
-    h, l : Quantity
-        Thickness and length of a blade [m].
-    p : Quantity
-        Distance from the centre to the inner ends [m].
-    theta : Quantity
-        Rotation [rad].
-    angles : tuple of float
-        Direction of each blade [rad].
-
-    Returns
-    -------
-    change : Quantity
-        True over closed-form secant stiffness, less one [-].
-
-    Notes
-    -----
-    Blades that sum to no direction (Σe = 0), three or more; large once θ is near h/l.
-
-    Examples
-    --------
-    >>> from math import pi
-    >>> star = (0.0, 2 * pi / 3, 4 * pi / 3)
-    >>> round(float(moment_change(h=0.01, l=1.0, p=0.0, theta=0.01, angles=star)), 4)
-    0.0259
-
-    References
-    ----------
-    Moment at the tension; derived as ``pivot_under_load.loaded_stiffness``.
-
-    """
-    gamma = 1.0 + 2.0 * p / l
-    total = 0.0
-    for share in held_shares(angles):
-        n = tension(h=h, l=l, p=p, theta=theta, share=share)
-        total = total + uniform_bending(n) + 3.0 * gamma**2 * s_bending(n)
-        total = total + n * (gamma**2 - 1.0) / 4.0
-    return total / (len(angles) * (1.0 + 3.0 * gamma**2)) - 1.0
-
-
 def stress_change(
     *, h: Quantity, l: Quantity, p: Quantity, theta: Quantity, angles: tuple[float, ...]
 ) -> Quantity:
@@ -198,6 +147,5 @@ _SMALL = Range("n", -5.0, 30.0, "the shortening of the blade is of second order 
 CARDS = (
     Card("star-held-shares", held_shares, _EVEN),
     Card("star-tension", tension, _STAR, (SLENDER, _SMALL)),
-    Card("star-moment-at-large-rotation", moment_change, {**_STAR, **_EVEN}, (SLENDER, _SMALL)),
     Card("star-stress-at-large-rotation", stress_change, {**_STAR, **_EVEN}, (SLENDER, _SMALL)),
 )

@@ -17,7 +17,6 @@ __all__ = [
     "bending_moment",
     "bending_stress",
     "contact_load",
-    "deflection",
     "excess_load",
     "load_at_travel",
     "reaction",
@@ -240,70 +239,6 @@ _VALIDITY = (
 )
 
 
-def _of_force(force: Quantity, at: Quantity, x: Quantity, rigidity: Quantity) -> Quantity:
-    """Return the deflection at x of a cantilever under one lateral force at a height."""
-    near = np.minimum(x, at)
-    # straight beyond the force: slope of the bent part times the rest of the way
-    bent = force * near**2 * (3.0 * at - near) / (6.0 * rigidity)
-    return bent + force * near * (2.0 * at - near) / (2.0 * rigidity) * (x - near)
-
-
-def deflection(
-    *,
-    x: Quantity,
-    F: Quantity,
-    E: Quantity,
-    I: Quantity,
-    L_a: Quantity,
-    L_b: Quantity,
-    d: Quantity,
-    d_behind: Quantity = np.inf,
-) -> Quantity:
-    """Return the deflection at height x of a cantilever that may rest on a stop.
-
-    ``δ(x) = δ_F(x) + δ_R(x)``: superposed cantilevers under F at the tip and R at L_a, each
-    ``P x² (3s − x)/(6EI)`` up to its force at s and straight beyond.
-
-    Parameters
-    ----------
-    x : Quantity
-        Height above the clamped end [m], 0 ≤ x ≤ L; L gives the tip.
-    F : Quantity
-        Force at the tip [N].
-    E : Quantity
-        Young's modulus [Pa].
-    I : Quantity
-        Second moment of area [m⁴].
-    L_a, L_b : Quantity
-        Length below and above the stops [m].
-    d, d_behind : Quantity
-        Gap on the side of + and of − [m]; infinite for no stop.
-
-    Returns
-    -------
-    Quantity
-        Deflection [m].
-
-    Raises
-    ------
-    ValueError
-        When a gap is negative.
-
-    Examples
-    --------
-    >>> blade = {"E": 6.0, "I": 1.0, "L_a": 1.0, "L_b": 1.0, "d": 0.5}
-    >>> round(float(deflection(x=1.0, F=9.0, **blade)), 12)
-    0.5
-
-    References
-    ----------
-    Monti (2014), section 4.1.3, step 8 and the equations for any x below it.
-
-    """
-    force = reaction(F=F, E=E, I=I, L_a=L_a, L_b=L_b, d=d, d_behind=d_behind)
-    return _of_force(F, L_a + L_b, x, E * I) + _of_force(force, L_a, x, E * I)
-
-
 def bending_moment(
     *,
     x: Quantity,
@@ -407,7 +342,6 @@ CARDS: tuple[Card, ...] = (
     Card("stop-excess-load", excess_load, {"F": 3.0, **_BLADE}, _VALIDITY),
     Card("stop-reaction", reaction, {"F": 3.0, **_BLADE}, _VALIDITY),
     Card("stop-load-at-travel", load_at_travel, {"delta": 150e-6, **_BLADE}, _VALIDITY),
-    Card("stopped-cantilever-deflection", deflection, {"x": 28.5e-3, **_PUSHED}, _SMALL),
     Card("stopped-cantilever-moment", bending_moment, {"x": 14.25e-3, **_PUSHED}, _SMALL),
     Card("bending-stress", bending_stress, {"M": 56.3e-3, "I": 1.2695e-12, "h": 1.25e-3}),
 )

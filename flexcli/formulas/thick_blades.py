@@ -22,8 +22,6 @@ __all__ = [
     "buckling_change",
     "pivot_shift_across",
     "pivot_softening",
-    "pivot_stiffness_change",
-    "pivot_stress_change",
     "pivot_stretch",
     "s_bending_share",
     "shear_factor",
@@ -178,85 +176,6 @@ def pivot_softening(
     """
     shear = shear_parameter(depth=h, l=l, poisson_ratio=poisson_ratio)
     return shear + (h / l) ** 2 / np.tan(half_angle) ** 2
-
-
-def pivot_stiffness_change(
-    *, h: Quantity, l: Quantity, p: Quantity, half_angle: Quantity, poisson_ratio: float
-) -> Quantity:
-    """Return the relative change that shear and stretching make to the rotational stiffness.
-
-    ``−3γ²/(1 + 3γ²) · Φ*/(1 + Φ*)``, ``γ = 1 + 2δ``.
-
-    Parameters
-    ----------
-    h, l : Quantity
-        Thickness and length of a blade [m].
-    p : Quantity
-        Distance from the centre to the inner ends [m].
-    half_angle : Quantity
-        Half the angle between the blades [rad].
-    poisson_ratio : float
-        ν [-].
-
-    Returns
-    -------
-    change : Quantity
-        True over closed-form stiffness, less one [-].
-
-    Examples
-    --------
-    >>> from math import pi
-    >>> thick = {"h": 0.1, "l": 1.0, "half_angle": pi / 4, "poisson_ratio": 0.25}
-    >>> round(float(pivot_stiffness_change(**thick, p=0.0)), 6)
-    -0.028846
-
-    References
-    ----------
-    As :func:`pivot_softening`.
-
-    """
-    Phi = pivot_softening(h=h, l=l, half_angle=half_angle, poisson_ratio=poisson_ratio)
-    return stiffness_change(Phi=Phi, share=s_bending_share(p / l))
-
-
-def pivot_stress_change(
-    *, h: Quantity, l: Quantity, p: Quantity, half_angle: Quantity, poisson_ratio: float
-) -> Quantity:
-    """Return the relative change that shear and stretching make to the largest bending stress.
-
-    ``−3|γ|/(1 + 3|γ|) · Φ*/(1 + Φ*)``, ``γ = 1 + 2δ``, at a given rotation.
-
-    Parameters
-    ----------
-    h, l : Quantity
-        Thickness and length of a blade [m].
-    p : Quantity
-        Distance from the centre to the inner ends [m].
-    half_angle : Quantity
-        Half the angle between the blades [rad].
-    poisson_ratio : float
-        ν [-].
-
-    Returns
-    -------
-    change : Quantity
-        True over closed-form stress, less one [-].
-
-    Examples
-    --------
-    >>> from math import pi
-    >>> thick = {"h": 0.1, "l": 1.0, "half_angle": pi / 4, "poisson_ratio": 0.25}
-    >>> round(float(pivot_stress_change(**thick, p=0.0)), 6)
-    -0.028846
-
-    References
-    ----------
-    As :func:`pivot_softening`; moments 1 ± 3γ/(1 + Φ*) at the ends [unit EI θ/l].
-
-    """
-    s_bending = 3.0 * np.abs(1.0 + 2.0 * p / l)
-    Phi = pivot_softening(h=h, l=l, half_angle=half_angle, poisson_ratio=poisson_ratio)
-    return -s_bending / (1.0 + s_bending) * Phi / (1.0 + Phi)
 
 
 def pivot_shift_across(
@@ -418,8 +337,6 @@ CARDS: tuple[Card, ...] = (
     Card("shear-in-stiffness", stiffness_change, {"Phi": 0.03, "share": 0.75}, (_SHORT,)),
     Card("shear-in-buckling", buckling_change, {"Phi": 0.03}, (_SHORT,)),
     Card("pivot-shear-and-stretch", pivot_softening, _PIVOT),
-    Card("pivot-stiffness-of-thick-blades", pivot_stiffness_change, {**_PIVOT, "p": 2e-3}),
-    Card("pivot-stress-of-thick-blades", pivot_stress_change, {**_PIVOT, "p": 2e-3}),
     Card("pivot-shift-of-thick-blades", pivot_shift_across, {**_PIVOT, "p": 2e-3, "theta": 0.05}),
     Card("shear-in-shift", shear_factor, {"Phi": 0.03}),
     Card("stretching-in-stage-shift", stage_stretch, _STAGE),

@@ -11,7 +11,11 @@ from flexcli.formulas import pivot_next_order as shifts
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
 
-__all__ = ["CARDS", "moment_change", "next_shift", "stress_change"]
+__all__ = [
+    "CARDS",
+    "moment_change",
+    "next_shift",
+]
 
 
 def moment_change(*, crossing: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
@@ -53,48 +57,6 @@ def moment_change(*, crossing: Quantity, theta: Quantity, half_angle: Quantity) 
     """
     alone = part.moment_change(l=1.0, p=0.0, theta=theta, half_angle=half_angle)
     return alone * (crossing**3 + (1.0 - crossing) ** 3)
-
-
-def stress_change(*, crossing: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
-    """Return the relative change that a large rotation makes to the largest bending stress.
-
-    ``σ/σ₀ − 1``: that of a pivot of p = 0 turned by the larger of cθ and (1 − c)θ, with the
-    moment that both parts share.
-
-    Parameters
-    ----------
-    crossing : Quantity
-        Share c of the blades on the side of the base [-].
-    theta : Quantity
-        Rotation [rad].
-    half_angle : Quantity
-        Half the angle between the blades [rad].
-
-    Returns
-    -------
-    change : Quantity
-        True over closed-form stress, less one [-].
-
-    Notes
-    -----
-    Linear in θ at first. A part turns by more than its share when it softens more.
-
-    Examples
-    --------
-    >>> from math import pi
-    >>> change = stress_change(crossing=0.5, theta=1e-4, half_angle=pi / 4)
-    >>> round(float(change / 1e-4), 4)
-    0.05
-
-    References
-    ----------
-    Both pivots in series.
-
-    """
-    share = np.maximum(crossing, 1.0 - crossing)
-    pivot = {"l": 1.0, "p": 0.0, "theta": share * theta, "half_angle": half_angle}
-    whole = moment_change(crossing=crossing, theta=theta, half_angle=half_angle)
-    return part.stress_change(**pivot) + whole - part.moment_change(**pivot)
 
 
 def next_shift(
@@ -155,6 +117,5 @@ _TURN = (Range("theta", most=0.35, unit="rad", why="the change is the next term 
 
 CARDS = (
     Card("unseparated-moment-at-large-rotation", moment_change, _CROSSED, _TURN),
-    Card("unseparated-stress-at-large-rotation", stress_change, _CROSSED, _TURN),
     Card("unseparated-next-shift", next_shift, {"l": 17.5e-3, **_CROSSED}, _TURN),
 )

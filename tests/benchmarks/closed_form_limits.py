@@ -20,6 +20,7 @@ from flexcli.formulas import (
     unseparated,
     unseparated_next_order,
 )
+from flexcli.formulas.handbook import large_stroke
 from flexcli.formulas.necked_stage import end_stress, shortening, translational_stiffness
 from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
 from flexcli.formulas.pivot import WITTRICK
@@ -105,7 +106,7 @@ def separate(delta: float, degrees: float) -> None:
     shift = pivot.parasitic_shift(**at)
     exact = changes(found, 0, K, np.abs(ends).max(axis=0), shift)
     near = [
-        pivot_next_order.stiffness_change(**at),
+        large_stroke.pivot_stiffness_change(**at),
         pivot_next_order.stress_change(**at),
         pivot_next_order.next_shift(**at) / shift,
     ]
@@ -127,9 +128,13 @@ def joined(crossing: float, degrees: float) -> None:
     stress = unseparated.unseparated_stresses(E=E, h=H, l=L, theta=ANGLES)[0]
     shift = unseparated.unseparated_shift(l=L, **at)
     exact = changes(found, 1, K, stress, shift)
+    part = {"l": 1.0, "p": 0.0, "theta": max(crossing, 1.0 - crossing) * ANGLES}
+    part["half_angle"] = alpha
+    moment = unseparated_next_order.moment_change(**at)
+    own = pivot_next_order.stress_change(**part) - pivot_next_order.moment_change(**part)
     near = [
-        3.0 * unseparated_next_order.moment_change(**at),
-        unseparated_next_order.stress_change(**at),
+        3.0 * moment,
+        moment + own,
         unseparated_next_order.next_shift(l=L, **at) / shift,
     ]
     theta, pick = reached(found, ANGLES)
@@ -150,7 +155,7 @@ def guided(xi: float, turn: float | None) -> None:
     exact = changes(found, 0, K, stress, shortening(l=L, x=x, xi=xi))
     at = {"l": L, "x": x, "xi": xi}
     near = [
-        stage_next_order.stiffness_change(**at),
+        large_stroke.stage_stiffness_change(**at),
         stage_next_order.stress_change(**at),
         stage_next_order.shift_change(**at),
     ]
@@ -184,7 +189,7 @@ def hinged(delta: float, degrees: float) -> None:
     shift = hinged_pivot.parasitic_shift(**at)
     exact = changes(found, 2, K, stress, shift)
     near = [
-        3.0 * hinged_next_order.pivot_moment_change(**at),
+        3.0 * large_stroke.hinged_pivot_moment_change(**at),
         hinged_next_order.pivot_turn_change(**at),
         hinged_next_order.pivot_shift_change(**at),
     ]

@@ -12,9 +12,12 @@ import numpy as np
 import yaml
 from scipy.optimize import least_squares
 
+from flexcli.formulas.handbook.tip_mass import (
+    massless_frequencies,
+    tip_mass_frequencies,
+)
 from flexcli.formulas.section import second_moment
 from flexcli.formulas.stop_stiffness import free_stiffness
-from flexcli.formulas.tip_mass import TipBody, joined, massless_frequencies, tip_mass_frequencies
 from flexcli.units import parse_quantity
 
 DATA = Path(__file__).parents[2] / "examples" / "boundary-control" / "table-7-3.yaml"
@@ -46,12 +49,15 @@ def read():
 def body(parameters, masses):
     """Give the tip body with each insert."""
     c, J, c_insert = parameters[:3]
-    return joined(TipBody(masses[0], c, J), TipBody(masses[1], c_insert, 0.0))
+    m = masses[0] + masses[1]
+    centre = (masses[0] * c + masses[1] * c_insert) / m
+    inertia = J + masses[0] * (c - centre) ** 2 + masses[1] * (c_insert - centre) ** 2
+    return {"m": m, "c": centre, "J": inertia}
 
 
 def model(parameters, blade, masses):
     """Give the first frequency of each sample with each insert."""
-    return tip_mass_frequencies(**blade, **body(parameters, masses)._asdict())[..., 0]
+    return tip_mass_frequencies(**blade, **body(parameters, masses))[..., 0]
 
 
 def fit(residual, start):
@@ -116,7 +122,7 @@ def main():
     show_parameters(best, jacobian, scatter=0.01)
     show_errors("  error in %", model(best, blade, masses), measured, FITTED)
     bare = {name: value for name, value in blade.items() if name != "mass_per_length"}
-    light, _ = massless_frequencies(**bare, **body(best, masses)._asdict())
+    light, _ = massless_frequencies(**bare, **body(best, masses))
     ratio = light / model(best, blade, masses) - 1
     print(f"  leaving out the blade's mass raises f by at most {100 * ratio.max():.2f} %")
 

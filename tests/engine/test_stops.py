@@ -9,7 +9,8 @@ from stop_designs import BALL, LENGTH, MASS, REST, SINE, THICKNESS, E, I, stoppe
 
 from flexcli.engine.stops import stops
 from flexcli.errors import SolveError
-from flexcli.formulas.stop_line import line_gap, line_height, stop_design
+from flexcli.formulas.handbook.stop_numbers import stop_design
+from flexcli.formulas.stop_line import line_gap, line_height
 from flexcli.results import Status, Verdict
 
 EXACT = 1e-12

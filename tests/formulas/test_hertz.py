@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.contact import contact_modulus, relative_radius
+from flexcli.formulas.contact import contact_modulus
+from flexcli.formulas.handbook.contact_load import relative_radius
 
 moduli = st.floats(1e8, 1e12)
 ratios = st.floats(0.0, 0.5)

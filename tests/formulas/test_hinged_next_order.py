@@ -5,6 +5,7 @@ import pytest
 
 from flexcli.formulas import hinged_next_order as following
 from flexcli.formulas import hinged_pivot as closed
+from flexcli.formulas.handbook import large_stroke
 
 ANGLES = 0.02 * 2.0 ** np.arange(3)
 CASES = [(0.3, 0.7), (-0.5, 0.5), (-0.8, 1.1), (0.9, 0.9)]
@@ -56,7 +57,9 @@ def test_hinged_pivot_is_right_to_the_next_power_of_the_rotation(delta, alpha):
     K = closed.rotational_stiffness(K=1.0, l=1.0, p=delta, c=0.0)
     M = np.array([moment(delta, alpha, t) for t in ANGLES])
     change = M / (K * ANGLES) - 1.0
-    assert change == pytest.approx(following.pivot_moment_change(**at), rel=0.06, abs=1e-9)
+    assert change == pytest.approx(
+        large_stroke.hinged_pivot_moment_change(**at), rel=0.06, abs=1e-9
+    )
 
 
 def test_hinged_stage_follows_the_parallelogram():
@@ -65,7 +68,7 @@ def test_hinged_stage_follows_the_parallelogram():
     at = {"l": 1.0, "x": x}
     step = 1e-4
     force = (np.arcsin(x + step) ** 2 - np.arcsin(x - step) ** 2) / (4.0 * step)
-    assert 1.0 + following.stage_force_change(**at) == pytest.approx(force / x, rel=1e-6)
+    assert 1.0 + large_stroke.hinged_stage_force_change(**at) == pytest.approx(force / x, rel=1e-6)
     assert 1.0 + following.stage_turn_change(**at) == pytest.approx(psi / x, rel=1e-12)
     assert following.stage_shift_change(**at)[1] == pytest.approx(
         (1.0 - np.cos(psi[1])) / (x[1] ** 2 / 2.0) - 1.0, rel=1e-12

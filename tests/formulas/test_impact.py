@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from flexcli.formulas.contact import point_contact
-from flexcli.formulas.impact import hertz_impact, reduced_mass, stopping_estimate
+from flexcli.formulas.handbook.impact import hertz_impact, reduced_mass, stopping_estimate
 from flexcli.formulas.stop_stiffness import bent_shape
 
 BALL = {"m": 1e-3, "v": 1.0, "R": 1e-3}

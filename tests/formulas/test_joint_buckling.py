@@ -7,8 +7,8 @@ import pytest
 from scipy.optimize import brentq
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, johnson_stress, thick_load
+from flexcli.formulas.handbook.loaded_pivot import loaded_stiffness
 from flexcli.formulas.joint_buckling import held_load, shares, turning_load, turning_stiffness
-from flexcli.formulas.pivot_under_load import loaded_stiffness
 
 ROUNDING = 1e-9
 

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.contact import LINE_SHEAR, line_contact, line_load
+from flexcli.formulas.contact import LINE_SHEAR, line_contact
+from flexcli.formulas.handbook.contact_load import line_load
 
 CASE = {"b": 7.8e-3, "R": 50e-3, "E_star": 53.2e9}
 forces = st.floats(1e-3, 1e3)

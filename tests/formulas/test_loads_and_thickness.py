@@ -5,8 +5,9 @@ import pytest
 from mechanisms_for_tests import E, G, cantilever, pivot
 from scipy.integrate import quad
 
-from flexcli.formulas import blade_mass, pivot_under_load, thick_blades
+from flexcli.formulas import blade_mass, thick_blades
 from flexcli.formulas.beam_column import s_bending, uniform_bending
+from flexcli.formulas.handbook import loaded_pivot
 from flexcli.formulas.pivot import axial_share, rotational_stiffness
 from flexcli.formulas.section import shear_parameter
 from flexcli.formulas.stage import translational_stiffness
@@ -44,7 +45,7 @@ def test_loaded_pivot_has_the_stiffness_of_the_exact_solver(delta, direction, si
     loads = [Load("out", (0.0, 0.0), pull)]
     found = solve(layout, held, loads=loads, effects=SLENDER, tolerance=1e-9).checked()
     tensions = [force * share for share in axial_share((alpha, -alpha), direction)]
-    K = pivot_under_load.loaded_stiffness(**BLADE, p=delta * L, tensions=tensions)
+    K = loaded_pivot.loaded_stiffness(**BLADE, p=delta * L, tensions=tensions)
     assert held_stiffness(found)[0, 0, 0] == pytest.approx(float(K), rel=1e-4)
 
 
@@ -53,15 +54,15 @@ def test_gains_are_the_derivatives_of_the_loaded_stiffness():
 
     def stiffness(force, direction):
         tensions = [force * s for s in axial_share((alpha, -alpha), direction)]
-        return pivot_under_load.loaded_stiffness(**BLADE, p=p, tensions=tensions)
+        return loaded_pivot.loaded_stiffness(**BLADE, p=p, tensions=tensions)
 
     slope = (stiffness(small, 0.0) - stiffness(-small, 0.0)) / (2.0 * small)
-    gain = pivot_under_load.radial_gain(l=L, p=p, half_angle=alpha)
+    gain = loaded_pivot.radial_gain(l=L, p=p, half_angle=alpha)
     assert slope == pytest.approx(gain, rel=1e-5)
     K_0 = rotational_stiffness(**BLADE, p=p)
     force = 30.0 * small
     curved = (stiffness(force, np.pi / 2) - K_0) / force**2
-    gain = pivot_under_load.transverse_gain(**BLADE, p=p, half_angle=alpha)
+    gain = loaded_pivot.transverse_gain(**BLADE, p=p, half_angle=alpha)
     assert curved == pytest.approx(gain, rel=1e-3)
 
 

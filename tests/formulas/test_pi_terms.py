@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.pi_law import pi_terms
+from flexcli.formulas.handbook.stop_numbers import pi_terms
 
 positive = st.floats(1e-3, 1e3)
 CASE = {"m": 9.96e-3, "k_free": 22.9e3, "k_contact": 229e3, "delta_G": 1e-5}

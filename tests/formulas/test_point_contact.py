@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.contact import POINT_SHEAR, point_contact, point_load
+from flexcli.formulas.contact import POINT_SHEAR, point_contact
+from flexcli.formulas.handbook.contact_load import point_load
 
 forces = st.floats(1e-3, 1e3)
 radii = st.floats(1e-4, 1.0)

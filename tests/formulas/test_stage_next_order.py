@@ -6,11 +6,9 @@ from mechanisms_for_tests import E, G, cantilever, parallelogram
 
 from flexcli.formulas import necked_stage, stage
 from flexcli.formulas import stage_next_order as following
-from flexcli.formulas.hinged_next_order import (
-    stage_force_change,
-    stage_shift_change,
-    stage_turn_change,
-)
+from flexcli.formulas.handbook import large_stroke
+from flexcli.formulas.handbook.large_stroke import hinged_stage_force_change
+from flexcli.formulas.hinged_next_order import stage_shift_change, stage_turn_change
 from flexcli.formulas.profile import NeckedDown
 from flexcli.formulas.single_blade import force_stiffness, force_stress
 from flexcli.mechanics.equilibrium import solve
@@ -32,8 +30,8 @@ def remainders(found, xi, K, stress, shift):
     at = {"l": L, "x": STROKES, "xi": xi}
     tangent = held_stiffness(found)[:, 0, 0]
     true = (
-        (found.reactions[:, 0, 1] / (K * STROKES), following.force_change(**at)),
-        (tangent / K, following.stiffness_change(**at)),
+        (found.reactions[:, 0, 1] / (K * STROKES), large_stroke.stage_force_change(**at)),
+        (tangent / K, large_stroke.stage_stiffness_change(**at)),
         (greatest_stress(found).bending.max(axis=1) / stress, following.stress_change(**at)),
         (-found.motions[:, 0, 0] / shift, following.shift_change(**at)),
     )
@@ -70,13 +68,15 @@ def test_a_stage_of_two_blades_held_straight_changes_as_one_blade():
     K = stage.translational_stiffness(E=E, h=H, l=L, b=B)
     change = found.checked().reactions[:, 0, 1] / (K * STROKES) - 1.0
     # what is left over is the blades' stretching, of order (h/l)²
-    assert change == pytest.approx(following.force_change(l=L, x=STROKES), rel=0.02, abs=3e-5)
+    assert change == pytest.approx(
+        large_stroke.stage_force_change(l=L, x=STROKES), rel=0.02, abs=3e-5
+    )
 
 
 def test_short_hinges_tend_to_pins():
     at = {"l": L, "x": 0.01 * L}
     pairs = (
-        (following.force_change, stage_force_change),
+        (large_stroke.stage_force_change, hinged_stage_force_change),
         (following.stress_change, stage_turn_change),
         (following.shift_change, stage_shift_change),
     )
@@ -91,6 +91,8 @@ def test_estimates_hold_over_random_strokes_of_guided_blades():
     K = stage.translational_stiffness(E=E, h=h, l=L, b=B, blades=1)
     nu = E / (2.0 * G) - 1.0
     softer = -2.4 * (1.0 + nu) * (h / L) ** 2
-    ratio = (following.force_change(l=L, x=x) + softer) / (found.reactions[:, 0, 1] / K / x - 1.0)
+    ratio = (large_stroke.stage_force_change(l=L, x=x) + softer) / (
+        found.reactions[:, 0, 1] / K / x - 1.0
+    )
     assert 0.8 < np.median(ratio) < 1.2
     assert np.all((ratio > 0.5) & (ratio < 3.0))

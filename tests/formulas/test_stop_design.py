@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from flexcli.formulas.contact import point_contact
-from flexcli.formulas.stop_line import HARD_STOP, REACHED, stop_design
-from flexcli.formulas.stopped_cantilever import deflection
+from flexcli.formulas.handbook.stop_numbers import deflection, stop_design
+from flexcli.formulas.stop_line import HARD_STOP, REACHED
 
 # Monti (2014), section 9.1: b = 7.8 mm and h = 1.25 mm are found from the printed stresses
 L, THICKNESS = 28.5e-3, 1.25e-3

@@ -5,11 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from flexcli.formulas.handbook.stop_numbers import deflection
 from flexcli.formulas.stopped_cantilever import (
     bending_moment,
     bending_stress,
     contact_load,
-    deflection,
     load_at_travel,
 )
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.tip_mass import TipBody, joined, massless_frequencies
+from flexcli.formulas.handbook.tip_mass import massless_frequencies
 
 sizes = st.floats(1e-2, 10.0)
 offsets = st.floats(-1.0, 3.0)
@@ -36,14 +36,6 @@ def test_offset_and_inertia_lower_the_frequency(L, m, c, J):
     plain, _ = massless_frequencies(E=1.0, I=1.0, L=L, m=m)
     assert massless_frequencies(E=1.0, I=1.0, L=L, m=m, c=c)[0] < plain
     assert massless_frequencies(E=1.0, I=1.0, L=L, m=m, J=J)[0] < plain
-
-
-@given(sizes, offsets, inertias, sizes, offsets, inertias)
-def test_joined_bodies_keep_mass_moment_and_inertia_about_the_end(m, c, J, m_2, c_2, J_2):
-    both = joined(TipBody(m, c, J), TipBody(m_2, c_2, J_2))
-    assert both.m * both.c == pytest.approx(m * c + m_2 * c_2, abs=1e-12)
-    about_end = J + J_2 + m * c**2 + m_2 * c_2**2
-    assert both.J + both.m * both.c**2 == pytest.approx(about_end, rel=1e-12)
 
 
 def test_arrays_equal_elements():

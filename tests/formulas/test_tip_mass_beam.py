@@ -10,9 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import eigh
 from scipy.optimize import brentq
+from stages import at_the_tip
 
+from flexcli.formulas.handbook.tip_mass import massless_frequencies, tip_mass_frequencies
 from flexcli.formulas.section import second_moment
-from flexcli.formulas.tip_mass import TipBody, joined, massless_frequencies, tip_mass_frequencies
 from flexcli.units import parse_quantity
 
 SPECIMENS = Path(__file__).parents[2] / "examples" / "boundary-control" / "table-7-3.yaml"
@@ -146,13 +147,11 @@ def test_one_offset_and_inertia_explain_the_measured_frequencies(sample):
     row = data["samples"][sample]
     h, b, L = (parse_quantity(row[name], "length") for name in ("h", "b", "L"))
     inserts = np.array([parse_quantity(text, "mass") for text in data["inserts"]])
-    bare = TipBody(parse_quantity(data["tip_mass"], "mass"), 10.64e-3, 2.221e-6)
-    body = joined(bare, TipBody(inserts, 15.51e-3, 0.0))
+    bare = (parse_quantity(data["tip_mass"], "mass"), 10.64e-3, 2.221e-6)
+    body = at_the_tip(bare, (inserts, 15.51e-3, 0.0))
     blade = {"E": parse_quantity(data["youngs_modulus"], "stress"), "I": second_moment(b, h)}
     blade |= {"L": L, "mass_per_length": 2700.0 * b * h}
     measured = np.array([parse_quantity(text, "frequency") for text in row["frequencies"]])
-    assert tip_mass_frequencies(**blade, **body._asdict())[:, 0] == pytest.approx(
-        measured, rel=0.021
-    )
-    point = tip_mass_frequencies(m=body.m, **blade)[:, 0]
+    assert tip_mass_frequencies(**blade, **body)[:, 0] == pytest.approx(measured, rel=0.021)
+    point = tip_mass_frequencies(m=body["m"], **blade)[:, 0]
     assert (point / measured > 1.6).all()

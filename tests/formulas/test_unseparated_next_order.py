@@ -10,7 +10,6 @@ from flexcli.formulas.profile import Constant
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Blade, Body, Layout
 from flexcli.mechanics.mesh import Effects
-from flexcli.mechanics.stresses import greatest_stress
 
 H, L, B = 1e-4, 20e-3, 10e-3
 ANGLES = 0.04 * 2.0 ** np.arange(3)
@@ -28,7 +27,7 @@ def crossed(c, alpha):
 
 
 @pytest.mark.parametrize(("c", "degrees"), [(0.5, 45.0), (0.3, 30.0), (0.7, 60.0)])
-def test_moment_stress_and_shift_are_right_to_the_next_power(c, degrees):
+def test_moment_and_shift_are_right_to_the_next_power(c, degrees):
     alpha = np.radians(degrees)
     effects = Effects(extension=False, shear=False)
     held = {"out": (None, None, ANGLES)}
@@ -37,9 +36,6 @@ def test_moment_stress_and_shift_are_right_to_the_next_power(c, degrees):
     K = closed.unseparated_stiffness(E=E, h=H, l=L, b=B)
     moment = found.reactions[:, 1, 2] / (K * ANGLES) - 1.0
     assert orders(moment - following.moment_change(**at)) == pytest.approx([4, 4], abs=0.3)
-    stress = closed.unseparated_stresses(E=E, h=H, l=L, theta=ANGLES)[0]
-    change = greatest_stress(found).bending.max(axis=1) / stress - 1.0
-    assert np.all(orders(change - following.stress_change(**at)) > 2.5)
     shift = closed.unseparated_shift(l=L, **at) + following.next_shift(l=L, **at)
     assert orders(found.motions[:, 1, 0] + shift) == pytest.approx([6, 6], abs=0.4)
 

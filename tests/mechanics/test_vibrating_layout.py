@@ -6,8 +6,8 @@ from math import pi, sqrt, tan, tanh
 import numpy as np
 import pytest
 
+from flexcli.formulas.handbook.tip_mass import tip_mass_frequencies
 from flexcli.formulas.profile import Constant, NeckedDown, Notch, Tabulated
-from flexcli.formulas.tip_mass import tip_mass_frequencies
 from flexcli.mechanics.layout import Blade, Body, Layout
 from flexcli.mechanics.vibrating_layout import vibrating_layout
 from flexcli.numerics.modes import natural_modes

@@ -7,7 +7,7 @@ import pytest
 import yaml
 
 from flexcli.engine import left_out
-from flexcli.formulas.tip_mass import tip_mass_frequencies
+from flexcli.formulas.handbook.tip_mass import tip_mass_frequencies
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects.blade_mass import BladeMass
 from flexcli.parts.elastic import Elastic

@@ -13,8 +13,8 @@ from flexcli.engine.balance import balance
 from flexcli.engine.check import check
 from flexcli.engine.response import respond
 from flexcli.errors import SolveError
+from flexcli.formulas.handbook.tip_mass import massless_frequencies
 from flexcli.formulas.single_blade import force_stress
-from flexcli.formulas.tip_mass import massless_frequencies
 from flexcli.numerics.modes import natural_modes
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.mechanisms import MechanismError

@@ -18,48 +18,9 @@ from flexcli.formulas.quantity import Quantity
 
 __all__ = [
     "CARDS",
-    "TipBody",
-    "joined",
     "massless_frequencies",
     "tip_mass_frequencies",
 ]
-
-
-class TipBody(NamedTuple):
-    """Mass [kg], offset of its centre beyond the blade's end [m], central inertia [kg·m²]."""
-
-    m: Quantity
-    c: Quantity
-    J: Quantity
-
-
-def joined(first: TipBody, second: TipBody) -> TipBody:
-    """Return the body that two bodies make when fixed to each other.
-
-    ``m = m1 + m2``, ``m c = m1 c1 + m2 c2``, ``J = J1 + J2 + m1 m2/m (c1 − c2)²``.
-
-    Parameters
-    ----------
-    first, second : TipBody
-        The bodies, centres on the blade's axis.
-
-    Returns
-    -------
-    TipBody
-        Mass [kg], offset [m] and central inertia [kg·m²].
-
-    Examples
-    --------
-    >>> joined(TipBody(1.0, 0.0, 0.0), TipBody(1.0, 2.0, 0.5))
-    TipBody(m=2.0, c=1.0, J=2.5)
-
-    """
-    m = first.m + second.m
-    return TipBody(
-        m=m,
-        c=(first.m * first.c + second.m * second.c) / m,
-        J=first.J + second.J + first.m * second.m / m * (first.c - second.c) ** 2,
-    )
 
 
 def massless_frequencies(

@@ -1,0 +1,23 @@
+"""Formulas for calculation by hand: explain prints them, no verdict rests on them."""
+
+from flexcli.formulas.handbook import (
+    contact_load,
+    impact,
+    large_stroke,
+    loaded_pivot,
+    stop_numbers,
+    thick_pivot,
+    tip_mass,
+)
+
+__all__ = ["CARDS"]
+
+CARDS = (
+    *contact_load.CARDS,
+    *impact.CARDS,
+    *large_stroke.CARDS,
+    *loaded_pivot.CARDS,
+    *stop_numbers.CARDS,
+    *thick_pivot.CARDS,
+    *tip_mass.CARDS,
+)
