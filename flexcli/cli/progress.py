@@ -10,8 +10,8 @@ from _thread import interrupt_main
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from time import monotonic
-from typing import Any
+from time import monotonic, sleep
+from types import FrameType
 
 from flexcli.results.activity import doing, listener
 
@@ -19,6 +19,9 @@ __all__ = ["Run", "bounded", "run", "watched"]
 
 PATIENCE = 1.0
 """Seconds before a run says what it is doing."""
+
+RETRY, WIND_UP = 0.1, 10.0
+"""Seconds from wish to wish while one is not heard, and after one that was."""
 
 
 class Run:
@@ -29,11 +32,6 @@ class Run:
         self.end = None if limit is None else monotonic() + limit
         self.stopped = ""
 
-    def time_is_up(self) -> None:
-        """Interrupt what runs, for its time is over."""
-        self.stopped = f"not done within the time limit of {self.limit:g} s"
-        interrupt_main()
-
     @property
     def remedy(self) -> str:
         """Return what to do about a run that was stopped."""
@@ -42,7 +40,63 @@ class Run:
         return "raise --time-limit, or ask for less at once"
 
 
+class _Clock:
+    """Interrupts the main thread when a run's time is up, again and again until it is done.
+
+    An interruption may be lost in a library that catches everything.
+    """
+
+    def __init__(self, run: Run) -> None:
+        self.run = run
+        self.heard = -WIND_UP
+        self.ticking = False
+        self.done = False
+        self.lock = threading.Lock()
+        self.wished = threading.Event()
+        threading.Thread(target=self._tick, daemon=True).start()
+
+    def _tick(self) -> None:
+        end = self.run.end
+        self.wished.wait(None if end is None else max(end - monotonic(), 0.0))
+        while True:
+            with self.lock:
+                if self.done:
+                    return
+                late = f"not done within the time limit of {self.run.limit or 0.0:g} s"
+                self.run.stopped = self.run.stopped or late
+                self.ticking = True
+                interrupt_main()
+            sleep(RETRY)
+
+    def stop(self) -> None:
+        """Let it interrupt no more."""
+        with self.lock:
+            self.done = True
+        self.wished.set()
+
+    def is_heard(self, frame: FrameType | None) -> bool:
+        """Return whether an interruption is to be obeyed now.
+
+        An import is not interrupted, for half a library cannot be imported again; nor is what
+        winds up after an earlier interruption, but by a second Ctrl-C.
+        """
+        by_clock, self.ticking = self.ticking, False
+        self.run.stopped = self.run.stopped or "interrupted"
+        while frame is not None:
+            if frame.f_code.co_filename == IMPORTING:
+                self.wished.set()
+                return False
+            frame = frame.f_back
+        if by_clock and monotonic() < self.heard + WIND_UP:
+            return False
+        self.heard = monotonic()
+        return True
+
+
+IMPORTING = "<frozen importlib._bootstrap>"
+
 run: ContextVar[Run | None] = ContextVar("run", default=None)
+_clock: ContextVar[_Clock | None] = ContextVar("clock", default=None)
 
 
 @contextmanager
@@ -56,23 +110,22 @@ def bounded(what: str) -> Iterator[None]:
         now.stopped = now.stopped or f"not begun within the time limit of {now.limit:g} s"
         raise KeyboardInterrupt
     before = signal.getsignal(signal.SIGINT)
+    clock = _Clock(now)
 
-    def stop(*_: Any) -> None:
+    def stop(_: int, frame: FrameType | None) -> None:
         if before is signal.SIG_IGN and not now.stopped:
             return  # a background job, which its shell shields from Ctrl-C
-        now.stopped = now.stopped or "interrupted"
-        raise KeyboardInterrupt
+        if clock.is_heard(frame):
+            raise KeyboardInterrupt
 
-    clock = threading.Timer(0.0 if now.end is None else now.end - monotonic(), now.time_is_up)
-    clock.daemon = True
     signal.signal(signal.SIGINT, stop)
+    token = _clock.set(clock)
     try:
-        if now.end is not None:
-            clock.start()
         with _shown(what):
             yield
     finally:
-        clock.cancel()
+        clock.stop()
+        _clock.reset(token)
         signal.signal(signal.SIGINT, before)
 
 
@@ -115,12 +168,13 @@ def watched() -> Iterator[Callable[[str, float], bool]]:
     The first Ctrl-C, or the end of the time limit, makes it answer no; the second ends the
     program as ever.
     """
-    stopped = False
+    stopped, clock = False, _clock.get()
 
-    def stop(*_: Any) -> None:
+    def stop(_: int, frame: FrameType | None) -> None:
         nonlocal stopped
-        stopped = True
-        signal.signal(signal.SIGINT, before)
+        if clock is None or clock.is_heard(frame):
+            stopped = True
+            signal.signal(signal.SIGINT, before)
 
     def watch(name: str, share: float) -> bool:
         doing(f"{name}, {share:.0%}")

@@ -11,7 +11,9 @@ import signal
 import warnings
 from collections.abc import Iterator
 from copy import deepcopy
+from importlib import import_module
 from pathlib import Path
+from pkgutil import walk_packages
 from random import Random
 from time import monotonic
 from typing import Any, NamedTuple
@@ -20,6 +22,7 @@ import pytest
 import yaml
 from typer.testing import CliRunner
 
+import flexcli
 from flexcli.cli.app import app
 
 ROOT = Path(__file__).parents[2]
@@ -252,8 +255,15 @@ def found(number: int, folder: Path) -> list[tuple[str, bool]]:
     ]  # fmt: skip
 
 
+@pytest.fixture(scope="session")
+def imported() -> None:
+    """Import everything before, so that no time limit ends an import of a library for good."""
+    for module in walk_packages(flexcli.__path__, "flexcli."):
+        import_module(module.name)
+
+
 @pytest.fixture
-def folder(tmp_path: Path) -> Iterator[Path]:
+def folder(imported: None, tmp_path: Path) -> Iterator[Path]:
     here = Path.cwd()
     yield tmp_path
     os.chdir(here)
