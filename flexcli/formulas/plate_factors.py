@@ -13,13 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 from flexcli.formulas.card import Card, Range, Table
 
 __all__ = [
-    "BUCKLING_ERROR",
     "CARDS",
     "FIT_ERROR",
+    "FlatShare",
     "bound",
-    "buckling_factor",
     "cantilever_factor",
-    "cantilever_shift_factor",
     "effective_width",
     "end_moment_factor",
     "factor_error",
@@ -27,23 +25,13 @@ __all__ = [
     "limb_hinge_factor",
     "pivot_factor",
     "pure_bending_factor",
-    "pure_shortening_factor",
-    "s_shortening_factor",
+    "ratio",
 ]
 
 Floats = NDArray[np.float64]
 
 FIT_ERROR = 7e-4
 """Largest error of the two bending factors against thin plates, ν ≤ ½ and any b/l [-]."""
-
-BUCKLING_ERROR = {
-    "clamped-clamped": 3.5e-3,
-    "clamped-pinned": 1e-3,
-    "clamped-guided": 8e-4,
-    "pinned-pinned": 1.5e-3,
-    "clamped-free": 8e-4,
-}
-"""Largest error of the buckling factors against thin plates, ν ≤ 0.45 and any b/l [-]."""
 
 OF_WIDENING = 0.12
 """Largest error of a fit where the widening is small, as a share of it."""
@@ -52,7 +40,7 @@ THICKNESS_SHARE = 0.3
 """Largest error of ``effective_width``, as a share of what it takes from a factor."""
 
 
-class _Flat(NamedTuple):
+class FlatShare(NamedTuple):
     """ρ/(1 − ρ) = x (p_0 + p_1 x + p_2 x²)/(1 + q_1 x + q_2 x²), x = b/l; ρ → 1 for wide ones."""
 
     p_0: float
@@ -70,17 +58,8 @@ class _Flat(NamedTuple):
 
 # least squares with weights towards the largest error, on Ritz solutions of the clamped plate at
 # 27 widths from l/50 to 100 l and six Poisson's ratios from 0.1 to 0.5
-_PURE = _Flat(0.89777, -0.35171, 3.52216, -0.15247, 1.12239)
-_S_SHAPE = _Flat(2.52723, 2.28081, 22.19553, 0.24683, 3.21660)
-_BUCKLED = {
-    "clamped-clamped": _Flat(0.79658, 42.15672, 9.11227, 9.10020, 0.0),
-    "clamped-pinned": _Flat(0.78387, 4.05133, 0.25375, 0.96081, 0.10750),
-    "clamped-guided": _Flat(1.70664, 2.62427, 13.97637, 0.12895, 2.43856),
-    "pinned-pinned": _Flat(0.06140, 0.80725, 1.35132, 0.02889, 0.63639),
-    "clamped-free": _Flat(0.87727, 0.25040, 2.74865, -0.04784, 0.87047),
-}
-_EDGE_BUCKLES = 0.32161
-"""Between clamped ends the free edges of a wide blade buckle first: ρ → 1 − 0.32 ν²."""
+_PURE = FlatShare(0.89777, -0.35171, 3.52216, -0.15247, 1.12239)
+_S_SHAPE = FlatShare(2.52723, 2.28081, 22.19553, 0.24683, 3.21660)
 
 
 def bound(poisson_ratio: ArrayLike) -> Floats:
@@ -183,7 +162,7 @@ def pure_bending_factor(
     Derived here: Ritz's method on the Kirchhoff plate, two sides clamped, two free.
 
     """
-    return _PURE.factor(_ratio(b, h, l), poisson_ratio)
+    return _PURE.factor(ratio(b, h, l), poisson_ratio)
 
 
 def guided_factor(
@@ -222,7 +201,7 @@ def guided_factor(
     Derived here: Ritz's method on the Kirchhoff plate, two sides clamped, two free.
 
     """
-    return _S_SHAPE.factor(_ratio(b, h, l), poisson_ratio)
+    return _S_SHAPE.factor(ratio(b, h, l), poisson_ratio)
 
 
 def pivot_factor(
@@ -387,57 +366,6 @@ def limb_hinge_factor(
     )
 
 
-def buckling_factor(
-    *, b: ArrayLike, l: ArrayLike, ends: str, poisson_ratio: ArrayLike, h: ArrayLike = 0.0
-) -> Floats:
-    """Return the critical axial force of a wide blade across its thickness over Euler's.
-
-    ``k = 1/(1 − ν² ρ)``, ρ a fraction of polynomials of b/l.
-
-    Parameters
-    ----------
-    b, l : array_like
-        Width and length [m].
-    ends : str
-        What holds the bodies at the ends, as of ``euler_load``.
-    poisson_ratio : array_like
-        ν [-].
-    h : array_like
-        Thickness; 0 for a thin blade [m].
-
-    Returns
-    -------
-    k : array
-        From 1 (narrow) to nearly 1/(1 − ν²) (wide) [-].
-
-    Notes
-    -----
-    Both ends stay straight across, the axial force is spread evenly, the long sides are free.
-    Within 3.5e-3 of thin plates solved by Ritz's method between clamped ends, 1.5e-3 for all
-    others, ν ≤ 0.45.
-
-    Raises
-    ------
-    KeyError
-        When the ends are none of those of ``euler_load``.
-
-    Examples
-    --------
-    >>> blade = {"b": 0.5, "l": 1.0, "poisson_ratio": 0.3}
-    >>> round(float(buckling_factor(ends="clamped-guided", **blade)), 3)
-    1.063
-
-    References
-    ----------
-    Derived here: Ritz's method on the Kirchhoff plate under axial force, two sides free.
-
-    """
-    nu = np.asarray(poisson_ratio, dtype=np.float64)
-    if ends == "clamped-clamped":
-        nu = nu * np.sqrt(1.0 - _EDGE_BUCKLES * nu**2)
-    return _BUCKLED[ends].factor(_ratio(b, h, l), nu)
-
-
 def factor_error(factor: ArrayLike, thin: ArrayLike, fit: float = FIT_ERROR) -> Floats:
     """Return the error of a factor of a thick blade.
 
@@ -470,117 +398,8 @@ def factor_error(factor: ArrayLike, thin: ArrayLike, fit: float = FIT_ERROR) -> 
     return np.asarray(small + THICKNESS_SHARE * (np.asarray(thin) - k))
 
 
-def pure_shortening_factor(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> Floats:
-    """Return how much more a blade in pure bending shortens than the beam.
-
-    ``½∫w'² dx``, mean over the width, over θ² l/24.
-
-    Parameters
-    ----------
-    b, l : array_like
-        Width and length [m].
-    poisson_ratio : array_like
-        ν [-].
-
-    Returns
-    -------
-    factor : array
-        At most 1.02 for ν = 0.3 [-].
-
-    Notes
-    -----
-    Within 2e-3 of thin plates solved by Ritz's method, ν ≤ ½.
-
-    Examples
-    --------
-    >>> round(float(pure_shortening_factor(b=0.5, l=1.0, poisson_ratio=0.3)), 3)
-    1.019
-
-    References
-    ----------
-    Derived here: Ritz's method on the Kirchhoff plate.
-
-    """
-    x = np.asarray(b, dtype=np.float64) / np.asarray(l, dtype=np.float64)
-    shape = 1.29865 * x * (1.0 + 1.07399 * x)
-    shape = shape / (1.0 + 3.59535 * x + 3.00137 * x**2 + 12.30435 * x**3)
-    return np.asarray(1.0 + bound(poisson_ratio) * shape)
-
-
-def s_shortening_factor(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> Floats:
-    """Return how much more a guided blade shortens than the beam.
-
-    ``½∫w'² dx``, mean over the width, over 3x²/(5l).
-
-    Parameters
-    ----------
-    b, l : array_like
-        Width and length [m].
-    poisson_ratio : array_like
-        ν [-].
-
-    Returns
-    -------
-    factor : array
-        At most 1.006 for ν = 0.3 [-].
-
-    Notes
-    -----
-    Within 5e-4 of thin plates solved by Ritz's method, ν ≤ ½.
-
-    Examples
-    --------
-    >>> round(float(s_shortening_factor(b=0.2, l=1.0, poisson_ratio=0.3)), 4)
-    1.0052
-
-    References
-    ----------
-    Derived here: Ritz's method on the Kirchhoff plate.
-
-    """
-    x = np.asarray(b, dtype=np.float64) / np.asarray(l, dtype=np.float64)
-    shape = 0.64587 * x * (1.0 + 2.46988 * x)
-    shape = shape / (1.0 + 7.34251 * x + 11.01224 * x**2 + 92.09705 * x**3)
-    return np.asarray(1.0 + bound(poisson_ratio) * shape)
-
-
-def cantilever_shift_factor(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> Floats:
-    """Return how much more the tip of a cantilever moves towards the clamp than the beam's.
-
-    ``(τ²/24 + τ²/8 + τ(1 − τ/2)/2 + ⅗(1 − τ/2)²)/⅗``, the first and the last times the factors of
-    pure bending and of the S shape, at the tip's rotation ``τ = θ l/x``.
-
-    Parameters
-    ----------
-    b, l : array_like
-        Width and length [m].
-    poisson_ratio : array_like
-        ν [-].
-
-    Returns
-    -------
-    factor : array
-        Over 3x²/(5l) at the same travel [-].
-
-    Examples
-    --------
-    >>> float(cantilever_shift_factor(b=0.2, l=1.0, poisson_ratio=0.0))
-    1.0
-
-    References
-    ----------
-    Derived here, from the factors of the two shapes.
-
-    """
-    blade = {"b": b, "l": l, "poisson_ratio": poisson_ratio}
-    turn = 1.5 * cantilever_factor(**blade) / pure_bending_factor(**blade)
-    sheared = 1.0 - turn / 2.0
-    path = turn**2 / 24.0 * pure_shortening_factor(**blade) + turn**2 / 8.0
-    path = path + turn * sheared / 2.0 + 0.6 * sheared**2 * s_shortening_factor(**blade)
-    return np.asarray(path / 0.6)
-
-
-def _ratio(b: ArrayLike, h: ArrayLike, l: ArrayLike) -> Floats:
+def ratio(b: ArrayLike, h: ArrayLike, l: ArrayLike) -> Floats:
+    """Return b/l of the thin plate that stands for the blade, see :func:`effective_width`."""
     return np.asarray(effective_width(b=b, h=h) / np.asarray(l, dtype=np.float64))
 
 
@@ -608,7 +427,6 @@ CARDS = (
     Card("plate-end-moment", end_moment_factor, {**_BLADE, "delta": 0.1}, _WIDE),
     Card("plate-cantilever", cantilever_factor, _BLADE, _WIDE),
     Card("plate-hinge", limb_hinge_factor, {**_BLADE, "arm": 15e-3}, _WIDE),
-    Card("plate-buckling", buckling_factor, {**_BLADE, "ends": "clamped-guided"}, _WIDE),
     Card("plate-effective-width", effective_width, {"b": 10e-3, "h": 1e-3}, _WIDE),
     Card("plate-bound", bound, {"poisson_ratio": 0.3}),
 )

@@ -9,7 +9,7 @@ from plates import clamped_block, notched_block
 from plates.clamped_strip import PURE, S_SHAPE, Strip
 from pydantic import TypeAdapter
 
-from flexcli.formulas import clamp_stress
+from flexcli.formulas import clamp_stress, plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.profile import Constant
@@ -106,7 +106,7 @@ def test_factors_grow_with_width_and_poissons_ratio(formula):
     elif formula == "s":
         k = plates.guided_factor(**at)
     else:
-        k = plates.buckling_factor(ends=formula, **at)
+        k = plate_buckling.buckling_factor(ends=formula, **at)
     assert (np.diff(k, axis=0) >= -1e-12).all()
     assert (np.diff(k, axis=1) >= -1e-12).all()
     assert (k >= 1.0).all()
@@ -118,8 +118,8 @@ def test_factors_grow_with_width_and_poissons_ratio(formula):
 def test_buckling_factors_are_those_of_the_plate(ends, b, nu):
     euler = (np.pi / EFFECTIVE_LENGTH[ends]) ** 2
     true = Strip(b, nu, bubbles=3).critical(END_MOTIONS[ends]) / euler
-    factor = plates.buckling_factor(b=b, l=1.0, ends=ends, poisson_ratio=nu)
-    assert factor == pytest.approx(true, rel=plates.BUCKLING_ERROR[ends] + 5.0 * RITZ)
+    factor = plate_buckling.buckling_factor(b=b, l=1.0, ends=ends, poisson_ratio=nu)
+    assert factor == pytest.approx(true, rel=plate_buckling.BUCKLING_ERROR[ends] + 5.0 * RITZ)
 
 
 @pytest.mark.parametrize(("b", "within"), [(0.1, 0.002), (0.5, 0.004), (1.0, 0.007)])
@@ -135,8 +135,8 @@ def test_restrained_torsion_is_that_of_the_plate(b, within):
 def test_shortening_is_that_of_the_plate(b, nu):
     plate, blade = strip(b, nu), {"b": b, "l": 1.0, "poisson_ratio": nu}
     pure, bent = 24.0 * plate.shortening(PURE), plate.shortening(S_SHAPE) / 0.6
-    assert plates.pure_shortening_factor(**blade) == pytest.approx(pure, abs=2e-3)
-    assert plates.s_shortening_factor(**blade) == pytest.approx(bent, abs=6e-4)
+    assert plate_shortening.pure_shortening_factor(**blade) == pytest.approx(pure, abs=2e-3)
+    assert plate_shortening.s_shortening_factor(**blade) == pytest.approx(bent, abs=6e-4)
 
 
 @pytest.mark.parametrize(
@@ -197,5 +197,5 @@ def test_a_hinge_of_constant_thickness_is_the_clamped_strip(b):
     found = wide_hinge(Constant, (1e-3,), 1.0, b, 0.3)
     assert found.stiffness == pytest.approx(strip(b, 0.3).bending_factor(), rel=2e-4)
     # the middle moves by θ² l (1 − f/3)/8, f what the blade shortens more than the beam
-    shortening = plates.pure_shortening_factor(b=b, l=1.0, poisson_ratio=0.3)
+    shortening = plate_shortening.pure_shortening_factor(b=b, l=1.0, poisson_ratio=0.3)
     assert found.shift == pytest.approx(1.0 - (shortening - 1.0) / 2.0, abs=1.5e-3)

@@ -8,6 +8,7 @@ import pytest
 from geometries_for_tests import SAMPLES, geometry, spec
 
 from flexcli.engine import left_out
+from flexcli.formulas import plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas.plate_flattening import flat_width, secant_factor
 from flexcli.parts.design import DesignSpec
@@ -224,7 +225,7 @@ def test_buckling_takes_the_factor_of_the_ends_that_hold_a_guided_blade():
     for ends in ("clamped-guided", "clamped-clamped"):
         case = {"load": {"force": "1 N"}, "ends": ends}
         found = WIDENING.changes(setting_of(stage, MOVE, case=case))["buckling"]
-        k = float(plates.buckling_factor(ends=ends, **BLADE))
+        k = float(plate_buckling.buckling_factor(ends=ends, **BLADE))
         assert found.value == pytest.approx(k - 1.0, rel=1e-12)
 
 
@@ -237,8 +238,8 @@ def test_a_sag_that_bends_the_width_follows_the_sheet_and_not_the_plate():
 
 def test_shift_changes_by_the_shortening_of_both_shapes():
     blade = {"b": 10e-3, "l": 20e-3, "poisson_ratio": NU}
-    pure = float(plates.pure_shortening_factor(**blade)) - 1.0
-    bent = float(plates.s_shortening_factor(**blade)) - 1.0
+    pure = float(plate_shortening.pure_shortening_factor(**blade)) - 1.0
+    bent = float(plate_shortening.s_shortening_factor(**blade)) - 1.0
     gamma = 1.0 + 2.0 * 0.2
     found = WIDENING.changes(setting_of(PIVOT, TURN))["shift"]
     share = (2.5 * pure + 9.0 * gamma**2 * bent) / (9.0 * gamma**2 - 5.0)

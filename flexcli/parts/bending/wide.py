@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from flexcli.formulas import plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
@@ -112,7 +113,7 @@ def _of_blades(geometry: Geometry, sizes: Sizes, blade: Blade, nu: float) -> Wid
         bends = 6.0 / blade.l**2, -6.0 / blade.l**2
     elif isinstance(geometry, Cantilever):
         stiffness = stress = _factor(plates.cantilever_factor, blade, nu)
-        change = float(plates.cantilever_shift_factor(**at)) - 1.0
+        change = float(plate_shortening.cantilever_shift_factor(**at)) - 1.0
         shift = change, 0.2 * (pure + bent)
         bends = 3.0 / blade.l**2, 0.0
     elif isinstance(geometry, MomentBlade):
@@ -137,7 +138,7 @@ def _of_blades(geometry: Geometry, sizes: Sizes, blade: Blade, nu: float) -> Wid
 
 
 LOCKED = "clamped-clamped"
-_SHORTENING = plates.pure_shortening_factor, plates.s_shortening_factor
+_SHORTENING = plate_shortening.pure_shortening_factor, plate_shortening.s_shortening_factor
 
 
 def _of_halves(geometry: UnseparatedPivot, blade: Blade, nu: float) -> WideBlades:
@@ -174,7 +175,7 @@ def _of_necks(sizes: Any, nu: float) -> WideBlades:
     neck = Blade(h, l_c, b)
     stiffness = _factor(plates.limb_hinge_factor, neck, nu, arm=(l - l_c) / 2.0)
     buckles = _between(float(plates.pure_bending_factor(b=b, l=l_c, poisson_ratio=nu, h=h)), nu)
-    pure = float(plates.pure_shortening_factor(b=b, l=l_c, poisson_ratio=nu)) - 1.0
+    pure = float(plate_shortening.pure_shortening_factor(b=b, l=l_c, poisson_ratio=nu)) - 1.0
     share = 2.0 * l_c / l  # of the path, most of which is that of the rigid middle
     held = dict.fromkeys(EFFECTIVE_LENGTH, buckles)
     return WideBlades(b / l_c, stiffness, stiffness, held, (0.0, share * pure))
@@ -340,9 +341,9 @@ def _factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor:
 
 def _buckling(blade: Blade, nu: float, ends: str) -> Factor:
     at: dict[str, Any] = {"b": blade.b, "l": blade.l, "poisson_ratio": nu, "ends": ends}
-    value = float(plates.buckling_factor(h=blade.h, **at))
-    thin = float(plates.buckling_factor(**at))
-    fit = plates.BUCKLING_ERROR[ends]
+    value = float(plate_buckling.buckling_factor(h=blade.h, **at))
+    thin = float(plate_buckling.buckling_factor(**at))
+    fit = plate_buckling.BUCKLING_ERROR[ends]
     return _with_error(value, float(plates.factor_error(value, thin, fit)), nu)
 
 
