@@ -79,6 +79,7 @@ def _check(limit: Limit) -> Check:
         verdict=verdict(between, asked),
         source=limit.source,
         factor_range=between,
+        path=limit.path,
         is_target=limit.tolerance is not None,
         kind=limit.kind,
     )

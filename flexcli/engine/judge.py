@@ -103,11 +103,16 @@ def judge(design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...]) -> Judgemen
     scenes = design.scenes()
     looked_at: dict[str, set[LoadKind]] = {scene.case: set() for scene in scenes}
     questions = list(design.questions(scenes))
+    paths = {id(asked): ("requirements", *path) for path, asked in design.requirements.each()}
     for index, (requirement, scene) in enumerate(questions):
         try:
-            found.extend(ladder.climbed(requirement, scene))
+            path = paths[id(requirement)]
+            found.extend(check._replace(path=path) for check in ladder.climbed(requirement, scene))
         except KeyboardInterrupt:
-            open_ = (_not_done(*question) for question in questions[index:])
+            open_ = (
+                _not_done(asked, of)._replace(path=paths[id(asked)])
+                for asked, of in questions[index:]
+            )
             so_far = assess.worst_of_each([*found, *open_])
             raise Interrupted(Judgement(so_far, ladder.seconds, rungs)) from None
         looked_at[scene.case] |= requirement.looks_at(scene)
@@ -268,5 +273,6 @@ def _not_judged(scene: Scene, looked_at: set[LoadKind]) -> Iterator[Check]:
         if kind in scene.loads and kind not in looked_at:
             text = f"no requirement looks at this load; {WOULD_LOOK[kind]} would"
             yield Check(
-                kind.value, scene.case, text, nan, nan, "", nan, nan, Verdict.NOT_JUDGED, ""
-            )
+                kind.value, scene.case, text, nan, nan, "", nan, nan, Verdict.NOT_JUDGED, "",
+                path=("cases", scene.case, kind.value),
+            )  # fmt: skip

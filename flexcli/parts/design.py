@@ -291,7 +291,9 @@ class DesignSpec(Part):
         yield from self.coupling_limits()
         for text, small, large in self.geometry.fits(sizes):
             shape = "the joint's own shape"
-            yield Limit("geometry", "", text, small, large, "m", shape, error=EXACT)
+            yield Limit(
+                "geometry", "", text, small, large, "m", shape, error=EXACT, path=("geometry",)
+            )
 
     def coupling_limits(self) -> Iterator[Limit]:
         """Yield what a mechanism states of its coupling to the base."""
@@ -306,6 +308,7 @@ class DesignSpec(Part):
                 "force balance: |τ| over that without balancing masses",
                 variant="max",
                 error=EXACT,
+                path=("mechanism", "coupling"),
             )
 
     def problems(self) -> list[Problem]:

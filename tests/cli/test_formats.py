@@ -10,14 +10,20 @@ import struct
 import subprocess
 import sys
 import termios
+import textwrap
 from contextlib import redirect_stderr, redirect_stdout
+from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
 import typer.testing
+import yaml
 
 from flexcli.cli import app as command
+from flexcli.report.formats import Format
+
+ROOT = Path(__file__).parents[2]
 
 NAME = "σ³ ½ ←"
 """A case's name of which ascii, cp1252 and latin-1 lack something."""
@@ -33,9 +39,6 @@ requirements:
   stiffness: {{max: 1 N/m}}
   yield: 1.5
 """
-
-STIFFNESS, YIELD = (SPEC.splitlines().index(f"  {row}") + 1
-                    for row in ("stiffness: {max: 1 N/m}", "yield: 1.5"))  # fmt: skip
 
 
 @pytest.fixture
@@ -192,3 +195,74 @@ def test_the_help_of_every_command_has_its_exit_codes(verb, option):
 def test_the_shell_can_complete():
     told = typer.testing.CliRunner().invoke(command.app, ["--help"]).stdout
     assert "--install-completion" in told
+
+
+def line_of(text, spec=SPEC):
+    return next(i for i, row in enumerate(spec.splitlines(), 1) if text in row)
+
+
+def test_each_format_has_the_line_of_the_requirement_that_fails(inside):
+    line = line_of("stiffness:")
+    document = json.loads(inside("check", "--format", "json").out)
+    places = {check["name"]: check["place"] for check in document["checks"]}
+    assert places["stiffness (max)"] == {
+        "file": "flexure.yaml", "line": line, "column": 3, "path": "requirements.stiffness",
+    }  # fmt: skip
+    assert places["yield (yield-strength)"]["line"] == line_of("yield: 1.5")
+    (error,) = (row for row in inside("check", "--format", "github").out.splitlines()
+                if row.startswith("::error"))  # fmt: skip
+    assert error.startswith(f"::error file=flexure.yaml,line={line},col=3,title=stiffness (max)::")
+    log = json.loads(inside("check", "--format", "sarif").out)
+    regions = [found["locations"][0]["physicalLocation"].get("region")
+               for found in log["runs"][0]["results"] if found["level"] == "error"]  # fmt: skip
+    assert regions == [{"startLine": line, "startColumn": 3}]
+    suite = ElementTree.fromstring(inside("check", "--format", "junit").out)[0]
+    assert [case.text.split(" ")[0] for case in suite.iter("failure")] == [
+        f"flexure.yaml:{line}:3:"
+    ]
+    row = next(row for row in inside("check", "--format", "markdown").out.splitlines()
+               if row.startswith("| FAIL"))  # fmt: skip
+    assert row.endswith(f"| {line} |")
+
+
+def test_a_load_that_nobody_looks_at_has_its_own_line(inside, design):
+    spec = SPEC.replace("mm}}", "mm}, shock: {peak: 10 g, duration: 1 ms, shape: half-sine}}")
+    (design / "flexure.yaml").write_text(spec, encoding="utf-8")
+    told = inside("check", "--format", "json")
+    (row,) = (c for c in json.loads(told.out)["checks"] if c["verdict"] == "not judged")
+    assert row["place"]["line"] == line_of("shock", spec)
+
+
+def test_a_requirement_of_several_has_the_line_of_the_one_that_fails(inside, design):
+    one = "stiffness: {max: 1 N/m}"
+    spec = SPEC.replace(one, "stiffness:\n    - {max: 1 kN/m}\n    - {min: 2 kN/m}")
+    (design / "flexure.yaml").write_text(spec, encoding="utf-8")
+    checks = json.loads(inside("check", "--format", "json").out)["checks"]
+    places = {check["name"]: check["place"]["line"] for check in checks}
+    assert places["stiffness (max)"] == line_of("max: 1 kN/m", spec)
+    assert places["stiffness (min)"] == line_of("min: 2 kN/m", spec)
+
+
+@pytest.mark.parametrize("verb", ["size", "simulate"])
+def test_other_verbs_that_judge_have_the_lines_too(inside, design, verb):
+    checks = json.loads(inside(verb, "--format", "json").out)["checks"]
+    assert checks
+    assert all(check["place"]["line"] > 1 for check in checks)
+
+
+def test_the_hooks_of_pre_commit_run_commands_that_there_are():
+    hooks = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text())
+    assert {hook["id"] for hook in hooks} == {"flexure-validate", "flexure-check"}
+    for hook in hooks:
+        program, *verb = hook["entry"].split()
+        assert program == "flexure"
+        assert typer.testing.CliRunner().invoke(command.app, [*verb, "-h"]).exit_code == 0
+
+
+def test_the_workflow_of_the_readme_is_one_and_uses_formats_that_there_are():
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    block = text.split("    # .github/workflows/flexures.yml\n")[1].split("\n\n")[0]
+    steps = yaml.safe_load(textwrap.dedent(block))["jobs"]["flexures"]["steps"]
+    asked = re.findall(r"--format (\w+)", " ".join(step.get("run", "") for step in steps))
+    assert asked == ["github", "markdown"]
+    assert set(asked) <= set(Format)

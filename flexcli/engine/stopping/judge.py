@@ -76,6 +76,7 @@ class _Strength(NamedTuple):
     strength: float
     factor: float
     source: str
+    path: tuple[str | int, ...]
 
 
 class _Peaks(NamedTuple):
@@ -172,7 +173,7 @@ def judge_stops(
         (on_line,) = assess.checks([line_limit(task, place, "", None)])
         checks.append(on_line._replace(model=LINE))
     return StopJudgement(
-        tuple(checks),
+        tuple(check if check.path else check._replace(path=("stops",)) for check in checks),
         tuple(ladder.runs),
         tuple(ladder.aside),
         tuple(ladder.histories),
@@ -190,11 +191,12 @@ def _frequency(design: DesignSpec, task: StopTask) -> float:
 
 def _strengths(design: DesignSpec, case: str) -> list[_Strength]:
     found = []
-    for _, asked in design.requirements.each():
+    for path, asked in design.requirements.each():
         if isinstance(asked, DynamicYield) and asked.applies(design.scene(case)):
             strength = design.material.strength(asked.allowable.replace("-", "_"))
             source = f"allowable: {asked.allowable}"
-            found.append(_Strength(asked.label, case, strength, asked.factor, source))
+            at = ("requirements", *path)
+            found.append(_Strength(asked.label, case, strength, asked.factor, source, at))
     return found
 
 
@@ -202,7 +204,7 @@ def _open(strength: _Strength, reason: str = "no model but a simulation knows it
     text = f"peak bending stress between the stops; {reason}"
     return Check(
         strength.name, strength.case, text, nan, strength.strength, "Pa", nan, strength.factor,
-        Verdict.UNDECIDED, strength.source,
+        Verdict.UNDECIDED, strength.source, path=strength.path,
     )  # fmt: skip
 
 
@@ -443,6 +445,7 @@ class _Ladder:
             yield Limit(
                 strength.name, case, text, peaks.bending, strength.strength, "Pa",
                 f"{source}; {strength.source}", required=strength.factor, error=error(worst),
+                path=strength.path,
             )  # fmt: skip
         pressed = task.stops.contact.stress(peaks.force, task.elastic)
         if shear is not None and task.shear is not None and pressed is not None:

@@ -27,7 +27,8 @@ class Limit:
     marks what a balanced design makes active together, in each ``joint`` that has sizes of its
     own; ``driver`` is what the demand grows with. ``kind`` says what models differ in, and
     ``in_capacity`` that it is the capacity which is of this kind, not the demand; ``error`` is
-    that of the number, unknown unless somebody gives it.
+    that of the number, unknown unless somebody gives it. ``path`` is where the spec asks for it,
+    where no requirement does.
     """
 
     requirement: str
@@ -47,6 +48,7 @@ class Limit:
     kind: QuantityKind | None = None
     in_capacity: bool = False
     error: ErrorRange | None = None
+    path: tuple[str | int, ...] = ()
 
     @property
     def is_bound(self) -> bool:
