@@ -1,6 +1,7 @@
 """What the model of a design leaves out, and what a reviewer must know beside the margins."""
 
 from collections.abc import Iterator
+from math import isfinite
 
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, Setting
@@ -97,11 +98,15 @@ def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> t
     notes.extend(_outside_validity(design, sizes))
     notes.extend(_own_shape(design, sizes))
     notes.extend(
-        Note("effect-left-out", f"{row.name}, left out, may change results by {row.estimate:.0%}")
+        Note("effect-left-out", f"{row.name}, left out, may change results {_by(row.estimate)}")
         for row in rows
         if row.estimate >= NOTABLE and not row.on
     )
     return tuple(notes)
+
+
+def _by(estimate: float) -> str:
+    return f"by {estimate:.0%}" if isfinite(estimate) else "by as much as nobody can tell"
 
 
 def _outside_validity(design: DesignSpec, sizes: Sizes) -> Iterator[Note]:

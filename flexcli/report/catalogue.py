@@ -4,11 +4,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rich.console import Console
-from rich.table import Table
-from rich.text import Text
 
 from flexcli import __version__
 from flexcli.report.as_json import FORMAT
+from flexcli.report.tables import Line, table
 from flexcli.results import Property
 from flexcli.units import show
 
@@ -47,16 +46,13 @@ def document(
 
 def print_list(rows: Mapping[str, Sequence[Property]], console: Console) -> None:
     """Print one line per material: stiffness and strengths; a blank is a value nobody gave."""
-    table = Table(box=None, pad_edge=False)
-    table.add_column("name", no_wrap=True)
-    for title in ("E", "R_p0.2", "R_m", "fatigue"):
-        table.add_column(title, justify="right", no_wrap=True)
+    listed = table("", "name", "E", "R_p0.2", "R_m", "fatigue", numbers=range(1, 5))
     for name, properties in rows.items():
         known = {row.name: row for row in properties}
         cells = [_cell(known[field]) if field in known else "" for field in _LISTED]
-        table.add_row(name, *cells)
-    console.print(table)
-    console.print(Text("flexure materials NAME shows one with its sources", "dim"))
+        listed.add_row(name, *cells)
+    console.print(listed)
+    console.print(Line(("flexure materials NAME shows one with its sources", "dim")))
 
 
 def _cell(row: Property) -> str:
@@ -66,14 +62,10 @@ def _cell(row: Property) -> str:
 
 def print_one(title: str, note: str, properties: Sequence[Property], console: Console) -> None:
     """Print every number of a material with its status and source."""
-    console.print(Text(title, "bold"))
+    console.print(Line((title, "bold")))
     if note:
-        console.print(Text(note))
-    table = Table(box=None, pad_edge=False)
-    table.add_column("property", no_wrap=True)
-    table.add_column("value", justify="right", no_wrap=True)
-    for column in ("", "status", "source"):
-        table.add_column(column, overflow="fold")
+        console.print(Line(note))
+    numbers = table("", "property", "value", "", "status", "source", numbers=[1])
     for row in properties:
-        table.add_row(row.name, show(row.value, row.unit), row.detail, row.status, row.source)
-    console.print(table)
+        numbers.add_row(row.name, show(row.value, row.unit), row.detail, row.status, row.source)
+    console.print(numbers)
