@@ -33,6 +33,7 @@ from flexcli.spec.findings import nearest
 from flexcli.spec.load import Loaded, validated
 from flexcli.spec.overrides import Place
 from flexcli.spec.parse import parse_document
+from flexcli.spec.places import placed
 from flexcli.spec.read import read_document
 from flexcli.spec.references import from_anywhere
 from flexcli.units import show, written
@@ -108,7 +109,7 @@ def size(source: Spec, *, model: str | None = None, overrides: Overrides | None 
     from flexcli.engine.size import size as chosen
 
     spec = _design(source, overrides)
-    return chosen(spec.part, _name(spec), _model(model))
+    return placed(chosen(spec.part, _name(spec), _model(model)), spec.document)
 
 
 def sized(source: Spec, sizing: Result) -> Loaded:
@@ -224,7 +225,7 @@ def balance(source: Spec, *, overrides: Overrides | None = None) -> Result:
     if instead is not None:
         return instead
     result = balanced(spec.part, _name(spec))
-    return replace(result, warnings=(*notes, *result.warnings))
+    return placed(replace(result, warnings=(*notes, *result.warnings)), spec.document)
 
 
 def stops(
@@ -259,10 +260,10 @@ def stops(
     from flexcli.engine.stopping.by_plan import with_plan
     from flexcli.engine.stopping.simulation import decided, simulated
     from flexcli.engine.stopping.sweep import swept
-    from flexcli.engine.stops import stops as placed
+    from flexcli.engine.stops import stops as stopped
 
     def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
-        result = with_plan(placed(design, sizes, name), design, sizes)
+        result = with_plan(stopped(design, sizes, name), design, sizes)
         with watched() as watch:
             if simulate:
                 kept = keep_history
@@ -428,7 +429,7 @@ def _on_sizes(
     design: DesignSpec = spec.part
     sizes = design.fixed_sizes()
     assert sizes is not None  # given, or chosen above
-    result = verb(design, sizes, _name(spec))
+    result = placed(verb(design, sizes, _name(spec)), spec.document)
     if not notes:
         return result
     cost = result.cost
