@@ -35,8 +35,8 @@ GARBAGE_THRESHOLD = 100_000
 """New objects between searches for garbage; Python's own 700 cost a twentieth of a short run."""
 
 EXIT_CODES = (
-    "Exit codes: 0 passed; 1 the design fails, is infeasible or undecided; 2 bad input or usage; "
-    "101 a bug of ours."
+    "Exit codes: 0 passed; 1 the design fails, is infeasible or undecided, or the run was "
+    "stopped; 2 bad input or usage; 101 a bug of ours."
 )
 
 app = typer.Typer(

@@ -69,6 +69,10 @@ VERBS = (
     ("asd", "scale", "SPEC", "--db", "3", "--write", "out.yaml"),
     ("asd", "envelope", "SPEC", "gevs-acceptance", "--write", "out.yaml"),
 )
+OPTIONS = (
+    (), (), ("--format", "json"), ("--format", "json"), ("--format", "junit"),
+    ("--format", "sarif"), ("--format", "github"), ("--format", "markdown"), ("--allow-outside",),
+)  # fmt: skip
 WORDS = re.compile(
     r"pydantic|Input should|Traceback|<class|np\.float|ValidationError|yaml\.|\bdict\b"
 )
@@ -183,9 +187,7 @@ def mutant(number: int) -> Mutant:
         else:
             text = broken_text(random, text) if text else text
     arguments = random.choice(VERBS)
-    return Mutant(
-        text, (*arguments, *random.choice([(), ("--format", "json"), ("--allow-outside",)]))
-    )
+    return Mutant(text, (*arguments, *random.choice(OPTIONS)))
 
 
 def contents(folder: Path) -> dict[str, tuple[int, bytes]]:
