@@ -11,7 +11,7 @@ import typer
 
 from flexcli.errors import Finding
 from flexcli.report.formats import Format, Page, Report
-from flexcli.results import Result, Status
+from flexcli.results import PassedOver, Result, Status
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -55,9 +55,16 @@ CatalogueFormatOption = Annotated[
 ]
 
 
-def finish(command: str, results: Sequence[Result], style: Format, *, many: bool) -> NoReturn:
+def finish(
+    command: str,
+    results: Sequence[Result],
+    style: Format,
+    *,
+    many: bool,
+    passed_over: Sequence[PassedOver] = (),
+) -> NoReturn:
     """Print results and leave with the exit code of the worst."""
-    report = Report(command, tuple(results), many)
+    report = Report(command, tuple(results), many, tuple(passed_over))
     if style is Format.TEXT:
         from flexcli.report.as_text import findings_text
 

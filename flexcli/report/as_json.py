@@ -1,7 +1,7 @@
 """Results as JSON by the output contract: stable keys, SI numbers, also when a run fails."""
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from math import isfinite, nan
 from typing import Any
 
@@ -22,7 +22,7 @@ FORMAT = 1
 def render(report: Report, page: Page) -> str:
     """Return one document, or that of several results."""
     one = None if report.is_of_many else document(report.results[0])
-    return dumps(one or summary(report.command, report.results), page.encoding) + "\n"
+    return dumps(one or summary(report), page.encoding) + "\n"
 
 
 def dumps(content: Any, encoding: str = "utf-8") -> str:
@@ -128,15 +128,17 @@ def finding(found: Finding) -> dict[str, Any]:
     }
 
 
-def summary(command: str, results: Sequence[Result]) -> dict[str, Any]:
-    """Return many results under the worst status of them."""
+def summary(report: Report) -> dict[str, Any]:
+    """Return many results under the worst status of them, and what was passed over."""
+    results = report.results
     worst = max((r.status for r in results), key=list(Status).index, default=Status.PASS)
     return {
         "flexure": FORMAT,
-        "command": command,
+        "command": report.command,
         "version": __version__,
         "status": worst.value,
         "results": [document(result) for result in results],
+        "passed_over": list(report.passed_over),
         "cost": {"seconds": sum(r.cost.seconds for r in results if r.cost is not None)},
     }
 

@@ -60,6 +60,8 @@ def render(report: Report, page: Page) -> str:
                     console.print(part)
         if report.is_of_many:
             console.print(_summary(report.results))
+        for spec, why in report.passed_over:
+            console.print(Line(("passed over ", "dim"), f"{spec}: {why}", hang=2))
 
     return on_page(body, page)
 

@@ -4,17 +4,18 @@ from enum import StrEnum
 from importlib import import_module
 from typing import NamedTuple
 
-from flexcli.results import Result
+from flexcli.results import PassedOver, Result
 
 __all__ = ["Format", "Page", "Report"]
 
 
 class Report(NamedTuple):
-    """What a command has to tell: its results, and whether they are of several specs."""
+    """What a command has to tell: its results, whether of several specs, what it passed over."""
 
     command: str
     results: tuple[Result, ...]
     is_of_many: bool = False
+    passed_over: tuple[PassedOver, ...] = ()
 
 
 class Page(NamedTuple):

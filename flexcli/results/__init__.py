@@ -39,6 +39,7 @@ from flexcli.results.judgement import (
 from flexcli.results.plan import AuditRow, ModelRow, Plan
 from flexcli.results.result import (
     Cost,
+    PassedOver,
     Result,
     Status,
 )
@@ -88,6 +89,7 @@ __all__ = [
     "ModelRow",
     "Note",
     "OutputResult",
+    "PassedOver",
     "Place",
     "Plan",
     "ProfileRow",

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from enum import Enum
-from typing import Any
+from typing import Any, NamedTuple
 
 from flexcli.errors import Finding
 from flexcli.results.accuracy import AccuracyResult
@@ -15,7 +15,7 @@ from flexcli.results.sizing import SizingResult
 from flexcli.results.stops import StopsResult
 from flexcli.results.vibration import BreakpointRow, CaseResponse, ProfileRow, WorstCaseRow
 
-__all__ = ["Cost", "Result", "Status"]
+__all__ = ["Cost", "PassedOver", "Result", "Status"]
 
 
 class Status(Enum):
@@ -49,6 +49,13 @@ HEADER = frozenset(
     | {"findings", "cost"}
 )
 """Fields that every result has; all others are sections."""
+
+
+class PassedOver(NamedTuple):
+    """A file or folder about which nothing was asked, and why."""
+
+    spec: str
+    why: str
 
 
 @dataclass(frozen=True, eq=False)

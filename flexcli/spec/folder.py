@@ -1,37 +1,80 @@
-"""Which files of a folder are designs."""
+"""Which files of a folder are designs, and why the others are not."""
 
-from collections.abc import Iterable
+import os
+import re
+from collections.abc import Iterator
+from difflib import get_close_matches
 from pathlib import Path
 
 from flexcli.errors import SpecError
+from flexcli.parts.base import said
 from flexcli.spec.load import KINDS
 from flexcli.spec.read import read_document
+from flexcli.spec.references import SUFFIXES
 
-__all__ = ["designs_in"]
+__all__ = ["members"]
+
+FIRST = "flexure"
+"""The key that a spec of any kind has."""
+
+DESIGN = {"material", "geometry", "mechanism", "cases", "requirements"}
+"""Keys of which two make a design, though its first one be misspelt."""
+
+LIKE_A_SPEC = re.compile(rf"^\W*(fle\w*|{'|'.join(DESIGN)})\b", re.MULTILINE)
+"""What stands in the text of a design, though it be no YAML."""
+
+LOOKED_AT = 65_536
+"""Characters in which that is looked for."""
 
 
-def designs_in(paths: Iterable[Path]) -> list[Path]:
-    """Return files as they are and, of folders, the designs below them, sorted.
+def members(folder: Path) -> list[tuple[Path, str]]:
+    """Return the YAML files below a folder, sorted, each with why it is passed over, if it is.
 
-    A file of a folder that holds another kind of spec, or no spec at all, is passed over; one
-    that cannot be read stays in, so that its findings are reported, and so does a folder without
-    a design.
+    A file that may be a design with mistakes is not, so that its findings are told. Hidden and
+    linked folders are named and not entered.
     """
-    found: dict[Path, None] = {}
-    for path in paths:
-        if not path.is_dir():
-            found[path] = None
-            continue
-        files = sorted([*path.rglob("*.yaml"), *path.rglob("*.yml")])
-        found |= dict.fromkeys([file for file in files if _may_be_design(file)] or [path])
-    return list(found)
+    return sorted(_members(folder))
 
 
-def _may_be_design(file: Path) -> bool:
+def _members(folder: Path) -> Iterator[tuple[Path, str]]:
+    unread: list[OSError] = []
+    for here, folders, files in os.walk(folder, onerror=unread.append):
+        for name in list(folders):
+            path = Path(here, name)
+            if name.startswith(".") or path.is_symlink():
+                folders.remove(name)
+                yield path, "a hidden folder" if name.startswith(".") else "a link to a folder"
+        for name in files:
+            path = Path(here, name)
+            if path.suffix.lower() in SUFFIXES:
+                yield path, _why_not(path)
+    for error in unread:
+        yield Path(str(error.filename)), f"cannot be read: {error.strerror}"
+
+
+def _why_not(file: Path) -> str:
+    """Return why a file is no design, or nothing where it may be one."""
     try:
         root = read_document(file).value
-    except SpecError:
+    except SpecError as error:
+        return "" if _may_be_a_spec(file) else f"no spec: {error.findings[0].text}"
+    if not isinstance(root, dict):
+        return f"no spec: it is {said(root)}, not a mapping"
+    others = [key for key in root if key != FIRST]
+    if FIRST in root:
+        is_alone = len(others) == 1 and others[0] in KINDS and not isinstance(root[others[0]], str)
+        return f"a spec of kind {others[0]}, not a design" if is_alone else ""
+    known = {key.casefold() for key in others}
+    if get_close_matches(FIRST, known, cutoff=0.75) or len(known & DESIGN) > 1:
+        return ""
+    return f"no spec: its first key is '{others[0]}', not '{FIRST}'" if others else "no spec: empty"
+
+
+def _may_be_a_spec(file: Path) -> bool:
+    if not file.is_file():
         return True
-    if not isinstance(root, dict) or "flexure" not in root:
-        return False
-    return not set(root) <= {"flexure", *KINDS} or "requirements" in root
+    try:
+        with file.open(encoding="utf-8", errors="replace") as stream:
+            return LIKE_A_SPEC.search(stream.read(LOOKED_AT)) is not None
+    except OSError:
+        return True

@@ -27,6 +27,7 @@ __all__ = [
     "SUFFIXES",
     "checked_root",
     "from_anywhere",
+    "is_from_anywhere",
     "no_version",
     "resolved",
 ]
@@ -63,6 +64,11 @@ def from_anywhere(allowed: bool = True) -> Iterator[None]:
         yield
     finally:
         _ANYWHERE.reset(token)
+
+
+def is_from_anywhere() -> bool:
+    """Return whether specs may name files outside their folders."""
+    return _ANYWHERE.get()
 
 
 def checked_root(document: Document) -> dict[str, Any]:

@@ -98,23 +98,6 @@ def test_a_name_is_printed_as_it_stands(flexure, sized):
     assert told.count("buckling, [red] :rocket:") == 2, "in the table and with its source"
 
 
-def test_check_takes_folders_and_passes_over_other_specs(flexure, sized, tmp_path):
-    folder = tmp_path / "specs"
-    (folder / "deep").mkdir(parents=True)
-    sized.rename(folder / "deep" / "a.yaml")
-    (folder / "stroke.yaml").write_text("flexure: 1\nstroke: {rotation: 5 deg, cycles: 1e6}\n")
-    (folder / "unrelated.yaml").write_text("name: something else\n")
-    document = json.loads(flexure("check", "specs", "--format", "json").stdout)
-    assert document["spec"] == "specs/deep/a.yaml"
-
-
-def test_an_empty_folder_is_no_success(flexure, tmp_path):
-    (tmp_path / "nothing").mkdir()
-    told = flexure("check", "nothing")
-    assert told.returncode == 2
-    assert "nothing" in told.stderr
-
-
 def test_an_infeasible_spec_exits_1_names_the_conflict_and_writes_nothing(
     flexure, tmp_path, example_text
 ):
