@@ -28,6 +28,7 @@ from flexcli.errors import Finding, NoSolution, SolveError, SpecError
 from flexcli.parts.design import DesignSpec, ModelName
 from flexcli.parts.geometries import Sizes
 from flexcli.results import Note, Result, Status
+from flexcli.results.dossier import Dossier
 from flexcli.results.drawing import Drawing
 from flexcli.spec.findings import nearest
 from flexcli.spec.load import Loaded, validated
@@ -50,6 +51,7 @@ __all__ = [
     "asd_worst_case",
     "balance",
     "check",
+    "dossier",
     "drawing",
     "is_sized",
     "load",
@@ -287,6 +289,24 @@ def drawing(
         raise NoSolution("not-sized", text, "see flexure size")
     design: DesignSpec = spec.part
     return drawn(design, design.geometry.sized({}), case)
+
+
+def dossier(
+    source: Spec, *, model: str | None = None, overrides: Overrides | None = None
+) -> Dossier:
+    """Gather what a design review reads: verdicts, drawing, stroke, spectra, equations.
+
+    Free sizes are chosen first, and the verdicts are those of the sizing.
+    """
+    from flexcli.engine.dossier import dossier as gathered
+
+    spec = _design(source, overrides)
+    found = (size if spec.part.geometry.free else check)(spec, model=model)
+    if not is_sized(spec, found):
+        return Dossier(found, spec.document.text)
+    design: DesignSpec = sized(spec, found).part if spec.part.geometry.free else spec.part
+    names = spec.part.geometry.free
+    return gathered(design, design.geometry.sized({}), found, spec.document.text, names)
 
 
 def asd_response(source: Spec, *, overrides: Overrides | None = None) -> Result:

@@ -16,7 +16,7 @@ from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Blade, Layout, Load
 from flexcli.mechanics.mesh import Effects, column
 from flexcli.mechanics.points import point_motion
-from flexcli.mechanics.shape import centre_line
+from flexcli.mechanics.shape import ROUNDING, centre_line
 from flexcli.mechanics.state import Equilibrium, Outcome
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
@@ -140,11 +140,11 @@ def _blade(blade: Blade, turn: Turn) -> DrawnBlade:
     u = np.linspace(-1.0, 1.0, AT_REST)[None, :]
     for piece in blade.profile.pieces(l):
         at = np.broadcast_to(piece.position(u), u.shape)[0]
-        if at[0] > s[-1] + 1e-9 * l:  # a rigid stretch before it
+        if at[0] > s[-1] + ROUNDING * l:  # a rigid stretch before it
             s, h = [*s, float(at[0])], [*h, 0.0]
         s.extend(at.tolist())
         h.extend(np.broadcast_to(piece.thickness(u), u.shape)[0].tolist())
-    if s[-1] < l * (1.0 - 1e-9):
+    if s[-1] < l * (1.0 - ROUNDING):
         s, h = [*s, s[-1], l], [*h, 0.0, 0.0]
     if h[0] == 0.0 and s[1] == 0.0:
         s, h = s[1:], h[1:]

@@ -12,12 +12,16 @@ from flexcli.mechanics.section_forces import flexible_pieces, section_forces
 from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.collocation import gauss_nodes, integration_to
 
-__all__ = ["CentreLine", "centre_line"]
+__all__ = ["ROUNDING", "CentreLine", "centre_line"]
 
 Floats = NDArray[np.float64]
 
 _NODES = 24
 """Gauss nodes on a piece for the way along it: rounding for every profile."""
+
+
+ROUNDING = 1e-9
+"""Of the length: a piece that ends so near an end of the blade ends there."""
 
 
 class CentreLine(NamedTuple):
@@ -82,20 +86,27 @@ def _of_part(
     rows = part.rows.size
     u = np.tile(np.linspace(-1.0, 1.0, points), (rows, 1))
     at = np.zeros((rows, 3))  # s, x, y reached
-    found: list[Floats] = [np.zeros((rows, 5, 1))]
+    found: list[Floats] = []
     turn = np.zeros(rows)
     for segment in flexible_pieces(part, blade):
         piece = _piece(state, part, blade, segment, u)
         s, psi = piece[:, 0], piece[:, 5]
+        if not found and not _is_there(s[:, 0], 0.0, length):  # a rigid start
+            found.append(np.zeros((rows, 5, 1)))
         at = _straight_to(at, s[:, 0], psi[:, 0])
         piece[:, 1] += at[:, 1, None]
         piece[:, 2] += at[:, 2, None]
         found.append(piece[:, :5])
         at, turn = np.stack([s[:, -1], piece[:, 1, -1], piece[:, 2, -1]], axis=-1), psi[:, -1]
-    at = _straight_to(at, length, turn)
-    last = np.zeros((rows, 5, 1))
-    last[:, :3, 0] = at
-    return tuple(np.moveaxis(np.concatenate([*found, last], axis=-1), 1, 0))
+    if not _is_there(at[:, 0], length, length):  # a rigid end
+        last = np.zeros((rows, 5, 1))
+        last[:, :3, 0] = _straight_to(at, length, turn)
+        found.append(last)
+    return tuple(np.moveaxis(np.concatenate(found, axis=-1), 1, 0))
+
+
+def _is_there(s: Floats, place: Floats | float, length: Floats) -> bool:
+    return bool(np.all(np.abs(s - place) <= ROUNDING * length))
 
 
 def _straight_to(at: Floats, s: Floats, psi: Floats) -> Floats:

@@ -15,6 +15,7 @@ from flexcli.units import show
 
 __all__ = [
     "LIGHT",
+    "STYLE",
     "blocks",
     "caption",
     "drawing_svg",
@@ -66,7 +67,7 @@ def _colours(names: dict[str, str]) -> str:
 STYLE = (
     f"""\
 .dwg{{{_colours(LIGHT)}}}
-@media (prefers-color-scheme:dark){{.dwg{{{_colours(DARK)}}}}}
+@media screen and (prefers-color-scheme:dark){{.dwg{{{_colours(DARK)}}}}}
 """
     + """\
 .dwg{font-family:"Helvetica Neue",Helvetica,Arial,"Liberation Sans",sans-serif}

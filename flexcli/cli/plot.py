@@ -1,0 +1,87 @@
+"""``flexure plot``: one plot of a design as SVG or PNG."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from flexcli.cli.common import (
+    DEFAULT_SPEC,
+    Format,
+    SetOption,
+    attempt,
+    fail,
+    finish,
+    read,
+)
+from flexcli.cli.files import ForceOption, write_or_end
+from flexcli.errors import Finding, SpecError
+from flexcli.results import Result, Status
+
+if TYPE_CHECKING:
+    from flexcli.report.plots import Plot
+
+__all__ = ["NAME", "run"]
+
+NAME = "plot"
+
+
+def run(
+    spec: Annotated[Path, typer.Argument(help="Design file, or - for stdin.")] = Path(DEFAULT_SPEC),
+    what: Annotated[
+        str | None, typer.Argument(help="Name of the plot; the names are listed if left out.")
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="SVG or PNG file; SVG to stdout if left out."),
+    ] = None,
+    force: ForceOption = False,
+    stated: SetOption = None,
+) -> None:
+    """Plot a design: margins, stress, stiffness, shift, support, spectrum, feasible sizes."""
+    found: list[Plot] = []
+
+    def verb() -> Result:
+        found.extend(_plots(spec, stated, what))
+        return Result(NAME, str(spec), Status.PASS)
+
+    result = attempt(NAME, spec, verb)
+    if result.findings or not found:
+        finish(NAME, [result], Format.TEXT, many=False)
+    if what is None:
+        for plot in found:
+            typer.echo(f"{plot.name:12} {plot.title}: {plot.caption}")
+        return
+    chosen = [plot for plot in found if plot.name == what]
+    if not chosen:
+        names = ", ".join(dict.fromkeys(plot.name for plot in found))
+        finding = Finding(str(spec), f"there is no plot '{what}' of this design", f"one of {names}")
+        fail(NAME, str(spec), SpecError([finding]), Format.TEXT)
+    from flexcli.report.plots import standalone
+
+    svg = standalone(chosen[0])
+    if output is None:
+        typer.echo(svg)
+    elif output.suffix == ".png":
+        from flexcli.report.raster import png
+
+        write_or_end(output, png(svg), force=force)
+    else:
+        write_or_end(output, svg, force=force)
+
+
+def _plots(path: Path, stated: list[str] | None, what: str | None) -> "list[Plot]":
+    """Return the plots of a design; that of the models' accuracy, which takes long, if asked."""
+    from flexcli import api
+    from flexcli.report.plots import accuracy_plot, margins_plot, plots, tornado_plot
+
+    spec = read(path, stated)
+    if what == "accuracy":
+        compared = api.accuracy(spec).accuracy
+        return [] if compared is None else [accuracy_plot(compared)]
+    gathered = api.dossier(spec)
+    result = gathered.result
+    found = [margins_plot(result.checks)] if result.checks else []
+    if result.sizing is not None and result.sizing.sensitivities:
+        found.append(tornado_plot(result.sizing))
+    return [*found, *plots(gathered)]
