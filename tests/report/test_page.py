@@ -9,13 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from flexcli.engine.check import check
-from flexcli.engine.dossier import dossier
-from flexcli.engine.size import size
+from flexcli import api
 from flexcli.report.page import design_page, folder_page, folder_row
 from flexcli.report.plots import plots
 from flexcli.results import Status
-from flexcli.spec.load import load_design
 
 ROOT = Path(__file__).parents[2]
 VOID = {"meta", "link", "br", "hr", "img", "input"}
@@ -25,17 +22,10 @@ SIZED = ["rocket-parallel-stage"]
 
 @cache
 def gathered(name):
-    path = ROOT / "examples" / name / "flexure.yaml"
-    design, _ = load_design(path)
-    sizes = design.fixed_sizes()
-    if sizes is None:
-        result = size(design, str(path), "source")
-        free = {symbol: result.values[symbol].value for symbol in design.geometry.free}
-        sizes = design.geometry.sized(free)
-    else:
-        result = check(design, sizes, str(path))
-    text = path.read_text(encoding="utf-8")
-    return dossier(design, sizes, result, text, design.geometry.free)
+    """Return the dossier of an example; free sizes are chosen by the formulas as printed."""
+    return api.dossier(
+        ROOT / "examples" / name / "flexure.yaml", model="source" if name in SIZED else None
+    )
 
 
 @cache
