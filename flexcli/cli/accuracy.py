@@ -20,15 +20,20 @@ def run(
     specs: SpecsArgument = None,
     asked: Annotated[
         str | None,
-        typer.Option("--accuracy", help="Error that will do, e.g. 0.1 %; the spec's, else 1 %."),
+        typer.Option(
+            "--accuracy",
+            help="State the error that will do, e.g. 0.1 %; left out, the spec's, else 1 %.",
+        ),
     ] = None,
     runs: Annotated[
-        int, typer.Option("--runs", min=5, max=1000, help="Runs of each model that are timed.")
+        int, typer.Option("--runs", min=5, max=1000, help="Time so many runs of each model.")
     ] = 5,
     stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Compare models on a design: value, error against the finest, and time, per quantity.
+    """Compare the models on a design: errors against time.
+
+    Each quantity has its value by every model, the error against the finest, and the time.
 
     Exits 1 when no model is within the accuracy asked.
     """

@@ -33,13 +33,15 @@ _MOST_DB = 100.0
 
 app = typer.Typer(
     name=NAME,
-    help="Vibration profiles (acceleration spectral densities) and their worst case.",
+    help="Show, combine and judge vibration profiles.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
 
-ProfileArgument = Annotated[str, typer.Argument(help="A shipped profile, or a file of one.")]
-ProfilesArgument = Annotated[list[str], typer.Argument(help="Shipped profiles, or files of them.")]
+ProfileArgument = Annotated[str, typer.Argument(help="Name a shipped profile, or a file of one.")]
+ProfilesArgument = Annotated[
+    list[str], typer.Argument(help="Name shipped profiles, or files of them.")
+]
 WriteOption = Annotated[
     Path | None, typer.Option("--write", help="Save the profile as a spec (.yaml).")
 ]
@@ -50,7 +52,10 @@ app.command(response.NAME)(with_common_options(response.run))
 
 @app.command("list")
 def list_(style: FormatOption = Format.TEXT) -> None:
-    """List the shipped profiles: rms as computed and as published, status, standard."""
+    """List the shipped profiles.
+
+    Each has its rms as computed and as published, status and standard.
+    """
     from flexcli import api
 
     _finish("list", "", api.asd_list, style)
@@ -59,7 +64,10 @@ def list_(style: FormatOption = Format.TEXT) -> None:
 @app.command()
 @with_common_options
 def show(name: ProfileArgument, style: FormatOption = Format.TEXT) -> None:
-    """Show a profile: breakpoints, slopes, rms values, moments, curve and sources."""
+    """Show a profile with its curve and sources.
+
+    It gives breakpoints, slopes, rms values and moments.
+    """
     from flexcli import api
 
     _finish("show", name, partial(api.asd_show, name), style)
@@ -77,10 +85,13 @@ def grms(names: ProfilesArgument, style: FormatOption = Format.TEXT) -> None:
 @app.command()
 @with_common_options
 def validate(
-    files: Annotated[list[str], typer.Argument(help="Files of profiles.")],
+    files: Annotated[list[str], typer.Argument(help="Name files of profiles.")],
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Validate profiles; warn where the published rms is not that of the breakpoints."""
+    """Validate profiles, with the published rms.
+
+    It warns where that is not the rms of the breakpoints.
+    """
     from flexcli import api
 
     command = f"{NAME} validate"
@@ -99,7 +110,10 @@ def envelope(
     force: ForceOption = False,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Form the envelope of profiles, with the exact points where they cross."""
+    """Form the envelope of profiles.
+
+    It has the exact points where they cross.
+    """
     from flexcli import api
 
     verb = partial(api.asd_envelope, names)
@@ -110,7 +124,7 @@ def envelope(
 @with_common_options
 def scale(
     name: ProfileArgument,
-    db: Annotated[float, typer.Option("--db", help="Decibels to add; 3 doubles the density.")],
+    db: Annotated[float, typer.Option("--db", help="Add so many decibels; 3 doubles the density.")],
     write: WriteOption = None,
     force: ForceOption = False,
     style: FormatOption = Format.TEXT,
@@ -127,19 +141,22 @@ def scale(
 @with_common_options
 def worst_case(
     spec: Annotated[
-        str, typer.Argument(help="A design, a shipped profile, or a file of a profile.")
+        str, typer.Argument(help="Name a design, a shipped profile, or a file of a profile.")
     ] = DEFAULT_SPEC,
     qualities: Annotated[
         list[float] | None,
-        typer.Option("--q", help="Quality factor, once or more; a design has its own."),
+        typer.Option("--q", help="Give a quality factor, once or more; a design has its own."),
     ] = None,
     duration: Annotated[
-        str | None, typer.Option("--duration", help="Time of exposure, e.g. '2 min'.")
+        str | None, typer.Option("--duration", help="Give the time of exposure, e.g. '2 min'.")
     ] = None,
     stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Give Miles' worst case over all frequencies, beside the exact response and its peaks."""
+    """Give Miles' worst case over all frequencies.
+
+    Beside it stand the exact response and its peaks.
+    """
 
     def verb() -> Result:
         from flexcli import api

@@ -34,7 +34,10 @@ def run(
     ] = None,
     force: ForceOption = False,
 ) -> None:
-    """Balance a mechanism against its base's motion: arms, masses, coupling, T(ω), residuals."""
+    """Balance a mechanism against its base's motion.
+
+    It gives arms, masses, coupling, T(ω), and what small angles leave.
+    """
     only_one(NAME, "--csv", specs, csv, style)
 
     def verb(spec: "Loaded") -> Result:

@@ -40,7 +40,7 @@ def run(
         list[Path] | None,
         typer.Argument(
             metavar="[SPEC|FOLDER]...",
-            help=f"Designs, folders of them, or - for stdin; {DEFAULT_SPEC} if left out.",
+            help=f"Name designs, folders of them, or - for stdin; left out, it is {DEFAULT_SPEC}."
         ),
     ] = None,
     model: ModelOption = None,
@@ -62,7 +62,9 @@ def run(
     stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Check designs: every requirement with demand, capacity, factor and margin.
+    """Judge designs: every requirement of every case.
+
+    Each check has demand, capacity, factor with its range, and margin.
 
     Of a folder it takes every design below it, and names what it passes over.
     """

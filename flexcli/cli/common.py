@@ -63,17 +63,18 @@ ModelOption = Annotated[
     Model | None,
     typer.Option(
         "--model",
-        help="Model that judges alone; each check by the cheapest that decides it, if left out.",
+        help="Let this model judge alone; left out, the cheapest that decides a check judges it.",
     ),
 ]
 OutputOption = Annotated[
-    Path | None, typer.Option("--output", "-o", help="File to write; a new one, without --force.")
+    Path | None,
+    typer.Option("--output", "-o", help="Write this file, which must be new without --force."),
 ]
 SpecsArgument = Annotated[
     list[Path] | None,
     typer.Argument(
         metavar="[SPEC]...",
-        help=f"Design files, or - for stdin; {DEFAULT_SPEC} of this folder if left out.",
+        help=f"Name design files, or - for stdin; left out, it is {DEFAULT_SPEC} of this folder.",
     ),
 ]
 SetOption = Annotated[
@@ -87,7 +88,8 @@ SetOption = Annotated[
 AllowOutsideOption = Annotated[
     bool,
     typer.Option(
-        "--allow-outside", help="Let specs name files outside their folders; not of strangers."
+        "--allow-outside",
+        help="Let specs name files outside their folders; don't for those of strangers.",
     ),
 ]
 TimeLimitOption = Annotated[

@@ -38,19 +38,26 @@ def run(
     specs: SpecsArgument = None,
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", help="SVG or PNG file; SVG to stdout if left out."),
+        typer.Option(
+            "--output", "-o", help="Write this SVG or PNG file; left out, SVG goes to stdout."
+        ),
     ] = None,
     force: ForceOption = False,
     stated: SetOption = None,
-    view: Annotated[View, typer.Option("--view", help="From where it is seen.")] = View.FRONT,
+    view: Annotated[
+        View, typer.Option("--view", help="Choose the side from which it is seen.")
+    ] = View.FRONT,
     case: Annotated[
-        str | None, typer.Option("--case", help="Case whose stroke and forces are drawn.")
+        str | None, typer.Option("--case", help="Draw the stroke and the forces of this case.")
     ] = None,
     stress: Annotated[
         bool, typer.Option("--stress", help="Colour the blades of the + end by their stress.")
     ] = False,
 ) -> None:
-    """Draw the joint to scale as SVG: at rest, deflected, with sizes, forces and centre."""
+    """Draw a design to scale, as SVG or PNG.
+
+    It is drawn at rest and deflected, with sizes, forces and centre.
+    """
     if len(specs or ()) > 1:
         fail(NAME, "", SpecError([Finding(NAME, "draws one spec", "name one")]), Format.TEXT)
     drawn: list[str] = []

@@ -14,14 +14,17 @@ NAME = "explain"
 
 def run(
     name: Annotated[
-        str | None, typer.Argument(help="Joint or formula to explain; a list if left out.")
+        str | None, typer.Argument(help="Name a joint or a formula; left out, they are listed.")
     ] = None,
     table: Annotated[
         str | None, typer.Option("--table", help="Print a chart as data, e.g. delta.")
     ] = None,
     style: CatalogueFormatOption = Format.TEXT,
 ) -> None:
-    """Explain a joint: its formulas with symbols, units, validity, source and a worked case."""
+    """Explain a joint or a formula.
+
+    Each formula has symbols, units, validity, source and a worked case.
+    """
     from flexcli.engine.explain import explain, topics
     from flexcli.errors import SpecError
     from flexcli.report import explanation

@@ -13,10 +13,15 @@ NAME = "materials"
 
 
 def run(
-    name: Annotated[str | None, typer.Argument(help="Material to show; all if left out.")] = None,
+    name: Annotated[
+        str | None, typer.Argument(help="Name a material; left out, all are listed.")
+    ] = None,
     style: CatalogueFormatOption = Format.TEXT,
 ) -> None:
-    """List the shipped materials, or show one: every number with its status and source."""
+    """List the shipped materials, or show one with sources.
+
+    Every number has its status.
+    """
     from flexcli.errors import SpecError
     from flexcli.report import catalogue
     from flexcli.spec.load import load_shipped

@@ -32,7 +32,9 @@ def run(
     stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Plan before solving: effects with estimates and reasons, models with cost and error.
+    """Plan which effects and which model a design calls for.
+
+    Effects come with estimates and reasons, models with cost and error, before anything is solved.
 
     With --audit it exits 1 where an effect that was left out matters after all.
     """

@@ -17,7 +17,10 @@ COMMAND = "asd response"
 def run(
     specs: SpecsArgument = None, stated: SetOption = None, style: FormatOption = Format.TEXT
 ) -> None:
-    """Modes, rms and peak travel, stress and force, and life of a design, per case."""
+    """Compute what a design's modes make of each case.
+
+    It gives modes, rms and peaks of travel, stress and force, and life.
+    """
 
     def verb(spec: "Loaded") -> Result:
         from flexcli import api

@@ -14,12 +14,12 @@ NAME = "schema"
 
 def run(
     kind: Annotated[
-        str, typer.Argument(help="design, material, stroke, asd or geometry.")
+        str, typer.Argument(help="Name the kind: design, material, stroke, asd or geometry.")
     ] = "design",
     output: OutputOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Print the JSON Schema of a kind of spec, or write it to a file that specs can name.
+    """Print the JSON Schema of a kind of spec, or write it.
 
     An editor takes the schema that a spec's first line names, a path from the spec's own folder:
     # yaml-language-server: $schema=flexure.schema.json

@@ -28,7 +28,8 @@ NAME = "simulate"
 def run(
     specs: SpecsArgument = None,
     points: Annotated[
-        int, typer.Option("--points", min=2, max=10_000, help="Travels over the stroke.")
+        int,
+        typer.Option("--points", min=2, max=10_000, help="Solve so many travels over the stroke."),
     ] = 11,
     table: Annotated[
         Path | None, typer.Option("--csv", help="Save every point, with SI units.")
@@ -37,7 +38,10 @@ def run(
     stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Simulate the stroke: effort, stiffness, shift and stress at every travel, and margins."""
+    """Simulate the stroke by geometrically exact mechanics.
+
+    It gives effort, stiffness, shift and stress at every travel, and margins.
+    """
     only_one(NAME, "--csv", specs, table, style)
 
     def verb(spec: "Loaded") -> Result:

@@ -39,7 +39,11 @@ def run(
     ] = None,
     force: ForceOption = False,
 ) -> None:
-    """Choose blade thickness h, length l and width b; print margins and what holds them."""
+    """Choose the free sizes of a design.
+
+    Every requirement holds at them by the models that judge; it prints margins and what holds the
+    sizes there.
+    """
     only_one(NAME, "--write", specs, write, style)
     designs: list[Loaded] = []
 

@@ -39,17 +39,24 @@ def run(
         ),
     ] = None,
     sweep: Annotated[
-        bool, typer.Option("--sweep", help="Frequency response with stops, up and down.")
+        bool, typer.Option("--sweep", help="Follow the frequency response with stops, up and down.")
     ] = False,
     seed: Annotated[
-        int | None, typer.Option("--seed", min=0, help="Of random vibration; the spec's, else 0.")
+        int | None,
+        typer.Option(
+            "--seed",
+            min=0,
+            help="Seed random vibration; left out, it is the seed of the spec, else 0.",
+        ),
     ] = None,
     csv: Annotated[
         Path | None, typer.Option("--csv", help="Save the history, or with --sweep the response.")
     ] = None,
     force: ForceOption = False,
 ) -> None:
-    """Size an end stop: gap, height, stresses, contact; Ctrl-C keeps what was simulated.
+    """Size an end stop on a blade, and verify it in time.
+
+    It gives gap, height, stresses and contact; Ctrl-C keeps what was simulated.
 
     The operating line scatters and knows no way from rest: what it leaves undecided is decided by
     simulation, with a rigid contact where that suffices. One that was interrupted is no proof: it

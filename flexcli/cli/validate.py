@@ -19,12 +19,17 @@ NAME = "validate"
 def run(
     specs: Annotated[
         list[Path] | None,
-        typer.Argument(help=f"Specs of any kind, or - for stdin; {DEFAULT_SPEC} if left out."),
+        typer.Argument(
+            help=f"Name specs of any kind, or - for stdin; left out, it is {DEFAULT_SPEC}."
+        ),
     ] = None,
     stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Validate designs, materials, strokes, ASD profiles and geometries, each alone."""
+    """Validate specs of any kind, each alone.
+
+    Kinds are designs, materials, strokes, ASD profiles and geometries.
+    """
 
     def verb(spec: "Loaded") -> Result:
         from flexcli import api

@@ -192,6 +192,15 @@ def test_the_help_of_every_command_has_its_exit_codes(verb, option):
         assert code in words
 
 
+@pytest.mark.parametrize("arguments", [("-h",), ("asd", "-h")])
+def test_the_list_of_commands_has_whole_sentences(arguments, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    told = typer.testing.CliRunner().invoke(command.app, arguments).stdout
+    rows = told.split("Commands:")[1].split("\n\n")[0].strip().splitlines()
+    assert len(rows) > 5
+    assert all(row.endswith(".") and not row.endswith("...") for row in rows)
+
+
 def test_the_shell_can_complete():
     told = typer.testing.CliRunner().invoke(command.app, ["--help"]).stdout
     assert "--install-completion" in told
