@@ -40,7 +40,7 @@ def run(
         list[Path] | None,
         typer.Argument(
             metavar="[SPEC|FOLDER]...",
-            help=f"Name designs, folders of them, or - for stdin; left out, it is {DEFAULT_SPEC}."
+            help=f"Name designs, folders of them, or - for stdin; left out, it is {DEFAULT_SPEC}.",
         ),
     ] = None,
     model: ModelOption = None,
@@ -65,7 +65,6 @@ def run(
     """Judge designs: every requirement of every case.
 
     Each check has demand, capacity, factor with its range, and margin.
-
     Of a folder it takes every design below it, and names what it passes over.
     """
     from flexcli.cli.jobs import over, usual_jobs

@@ -38,7 +38,10 @@ def run(
     force: ForceOption = False,
     stated: SetOption = None,
 ) -> None:
-    """Plot a design: margins, stress, stiffness, shift, support, spectrum, feasible sizes."""
+    """Plot what was found of a design.
+
+    There are margins, stress, stiffness, shift, support, spectrum and feasible sizes.
+    """
     found: list[Plot] = []
 
     def verb() -> Result:

@@ -43,7 +43,9 @@ def run(
     model: ModelOption = None,
     stated: SetOption = None,
 ) -> None:  # fmt: skip
-    """Write a page of each design: verdicts, drawing, margins, plots, equations, the spec itself.
+    """Write a page of each design, to read and send.
+
+    It has verdicts, drawing, margins, plots, equations and the spec itself.
 
     The page stands alone: it needs no network, prints on A4, and follows the reader into the dark.
     """
