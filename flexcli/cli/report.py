@@ -49,10 +49,8 @@ def run(
 
     The page stands alone: it needs no network, prints on A4, and follows the reader into the dark.
     """
-    from flexcli.spec.folder import designs_in
-
     named = specs or [Path(DEFAULT_SPEC)]
-    paths = designs_in(named)
+    paths = [file for path in named for file in _designs(path)]
     many = len(named) > 1 or any(path.is_dir() for path in named)
     place = output or Path("report" if many else "report.html")
     if many and place.suffix:
@@ -83,6 +81,15 @@ def run(
         if html:
             write_or_end(place / name if many else place, html, force=force)
     finish(NAME, results, Format.TEXT, many=many)
+
+
+def _designs(path: Path) -> list[Path]:
+    """Return a file itself, or the designs below a folder; a folder without any is told as one."""
+    from flexcli.spec.folder import members
+
+    if not path.is_dir():
+        return [path]
+    return [file for file, why in members(path) if not why] or [path]
 
 
 def _page(path: Path, model: str | None, stated: list[str] | None, date: str) -> tuple[Result, str]:

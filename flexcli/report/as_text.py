@@ -128,7 +128,7 @@ def _error(value: Value) -> str:
 def _effects(result: Result) -> Rows:
     rows = table("Effects", "effect", "in the model", "may change results by", "why", numbers=[2])
     for row in result.effects:
-        change = error_text(row.estimate) or "0 %"
+        change = error_text(row.estimate) or ("< 0.05 %" if row.estimate else "0 %")
         rows.add_row(row.name, "yes" if row.on else "no", change, row.reason)
     return rows
 
