@@ -1,13 +1,14 @@
 """A slender sample of every flexure that a spec can name, at any scale and of any sizes."""
 
 from collections.abc import Callable
-from typing import Annotated, Any, get_args, get_origin
+from typing import Any
 
 from pydantic import TypeAdapter
 
 from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.parts.geometries import AnyGeometry, Geometry
+from flexcli.parts.geometries import GEOMETRIES, Geometry
 from flexcli.parts.geometries.any_flexure import AnyFlexure
+from flexcli.parts.named import Kinds
 
 ELASTIC = Elastic(114e9, 0.34)
 
@@ -48,13 +49,9 @@ SAMPLES: dict[str, dict[str, Any]] = {
 RATIOS = {"crossing", "delta"}
 
 
-def kinds(union: Any = AnyGeometry) -> dict[str, type[Geometry]]:
-    """Return every geometry of a union of unions by the name that a spec gives it."""
-    if get_origin(union) is Annotated:
-        return kinds(get_args(union)[0])
-    if get_args(union):
-        return {name: kind for each in get_args(union) for name, kind in kinds(each).items()}
-    return {get_args(union.model_fields["kind"].annotation)[0]: union}
+def kinds(union: Kinds = GEOMETRIES) -> dict[str, type[Geometry]]:
+    """Return every geometry by the name that a spec gives it."""
+    return union.by_kind
 
 
 def spec(kind: str, scale: float = 1.0, **changes: Any) -> dict[str, Any]:

@@ -19,6 +19,7 @@ from flexcli.engine.balancing.over_stroke import over_stroke, shift_coupling
 from flexcli.engine.judge import status_of
 from flexcli.errors import SolveError
 from flexcli.formulas.transfer import natural_frequency
+from flexcli.parts.balancing import BalanceOptions
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.parts.mechanisms.force_balance import Balancing
@@ -64,7 +65,7 @@ def balance(design: DesignSpec, spec: str) -> Result:
     except MechanismError as error:
         raise SolveError("no-freedom", str(error), error.hint) from error
     stage = mechanism if isinstance(mechanism, ParallelStage) else None
-    options = design.balance
+    options = _options(design)
     stroke = _stroke(design)
     terms = coupling_terms(stage.stage(), options.tolerances) if stage else ()
     values = _mechanism_values(design, mechanism, states)
@@ -172,14 +173,19 @@ def _residuals(
     if stage is None:
         return {}
     nominal = values["tau_coupling"].value
-    return tolerance_values(stage.stage(), design.balance.tolerances, terms, nominal)
+    return tolerance_values(stage.stage(), _options(design).tolerances, terms, nominal)
 
 
 def _quality(design: DesignSpec, mechanism: Mechanism) -> float | None:
     """Return Q: as the mechanism states it, else as its vibration does."""
     if mechanism.damping is not None:
         return mechanism.damping.quality
-    return design.balance.asd.q if design.balance.asd is not None else None
+    vibration = _options(design).asd
+    return vibration.q if vibration is not None else None
+
+
+def _options(design: DesignSpec) -> BalanceOptions:
+    return design.balance or BalanceOptions()
 
 
 def _status(solved: Balancing | None, checks: Iterable[Check]) -> Status:

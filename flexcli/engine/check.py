@@ -13,7 +13,6 @@ from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.mechanisms.carried import has_limbs
 from flexcli.parts.requirements import Answers
 from flexcli.results import Cost, Note, Result, Value, Verdict
 
@@ -173,6 +172,6 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
 
 def _has_limbs(design: DesignSpec, sizes: Sizes) -> bool:
     try:
-        return has_limbs(design.geometry, design.material.elastic, sizes)
+        return design.geometry.has_limbs(design.material.elastic, sizes)
     except NotAvailable:  # not made of blades in a plane
         return False

@@ -1,10 +1,10 @@
 """The verb explain: the formulas of a part, or one formula, with validity and a worked case."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from difflib import get_close_matches
 from math import isinf
-from typing import Any, NamedTuple, get_args
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -35,7 +35,7 @@ from flexcli.formulas import (
     unseparated_next_order,
 )
 from flexcli.formulas.card import Card, Range, Symbol, Table, sheet
-from flexcli.parts.geometries import AnyGeometry, Geometry
+from flexcli.parts.geometries import GEOMETRIES
 from flexcli.results import Explanation, FormulaRow, SymbolRow, TableRow, ValidityRow
 
 __all__ = ["explain", "topics"]
@@ -76,18 +76,9 @@ class Topic(NamedTuple):
     cards: tuple[Card, ...]
 
 
-def _kinds(annotation: Any = AnyGeometry) -> Iterator[type[Geometry]]:
-    """Yield the classes of a union, which may hold unions and markers itself."""
-    if isinstance(annotation, type):
-        yield annotation
-    for member in get_args(annotation):
-        yield from _kinds(member)
-
-
 def _topics() -> dict[str, Topic]:
     found = {}
-    for kind in _kinds():
-        name = get_args(kind.model_fields["kind"].annotation)[0]
+    for name, kind in GEOMETRIES.by_kind.items():
         title = (kind.__doc__ or "").partition("\n")[0]
         found[name] = Topic(kind.also, title, kind.cards)
     for card in GENERAL:

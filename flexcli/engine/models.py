@@ -1,12 +1,12 @@
 """The models of a joint, from the cheapest to the finest, by the names that a user gives them."""
 
-from collections.abc import Mapping
 from functools import cached_property
 
 from flexcli.engine.answers.corrected import Corrected
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect
+from flexcli.parts.effect_names import EffectName
+from flexcli.parts.effects import MODEL_EFFECTS
 from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Answers
 
 __all__ = ["LADDER", "Rung", "rungs"]
@@ -53,15 +53,17 @@ def _answers_of(design: DesignSpec, model: str) -> Answers:
     if model in ("source", "closed-form") and not design.geometry.closed_forms:
         text = f"a {design.geometry.name} has no closed forms"
         raise SolveError("no-closed-forms", text, "take model linear or exact, or name none")
-    heard = _heard(design.effects)
+    heard = tuple(e for e in MODEL_EFFECTS if not design.is_off(e.name))
     if model == "source":
         return Corrected(AS_PRINTED, (), model, left_out=heard)
     if model == "closed-form":
         return Corrected(CLOSED_FORM, heard, model)
     from flexcli.mechanics.mesh import Effects
 
-    off = {key for key, wish in design.effects.items() if wish == "off"}
-    blades = Effects(extension="axial-extension" not in off, shear="shear" not in off)
+    blades = Effects(
+        extension=not design.is_off(EffectName.AXIAL_EXTENSION),
+        shear=not design.is_off(EffectName.SHEAR),
+    )
     if model == "linear":
         from flexcli.engine.answers.linear import LinearAnswers
 
@@ -69,8 +71,3 @@ def _answers_of(design: DesignSpec, model: str) -> Answers:
     from flexcli.engine.answers.exact import ExactAnswers
 
     return Corrected(ExactAnswers(blades), heard, model)
-
-
-def _heard(effects: Mapping[str, str]) -> tuple[ModelEffect, ...]:
-    """Return the effects that the spec does not switch off."""
-    return tuple(e for e in MODEL_EFFECTS if effects.get(e.key) != "off")

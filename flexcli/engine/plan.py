@@ -22,6 +22,7 @@ from flexcli.engine.planning.candidates import (
 from flexcli.engine.planning.coverage import COVERAGE
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import MODEL_EFFECTS, SCENE_EFFECTS, ModelEffect, Setting
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import AS_PRINTED, Answers
@@ -97,7 +98,9 @@ def planned_answers(found: Plan) -> Answers:
         from flexcli.mechanics.mesh import Effects
 
         off = {row.name for row in found.effects if row.asked == "off"}
-        blades = Effects(extension="axial extension" not in off, shear="shear" not in off)
+        blades = Effects(
+            extension=EffectName.AXIAL_EXTENSION not in off, shear=EffectName.SHEAR not in off
+        )
         exact = found.model == ExactAnswers.model
         inner = ExactAnswers(blades, found.tolerance) if exact else LinearAnswers(blades)
     extra = [e for e in MODEL_EFFECTS if e.name in on and e.name not in inner.covers | inner.always]

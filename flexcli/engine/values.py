@@ -8,8 +8,6 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.mechanisms.carried import has_masses
-from flexcli.parts.own_motion import hanging_mass, own_mode
 from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
 from flexcli.parts.scene import Scene, largest_travel
 from flexcli.results import QuantityKind, Value
@@ -60,8 +58,10 @@ def values(design: DesignSpec, sizes: Sizes, answers: Answers = AS_PRINTED) -> d
 def _own_frequency(ask: Ask, stiffness: float, found: Mapping[str, Value]) -> dict[str, Value]:
     """Return the natural frequency, of all that a layout draws with a mass, by the model."""
     factor = ask.answers.frequency_factor(ask)
-    if not has_masses(ask.geometry, ask.material.elastic, ask.sizes):
+    if not ask.geometry.has_masses:
         return _corrected_frequencies(found, factor, ask.answers.model)
+    from flexcli.parts.own_motion import own_mode
+
     mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
     value = factor * sqrt(stiffness / mode.mass) / (2.0 * pi)
     source = "lowest mode of all bodies that the motion takes part in"
@@ -155,6 +155,8 @@ def _sag(ask: Ask) -> dict[str, Value]:
     scene = ask.scene
     if scene.acceleration == 0.0:
         return {}
+    from flexcli.parts.own_motion import hanging_mass
+
     try:
         stiffness = float(ask.answers.sag_stiffness(ask))
         weight = scene.acceleration * hanging_mass(

@@ -11,6 +11,7 @@ from pydantic import Field, ValidationError, field_validator, model_validator
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from flexcli.formulas.decibels import levels_from_slopes, scale_level
+from flexcli.formulas.miles import MilesWorstCase, miles_worst_case
 from flexcli.formulas.spectrum import Scale
 from flexcli.formulas.spectrum_integrals import rms
 from flexcli.parts.base import (
@@ -325,6 +326,10 @@ class AppliedASD:
     scale: Scale
     duration: float | None
     text: str
+
+    def worst_case(self, q: float) -> MilesWorstCase:
+        """Return Miles' largest rms response of an oscillator of any frequency."""
+        return miles_worst_case(self.frequency, self.level, q, scale=self.scale)
 
 
 class RandomVibration(Part):

@@ -1,15 +1,23 @@
 """A case: one thing the flexure lives through, with its loads and what is locked."""
 
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import PrivateAttr, model_validator
 
-from flexcli.parts.asd import RandomVibration
 from flexcli.parts.base import Acceleration, Angle, Force, Part, QuantityOf, spec_error
 from flexcli.parts.ends import EndCondition
-from flexcli.parts.excitation import Sine, Sweep
-from flexcli.parts.shock import Shock
+from flexcli.parts.named import Named
 from flexcli.parts.stroke import Stroke
+
+if TYPE_CHECKING:
+    from flexcli.parts.asd import RandomVibration
+    from flexcli.parts.excitation import Sine, Sweep
+    from flexcli.parts.shock import Shock
+else:
+    RandomVibration = Annotated[Any, Named("flexcli.parts.asd:RandomVibration")]
+    Sine = Annotated[Any, Named("flexcli.parts.excitation:Sine")]
+    Sweep = Annotated[Any, Named("flexcli.parts.excitation:Sweep")]
+    Shock = Annotated[Any, Named("flexcli.parts.shock:Shock")]
 
 __all__ = ["Case", "EndCondition", "Load", "SteadyAcceleration"]
 

@@ -3,20 +3,20 @@
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
 
 from pydantic import Field, GetJsonSchemaHandler, PrivateAttr, model_validator
 from pydantic_core import CoreSchema
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.parts.balancing import BalanceOptions
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.case import Case
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import EFFECTS, SCENE_EFFECTS
 from flexcli.parts.geometries import AnyGeometry, NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import AnyMechanism, MechanismError
-from flexcli.parts.mechanisms.tip_mass import TipMass
+from flexcli.parts.named import Named
 from flexcli.parts.requirements import (
     AS_PRINTED,
     Answers,
@@ -30,13 +30,19 @@ from flexcli.parts.requirements import (
 from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.scene import Scene, scene_of
 from flexcli.parts.sizing import QUANTITIES, Correction, SizeOptions
-from flexcli.parts.stops import Stops, StopsMisfit
 from flexcli.results import EXACT
+
+if TYPE_CHECKING:
+    from flexcli.parts.balancing import BalanceOptions
+    from flexcli.parts.stops import Stops
+else:
+    BalanceOptions = Annotated[Any, Named("flexcli.parts.balancing:BalanceOptions")]
+    Stops = Annotated[Any, Named("flexcli.parts.stops:Stops")]
 
 __all__ = ["DesignSpec", "ModelName", "Problem"]
 
 CASE_KEYS = tuple(Case.model_fields)
-EffectName: TypeAlias = Literal[tuple(effect.key for effect in EFFECTS)]  # type: ignore[valid-type]
+EffectKey: TypeAlias = Literal[tuple(effect.key for effect in EFFECTS)]  # type: ignore[valid-type]
 Wish: TypeAlias = Literal["auto", "on", "off"]
 ModelName: TypeAlias = Literal["source", "closed-form", "linear", "exact"]
 
@@ -76,7 +82,7 @@ class DesignSpec(Part):
     """How 'flexure size' chooses the free sizes,
     e.g. ``{objective: balanced, round: {h: 1 um, l: 0.5 mm}}``.
     """
-    balance: BalanceOptions = BalanceOptions.model_construct()
+    balance: BalanceOptions | None = None
     """What 'flexure balance' reports of the mechanism,
     e.g. ``{frequencies: [1 Hz, 10 Hz, 100 Hz]}``.
     """
@@ -88,7 +94,7 @@ class DesignSpec(Part):
     """Error that every reported number may have; effects are on where it needs them,
     e.g. ``1 %``.
     """
-    effects: dict[EffectName, Wish] = Field({})
+    effects: dict[EffectKey, Wish] = Field({})
     """Effects that are asked for or left out; auto where nothing is said,
     e.g. ``{shear: on, gravity: off}``.
     """
@@ -134,16 +140,17 @@ class DesignSpec(Part):
 
     @model_validator(mode="after")
     def _joints_fit(self) -> "DesignSpec":
-        if isinstance(self.mechanism, TipMass) and self.geometry.kind != TipMass.joint_kind:
+        kind = self.mechanism.joint_kind if self.mechanism else None
+        if kind is not None and kind != self.geometry.name:
             raise spec_error(
-                f"a tip mass sits on a cantilever, not on a {self.geometry.kind}",
-                "take kind: cantilever, or another mechanism",
+                f"a tip mass sits on a {kind}, not on a {self.geometry.name}",
+                f"take kind: {kind}, or another mechanism",
                 at=("geometry", "kind"),
             )
         wanted = self.mechanism.joint_motion if self.mechanism else None
         if wanted is not None and wanted != self.geometry.motion:
             raise spec_error(
-                f"this mechanism turns on pivots; a {self.geometry.kind} does not turn",
+                f"this mechanism turns on pivots; a {self.geometry.name} does not turn",
                 "take a pivot, e.g. kind: rcc",
                 at=("geometry", "kind"),
             )
@@ -152,10 +159,7 @@ class DesignSpec(Part):
     @model_validator(mode="after")
     def _stops_fit(self) -> "DesignSpec":
         if self.stops is not None:
-            try:
-                self.stops.refuse_misfit(self.material, self.geometry, self.mechanism)
-            except StopsMisfit as misfit:
-                raise spec_error(str(misfit), misfit.hint, at=misfit.at) from misfit
+            self.stops.refuse_misfit(self.material, self.geometry, self.mechanism)
         return self
 
     @model_validator(mode="after")
@@ -209,8 +213,11 @@ class DesignSpec(Part):
         """Return the keys of the cases that the spec's effects leave out."""
         if not self.effects:
             return []
-        off = [e for e in SCENE_EFFECTS if self.effects.get(e.key) == "off"]
-        return [key for effect in off for key in effect.excludes]
+        return [key for e in SCENE_EFFECTS if self.is_off(e.name) for key in e.excludes]
+
+    def is_off(self, effect: EffectName) -> bool:
+        """Return whether the spec switches an effect off."""
+        return bool(self.effects.get(effect.key) == "off")
 
     def ask(self, scene: Scene, sizes: Sizes, answers: Answers) -> Ask:
         """Return what a requirement of one case is judged on."""

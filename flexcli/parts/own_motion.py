@@ -12,7 +12,7 @@ from flexcli.numerics.modes import natural_modes
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import MOVING, Geometry, Sizes
 from flexcli.parts.mechanisms import Mechanism, MechanismError, Mode
-from flexcli.parts.mechanisms.carried import carried, has_masses, is_guided, joint_layout
+from flexcli.parts.mechanisms.carried import carried, is_guided
 from flexcli.parts.structure import Structure, joined
 
 __all__ = ["DENSEST", "hanging_mass", "hanging_on", "own_angular", "own_mode", "structure_of"]
@@ -47,7 +47,7 @@ def structure_of(
     """
     if mechanism is not None:
         return mechanism.structure(geometry, elastic, sizes, lock, density)
-    if not has_masses(geometry, elastic, sizes):
+    if not geometry.has_masses:
         raise MechanismError("mechanism", NO_MASS, HINT)
     return carried(geometry, elastic, sizes, density=density)
 
@@ -70,7 +70,7 @@ def own_mode(
         When nothing says what moves.
 
     """
-    if not has_masses(geometry, elastic, sizes):
+    if not geometry.has_masses:
         if mechanism is None:
             raise MechanismError("mechanism", NO_MASS, HINT)
         return mechanism.mode(stiffness, geometry)
@@ -113,7 +113,7 @@ def hanging_mass(
         When the material gives no shear modulus for the blades between several bodies.
 
     """
-    if not has_masses(geometry, elastic, sizes):
+    if not geometry.has_masses:
         if mechanism is None:
             raise MechanismError("mechanism", "a sag needs a mass that hangs", HINT)
         return mechanism.hanging_mass()
@@ -135,7 +135,7 @@ def hanging_on(
 
     ``arm`` [m] is how far along the blades the payload's centre lies beyond the body's point.
     """
-    layout = joint_layout(geometry, elastic, sizes)
+    layout = geometry.blades_layout(elastic, sizes)
     moving = layout.body(MOVING)
     x, y = moving.point
     load = moving._replace(mass=payload, inertia=0.0, com=(x + arm, y))

@@ -5,17 +5,18 @@ from enum import StrEnum
 from itertools import product
 from math import atan2, copysign, cos, hypot, sin
 from types import MappingProxyType
-from typing import NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
-from flexcli.formulas.miles import miles_worst_case
-from flexcli.parts.asd import RandomVibration
 from flexcli.parts.case import Case
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.excitation import Sine, Sweep
 from flexcli.parts.geometries import Geometry, NotAvailable
 from flexcli.parts.mechanisms import Mechanism, MechanismError
-from flexcli.parts.shock import Shock
 from flexcli.results import Value
+
+if TYPE_CHECKING:
+    from flexcli.parts.asd import RandomVibration
+    from flexcli.parts.excitation import Sine, Sweep
+    from flexcli.parts.shock import Shock
 
 __all__ = ["IN_PLANE", "LoadKind", "Push", "Scene", "Wrench", "largest_travel", "scene_of"]
 
@@ -87,14 +88,14 @@ class Scene(NamedTuple):
     ends_why: str
     acceleration: float
     axis: str
-    vibration: RandomVibration | None
-    shock: Shock | None
+    vibration: "RandomVibration | None"
+    shock: "Shock | None"
     lock: str | None
     wrench: tuple[float, ...] | None
     forces: tuple[tuple[float, float], ...]
     values: Mapping[str, Value]
-    sine: Sine | None = None
-    sweep: Sweep | None = None
+    sine: "Sine | None" = None
+    sweep: "Sweep | None" = None
     loads: frozenset[LoadKind] = frozenset()
     """What the case states; each has to be looked at by some requirement."""
     pushed_by: frozenset[LoadKind] = frozenset()
@@ -445,7 +446,7 @@ def _accelerations(
         load(LoadKind.ACCELERATION, steady.level, (steady.axis,), "F_steady")
     if asd is not None:
         applied = asd.applied()
-        worst = miles_worst_case(applied.frequency, applied.level, asd.q, scale=applied.scale)
+        worst = applied.worst_case(asd.q)
         rms = float(worst.response)
         values["f_worst"] = Value(worst.frequency, "Hz", "frequency of the worst case")
         values["g_rms_worst"] = Value(

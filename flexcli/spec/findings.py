@@ -12,6 +12,7 @@ from pydantic import BaseModel, ValidationError
 from flexcli.errors import Finding
 from flexcli.parts.base import Part, said
 from flexcli.parts.fields import note
+from flexcli.parts.named import Kinds, Named, marked
 from flexcli.spec.document import MAX_FINDINGS, Document, finding_at
 
 __all__ = ["findings_of", "nearest", "path_text", "with_nearest_kinds"]
@@ -292,7 +293,9 @@ def _members(annotation: Any) -> Iterator[Any]:
     """Yield the plain types that an annotation allows, through aliases and unions."""
     origin = get_origin(annotation)
     if origin is Annotated:
-        yield from _members(get_args(annotation)[0])
+        plain, *markers = get_args(annotation)
+        named = [m for m in markers if isinstance(m, Kinds | Named)]
+        yield from named[0].classes if named else _members(plain)
     elif origin in (Union, UnionType):
         for member in get_args(annotation):
             yield from _members(member)
@@ -312,7 +315,10 @@ def _fields(model: type[BaseModel]) -> dict[str, Any]:
     """Return the keys of a part and their types; one that is written plainly has none."""
     if issubclass(model, Part) and model.is_plain:
         return {}
-    return {info.alias or name: info.annotation for name, info in model.model_fields.items()}
+    return {
+        info.alias or name: marked(info.annotation, info.metadata)
+        for name, info in model.model_fields.items()
+    }
 
 
 def _models_at(model: Any, loc: Path) -> list[type[BaseModel]]:

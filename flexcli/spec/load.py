@@ -3,15 +3,15 @@
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 from pydantic import TypeAdapter, ValidationError
 
 from flexcli.errors import Finding, SpecError
-from flexcli.parts.asd import ASDProfile
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import AnyGeometry
 from flexcli.parts.material import Material
+from flexcli.parts.named import Named
 from flexcli.parts.stroke import Stroke
 from flexcli.spec.document import Document, finding_at
 from flexcli.spec.findings import findings_of, nearest, path_text, with_nearest_kinds
@@ -25,7 +25,7 @@ __all__ = ["KINDS", "Loaded", "load", "load_design", "load_shipped", "validated"
 KINDS: dict[str, Any] = {
     "material": Material,
     "stroke": Stroke,
-    "asd": ASDProfile,
+    "asd": Annotated[Any, Named("flexcli.parts.asd:ASDProfile")],
     "geometry": AnyGeometry,
 }
 """Specs that may stand in a file of their own, and what each must be."""

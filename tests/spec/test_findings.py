@@ -7,6 +7,7 @@ from pydantic import BaseModel, TypeAdapter, ValidationError
 
 from flexcli.errors import Finding, SpecError
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.named import marked
 from flexcli.spec.document import MAX_FINDINGS
 from flexcli.spec.findings import findings_of, nearest, path_text
 from flexcli.spec.load import KINDS
@@ -168,7 +169,7 @@ def models(annotation: Any, seen: set[type]) -> set[type]:
         if model not in seen:
             seen.add(model)
             for info in model.model_fields.values():
-                models(info.annotation, seen)
+                models(marked(info.annotation, info.metadata), seen)
     return seen
 
 

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from math import isfinite
 
 from flexcli.formulas.quantity import Quantity
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import Answers, Ask, EndStress
@@ -32,7 +33,7 @@ class Corrected(Answers):
         self.left_out = tuple(left_out)
         self.model = model or inner.model
 
-    def carried(self, setting: Setting) -> frozenset[str]:
+    def carried(self, setting: Setting) -> frozenset[EffectName]:
         """Return the effects of the inner model, and those whose values correct it."""
         lacking = {e.name for e in (*self.effects, *self.left_out) if e.lacks(setting)}
         known = {
@@ -93,7 +94,7 @@ class Corrected(Answers):
         ask: Ask,
         kind: QuantityKind,
         found: ErrorRange,
-        carried: frozenset[str] = frozenset(),
+        carried: frozenset[EffectName] = frozenset(),
     ) -> ErrorRange | None:
         """Return an error with what the effects leave that are not carried."""
         setting, inner = _setting(ask), self.inner.covers | self.inner.always
@@ -134,7 +135,9 @@ class Corrected(Answers):
         carried = self.inner.covers | self.inner.always
         return [e for e in self.effects if e.name not in carried and _is_told(e, setting)]
 
-    def _factor(self, ask: Ask, kind: QuantityKind, carried: frozenset[str] = frozenset()) -> float:
+    def _factor(
+        self, ask: Ask, kind: QuantityKind, carried: frozenset[EffectName] = frozenset()
+    ) -> float:
         factor, setting = 1.0, _setting(ask)
         for effect in self._added(setting):
             if effect.name in carried:

@@ -7,6 +7,7 @@ from flexcli.engine.answers.linear import LinearAnswers
 from flexcli.errors import SolveError
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
@@ -22,12 +23,12 @@ SEEN = 1e-7
 
 ALL, NONE = Effects(), Effects(extension=False, shear=False)
 
-HOW = {
-    "shear": "exact with and without",
-    "axial extension": "exact with and without",
-    "blade tension": "linear, both faces, over the bending of the closed form",
-    "large rotation": "exact over first order, blades that neither shear nor stretch",
-    "axial load": "exact with and without the forces, blades that do not stretch",
+HOW: dict[str, str] = {
+    EffectName.SHEAR: "exact with and without",
+    EffectName.AXIAL_EXTENSION: "exact with and without",
+    EffectName.BLADE_TENSION: "linear, both faces, over the bending of the closed form",
+    EffectName.LARGE_ROTATION: "exact over first order, blades that neither shear nor stretch",
+    EffectName.AXIAL_LOAD: "exact with and without the forces, blades that do not stretch",
 }
 
 Number = Callable[[Answers, Ask], float]
@@ -80,15 +81,15 @@ def _change(effect: str, ask: Ask, name: str) -> float | None:
         return None
     full, calm = _exact(ALL), ask._replace(scene=ask.scene.without_loads())
     try:
-        if effect == "shear":
+        if effect == EffectName.SHEAR:
             return number(full, ask) / number(_exact(ALL._replace(shear=False)), ask) - 1.0
-        if effect == "axial extension":
+        if effect == EffectName.AXIAL_EXTENSION:
             return number(full, ask) / number(_exact(ALL._replace(extension=False)), ask) - 1.0
-        if effect == "blade tension":
+        if effect == EffectName.BLADE_TENSION:
             if name != "stress":
                 return 0.0
             return number(LinearAnswers(NONE), calm) / number(AS_PRINTED, calm) - 1.0
-        if effect == "large rotation":
+        if effect == EffectName.LARGE_ROTATION:
             if name not in ("stress", "shift"):
                 return 0.0
             first = LinearAnswers(NONE)

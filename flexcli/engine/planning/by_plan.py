@@ -7,6 +7,7 @@ from flexcli.engine import values as design_values
 from flexcli.engine.plan import plan, planned_answers
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.results import Note, Plan, Result
@@ -42,7 +43,7 @@ def simulate_by_plan(design: DesignSpec, sizes: Sizes, spec: str, points: int) -
 
     found = plan(design, sizes, "exact")
     on = set(found.on)
-    blades = Effects(extension="axial extension" in on, shear="shear" in on)
+    blades = Effects(extension=EffectName.AXIAL_EXTENSION in on, shear=EffectName.SHEAR in on)
     return told(simulate(design, sizes, spec, points, blades), found)
 
 

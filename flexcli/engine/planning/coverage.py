@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+from flexcli.parts.effect_names import EffectName
+
 __all__ = ["COARSE", "COVERAGE", "FINE", "OUTER", "Coverage"]
 
 
@@ -12,29 +14,31 @@ class Coverage(NamedTuple):
     ``cost`` is declared in closed forms, with all that is printed of a design.
     """
 
-    can: frozenset[str]
-    always: frozenset[str]
+    can: frozenset[EffectName]
+    always: frozenset[EffectName]
     cost: float
     borrowed: tuple[str, ...] = ()
 
 
+_SWITCHED = frozenset({EffectName.SHEAR, EffectName.AXIAL_EXTENSION})
+_OF_BEAMS = frozenset({EffectName.BLADE_TENSION, EffectName.HINGE_LENGTH})
+_AT_TRAVEL = frozenset({EffectName.LARGE_ROTATION, EffectName.AXIAL_LOAD})
+
 COVERAGE = {
     "closed-form": Coverage(frozenset(), frozenset(), 1.0),
-    "linear": Coverage(
-        frozenset({"shear", "axial extension"}),
-        frozenset({"blade tension", "hinge length"}),
-        20.0,
-        ("shift",),
-    ),
-    "exact": Coverage(
-        frozenset({"shear", "axial extension"}),
-        frozenset({"large rotation", "axial load", "blade tension", "hinge length"}),
-        40.0,
-    ),
+    "linear": Coverage(_SWITCHED, _OF_BEAMS, 20.0, ("shift",)),
+    "exact": Coverage(_SWITCHED, _OF_BEAMS | _AT_TRAVEL, 40.0),
 }
 """From the cheapest to the finest; the exact one's cost is at its coarsest tolerance."""
 
-OUTER = frozenset({"plate widening", "anticlastic", "clamp stress", "blade mass"})
+OUTER = frozenset(
+    {
+        EffectName.PLATE_WIDENING,
+        EffectName.ANTICLASTIC,
+        EffectName.CLAMP_STRESS,
+        EffectName.BLADE_MASS,
+    }
+)
 """What no model of beams has inside, so that a correction on top carries it in all of them."""
 
 COARSE, FINE = 1e-6, 1e-12

@@ -1,7 +1,16 @@
 """How the blades of a joint bend, kind by kind: what each effect changes in its numbers."""
 
-from flexcli.parts.bending.base import FLOOR, UNKNOWN, Bending, Change, Changes, together, whole
-from flexcli.parts.bending.of import bending_of, is_known
+from flexcli.parts.bending.base import (
+    FLOOR,
+    UNKNOWN,
+    Bending,
+    Change,
+    Changes,
+    Factor,
+    WideBlades,
+    together,
+    whole,
+)
 
 __all__ = [
     "FLOOR",
@@ -9,8 +18,8 @@ __all__ = [
     "Bending",
     "Change",
     "Changes",
-    "bending_of",
-    "is_known",
+    "Factor",
+    "WideBlades",
     "together",
     "whole",
 ]

@@ -7,7 +7,17 @@ from typing import ClassVar, NamedTuple, TypeAlias
 
 from flexcli.results import ErrorRange
 
-__all__ = ["FLOOR", "UNKNOWN", "Bending", "Change", "Changes", "together", "whole"]
+__all__ = [
+    "FLOOR",
+    "UNKNOWN",
+    "Bending",
+    "Change",
+    "Changes",
+    "Factor",
+    "WideBlades",
+    "together",
+    "whole",
+]
 
 
 class Change(NamedTuple):
@@ -55,6 +65,45 @@ def together(one: Change, other: Change) -> Change:
     )
 
 
+class Factor(NamedTuple):
+    """A plate's number over the beam's: the best value, and the range it is in [-].
+
+    ``other`` is how far off the value may be for blades that bend in any other shape, as a share.
+    """
+
+    value: float
+    low: float
+    high: float
+    other: float = inf
+
+    def change(self, nu_known: bool) -> Change:
+        """Return it as a change; where ν is not known, it was taken as ½ and is a bound."""
+        if not nu_known:
+            return Change(None, self.high - 1.0, 0.0, 1)
+        error = max(self.high - self.value, self.value - self.low) / self.value
+        return Change(self.value - 1.0, self.high - 1.0, error, other=self.other)
+
+
+class WideBlades(NamedTuple):
+    """What the width of its blades changes in a joint; ν is that of the material, or ½.
+
+    ``shift`` and ``sag`` are relative changes with their errors; nothing where the first is zero
+    or the second follows from the stiffness.
+    """
+
+    ratio: float
+    """Largest b/l."""
+    stiffness: Factor
+    stress: Factor
+    buckling: dict[str, Factor]
+    shift: tuple[float, float] | None = None
+    sag: tuple[float, float] | None = None
+    bends: tuple[float, float] | None = None
+    """Curvatures at both ends of a blade of constant thickness, over the travel [1/m or 1/m²]."""
+    bent: tuple[float, float, float] | None = None
+    """h, l and b of the blade that these are of, where the joint has more than one shape [m]."""
+
+
 class Bending(ABC):
     """Equal slender blades at the largest travel of a case."""
 
@@ -68,6 +117,15 @@ class Bending(ABC):
     @abstractmethod
     def ratio(self) -> float:
         """Return what each further order of the travel is smaller by [-]."""
+
+    @property
+    def hinge_reach(self) -> float | None:
+        """Return how far hinges bend about their centres over the limb, where it has hinges."""
+        return None
+
+    def hinge_length(self) -> Changes:
+        """Return what the length of hinges changes, which closed forms take as points."""
+        return {}
 
     @abstractmethod
     def shear(self, poisson_ratio: float) -> Changes:

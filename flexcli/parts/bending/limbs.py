@@ -33,6 +33,11 @@ class _Limbs(Bending):
         self.hinge = hinge
         self.travel = travel
 
+    @property
+    def hinge_reach(self) -> float:
+        """Return c/l."""
+        return self.hinge.reach
+
     def _across(self, poisson_ratio: float | None) -> float:
         """Return 1 + 4c²/l², c with the shear of a hinge at a Poisson's ratio."""
         square = self.hinge.reach**2

@@ -1,13 +1,12 @@
 """Torsion bars: what the long fibres of a wide section add at large twist."""
 
 from math import pi
-from typing import ClassVar
+from typing import Any, ClassVar, Protocol
 
 from flexcli.parts.bending.base import Bending, Change, Changes
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.torsion import TorsionGeometry
 
-__all__ = ["Twist"]
+__all__ = ["Twist", "TwistedBars"]
 
 RESTRAINED = 0.01
 """Of the stiffness of a strip whose ends cannot warp, against a clamped plate."""
@@ -16,15 +15,34 @@ RESTRAINED_STRESS = 0.05
 """Of its stresses, whose rate of twist the long fibres even out along the bar."""
 
 
+class TwistedBars(Protocol):
+    """What bars on one axis tell of their twist."""
+
+    @property
+    def is_restrained(self) -> bool:
+        """Return whether the clamps keep the section from warping."""
+
+    @property
+    def may_shorten(self) -> tuple[bool, ...]:
+        """Return whether the ends may come closer, both where nothing says so."""
+
+    def farthest(self, sizes: Any) -> float:
+        """Return how far the farthest fibre is from the axis [m]."""
+
+    def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Any]:
+        """Return the stress at each place [Pa]."""
+
+    def fibre_stress(self, elastic: Elastic, sizes: Any, twist: float, *, free: bool) -> Any:
+        """Return the stress with that of the long fibres [Pa]."""
+
+
 class Twist(Bending):
     """Bars twisted by θ; ν is that of the material, or unknown to its closed forms as well."""
 
     travel_most: ClassVar[float] = 2.0 * pi
 
-    def __init__(
-        self, geometry: TorsionGeometry, elastic: Elastic, sizes: object, theta: float
-    ) -> None:
-        self.geometry = geometry
+    def __init__(self, bars: TwistedBars, elastic: Elastic, sizes: Any, theta: float) -> None:
+        self.bars = bars
         self.elastic = elastic
         self.sizes = sizes
         self.theta = theta
@@ -37,8 +55,7 @@ class Twist(Bending):
     @property
     def _steep(self) -> float:
         """Return the slope of the fibre that is farthest from the axis."""
-        edge = self.geometry.section(self.sizes).edge
-        return float(edge**0.5 * self.theta / self.sizes.l)  # type: ignore[attr-defined]
+        return self.bars.farthest(self.sizes) * self.theta / float(self.sizes.l)
 
     def shear(self, poisson_ratio: float) -> Changes:
         """Return nothing: shear is what twists them."""
@@ -58,17 +75,17 @@ class Twist(Bending):
         It is between ends that may come closer and such that may not, where the spec leaves it
         open.
         """
-        restrained = self.geometry.is_restrained
+        restrained = self.bars.is_restrained
         found = {"stiffness": Change(0.0, 0.0, RESTRAINED if restrained else 0.0)}
         if not self.theta:
             return found
         plain = max(
             abs(float(s))
-            for s in self.geometry.end_stresses(self.elastic, self.sizes, self.theta).values()
+            for s in self.bars.end_stresses(self.elastic, self.sizes, self.theta).values()
         )
         ends = [
-            float(self.geometry.fibre_stress(self.elastic, self.sizes, self.theta, free=free))
-            for free in self.geometry.may_shorten
+            float(self.bars.fibre_stress(self.elastic, self.sizes, self.theta, free=free))
+            for free in self.bars.may_shorten
         ]
         low, high = (max(end(ends), plain) / plain for end in (min, max))
         value = (low + high) / 2.0 - 1.0

@@ -1,8 +1,7 @@
 """Wide blades: how much stiffer the blades or hinges of a joint are than the beams of them."""
 
 from collections.abc import Iterable, Sequence
-from math import inf
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -10,140 +9,94 @@ from flexcli.formulas import plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
-from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
-from flexcli.formulas.profile import Notch, Profile
+from flexcli.formulas.profile import Profile
+from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.section import second_moment
-from flexcli.parts.bending.base import Change
-from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries import Geometry, Sizes
-from flexcli.parts.geometries.base import MOVING, Blade
-from flexcli.parts.geometries.blade_profile import ConstantProfile
-from flexcli.parts.geometries.free_layout import FreeLayout
-from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
-from flexcli.parts.geometries.leaf_stage import LeafSpringStage
-from flexcli.parts.geometries.linkage import LinkageGeometry
-from flexcli.parts.geometries.necked_stage import NeckedDownStage
-from flexcli.parts.geometries.notch import NotchGeometry
-from flexcli.parts.geometries.pivots import BladePivot, PairPivot
-from flexcli.parts.geometries.single_blade import Cantilever, GuidedBlade, MomentBlade
-from flexcli.parts.geometries.unseparated import UnseparatedPivot
+from flexcli.mechanics.layout import Layout
+from flexcli.parts.bending.base import Factor, WideBlades
+from flexcli.parts.geometries.base import MOVING, Blade, Held
 
-__all__ = ["Factor", "WideBlades", "wide_blades"]
+__all__ = [
+    "wide_by_shapes",
+    "wide_cantilever",
+    "wide_drawn",
+    "wide_guided",
+    "wide_halves",
+    "wide_linked",
+    "wide_moment",
+    "wide_necks",
+    "wide_notch",
+    "wide_pivot",
+]
 
 RITZ_ERROR = 1e-3
 """Largest error of a plate solved by Ritz's method with few functions [-]."""
 
-UNIT = Elastic(1.0, None)
-
 CANCELS = 10.0
 """Times that a layout's shift may be smaller than the shortening of a blade that makes it."""
 
-
-class Factor(NamedTuple):
-    """A plate's number over the beam's: the best value, and the range it is in [-].
-
-    ``other`` is how far off the value may be for blades that bend in any other shape, as a share.
-    """
-
-    value: float
-    low: float
-    high: float
-    other: float = inf
-
-    def change(self, nu_known: bool) -> Change:
-        """Return it as a change; where ν is not known, it was taken as ½ and is a bound."""
-        if not nu_known:
-            return Change(None, self.high - 1.0, 0.0, 1)
-        error = max(self.high - self.value, self.value - self.low) / self.value
-        return Change(self.value - 1.0, self.high - 1.0, error, other=self.other)
-
-
-class WideBlades(NamedTuple):
-    """What the width of its blades changes in a joint; ν is that of the material, or ½.
-
-    ``shift`` and ``sag`` are relative changes with their errors; nothing where the first is zero
-    or the second follows from the stiffness.
-    """
-
-    ratio: float
-    """Largest b/l."""
-    stiffness: Factor
-    stress: Factor
-    buckling: dict[str, Factor]
-    shift: tuple[float, float] | None = None
-    sag: tuple[float, float] | None = None
-    bends: tuple[float, float] | None = None
-    """Curvatures at both ends of a blade of constant thickness, over the travel [1/m or 1/m²]."""
-    bent: Blade | None = None
-    """The blade that these are of, where the joint has more than one shape of blades."""
-
-
-def wide_blades(geometry: Geometry, sizes: Sizes, nu: float) -> WideBlades | None:
-    """Return the factors of a joint, nothing where nothing of it bends across its thickness."""
-    if isinstance(geometry, LinkageGeometry):
-        return _of_linkage(geometry, sizes, nu)
-    if isinstance(geometry, FreeLayout):
-        return _of_layout(geometry, sizes, nu)
-    if isinstance(geometry, NotchGeometry | HingedStage | HingedPivot):
-        return _of_notch(geometry, sizes, nu)
-    if isinstance(geometry, NeckedDownStage):
-        return _of_necks(sizes, nu)
-    blade = geometry.blade(sizes)
-    if blade is None:
-        return None
-    return _of_blades(geometry, sizes, Blade(*(float(size) for size in blade)), nu)
-
-
-def _of_blades(geometry: Geometry, sizes: Sizes, blade: Blade, nu: float) -> WideBlades | None:
-    at: dict[str, Any] = {"b": blade.b, "l": blade.l, "poisson_ratio": nu}
-    pure, bent = (float(f(**at)) - 1.0 for f in _SHORTENING)
-    shift: tuple[float, float] | None
-    if isinstance(geometry, UnseparatedPivot):
-        return _of_halves(geometry, blade, nu)
-    if isinstance(geometry, BladePivot):
-        delta = float(geometry.offset(sizes)) / blade.l
-        stiffness = _factor(plates.pivot_factor, blade, nu, delta=delta)
-        stress = _factor(plates.end_moment_factor, blade, nu, delta=delta)
-        gamma = 1.0 + 2.0 * delta
-        shift = _pivot_shift(gamma, pure, bent) if isinstance(geometry, PairPivot) else None
-        bends = (1.0 - 3.0 * gamma) / blade.l, (1.0 + 3.0 * gamma) / blade.l
-    elif isinstance(geometry, LeafSpringStage | GuidedBlade):
-        stiffness = stress = _factor(plates.guided_factor, blade, nu)
-        shift = bent, 0.2 * bent
-        bends = 6.0 / blade.l**2, -6.0 / blade.l**2
-    elif isinstance(geometry, Cantilever):
-        stiffness = stress = _factor(plates.cantilever_factor, blade, nu)
-        change = float(plate_shortening.cantilever_shift_factor(**at)) - 1.0
-        shift = change, 0.2 * (pure + bent)
-        bends = 3.0 / blade.l**2, 0.0
-    elif isinstance(geometry, MomentBlade):
-        stiffness = stress = _factor(plates.pure_bending_factor, blade, nu)
-        shift = -pure / 2.0, 0.2 * pure
-        bends = 1.0 / blade.l, 1.0 / blade.l
-    else:
-        return None
-    # of all shapes between clamps pure bending curls the most, and a flat plate not at all
-    least = _factor(plates.pure_bending_factor, blade, nu).low
-    most = 1.0 + float(plates.bound(nu))
-    apart = max(most / stiffness.value - 1.0, 1.0 - least / stiffness.value)
-    stiffness = stiffness._replace(other=apart)
-    held = {ends: _buckling(blade, nu, ends) for ends in EFFECTIVE_LENGTH}
-    if isinstance(geometry, BladePivot):  # whose body turns as well: the shape is none of these
-        held |= {ends: _hull(held.values(), at=held[ends]) for ends in held if ends != LOCKED}
-    sag = None
-    if geometry.sag_bends_width:
-        inverse = 1.0 / float(sheets.guided_factor(b=blade.b, l=blade.l, poisson_ratio=nu))
-        sag = inverse - 1.0, sheets.GUIDED_ERROR
-    return WideBlades(blade.b / blade.l, stiffness, stress, held, shift, sag, bends)
-
-
 LOCKED = "clamped-clamped"
-_SHORTENING = plate_shortening.pure_shortening_factor, plate_shortening.s_shortening_factor
 
 
-def _of_halves(geometry: UnseparatedPivot, blade: Blade, nu: float) -> WideBlades:
+def wide_pivot(
+    blade: Blade, nu: float, *, delta: Quantity, pair: bool, sags_wide: bool = False
+) -> WideBlades:
+    """Return the factors of equal blades that point at one centre, p = δ l from it.
+
+    A pair has a shift; the sag of a pivot may bend its blades across their width.
+    """
+    _, l, b = blade = _floats(blade)
+    delta = float(delta)
+    stiffness = _any_shape(_factor(plates.pivot_factor, blade, nu, delta=delta), blade, nu)
+    stress = _factor(plates.end_moment_factor, blade, nu, delta=delta)
+    gamma = 1.0 + 2.0 * delta
+    shift = _pivot_shift(gamma, *_shortening(blade, nu)) if pair else None
+    bends = (1.0 - 3.0 * gamma) / l, (1.0 + 3.0 * gamma) / l
+    held = _held(blade, nu)
+    # whose body turns as well: the shape is none of these
+    held |= {ends: _hull(held.values(), at=held[ends]) for ends in held if ends != LOCKED}
+    sag = None
+    if sags_wide:
+        inverse = 1.0 / float(sheets.guided_factor(b=b, l=l, poisson_ratio=nu))
+        sag = inverse - 1.0, sheets.GUIDED_ERROR
+    return WideBlades(b / l, stiffness, stress, held, shift, sag, bends)
+
+
+def wide_guided(blade: Blade, nu: float) -> WideBlades:
+    """Return the factors of parallel blades whose ends do not turn."""
+    _, l, b = blade = _floats(blade)
+    factor = _factor(plates.guided_factor, blade, nu)
+    _, bent = _shortening(blade, nu)
+    bends = 6.0 / l**2, -6.0 / l**2
+    held = _held(blade, nu)
+    stiffness = _any_shape(factor, blade, nu)
+    return WideBlades(b / l, stiffness, factor, held, (bent, 0.2 * bent), None, bends)
+
+
+def wide_cantilever(blade: Blade, nu: float) -> WideBlades:
+    """Return the factors of a blade that a force bends at its free tip."""
+    _, l, b = blade = _floats(blade)
+    factor = _factor(plates.cantilever_factor, blade, nu)
+    change = float(plate_shortening.cantilever_shift_factor(b=b, l=l, poisson_ratio=nu)) - 1.0
+    shift = change, 0.2 * sum(_shortening(blade, nu))
+    stiffness = _any_shape(factor, blade, nu)
+    return WideBlades(b / l, stiffness, factor, _held(blade, nu), shift, None, (3.0 / l**2, 0.0))
+
+
+def wide_moment(blade: Blade, nu: float) -> WideBlades:
+    """Return the factors of a blade that a moment bends at its free tip."""
+    _, l, b = blade = _floats(blade)
+    factor = _factor(plates.pure_bending_factor, blade, nu)
+    pure, _ = _shortening(blade, nu)
+    shift, bends = (-pure / 2.0, 0.2 * pure), (1.0 / l, 1.0 / l)
+    stiffness = _any_shape(factor, blade, nu)
+    return WideBlades(b / l, stiffness, factor, _held(blade, nu), shift, None, bends)
+
+
+def wide_halves(blade: Blade, nu: float, crossing: float) -> WideBlades:
     """Return the factors of two pivots of p = 0 in series, clamped by the cross of the blades."""
-    shares = (geometry.crossing, 1.0 - geometry.crossing)
+    blade = _floats(blade)
+    shares = (crossing, 1.0 - crossing)
     parts = [blade._replace(l=share * blade.l) for share in shares]
     each = [_factor(plates.pivot_factor, part, nu, delta=0.0) for part in parts]
     value, low, high = (
@@ -155,13 +108,10 @@ def _of_halves(geometry: UnseparatedPivot, blade: Blade, nu: float) -> WideBlade
     stiffness = Factor(value, min(low, whole.low), high)
     ends = [_factor(plates.end_moment_factor, part, nu, delta=0.0) for part in parts]
     stress = _hull([*ends, stiffness], at=Factor(max(e.value for e in ends), 1.0, 1.0))
-    shifts = [
-        _pivot_shift(1.0, *(float(f(b=p.b, l=p.l, poisson_ratio=nu)) - 1.0 for f in _SHORTENING))
-        for p in parts
-    ]
+    shifts = [_pivot_shift(1.0, *_shortening(part, nu)) for part in parts]
     # each half turns by its own share, and their shifts may cancel
     most = CANCELS * max(abs(value) + error for value, error in shifts)
-    held = {ends: _buckling(blade, nu, ends) for ends in EFFECTIVE_LENGTH}
+    held = _held(blade, nu)
     flat = Factor(1.0, 1.0, 1.0 + float(plates.bound(nu)))
     held = {ends: _hull([flat], at=held[ends]) for ends in held}
     bends = 4.0 / blade.l, -2.0 / blade.l  # at the cross and at the ends of either half
@@ -169,42 +119,45 @@ def _of_halves(geometry: UnseparatedPivot, blade: Blade, nu: float) -> WideBlade
     return WideBlades(widest, stiffness, stress, held, (0.0, most), None, bends)
 
 
-def _of_necks(sizes: Any, nu: float) -> WideBlades:
-    """Return the factors of hinges that a force at half the height of the stage bends."""
-    h, l_c, l, b = (float(size) for size in sizes)
-    neck = Blade(h, l_c, b)
+def wide_necks(neck: Blade, nu: float, *, l: Quantity) -> WideBlades:
+    """Return the factors of hinges at the ends of blades of length l that a stage's drive bends.
+
+    The force is at half the height of the stage.
+    """
+    h, l_c, b = neck = _floats(neck)
+    l = float(l)
     stiffness = _factor(plates.limb_hinge_factor, neck, nu, arm=(l - l_c) / 2.0)
     buckles = _between(float(plates.pure_bending_factor(b=b, l=l_c, poisson_ratio=nu, h=h)), nu)
-    pure = float(plate_shortening.pure_shortening_factor(b=b, l=l_c, poisson_ratio=nu)) - 1.0
+    pure, _ = _shortening(neck, nu)
     share = 2.0 * l_c / l  # of the path, most of which is that of the rigid middle
     held = dict.fromkeys(EFFECTIVE_LENGTH, buckles)
     return WideBlades(b / l_c, stiffness, stiffness, held, (0.0, share * pure))
 
 
-def _of_notch(geometry: Geometry, sizes: Any, nu: float) -> WideBlades:
-    """Return the factors of a hinge of its thickness profile that rigid bodies hold."""
+def wide_notch(
+    nu: float,
+    profile: Profile,
+    *,
+    throat: Quantity,
+    length: Quantity,
+    b: Quantity,
+    turn: Quantity,
+    uneven: float = 0.0,
+) -> WideBlades:
+    """Return the factors of a hinge of its thickness profile that rigid bodies hold.
+
+    ``turn`` is its stiffness at E = 1, ``uneven`` the share of its bending by moments that are
+    not the same all along, as a force across the limb between two hinges makes them.
+    """
     from flexcli.mechanics.wide_hinge import wide_hinge
 
-    b = float(sizes.b)
-    if isinstance(geometry, HingedStage | HingedPivot):
-        e, l = float(sizes.e), 2.0 * float(sizes.r)
-        profile: Profile = Notch(e, l / 2.0)
-        turn = float(geometry.hinge(UNIT, sizes)[0])
-        C = circular_compliance(E=1.0, b=1.0, e=e, r=l / 2.0)
-        # a force across the limb bends its hinges by a moment that is not the same all along
-        reach = float(bending_reach(across=C.across, turn=C.turn)) / float(sizes.l)
-        uneven = 4.0 * reach**2
-    else:
-        assert isinstance(geometry, NotchGeometry)  # the caller's other kind
-        e = float(geometry.throat(sizes)[0])
-        profile, l = geometry.profile(type(sizes)(*map(float, sizes)))
-        turn, uneven = float(geometry.stiffness(UNIT, sizes)), 0.0
+    e, b = float(throat), float(b)
     numbers = tuple(float(each) for each in vars(profile).values())
     thin, thick = (
-        wide_hinge(type(profile), numbers, float(l), width, nu)
+        wide_hinge(type(profile), numbers, float(length), width, nu)
         for width in (b, float(plates.effective_width(b=b, h=e)))
     )
-    widening, bends = float(plates.bound(nu)), float(second_moment(b, e)) / turn
+    widening, bends = float(plates.bound(nu)), float(second_moment(b, e)) / float(turn)
     factor = _as_a_solid(thick.stiffness, e / b, e / bends, widening)
     low, high = factor.low - uneven * widening, factor.high + uneven * widening
     factor = factor._replace(low=max(1.0, low), high=high)
@@ -229,64 +182,59 @@ def _as_a_solid(plate: float, t: float, depth: float, widening: float) -> Factor
     return Factor(value, max(1.0, value - away), min(1.0 + widening * (1.0 + share), value + away))
 
 
-def _of_layout(geometry: FreeLayout, sizes: Sizes, nu: float) -> WideBlades | None:
-    """Return the range of its blades: from the least that one is stiffer to the most."""
+def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool) -> WideBlades:
+    """Return the range of drawn blades: from the least that one is stiffer to the most.
+
+    Each is given where it is thinnest, and whether its thickness is the same all along; springs
+    that are no blades take their share.
+    """
     found, most, path = [], 0.0, 0.0
-    for name, drawn in geometry.blades.items():
-        h = float(drawn.thickness.thinnest(geometry.size_of(name, sizes)))
-        blade = Blade(h, drawn.length, drawn.b)
+    for given, constant in blades:
+        blade = _floats(given)
         most = max(most, blade.b / blade.l)
         pure = _factor(plates.pure_bending_factor, blade, nu)
-        if isinstance(drawn.thickness, ConstantProfile):
+        if constant:
             bent = _factor(plates.guided_factor, blade, nu)
             found.append(Factor((pure.value + bent.value) / 2.0, pure.low, bent.high))
-            at: dict[str, Any] = {"b": blade.b, "l": blade.l, "poisson_ratio": nu}
-            path = max(path, *(float(f(**at)) - 1.0 for f in _SHORTENING))
+            path = max(path, *_shortening(blade, nu))
         else:
             found.append(_between(pure.low, nu))
             path = float(plates.bound(nu)) / 5.0
-    held = geometry.supports  # springs that are no blades take their share
     hull = _hull(found)
-    stiffness = _hull([hull, Factor(1.0, 1.0, 1.0)]) if held else hull
+    stiffness = _hull([hull, Factor(1.0, 1.0, 1.0)]) if springs else hull
     flat = 1.0 + float(plates.bound(nu))
     # what one blade takes more of than another adds to its own factor; curvature flattens it
     spread = stiffness.high - stiffness.low
     stress = Factor(stiffness.value, max(1.0 - spread, stiffness.low - spread), flat + spread)
     buckles = dict.fromkeys(EFFECTIVE_LENGTH, Factor(stiffness.value, 1.0, flat))
-    plain = WideBlades(most, stiffness, stress, buckles, (0.0, CANCELS * path))
-    straight = all(
-        isinstance(drawn.thickness, ConstantProfile) for drawn in geometry.blades.values()
-    )
-    return _of_its_shapes(geometry, sizes, nu, plain) if straight else plain
+    return WideBlades(most, stiffness, stress, buckles, (0.0, CANCELS * path))
 
 
-def _of_its_shapes(geometry: FreeLayout, sizes: Sizes, nu: float, plain: WideBlades) -> WideBlades:
-    """Return the factors of a layout of blades of constant thickness by how its beams bend.
+def wide_by_shapes(
+    plain: WideBlades, blades: Sequence[Blade], nu: float, layout: Layout, held: Held
+) -> WideBlades:
+    """Return the factors of drawn blades of constant thickness by how the beams of a layout bend.
 
-    A clamped blade takes the even and the odd part of its bending each by its own factor. With
-    the motions of the beams the energy of the plates is an upper bound, with their forces a lower.
+    ``held`` is a unit travel of its moving body, ``plain`` what is known without. A clamped blade
+    takes the even and the odd part of its bending each by its own factor. With the motions of the
+    beams the energy of the plates is an upper bound, with their forces a lower.
     """
     from flexcli.mechanics.linear import linear
 
-    layout = geometry.layout(Elastic(1.0, nu), sizes)
-    solution = linear(layout, {MOVING: geometry.held(1.0)})
+    solution = linear(layout, {MOVING: held})
     if not solution.unique.all():
         return plain
-    axis = 2 if geometry.motion == "rotation" else 1
+    axis = next(i for i in (2, 1) if held[i])
     whole = float(solution.reactions[0, layout.index(MOVING), axis])
     more = less = 0.0  # of twice the energy
-    each, bends, curved = [], (0.0, 0.0), 0.0
-    for drawn, strip, force in zip(
-        geometry.blades.items(), layout.blades, solution.end_forces[0], strict=True
-    ):
-        name, own = drawn
-        h, b = float(own.thickness.thinnest(geometry.size_of(name, sizes))), float(own.b)
-        (x, y), l = np.subtract(strip.end, strip.start), own.length
+    each, bends, curved, most_bent = [], (0.0, 0.0), 0.0, blades[0]
+    for blade, strip, force in zip(blades, layout.blades, solution.end_forces[0], strict=True):
+        h, l, b = blade
+        x, y = np.subtract(strip.end, strip.start)
         last = float(force[2])
         first = last + float(force[1] * x - force[0] * y)
         even, odd = (first + last) / 2.0, (first - last) / 2.0
         compliance = l / float(second_moment(b, h))
-        blade = Blade(h, l, b)
         pure, bent = (
             _factor(f, blade, nu) for f in (plates.pure_bending_factor, plates.guided_factor)
         )
@@ -304,7 +252,7 @@ def _of_its_shapes(geometry: FreeLayout, sizes: Sizes, nu: float, plain: WideBla
         over = b**2 / h * ends * compliance / l
         if over > curved:
             curved, bends = over, (first * compliance / l, last * compliance / l)
-            bent_blade = blade
+            most_bent = blade
     if whole <= 0.0 or not each:
         return plain
     high, low = 1.0 + more / whole, 1.0 / (1.0 + less / whole)
@@ -312,16 +260,15 @@ def _of_its_shapes(geometry: FreeLayout, sizes: Sizes, nu: float, plain: WideBla
     spread = at.high - at.low
     # what one blade takes more of than another adds to its own factor
     stress = Factor(at.value, max(1.0 - spread, at.low - spread), at.high + spread)
-    middle, least = (low + high) / 2.0, _hull([plain.stiffness]).low
+    middle, least = (low + high) / 2.0, plain.stiffness.low
     most = 1.0 + float(plates.bound(nu))
     other = max(most / middle - 1.0, 1.0 - least / middle)
     stiffness = Factor(middle, max(1.0, low), high, other)
-    return plain._replace(stiffness=stiffness, stress=stress, bends=bends, bent=bent_blade)
+    return plain._replace(stiffness=stiffness, stress=stress, bends=bends, bent=tuple(most_bent))
 
 
-def _of_linkage(geometry: LinkageGeometry, sizes: Sizes, nu: float) -> WideBlades | None:
-    """Return the range of its joints, which reflect their stiffness to the input."""
-    each = [wide_blades(part, geometry.sizes_of(n, sizes), nu) for n, part in geometry.flexures()]
+def wide_linked(each: Sequence[WideBlades | None]) -> WideBlades | None:
+    """Return the range of a linkage's joints, which reflect their stiffness to the input."""
     found = [wide for wide in each if wide is not None]
     if not found:
         return None
@@ -330,6 +277,32 @@ def _of_linkage(geometry: LinkageGeometry, sizes: Sizes, nu: float) -> WideBlade
     stress = _hull([*(w.stress for w in found), *rigid])
     held = {ends: _hull(w.buckling[ends] for w in found) for ends in EFFECTIVE_LENGTH}
     return WideBlades(max(w.ratio for w in found), stiffness, stress, held)
+
+
+def _any_shape(factor: Factor, blade: Blade, nu: float) -> Factor:
+    """Return a factor with how far off it may be for blades that bend in any other shape.
+
+    Of all shapes between clamps pure bending curls the most, and a flat plate not at all.
+    """
+    least = _factor(plates.pure_bending_factor, blade, nu).low
+    most = 1.0 + float(plates.bound(nu))
+    return factor._replace(other=max(most / factor.value - 1.0, 1.0 - least / factor.value))
+
+
+def _floats(blade: Blade) -> Blade:
+    return Blade(*(float(size) for size in blade))
+
+
+def _shortening(blade: Blade, nu: float) -> tuple[float, float]:
+    """Return how much more than a beam a blade shortens, bent to an arc and to an S [-]."""
+    at: dict[str, Any] = {"b": blade.b, "l": blade.l, "poisson_ratio": nu}
+    pure = float(plate_shortening.pure_shortening_factor(**at)) - 1.0
+    return pure, float(plate_shortening.s_shortening_factor(**at)) - 1.0
+
+
+def _held(blade: Blade, nu: float) -> dict[str, Factor]:
+    """Return the factors of its critical force by how its ends are held."""
+    return {ends: _buckling(blade, nu, ends) for ends in EFFECTIVE_LENGTH}
 
 
 def _factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor:

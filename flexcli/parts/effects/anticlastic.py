@@ -6,6 +6,7 @@ from flexcli.formulas.plate_factors import bound
 from flexcli.formulas.plate_flattening import flat_width, held_and_curved, secant_factor
 from flexcli.numerics.quadrature import gauss_rule
 from flexcli.parts.bending import Change, Changes
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.effects.plate import wide_of
 
@@ -22,7 +23,7 @@ class Anticlastic(ModelEffect):
     independent add to it, and never above a plate's.
     """
 
-    name: ClassVar[str] = "anticlastic"
+    name: ClassVar[EffectName] = EffectName.ANTICLASTIC
     needs: ClassVar[str] = "poisson_ratio"
     is_whole: ClassVar[bool] = True
 

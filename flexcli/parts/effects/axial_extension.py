@@ -5,6 +5,7 @@ from typing import ClassVar
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.parts.bending import Changes, together, whole
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.axial_load import largest_load, load_number
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
@@ -14,7 +15,7 @@ __all__ = ["AxialExtension"]
 class AxialExtension(ModelEffect):
     """Compliance l/EA beside that of bending, (h/l)² times it."""
 
-    name: ClassVar[str] = "axial extension"
+    name: ClassVar[EffectName] = EffectName.AXIAL_EXTENSION
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return (h/l)²."""

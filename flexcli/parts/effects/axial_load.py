@@ -6,6 +6,7 @@ from typing import ClassVar
 
 from flexcli.formulas.section import second_moment
 from flexcli.parts.bending import UNKNOWN, Changes, together, whole
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.scene import Scene
 
@@ -15,7 +16,7 @@ __all__ = ["AxialLoad", "largest_load", "load_number"]
 class AxialLoad(ModelEffect):
     """Where a case loads the blades; the stiffness is stated without load."""
 
-    name: ClassVar[str] = "axial load"
+    name: ClassVar[EffectName] = EffectName.AXIAL_LOAD
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return the largest N l²/(E I) of the cases that load the blades."""

@@ -3,14 +3,17 @@
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from math import inf
-from typing import ClassVar, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
-from flexcli.parts.bending import Bending, Change, Changes, bending_of
+from flexcli.parts.bending import Bending, Change, Changes
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.geometries import Blade, Geometry, NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.scene import Scene
-from flexcli.parts.stops import Stops
+
+if TYPE_CHECKING:
+    from flexcli.parts.stops import Stops
 
 __all__ = ["Effect", "Indicator", "ModelEffect", "SceneEffect", "Setting"]
 
@@ -23,7 +26,7 @@ class Setting(NamedTuple):
     mechanism: Mechanism | None
     sizes: Sizes
     scenes: tuple[Scene, ...]
-    stops: Stops | None = None
+    stops: "Stops | None" = None
 
     @property
     def blade(self) -> Blade | None:
@@ -34,7 +37,7 @@ class Setting(NamedTuple):
     def bending(self) -> Bending:
         """Return how the blades bend at the largest travel of any case."""
         elastic = self.material.elastic
-        return bending_of(self.geometry, elastic, self.sizes, self.largest_travel)
+        return self.geometry.bending(elastic, self.sizes, self.largest_travel)
 
     @property
     def slenderness(self) -> float | None:
@@ -79,14 +82,14 @@ class Indicator(NamedTuple):
 class Effect(ABC):
     """One effect; a stateless object, listed in the tuple of this package."""
 
-    name: ClassVar[str]
+    name: ClassVar[EffectName]
     excludes: ClassVar[tuple[str, ...]] = ()
     """Keys of a case that ``effects: {name: off}`` takes out of it."""
 
     @property
     def key(self) -> str:
         """Return its name in a spec."""
-        return self.name.replace(" ", "-")
+        return self.name.key
 
     @abstractmethod
     def indicator(self, setting: Setting) -> Indicator | None:
@@ -96,7 +99,7 @@ class Effect(ABC):
 class SceneEffect(Effect):
     """What a scene has or has not: it is on exactly when a case, or the design, states it."""
 
-    shuts_out: ClassVar[frozenset[str]] = frozenset()
+    shuts_out: ClassVar[frozenset[EffectName]] = frozenset()
     """Effects of the blades that the solver of such a scene cannot have beside it."""
 
 

@@ -3,6 +3,7 @@
 from typing import ClassVar
 
 from flexcli.parts.bending import Changes
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
 __all__ = ["BladeTension"]
@@ -11,7 +12,7 @@ __all__ = ["BladeTension"]
 class BladeTension(ModelEffect):
     """Axial stress beside the bending stress, of first order in h/l."""
 
-    name: ClassVar[str] = "blade tension"
+    name: ClassVar[EffectName] = EffectName.BLADE_TENSION
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return h/l of a pivot that turns."""

@@ -4,6 +4,7 @@ from typing import ClassVar
 
 from flexcli.formulas import clamp_stress
 from flexcli.parts.bending import Changes
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.effects.plate import wide_of
 
@@ -18,7 +19,7 @@ class ClampStress(ModelEffect):
     specimens has not: von Mises' share for yield, that of σ_x for fatigue.
     """
 
-    name: ClassVar[str] = "clamp stress"
+    name: ClassVar[EffectName] = EffectName.CLAMP_STRESS
     needs: ClassVar[str] = "poisson_ratio"
     is_whole: ClassVar[bool] = True
 

@@ -2,6 +2,7 @@
 
 from typing import ClassVar
 
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, SceneEffect, Setting
 
 __all__ = ["DampedMotion"]
@@ -10,7 +11,7 @@ __all__ = ["DampedMotion"]
 class DampedMotion(SceneEffect):
     """On where the mechanism states it."""
 
-    name: ClassVar[str] = "damping"
+    name: ClassVar[EffectName] = EffectName.DAMPING
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return the damping ratio 1/(2Q)."""

@@ -2,6 +2,7 @@
 
 from typing import ClassVar
 
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, SceneEffect, Setting
 
 __all__ = ["EndStops"]
@@ -10,8 +11,10 @@ __all__ = ["EndStops"]
 class EndStops(SceneEffect):
     """On where the design has stops."""
 
-    name: ClassVar[str] = "end stops"
-    shuts_out: ClassVar[frozenset[str]] = frozenset({"large rotation", "axial load"})
+    name: ClassVar[EffectName] = EffectName.END_STOPS
+    shuts_out: ClassVar[frozenset[EffectName]] = frozenset(
+        {EffectName.LARGE_ROTATION, EffectName.AXIAL_LOAD}
+    )
     """The blade between stops moves in the modes of small motion."""
 
     def indicator(self, setting: Setting) -> Indicator | None:

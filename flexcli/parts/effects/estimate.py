@@ -5,7 +5,7 @@ from itertools import combinations
 from math import isfinite, prod
 from typing import NamedTuple
 
-from flexcli.parts.bending import FLOOR, Change, is_known
+from flexcli.parts.bending import FLOOR, Change
 from flexcli.parts.effects.base import ModelEffect, Setting
 from flexcli.results import ErrorRange, QuantityKind
 
@@ -36,7 +36,7 @@ def estimate(setting: Setting, kind: QuantityKind, effects: Iterable[ModelEffect
     effects tell all that it leaves out.
     """
     elastic, travel = setting.material.elastic, setting.largest_travel
-    if not is_known(setting.geometry, elastic, setting.sizes, travel, kind):
+    if not setting.geometry.is_known(elastic, setting.sizes, travel, kind):
         return Estimate(1.0, None)
     changes = [
         _beside_others(effect, change)

@@ -2,6 +2,7 @@
 
 from typing import ClassVar
 
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, SceneEffect, Setting
 from flexcli.units import STANDARD_GRAVITY
 
@@ -11,7 +12,7 @@ __all__ = ["Gravity"]
 class Gravity(SceneEffect):
     """On where a case has an acceleration."""
 
-    name: ClassVar[str] = "gravity"
+    name: ClassVar[EffectName] = EffectName.GRAVITY
     excludes: ClassVar[tuple[str, ...]] = ("acceleration",)
 
     def indicator(self, setting: Setting) -> Indicator | None:

@@ -3,6 +3,7 @@
 from typing import ClassVar
 
 from flexcli.parts.bending import Changes
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
 __all__ = ["LargeRotation"]
@@ -11,7 +12,7 @@ __all__ = ["LargeRotation"]
 class LargeRotation(ModelEffect):
     """The closed forms are the first term in the travel; the stiffness is stated at rest."""
 
-    name: ClassVar[str] = "large rotation"
+    name: ClassVar[EffectName] = EffectName.LARGE_ROTATION
     cost: ClassVar[float] = 3.0
 
     def indicator(self, setting: Setting) -> Indicator | None:

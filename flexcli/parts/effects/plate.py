@@ -2,8 +2,8 @@
 
 from typing import ClassVar
 
-from flexcli.parts.bending import Change, Changes
-from flexcli.parts.bending.wide import WideBlades, wide_blades
+from flexcli.parts.bending import Change, Changes, WideBlades
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.geometries import Geometry, Sizes
 
@@ -19,7 +19,7 @@ class PlateWidening(ModelEffect):
     On top of what any model of beams says; at small curvature, which ``anticlastic`` adds to.
     """
 
-    name: ClassVar[str] = "plate widening"
+    name: ClassVar[EffectName] = EffectName.PLATE_WIDENING
     needs: ClassVar[str] = "poisson_ratio"
     is_whole: ClassVar[bool] = True
 
@@ -69,7 +69,7 @@ class _Last:
         geometry, sizes, nu = setting.geometry, setting.sizes, setting.poisson_bound
         last = self.asked
         if last is None or last[0] is not geometry or last[1:] != (sizes, nu):
-            self.found = wide_blades(geometry, sizes, nu)
+            self.found = geometry.wide_blades(sizes, nu)
             self.asked = geometry, sizes, nu
         return self.found
 

@@ -2,6 +2,7 @@
 
 from typing import ClassVar
 
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, SceneEffect, Setting
 
 __all__ = ["RandomVibration"]
@@ -10,7 +11,7 @@ __all__ = ["RandomVibration"]
 class RandomVibration(SceneEffect):
     """On where a case has an acceleration density."""
 
-    name: ClassVar[str] = "random vibration"
+    name: ClassVar[EffectName] = EffectName.RANDOM_VIBRATION
     excludes: ClassVar[tuple[str, ...]] = ("asd",)
 
     def indicator(self, setting: Setting) -> Indicator | None:

@@ -6,6 +6,7 @@ from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.section import shear_parameter
 from flexcli.formulas.thick_blades import buckling_change
 from flexcli.parts.bending import Change, Changes
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
 __all__ = ["Shear"]
@@ -21,7 +22,7 @@ class Shear(ModelEffect):
     taken, and half of what it makes of a difference is an error.
     """
 
-    name: ClassVar[str] = "shear"
+    name: ClassVar[EffectName] = EffectName.SHEAR
     needs: ClassVar[str] = "poisson_ratio"
     spans_what_it_needs: ClassVar[bool] = True
 

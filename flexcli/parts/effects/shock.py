@@ -2,6 +2,7 @@
 
 from typing import ClassVar
 
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, SceneEffect, Setting
 from flexcli.units import STANDARD_GRAVITY
 
@@ -11,7 +12,7 @@ __all__ = ["ShockLoad"]
 class ShockLoad(SceneEffect):
     """On where a case has a shock."""
 
-    name: ClassVar[str] = "shock"
+    name: ClassVar[EffectName] = EffectName.SHOCK
     excludes: ClassVar[tuple[str, ...]] = ("shock",)
 
     def indicator(self, setting: Setting) -> Indicator | None:

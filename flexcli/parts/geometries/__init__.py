@@ -2,15 +2,13 @@
 
 from typing import Annotated, TypeAlias
 
-from pydantic import Field
-
 from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.parts.geometries.any_flexure import AnyFlexure
+from flexcli.parts.geometries.any_flexure import FLEXURES
 from flexcli.parts.geometries.base import Blade, Critical, Extent, Geometry, Sizes
-from flexcli.parts.geometries.free_layout import FreeLayout
-from flexcli.parts.geometries.linkage import LinkageGeometry
+from flexcli.parts.named import Kinds
 
 __all__ = [
+    "GEOMETRIES",
     "AnyGeometry",
     "Blade",
     "Critical",
@@ -21,6 +19,12 @@ __all__ = [
     "Sizes",
 ]
 
-AnyGeometry: TypeAlias = Annotated[
-    AnyFlexure | LinkageGeometry | FreeLayout, Field(discriminator="kind")
-]
+GEOMETRIES = Kinds(
+    {
+        **FLEXURES.paths,
+        "linkage": "flexcli.parts.geometries.linkage:LinkageGeometry",
+        "layout": "flexcli.parts.geometries.free_layout:FreeLayout",
+    }
+)
+
+AnyGeometry: TypeAlias = Annotated[Geometry, GEOMETRIES]

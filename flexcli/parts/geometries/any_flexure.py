@@ -2,40 +2,34 @@
 
 from typing import Annotated, TypeAlias
 
-from pydantic import Field
+from flexcli.parts.geometries.base import Geometry
+from flexcli.parts.named import Kinds
 
-from flexcli.parts.geometries.cross_spring import CrossSpringPivot
-from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
-from flexcli.parts.geometries.leaf_stage import LeafSpringStage
-from flexcli.parts.geometries.necked_stage import NeckedDownStage
-from flexcli.parts.geometries.notch import CircularHinge, EllipticHinge, FilletedHinge
-from flexcli.parts.geometries.rcc import RCCPivot
-from flexcli.parts.geometries.single_blade import Cantilever, GuidedBlade, MomentBlade
-from flexcli.parts.geometries.star import StarPivot
-from flexcli.parts.geometries.three_blade import ThreeBladePivot
-from flexcli.parts.geometries.torsion import RoundTorsionBar, TorsionBar, TorsionStar
-from flexcli.parts.geometries.unseparated import UnseparatedPivot
+__all__ = ["FLEXURES", "AnyFlexure"]
 
-__all__ = ["AnyFlexure"]
+_HERE = "flexcli.parts.geometries"
 
-AnyFlexure: TypeAlias = Annotated[
-    Cantilever
-    | GuidedBlade
-    | MomentBlade
-    | RCCPivot
-    | CrossSpringPivot
-    | UnseparatedPivot
-    | ThreeBladePivot
-    | StarPivot
-    | LeafSpringStage
-    | NeckedDownStage
-    | CircularHinge
-    | EllipticHinge
-    | FilletedHinge
-    | HingedStage
-    | HingedPivot
-    | TorsionBar
-    | RoundTorsionBar
-    | TorsionStar,
-    Field(discriminator="kind"),
-]
+FLEXURES = Kinds(
+    {
+        "cantilever": f"{_HERE}.single_blade:Cantilever",
+        "guided-blade": f"{_HERE}.single_blade:GuidedBlade",
+        "moment-blade": f"{_HERE}.single_blade:MomentBlade",
+        "rcc": f"{_HERE}.rcc:RCCPivot",
+        "cross-spring": f"{_HERE}.cross_spring:CrossSpringPivot",
+        "unseparated-cross": f"{_HERE}.unseparated:UnseparatedPivot",
+        "three-blade": f"{_HERE}.three_blade:ThreeBladePivot",
+        "star": f"{_HERE}.star:StarPivot",
+        "leaf-spring-stage": f"{_HERE}.leaf_stage:LeafSpringStage",
+        "necked-down-stage": f"{_HERE}.necked_stage:NeckedDownStage",
+        "notch-hinge": f"{_HERE}.notch:CircularHinge",
+        "elliptic-hinge": f"{_HERE}.notch:EllipticHinge",
+        "filleted-hinge": f"{_HERE}.notch:FilletedHinge",
+        "hinged-stage": f"{_HERE}.hinged:HingedStage",
+        "hinged-pivot": f"{_HERE}.hinged:HingedPivot",
+        "torsion-bar": f"{_HERE}.torsion:TorsionBar",
+        "round-torsion-bar": f"{_HERE}.torsion:RoundTorsionBar",
+        "torsion-star": f"{_HERE}.torsion:TorsionStar",
+    }
+)
+
+AnyFlexure: TypeAlias = Annotated[Geometry, FLEXURES]

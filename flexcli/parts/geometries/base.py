@@ -2,16 +2,20 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from math import pi
+from math import hypot, pi
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
+import numpy as np
 from pydantic import AliasPath, Field, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
 from flexcli.formulas.card import Card, Range, outside
 from flexcli.formulas.quantity import Quantity
-from flexcli.mechanics.layout import Layout
+from flexcli.mechanics.layout import Layout, Point
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, or_free, spec_error
+from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending.unknown import NotEstimated
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.results import ErrorRange, QuantityKind, Value
 
@@ -20,6 +24,18 @@ THICKNESSES = ("h", "e", "d")
 
 GROUND, MOVING = "ground", "moving"
 """Names of the base and of the moving body in every layout of a joint."""
+
+PIECE = np.array([-1.0, 1.0])
+"""Both ends of a piece of a profile."""
+
+ROUNDING = 1e-9
+"""Share of a blade's length that no piece covers, from which a part of it is rigid."""
+
+AT_REST = frozenset({QuantityKind.STIFFNESS, QuantityKind.FREQUENCY, QuantityKind.SAG})
+"""Kinds of numbers that closed forms state at rest, whatever the travel."""
+
+TRAVELS = frozenset({"theta", "x/l"})
+"""Quantities of a range that the next order of a closed form extends."""
 
 ACROSS_WIDTH = "across the width"
 """How a blade buckles out of the plane."""
@@ -34,6 +50,7 @@ __all__ = [
     "Geometry",
     "Held",
     "Sizes",
+    "TwistingBars",
 ]
 
 
@@ -64,7 +81,14 @@ class Critical(NamedTuple):
     source: str
     stress: Quantity | None = None
     error: ErrorRange | None = None
-    carries: frozenset[str] = frozenset()
+    carries: frozenset[EffectName] = frozenset()
+
+
+class TwistingBars(NamedTuple):
+    """Bars that turn with the body: ∫r² dV about their axis [m⁵], whether clamps hold warping."""
+
+    polar: Quantity
+    restrained: bool
 
 
 class Extent(Part):
@@ -129,6 +153,9 @@ class Geometry(Part):
     """What strains it when it moves."""
     sag_bends_width: ClassVar[bool] = False
     """Whether the sag bends the blades across their width."""
+    keeps_level: ClassVar[bool] = False
+    """Whether its closed forms take the body as kept from turning, however far apart its blades
+    stand."""
 
     @property
     def name(self) -> str:
@@ -180,6 +207,11 @@ class Geometry(Part):
     def own_mass(self) -> float:
         """Return the mass of the bodies that the layout itself has [kg]."""
         return 0.0
+
+    @property
+    def has_masses(self) -> bool:
+        """Return whether it draws bodies that have mass or inertia themselves."""
+        return False
 
     @property
     def travel_symbol(self) -> str:
@@ -281,6 +313,39 @@ class Geometry(Part):
         """Return the part of the stiffness that is S-shaped bending, which shear softens [-]."""
         return 0.0
 
+    def bending(self, elastic: Elastic, sizes: Sizes, travel: float) -> Bending:
+        """Return how its blades bend at a travel: what closed forms leave out.
+
+        Unknown until a joint says it of its own formulas.
+        """
+        return NotEstimated(travel=travel)
+
+    def is_known(self, elastic: Elastic, sizes: Sizes, travel: float, kind: QuantityKind) -> bool:
+        """Return whether what the closed form of a kind leaves out is known at a travel.
+
+        It is not where the joint has no estimates, and where the design leaves the range of the
+        formula: as far as its next order reaches, a range of the travel is extended.
+        """
+        bending = self.bending(elastic, sizes, travel)
+        if not bending.is_estimate:
+            return False
+        reach = 0.0 if kind in AT_REST else travel
+        return all(
+            limits.quantity in TRAVELS and at <= bending.travel_most
+            for limits, at in self.outside_validity(sizes, reach, kind)
+        )
+
+    @abstractmethod
+    def wide_blades(self, sizes: Sizes, nu: float) -> WideBlades | None:
+        """Return what the width of its blades changes, ν the material's Poisson's ratio or ½.
+
+        Nothing where nothing of it bends across its thickness.
+        """
+
+    def twisting_bars(self, sizes: Sizes) -> TwistingBars | None:
+        """Return the bars whose twist is its motion, where it has no other blades."""
+        return None
+
     def parasitic_shift(self, sizes: Sizes, travel: float) -> Quantity:
         """Return the parasitic motion at a travel [m], positive towards −x of the layout.
 
@@ -343,6 +408,26 @@ class Geometry(Part):
     def plane_layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
         """Return the layout for what stays in its plane, where ideal joints may guide bodies."""
         return self.layout(elastic, sizes)
+
+    def blades_layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
+        """Return the layout for what the distance between guiding blades plays no part in."""
+        return self.layout(elastic, sizes)
+
+    def has_limbs(self, elastic: Elastic, sizes: Sizes) -> bool:
+        """Return whether rigid parts between hinges move that have no stated mass."""
+        for blade in self.blades_layout(elastic, sizes).blades:
+            l = hypot(*np.subtract(blade.end, blade.start))
+            ends = [np.ravel(piece.position(PIECE)) for piece in blade.profile.pieces(l)]
+            if sum(float(end - start) for start, end in ends) < (1.0 - ROUNDING) * l:
+                return True
+        return False
+
+    def payload_point(self, moving: Point) -> Point:
+        """Return the joint's centre, where a payload has its centre of mass: it only turns there.
+
+        ``moving`` is the point of the moving body.
+        """
+        return moving
 
     def held(self, travel: float) -> Held:
         """Return what a stroke imposes on the moving body of the layout."""

@@ -12,8 +12,12 @@ from pydantic_core import InitErrorDetails
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade, Body, Layout, Number, Point, Support
 from flexcli.numerics.collocation import gauss_nodes
+from flexcli.parts.bending import WideBlades
+from flexcli.parts.bending.wide import wide_by_shapes, wide_drawn
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Geometry, Sizes
+from flexcli.parts.geometries.base import Blade as WideBlade
+from flexcli.parts.geometries.blade_profile import ConstantProfile
 from flexcli.parts.geometries.layout_faults import Drawing, faults
 from flexcli.parts.geometries.layout_parts import (
     DrawnBlade,
@@ -98,6 +102,11 @@ class FreeLayout(Geometry):
         """Return the mass of all bodies [kg]."""
         return sum(body.mass for body in self.bodies.values())
 
+    @property
+    def has_masses(self) -> bool:
+        """Return whether any body has mass or inertia."""
+        return any(body.mass or body.inertia for body in self.bodies.values())
+
     # which motion it is depends on the drawing, as no other geometry's but a linkage's does
     @property
     def motion(self) -> str:  # type: ignore[override]
@@ -141,6 +150,24 @@ class FreeLayout(Geometry):
     def axial_share(self, direction: float) -> float:
         """Return 1: all of a force goes into the blades; the model says how much into each."""
         return 1.0
+
+    def wide_blades(self, sizes: Sizes, nu: float) -> WideBlades | None:
+        """Return the range of its blades."""
+        blades = [
+            (
+                WideBlade(
+                    drawn.thickness.thinnest(self.size_of(name, sizes)), drawn.length, drawn.b
+                ),
+                isinstance(drawn.thickness, ConstantProfile),
+            )
+            for name, drawn in self.blades.items()
+        ]
+        plain = wide_drawn(blades, nu, springs=bool(self.supports))
+        if not all(constant for _, constant in blades):
+            return plain
+        each = [WideBlade(*map(float, blade)) for blade, _ in blades]
+        layout = self.layout(Elastic(1.0, nu), sizes)
+        return wide_by_shapes(plain, each, nu, layout, self.held(1.0))
 
     def volume(self, sizes: Sizes) -> Quantity:
         """Return the volume of all blades, without their rigid parts [m³]."""

@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 import numpy as np
 from pydantic import Field, model_validator
 
-from flexcli.formulas import hinged_pivot, hinged_stage, notch
+from flexcli.formulas import hinge_shift, hinged_pivot, hinged_stage, notch
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
 from flexcli.formulas.profile import Notch, per_design
@@ -15,6 +15,9 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.parts.base import Length, PositiveLength, QuantityOf, spec_error
+from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending.limbs import Hinge, LimbPivot, LimbStage
+from flexcli.parts.bending.wide import wide_notch
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
 from flexcli.parts.geometries.notch import CONCENTRATION, Concentration, throat_factor, throat_peaks
@@ -72,6 +75,34 @@ class _Hinged(Geometry):
         """Return stiffness of a hinge [N·m/rad] and reach of its bending about its centre [m]."""
         C = circular_compliance(E=elastic.E, b=sizes.b, e=sizes.e, r=sizes.r)
         return 1.0 / C.turn, bending_reach(across=C.across, turn=C.turn)
+
+    def has_limbs(self, elastic: Elastic, sizes: LimbSizes) -> bool:
+        """Return that its limbs are such parts."""
+        return True
+
+    def hinge_in_limbs(self, sizes: LimbSizes) -> Hinge:
+        """Return a hinge in lengths of the limb."""
+        e, r, l, _ = map(float, sizes)
+        C = circular_compliance(E=1.0, b=1.0, e=e, r=r)
+        stretch = float(C.along / C.turn) ** 0.5 / l
+        return Hinge(
+            reach=float(bending_reach(across=C.across, turn=C.turn)) / l,
+            sheared=2.4**0.5 * stretch,
+            stretch=stretch,
+            spread=2.0 * float(hinge_shift.circular_shift(e=e, r=r, theta=1.0)) / l,
+            throat=e / l,
+            peak=e * r / l**2,
+        )
+
+    def wide_blades(self, sizes: LimbSizes, nu: float) -> WideBlades | None:
+        """Return the factors of the throats."""
+        e, r, l, b = map(float, sizes)
+        turn, _ = self.hinge(Elastic(1.0), sizes)
+        C = circular_compliance(E=1.0, b=1.0, e=e, r=r)
+        # a force across the limb bends its hinges by a moment that is not the same all along
+        reach = float(bending_reach(across=C.across, turn=C.turn)) / l
+        at = {"throat": e, "length": 2.0 * r, "b": b, "turn": turn, "uneven": 4.0 * reach**2}
+        return wide_notch(nu, Notch(e, r), **at)
 
     def throat_stress(self, sizes: LimbSizes, moment: Quantity) -> Quantity:
         """Return the stress in a throat that bears a moment [Pa]."""
@@ -151,6 +182,10 @@ class HingedStage(SagsAlongStroke, _Hinged):
         """Return the bending stress in the throats [Pa]."""
         force = self.stiffness(elastic, sizes) * travel / self.limbs
         return {"throats": self.throat_stress(sizes, force * sizes.l / 2.0)}
+
+    def bending(self, elastic: Elastic, sizes: LimbSizes, travel: float) -> Bending:
+        """Return that of parallel limbs."""
+        return LimbStage(hinge=self.hinge_in_limbs(sizes), travel=travel / float(sizes.l))
 
     def volume(self, sizes: LimbSizes) -> Quantity:
         """Return the volume of the hinges [m³]; the limbs are bodies."""
@@ -233,6 +268,11 @@ class HingedPivot(_Hinged):
             place: self.throat_stress(sizes, K * turn)
             for place, turn in zip(places, turns, strict=True)
         }
+
+    def bending(self, elastic: Elastic, sizes: LimbSizes, travel: float) -> Bending:
+        """Return that of two limbs that point at one centre."""
+        delta, hinge = float(self.offset(sizes) / sizes.l), self.hinge_in_limbs(sizes)
+        return LimbPivot(hinge=hinge, delta=delta, theta=travel, half_angle=self.half_angle)
 
     def volume(self, sizes: LimbSizes) -> Quantity:
         """Return the volume of the hinges [m³]; the limbs are bodies."""

@@ -6,6 +6,7 @@ from math import cos, inf, isfinite, pi, sin
 from flexcli.formulas.buckling import thick_load
 from flexcli.formulas.joint_buckling import held_load, shares, sway, turning_load
 from flexcli.formulas.section import second_moment, shear_parameter
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import Blade, Critical
@@ -13,7 +14,7 @@ from flexcli.results import ErrorRange
 
 __all__ = ["CARRIED", "pivot_critical", "row_critical"]
 
-CARRIED = frozenset({"shear", "axial extension"})
+CARRIED = frozenset({EffectName.SHEAR, EffectName.AXIAL_EXTENSION})
 """Effects that are in the closed forms of this module."""
 
 SWAY = 3.0

@@ -11,11 +11,14 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import Length, PositiveLength
+from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending.straight import Straight
+from flexcli.parts.bending.wide import wide_guided
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.blades import BladeGeometry
 from flexcli.parts.geometries.joint_buckling import row_critical
-from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, is_push, places
+from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, is_push, lever, places
 from flexcli.results import Value
 
 __all__ = ["LeafSpringStage"]
@@ -28,6 +31,7 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
     also: ClassVar[tuple[str, ...]] = ("parallel-stage", "leaf-stage")
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints"
     cards: ClassVar[tuple[Card, ...]] = stage.CARDS
+    keeps_level: ClassVar[bool] = True
 
     kind: Literal["leaf-spring-stage"]
     blades: Annotated[int, Field(strict=True, ge=2, le=1000)] = 2
@@ -50,6 +54,15 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
     def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
         """Return the bending stress, equal and opposite at the two ends [Pa]."""
         return {"both ends": stage.end_stress(E=elastic.E, h=sizes.h, l=sizes.l, x=travel)}
+
+    def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
+        """Return that of guided blades."""
+        h, l, _ = map(float, sizes)
+        return Straight(h=h, l=l, travel=travel, lever=lever(l, self.spacing))
+
+    def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
+        """Return the factors of guided blades."""
+        return wide_guided(sizes, nu)
 
     def s_bending_share(self, sizes: Blade) -> float:
         """Return 1: the blades bend in an S alone."""
@@ -89,6 +102,12 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
             for index, y in enumerate(self.places(), 1)
         )
         return Layout((Body(MOVING, (l / 2.0, 0.0)),), blades, elastic.E, elastic.shear)
+
+    def blades_layout(self, elastic: Elastic, sizes: Blade) -> Layout:
+        """Return the layout with blades as far apart as long where the spec does not say."""
+        if self.spacing is not None:
+            return self.layout(elastic, sizes)
+        return self.model_copy(update={"spacing": float(sizes.l)}).layout(elastic, sizes)
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return how far the drive turns the stage at full stroke, and where it would not."""

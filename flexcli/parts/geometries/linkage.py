@@ -16,6 +16,8 @@ from flexcli.mechanics.linkages.extremes import Extremes, extremes
 from flexcli.mechanics.linkages.linkage import Linkage, Prismatic, Revolute
 from flexcli.mechanics.linkages.travel import Travel, motion, travel
 from flexcli.parts.base import Angle, Length, Part, spec_error
+from flexcli.parts.bending import WideBlades
+from flexcli.parts.bending.wide import wide_linked
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.any_flexure import AnyFlexure
 from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry, Sizes
@@ -211,6 +213,16 @@ class LinkageGeometry(Geometry):
     def joint_of(self, place: str) -> str:
         """Return the joint that a place of :meth:`end_stresses` belongs to."""
         return place.partition(",")[0].partition(" ")[0]  # "theta blade 1, right face" too
+
+    def wide_blades(self, sizes: Sizes, nu: float) -> WideBlades | None:
+        """Return the range of its joints."""
+        return wide_linked(
+            [flexure.wide_blades(self.sizes_of(n, sizes), nu) for n, flexure in self.flexures()]
+        )
+
+    def has_limbs(self, elastic: Elastic, sizes: Sizes) -> bool:
+        """Return that its links are such parts."""
+        return True
 
     def volume(self, sizes: Sizes) -> Quantity:
         """Return the volume of all flexures [m³]."""

@@ -15,11 +15,14 @@ from flexcli.formulas.section import axial_stress
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import PositiveLength, spec_error
+from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending.straight import Necked
+from flexcli.parts.bending.wide import wide_necks
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.ends import ENDS
-from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical, Extent
 from flexcli.parts.geometries.joint_buckling import CARRIED
-from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, is_push, places
+from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, is_push, lever, places
 from flexcli.results import ErrorRange, Value
 
 __all__ = ["NeckedDownStage"]
@@ -100,6 +103,15 @@ class NeckedDownStage(SagsAlongStroke):
         """Return the bending stress, equal and opposite at the two ends [Pa]."""
         stress = necked_stage.end_stress(E=elastic.E, h=sizes.h, l=sizes.l, x=travel, xi=sizes.xi)
         return {"both ends": stress}
+
+    def bending(self, elastic: Elastic, sizes: NeckedSizes, travel: float) -> Bending:
+        """Return that of guided blades that are stiff in the middle."""
+        h, l, xi = float(sizes.h), float(sizes.l), float(sizes.xi)
+        return Necked(h=h, l=l, travel=travel, xi=xi, lever=lever(l, self.spacing))
+
+    def wide_blades(self, sizes: NeckedSizes, nu: float) -> WideBlades | None:
+        """Return the factors of the hinges."""
+        return wide_necks(Blade(sizes.h, sizes.l_c, sizes.b), nu, l=sizes.l)
 
     def volume(self, sizes: NeckedSizes) -> Quantity:
         """Return the volume of the hinges [m³]; the middles are bodies."""

@@ -14,6 +14,9 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import spec_error
+from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending.arc import Arc
+from flexcli.parts.bending.wide import wide_notch
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
 from flexcli.parts.geometries.parallel import straight_share
@@ -95,6 +98,16 @@ class NotchGeometry(Geometry):
             factor=throat_factor(self.concentration, e, r),
         )  # fmt: skip
         return {"throat": stress}
+
+    def bending(self, elastic: Elastic, sizes: Any, travel: float) -> Bending:
+        """Return that of an arc: the moment is the same all along."""
+        return Arc(theta=travel)
+
+    def wide_blades(self, sizes: Any, nu: float) -> WideBlades | None:
+        """Return the factors of the throat."""
+        profile, length = self.profile(sizes._make(map(float, sizes)))
+        throat, turn = self.throat(sizes)[0], self.stiffness(Elastic(1.0), sizes)
+        return wide_notch(nu, profile, throat=throat, length=length, b=sizes.b, turn=turn)
 
     def axial_share(self, direction: float) -> float:
         """Return 1: all of a force along the hinge goes through the throat."""

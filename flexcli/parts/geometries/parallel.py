@@ -6,7 +6,7 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 
-__all__ = ["SagsAlongStroke", "force_share", "is_push", "places", "straight_share"]
+__all__ = ["SagsAlongStroke", "force_share", "is_push", "lever", "places", "straight_share"]
 
 ROUNDING = 1e-9
 """Sine of an angle that counts as none."""
@@ -50,3 +50,8 @@ def places(members: int, spacing: float | None, spoken: str) -> tuple[float, ...
         raise NotAvailable(f"needs spacing: the distance from {spoken} to {spoken}")
     middle = (members - 1) / 2.0
     return tuple((index - middle) * spacing for index in range(members))
+
+
+def lever(l: float, spacing: float | None) -> float:
+    """Return l over the distance between the blades of a stage; as far apart as long if unsaid."""
+    return 1.0 if spacing is None else l / spacing

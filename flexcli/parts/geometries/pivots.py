@@ -13,6 +13,9 @@ from flexcli.formulas.thick_blades import s_bending_share
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import QuantityOf
+from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending.pair import Pair
+from flexcli.parts.bending.wide import wide_pivot
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.blades import BladeGeometry
@@ -86,6 +89,11 @@ class BladePivot(BladeGeometry):
         p = float(self.offset(sizes))
         return pivot_critical(elastic, sizes, p, self.blade_angles, ends, direction)
 
+    def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
+        """Return the factors of its blades; several directions have no one shift."""
+        delta = float(self.offset(sizes)) / float(sizes.l)
+        return wide_pivot(sizes, nu, delta=delta, pair=False, sags_wide=self.sag_bends_width)
+
     def heights(self, sizes: Blade) -> tuple[float, ...]:
         """Return the height of each blade's middle plane over that of the pivot [m]."""
         return (0.0,) * self.blade_count
@@ -147,6 +155,17 @@ class PairPivot(BladePivot):
         return pivot.parasitic_shift(
             l=sizes.l, p=self.offset(sizes), theta=travel, half_angle=self.half_angle
         )
+
+    def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
+        """Return that of two blades from one plane to another."""
+        h, l, _ = map(float, sizes)
+        p = float(self.offset(sizes))
+        return Pair(h=h, l=l, p=p, theta=travel, half_angle=self.half_angle)
+
+    def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
+        """Return the factors of its blades, that of the shift along the bisector with them."""
+        delta = float(self.offset(sizes)) / float(sizes.l)
+        return wide_pivot(sizes, nu, delta=delta, pair=True)
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return δ and the shift across the bisector, which the shift along it leaves out."""

@@ -9,7 +9,11 @@ from flexcli.formulas.profile import Constant, per_design
 from flexcli.formulas.quantity import Quantity
 from flexcli.formulas.stage import shortening
 from flexcli.mechanics.layout import Blade as Strip
-from flexcli.mechanics.layout import Body, Layout
+from flexcli.mechanics.layout import Body, Layout, Point
+from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending.arc import Arc
+from flexcli.parts.bending.straight import Straight
+from flexcli.parts.bending.wide import wide_cantilever, wide_guided, wide_moment
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical, Held
 from flexcli.parts.geometries.blades import BladeGeometry
@@ -77,6 +81,15 @@ class Cantilever(SagsAlongStroke, _SingleBlade):
         h, l, _ = sizes
         return {"clamp": blade.force_stress(E=elastic.E, h=h, l=l, x=travel, s=0.0)}
 
+    def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
+        """Return that of half a guided blade."""
+        h, l, _ = map(float, sizes)
+        return Straight(h=h, l=l, travel=travel, halves=2)
+
+    def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
+        """Return the factors of a blade that a force bends."""
+        return wide_cantilever(sizes, nu)
+
     def s_bending_share(self, sizes: Blade) -> float:
         """Return ¼: a cantilever softens by Φ/4, Φ that of a blade clamped at both ends."""
         return 0.25
@@ -102,6 +115,15 @@ class GuidedBlade(_SingleBlade):
         """Return the bending stress, equal and opposite at the two ends [Pa]."""
         h, l, _ = sizes
         return {"both ends": blade.guided_stress(E=elastic.E, h=h, l=l, x=travel, s=0.0)}
+
+    def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
+        """Return that of a guided blade."""
+        h, l, _ = map(float, sizes)
+        return Straight(h=h, l=l, travel=travel)
+
+    def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
+        """Return the factors of a guided blade."""
+        return wide_guided(sizes, nu)
 
     def s_bending_share(self, sizes: Blade) -> float:
         """Return 1: the blade bends in an S alone."""
@@ -133,9 +155,21 @@ class MomentBlade(_SingleBlade):
         h, l, _ = sizes
         return {"all along": blade.moment_stress(E=elastic.E, h=h, l=l, theta=travel)}
 
+    def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
+        """Return that of an arc."""
+        return Arc(theta=travel)
+
+    def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
+        """Return the factors of a blade that a moment bends."""
+        return wide_moment(sizes, nu)
+
     def root(self, sizes: Blade) -> Quantity:
         """Return that the centre, about which the tip turns, is the middle of the blade [m]."""
         return -sizes.l / 2.0
+
+    def payload_point(self, moving: Point) -> Point:
+        """Return the middle of the blade."""
+        return 0.0, 0.0
 
     def axial_share(self, direction: float) -> float:
         """Return 1 for a force along the blade."""

@@ -7,6 +7,9 @@ from pydantic import Field, model_validator
 from flexcli.formulas import pivot
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.base import Angle, Length, QuantityOf, spec_error
+from flexcli.parts.bending import Bending
+from flexcli.parts.bending.star import Star
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
 from flexcli.parts.geometries.pivots import BladePivot
 
@@ -56,3 +59,9 @@ class StarPivot(BladePivot):
     def offset(self, sizes: Blade) -> Quantity:
         """Return p [m], as given or as delta times the length."""
         return self.p if self.p is not None else self.delta * sizes.l
+
+    def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
+        """Return that of blades in any directions."""
+        h, l, _ = map(float, sizes)
+        p = float(self.offset(sizes))
+        return Star(h=h, l=l, p=p, theta=travel, angles=self.blade_angles)

@@ -17,8 +17,11 @@ from flexcli.formulas import (
 )
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.section import second_moment
+from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending.twist import Twist
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import Blade, Extent, Geometry
+from flexcli.parts.geometries.base import Blade, Extent, Geometry, TwistingBars
 from flexcli.results import QuantityKind, Value
 
 __all__ = ["RoundTorsionBar", "Section", "TorsionBar", "TorsionGeometry", "TorsionStar"]
@@ -88,6 +91,27 @@ class TorsionGeometry(Geometry):
         if self.shortening is not None:
             return (self.shortening == "free",)
         return (False,) if self.bars > 1 else (False, True)
+
+    def bending(self, elastic: Elastic, sizes: Any, travel: float) -> Bending:
+        """Return that of twisted bars."""
+        return Twist(self, elastic, sizes, travel)
+
+    def wide_blades(self, sizes: Any, nu: float) -> WideBlades | None:
+        """Return nothing: bars twist."""
+        return None
+
+    @abstractmethod
+    def polar_moment(self, sizes: Any) -> Quantity:
+        """Return ∫r² dA of the section of a bar about its axis [m⁴]."""
+
+    def twisting_bars(self, sizes: Any) -> TwistingBars | None:
+        """Return all bars."""
+        polar = self.bars * self.polar_moment(sizes) * sizes.l
+        return TwistingBars(polar, self.is_restrained)
+
+    def farthest(self, sizes: Any) -> float:
+        """Return how far the farthest fibre is from the axis [m]."""
+        return float(self.section(sizes).edge ** 0.5)
 
     def rate(self, elastic: Elastic, sizes: Any, twist: float) -> Quantity:
         """Return the largest twist per length [rad/m]."""
@@ -210,6 +234,10 @@ class TorsionBar(TorsionGeometry):
         plain = self.shear(elastic, sizes, twist)
         return np.maximum(found.shear / plain, 1.0) * twist / l
 
+    def polar_moment(self, sizes: Blade) -> Quantity:
+        """Return that of a rectangle [m⁴]."""
+        return second_moment(sizes.h, sizes.b) + second_moment(sizes.b, sizes.h)
+
     def torsion_constant(self, sizes: Blade) -> Quantity:
         """Return J by Saint-Venant's series [m⁴]."""
         return torsion_section.torsion_constant(sizes.h, sizes.b)
@@ -285,6 +313,10 @@ class RoundTorsionBar(TorsionGeometry):
         area = pi * square
         return Section(area, square / 2.0, area * square**2 / 3.0, square, 1.0)
 
+    def polar_moment(self, sizes: RoundSizes) -> Quantity:
+        """Return π d⁴/32 [m⁴]."""
+        return pi * sizes.d**4 / 32.0
+
     def torsion_constant(self, sizes: RoundSizes) -> Quantity:
         """Return π d⁴/32 [m⁴]."""
         return torsion_shapes.circle_torsion_constant(sizes.d)
@@ -338,6 +370,10 @@ class TorsionStar(TorsionGeometry):
         fourth = n * torsion_fibres.rectangle_fourth_moment(h, b)
         square = h**2 + b**2
         return Section(n * h * b, square / 12.0, fourth, square / 4.0, NARROW_SIDE)
+
+    def polar_moment(self, sizes: Blade) -> Quantity:
+        """Return that of all strips [m⁴]."""
+        return self.strips * (second_moment(sizes.h, sizes.b) + second_moment(sizes.b, sizes.h))
 
     def torsion_constant(self, sizes: Blade) -> Quantity:
         """Return n b h³/3 [m⁴]."""

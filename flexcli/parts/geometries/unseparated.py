@@ -8,6 +8,9 @@ from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import QuantityOf
+from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending.joined import Joined
+from flexcli.parts.bending.wide import wide_halves
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.pivots import PairPivot
@@ -46,6 +49,15 @@ class UnseparatedPivot(PairPivot):
             E=elastic.E, h=sizes.h, l=sizes.l, theta=travel
         )
         return {"crossing": crossing, "ends": ends}
+
+    def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
+        """Return that of two pivots in series."""
+        h, l, _ = map(float, sizes)
+        return Joined(h=h, l=l, crossing=self.crossing, theta=travel, half_angle=self.half_angle)
+
+    def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
+        """Return the factors of its part-blades."""
+        return wide_halves(sizes, nu, self.crossing)
 
     def s_bending_share(self, sizes: Blade) -> float:
         """Return ¾ (1/c + 1/(1 − c)): ¾ of each part, whose Φ is that of its own length."""

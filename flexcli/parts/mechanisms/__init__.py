@@ -2,13 +2,17 @@
 
 from typing import Annotated, TypeAlias
 
-from pydantic import Field
-
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
-from flexcli.parts.mechanisms.parallel_stage import ParallelStage
-from flexcli.parts.mechanisms.payload import Payload
-from flexcli.parts.mechanisms.tip_mass import TipMass
+from flexcli.parts.named import Kinds
 
-__all__ = ["AnyMechanism", "Mechanism", "MechanismError", "Mode"]
+__all__ = ["MECHANISMS", "AnyMechanism", "Mechanism", "MechanismError", "Mode"]
 
-AnyMechanism: TypeAlias = Annotated[ParallelStage | Payload | TipMass, Field(discriminator="kind")]
+MECHANISMS = Kinds(
+    {
+        "parallel-stage": "flexcli.parts.mechanisms.parallel_stage:ParallelStage",
+        "payload": "flexcli.parts.mechanisms.payload:Payload",
+        "tip-mass": "flexcli.parts.mechanisms.tip_mass:TipMass",
+    }
+)
+
+AnyMechanism: TypeAlias = Annotated[Mechanism, MECHANISMS]

@@ -1,18 +1,20 @@
 """What a mechanism offers: how the joint's motion and load follow from those of the bodies."""
 
 from abc import abstractmethod
-from typing import Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import model_validator
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.mechanics.single_freedom import SingleFreedom
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.stroke import Stroke
-from flexcli.parts.structure import Structure
 from flexcli.results import Note, Value
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.single_freedom import SingleFreedom
+    from flexcli.parts.structure import Structure
 
 __all__ = ["Damping", "Mechanism", "MechanismError", "Mode"]
 
@@ -63,6 +65,8 @@ class Mechanism(Part):
 
     joints: ClassVar[int]
     joint_motion: ClassVar[str | None]
+    joint_kind: ClassVar[str | None] = None
+    """The only kind of joint that it sits on."""
 
     damping: Damping | None = None
     """Damping of the mechanism's own motion, e.g. ``{q: 100}``."""
@@ -89,6 +93,22 @@ class Mechanism(Part):
         """Return the force on the joint [N] when the free mechanism is accelerated in its plane."""
 
     @property
+    def states_stiffness(self) -> bool:
+        """Return whether it states the stiffness of its joints itself."""
+        return False
+
+    def blades_in_motion(
+        self, geometry: Geometry, elastic: Elastic, sizes: Sizes, density: float
+    ) -> float:
+        """Return the mass of its blades as its own motion moves them [kg], stiffness stated."""
+        raise MechanismError("mechanism", "this mechanism states no stiffness of its joints", "")
+
+    @property
+    def turning_inertia(self) -> float | None:
+        """Return the inertia of the one body that its joint turns [kg·m²], where it is stated."""
+        return None
+
+    @property
     def arm(self) -> float:
         """Return how far its centre of mass is beyond the joint's centre, along the blades [m]."""
         return 0.0
@@ -105,7 +125,7 @@ class Mechanism(Part):
         sizes: Sizes,
         lock: str | None,
         density: float = 0.0,
-    ) -> Structure:
+    ) -> "Structure":
         """Return the mechanism as a linear structure, for its vibration.
 
         ``density`` is that of the blades [kg/m³]; 0 leaves their mass out.
@@ -119,7 +139,7 @@ class Mechanism(Part):
         *,
         balanced: bool = True,
         shift: float = 0.0,
-    ) -> SingleFreedom:
+    ) -> "SingleFreedom":
         """Return the mechanism as bodies on its one degree of freedom.
 
         ``balanced`` mounts the balancing masses; ``shift`` is the parasitic motion of a joint per

@@ -1,31 +1,14 @@
 """A body on one joint, together with the bodies that the joint itself is drawn of."""
 
-from math import hypot
-
-import numpy as np
-
-from flexcli.mechanics.layout import Body, Layout, Point
+from flexcli.mechanics.layout import Body
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Geometry, Sizes
-from flexcli.parts.geometries.hinged import HingedPivot, HingedStage
-from flexcli.parts.geometries.leaf_stage import LeafSpringStage
-from flexcli.parts.geometries.linkage import LinkageGeometry
-from flexcli.parts.geometries.single_blade import MomentBlade
 from flexcli.parts.structure import OwnMotion, PlacedJoint, Structure, assemble, joined, turned
 
 __all__ = [
     "carried",
-    "has_limbs",
-    "has_masses",
     "is_guided",
-    "joint_layout",
 ]
-
-PIECE = np.array([-1.0, 1.0])
-"""Both ends of a piece of a profile."""
-
-ROUNDING = 1e-9
-"""Share of a blade's length that no piece covers, from which a part of it is rigid."""
 
 
 def carried(
@@ -65,9 +48,9 @@ def carried(
         When the joint is not made of blades in a plane.
 
     """
-    layout = joint_layout(geometry, elastic, sizes)
+    layout = geometry.blades_layout(elastic, sizes)
     moving = layout.body(MOVING)
-    centre = _centre(geometry, moving)
+    centre = geometry.payload_point(moving.point)
     com = centre[0] + offset, centre[1]
     own = moving._replace(com=moving.com if moving.mass else com)
     both = joined(name, centre, [own, Body(name, centre, mass, inertia, com)])
@@ -87,39 +70,6 @@ def carried(
     )
 
 
-def joint_layout(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> Layout:
-    """Return the blades of a joint; the distance between those that guide plays no part."""
-    if isinstance(geometry, LeafSpringStage) and geometry.spacing is None:
-        geometry = geometry.model_copy(update={"spacing": float(sizes.l)})
-    return geometry.layout(elastic, sizes)
-
-
-def has_masses(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> bool:
-    """Return whether the joint draws bodies that have mass or inertia themselves."""
-    if geometry.closed_forms:
-        return False
-    return any(body.mass or body.inertia for body in geometry.layout(elastic, sizes).bodies)
-
-
-def has_limbs(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> bool:
-    """Return whether rigid parts between hinges move that have no stated mass."""
-    if isinstance(geometry, HingedPivot | HingedStage | LinkageGeometry):
-        return True
-    for blade in joint_layout(geometry, elastic, sizes).blades:
-        l = hypot(*np.subtract(blade.end, blade.start))
-        ends = [np.ravel(piece.position(PIECE)) for piece in blade.profile.pieces(l)]
-        if sum(float(end - start) for start, end in ends) < (1.0 - ROUNDING) * l:
-            return True
-    return False
-
-
 def is_guided(geometry: Geometry) -> bool:
     """Return whether its blades, or what drives it, keep the body from turning."""
-    x_y_phi = geometry.held(0.0)
-    held = geometry.motion == "translation" and x_y_phi[2] is not None
-    return held or isinstance(geometry, LeafSpringStage)
-
-
-def _centre(geometry: Geometry, moving: Body) -> Point:
-    """Return the joint's centre, where a payload has its centre of mass: it only turns there."""
-    return (0.0, 0.0) if isinstance(geometry, MomentBlade) else moving.point
+    return geometry.is_guided or geometry.keeps_level

@@ -18,7 +18,6 @@ from flexcli.parts.base import Angle, Mass, QuantityOf, Shorthand, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
-from flexcli.parts.mechanisms.carried import joint_layout
 from flexcli.parts.mechanisms.force_balance import Balancing, Unknown, balance
 from flexcli.parts.mechanisms.free_value import Free, OrFree
 from flexcli.parts.mechanisms.stage_bodies import BalancingMass, InertiaTensor, Lever, Platform
@@ -218,6 +217,11 @@ class ParallelStage(Mechanism):
         """Return 1/H: each pivot turns by x/H."""
         return 1.0 / self.height
 
+    @property
+    def states_stiffness(self) -> bool:
+        """Return whether any pivot's stiffness is stated."""
+        return self.pivot_stiffness is not None
+
     def stiffnesses(self, joint_stiffness: Quantity) -> tuple[Quantity, ...]:
         """Return k_1 to k_4: as stated, else of the joint."""
         stated = self.pivot_stiffness or (None,) * self.joints
@@ -321,7 +325,7 @@ class ParallelStage(Mechanism):
         return assemble(
             bodies,
             joints,
-            joint_layout(geometry, elastic, sizes),
+            geometry.blades_layout(elastic, sizes),
             None if lock else OwnMotion(platform, (1.0, 0.0, 0.0), "travel"),
             density=density,
             held=() if lock else [(platform, 2)],

@@ -38,6 +38,11 @@ class Payload(Mechanism):
             raise spec_error("a payload without mass", "give its mass, e.g. 0.8 kg", at=("mass",))
         return self
 
+    @property
+    def turning_inertia(self) -> float | None:
+        """Return its inertia [kg·m²]."""
+        return self.inertia
+
     def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:
         """Return the stroke itself, which must be the joint's kind of motion."""
         if stroke.motion != geometry.motion:

@@ -25,7 +25,7 @@ class TipMass(Mechanism):
 
     joints: ClassVar[int] = 1
     joint_motion: ClassVar[str | None] = None
-    joint_kind: ClassVar[str] = "cantilever"
+    joint_kind: ClassVar[str | None] = "cantilever"
 
     kind: Literal["tip-mass"]
     mass: BodyMass
@@ -50,6 +50,11 @@ class TipMass(Mechanism):
         m, a, r = self.mass, self.offset / l, self.inertia / l**2
         trace = m * (1.0 + 3.0 * a * (1.0 + a)) + 3.0 * r
         return (trace + sqrt(trace**2 - 3.0 * m * r)) / 2.0
+
+    @property
+    def turning_inertia(self) -> float | None:
+        """Return its inertia [kg·m²]."""
+        return self.inertia
 
     def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:
         """Return the stroke of the blade's end, a translation."""

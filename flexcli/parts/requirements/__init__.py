@@ -1,26 +1,16 @@
 """Requirements that a spec can ask; a new one is a file here and a field below."""
 
 from collections.abc import Iterator
-from typing import Annotated, Any, TypeVar, get_args
+from typing import Annotated, Any, TypeAlias, TypeVar, get_args
 
 from pydantic import BeforeValidator, Field
 
 from flexcli.parts.base import OneOrMore, Part
+from flexcli.parts.named import Named
 from flexcli.parts.requirements.as_printed import AS_PRINTED
 from flexcli.parts.requirements.ask import Answers, Ask, EndStress, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit, Requirement
-from flexcli.parts.requirements.buckling import Buckling
 from flexcli.parts.requirements.closed_form import CLOSED_FORM
-from flexcli.parts.requirements.dynamic import DynamicBuckling, DynamicLife, DynamicYield
-from flexcli.parts.requirements.fatigue import Fatigue
-from flexcli.parts.requirements.frequency import Frequency
-from flexcli.parts.requirements.mass import Mass
-from flexcli.parts.requirements.parasitic_shift import ParasiticShift
-from flexcli.parts.requirements.sag import Sag
-from flexcli.parts.requirements.shape import Slenderness, WidthRatio
-from flexcli.parts.requirements.stiffness import Stiffness
-from flexcli.parts.requirements.support import Deflection, Support
-from flexcli.parts.requirements.yielding import Yield
 
 __all__ = [
     "AS_PRINTED",
@@ -36,6 +26,8 @@ __all__ = [
     "are_at_rest",
 ]
 
+_HERE = "flexcli.parts.requirements"
+
 Kind = TypeVar("Kind", bound=Requirement)
 
 
@@ -45,6 +37,22 @@ def _as_list(data: Any) -> Any:
 
 Several = Annotated[tuple[Kind, ...], BeforeValidator(_as_list), Field(min_length=1), OneOrMore()]
 """One requirement of a kind, or a list of them (e.g. one per case)."""
+
+Fatigue: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.fatigue:Fatigue")]
+Buckling: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.buckling:Buckling")]
+Yield: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.yielding:Yield")]
+DynamicYield: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.dynamic:DynamicYield")]
+DynamicBuckling: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.dynamic:DynamicBuckling")]
+DynamicLife: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.dynamic:DynamicLife")]
+Stiffness: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.stiffness:Stiffness")]
+Frequency: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.frequency:Frequency")]
+Sag: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.sag:Sag")]
+Mass: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.mass:Mass")]
+ParasiticShift: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.parasitic_shift:ParasiticShift")]
+Support: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.support:Support")]
+Deflection: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.support:Deflection")]
+Slenderness: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.shape:Slenderness")]
+WidthRatio: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.shape:WidthRatio")]
 
 
 class Requirements(Part):
@@ -99,15 +107,15 @@ class Requirements(Part):
                 yield (info.alias or field, index), requirement
 
 
-AT_REST = {
-    info.alias or field
+_BY_KEY: dict[str, Named] = {
+    # of Several[Kind] | None
+    info.alias or field: get_args(get_args(get_args(info.annotation)[0])[0])[0].__metadata__[0]
     for field, info in Requirements.model_fields.items()
-    # the class of Several[Kind] | None
-    if not get_args(get_args(get_args(info.annotation)[0])[0])[0].per_case
 }
-"""Requirements of the joint itself, whatever it lives through."""
 
 
 def are_at_rest(written: Any) -> bool:
     """Return whether requirements, as a spec has them, are all of the joint itself."""
-    return isinstance(written, dict) and bool(written) and AT_REST.issuperset(written)
+    if not isinstance(written, dict) or not written:
+        return False
+    return all(key in _BY_KEY and not _BY_KEY[key].classes[0].per_case for key in written)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from flexcli.formulas.quantity import Quantity
 from flexcli.numerics.signomial import Signomial
-from flexcli.parts.bending import FLOOR, is_known
+from flexcli.parts.bending import FLOOR
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements.ask import Answers, Ask, EndStress
@@ -73,7 +73,7 @@ def _is_estimated(ask: Ask, kind: QuantityKind) -> bool:
             reach += scene.push / ask.geometry.stiffness(elastic, ask.sizes)
         except NotAvailable:
             return False
-    return is_known(ask.geometry, elastic, ask.sizes, reach, kind)
+    return ask.geometry.is_known(elastic, ask.sizes, reach, kind)
 
 
 def stress_name(ask: Ask) -> str:

@@ -4,6 +4,7 @@ from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from flexcli.formulas.quantity import Quantity
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
@@ -72,13 +73,13 @@ class Answers(ABC):
     """
 
     model: str
-    covers: ClassVar[frozenset[str]] = frozenset()
-    """Names of the effects that it can carry, and leave out."""
-    always: ClassVar[frozenset[str]] = frozenset()
-    """Names of the effects that it cannot leave out."""
+    covers: ClassVar[frozenset[EffectName]] = frozenset()
+    """The effects that it can carry, and leave out."""
+    always: ClassVar[frozenset[EffectName]] = frozenset()
+    """The effects that it cannot leave out."""
 
-    def carried(self, setting: "Setting") -> frozenset[str]:
-        """Return the names of the effects that its numbers have in a design."""
+    def carried(self, setting: "Setting") -> frozenset[EffectName]:
+        """Return the effects that its numbers have in a design."""
         return self.covers | self.always
 
     def frequency_factor(self, ask: Ask) -> float:

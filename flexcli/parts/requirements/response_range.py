@@ -10,7 +10,7 @@ from flexcli.errors import SolveError
 from flexcli.numerics.modes import natural_modes
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.mechanisms.carried import carried, has_limbs
+from flexcli.parts.mechanisms.carried import carried
 from flexcli.parts.own_motion import DENSEST, structure_of
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.structure import Structure
@@ -103,7 +103,7 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
     factor = float(ask.answers.stiffness(ask)) / joint
     structure = plain.stiffened(factor)
     off = ask.answers.error(ask, QuantityKind.STIFFNESS)
-    if off is None or has_limbs(geometry, elastic, sizes):
+    if off is None or geometry.has_limbs(elastic, sizes):
         return Uncertain(structure, None)
     ends = [factor * (1.0 + off.low), factor * (1.0 + off.high)]
     if _leaves_its_motion(ask):

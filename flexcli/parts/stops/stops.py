@@ -14,18 +14,9 @@ from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.stops.contact import AnyContact, Ball, Cylinder, Rigid
 from flexcli.parts.stops.strength import Strength
 
-__all__ = ["Stops", "StopsMisfit"]
+__all__ = ["Stops"]
 
 Place = Annotated[float | Free, OrFree("length", above=0.0)]
-
-
-class StopsMisfit(ValueError):
-    """Stops that do not fit the rest of the design; ``at`` is the path of what is at fault."""
-
-    def __init__(self, at: tuple[str, ...], text: str, hint: str) -> None:
-        super().__init__(text)
-        self.at = at
-        self.hint = hint
 
 
 class Simulation(Part):
@@ -103,34 +94,35 @@ class Stops(Part):
     def refuse_misfit(
         self, material: Material, geometry: Geometry, mechanism: Mechanism | None
     ) -> None:
-        """Raise :class:`StopsMisfit` where the design has no ground for these stops."""
+        """Raise a finding where the design has no ground for these stops."""
         if not isinstance(mechanism, TipMass):
-            raise StopsMisfit(
-                ("stops",),
+            raise spec_error(
                 "stops hold a cantilever with a mass on its end",
                 "give mechanism: (kind: tip-mass, mass: …)",
+                at=("stops",),
             )
         for key, strength in (("bending", self.bending), ("shear", self.shear)):
             try:
                 if strength is not None:
                     strength.of(material)
             except MissingProperty as missing:
-                raise StopsMisfit(
-                    ("stops", key),
+                raise spec_error(
                     str(missing),
                     f"give material.{missing.field}, or name another allowable",
+                    at=("stops", key),
                 ) from missing
         if isinstance(self.contact, Ball | Cylinder):
             bodies = ((("material",), material), (("stops", "contact"), self.contact.material))
             for at, body in bodies:
                 if body.elastic.nu is None:
-                    raise StopsMisfit(
-                        at, "a contact's stress needs Poisson's ratio", "add poisson_ratio"
+                    raise spec_error(
+                        "a contact's stress needs Poisson's ratio", "add poisson_ratio", at=at
                     )
         length = geometry.extents["l"].fixed
         height = self.height
         if length is not None and isinstance(height, float) and height >= length:
-            raise StopsMisfit(
-                ("stops", "height"), "the stop does not stand along the blade",
+            raise spec_error(
+                "the stop does not stand along the blade",
                 f"write less than {length * 1e3:g} mm",
-            )  # fmt: skip
+                at=("stops", "height"),
+            )

@@ -1,0 +1,58 @@
+"""A start loads what a check needs: counted in modules, for seconds are the machine's."""
+
+import subprocess
+import sys
+from collections import Counter
+
+import pytest
+
+from flexcli.parts.geometries import GEOMETRIES
+from flexcli.parts.mechanisms import MECHANISMS
+
+EASY = """
+flexure: 1
+material: {youngs_modulus: 114 GPa, yield_strength: 800 MPa, poisson_ratio: 0.34}
+geometry: {kind: cross-spring, delta: -0.5, half_angle: 45 deg, h: 0.1 mm, l: 20 mm, b: 5 mm}
+stroke: {rotation: 2 deg}
+requirements: {yield: 1.5}
+"""
+
+LOADED = """
+import sys
+sys.argv = ["flexure", "check", sys.argv[1]]
+from flexcli.cli.app import main
+try:
+    main()
+except SystemExit as end:
+    code = end.code
+print(code, *sorted(name for name in sys.modules if name.partition(".")[0] == "flexcli"))
+"""
+
+
+@pytest.fixture(scope="module")
+def loaded(tmp_path_factory):
+    """Return the modules of ours that a check of an easy design has loaded at its end."""
+    spec = tmp_path_factory.mktemp("easy") / "flexure.yaml"
+    spec.write_text(EASY, encoding="utf-8")
+    run = subprocess.run(
+        [sys.executable, "-c", LOADED, str(spec)],
+        capture_output=True, text=True, check=True, timeout=60,
+    )  # fmt: skip
+    code, *names = run.stdout.splitlines()[-1].split()
+    assert code == "0", run.stdout + run.stderr
+    return names
+
+
+def test_a_check_that_the_closed_form_decides_loads_150_modules_at_most(loaded):
+    assert len(loaded) <= 150, Counter(".".join(name.split(".")[:2]) for name in loaded)
+
+
+def test_it_loads_the_one_joint_that_the_spec_names_and_no_mechanism(loaded):
+    paths = {**GEOMETRIES.paths, **MECHANISMS.paths}
+    named = {path.partition(":")[0] for path in paths.values()}
+    assert named & set(loaded) == {"flexcli.parts.geometries.cross_spring"}
+
+
+def test_it_loads_no_solver_of_a_finer_model(loaded):
+    solvers = {"equilibrium", "linear", "linear_buckling", "stability", "vibrating_layout"}
+    assert not {f"flexcli.mechanics.{name}" for name in solvers} & set(loaded)
