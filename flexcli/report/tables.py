@@ -20,7 +20,7 @@ Cell = str | tuple[str, str]
 GAP = 2
 """Spaces between columns, and before what belongs to a line above."""
 
-FEWEST = 16
+FEWEST = 12
 """Characters of a column of texts, if they have as many, below which blocks read better."""
 
 
