@@ -1,4 +1,4 @@
-"""``flexure explain``: the formulas of a joint, where they hold, and where they come from."""
+"""``flexure explain``: what a spec may say, and the formulas behind it with their source."""
 
 from typing import Annotated
 
@@ -14,23 +14,29 @@ NAME = "explain"
 
 def run(
     name: Annotated[
-        str | None, typer.Argument(help="Name a joint or a formula; left out, they are listed.")
+        str | None,
+        typer.Argument(help="Name a joint, a key of the spec, or a formula; left out, a list."),
     ] = None,
     table: Annotated[
         str | None, typer.Option("--table", help="Print a chart as data, e.g. delta.")
     ] = None,
     style: CatalogueFormatOption = Format.TEXT,
 ) -> None:
-    """Explain a joint or a formula.
+    """Explain a joint, a key of the spec, or a formula.
 
-    Each formula has symbols, units, validity, source and a worked case.
+    Keys come with units, default and YAML to copy; formulas with symbols, validity and source.
     """
     from flexcli.engine.explain import explain, topics
     from flexcli.errors import SpecError
     from flexcli.report import explanation
+    from flexcli.spec.manual import entries, names
 
     try:
-        found = topics() if name is None else (explain(name, table),)
+        if name is None:
+            found = topics()
+        else:
+            fields = entries(name)
+            found = (explain(name, table, fields, names()),)
     except SpecError as error:
         fail(NAME, name or "", error, style)
     if style is Format.JSON:

@@ -36,7 +36,7 @@ from flexcli.formulas import (
 )
 from flexcli.formulas.card import Card, Range, Symbol, Table, sheet
 from flexcli.parts.geometries import GEOMETRIES
-from flexcli.results import Explanation, FormulaRow, SymbolRow, TableRow, ValidityRow
+from flexcli.results import Explanation, FieldRow, FormulaRow, SymbolRow, TableRow, ValidityRow
 
 __all__ = ["explain", "topics"]
 
@@ -97,8 +97,15 @@ def topics() -> tuple[Explanation, ...]:
     )
 
 
-def explain(name: str, table: str | None = None) -> Explanation:
+def explain(
+    name: str,
+    table: str | None = None,
+    fields: tuple[FieldRow, ...] = (),
+    others: tuple[str, ...] = (),
+) -> Explanation:
     """Return a topic in full, with one of its tables where it is asked for.
+
+    ``fields`` are what a spec knows of the name, ``others`` the names of all that it knows.
 
     Raises
     ------
@@ -108,15 +115,17 @@ def explain(name: str, table: str | None = None) -> Explanation:
     """
     found = _topics()
     names = {alias: key for key, topic in found.items() for alias in (key, *topic.also)}
+    if name not in names and fields and table is None:
+        return Explanation(name, (), fields[0].text, (), fields=fields)
     if name not in names:
-        near = get_close_matches(name, names, 3)
+        near = get_close_matches(name, dict.fromkeys((*names, *others)), 3)
         hint = f"did you mean {' or '.join(near)}?" if near else "'flexure explain' lists all"
         raise SpecError([Finding(name, "there is nothing of this name to explain", hint)])
     key = names[name]
     topic = found[key]
     rows = tuple(_row(card) for card in topic.cards)
     if table is None:
-        return Explanation(key, topic.also, topic.title, rows)
+        return Explanation(key, topic.also, topic.title, rows, fields=fields)
     tables = {name: each for card in topic.cards for name, each in card.tables.items()}
     if table not in tables:
         hint = f"it has {', '.join(tables)}" if tables else "it has none"

@@ -137,11 +137,26 @@ def _entries(section: str) -> list[Symbol]:
         unit = _UNIT.search(meaning)
         said = "" if unit is None or unit[1] == "-" else unit[1]
         spoken = re.sub(r"\s+([.,;])", r"\1", " ".join(_UNIT.sub("", meaning).split()))
-        found += [
-            Symbol(name.strip(), said, spoken.rstrip(".,"))
-            for name in names.split(":")[0].split(",")
-        ]
+        each = [name.strip() for name in names.split(":")[0].split(",")]
+        meanings = _one_by_one(spoken.rstrip(".,"), len(each))
+        found += [Symbol(*pair) for pair in zip(each, (said,) * len(each), meanings, strict=True)]
     return found
+
+
+def _one_by_one(meaning: str, count: int) -> list[str]:
+    """Return what each of several symbols is, of a text such as "Length and width of a blade"."""
+    listed = meaning.partition(";")[0]
+    parts = re.split(r",? and |, ", listed)
+    if count == 2 and len(parts) != 2:
+        parts = re.split(r",? and ", listed, maxsplit=1)
+    if count == 1 or len(parts) != count:
+        return [meaning] * count
+    if parts[0].endswith("'s"):  # Young's and shear modulus
+        parts[0] = f"{parts[0]} {parts[1].split()[1]}"
+    whole = re.search(r" of .*| between .*| in .*", parts[-1])
+    tail = whole[0] if whole else ""
+    found = [part if part.endswith(tail) or " of " in part else part + tail for part in parts]
+    return [part[:1].upper() + part[1:] for part in found]
 
 
 def outside(validity: tuple[Range, ...], at: Mapping[str, float]) -> list[Range]:

@@ -7,8 +7,14 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, ValidationError, field_validator, model_validator
-from pydantic_core import InitErrorDetails, PydanticCustomError
+from pydantic import (
+    Field,
+    GetJsonSchemaHandler,
+    ValidationError,
+    field_validator,
+    model_validator,
+)
+from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError
 
 from flexcli.formulas.decibels import levels_from_slopes, scale_level
 from flexcli.formulas.miles import MilesWorstCase, miles_worst_case
@@ -61,7 +67,7 @@ class Breakpoint(Part):
     level: AccelerationDensity
     """Acceleration spectral density at the corner, e.g. ``0.02 g^2/Hz``."""
     step: bool = False
-    """Whether the level jumps here: the point before has the same frequency, e.g. ``true``."""
+    """Whether the level jumps here: the point before has the same frequency, e.g. ``false``."""
 
     @field_validator("step", mode="before")
     @classmethod
@@ -178,6 +184,13 @@ class ASDProfile(Part):
     """Root mean square that the document prints, to check the numbers by, e.g. ``14.1 g``."""
     mass_scaling: MassScaling | None = None
     """How the level falls for heavier items, e.g. ``{reference: 22.7 kg, uniform_to: 182 kg}``."""
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        whole = handler.resolve_ref_schema(handler(schema))
+        return {**whole, "anyOf": [{"required": ["points"]}, {"required": ["start", "segments"]}]}
 
     @model_validator(mode="after")
     def _is_one_profile(self) -> "ASDProfile":

@@ -209,9 +209,16 @@ def or_free(quantity: QuantityOf) -> dict[str, Any]:
     """Return the JSON Schema of a quantity, ``free``, or free between bounds."""
     given = quantity.json_schema()
     ends = {"type": "array", "items": {"anyOf": [given, {"type": "null"}]}}
+    free = {
+        **ends,
+        "minItems": 2,
+        "maxItems": 2,
+        "description": "Bounds between which it is chosen, least and most; null is no bound",
+        "examples": [[None, DIMENSIONS[quantity.dimension].example]],
+    }
     bounded = {
         "type": "object",
-        "properties": {"free": {**ends, "minItems": 2, "maxItems": 2}},
+        "properties": {"free": free},
         "required": ["free"],
         "additionalProperties": False,
     }

@@ -88,7 +88,7 @@ class DesignSpec(Part):
     """
     stops: Stops | None = None
     """End stops along a blade with a tip mass,
-    e.g. ``{height: 10 mm, gap: 0.2 mm, bending: 1.5}``.
+    e.g. ``{height: 10 mm, gap: 0.2 mm, bending: 1.5, simulation: {modes: 3}}``.
     """
     accuracy: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] | None = None
     """Error that every reported number may have; effects are on where it needs them,

@@ -93,9 +93,9 @@ class SNPoint(Part):
     """One point of an S-N curve: cycles to failure at a stress amplitude."""
 
     cycles: Count
-    """Cycles to failure, e.g. ``1e6``."""
+    """Cycles to failure, e.g. ``1e4``."""
     amplitude: Stress
-    """Stress amplitude, half of the range, e.g. ``500 MPa``."""
+    """Stress amplitude, half of the range, e.g. ``700 MPa``."""
 
 
 class Basquin(Part):
@@ -131,7 +131,7 @@ class SNCurve(_WithSource):
 
     points: tuple[SNPoint, ...] = ()
     """Points of the curve by rising cycles; or give basquin,
-    e.g. ``[{cycles: 1e4, amplitude: 700 MPa}, {cycles: 1e7, amplitude: 510 MPa}]``.
+    e.g. ``points: [{cycles: 1e4, amplitude: 700 MPa}, {cycles: 1e7, amplitude: 510 MPa}]``.
     """
     basquin: Basquin | None = None
     """Basquin's law, amplitude = coefficient (2 N)^exponent,
@@ -177,7 +177,7 @@ class Material(Part):
 
     extends: str = ""
     """Name or path of a material whose values hold where none are given here,
-    e.g. ``ti-6al-4v``.
+    e.g. ``extends: ti-6al-4v``.
     """
     name: str = ""
     """Name that reports print, e.g. ``Ti-6Al-4V``."""

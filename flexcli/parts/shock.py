@@ -49,10 +49,10 @@ class Shock(Part):
     e.g. ``{acceleration: 30 g, duration: 11 ms}``.
     """
     velocity: Annotated[float, QuantityOf("velocity", above=0.0)] | None = None
-    """A sudden change of the base's velocity, e.g. ``1 m/s``."""
+    """A sudden change of the base's velocity, e.g. ``velocity: 1 m/s``."""
     srs: tuple[SpectrumPoint, ...] = ()
     """A shock response spectrum, two points or more,
-    e.g. ``[{frequency: 100 Hz, acceleration: 50 g}, {frequency: 2 kHz, acceleration: 1000 g}]``.
+    e.g. ``srs: [{frequency: 10 Hz, acceleration: 5 g}, {frequency: 2 kHz, acceleration: 900 g}]``.
     """
     q: Annotated[float, QuantityOf("ratio", at_least=0.5)] = 10.0
     """Quality factor Q of the response,

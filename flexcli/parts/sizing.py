@@ -71,7 +71,7 @@ class Minimize(Part):
     minimize: str | None = None
     """A size, or volume, mass or k_pivot, that shall be least, e.g. ``k_pivot``."""
     maximize: str | None = None
-    """A size that shall be largest, e.g. ``h``."""
+    """A size that shall be largest, e.g. ``maximize: h``."""
 
     @model_validator(mode="after")
     def _one(self) -> "Minimize":

@@ -47,9 +47,9 @@ class Stroke(Part):
     """Travel of the stage (translation) or of the joint (rotation) and its number of cycles."""
 
     translation: Travel[Length] | None = None
-    """Travel of a stage: an amplitude, or a range from rest, e.g. ``[0 um, 820 um]``."""
+    """Travel of a stage: an amplitude, or a range, e.g. ``translation: [0 um, 820 um]``."""
     rotation: Travel[Angle] | None = None
-    """Turn of a pivot: an amplitude, or a range from rest, e.g. ``5 deg``."""
+    """Turn of a pivot: an amplitude, or a range from rest, e.g. ``rotation: 5 deg``."""
     cycles: Count | None = None
     """Number of cycles, which fatigue asks for, e.g. ``cycles: 1e6, rotation: 5 deg``."""
 

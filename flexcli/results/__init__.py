@@ -19,7 +19,9 @@ from flexcli.results.balance import (
 )
 from flexcli.results.explanation import (
     Explanation,
+    FieldRow,
     FormulaRow,
+    KeyRow,
     SymbolRow,
     TableRow,
     ValidityRow,
@@ -82,8 +84,10 @@ __all__ = [
     "EffectRow",
     "ErrorRange",
     "Explanation",
+    "FieldRow",
     "FormulaRow",
     "GravityRow",
+    "KeyRow",
     "ModeResult",
     "ModelAccuracy",
     "ModelRow",

@@ -3,7 +3,15 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-__all__ = ["Explanation", "FormulaRow", "SymbolRow", "TableRow", "ValidityRow"]
+__all__ = [
+    "Explanation",
+    "FieldRow",
+    "FormulaRow",
+    "KeyRow",
+    "SymbolRow",
+    "TableRow",
+    "ValidityRow",
+]
 
 
 class SymbolRow(NamedTuple):
@@ -49,11 +57,41 @@ class TableRow(NamedTuple):
     note: str
 
 
+class KeyRow(NamedTuple):
+    """A key of a part of a spec: its name, what it means, how it is written, its default."""
+
+    name: str
+    text: str
+    written: str
+    default: str
+    required: bool
+
+
+class FieldRow(NamedTuple):
+    """A key of a spec, or a kind of part: where, what, how it is written, YAML to copy.
+
+    ``also`` are other places of the same meaning, ``kinds`` the parts that have it, ``keys`` what
+    it holds, ``axes`` a sketch of them.
+    """
+
+    path: str
+    also: tuple[str, ...]
+    kinds: tuple[str, ...]
+    text: str
+    written: str
+    default: str
+    required: bool
+    keys: tuple[KeyRow, ...]
+    axes: str
+    example: str
+
+
 class Explanation(NamedTuple):
-    """A part, or a formula alone."""
+    """A part, or a formula alone; ``fields`` are what a spec says of it."""
 
     name: str
     also: tuple[str, ...]
     title: str
     formulas: tuple[FormulaRow, ...]
     table: TableRow | None = None
+    fields: tuple[FieldRow, ...] = ()

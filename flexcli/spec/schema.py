@@ -59,6 +59,10 @@ class _Generator(GenerateJsonSchema):
         """Leave out titles: they repeat the names of the fields."""
         return False
 
+    def sort(self, value: JsonSchemaValue, parent_key: str | None = None) -> JsonSchemaValue:
+        """Keep the order: keys and examples stand as a designer writes them."""
+        return value
+
     def model_schema(self, schema: core_schema.ModelSchema) -> JsonSchemaValue:
         """Return the schema of a part with what its fields mean."""
         found = super().model_schema(schema)
@@ -114,7 +118,7 @@ def _about(model: type[BaseModel], name: str, info: FieldInfo) -> dict[str, Any]
         text = f"{{{said.example}}}" if lines else f"{key}: {said.example}"
         beside = parse_document(text, "").value
         about["examples"] = [beside.pop(key)]
-        if beside:
+        if lines:
             about[BESIDE] = beside
     default = _written(info)
     return about if default in (None, "") else {**about, "default": default}

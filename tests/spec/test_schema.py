@@ -33,8 +33,7 @@ MUTANTS = 500
 
 BEYOND = {
     "between keys of a part": (
-        "stands beside", "asd: 'points' is missing", "asd: 'start' is missing",
-        "start: a profile needs a segment", "has a slope, or the level", "no level is given",
+        "stands beside",  "has a slope, or the level", "no level is given",
         "placed by p or by delta", "no room for min or max", "names one quantity",
         "is a translation or a rotation", "by 'points' or by 'basquin'", "a thickness is h or",
         "must name its source", "how far the tip may go", "this case loads nothing",

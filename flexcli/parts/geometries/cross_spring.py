@@ -42,6 +42,9 @@ class CrossSpringPivot(PairPivot):
     )
 
     kind: Literal["cross-spring"]
+    """Separate blades that cross, or would cross, in the centre of rotation,
+    e.g. ``kind: cross-spring, delta: -0.5``.
+    """
     p: Length | None = None
     """Distance from the centre of rotation to the near end of each blade, negative where they
     cross,

@@ -233,6 +233,7 @@ class HingedPivot(_Hinged):
     also: ClassVar[tuple[str, ...]] = ("hinged-rcc", "hinged-cross")
 
     kind: Literal["hinged-pivot"]
+    """Two limbs with a notch hinge at each end, e.g. ``kind: hinged-pivot, p: 5 mm``."""
     p: Length | None = None
     """Distance from the centre of rotation to the inner hinges, negative where the limbs cross,
     e.g. ``p: 5 mm, half_angle: 45 deg``.

@@ -94,7 +94,7 @@ class DrawnBlade(Part):
     """Thickness, where it is constant; else give a profile, e.g. ``0.2 mm``."""
     profile: AnyProfile | None = None
     """Thickness along the blade, where it is not constant,
-    e.g. ``{kind: necked-down, h: 0.1 mm, l_c: 5 mm}``.
+    e.g. ``profile: {kind: necked-down, h: 0.1 mm, l_c: 5 mm}``.
     """
 
     @model_validator(mode="after")

@@ -44,9 +44,9 @@ class LinkageJoint(Part):
     links: tuple[Name, Name]
     """The two links that it joins, e.g. ``[crank, base]``."""
     at: Place = (0.0, 0.0)
-    """Point of the joint in the drawing, x and y, e.g. ``[0 mm, 50 mm]``."""
+    """Point of the joint in the drawing, x and y, e.g. ``[0 mm, 0 mm]``."""
     along: Direction | None = None
-    """Direction of a stage, as x and y; a pivot has none, e.g. ``[1, 0]``."""
+    """Direction of a stage, as x and y; a pivot has none, e.g. ``[0, 1]``."""
     flexure: AnyFlexure | None = None
     """The pivot or stage that the joint is; left out, it is ideal,
     e.g. ``{kind: cross-spring, delta: -0.5, half_angle: 45 deg, h: 0.1 mm, l: 15 mm, b: 5 mm}``.
@@ -85,7 +85,8 @@ class LinkageGeometry(Geometry):
     """Joint that the stroke moves, e.g. ``theta``."""
     joints: Annotated[dict[Name, LinkageJoint], Field(min_length=2, max_length=100)]
     """Joints by names of your own, each between two links,
-    e.g. ``{theta: {links: [crank, base]}, z: {links: [base, crank], along: [1, 0]}}``.
+    e.g. ``{theta: {links: [crank, base]}, beta: {links: [rod, crank], at: [0 mm, 50 mm]},
+    alpha: {links: [rod, stage], at: [-50 mm, 50 mm]}, z: {links: [base, stage], along: [1, 0]}}``.
     """
 
     @model_validator(mode="after")

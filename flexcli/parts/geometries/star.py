@@ -22,6 +22,7 @@ class StarPivot(BladePivot):
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints; exercise 12 B"
 
     kind: Literal["star"]
+    """Blades at given angles around one centre, e.g. ``kind: star, p: 2 mm``."""
     angles: Annotated[tuple[Angle, ...], Field(min_length=2, max_length=1000)]
     """Direction of each blade from x, e.g. ``angles: [0 deg, 120 deg, 240 deg], p: 2 mm``."""
     p: Length | None = None

@@ -42,7 +42,7 @@ class Damping(Part):
     q: Annotated[float, QuantityOf("ratio", at_least=0.5)] | None = None
     """Quality factor Q of the mechanism's own motion; or give ratio, e.g. ``100``."""
     ratio: Annotated[float, QuantityOf("ratio", above=0.0)] | None = None
-    """Damping ratio, 1/(2Q), e.g. ``0.5 %``."""
+    """Damping ratio, 1/(2Q), e.g. ``ratio: 0.5 %``."""
 
     @model_validator(mode="after")
     def _one(self) -> "Damping":

@@ -53,7 +53,7 @@ class Stops(Part):
     """Factor on the blade's bending stress, e.g. ``1.5``."""
     shear: Strength | None = None
     """Factor on the shear below a contact, against half the strength (Tresca),
-    e.g. ``shear: 1.5, contact: {kind: ball, radius: 5 mm, material: 17-4ph-h900}``.
+    e.g. ``shear: 1.5, bending: 1.5, contact: {kind: ball, radius: 5 mm, material: 17-4ph-h900}``.
     """
     simulation: Simulation = Simulation.model_construct()
     """How 'flexure stops --simulate' verifies the stops, e.g. ``{modes: 3, confidence: 90 %}``."""
