@@ -51,7 +51,7 @@ BEYOND = {
         "this standard changes the shape", "the longer the arm",
     ),
     "a bound that depends on the unit a number is written in": (
-        r"must be below (1|90 deg)$", "would make energy",
+        r"must be below (1|90 deg|to_cycles)$", "would make energy",
     ),
     "between parts of a design": (
         "no scaling with mass", "is in m, not", "is about$", "on exactly where", "what holds the",
@@ -248,7 +248,7 @@ def mutate(root: Any, random: Random) -> Any:
 def typos(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[Any, bool, list[str]]]:
     """Return typos that the tool refuses: values, whether the schema takes them, the findings."""
     folder, random = tmp_path_factory.mktemp("typos"), Random(14)
-    roots = [read_document(path).value for path in SPECS]
+    roots = [read_document(path).value for path in SPECS if "examples" not in path.parts]
     whole = [root for root in roots if ".yaml" not in json.dumps(root)]
     found: list[tuple[Any, bool, list[str]]] = []
     while len(found) < MUTANTS:
