@@ -162,7 +162,8 @@ class _Writer:
             return blade | {"r": m(self.l * rng.uniform(0.01, 0.5))}
         if kind == "torsion-bar":
             warping = self.one("free", "restrained")
-            return blade | {"bars": self.one(1, 2), "warping": warping}
+            bars = {"bars": self.one(1, 2), "shortening": self.one("free", "held")}
+            return blade | bars | {"warping": warping}
         if kind == "round-torsion-bar":
             return {"kind": kind, "d": h, "l": l, "bars": self.one(1, 2)}
         if kind == "torsion-star":
@@ -301,7 +302,10 @@ class _Writer:
         return words | ({"inertia": f"{mass * self.l**2!r} kg*m^2"} if turns else {})
 
     def shaken(self, case, mechanism):
+        # a free parallel stage swings under an acceleration: the spec has to lock it
+        free = mechanism["kind"] == "parallel-stage" and "stroke" in case
         kind = self.one("acceleration", "acceleration", "asd", "shock")
+        kind = "asd" if free else kind
         if kind == "acceleration":
             level = f"{self.log(0.1, 1e3)!r} m/s^2"
             case["acceleration"] = {"level": level, "axis": self.one("x", "y", "z")}
