@@ -47,7 +47,7 @@ def rates(count: int, seed: int) -> None:
     print(f"{count} scenes, seed {seed}")
     print(f"off: {left}, of which change a number by more than the accuracy: {wrong}")
     print(f"on: {switched}, of which change every number by less than a tenth of it: {idle}")
-    print(f"numbers that no model can tell (plate, blade mass): {bounded}")
+    print(f"numbers that the finest model does not tell: {bounded}")
 
 
 def promises() -> None:

@@ -4,6 +4,8 @@ import json
 
 import pytest
 
+from flexcli.formulas import plate_factors as plates
+
 SPEC = """\
 flexure: 1
 title: thick pivot
@@ -49,9 +51,23 @@ def test_audit_sets_the_truth_beside_the_estimate(flexure, spec):
     rows = json.loads(run.stdout)["audit"]
     shear = next(r for r in rows if r["effect"] == "shear" and r["quantity"] == "stiffness")
     assert shear["true"] == pytest.approx(-shear["estimate"], rel=0.05)
-    assert all(row["right"] for row in rows if row["true"] is not None)
+    plate = [row for row in rows if row["effect"] in ("plate widening", "anticlastic")]
+    assert all(row["right"] for row in rows if row["true"] is not None and row not in plate)
+    # what the spec switches off is told, and is no mistake of the plan
+    told = {row["quantity"]: row for row in plate if row["effect"] == "plate widening"}
+    nu, b, l, h = 0.33, 2.0, 10.0, 0.3
+    true = plates.pivot_factor(b=b, l=l, h=h, poisson_ratio=nu, delta=0.2) - 1.0
+    assert told["stiffness"]["true"] == pytest.approx(float(true), rel=1e-6)
+    assert [row["right"] for row in plate] == [None] * len(plate)
+
+
+def test_audit_says_what_the_material_lacks(flexure, spec):
+    lacking = SPEC.replace("poisson_ratio: 0.33, ", "").replace("plate-widening: off, ", "")
+    spec.write_text(lacking)
+    rows = json.loads(flexure("plan", "--audit", "--format", "json").stdout)["audit"]
     plate = [row for row in rows if row["effect"] == "plate widening"]
-    assert all(row["true"] is None and "no model" in row["how"] for row in plate)
+    assert plate
+    assert all(row["true"] is None and "poisson_ratio" in row["how"] for row in plate)
 
 
 def test_audit_on_screen(flexure, spec):

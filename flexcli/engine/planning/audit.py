@@ -68,7 +68,9 @@ def audit(design: DesignSpec, sizes: Sizes, found: Plan) -> tuple[AuditRow, ...]
 def _rows(effect: EffectRow, true: Mapping[str, _True], accuracy: float) -> Iterator[AuditRow]:
     for name, estimate in effect.estimates.items():
         change, how = true.get(name, _True(None, "no model can switch it: all there is"))
-        right = None if change is None else effect.on or abs(change) <= accuracy
+        right = None
+        if change is not None and (effect.on or effect.asked != "off"):
+            right = effect.on or abs(change) <= accuracy
         yield AuditRow(effect.name, effect.on, name, estimate, change, right, how)
 
 
