@@ -259,8 +259,8 @@ def test_square_torsion_bar_is_within_its_circles():
 def test_wide_torsion_bars_side_by_side_are_the_strips_of_a_star():
     strip = geometry("torsion-bar", h=0.004, b=4.0, warping="free", bars=1)
     star = geometry("torsion-star", h=0.004, b=4.0, strips=3)
-    # the two ends of a strip take 0.63 h/b off its b h³/3
-    assert stiffness(star) == pytest.approx(3.0 * stiffness(strip), rel=1e-3)
+    # the two ends of a strip take 0.63 h/b off its b h³/3, the core adds 1.2 h/b
+    assert stiffness(star) == pytest.approx(3.0 * stiffness(strip), rel=2e-3)
 
 
 def test_a_long_torsion_bar_does_not_feel_its_clamps():

@@ -1,9 +1,9 @@
 """Torsion bars: what the long fibres of a wide section add at large twist."""
 
-from math import pi
+from math import isfinite, pi
 from typing import Any, ClassVar, Protocol
 
-from flexcli.parts.bending.base import Bending, Change, Changes
+from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes
 from flexcli.parts.elastic import Elastic
 
 __all__ = ["Twist", "TwistedBars"]
@@ -28,6 +28,9 @@ class TwistedBars(Protocol):
 
     def farthest(self, sizes: Any) -> float:
         """Return how far the farthest fibre is from the axis [m]."""
+
+    def core_error(self, sizes: Any) -> float:
+        """Return how far off what strips that cross add to their stiffness may be [-]."""
 
     def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Any]:
         """Return the stress at each place [Pa]."""
@@ -76,7 +79,8 @@ class Twist(Bending):
         open.
         """
         restrained = self.bars.is_restrained
-        found = {"stiffness": Change(0.0, 0.0, RESTRAINED if restrained else 0.0)}
+        error = self.bars.core_error(self.sizes) + RESTRAINED * restrained
+        found = {"stiffness": Change(0.0, 0.0, error) if isfinite(error) else UNKNOWN}
         if not self.theta:
             return found
         plain = max(

@@ -19,8 +19,8 @@ class LargeRotation(ModelEffect):
         """Return θ, or the stroke over the length."""
         travel = setting.largest_travel
         turns = setting.geometry.motion == "rotation"
-        if travel == 0.0:
-            return None
+        if travel == 0.0 and setting.geometry.strain != "twist":
+            return None  # of twisted bars even the stiffness at rest has an error
         angle = travel if turns else travel / setting.geometry.length(setting.sizes)
         return Indicator(angle, f"{'θ' if turns else 'stroke/l'} = {angle:.2g}")
 

@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from math import pi, sqrt
+from math import inf, pi, sqrt
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
@@ -95,6 +95,10 @@ class TorsionGeometry(Geometry):
     def bending(self, elastic: Elastic, sizes: Any, travel: float) -> Bending:
         """Return that of twisted bars."""
         return Twist(self, elastic, sizes, travel)
+
+    def core_error(self, sizes: Any) -> float:
+        """Return 0: one section has no core where others cross [-]."""
+        return 0.0
 
     def wide_blades(self, sizes: Any, nu: float) -> WideBlades | None:
         """Return nothing: bars twist."""
@@ -376,8 +380,13 @@ class TorsionStar(TorsionGeometry):
         return self.strips * (second_moment(sizes.h, sizes.b) + second_moment(sizes.b, sizes.h))
 
     def torsion_constant(self, sizes: Blade) -> Quantity:
-        """Return n b h³/3 [m⁴]."""
+        """Return n b h³/3 with what their core adds [m⁴]."""
         return torsion_shapes.star_torsion_constant(sizes.h, sizes.b, self.strips)
+
+    def core_error(self, sizes: Blade) -> float:
+        """Return the error of the core over n b h³/3, endless where nobody knows it [-]."""
+        error = torsion_shapes.STAR_ERROR.get(self.strips, inf)
+        return 3.0 * error * float(sizes.h / sizes.b) / self.strips
 
     def shear(self, elastic: Elastic, sizes: Blade, twist: float) -> Quantity:
         """Return the shear stress of the thin strips [Pa]."""
