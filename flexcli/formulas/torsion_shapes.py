@@ -75,8 +75,8 @@ def star_torsion_constant(h: Quantity, b: Quantity, strips: int) -> Quantity:
     Notes
     -----
     Thin strips, b ≥ 6 h. c_2 = −0.085 (the edges take 0.42, the junction adds 0.335); the more
-    strips cross, the thicker is the core: c_3 = 1.2, c_4 = 4.1, c_5 = 14, c_6 = 27, by finite differences
-    of the Poisson equation to ``STAR_ERROR``. Of more than six strips the core is left out.
+    strips cross, the thicker is the core: c_3 = 1.2, c_4 = 4.1, c_5 = 14, c_6 = 27, by finite
+    differences of the Poisson equation to ``STAR_ERROR``. Of more than six the core is left out.
 
     Examples
     --------
