@@ -16,11 +16,11 @@ from flexcli.engine.sizing.optimum import active_rows, certificate, optimum, ref
 from flexcli.engine.sizing.program import SizingProgram, sizing_program
 from flexcli.engine.sizing.stock import StockChoice, from_stock
 from flexcli.errors import NoSolution, SolveError
-from flexcli.numerics.geometric_program import Outcome, Solution
+from flexcli.numerics.solution import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Correction, Objective
-from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value
+from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value, Verdict
 from flexcli.units import show
 
 __all__ = ["size"]
@@ -120,13 +120,33 @@ def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str
             remarks = ()
             break
     result = _chosen_and_judged(_tightened(design, corrections), spec, ladder, model)
+    spreads: dict[str, float] = {}
+    undecided: Result | None = None
     for _ in range(GRID_ROUNDS):
         if not design.size.rounding or result.status in (Status.PASS, Status.INFEASIBLE):
             break
+        if result.status is Status.UNDECIDED:
+            undecided = undecided or result
+        spreads |= _spreads(result)
         at = design.geometry.sized({n: result.values[n].value for n in design.geometry.free})
-        corrections = corrections_at(design, at, ladder)
+        corrections = {
+            name: found._replace(spread=spreads.get(name, 0.0))
+            for name, found in corrections_at(design, at, ladder).items()
+        }
         result = _chosen_and_judged(_tightened(design, corrections), spec, ladder, model)
+    if undecided is not None and result.status is not Status.PASS:
+        result = undecided  # no point of the grid was found that passes
     return replace(result, warnings=(*remarks, *result.warnings))
+
+
+def _spreads(result: Result) -> dict[str, float]:
+    """Return the relative errors of the targets that a design's models leave undecided."""
+    return {
+        check.full_name: check.factor / check.factor_range[0] - 1.0
+        for check in result.checks
+        if check.is_target and check.verdict is Verdict.UNDECIDED
+        if check.factor_range is not None and check.factor_range[0] > 0.0
+    }
 
 
 def _tightened(design: DesignSpec, corrections: Mapping[str, Correction]) -> DesignSpec:
@@ -221,7 +241,7 @@ def _choose_optimum(
     solution = smallest if name == "least-volume" else optimum(program, objective)
     refuse(program, objective, solution, smallest)
     remarks = []
-    if solution.tie_breakers:
+    if solution.tied:
         remarks.append(
             "the optimum is not unique: of all equally good designs this one has the least "
             "volume, then the shortest, narrowest and thinnest blades"
@@ -412,6 +432,12 @@ def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
 
 def _infeasible(design: DesignSpec, spec: str, program: SizingProgram) -> Result:
     conflict, sure = explain_conflict(program)
+    if not conflict:
+        raise NoSolution(
+            "did-not-converge",
+            "no local search led to a design, though none of the requirements conflict",
+            "bound the free dimensions more closely",
+        )
     objective = design.size.objective
     return Result(
         command="size",

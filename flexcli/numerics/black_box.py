@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 
-from flexcli.numerics.log_stencil import Field, Taylor, differences
+from flexcli.numerics.convex_model import posynomials
+from flexcli.numerics.log_stencil import Field, differences
+from flexcli.numerics.log_sum_exp import Expansion, LogSumExp
 from flexcli.numerics.signomial import Floats
 
 __all__ = ["BlackBox"]
@@ -29,20 +32,22 @@ class BlackBox:
         Ends of the world in y: a run that gets there is unbounded.
     """
 
+    is_convex: ClassVar[bool] = False
+
     names: tuple[str, ...]
     rows: Field
     inequalities: int
     low: Floats
     high: Floats
 
-    def taylor(self, y: Floats) -> Taylor:
+    def expand(self, y: Floats) -> Expansion:
         """Return the expansion of all rows at one point."""
         return differences(self.rows, y)
 
-    def violation(self, values: Floats) -> float:
-        """Return the largest log violation, 0 where all rows hold."""
-        unequal, equal = values[1 : 1 + self.inequalities], values[1 + self.inequalities :]
-        return max(float(unequal.max(initial=0.0)), float(np.abs(equal).max(initial=0.0)))
+    def model(self, at: Expansion, _y: Floats) -> LogSumExp:
+        """Return convex rows over the step from a point, up to the inequalities."""
+        keep = 1 + self.inequalities
+        return posynomials(Expansion(*(part[:keep] for part in at)))
 
     def chosen(self, kept: Sequence[int]) -> BlackBox:
         """Return the program with some of its inequalities, and without equalities."""

@@ -7,8 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from flexcli.numerics.interior_point import central_path
-from flexcli.numerics.log_stencil import Taylor
-from flexcli.numerics.log_sum_exp import LogSumExp
+from flexcli.numerics.log_sum_exp import Expansion, LogSumExp
 from flexcli.numerics.signomial import Floats
 
 __all__ = ["ModelStep", "best_step", "posynomials"]
@@ -33,7 +32,7 @@ class ModelStep(NamedTuple):
     fall: float
 
 
-def posynomials(at: Taylor) -> LogSumExp:
+def posynomials(at: Expansion) -> LogSumExp:
     r"""Return rows with the values, gradients and convex parts of the curvatures of an expansion.
 
     .. math:: f(d) = \ln\Big(1 - \sum_i w_i + \sum_i \tfrac{w_i}{2}
@@ -48,7 +47,7 @@ def posynomials(at: Taylor) -> LogSumExp:
     logs: list[float] = []
     first: list[int] = []
     for value, gradient, bends, ways in zip(
-        at.values, at.gradients, lambdas, np.swapaxes(vectors, 1, 2), strict=True
+        at.values, at.jacobian, lambdas, np.swapaxes(vectors, 1, 2), strict=True
     ):
         first.append(len(logs))
         curved = bends > STRAIGHT
@@ -64,13 +63,14 @@ def posynomials(at: Taylor) -> LogSumExp:
 
 
 def best_step(
-    at: Taylor, inequalities: int, low: Floats, high: Floats, *, penalty: float
+    at: Expansion, convex: LogSumExp, low: Floats, high: Floats, *, penalty: float
 ) -> ModelStep:
     """Minimise the model's objective plus ``penalty`` times its largest violation in a box.
 
-    Row 0 of the expansion is the objective, then come inequalities and equalities. The violation
-    t is a variable, so the model is feasible at any point and needs no first phase; an infinite
-    penalty leaves the objective out.
+    Row 0 of the expansion is the objective, then come inequalities, which ``convex`` holds as
+    convex rows over the step, and equalities, whose tangents count. The violation t is a variable,
+    so the model is feasible at any point and needs no first phase; an infinite penalty leaves the
+    objective out.
 
     References
     ----------
@@ -78,14 +78,13 @@ def best_step(
     largest violation in a trust region.
 
     """
-    keep = 1 + inequalities
+    keep = convex.first.size
     n = low.size
-    convex = posynomials(Taylor(at.values[:keep], at.gradients[:keep], at.curvatures[:keep]))
     goal = convex.rows([0])
     if np.isinf(penalty):
         goal, penalty = LogSumExp(np.zeros((1, n)), np.zeros(1), np.zeros(1, dtype=np.intp)), 1.0
     limits = convex.rows(range(1, keep))
-    G, g = at.gradients[keep:], at.values[keep:]
+    G, g = at.jacobian[keep:], at.values[keep:]
     lines = np.vstack([G, -G, np.zeros((1, n)), np.eye(n), -np.eye(n)])
     offsets = np.concatenate([g, -g, [0.0], -high, low])
     above = np.concatenate([
@@ -102,7 +101,7 @@ def best_step(
     )  # fmt: skip
     worst = max(0.0, float(at.values[1:keep].max(initial=0.0)), float(np.abs(g).max(initial=0.0)))
     point = central_path(pack, np.append(np.zeros(n), worst + START))
-    m, q = inequalities, g.size
+    m, q = keep - 1, g.size
     both = point.multipliers[m : m + 2 * q]
     step = point.y[:n]
     fall = float(goal.values(np.zeros(n))[0] - goal.values(step)[0])

@@ -1,96 +1,90 @@
-"""Why a geometric program has no solution: the smallest set of rows that disagree."""
+"""Why a program has no solution: the smallest set of requirements that disagree."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from flexcli.numerics.condensation import condense, starting_points
-from flexcli.numerics.convex_program import (
-    FEASIBLE,
-    SUPPORT,
-    Status,
-    least_violation,
-    middle,
-)
-from flexcli.numerics.geometric_program import Outcome, minimize, objective_ratio
-from flexcli.numerics.log_sum_exp import Program, program
-from flexcli.numerics.ratios import Equality, Ratio, Settled
-from flexcli.numerics.signomial import Floats, as_signomial, variables
+from flexcli.numerics.convex_program import FEASIBLE, SUPPORT, least_violation, middle
+from flexcli.numerics.log_program import LogProgram, violation
+from flexcli.numerics.many_starts import starts_among
+from flexcli.numerics.signomial import Floats
+from flexcli.numerics.successive import descend
+
+__all__ = ["APART", "STARTS", "Conflict", "conflict"]
 
 BUDGET = 400
 """Feasibility solves spent on proving that no smaller set exists, some 2 ms each."""
 BRANCHES = 200_000
 """Branches of the hitting-set search per proof."""
+STARTS, APART = 8, 3.0
+"""Local runs that look for a point where rows that are not convex hold together, and how far in
+logarithms they start from each other: most runs near each other end alike."""
+SAME = 1e-12
+"""Rows whose difference varies by less than this, in logarithms, differ by a constant."""
 
-Row = Ratio | Equality
 
+class Conflict(NamedTuple):
+    """Requirements, by their places, that cannot hold together; none where all can.
 
-@dataclass(frozen=True, eq=False)
-class Conflict:
-    """A smallest set of rows that cannot hold together.
-
-    Parameters
-    ----------
-    violation
-        Least largest log violation of all rows together: exp(violation) is the factor by which
-        all rows must be relaxed at once. Not positive when there is no conflict.
-    members
-        Names of the conflicting rows; dropping any one of them leaves the others satisfiable.
-        Empty when there is no conflict.
-    smallest
-        Whether it was proved that no set with fewer members conflicts.
-    relaxations
-        For each member the least factor by which it alone must be relaxed for all rows to hold,
-        None where that does not help.
-    certificate
-        "global" when all rows are convex, else "local": infeasibility from many starts.
-    solves
-        Feasibility problems solved.
+    Dropping any one of them leaves the others satisfiable. ``smallest`` tells whether it was
+    proved that no set with fewer members conflicts; ``violation`` is the least largest log
+    violation of all rows together.
     """
 
-    violation: float
-    members: tuple[str, ...]
+    members: tuple[int, ...]
     smallest: bool
-    relaxations: dict[str, float | None]
-    certificate: Literal["global", "local"]
-    solves: int
-
-
-@dataclass(frozen=True, eq=False)
-class _Trial:
     violation: float
-    y: Floats
-    weights: dict[int, float]
 
 
 @dataclass(eq=False)
 class _Oracle:
-    """Answers whether a set of rows can hold together, and remembers the points it met."""
+    """Answers whether requirements can hold together, and remembers which a point violates."""
 
-    exact: bool
-    solve: Callable[[Sequence[int]], _Trial]
-    values: Callable[[Floats], Floats]
+    program: LogProgram
+    owners: NDArray[np.intp]
+    points: Floats
     solves: int = 0
     violated: list[frozenset[int]] = field(default_factory=list)
 
-    def __call__(self, chosen: Sequence[int]) -> _Trial:
+    def __post_init__(self) -> None:
+        values = self.program.rows(self.points)[1:]
+        columns = np.unique(~(values <= FEASIBLE), axis=1).T
+        for found in sorted((frozenset(self.owners[c].tolist()) for c in columns), key=len):
+            if not any(known <= found for known in self.violated):
+                self.violated.append(found)
+
+    def __call__(self, chosen: Sequence[int]) -> tuple[float, dict[int, float]]:
+        """Return the least largest violation, and the weights of the requirements in it."""
+        if any(not some & set(chosen) for some in self.violated):
+            return 0.0, {}
         self.solves += 1
-        trial = self.solve(chosen)
-        self.violated.append(frozenset(np.flatnonzero(self.values(trial.y) > FEASIBLE).tolist()))
-        return trial
+        kept = np.flatnonzero(np.isin(self.owners, list(chosen)))
+        y, weights = _least_violating(self.program.chosen(kept.tolist()), self.points)
+        values = self.program.rows(y[:, None])[1:, 0]
+        self.violated.append(frozenset(self.owners[~(values <= FEASIBLE)].tolist()))
+        found: dict[int, float] = {}
+        for owner, weight in zip(self.owners[kept].tolist(), weights.tolist(), strict=True):
+            found[owner] = max(found.get(owner, 0.0), weight)
+        return float(values[kept].max(initial=-np.inf)), found
 
 
-def conflict(
-    constraints: Sequence[Ratio | Settled],
-    equalities: Sequence[Equality],
-    names: Sequence[str],
-    starts: Sequence[Mapping[str, float]] = (),
-) -> Conflict:
-    """Find the smallest set of rows that cannot hold together, and how far each is off.
+def conflict(program: LogProgram, owners: Sequence[int], points: Floats) -> Conflict:
+    """Find the smallest set of requirements that cannot hold together.
+
+    Parameters
+    ----------
+    program : LogProgram
+        A program without equalities, whose objective does not matter.
+    owners : sequence of int
+        The requirement, counted from 0, that each inequality belongs to: one that demands
+        equality has two.
+    points : array, shape (n, points)
+        Points to start from, and to learn from what is violated there.
 
     Notes
     -----
@@ -101,102 +95,48 @@ def conflict(
     3. No smaller set exists when every set with fewer rows can hold. A conflicting set must
        contain a row violated at each point known, so only hitting sets of the rows violated at
        the points met so far need a solve (A. Ignatiev et al. (2015), Smallest MUS extraction
-       with minimal hitting set dualization, CP 2015). Effort is bounded; `smallest` tells.
+       with minimal hitting set dualization, CP 2015). Effort is bounded; `smallest` tells. Where
+       rows are not convex nothing is proved, and this is left out.
     """
-    names = tuple(names)
-    for row in constraints:
-        if isinstance(row, Settled) and not row.holds:
-            return Conflict(np.inf, (row.name,), True, {row.name: None}, "global", 0)
-    rows: list[Row] = [row for row in constraints if isinstance(row, Ratio)]
-    rows += equalities
-    is_convex = all(row.is_convex for row in rows)
-    oracle = _oracle(rows, names, starts, is_convex)
-    everything = list(range(len(rows)))
-    whole = oracle(everything)
-    certificate: Literal["global", "local"] = "global" if is_convex else "local"
-    if whole.violation <= FEASIBLE:
-        return Conflict(whole.violation, (), False, {}, certificate, oracle.solves)
-
-    members = [i for i, weight in whole.weights.items() if weight > SUPPORT]
-    candidates = _undominated(rows, names)
-    if not members or oracle(members).violation <= FEASIBLE:
+    oracle = _Oracle(program, np.array(owners, dtype=np.intp), points)
+    whole, weights = oracle(sorted(set(owners)))
+    if whole <= FEASIBLE:
+        return Conflict((), False, whole)
+    members = sorted(owner for owner, weight in weights.items() if weight > SUPPORT)
+    candidates = _undominated(oracle)
+    if not members or oracle(members)[0] <= FEASIBLE:
         members = sorted(candidates)
-    for i in list(members):
-        rest = [j for j in members if j != i]
-        if oracle(rest).violation > FEASIBLE:
+    for one in list(members):
+        rest = [other for other in members if other != one]
+        if rest and oracle(rest)[0] > FEASIBLE:
             members = rest
+    if not program.is_convex:
+        return Conflict(tuple(members), False, whole)
     found, proved = _smaller(oracle, len(members), candidates)
-    members = sorted(found or members)
-    return Conflict(
-        whole.violation,
-        tuple(rows[i].name for i in members),
-        proved and is_convex,
-        {rows[i].name: _relaxation(rows, i, names, starts) for i in members},
-        certificate,
-        oracle.solves,
-    )
+    return Conflict(tuple(sorted(found or members)), proved, whole)
 
 
-def _oracle(
-    rows: Sequence[Row],
-    names: tuple[str, ...],
-    starts: Sequence[Mapping[str, float]],
-    is_convex: bool,
-) -> _Oracle:
-    """Return the feasibility oracle; an equality is the pair of ratios that meet at one."""
-    nothing = objective_ratio(as_signomial(1.0))
-    pairs: list[Ratio] = []
-    owner: list[int] = []
-    for i, row in enumerate(rows):
-        pairs.append(Ratio(row.name, row.numerator, row.denominator))
-        owner.append(i)
-        if isinstance(row, Equality):
-            pairs.append(Ratio(row.name, row.denominator, row.numerator))
-            owner.append(i)
-    problem = program(nothing, pairs, [], names)
-    owners = np.array(owner, dtype=np.intp)
-    last = middle(problem.above)
-
-    def values(y: Floats) -> Floats:
-        largest = np.full(len(rows), -np.inf)
-        np.maximum.at(largest, owners, problem.values(y)[1:])
-        return largest
-
-    def convex(chosen: Sequence[int]) -> _Trial:
-        (picked,) = np.nonzero(np.isin(owners, list(chosen)))
-        if not picked.size:
-            return _Trial(-np.inf, last, {})
-        point = least_violation(problem.above.rows([0, *(1 + picked).tolist()]), last)
-        weights: dict[int, float] = {}
-        for i, weight in zip(owners[picked].tolist(), point.multipliers.tolist(), strict=True):
-            weights[i] = max(weights.get(i, 0.0), weight)
-        return _Trial(float(point.y[-1]), point.y[:-1], weights)
-
-    def condensed(chosen: Sequence[int]) -> _Trial:
-        picked = [rows[i] for i in chosen]
-        ratios = [row for row in picked if isinstance(row, Ratio)]
-        equal = [row for row in picked if isinstance(row, Equality)]
-        part: Program = program(nothing, ratios, equal, names)
-        best = _Trial(np.inf, last, {})
-        for start in starting_points(part, ratios, equal, starts):
-            found = condense(part, start)
-            reached = part.values(found.y)[1:]
-            reached[len(ratios) :] = np.abs(reached[len(ratios) :])
-            violation = float(reached.max(initial=-np.inf))
-            if violation < best.violation:
-                best = _Trial(violation, found.y, {})
-            if found.status is Status.CONVERGED and violation <= FEASIBLE:
-                break
-        return best
-
-    return _Oracle(is_convex, convex if is_convex else condensed, values)
+def _least_violating(program: LogProgram, points: Floats) -> tuple[Floats, Floats]:
+    """Return a point of least largest violation, and the weights of the rows there."""
+    if program.is_convex:
+        origin = np.zeros(len(program.names))
+        rows = program.model(program.expand(origin), origin)
+        point = least_violation(rows, middle(rows))
+        return point.y[:-1], point.multipliers
+    ends = []
+    for start in starts_among(program, points, STARTS, apart=APART):
+        ends.append(descend(program, start, penalties=(np.inf,)))
+        if violation(program, ends[-1].values) <= FEASIBLE:
+            break
+    best = min(ends, key=lambda end: end.violation)
+    return best.y, best.multipliers
 
 
 def _smaller(
     oracle: _Oracle, size: int, candidates: frozenset[int]
 ) -> tuple[list[int] | None, bool]:
     """Return a conflicting set below `size` members, if any, and whether the answer is proved."""
-    allowed = oracle.solves + (BUDGET if oracle.exact else 0)
+    allowed = oracle.solves + BUDGET
     for smaller in range(1, size):
         while True:
             if oracle.solves >= allowed:
@@ -208,7 +148,7 @@ def _smaller(
                 return None, False
             if chosen is None:
                 break
-            if oracle(chosen).violation > FEASIBLE:
+            if oracle(chosen)[0] > FEASIBLE:
                 return chosen, True
     return None, True
 
@@ -229,41 +169,19 @@ def _hitting_set(
     return None
 
 
-def _undominated(rows: Sequence[Row], names: tuple[str, ...]) -> frozenset[int]:
-    """Return the rows without monomials that a larger one with the same exponents implies."""
-    strongest: dict[tuple[float, ...], tuple[float, int]] = {}
-    kept: set[int] = set()
-    for i, row in enumerate(rows):
-        if isinstance(row, Equality) or not (
-            row.numerator.is_monomial and row.denominator.is_monomial
-        ):
-            kept.add(i)
-            continue
-        term = row.numerator / row.denominator
-        key = tuple(term.aligned(names)[0].tolist())
-        size = float(term.coefficients[0])
-        if key not in strongest or size > strongest[key][0]:
-            strongest[key] = (size, i)
-    return frozenset(kept | {i for _, i in strongest.values()})
+def _undominated(oracle: _Oracle) -> frozenset[int]:
+    """Return the requirements without those of one row that another row implies everywhere.
 
-
-def _relaxation(
-    rows: Sequence[Row],
-    member: int,
-    names: tuple[str, ...],
-    starts: Sequence[Mapping[str, float]],
-) -> float | None:
-    row = rows[member]
-    others = [other for i, other in enumerate(rows) if i != member]
-    ratios = [other for other in others if isinstance(other, Ratio)]
-    equal = [other for other in others if isinstance(other, Equality)]
-    if isinstance(row, Ratio):
-        solution = minimize(row, ratios, equal, names, starts)
-    else:
-        (factor,) = variables("factor of relaxation")
-        ratios += [
-            Ratio(f"{row.name}, not above", row.numerator, row.denominator * factor),
-            Ratio(f"{row.name}, not below", row.denominator, row.numerator * factor),
-        ]
-        solution = minimize(factor, ratios, equal, (*names, *factor.names), starts)
-    return solution.objective if solution.outcome is Outcome.CONVERGED else None
+    That is one which lies above it by a constant.
+    """
+    values = oracle.program.rows(oracle.points)[1:]
+    single = [k for k, owner in enumerate(oracle.owners) if (oracle.owners == owner).sum() == 1]
+    implied: set[int] = set()
+    for k in single:
+        for other in single:
+            above = values[other] - values[k]
+            if other == k or not np.isfinite(above).all() or np.ptp(above) > SAME:
+                continue
+            if above[0] > SAME or (abs(above[0]) <= SAME and other < k):
+                implied.add(k)
+    return frozenset(int(owner) for k, owner in enumerate(oracle.owners) if k not in implied)

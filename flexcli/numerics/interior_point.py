@@ -171,7 +171,10 @@ def kkt_residual(at: Expansion, multipliers: Floats, inequalities: int) -> float
 
     Stationarity, feasibility, sign of the multipliers of inequalities, complementarity.
     `multipliers` belong to rows 1..; the first `inequalities` of these are inequalities.
+    Infinite where rows are no numbers.
     """
+    if not at.is_finite:
+        return np.inf
     f, g = at.values[1 : 1 + inequalities], at.values[1 + inequalities :]
     unequal = multipliers[:inequalities]
     return max(
@@ -184,7 +187,13 @@ def kkt_residual(at: Expansion, multipliers: Floats, inequalities: int) -> float
 
 
 def polish(
-    expand: Callable[[Floats], Expansion], y: Floats, multipliers: Floats, inequalities: int
+    expand: Callable[[Floats], Expansion],
+    y: Floats,
+    multipliers: Floats,
+    inequalities: int,
+    *,
+    rank: float = SAME_RANK,
+    reach: float = np.inf,
 ) -> tuple[Floats, Floats]:
     r"""Return y and multipliers to rounding, by Newton's method on the active rows.
 
@@ -196,14 +205,16 @@ def polish(
               = -\begin{pmatrix} \nabla f_0 \\ f_a \end{pmatrix}
 
     is solved in the least-squares sense of smallest change, so redundant rows and flat
-    directions of the objective do no harm. A step is kept only when it lowers the residual.
+    directions of the objective do no harm: singular values below the share ``rank`` of the
+    largest count as zero. A step is kept only when it lowers the residual, and leads no farther
+    than ``reach`` from where it began.
     """
     slack = -expand(y).values[1 : 1 + inequalities]
     equal = np.ones(multipliers.size - inequalities, dtype=bool)
     guess = multipliers[:inequalities]
     for exceeds in ACTIVE_RATIOS:
         active = np.append(guess > exceeds * slack, equal)
-        y, multipliers = _newton_on(expand, y, multipliers, inequalities, active)
+        y, multipliers = _newton_on(expand, y, multipliers, inequalities, active, rank, reach)
         if kkt_residual(expand(y), multipliers, inequalities) <= POLISHED:
             break
     return y, multipliers
@@ -215,12 +226,14 @@ def _newton_on(
     multipliers: Floats,
     inequalities: int,
     active: NDArray[np.bool_],
+    rank: float,
+    reach: float,
 ) -> tuple[Floats, Floats]:
     at = expand(y)
     best = kkt_residual(at, multipliers, inequalities)
     chosen = np.flatnonzero(active)
     multipliers_now = np.where(active, multipliers, 0.0)
-    n = y.size
+    n, start = y.size, y
     for _ in range(POLISH_STEPS):
         J = at.jacobian[1 + chosen]
         system = np.zeros((n + chosen.size, n + chosen.size))
@@ -229,9 +242,11 @@ def _newton_on(
         system[n:, :n] = J
         stationarity = at.jacobian[0] + multipliers_now[chosen] @ J
         change = np.linalg.lstsq(
-            system, -np.concatenate([stationarity, at.values[1 + chosen]]), rcond=SAME_RANK
+            system, -np.concatenate([stationarity, at.values[1 + chosen]]), rcond=rank
         )[0]
         y_next = y + change[:n]
+        if np.abs(y_next - start).max(initial=0.0) > reach:
+            break
         multipliers_next = multipliers_now.copy()
         multipliers_next[chosen] += change[n:]
         # Below zero by rounding only: zero is the better multiplier.

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
+from flexcli.numerics.log_sum_exp import Expansion
 from flexcli.numerics.signomial import Floats
 
-__all__ = ["STEP", "Field", "Taylor", "differences"]
+__all__ = ["STEP", "Field", "differences"]
 
 Field: TypeAlias = Callable[[Floats], Floats]
 """Rows at points: from logarithms of the variables (n, points) to values (rows, points)."""
@@ -19,20 +20,7 @@ STEP = 2e-3
 and 1e-9 in the curvature, half from rounding and half from the order."""
 
 
-class Taylor(NamedTuple):
-    """Values (R,), gradients (R, n) and curvatures (R, n, n) of all rows at one point."""
-
-    values: Floats
-    gradients: Floats
-    curvatures: Floats
-
-    @property
-    def is_finite(self) -> bool:
-        """Whether all of it are numbers."""
-        return all(bool(np.isfinite(part).all()) for part in self)
-
-
-def differences(rows: Field, y: Floats) -> Taylor:
+def differences(rows: Field, y: Floats) -> Expansion:
     """Return the expansion of second order at y, all from one call of the rows.
 
     Central differences of fourth order along every axis and along every diagonal of two axes;
@@ -57,4 +45,4 @@ def differences(rows: Field, y: Floats) -> Taylor:
     H[:, axes, axes] = bends[:, :n]
     for k, (i, j) in enumerate(pairs):
         H[:, i, j] = H[:, j, i] = 0.5 * (bends[:, n + k] - bends[:, i] - bends[:, j])
-    return Taylor(values, slopes, H)
+    return Expansion(values, slopes, H)

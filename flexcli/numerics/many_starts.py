@@ -1,19 +1,32 @@
-"""The best of many local optima of rows known as numbers, and ties between equally good points."""
+"""The best of many local optima, or the global one; ties between equally good points."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
-from flexcli.numerics.black_box import BlackBox
-from flexcli.numerics.convex_program import FEASIBLE, Status
-from flexcli.numerics.geometric_program import ACTIVE, Outcome, Solution
+from flexcli.numerics.convex_program import (
+    FEASIBLE,
+    Convex,
+    Status,
+    middle,
+    minimize_convex,
+)
+from flexcli.numerics.interior_point import kkt_residual
+from flexcli.numerics.log_program import LogProgram, violation
+from flexcli.numerics.log_sum_exp import LogSumExp
 from flexcli.numerics.signomial import Floats
+from flexcli.numerics.solution import ACTIVE, Outcome, Solution
 from flexcli.numerics.successive import RIM, Descent, descend
 
-__all__ = ["BestOfStarts", "best_of_starts", "solve_black_boxes", "spread", "starts_among"]
+__all__ = ["solve", "spread", "starts_among"]
+
+Starts = Callable[[], Sequence[Floats]]
+"""Where to start from, asked where it matters."""
 
 SAME = 1e-7
 """Optima whose log objectives differ by less are one."""
@@ -22,24 +35,29 @@ APART = 1.0
 HELD = 1e-7
 """Multiplier above which a row holds the optimum."""
 FLAT = 1e-6
-"""Curvature below this share of the largest counts as none."""
+"""Curvature or slope below this share of the largest counts as none."""
 MOVED = 1e-7
 """Distance, in logarithms, by which a broken tie has moved the point."""
 AS_GOOD = 1e-8
 """Log objective that a broken tie may cost: rounding along a plane of equally good points."""
+RUNS_AWAY = 1e-6
+"""Share of the largest component above which a variable takes part in a recession direction."""
+ACCEPTED = 1e-9
+"""Optimality residual at which a run that its path called stalled is a solution after all."""
 
 
 @dataclass(frozen=True, eq=False)
-class BestOfStarts:
-    """The best end, how many optima the starts found, whether the point is the only best one.
+class _End:
+    """Where the solution of one program ended, and how many optima were met.
 
-    ``end`` has the multipliers of the first objective, at the point that broke the ties.
+    ``free`` spans, in its columns, the directions that equalities and rows without interior
+    leave; ``runaway`` marks the variables that run away.
     """
 
-    end: Descent
+    descent: Descent
     optima: int
-    unique: bool
-    tied: bool
+    free: Floats
+    runaway: NDArray[np.bool_]
 
 
 def spread(low: Floats, high: Floats, count: int) -> Floats:
@@ -59,94 +77,152 @@ def spread(low: Floats, high: Floats, count: int) -> Floats:
     return np.asarray(low[:, None] + shares * (high - low)[:, None])
 
 
-def starts_among(points: Floats, values: Floats, inequalities: int, count: int) -> list[Floats]:
-    """Return the best of many points, some distance from each other, by the rows' values there.
+def starts_among(
+    program: LogProgram, points: Floats, count: int, *, apart: float = APART
+) -> list[Floats]:
+    """Return the best of many points, some distance from each other in some variable.
 
     Points that keep all rows come first, by their objective; then those that violate them least.
     """
-    unequal, equal = values[1 : 1 + inequalities], np.abs(values[1 + inequalities :])
-    worst = np.vstack([np.zeros((1, points.shape[1])), unequal, equal]).max(axis=0)
+    values = program.rows(points)
+    worst = violation(program, values)
     sound = np.isfinite(values).all(axis=0)
     order = np.lexsort((np.where(worst > 0.0, 0.0, values[0]), np.where(sound, worst, np.inf)))
     chosen: list[Floats] = []
     for i in order[: int(sound.sum())].tolist():
-        if all(np.abs(points[:, i] - other).max() >= APART for other in chosen):
+        if all(np.abs(points[:, i] - other).max() >= apart for other in chosen):
             chosen.append(points[:, i])
         if len(chosen) == count:
             break
-    return chosen
+    return chosen or [points[:, 0]]
 
 
-def solve_black_boxes(
-    programs: Sequence[BlackBox],
-    starts: Sequence[Floats],
-    limits: Sequence[str],
-    equalities: Sequence[str],
+def solve(
+    programs: Sequence[LogProgram], starts: Starts, limits: Sequence[str], equalities: Sequence[str]
 ) -> Solution:
-    """Return the best end of all starts, ties broken by the further programs, by names of rows."""
-    found = best_of_starts(programs, starts)
-    program, end = programs[0], found.end
-    slack = end.values[1 : 1 + len(limits)].tolist()
+    """Return the optimum of a program, and of all equally good points the best by the next one.
+
+    Parameters
+    ----------
+    programs : sequence of LogProgram
+        They differ in their row 0 only: the objective, then those that break ties.
+    starts : callable
+        Starting points, asked for where a program is not convex.
+    limits, equalities : sequence of str
+        Names of the rows.
+
+    Notes
+    -----
+    Directions along which neither the objective nor a row that holds it changes to second order
+    lead to equally good points; the next program is solved on the plane that they span. Over the
+    optima of a convex program every term of the objective, and of each row with a multiplier, is
+    constant, so that the plane is exact. A point found there is kept when it is feasible and as
+    good by the first objective. Multipliers are those of the first.
+
+    """
+    program = programs[0]
+    found = _end_of(program, starts)
+    end = found.descent
+    converged = end.status is Status.CONVERGED
+    y, unique, steps = end.y, False, end.iterations
+    if converged:
+        y, unique, more = _untied(programs, found)
+        steps += more
+    values = program.rows(y[:, None])[:, 0]
     unequal, equal = np.split(end.multipliers, [len(limits)])
-    rim = np.minimum(end.y - program.low, program.high - end.y) <= RIM
-    unbounded = end.status is Status.UNBOUNDED
+    slack = values[1 : 1 + len(limits)]
+    runs = found.runaway if end.status is Status.UNBOUNDED else np.zeros(y.size, dtype=bool)
+    is_global = converged and program.is_convex
     with np.errstate(over="ignore", under="ignore"):
-        x, objective = np.exp(end.y), float(np.exp(end.values[0]))
+        x, objective = np.exp(y), float(np.exp(values[0]))
     return Solution(
         outcome=Outcome[end.status.name],
         x=dict(zip(program.names, x.tolist(), strict=True)),
         objective=objective,
         multipliers=dict(zip(limits, unequal.tolist(), strict=True)),
         equality_multipliers=dict(zip(equalities, equal.tolist(), strict=True)),
-        active=tuple(k for k, value in zip(limits, slack, strict=True) if abs(value) <= ACTIVE),
-        slack=dict(zip(limits, slack, strict=True)),
-        gap=float("inf"),
+        active=tuple(n for n, at in zip(limits, slack, strict=True) if abs(at) <= ACTIVE),
+        slack=dict(zip(limits, slack.tolist(), strict=True)),
+        gap=float(abs(unequal @ slack)) if is_global else np.inf,
         kkt_residual=end.residual,
-        iterations=end.iterations,
-        certificate="local",
-        unique=found.unique,
+        iterations=steps,
+        certificate="global" if program.is_convex else "local",
+        unique=unique,
         optima=found.optima,
         violation=end.violation,
-        runaway=tuple(n for n, at in zip(program.names, rim, strict=True) if unbounded and at),
-        tie_breakers=("next objective",) if found.tied else (),
+        runaway=tuple(n for n, away in zip(program.names, runs, strict=True) if away),
+        tied=bool(np.abs(y - end.y).max(initial=0.0) > MOVED),
     )
 
 
-def best_of_starts(programs: Sequence[BlackBox], starts: Sequence[Floats]) -> BestOfStarts:
-    """Return the best end of all starts; where it is not unique, the best by the next objective.
-
-    The programs differ in their row 0 only, the objective. Directions along which neither the
-    objective nor a row that holds it changes to second order lead to equally good points; the
-    next program is solved on the plane that they span. A point found there is kept when it is
-    feasible and as good by the first objective.
-    """
-    first, optima = _best(programs[0], starts)
-    if first.status is not Status.CONVERGED:
-        return BestOfStarts(first, optima, False, False)
-    y, held = first.y, first.multipliers
-    kept = [i for i in range(programs[0].inequalities) if abs(held[i]) <= HELD]
-    basis = _flat(programs[0], first)
-    tied = False
-    for program in programs[1:]:
+def _untied(programs: Sequence[LogProgram], found: _End) -> tuple[Floats, bool, int]:
+    """Return the best of equally good points, whether it is the only one, and the steps taken."""
+    program, end = programs[0], found.descent
+    y, iterations = end.y, 0
+    kept = [i for i in range(program.inequalities) if abs(end.multipliers[i]) <= HELD]
+    basis = _flat(program, end, found.free)
+    for other in programs[1:]:
         if not basis.shape[1]:
             break
-        part = program.chosen(kept).along(y, basis)
-        end = descend(part, np.zeros(basis.shape[1]))
-        if end.status is not Status.CONVERGED:
+        part = other.chosen(kept).along(y, basis)
+        ended = _end_of(part, partial(_origin, part))
+        iterations += ended.descent.iterations
+        if ended.descent.status is not Status.CONVERGED:
             continue
-        moved = y + basis @ end.y
-        values = programs[0].rows(moved[:, None])[:, 0]
-        if programs[0].violation(values) > FEASIBLE or abs(values[0] - first.values[0]) > AS_GOOD:
+        moved = y + basis @ ended.descent.y
+        values = program.rows(moved[:, None])[:, 0]
+        worse = abs(values[0] - end.values[0]) > AS_GOOD
+        if violation(program, values) > FEASIBLE or worse:
             continue
-        tied |= bool(np.abs(moved - y).max() > MOVED)
-        y, basis = moved, basis @ _flat(part, end)
-        kept = [i for i, weight in zip(kept, end.multipliers, strict=True) if weight <= HELD]
-    values = programs[0].rows(y[:, None])[:, 0]
-    end = replace(first, y=y, values=values, violation=programs[0].violation(values))
-    return BestOfStarts(end, optima, not basis.shape[1], tied)
+        y, basis = moved, basis @ _flat(part, ended.descent, ended.free)
+        held = ended.descent.multipliers
+        kept = [i for i, weight in zip(kept, held, strict=True) if abs(weight) <= HELD]
+    return y, not basis.shape[1], iterations
 
 
-def _best(program: BlackBox, starts: Sequence[Floats]) -> tuple[Descent, int]:
+def _origin(program: LogProgram) -> list[Floats]:
+    return [np.zeros(len(program.names))]
+
+
+def _end_of(program: LogProgram, starts: Starts) -> _End:
+    """Return the global optimum of a convex program, the best local one of another."""
+    if program.is_convex:
+        return _global(program)
+    descent, optima = _best(program, starts())
+    rim = np.minimum(descent.y - program.low, program.high - descent.y) <= RIM
+    return _End(descent, optima, np.eye(descent.y.size), rim)
+
+
+def _global(program: LogProgram) -> _End:
+    """Return the optimum of a convex program, which needs no start."""
+    origin = np.zeros(len(program.names))
+    at = program.expand(origin)
+    keep = 1 + program.inequalities
+    rows = program.model(at, origin)
+    G, d = at.jacobian[keep:], -at.values[keep:]
+    lines = LogSumExp(G, -d, np.arange(d.size))
+    everything = LogSumExp(
+        np.vstack([rows.exponents, G]),
+        np.concatenate([rows.logs, lines.logs]),
+        np.concatenate([rows.first, rows.logs.size + lines.first]).astype(np.intp),
+    )
+    found = minimize_convex(Convex(rows, G, d), middle(everything))
+    multipliers = np.concatenate([found.multipliers, found.equality_multipliers])
+    at = program.expand(found.y)
+    residual, status = np.inf, found.status
+    if status in (Status.CONVERGED, Status.STALLED):
+        residual = kkt_residual(at, multipliers, program.inequalities)
+        if residual <= ACCEPTED:
+            status = Status.CONVERGED
+    worst = found.violation
+    if status is not Status.INFEASIBLE:
+        worst = float(at.values[1:keep].max(initial=-np.inf))
+    descent = Descent(status, found.y, at.values, multipliers, worst, residual, found.iterations)
+    away = np.abs(found.direction) > RUNS_AWAY * np.abs(found.direction).max(initial=0.0)
+    return _End(descent, int(status is Status.CONVERGED), found.free, away)
+
+
+def _best(program: LogProgram, starts: Sequence[Floats]) -> tuple[Descent, int]:
     """Return the best end with the steps of all, and how many distinct optima were found."""
     ends: list[Descent] = []
     for start in starts:
@@ -170,17 +246,17 @@ def _best(program: BlackBox, starts: Sequence[Floats]) -> tuple[Descent, int]:
     return replace(best, iterations=total), len(distinct)
 
 
-def _flat(program: BlackBox, end: Descent) -> Floats:
+def _flat(program: LogProgram, end: Descent, free: Floats) -> Floats:
     """Return the directions, as orthonormal columns, that lead to equally good points."""
-    at = program.taylor(end.y)
+    at = program.expand(end.y)
     unequal = end.multipliers[: program.inequalities]
     holding = np.append(unequal > HELD, np.ones(end.multipliers.size - unequal.size, dtype=bool))
-    J = at.gradients[1:][holding]
-    tangent = np.eye(end.y.size)
-    size = max(1.0, float(np.abs(at.gradients).max()))
+    J = at.jacobian[1:][holding] @ free
+    tangent = free
+    size = max(1.0, float(np.abs(at.jacobian).max(initial=0.0)))
     if J.size:
         _, s, Vt = np.linalg.svd(J)
-        tangent = Vt[int((s > FLAT * size).sum()) :].T
-    H = np.tensordot(np.append(1.0, end.multipliers), at.curvatures, axes=1)
+        tangent = free @ Vt[int((s > FLAT * size).sum()) :].T
+    H = at.curvature(np.append(1.0, end.multipliers))
     bends, ways = np.linalg.eigh(tangent.T @ H @ tangent)
     return np.asarray(tangent @ ways[:, np.abs(bends) <= FLAT * size**2])

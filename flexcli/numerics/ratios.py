@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-
-import numpy as np
 
 from flexcli.numerics.signomial import Signomial, as_signomial
 
@@ -86,29 +83,6 @@ def at_most(name: str, demand: Signomial | float, capacity: Signomial | float) -
     if offered.is_monomial and not below.is_monomial:
         return Ratio(name, needed, offered)
     return Ratio(name, above, below)
-
-
-def monomial_below(posynomial: Signomial, x: Mapping[str, float]) -> Signomial:
-    r"""Return the best monomial that lies below a posynomial and touches it at x.
-
-    .. math:: u(x) \ge \prod_k \left(\frac{u_k(x)}{w_k}\right)^{w_k}, \quad
-              w_k = \frac{u_k(x_0)}{u(x_0)}
-
-    by the inequality of arithmetic and geometric means. A ratio whose denominator is replaced
-    by it is larger than the true one: what satisfies the replaced row satisfies the true row.
-
-    Reference: M. Avriel, A. C. Williams (1970), Complementary geometric programming, SIAM J.
-    Appl. Math. 19(1); S. Boyd, S.-J. Kim, L. Vandenberghe, A. Hassibi (2007), A tutorial on
-    geometric programming, Optim. Eng. 8, §9.1, doi:10.1007/s11081-007-9001-7.
-    """
-    point = np.log([x[name] for name in posynomial.names])
-    logs = np.log(posynomial.coefficients) + posynomial.exponents @ point
-    shares = np.exp(logs - logs.max())
-    shares /= shares.sum()
-    exponents = shares @ posynomial.exponents
-    log_value = logs.max() + np.log(np.exp(logs - logs.max()).sum())
-    coefficient = np.exp(log_value - exponents @ point)
-    return Signomial(posynomial.names, np.array([coefficient]), exponents[None, :])
 
 
 def _require_posynomials(name: str, numerator: Signomial, denominator: Signomial) -> None:

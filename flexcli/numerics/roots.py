@@ -61,10 +61,10 @@ def _newton(rows: Field, y: Floats) -> Root | None:
         size = float(np.linalg.norm(at.values))
         if not at.is_finite:
             return None
-        condition = float(np.linalg.cond(at.gradients))
+        condition = float(np.linalg.cond(at.jacobian))
         if not condition < SINGULAR:
             return None
-        inverse = np.linalg.inv(at.gradients)
+        inverse = np.linalg.inv(at.jacobian)
         if size == 0.0:
             return Root(y, np.asarray(inverse), condition)
         step = -inverse @ at.values

@@ -245,8 +245,12 @@ class DesignSpec(Part):
             for name, correction in self._corrections.items()
             if not correction.alone
         }
+        spreads = {name: correction.spread for name, correction in self._corrections.items()}
         return [
-            _scaled(limit, factors.get(limit.name, 1.0) / self._ease)
+            _narrowed(
+                _scaled(limit, factors.get(limit.name, 1.0) / self._ease),
+                spreads.get(limit.name, 0.0),
+            )
             if limit.kind is not None
             else limit
             for limit in limits
@@ -364,6 +368,13 @@ def _scaled(limit: Limit, factor: Quantity) -> Limit:
     if limit.in_capacity:
         return replace(limit, capacity=limit.capacity * factor ** (-limit.power))
     return replace(limit, demand=limit.demand * factor**limit.power)
+
+
+def _narrowed(limit: Limit, spread: float) -> Limit:
+    """Return a target whose tolerance leaves room for an error, where it is wide enough."""
+    if limit.tolerance is None or not 0.0 < spread < limit.tolerance:
+        return limit
+    return replace(limit, tolerance=(1.0 + limit.tolerance) / (1.0 + spread) - 1.0)
 
 
 def _refuse_unknown(name: str, known: tuple[str, ...], at: tuple[str, ...]) -> None:

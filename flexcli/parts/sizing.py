@@ -49,13 +49,15 @@ class Correction(NamedTuple):
     """How many times more a check uses of what it allows than its formulas say, near a design.
 
     ``factor`` · Π (x/x₀)^slope over the sizes x, ``about`` are the x₀ [m]. Where no formula
-    stands behind it (``alone``), it is itself what is used.
+    stands behind it (``alone``), it is itself what is used. ``spread`` is the relative error of a
+    target's number, by which its tolerance is narrowed.
     """
 
     factor: float
     about: Mapping[str, float]
     slopes: Mapping[str, float]
     alone: bool = False
+    spread: float = 0.0
 
     def at(self, sizes: Any) -> Quantity:
         """Return the correction at sizes: floats, arrays or signomials."""

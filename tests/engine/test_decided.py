@@ -3,7 +3,7 @@
 import pytest
 from geometries_for_tests import MATERIAL
 from judging import size_as_printed
-from strategies import design, rcc
+from strategies import design, rcc, three_blade
 
 from flexcli.engine.check import check
 from flexcli.engine.size import size
@@ -45,3 +45,23 @@ def test_a_conflict_stays_a_conflict():
         material=MATERIAL,
     )  # fmt: skip
     assert size(impossible, "spec", "exact").status is Status.INFEASIBLE
+
+
+def test_a_point_of_the_grid_that_passes_is_preferred_to_one_left_undecided():
+    asked = {
+        "sag": {"equals": "645 nm", "tolerance": "2 %"},
+        "frequency": {"equals": "10 Hz", "tolerance": "1 %"},
+    }
+    spec = design(
+        three_blade(l="80 mm"),
+        asked,
+        {"mercury": {"acceleration": {"level": "3.7 m/s^2", "axis": "z"}}},
+        size={"round": {"h": "1 um", "b": "0.1 mm"}},
+        mechanism={"kind": "payload", "mass": "0.8 kg", "inertia": "1.72e-4 kg*m^2"},
+        material={"youngs_modulus": "116 GPa", "poisson_ratio": 0.34, "density": "4430 kg/m^3"},
+    )
+    result = size(spec, "spec")
+    # a step further from the target the range of the sag reaches out of its tolerance
+    sizes = spec.geometry.sized({"h": 236e-6, "b": 35.7e-3})
+    assert check(spec, sizes, "spec").status is Status.UNDECIDED
+    assert result.status is Status.PASS

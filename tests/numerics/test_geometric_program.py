@@ -9,15 +9,20 @@ from hypothesis import strategies as st
 from scipy.optimize import linprog
 from scipy.optimize import minimize as scipy_minimize
 
-from flexcli.numerics.geometric_program import Outcome, minimize
-from flexcli.numerics.lexicographic import minimize_lexicographic
-from flexcli.numerics.log_sum_exp import program
+from flexcli.numerics.geometric_program import minimize
 from flexcli.numerics.ratios import Equality, Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, as_signomial, variables
+from flexcli.numerics.signomial_program import signomial_program
+from flexcli.numerics.solution import Outcome
 
 DIGITS = 1e-10  # solutions are polished to rounding; logarithms of size 50 leave some 1e-14
 ONE = as_signomial(1.0)
 E, SIGMA, S, THETA, P, F = 114e9, 500e6, 2.5, 0.0205, 2e-3, 640.84
+
+
+def least(goal, rows, equalities, names, starts=()):
+    """The least of one objective, from given starts where it is not convex."""
+    return minimize([goal], rows, equalities, names, lambda _: [np.log(start) for start in starts])
 
 
 def pivot_rows(h, l, b, theta=THETA):
@@ -37,7 +42,7 @@ def pivot(theta=THETA):
 
 def test_least_volume_of_the_pivot_agrees_with_a_general_solver():
     volume, rows, names = pivot()
-    found = minimize(volume, rows, [], names)
+    found = least(volume, rows, [], names)
     other = scipy_minimize(
         lambda y: y.sum(),
         np.log([3e-4, 1e-2, 1e-2]),
@@ -63,13 +68,13 @@ def test_least_volume_of_the_pivot_agrees_with_a_general_solver():
 
 def test_multipliers_are_the_price_of_each_constraint():
     volume, rows, names = pivot()
-    price = minimize(volume, rows, [], names).multipliers
+    price = least(volume, rows, [], names).multipliers
     for i, row in enumerate(rows):
         values = []
         for relax in (1e-4, -1e-4):
             changed = list(rows)
             changed[i] = Ratio(row.name, row.numerator * math.exp(-relax), ONE)
-            values.append(math.log(minimize(volume, changed, [], names).objective))
+            values.append(math.log(least(volume, changed, [], names).objective))
         assert (values[1] - values[0]) / 2e-4 == pytest.approx(price[row.name], abs=1e-6)
 
 
@@ -103,7 +108,7 @@ def known_optimum(draw):
 @given(known_optimum())
 def test_random_programs_reach_their_known_optimum(case):
     names, objective, rows, y, _ = case
-    found = minimize(objective, rows, [], names)
+    found = least(objective, rows, [], names)
     assert found.outcome is Outcome.CONVERGED
     assert math.log(found.objective) == pytest.approx(0.0, abs=1e-10)
     # n + 2 spread terms curve the objective in all directions, some of them weakly.
@@ -127,7 +132,7 @@ def test_units_do_not_change_the_design(units):
     scaled = [u * v for u, v in zip(units, variables(*names), strict=True)]
     rescaled = [Ratio(n, value, ONE) for n, value in pivot_rows(*scaled).items()]
     h, l, b = scaled
-    found, reference = minimize(h * l * b, rescaled, [], names), minimize(volume, rows, [], names)
+    found, reference = least(h * l * b, rescaled, [], names), least(volume, rows, [], names)
     for unit, name in zip(units, names, strict=True):
         assert unit * found.x[name] == pytest.approx(reference.x[name], rel=1e-9)
 
@@ -136,13 +141,13 @@ def test_gradients_and_curvature_agree_with_differences():
     x, y, z = variables("x", "y", "z")
     goal = Ratio("goal", x + y * z**2, 1 + x * z)
     rows = [Ratio("a", 1 / x + 2 / y**1.5 + z, 3 * y), Ratio("b", x * y, x + z + 1)]
-    problem = program(goal, rows, [Equality("e", x + y, z**2 + 1)], ("x", "y", "z"))
+    problem = signomial_program(goal, rows, [Equality("e", x + y, z**2 + 1)], ("x", "y", "z"))
     rng = np.random.default_rng(7)
     weights = rng.normal(size=4)
     step = 1e-6  # central differences: 1e-12 of truncation, 1e-10 of rounding
     for point in rng.normal(size=(4, 3)):
         at = problem.expand(point)
-        np.testing.assert_allclose(problem.values(point), at.values, rtol=1e-13, atol=1e-15)
+        np.testing.assert_allclose(problem.rows(point), at.values, rtol=1e-13, atol=1e-15)
         plus = [problem.expand(point + step * e) for e in np.eye(3)]
         minus = [problem.expand(point - step * e) for e in np.eye(3)]
         slopes = [(p.values - m.values) / (2 * step) for p, m in zip(plus, minus, strict=True)]
@@ -154,19 +159,31 @@ def test_gradients_and_curvature_agree_with_differences():
         np.testing.assert_allclose(at.curvature(weights), bends, atol=1e-8)
 
 
+def test_the_model_of_a_ratio_touches_it_and_lies_above():
+    x, y = variables("x", "y")
+    row = Ratio("a", 1 / x + 2 / y**1.5, 3 * y + x**2 + x * y)
+    problem = signomial_program(row, [], [], ("x", "y"))
+    rng = np.random.default_rng(3)
+    for point in rng.normal(size=(5, 2)):
+        model = problem.model(problem.expand(point), point)
+        assert model.values(np.zeros(2)) == pytest.approx(problem.rows(point), abs=1e-12)
+        steps = rng.normal(scale=2.0, size=(2, 50))
+        assert np.all(model.values(steps) >= problem.rows(point[:, None] + steps) - 1e-12)
+
+
 def test_an_infeasible_program_reports_its_least_violation():
     (x,) = variables("x")
-    found = minimize(x, [at_most("low", 4, x), at_most("high", x, 1)], [], ("x",))
+    found = least(x, [at_most("low", 4, x), at_most("high", x, 1)], [], ("x",))
     assert found.outcome is Outcome.INFEASIBLE
     assert found.violation == pytest.approx(math.log(2), rel=DIGITS)
-    assert minimize(x, [Settled("never", holds=False)], [], ("x",)).outcome is Outcome.INFEASIBLE
+    assert least(x, [Settled("never", holds=False)], [], ("x",)).outcome is Outcome.INFEASIBLE
     twice = [Equality("one", x, ONE), Equality("two", x, 2 * ONE)]
-    assert minimize(x, [], twice, ("x",)).outcome is Outcome.INFEASIBLE
+    assert least(x, [], twice, ("x",)).outcome is Outcome.INFEASIBLE
 
 
 def test_an_unbounded_program_names_what_runs_away():
     x, y, z = variables("x", "y", "z")
-    found = minimize(x / y, [at_most("a", 1, z), at_most("b", z, 2)], [], ("x", "y", "z"))
+    found = least(x / y, [at_most("a", 1, z), at_most("b", z, 2)], [], ("x", "y", "z"))
     assert found.outcome is Outcome.UNBOUNDED
     assert found.runaway == ("x", "y")
 
@@ -174,54 +191,53 @@ def test_an_unbounded_program_names_what_runs_away():
 def test_a_flat_optimum_is_not_unique_and_the_next_objective_decides():
     x, y = variables("x", "y")
     rows = [at_most("area", 1, x * y), at_most("low", 1, x), at_most("high", x, 10.0)]
-    assert not minimize(x * y, rows, [], ("x", "y")).unique
-    found = minimize_lexicographic([x * y, Ratio("thin", y, ONE)], rows, [], ("x", "y"))
-    assert found.tie_breakers == ("thin",)
+    assert not least(x * y, rows, [], ("x", "y")).unique
+    found = minimize([x * y, y], rows, [], ("x", "y"))
+    assert found.tied
     assert found.unique
     assert found.x == pytest.approx({"x": 10.0, "y": 0.1}, rel=DIGITS)
     assert found.objective == pytest.approx(1.0, rel=1e-9)
     assert set(found.active) == {"area", "high"}
     assert found.multipliers["area"] == pytest.approx(1.0)
-    assert minimize_lexicographic([x + y, y], rows, [], ("x", "y")).tie_breakers == ()
+    assert not minimize([x + y, y], rows, [], ("x", "y")).tied
 
 
 def test_sets_without_interior_are_solved_on_their_face():
     x, y = variables("x", "y")
     rows = [at_most("low", 2, x), at_most("high", x, 2), at_most("c", x, y)]
-    found = minimize(x * y, rows, [], ("x", "y"))
+    found = least(x * y, rows, [], ("x", "y"))
     assert found.outcome is Outcome.CONVERGED
     assert found.x == pytest.approx({"x": 2.0, "y": 2.0}, rel=1e-12)
     assert found.kkt_residual <= DIGITS
-    point = minimize(x, [at_most("only x = 1", x + 1 / x, 2)], [], ("x",))
+    point = least(x, [at_most("only x = 1", x + 1 / x, 2)], [], ("x",))
     assert point.x["x"] == pytest.approx(1.0, abs=1e-6)
     assert point.unique
 
 
 def test_a_program_without_free_variables_is_checked():
-    assert minimize(as_signomial(3.0), [], [], ()).objective == pytest.approx(3.0)
+    assert least(as_signomial(3.0), [], [], ()).objective == pytest.approx(3.0)
     good, bad = (Ratio("c", as_signomial(v), ONE) for v in (0.5, 2.0))
-    assert minimize(as_signomial(3.0), [good], [], ()).slack["c"] == pytest.approx(math.log(0.5))
-    assert minimize(as_signomial(3.0), [bad], [], ()).outcome is Outcome.INFEASIBLE
+    assert least(as_signomial(3.0), [good], [], ()).slack["c"] == pytest.approx(math.log(0.5))
+    assert least(as_signomial(3.0), [bad], [], ()).outcome is Outcome.INFEASIBLE
 
 
-def test_redundant_equalities_wild_coefficients_and_far_starts_do_no_harm():
+def test_redundant_equalities_and_wild_coefficients_do_no_harm():
     x, y = variables("x", "y")
     same = [Equality("e", x * y, 1e-30 * ONE), Equality("twice", 1e30 * x**2 * y**2, 1e-30 * ONE)]
-    for start in ({}, {"x": 1e200}, {"x": 1e-200, "y": 1e100}):
-        found = minimize(1e30 * x + 1e28 * y, [], same, ("x", "y"), [start])
-        assert found.outcome is Outcome.CONVERGED
-        assert found.kkt_residual <= 1e-9
-        # Both terms are equal at the optimum: x/y = 1e-2 and xy = 1e-30.
-        assert found.x == pytest.approx({"x": 1e-16, "y": 1e-14}, rel=1e-11)
+    found = least(1e30 * x + 1e28 * y, [], same, ("x", "y"))
+    assert found.outcome is Outcome.CONVERGED
+    assert found.kkt_residual <= 1e-9
+    # Both terms are equal at the optimum: x/y = 1e-2 and xy = 1e-30.
+    assert found.x == pytest.approx({"x": 1e-16, "y": 1e-14}, rel=1e-11)
     bounds = [at_most("a", 1e30, x), at_most("b", x, 1e31), at_most("c", x * y**2, 1e-25)]
-    found = minimize(x / y, bounds, [], ("x", "y"))
+    found = least(x / y, bounds, [], ("x", "y"))
     assert found.x["x"] == pytest.approx(1e30, rel=DIGITS)
     assert found.x["y"] == pytest.approx(math.sqrt(1e-55), rel=DIGITS)
 
 
 def test_a_curved_equality_is_met_by_newton():
     x, y = variables("x", "y")
-    found = minimize(x + y, [], [Equality("q", x + y**2, x * y)], ("x", "y"))
+    found = least(x + y, [], [Equality("q", x + y**2, x * y)], ("x", "y"), [[1.0, 3.0]])
     # x = y²/(y−1): the derivative of x + y vanishes at 2(y−1)² = 1.
     assert found.x["y"] == pytest.approx(1 + math.sqrt(0.5), rel=DIGITS)
     assert found.certificate == "local"
@@ -238,11 +254,12 @@ def negative_p_rows(h, l, b, p=-4e-3):
 
 
 @pytest.mark.parametrize(("low", "high"), [(1e-3, 7.9e-3), (8.1e-3, 0.1)])
-def test_condensation_agrees_with_a_dense_scan_on_both_branches(low, high):
+def test_rows_that_are_not_convex_agree_with_a_dense_scan_on_both_branches(low, high):
     h, l, b = variables("h", "l", "b")
     rows = [at_most(*row) for row in negative_p_rows(h, l, b)]
     rows += [at_most("shortest", low, l), at_most("longest", l, high), at_most("thin", h, 2e-3)]
-    found = minimize(h * l * b, rows, [], ("h", "l", "b"))
+    starts = [[3e-4, length, 1e-2] for length in np.geomspace(low, high, 4)]
+    found = least(h * l * b, rows, [], ("h", "l", "b"), starts)
     assert found.outcome is Outcome.CONVERGED
     assert found.certificate == "local"
     assert found.kkt_residual <= DIGITS
@@ -265,9 +282,9 @@ def test_condensation_agrees_with_a_dense_scan_on_both_branches(low, high):
 def test_wrong_names_are_refused():
     x, y = variables("x", "y")
     with pytest.raises(ValueError, match="'y' occurs"):
-        minimize(x * y, [], [], ("x",))
+        least(x * y, [], [], ("x",))
     with pytest.raises(ValueError, match="not a posynomial"):
-        minimize(x - y, [], [], ("x", "y"))
+        least(x - y, [], [], ("x", "y"))
 
 
 @pytest.mark.parametrize("seed", range(40))
@@ -280,7 +297,7 @@ def test_monomial_programs_agree_with_linear_programming(seed):
     rows = [
         Ratio(f"c{i}", Signomial(names, np.exp(-b[i : i + 1]), A[i : i + 1]), ONE) for i in range(m)
     ]
-    found = minimize(Signomial(names, np.ones(1), c[None]), rows, [], names)
+    found = least(Signomial(names, np.ones(1), c[None]), rows, [], names)
     other = linprog(c, A_ub=A, b_ub=b, bounds=(None, None))
     same = {0: Outcome.CONVERGED, 2: Outcome.INFEASIBLE, 3: Outcome.UNBOUNDED}
     assert found.outcome is same[other.status]
@@ -292,7 +309,7 @@ def test_monomial_programs_agree_with_linear_programming(seed):
 def test_bounds_that_almost_meet_cost_no_digits(width):
     x, y = variables("x", "y")
     rows = [at_most("low", 1, x), at_most("high", x, 1 + width), at_most("c", x**2 + 1 / x, y)]
-    found = minimize(x * y, rows, [], ("x", "y"))
+    found = least(x * y, rows, [], ("x", "y"))
     assert found.outcome is Outcome.CONVERGED
     # Below the width at which an interior counts as empty, any point of it is the solution.
     assert found.objective == pytest.approx(2.0, rel=2e-9)

@@ -22,7 +22,7 @@ def rows(y):
 def test_values_gradients_and_curvatures_are_the_analytic_ones(y):
     found, exact = differences(rows, y), ROWS.expand(y)
     assert found.values == pytest.approx(exact.values, abs=1e-14)
-    assert found.gradients == pytest.approx(exact.jacobian, abs=1e-9)
+    assert found.jacobian == pytest.approx(exact.jacobian, abs=1e-9)
     for r, weights in enumerate(np.eye(3)):
         assert found.curvatures[r] == pytest.approx(exact.curvature(weights), abs=1e-6)
 

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.numerics.ratios import Ratio, Settled, at_most, monomial_below
+from flexcli.numerics.ratios import Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, variables
 
 ROUNDING = 1e-13  # a few dozen roundings of sums and products of order one
@@ -111,15 +111,3 @@ def test_signs_alone_settle_some_rows():
     assert at_most("merged", y, 3 * x + y / 2).is_convex
     with pytest.raises(ValueError, match="not a posynomial"):
         Ratio("a", x - y, x)
-
-
-@settings(max_examples=30)
-@given(st.lists(st.tuples(st.floats(0.01, 9), st.floats(-3, 3)), min_size=1, max_size=5), positive)
-def test_the_condensed_monomial_touches_and_lies_below(terms, x0):
-    (x,) = variables("x")
-    posynomial = sum(c * x**a for c, a in terms)
-    below = monomial_below(posynomial, {"x": x0})
-    assert below.is_monomial
-    assert below.at(x=x0) == pytest.approx(posynomial.at(x=x0), rel=1e-11)
-    far = np.geomspace(1e-3, 1e3, 41)
-    assert np.all(below.at(x=far) <= posynomial.at(x=far) * (1 + 1e-11))

@@ -9,15 +9,24 @@ from flexcli.numerics.black_box import BlackBox
 from flexcli.numerics.convex_program import Status
 from flexcli.numerics.geometric_program import minimize
 from flexcli.numerics.log_utilisation import log_utilisation
-from flexcli.numerics.many_starts import best_of_starts, spread, starts_among
+from flexcli.numerics.many_starts import solve, spread, starts_among
 from flexcli.numerics.ratios import Ratio
 from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.numerics.successive import descend
 
 
-def black_box(rows, names, inequalities, *, half=15.0, **more):
+def black_box(rows, names, inequalities, *, half=15.0):
     n = len(names)
-    return BlackBox(tuple(names), rows, inequalities, np.full(n, -half), np.full(n, half), **more)
+    return BlackBox(tuple(names), rows, inequalities, np.full(n, -half), np.full(n, half))
+
+
+def solved(programs, starts):
+    """The best end of given starts, its rows named by their places."""
+    program = programs[0]
+    rows = program.rows(np.array(starts[0])[:, None]).shape[0] - 1
+    names = [str(k) for k in range(rows)]
+    count = program.inequalities
+    return solve(programs, lambda: starts, names[:count], names[count:])
 
 
 def hs71(y):
@@ -53,9 +62,9 @@ def test_of_two_optima_outside_a_circle_many_starts_find_the_better():
     near = descend(program, np.log([4.8, 1.1]))
     assert np.exp(near.y) == pytest.approx([np.sqrt(24), 1.0], rel=1e-9)
     points = spread(np.zeros(2), np.log([10.0, 10.0]), 64)
-    starts = [*starts_among(points, program.rows(points), 5, 4), np.log([4.8, 1.1])]
-    found = best_of_starts([program], starts)
-    assert np.exp(found.end.y) == pytest.approx([1.0, np.sqrt(24)], rel=1e-9)
+    starts = [*starts_among(program, points, 4), np.log([4.8, 1.1])]
+    found = solved([program], starts)
+    assert list(found.x.values()) == pytest.approx([1.0, np.sqrt(24)], rel=1e-9)
     assert found.optima == 2
     assert found.unique
 
@@ -89,7 +98,7 @@ def geometric_programs(draw):
 def test_a_posynomial_as_numbers_has_the_optimum_of_the_convex_solver(problem):
     goal, limits, names = problem
     one = as_signomial(1.0)
-    exact = minimize(goal, [Ratio(name, row, one) for name, row in limits], [], names)
+    exact = minimize([goal], [Ratio(name, row, one) for name, row in limits], [], names)
 
     def rows(y):
         x = dict(zip(names, np.exp(y), strict=True))
@@ -152,18 +161,18 @@ def test_ties_are_broken_by_the_next_objective_on_the_plane_of_equally_good_poin
         return black_box(rows, "xzw", 3)
 
     first, then = rows_of(lambda y: y[0] + y[1]), rows_of(lambda y: y[1] + y[2])
-    found = best_of_starts([first, then], [np.log([2.0, 2.0, 2.0])])
-    assert np.exp(found.end.y) == pytest.approx([3.0, 2.0 / 3.0, 1.0], rel=1e-9)
+    found = solved([first, then], [np.log([2.0, 2.0, 2.0])])
+    assert list(found.x.values()) == pytest.approx([3.0, 2.0 / 3.0, 1.0], rel=1e-9)
     assert found.tied
     assert found.unique
-    alone = best_of_starts([first], [np.log([2.0, 2.0, 2.0])])
+    alone = solved([first], [np.log([2.0, 2.0, 2.0])])
     assert not alone.unique
 
 
 def test_starts_keep_their_distance_and_come_best_first():
     points = spread(np.full(2, -3.0), np.full(2, 3.0), 256)
-    values = np.array([points.sum(axis=0), 1.0 - points[0]])  # x ≥ e
-    starts = starts_among(points, values, 1, 4)
+    program = black_box(lambda y: np.array([y.sum(axis=0), 1.0 - y[0]]), "xz", 1)  # x ≥ e
+    starts = starts_among(program, points, 4)
     assert len(starts) == 4
     assert all(start[0] >= 1.0 for start in starts)
     assert [s.sum() for s in starts] == sorted(s.sum() for s in starts)

@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.sizing.program import SizingProgram
+from flexcli.engine.sizing.program import BEYOND, SizingProgram
 from flexcli.engine.sizing.rows import Term
 from flexcli.numerics.log_stencil import differences
 from flexcli.numerics.roots import roots
@@ -18,8 +18,6 @@ __all__ = ["Balanced", "NotBalanced", "balanced", "kind_of"]
 
 Floats = NDArray[np.float64]
 
-BEYOND = 100.0
-"""Times beyond the bounds a design is looked for, to tell which of them keep it from balance."""
 ACTIVE = 1e-9
 """Log utilisation above which another row of the same requirement would be violated."""
 FROM = 24
@@ -116,7 +114,7 @@ def _sensitivities(
     program: SizingProgram, keys: tuple[str, ...], y: Floats, inverse: Floats
 ) -> tuple[Sensitivity, ...]:
     """Return what 1 % more of each demand moves, from the inverse Jacobian of the rows."""
-    volume = differences(program.picked(["volume"]), y).gradients[0]
+    volume = differences(program.picked(["volume"]), y).jacobian[0]
     found = []
     for index, key in enumerate(keys):
         row = program.rows[key]

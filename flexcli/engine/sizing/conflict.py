@@ -2,12 +2,8 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from flexcli.engine.sizing.program import SizingProgram
 from flexcli.engine.sizing.rows import ONE, Term
-from flexcli.numerics.convex_program import FEASIBLE, SUPPORT
-from flexcli.numerics.infeasibility import conflict
 from flexcli.results import Relaxation
 
 __all__ = ["explain_conflict"]
@@ -43,45 +39,15 @@ def explain_conflict(program: SizingProgram) -> tuple[tuple[Relaxation, ...], st
 
 def _members(program: SizingProgram) -> tuple[Sequence[str], str]:
     """Return the keys of rows that conflict, and how sure it is that fewer do not."""
-    if not program.exact:
-        text = "a smaller set may conflict; found from many starts, not proved, as limits are "
-        return _irreducible(program), text + "numbers"
-    found = conflict(program.ratios(program.limits()), program.exact_equalities(), program.names)
+    keys = (*program.constraints, *program.targets)
+    terms = [Term(key, sign) for key in keys for sign in _senses(program, key)]
+    found = program.disagreement(terms, [keys.index(term.key) for term in terms])
     sure = "no smaller set conflicts" if found.smallest else "a smaller set may conflict"
-    if found.certificate == "local":
+    if not program.exact:
+        sure += "; found from many starts, not proved, as limits are numbers"
+    elif program.curved:
         sure += "; found from many starts, not proved, as the problem is not convex"
-    return found.members, sure
-
-
-def _irreducible(program: SizingProgram) -> list[str]:
-    """Return a conflicting set of rows that none can be left out of, by a deletion filter."""
-    everything = [*program.constraints, *program.targets]
-    values = program.picked(everything)(program.samples())
-    equal = [k for k, key in enumerate(everything) if key in program.targets]
-    values[equal] = np.abs(values[equal])
-    known = ~(values <= 0.0)
-
-    def weights(keys: Sequence[str]) -> dict[str, float] | None:
-        """Return the weights of the rows in their conflict, nothing when all can hold."""
-        some = [everything.index(key) for key in keys]
-        if not known[some].any(axis=0).all():
-            return None
-        rows = [Term(key, sign, 0.0, EASE) for key in keys for sign in _senses(program, key)]
-        rows.append(Term(ONE, 1.0, -1.0, EASE))  # more room than that is not asked
-        found = program.least([Term(ONE, 1.0, 0.0, (("ease", -1.0),))], rows)
-        if found.converged and np.log(found.x["ease"]) <= FEASIBLE:
-            return None
-        return found.multipliers
-
-    weighed = weights(everything) or {}
-    members = [key for key in everything if weighed.get(key, 0.0) > SUPPORT]
-    if not members or weights(members) is None:
-        members = everything
-    for key in list(members):
-        rest = [other for other in members if other != key]
-        if rest and weights(rest) is not None:
-            members = rest
-    return members
+    return [keys[k] for k in found.members], sure
 
 
 def _senses(program: SizingProgram, key: str) -> tuple[float, ...]:
@@ -108,13 +74,13 @@ def _nearest(
     ]
     least_ease = [Term(ONE, 1.0, 0.0, (("ease", -1.0),))]
     if key not in program.targets:
-        found = program.least(least_ease, limits, equal)
+        found = program.least(least_ease, limits, equal, beyond=True)
         return (found.x["ease"], True) if found.converged else None
     outward = Term(ONE, 1.0, 0.0, EASE)
     ends = []
     for sense in (1.0, -1.0):
         target = Term(key, sense, 0.0, EASE)
-        found = program.least(least_ease, [*limits, outward], [*equal, target])
+        found = program.least(least_ease, [*limits, outward], [*equal, target], beyond=True)
         if found.converged:
             ends.append((found.x["ease"], sense > 0.0))
     return min(ends, default=None)

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from flexcli.engine.sizing.program import STARTS, SizingProgram
 from flexcli.engine.sizing.rows import Term, size_of
 from flexcli.errors import NoSolution
-from flexcli.numerics.geometric_program import Outcome, Solution
 from flexcli.numerics.log_stencil import differences
+from flexcli.numerics.solution import Outcome, Solution
 from flexcli.parts.sizing import Objective
 from flexcli.results import Sensitivity
 
@@ -130,9 +130,9 @@ def sensitivities(
     goals = program.objectives(objective)
     at = differences(program.picked([*(g.key for g in goals), *keys]), y)
     count = len(goals)
-    J, groups = _independent(at.gradients[count:])
+    J, groups = _independent(at.jacobian[count:])
     signs = np.array([goal.sign for goal in goals])
-    slopes = signs[:, None] * at.gradients[:count]
+    slopes = signs[:, None] * at.jacobian[:count]
     moves = _moves(J, slopes, signs, at.curvatures, [group[0] + count for group in groups])
     if moves is None:
         return None
@@ -140,7 +140,9 @@ def sensitivities(
     for place, group in enumerate(groups):
         for k in group:
             row = program.rows[keys[k]]
-            dy = moves[:, place] * (-row.power if row.is_target else row.power)
+            # rows that repeat each other, as both ends of a blade do, share what they move
+            share = row.power / len(group)
+            dy = moves[:, place] * (-share if row.is_target else share)
             on = {"objective": float(slopes[0] @ dy)}
             on |= dict(zip(program.names, dy.tolist(), strict=True))
             found.append((k, Sensitivity(row.name, row.driver, on)))

@@ -5,7 +5,7 @@ optimum is proved where all rows are convex in the logarithms. Else the rows are
 and local models of them, by value, slope and curvature, are renewed as the sizes move.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from math import exp, log
@@ -17,18 +17,23 @@ from numpy.typing import NDArray
 from flexcli.engine.sizing.rows import ONE, Row, Term, rows_of, size_of
 from flexcli.errors import NoSolution
 from flexcli.numerics.black_box import BlackBox
-from flexcli.numerics.geometric_program import Solution
-from flexcli.numerics.lexicographic import minimize_lexicographic
+from flexcli.numerics.geometric_program import minimize
+from flexcli.numerics.infeasibility import APART as FAR_APART
+from flexcli.numerics.infeasibility import STARTS as FAR_STARTS
+from flexcli.numerics.infeasibility import Conflict, conflict
+from flexcli.numerics.log_program import LogProgram
 from flexcli.numerics.log_stencil import Field
 from flexcli.numerics.log_utilisation import log_utilisation
-from flexcli.numerics.many_starts import solve_black_boxes, spread, starts_among
+from flexcli.numerics.many_starts import solve, spread, starts_among
 from flexcli.numerics.ratios import Equality, Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, as_signomial, variables
+from flexcli.numerics.signomial_program import signomial_program
+from flexcli.numerics.solution import Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Objective
 
-__all__ = ["STARTS", "SizingProgram", "sizing_program"]
+__all__ = ["BEYOND", "STARTS", "SizingProgram", "sizing_program"]
 
 Floats = NDArray[np.float64]
 
@@ -46,6 +51,8 @@ SAMPLES = 1024
 """Points among which the starts are chosen."""
 STARTS = 5
 """Local runs per optimum of rows known as numbers, from the best of many points."""
+BEYOND = 100.0
+"""Times beyond the bounds designs are looked for, to tell which of them stand in the way."""
 TRIALS, ENOUGH = 500, 8
 """Designs tried for a first one, and those after which the one of most numbers is taken."""
 
@@ -54,9 +61,9 @@ TRIALS, ENOUGH = 500, 8
 class SizingProgram:
     """The rows of a design by their keys, over the logarithms of its free dimensions.
 
-    ``values`` gives ln(demand/capacity) of all rows at many points, shape (n, points) to
-    (rows, points), NaN outside the domain of the formulas. ``exact`` tells that the rows are
-    signomials, which ``rows`` then holds.
+    ``values`` gives ln(demand/capacity) of the rows at some places at many points, shape
+    (n, points) to (rows, points), NaN outside the domain of the formulas. ``exact`` tells that the
+    rows are signomials, which ``rows`` then holds.
     """
 
     names: tuple[str, ...]
@@ -64,7 +71,7 @@ class SizingProgram:
     rows: dict[str, Row]
     constraints: tuple[str, ...]
     targets: tuple[str, ...]
-    values: Field
+    values: Callable[[Floats, Sequence[int]], Floats]
     exact: bool
 
     @property
@@ -94,7 +101,7 @@ class SizingProgram:
         """Return some rows as functions of the logarithms of the sizes."""
         everything = list(self.rows)
         places = [everything.index(key) for key in keys]
-        return lambda y: self.values(y)[places]
+        return lambda y: self.values(y, places)
 
     def limits(self) -> list[Term]:
         """Return the rows that must not exceed zero."""
@@ -143,48 +150,92 @@ class SizingProgram:
         limits: Sequence[Term],
         equal: Sequence[Term] = (),
         near: Mapping[str, float] | None = None,
+        *,
+        beyond: bool = False,
     ) -> Solution:
         """Make the first goal least subject to rows, ties broken by the next goals.
 
-        ``near`` are sizes to start from, instead of a search for starts.
+        ``near`` are sizes to start from, instead of a search for starts: between the bounds, or
+        ``beyond`` as well.
         """
         eases = [name for term in (*goals, *limits, *equal) for name, _ in term.eases]
         names = (*self.names, *dict.fromkeys(eases))
+        world = [np.full(len(self.names), log(end)) for end in WORLD]
+        further = np.full(len(names) - len(self.names), FAR)
+        ends = np.append(world[0], -further), np.append(world[1], further)
+
+        def starts(program: LogProgram) -> list[Floats]:
+            if near is None:
+                return self._starts(program, beyond=beyond)
+            return [np.array([log(near[name]) if name in near else 0.0 for name in program.names])]
+
         if self.exact:
-            return self._least_exact(names, goals, limits, equal, near)
-        boxes = [self._black_box(names, [goal, *limits, *equal], len(limits)) for goal in goals]
-        if near is None:
-            starts = self.starts(boxes[0])
-        else:
-            starts = [np.array([log(near[name]) if name in near else 0.0 for name in names])]
-        return solve_black_boxes(
-            boxes, starts, [term.key for term in limits], [term.key for term in equal]
+            return self._least_exact(names, ends, goals, limits, equal, starts)
+        boxes = [
+            BlackBox(names, self._moved([goal, *limits, *equal], names), len(limits), *ends)
+            for goal in goals
+        ]
+        return solve(
+            boxes,
+            lambda: starts(boxes[0]),
+            [term.key for term in limits],
+            [term.key for term in equal],
         )
+
+    def _starts(self, program: LogProgram, *, beyond: bool) -> list[Floats]:
+        points = self._wide() if beyond else self.samples()
+        further = np.zeros((program.low.size - len(self.names), points.shape[1]))
+        points = np.vstack([points, further])
+        if beyond:
+            return starts_among(program, points, FAR_STARTS, apart=FAR_APART)
+        return starts_among(program, points, STARTS)
+
+    def _wide(self) -> Floats:
+        return np.hstack([self.samples(), self.samples(BEYOND)])
+
+    def disagreement(self, terms: Sequence[Term], owners: Sequence[int]) -> Conflict:
+        """Return which of the owners of some rows cannot hold together."""
+        points = self._wide()
+        if not self.exact:
+            ends = (np.full(len(self.names), log(end)) for end in WORLD)
+            rows = self._moved([Term(ONE), *terms], self.names)
+            return conflict(BlackBox(self.names, rows, len(terms), *ends), owners, points)
+        rows_of_owners = [(self._ratio(term), own) for term, own in zip(terms, owners, strict=True)]
+        for row, owner in rows_of_owners:
+            if isinstance(row, Settled) and not row.holds:
+                return Conflict((owner,), True, float("inf"))
+        ratios = [(row, own) for row, own in rows_of_owners if isinstance(row, Ratio)]
+        one = Ratio(ONE, as_signomial(1.0), as_signomial(1.0))
+        program = signomial_program(one, [row for row, _ in ratios], [], self.names)
+        return conflict(program, [owner for _, owner in ratios], points)
 
     # -- rows as signomials ------------------------------------------------------------------
 
     def _least_exact(
         self,
         names: tuple[str, ...],
+        ends: tuple[Floats, Floats],
         goals: Sequence[Term],
         limits: Sequence[Term],
         equal: Sequence[Term],
-        near: Mapping[str, float] | None,
+        starts: Callable[[LogProgram], list[Floats]],
     ) -> Solution:
         """Solve a geometric program; a goal with negative terms by its least upper bound."""
         first, *ties = (self._sides(goal) for goal in goals)
-        objectives = [demand / capacity for demand, capacity in ties if _divides(demand, capacity)]
+        objectives = [_quotient(*sides) for sides in ties if _is_quotient(*sides)]
         rows = [self._ratio(term) for term in limits]
-        if _divides(*first):
-            objectives = [first[0] / first[1], *objectives]
+        if _is_quotient(*first):
+            objectives = [_quotient(*first), *objectives]
         else:
             (top,) = variables("upper bound")
             rows.append(at_most("objective", first[0], first[1] * top))
-            objectives, names = [top, *objectives], (*names, "upper bound")
-        return minimize_lexicographic(
-            objectives, rows, [self._equality(term) for term in equal], names,
-            [near] if near is not None else (),
-        )  # fmt: skip
+            objectives = [_quotient(top, as_signomial(1.0)), *objectives]
+            names, ends = (
+                (*names, "upper bound"),
+                (np.append(ends[0], -FAR), np.append(ends[1], FAR)),
+            )
+        equalities = [self._equality(term) for term in equal]
+        return minimize(objectives, rows, equalities, names, starts, ends)
 
     def _sides(self, term: Term) -> tuple[Signomial, Signomial]:
         """Return demand and capacity of a term, of which the first is at most the second."""
@@ -206,37 +257,17 @@ class SizingProgram:
         difference = demand - capacity
         return Equality(term.key, difference.positive_part(), difference.negative_part())
 
-    def ratios(self, limits: Sequence[Term]) -> list[Ratio | Settled]:
-        """Return rows as ratios of posynomials that are at most one."""
-        return [self._ratio(term) for term in limits]
-
-    def exact_equalities(self) -> list[Equality]:
-        """Return the targets as ratios of posynomials that are one."""
-        return [self._equality(Term(key)) for key in self.targets]
-
     # -- rows as numbers ---------------------------------------------------------------------
 
-    def _black_box(self, names: tuple[str, ...], terms: Sequence[Term], limits: int) -> BlackBox:
+    def _moved(self, terms: Sequence[Term], names: tuple[str, ...]) -> Field:
+        """Return rows as the terms use them, over the logarithms of all unknowns."""
         n = len(self.names)
         rows = self.picked([term.key for term in terms])
         sign, shift = (np.array([term[k] for term in terms])[:, None] for k in (1, 2))
         powers = np.array(
             [[dict(term.eases).get(name, 0.0) for name in names[n:]] for term in terms]
         )
-
-        def moved(y: Floats) -> Floats:
-            return np.asarray(sign * rows(y[:n]) + shift - powers @ y[n:])
-
-        low, high = (np.full(n, log(end)) for end in WORLD)
-        further = np.full(len(names) - n, FAR)
-        return BlackBox(names, moved, limits, np.append(low, -further), np.append(high, further))
-
-    def starts(self, program: BlackBox) -> list[Floats]:
-        """Return the best of many points between the bounds."""
-        points = self.samples()
-        further = np.zeros((program.low.size - len(self.names), points.shape[1]))
-        points = np.vstack([points, further])
-        return starts_among(points, program.rows(points), program.inequalities, STARTS)
+        return lambda y: np.asarray(sign * rows(y[:n]) + shift - powers @ y[n:])
 
     def samples(self, beyond: float = 1.0) -> Floats:
         """Return points spread over the bounds and some times beyond, in logarithms."""
@@ -254,9 +285,12 @@ class SizingProgram:
         return USUAL
 
 
-def _divides(demand: Signomial, capacity: Signomial) -> bool:
-    """Return whether a quotient is a posynomial."""
-    return demand.is_posynomial and capacity.is_monomial
+def _is_quotient(demand: Signomial, capacity: Signomial) -> bool:
+    return demand.is_posynomial and capacity.is_posynomial
+
+
+def _quotient(demand: Signomial, capacity: Signomial) -> Ratio:
+    return Ratio("objective", demand, capacity)
 
 
 def sizing_program(design: DesignSpec) -> SizingProgram:
@@ -276,13 +310,16 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
     sides = _signomial_sides(rows) if exact else _formula_sides(design, len(rows))
     plain = np.array([key in targets or key not in limiting for key in rows])
 
-    def values(y: Floats) -> Floats:
-        demand, capacity = np.empty((len(rows), *y.shape[1:])), np.empty((len(rows), *y.shape[1:]))
+    def values(y: Floats, places: Sequence[int]) -> Floats:
+        shape = (len(places), *y.shape[1:])
+        demand, capacity = np.empty(shape), np.empty(shape)
         with np.errstate(all="ignore"):  # far from any design numbers may overflow
-            for k, (needed, offered) in enumerate(sides(dict(zip(names, np.exp(y), strict=True)))):
+            x = dict(zip(names, np.exp(y), strict=True))
+            for k, (needed, offered) in enumerate(sides(x, places)):
                 demand[k], capacity[k] = needed, offered
             found = log_utilisation(demand, capacity)
-            found[plain] = np.log(demand[plain] / capacity[plain])
+            either = plain[list(places)]
+            found[either] = np.log(demand[either] / capacity[either])
         return found
 
     return SizingProgram(
@@ -291,41 +328,47 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
         rows=rows,
         constraints=tuple(key for key in limiting if key not in targets),
         targets=targets,
-        values=values if exact else _guarded(values, len(rows)),
+        values=values if exact else _guarded(values),
         exact=exact,
     )
 
 
-Sides: TypeAlias = Callable[[Mapping[str, Floats]], Sequence[tuple[Floats | float, Floats | float]]]
-"""Demand and capacity of every row at many sizes."""
+Sides: TypeAlias = Callable[
+    [Mapping[str, Floats], Sequence[int]], Iterable[tuple[Floats | float, Floats | float]]
+]
+"""Demand and capacity of the rows at some places at many sizes."""
 
 
 def _signomial_sides(rows: Mapping[str, Row]) -> Sides:
     both = [(as_signomial(row.demand), as_signomial(row.capacity)) for row in rows.values()]
-    return lambda x: [(demand.at(**x), capacity.at(**x)) for demand, capacity in both]
+    return lambda x, places: [tuple(side.at(**x) for side in both[k]) for k in places]
 
 
 def _formula_sides(design: DesignSpec, count: int) -> Sides:
-    def sides(x: Mapping[str, Floats]) -> list[tuple[Floats, Floats]]:
-        rows = rows_of(design, x)
+    def sides(
+        x: Mapping[str, Floats], places: Sequence[int]
+    ) -> Iterable[tuple[Floats | float, Floats | float]]:
+        rows = list(rows_of(design, x).values())
         if len(rows) != count:
             raise ValueError(f"{len(rows)} rows where {count} were found before")
-        return [(row.demand, row.capacity) for row in rows.values()]
+        return [(rows[k].demand, rows[k].capacity) for k in places]
 
     return sides
 
 
-def _guarded(values: Field, rows: int) -> Field:
+def _guarded(
+    values: Callable[[Floats, Sequence[int]], Floats],
+) -> Callable[[Floats, Sequence[int]], Floats]:
     """Return rows with NaN for the designs of which the formulas have no numbers."""
 
-    def guarded(y: Floats) -> Floats:
+    def guarded(y: Floats, places: Sequence[int]) -> Floats:
         with suppress(ArithmeticError, ValueError):
-            return values(y)
+            return values(y, places)
         shape = y.shape[1:]
-        found = np.full((rows, *shape), np.nan)
-        flat, each = y.reshape(len(y), -1), found.reshape(rows, -1)
+        found = np.full((len(places), *shape), np.nan)
+        flat, each = y.reshape(len(y), -1), found.reshape(len(places), -1)
         for i in range(flat.shape[1]) if flat.shape[1] > 1 else ():
-            each[:, i : i + 1] = guarded(flat[:, i : i + 1])
+            each[:, i : i + 1] = guarded(flat[:, i : i + 1], places)
         return found
 
     return guarded

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from flexcli.engine import assess
 from flexcli.engine.sizing.program import SizingProgram
 from flexcli.engine.sizing.rows import ONE, Term, size_of
-from flexcli.numerics.geometric_program import Outcome, Solution
+from flexcli.numerics.solution import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.sizing import Grid
 
