@@ -17,7 +17,7 @@ from flexcli.parts.requirements.shaking import SHAKES, shakings
 from flexcli.parts.response import REACH, Output, random_response
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import Structure
-from flexcli.parts.vibration_life import life_under, sn_law
+from flexcli.parts.vibration_life import life_curve, life_under
 from flexcli.results import (
     CaseResponse,
     Check,
@@ -167,7 +167,7 @@ def _random(ask: Ask, structure: Structure, vibration: RandomVibration) -> CaseR
 def _lacks_for_life(ask: Ask) -> MissingProperty | None:
     """Return what the material lacks for a life, or nothing."""
     try:
-        sn_law(ask.material)
+        life_curve(ask.material)
     except MissingProperty as missing:
         return missing
     return None

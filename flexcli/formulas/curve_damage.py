@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = ["curve_damage_rate"]
+__all__ = ["curve_damage_rate", "cycles_on_curve"]
 
 Floats = NDArray[np.float64]
 # Amplitudes from 1e-6 to 60 scales, panels growing by half: a^k p(a) is then smooth on each.
@@ -71,22 +71,57 @@ def curve_damage_rate(
     """
     if not (np.isfinite(cycle_rate) and cycle_rate > 0 and np.isfinite(scale) and scale > 0):
         raise ValueError(f"rate and scale must be positive, got {cycle_rate} and {scale}")
-    curve = np.array(points, dtype=np.float64)
-    if curve.ndim != 2 or curve.shape[0] < 2 or not (np.isfinite(curve).all() and curve.min() > 0):
-        raise ValueError("a life curve needs two points or more, positive and finite")
-    log_n, log_a = np.log(curve.T)
-    if not ((np.diff(log_n) > 0).all() and (np.diff(log_a) < 0).all()):
-        raise ValueError("along a life curve, cycles rise and amplitude falls")
-    corners = curve[1:-1, 1]
+    corners = np.exp(_logarithms(points)[1][1:-1])
     low, high = scale * _SMALLEST, scale * _GREATEST
     count = int(np.ceil(np.log(high / low) / np.log(_GROWTH))) + 1
     edges = np.concatenate([np.geomspace(low, high, count), corners, [endurance]])
     edges = np.unique(np.clip(edges, max(low, endurance), max(high, endurance)))
     x, w = gauss_rule(_NODES)
     amplitude = edges[:-1, None] + np.diff(edges)[:, None] * x
-    # the line of each amplitude; the outer two are extended
-    line = (corners[:, None, None] > amplitude).sum(axis=0)
-    slope = np.diff(log_n) / np.diff(log_a)
-    log_life = log_n[line] + slope[line] * (np.log(amplitude) - log_a[line])
-    damage = (density(amplitude) * np.exp(-log_life)) @ w
+    damage = (density(amplitude) / cycles_on_curve(amplitude, points)) @ w
     return float(cycle_rate * (damage @ np.diff(edges)))
+
+
+def cycles_on_curve(amplitude: float | Floats, points: tuple[tuple[float, float], ...]) -> Floats:
+    """Return the cycles to failure at stress amplitudes, on straight log-log lines.
+
+    Parameters
+    ----------
+    amplitude : array
+        Stress AMPLITUDE, [Pa].
+    points : tuple of (float, float)
+        The life curve, two points or more: cycles rising [-], AMPLITUDE falling [Pa]. The
+        first and last lines go on beyond their points.
+
+    Returns
+    -------
+    array
+        Cycles, [-].
+
+    Raises
+    ------
+    ValueError
+        When the curve does not fall.
+
+    Examples
+    --------
+    >>> [round(float(n), 6) for n in cycles_on_curve([10.0, 1.0], ((1e2, 10.0), (1e6, 1.0)))]
+    [100.0, 1000000.0]
+    """
+    log_n, log_a = _logarithms(points)
+    a = np.log(np.asarray(amplitude, dtype=np.float64))
+    # the line of each amplitude; the outer two are extended
+    line = (log_a[1:-1] > a[..., None]).sum(axis=-1)
+    slope = np.diff(log_n) / np.diff(log_a)
+    return np.asarray(np.exp(log_n[line] + slope[line] * (a - log_a[line])))
+
+
+def _logarithms(points: tuple[tuple[float, float], ...]) -> tuple[Floats, Floats]:
+    """Return the logarithms of cycles and amplitudes, or raise where they are no life curve."""
+    curve = np.array(points, dtype=np.float64)
+    if curve.ndim != 2 or curve.shape[0] < 2 or not (np.isfinite(curve).all() and curve.min() > 0):
+        raise ValueError("a life curve needs two points or more, positive and finite")
+    log_n, log_a = np.log(curve.T)
+    if not ((np.diff(log_n) > 0).all() and (np.diff(log_a) < 0).all()):
+        raise ValueError("along a life curve, cycles rise and amplitude falls")
+    return log_n, log_a

@@ -1,23 +1,24 @@
-"""Damage of a stationary Gaussian stress by every method: rates, their spread, the life they leave.
+"""Damage of a stationary Gaussian stress by every method.
 
 Every method takes the moments m_n = ∫ f^n G df of the one-sided density of the stress, and a life
-curve N = C · a^(−k) in stress AMPLITUDE a, and gives the damage per second.
+curve in stress AMPLITUDE a, N = C · a^(−k) or of several such lines, and gives the damage per
+second.
 """
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from flexcli.formulas.dirlik import dirlik_damage_rate
-from flexcli.formulas.narrow_band import narrow_band_damage_rate
+from flexcli.formulas.curve_damage import curve_damage_rate, cycles_on_curve
+from flexcli.formulas.dirlik import dirlik_damage_rate, dirlik_density, is_single_frequency
+from flexcli.formulas.narrow_band import narrow_band_damage_rate, rayleigh_density
 from flexcli.formulas.spectral_moments import Moments
-from flexcli.formulas.steinberg import steinberg_damage_rate
-from flexcli.formulas.tovo_benasciutti import tovo_benasciutti_damage_rate
+from flexcli.formulas.steinberg import STEINBERG, steinberg_damage_rate
+from flexcli.formulas.tovo_benasciutti import tovo_benasciutti_damage_rate, tovo_benasciutti_density
 from flexcli.formulas.wirsching_light import wirsching_light_damage_rate
 
-__all__ = ["METHODS", "Spread", "damage_rates", "life", "spread"]
+__all__ = ["CURVE_METHODS", "METHODS", "curve_damage_rates", "damage_rates"]
 
 Floats = NDArray[np.float64]
 
@@ -29,6 +30,9 @@ METHODS: tuple[tuple[str, Callable[[Moments, ArrayLike, ArrayLike], Floats]], ..
     ("tovo-benasciutti", tovo_benasciutti_damage_rate),
 )
 """Name and function of each method for a single-slope life curve."""
+
+CURVE_METHODS = tuple(name for name, _ in METHODS if name != "wirsching-light")
+"""Those that a life curve of several lines allows; Wirsching and Light fitted theirs to one."""
 
 
 def damage_rates(moments: Moments, k: ArrayLike, C: ArrayLike) -> dict[str, Floats]:
@@ -61,79 +65,51 @@ def damage_rates(moments: Moments, k: ArrayLike, C: ArrayLike) -> dict[str, Floa
     return {name: method(moments, k, C) for name, method in METHODS}
 
 
-def life(damage_rate: ArrayLike, *, critical_damage: float = 1.0) -> Floats:
-    """Give the time to failure.
-
-    T = D_c/d
+def curve_damage_rates(
+    moments: Moments, points: tuple[tuple[float, float], ...]
+) -> dict[str, float]:
+    """Give the damage rate on a life curve of several lines, by every method that allows one.
 
     Parameters
     ----------
-    damage_rate : array, any shape
-        Damage per second, [1/s].
-    critical_damage : float
-        Sum of damage at failure, 1 after Miner, [-].
+    moments : Moments
+        Scalar moments of the stress, [Pa² Hz^n].
+    points : tuple of (float, float)
+        The life curve, two points or more: cycles rising [-], AMPLITUDE falling [Pa].
 
     Returns
     -------
-    array
-        Life, [s]; inf without damage.
+    dict
+        Name of each of `CURVE_METHODS` → damage per second, [1/s].
 
     Raises
     ------
     ValueError
-        When a rate is negative or the critical damage is not positive.
+        When the curve does not fall.
 
     Examples
     --------
-    >>> float(life(0.0005))
-    2000.0
+    >>> rates = curve_damage_rates(Moments(1.0, 100.0, 1e4, 1e8), ((1e2, 10.0), (1e6, 1.0)))
+    >>> round(rates["narrow-band"], 12)
+    0.0008
     """
-    rate = np.asarray(damage_rate, dtype=np.float64)
-    if not ((rate >= 0).all() and critical_damage > 0):
-        raise ValueError("damage rates must not be negative, critical damage must be positive")
-    return np.divide(critical_damage, rate, out=np.full_like(rate, np.inf), where=rate > 0)
-
-
-@dataclass(frozen=True)
-class Spread:
-    """How far methods disagree: least and greatest value, whose they are, and their ratio."""
-
-    least: float
-    greatest: float
-    least_name: str
-    greatest_name: str
-
-    @property
-    def ratio(self) -> float:
-        """Greatest over least, inf when the least is zero [-]."""
-        return self.greatest / self.least if self.least > 0 else float("inf")
-
-
-def spread(values: Mapping[str, ArrayLike]) -> Spread:
-    """Compare one scalar result of several methods.
-
-    Parameters
-    ----------
-    values : mapping
-        Name of the method → value, in one unit.
-
-    Returns
-    -------
-    Spread
-        Least and greatest, with names and ratio.
-
-    Raises
-    ------
-    ValueError
-        When there is no value.
-
-    Examples
-    --------
-    >>> spread({"a": 2.0, "b": 3.0}).ratio
-    1.5
-    """
-    if not values:
-        raise ValueError("a spread needs at least one value")
-    numbers = {name: float(np.asarray(value)) for name, value in values.items()}
-    least, greatest = min(numbers, key=numbers.__getitem__), max(numbers, key=numbers.__getitem__)
-    return Spread(numbers[least], numbers[greatest], least, greatest)
+    sigma = float(np.sqrt(moments.m0))
+    crossings, peaks = float(moments.crossing_rate), float(moments.peak_rate)
+    densities: tuple[tuple[str, float, Callable[[Floats], Floats]], ...] = (
+        ("narrow-band", crossings, lambda a: rayleigh_density(a, sigma)),
+        (
+            "dirlik",
+            peaks,
+            # of a single frequency its parts merge into Rayleigh's
+            (lambda a: rayleigh_density(a, sigma))
+            if is_single_frequency(moments)
+            else lambda a: dirlik_density(a, moments),
+        ),
+        ("tovo-benasciutti", peaks, lambda a: tovo_benasciutti_density(a, moments)),
+    )
+    found = {
+        name: curve_damage_rate(density, rate, points, scale=sigma)
+        for name, rate, density in densities
+    }
+    bands = sum(share / float(cycles_on_curve(level * sigma, points)) for level, share in STEINBERG)
+    return {**found, "steinberg": crossings * bands}

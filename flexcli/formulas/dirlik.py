@@ -9,7 +9,7 @@ from flexcli.formulas.arguments import basquin
 from flexcli.formulas.spectral_moments import Moments
 from flexcli.numerics.gamma import gamma
 
-__all__ = ["dirlik_damage_rate", "dirlik_density"]
+__all__ = ["dirlik_damage_rate", "dirlik_density", "is_single_frequency"]
 
 Floats = NDArray[np.float64]
 
@@ -102,6 +102,12 @@ def dirlik_damage_rate(moments: Moments, k: ArrayLike, C: ArrayLike) -> Floats:
     return rate
 
 
+def is_single_frequency(moments: Moments) -> bool:
+    """Return whether any of the stresses has no width: then the parts of the fit merge."""
+    fit = _dirlik(moments)
+    return not ((np.abs(fit.R - 1) > 0).all() and (fit.D1 > 0).all())
+
+
 def dirlik_density(amplitude: ArrayLike, moments: Moments) -> Floats:
     """Give Dirlik's density of rainflow amplitude.
 
@@ -146,7 +152,7 @@ def dirlik_density(amplitude: ArrayLike, moments: Moments) -> Floats:
     Warwick.
     """
     fit = _dirlik(moments)
-    if not (np.abs(fit.R - 1) > 0).all() or not (fit.D1 > 0).all():
+    if is_single_frequency(moments):
         raise ValueError("a single frequency has no Dirlik density: use rayleigh_density")
     sigma = np.sqrt(moments.m0)
     z = np.asarray(amplitude, dtype=np.float64) / sigma

@@ -6,11 +6,11 @@ from numpy.typing import ArrayLike, NDArray
 from flexcli.formulas.arguments import basquin
 from flexcli.formulas.spectral_moments import Moments
 
-__all__ = ["steinberg_damage_rate"]
+__all__ = ["STEINBERG", "steinberg_damage_rate"]
 
 Floats = NDArray[np.float64]
 # Steinberg's shares of the time at 1σ, 2σ and 3σ, as printed by him.
-_STEINBERG = ((1, 0.683), (2, 0.271), (3, 0.0433))
+STEINBERG = ((1, 0.683), (2, 0.271), (3, 0.0433))
 
 
 def steinberg_damage_rate(moments: Moments, k: ArrayLike, C: ArrayLike) -> Floats:
@@ -55,7 +55,7 @@ def steinberg_damage_rate(moments: Moments, k: ArrayLike, C: ArrayLike) -> Float
     """
     exponent, constant = basquin(k, C)
     bands: Floats = np.sum(
-        [share * np.power(float(sigma), exponent) for sigma, share in _STEINBERG], axis=0
+        [share * np.power(float(sigma), exponent) for sigma, share in STEINBERG], axis=0
     )
     rate: Floats = moments.crossing_rate / constant * moments.m0 ** (exponent / 2) * bands
     return rate

@@ -1,32 +1,47 @@
 """The life of a material under a random stress, by every method."""
 
-from math import inf, log
+from math import exp, inf, log
 
 import numpy as np
 
-from flexcli.formulas.damage import METHODS, damage_rates
+from flexcli.formulas.damage import CURVE_METHODS, METHODS, curve_damage_rates, damage_rates
 from flexcli.formulas.fatigue import goodman_factor
 from flexcli.formulas.spectral_moments import Moments
 from flexcli.parts.material import Material, MissingProperty
 
-__all__ = ["life_under", "sn_law"]
+__all__ = ["life_curve", "life_under"]
 
 UNIT = 1e6
 """Stress unit inside, 1 MPa in Pa: S^-k of a steep curve in Pa would leave the range of floats."""
 
 
-def sn_law(material: Material) -> tuple[float, float]:
-    """Return k and C of N = C S^-k in fully reversed stress amplitude S [MPa].
+STATIC = 0.5
+"""Cycles to failure at the tensile strength: one reversal."""
 
-    From Basquin's law, or the last line of the S-N points. A curve that flattens with the cycles
-    lies above the continuation of its last line to shorter lives, so this is the safe side there;
-    beyond the curve no endurance limit is taken.
+
+def life_curve(material: Material) -> tuple[tuple[float, float], ...]:
+    """Return the corners (cycles, fully reversed AMPLITUDE [Pa]) of what a life is counted on.
+
+    Basquin's law is its own line. Points are taken on the safe side: of a level stretch the fewest
+    cycles; the last line that falls goes on falling (an endurance limit is none among larger
+    cycles: Miner elementary); the upper end goes to the tensile strength at one reversal, where
+    that is known and lies below the first line continued.
     """
-    (n1, s1), (n2, s2) = material.reversed_curve()[-2:]
-    if s1 == s2:
-        raise MissingProperty("sn_amplitudes", "a life needs its last line to fall")
-    k = log(n2 / n1) / log(s1 / s2)
-    return k, n2 * (s2 / UNIT) ** k
+    falling: list[tuple[float, float]] = []
+    for cycles, amplitude in material.reversed_curve():
+        if not falling or amplitude < falling[-1][1]:
+            falling.append((cycles, amplitude))
+    if len(falling) < 2:
+        raise MissingProperty("sn_amplitudes", "a life needs a line of it to fall")
+    given, strength = material.sn_amplitudes, material.tensile_strength
+    if given is None or given.basquin is not None or strength is None:
+        return tuple(falling)
+    top = material.strength("tensile_strength")
+    (n1, s1), (n2, s2) = falling[:2]
+    continued = log(s1) + (log(s1) - log(s2)) / log(n2 / n1) * log(n1 / STATIC)
+    if n1 > STATIC and s1 < top < exp(min(continued, 700.0)):
+        return ((STATIC, top), *falling)
+    return tuple(falling)
 
 
 def life_under(
@@ -34,18 +49,27 @@ def life_under(
 ) -> dict[str, float]:
     """Return the time to failure [s] by each method, for moments of the stress [Pa² Hz^n].
 
+    A method that is fitted to one slope has no life on a curve of several lines.
+
     A standing tension [Pa] raises every amplitude by 1/(1 − σ_m/R_m) (Goodman); one that reaches
     R_m leaves no life.
     """
+    curve, factor = life_curve(material), 1.0
+    is_straight = len(curve) == 2
+    names = [name for name, _ in METHODS] if is_straight else CURVE_METHODS
     if moments[0] == 0.0:
-        return {name: inf for name, _ in METHODS}
-    k, constant = sn_law(material)
-    factor = 1.0
+        return dict.fromkeys(names, inf)
     if mean > 0.0:
         strength = material.strength("tensile_strength")
         if mean >= strength:
-            return {name: 0.0 for name, _ in METHODS}
+            return dict.fromkeys(names, 0.0)
         factor = float(goodman_factor(mean, strength))
     m0, m1, m2, m4 = np.array(moments) * (factor / UNIT) ** 2
-    rates = damage_rates(Moments(m0, m1, m2, m4), k, constant)
-    return {name: (1.0 / float(rate) if rate > 0.0 else inf) for name, rate in rates.items()}
+    of, points = Moments(m0, m1, m2, m4), tuple((n, s / UNIT) for n, s in curve)
+    if is_straight:
+        (n1, s1), (n2, s2) = points
+        k = log(n2 / n1) / log(s1 / s2)
+        rates = {name: float(x) for name, x in damage_rates(of, k, n2 * s2**k).items()}
+    else:
+        rates = curve_damage_rates(of, points)
+    return {name: (1.0 / rate if rate > 0.0 else inf) for name, rate in rates.items()}

@@ -5,7 +5,7 @@ import pytest
 import rainflow
 from stresses import ROUNDING, SPECTRA
 
-from flexcli.formulas.damage import METHODS, damage_rates, life, spread
+from flexcli.formulas.damage import METHODS, damage_rates
 from flexcli.formulas.dirlik import dirlik_damage_rate
 from flexcli.formulas.narrow_band import narrow_band_damage_rate
 from flexcli.formulas.spectral_moments import Moments, spectral_moments
@@ -78,25 +78,3 @@ def test_methods_broadcast_over_designs_and_exponents(name, method):
     rates = method(moments, np.array([3.0, 8.0]), 1.0)
     assert rates.shape == (3, 2)
     np.testing.assert_allclose(rates[1] / rates[0], [2.0**3, 2.0**8], rtol=ROUNDING)
-
-
-def test_life_is_the_inverse_of_the_damage_rate():
-    assert life([0.0, 0.5], critical_damage=0.7).tolist() == [np.inf, 1.4]
-
-
-def test_spread_names_the_extremes():
-    found = spread({"b": 3.0, "a": 1.5, "c": 2.0})
-    assert (found.least_name, found.greatest_name, found.ratio) == ("a", "b", 2.0)
-    assert spread({"a": 0.0, "b": 1.0}).ratio == np.inf
-
-
-@pytest.mark.parametrize(
-    ("call", "text"),
-    [
-        (lambda: life(-1.0), "negative"),
-        (lambda: spread({}), "at least one"),
-    ],
-)
-def test_invalid_arguments_are_refused(call, text):
-    with pytest.raises(ValueError, match=text):
-        call()

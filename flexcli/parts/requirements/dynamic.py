@@ -228,6 +228,11 @@ class DynamicLife(_Dynamic):
                 if name.startswith("stress"):
                     m0, m1, m2, m4 = (moment * stress**2 for moment in output.moments)
                     by_method = life_under(ask.material, (m0, m1, m2, m4), self.mean_stress)
+                    if self.method not in ("least", *by_method):
+                        raise RequirementError(
+                            f"{self.method} is fitted to one slope, and the S-N curve has several",
+                            f"take least or one of {', '.join(by_method)}",
+                        )
                     living[name] = (
                         min(by_method.values())
                         if self.method == "least"
@@ -246,6 +251,8 @@ class DynamicLife(_Dynamic):
             plain = lives(found.structure)
         except MissingProperty as missing:
             raise RequirementError(str(missing), f"give material.{missing.field}") from missing
+        except RequirementError:
+            raise
         except ValueError as error:
             raise RequirementError(str(error)) from error
         return {
