@@ -30,6 +30,7 @@ from flexcli.parts.geometries import Sizes
 from flexcli.results import Note, Result, Status
 from flexcli.results.dossier import Dossier
 from flexcli.results.drawing import Drawing
+from flexcli.results.shown import register
 from flexcli.spec.findings import nearest
 from flexcli.spec.load import Loaded, validated
 from flexcli.spec.overrides import Place
@@ -456,3 +457,28 @@ def _on_sizes(
     if cost is not None:
         cost = replace(cost, seconds=perf_counter() - started)
     return replace(result, warnings=(*notes, *result.warnings), cost=cost)
+
+
+def _mapping(result: Result) -> dict[str, Any]:
+    from flexcli.report.as_json import contents
+
+    return contents(result)
+
+
+def _html(found: Result | Dossier) -> str | None:
+    """Return what a notebook shows of a result; nothing where the extra ``report`` is missing."""
+    from flexcli.report.page import summary
+
+    try:
+        return summary(found)
+    except SolveError:
+        return None
+
+
+def _svg(drawn: Drawing) -> str:
+    from flexcli.report.drawing_svg import drawing_svg
+
+    return drawing_svg(drawn, drawn.kind)
+
+
+register(mapping=_mapping, html=_html, svg=_svg)

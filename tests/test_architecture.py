@@ -28,7 +28,7 @@ LAYERS = {
     "spec": BASE | {"parts"},
     "engine": BASE | {"formulas", "numerics", "mechanics", "parts"},
     "report": BASE,
-    "api": BASE | {"parts", "spec", "engine"},
+    "api": BASE | {"parts", "spec", "engine", "report"},
     "cli": BASE | {"parts", "spec", "engine", "report", "api"},
     "": {"api"},
 }

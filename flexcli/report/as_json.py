@@ -13,7 +13,7 @@ from flexcli.report.plan_json import plan_document
 from flexcli.report.stops_json import stops_document
 from flexcli.results import Cost, Result, SizingResult, Status
 
-__all__ = ["FORMAT", "document", "dumps", "render", "summary"]
+__all__ = ["FORMAT", "contents", "document", "dumps", "render", "summary"]
 
 FORMAT = 1
 """Version of the output contract."""
@@ -39,6 +39,12 @@ def dumps(content: Any, encoding: str = "utf-8") -> str:
     if text.replace("\n", "").isprintable():
         return text
     return json.dumps(_plain(content), **options).replace("\x7f", "\\u007f")
+
+
+def contents(result: Result) -> dict[str, Any]:
+    """Return one result as the contract has it, in plain Python: what JSON has not is nothing."""
+    plain: dict[str, Any] = _plain(document(result))
+    return plain
 
 
 def document(result: Result) -> dict[str, Any]:

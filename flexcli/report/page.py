@@ -18,7 +18,7 @@ from flexcli.results.dossier import Dossier, Equation
 from flexcli.results.explanation import SymbolRow
 from flexcli.units import show
 
-__all__ = ["FolderRow", "design_page", "folder_page", "folder_row"]
+__all__ = ["FolderRow", "design_page", "folder_page", "folder_row", "summary"]
 
 WORDS = {
     Verdict.FAIL: ("✕", "FAIL"), Verdict.UNDECIDED: ("?", "UNDECIDED"),
@@ -59,7 +59,7 @@ def _markup(text: str) -> Any:
 def design_page(dossier: Dossier, date: str) -> str:
     """Return the page of one design; ``date`` is when it was made."""
     result = dossier.result
-    checks = sorted(result.checks, key=lambda check: list(WORDS).index(check.verdict))
+    checks = _worst_first(result.checks)
     pictures = [
         {"title": p.title, "caption": p.caption, "picture": _markup(_labelled(p.svg, p.title))}
         for p in plots(dossier)
@@ -117,6 +117,25 @@ def design_page(dossier: Dossier, date: str) -> str:
         if context.get(there.get(key, key), True) not in (None, [], ())
     ]
     return str(_environment().get_template("design.html.j2").render(context))
+
+
+def summary(found: Result | Dossier) -> str:
+    """Return what a notebook shows: verdict, drawing where there is one, margins or values."""
+    result = found.result if isinstance(found, Dossier) else found
+    drawn = found.drawing if isinstance(found, Dossier) else None
+    title = result.title or result.spec
+    checks = _worst_first(result.checks)
+    context = {
+        "result": result,
+        "title": title,
+        "glyph": STATUS[result.status],
+        "word": result.status.value.upper(),
+        "lead": _lead(result, checks) if checks or result.sizing else "",
+        "drawing": None if drawn is None else _markup(drawing_svg(drawn, title)),
+        "checks": [_check(check) for check in checks],
+        "values": [] if checks else list(_values(result)),
+    }
+    return str(_environment().get_template("summary.html.j2").render(context))
 
 
 class FolderRow(NamedTuple):
@@ -190,6 +209,10 @@ def _about(dossier: Dossier) -> str:
 def _tally(checks: Sequence[Check]) -> str:
     counts = {v: sum(check.verdict is v for check in checks) for v in WORDS}
     return ", ".join(f"{n} {verdict.value}" for verdict, n in counts.items() if n)
+
+
+def _worst_first(checks: Sequence[Check]) -> list[Check]:
+    return sorted(checks, key=lambda check: list(WORDS).index(check.verdict))
 
 
 def _worst(checks: Sequence[Check]) -> Check | None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from flexcli.results.drawing import Drawing
 from flexcli.results.explanation import SymbolRow
 from flexcli.results.result import Result
+from flexcli.results.shown import rendered
 from flexcli.results.simulation import SweepResult
 
 __all__ = ["Dossier", "Equation", "Region", "Spectrum"]
@@ -68,3 +69,7 @@ class Dossier:
     equations: tuple[Equation, ...] = ()
     region: Region | None = None
     left_out: tuple[str, ...] = ()
+
+    def _repr_html_(self) -> str | None:
+        html: str | None = rendered(self, "html")
+        return html

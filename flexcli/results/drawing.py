@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from flexcli.results.shown import rendered
+
 __all__ = ["XY", "Drawing", "DrawnAngle", "DrawnBlade", "DrawnBody", "DrawnForce", "DrawnState"]
 
 XY = tuple[float, float]
@@ -102,3 +104,7 @@ class Drawing:
     twists: bool = False
     strength: float | None = None
     notes: tuple[str, ...] = ()
+
+    def _repr_svg_(self) -> str | None:
+        svg: str | None = rendered(self, "svg")
+        return svg

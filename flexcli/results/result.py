@@ -10,6 +10,7 @@ from flexcli.results.accuracy import AccuracyResult
 from flexcli.results.balance import BalanceResult
 from flexcli.results.judgement import Check, EffectRow, Note, Value
 from flexcli.results.plan import AuditRow, Plan
+from flexcli.results.shown import records, rendered, tables
 from flexcli.results.simulation import SweepResult
 from flexcli.results.sizing import SizingResult
 from flexcli.results.stops import StopsResult
@@ -92,3 +93,28 @@ class Result:
         """Return the sections that it has, by name."""
         names = (f.name for f in fields(self) if f.name not in HEADER)
         return {name: getattr(self, name) for name in names if getattr(self, name)}
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return it as ``--format json`` prints it: plain Python, SI numbers, stable keys."""
+        found: dict[str, Any] = rendered(self, "mapping")
+        return found
+
+    @property
+    def tables(self) -> tuple[str, ...]:
+        """Return the names of the tables that :meth:`records` gives."""
+        content = self.to_dict()
+        return ("values", *tables({k: v for k, v in content.items() if k != "values"}))
+
+    def records(self, table: str = "checks") -> list[dict[str, Any]]:
+        """Return a table as a list of rows, which ``pandas.DataFrame`` takes as it is.
+
+        A table within another is named by its path, ``sweeps.points``; each of its rows repeats
+        the plain cells of the row that it is in.
+        """
+        content = self.to_dict()
+        content["values"] = [{"name": name, **row} for name, row in content["values"].items()]
+        return records(content, table)
+
+    def _repr_html_(self) -> str | None:
+        html: str | None = rendered(self, "html")
+        return html
