@@ -4,6 +4,8 @@
 # The exact model moves a crossed pivot through its stroke; the closed form knows it at rest.
 
 # %%
+from math import degrees
+
 import flexcli
 
 SPEC = flexcli.load("examples/wittrick-crossing/flexure.yaml")
@@ -14,14 +16,11 @@ stroke = flexcli.simulate(SPEC, points=5)
 stroke.tables
 
 # %% [markdown]
-# Where the blades cross at Wittrick's point the centre hardly shifts: micrometres below the width of
-# a hair, at five degrees.
+# Where the blades cross at Wittrick's point the centre hardly shifts, even at five degrees.
 
 # %%
-[
-    {"travel [deg]": round(57.29578 * row["travel"], 2), "shift [nm]": round(1e9 * row["shift_x"], 1)}
-    for row in stroke.records("sweeps.points")
-]
+points = stroke.records("sweeps.points")
+[{"degrees": degrees(row["travel"]), "nanometres": 1e9 * row["shift_x"]} for row in points]
 
 # %% [markdown]
 # All of it, as the JSON contract has it:

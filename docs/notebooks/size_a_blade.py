@@ -1,8 +1,8 @@
 # %% [markdown]
 # # Size a blade, and read the answer
 #
-# A spec may be a file or, as here, text. The stage hangs on two parallel blades, moves by ± 2 mm for
-# ten million strokes, and bears 50 N along its blades when it is handled.
+# A spec may be a file or, as here, text. The stage hangs on two parallel blades, moves by ± 2 mm
+# for ten million strokes, and bears 50 N along its blades when it is handled.
 
 # %%
 import flexcli
