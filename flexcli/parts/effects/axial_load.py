@@ -1,11 +1,11 @@
 """Axial load: a force along the blades stiffens or softens their bending."""
 
 from collections.abc import Sequence
-from math import inf, isfinite
+from math import cos, inf, isfinite, pi
 from typing import ClassVar
 
 from flexcli.formulas.section import second_moment
-from flexcli.parts.bending import UNKNOWN, Changes, together, whole
+from flexcli.parts.bending import UNKNOWN, Change, Changes, together, whole
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.scene import Scene
@@ -33,11 +33,25 @@ class AxialLoad(ModelEffect):
         if any(s.push and s.blade_force for s in setting.scenes):
             return {"stress": UNKNOWN}
         found = dict(bending.load(n)) if n else {}
+        stress = found.get("stress")
+        if stress is not None and stress.value is not None and _pushes(setting):
+            # compression relieves the moments by less than n/(π² − n), guided or free to turn
+            relief = float(n / (pi**2 - n)) if n < pi**2 else inf
+            found["stress"] = Change(0.0, relief, stress.error + max(relief, stress.value))
         still = [s for s in setting.scenes if s.blade_force and not s.bends]
         if still:
             for name, more in bending.amplified(load_number(setting, still)).items():
                 found[name] = together(found.get(name, whole(0.0)), more)
         return found
+
+
+def _pushes(setting: Setting) -> bool:
+    """Return whether a case that bends the blades states a force that pushes along x."""
+    return any(
+        scene.directed and any(cos(direction) < 0.0 for force, direction in scene.forces if force)
+        for scene in setting.scenes
+        if scene.bends
+    )
 
 
 def largest_load(setting: Setting) -> float:
