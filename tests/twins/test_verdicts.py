@@ -6,7 +6,7 @@ A design a kind here; `tests/benchmarks/twins.py` judges hundreds and prints wha
 import pytest
 
 from twins.designs import KINDS, drawn
-from twins.verdicts import UNSAFE, checked, score
+from twins.verdicts import RIGHT, UNSAFE, checked, score
 
 
 @pytest.mark.parametrize("seed", range(len(KINDS)), ids=lambda seed: KINDS[seed])
@@ -17,3 +17,15 @@ def test_no_requirement_missed_by_three_per_cent_passes(seed):
         said = checked(design.asked(question, kept=False), question.name)
         assert score(said, kept=False) != UNSAFE, (question.name, question.true, said)
         assert said.exit_code != 101, said.text
+
+
+@pytest.mark.parametrize("seed", [100021, 100023])
+def test_a_force_that_pushes_relieves_the_bending_of_blades(seed):
+    """A cantilever and a stage that a load of 180 deg compresses while they are moved."""
+    design = drawn(seed, quick=True)
+    assert design.spec["cases"]["work"]["load"]["direction"] == "180.0 deg"
+    for question in design.questions:
+        if question.name == "yield":
+            for kept in (True, False):
+                said = checked(design.asked(question, kept), question.name)
+                assert score(said, kept) == RIGHT
