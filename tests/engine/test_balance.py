@@ -1,7 +1,9 @@
 """The verb balance on the exercise: its printed numbers, and what it adds to them."""
 
+from itertools import product
 from pathlib import Path
 
+import numpy as np
 import pytest
 import yaml
 from judging import check_as_printed
@@ -165,3 +167,36 @@ def test_the_rotary_stage_couples_to_the_rotation_of_its_base():
     assert found.balance.motion == "rotation"
     assert found.values["tau_coupling"].value == found.values["m_eq"].value == 1.72e-4
     assert round(found.values["f_0"].value, 1) == 10.0
+
+
+@pytest.mark.parametrize(
+    ("arms", "com", "arm"), [((12.0, 9.0), 1e-3, 0.5e-3), ((30.0, 40.0), 0.5e-3, 1e-3)]
+)
+def test_tolerances_of_an_unbalanced_stage_add_to_what_it_couples_already(exercise, arms, com, arm):
+    """τ = m_2 + Σ m s/H, an arm on the other side: from every corner of the tolerances."""
+    body = {"inertia": "1e-6 kg*m^2", "mass": "30 g"}
+    sides = {f"balance-{i}": {**body, "arm": f"{a} mm"} for i, a in zip((1, 3), arms, strict=True)}
+    found = changed(exercise, **sides, coupling=None)
+    off = {"mass": 2e-3, "com": com, "arm": arm, "height": 0.0}
+    tolerances = found.balance.tolerances.model_copy(update=off)
+    asked = found.balance.model_copy(update={"tolerances": tolerances})
+    values = balance(found.model_copy(update={"balance": asked}), "flexure.yaml").values
+
+    masses = np.array([68.1223e-3, 17.138708e-3, 17.138708e-3, 30e-3, 30e-3])
+    places = np.array([20.0, 10.411598, 10.411598, -arms[0], -arms[1]]) * 1e-3
+    steps = np.array([2e-3] * 5 + [0.0] + [com] * 2 + [arm] * 2)
+
+    def coupling(change):
+        return float((masses + change[:5]) @ (places + change[5:])) / 20e-3
+
+    nominal = coupling(np.zeros(10))
+    assert abs(nominal) > 0.01
+    assert values["tau_coupling"].value == pytest.approx(nominal, rel=1e-9)
+    worst = max(abs(coupling(np.array(c) * steps)) for c in product([-1.0, 1.0], repeat=10))
+    # products of a mass's and a length's tolerance may lessen the worst; all are counted on top
+    most = worst + 2.0 * 2e-3 * (2.0 * com + 2.0 * arm) / 20e-3
+    assert worst * (1.0 - 1e-9) <= values["tau_worst"].value <= most
+    # of a product, the middle difference is its derivative
+    alone = [(coupling(d) - coupling(-d)) / 2.0 for d in np.diag(steps)]
+    expected = np.hypot(nominal, np.linalg.norm(alone))
+    assert values["tau_rss"].value == pytest.approx(expected, rel=1e-9)

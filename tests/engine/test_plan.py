@@ -220,3 +220,26 @@ def test_stops_shut_out_what_their_modes_have_not():
     )
     notes = plan(spec, spec.fixed_sizes()).notes
     assert any(note.code == "effect-excluded" and "large rotation" in note.text for note in notes)
+
+
+ALWAYS = {
+    "linear": {"blade tension", "hinge length"},
+    "exact": {"blade tension", "hinge length", "large rotation", "axial load"},
+}
+"""What a model of beams has whether asked or not; the exact one is in equilibrium as it is bent."""
+
+
+@pytest.mark.parametrize("model", ALWAYS)
+def test_a_plan_s_error_is_the_model_s_own_and_all_that_is_left_out_together(model):
+    wishes = dict.fromkeys(("plate-widening", "anticlastic", "shear"), "off")
+    found = planned(design_of({**PIVOT, "h": "0.6 mm"}, accuracy=0.5, effects=wishes), model=model)
+    assert found.model == model
+    own = found.tolerance if model == "exact" else 0.0
+    several = 0
+    for name in found.reported:
+        out = [e for e in found.effects if not e.on and e.name not in ALWAYS[model]]
+        left = [e.estimates.get(name, 0.0) for e in out]
+        several += sum(share > 0.01 * found.errors[name] for share in left) > 1
+        assert found.errors[name] == pytest.approx(own + sum(left), rel=1e-12)
+    assert several > 0
+    assert found.estimated_error == max(found.errors.values())

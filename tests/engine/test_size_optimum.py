@@ -12,6 +12,7 @@ from strategies import CASES, LOADS, PUSH, TITANIUM, crossed, design, rcc, stage
 from flexcli.engine import assess
 from flexcli.errors import SolveError
 from flexcli.parts.geometries import Blade
+from flexcli.results import Status
 
 SLSQP = 1e-6  # difference quotients of 1e-8 leave this of the logarithm of an objective
 STEP = 1e-3  # of a demand, in difference quotients of whole sizings: an error of its square
@@ -325,3 +326,20 @@ def test_results_are_plain_numbers_for_json():
 
     result = size_as_printed(design(rcc(**BOUNDED), LOADS), "spec")
     assert json.loads(as_json.dumps(as_json.document(result)))["status"] == "pass"
+
+
+def test_a_stroke_to_one_side_sized_by_smith_watson_topper_is_thinner_by_the_root_of_two():
+    """0 to 2°: amplitude and mean are both those of 1°, and √(σ_a (σ_a + σ_m)) = √2 σ_a."""
+    theta, l, p, factor = np.deg2rad(1.0), 20e-3, 2e-3, 3.0
+    found = size_as_printed(
+        design(
+            rcc(p="2 mm", l="20 mm", b="10 mm"),
+            {"fatigue": {"factor": factor, "mean_stress": "swt"}},
+            {"turn": {"stroke": {"rotation": ["0 deg", "2 deg"], "cycles": 1e7}}},
+            size={"objective": {"maximize": "h"}},
+        )
+    )
+    # a blade clamped at p and p + l from the centre bends by E h θ (2 l + 3 p)/l² at its inner end
+    expected = 500e6 / factor / 2.0**0.5 * l**2 / (114e9 * theta * (2.0 * l + 3.0 * p))
+    assert found.status is Status.PASS
+    assert found.values["h"].value == pytest.approx(expected, rel=1e-6)

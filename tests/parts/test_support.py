@@ -1,5 +1,6 @@
 """Support and deflection as a spec asks for them, against closed forms of one direction."""
 
+import numpy as np
 import pytest
 from geometries_for_tests import spec
 from judging import check_as_printed
@@ -164,3 +165,30 @@ def test_what_is_missing_is_named(kind, changes, material, text):
             {"work": {"stroke": stroke}},
             material=material,
         )
+
+
+def test_pairs_side_by_side_resist_tilting_on_their_arms_about_the_middle_of_the_pivot():
+    """Blades that cross at mid-length, each a width beside the last: six springs on the axis each.
+
+    Timoshenko's beams with Roark's torsion of a rectangle; the guess of J counts little here.
+    """
+    pairs, b, half_angle = 3, 5e-3, 0.7
+    shape = {"p": None, "delta": -0.5, "half_angle": "0.7 rad", "pairs": pairs}
+    bounds = {"x": "1 N/um", "y": "1 N/um", "theta_x": "1 N*m/rad", "theta_y": "1 N*m/rad"}
+    asked = [{"direction": way, "min": bound} for way, bound in bounds.items()]
+    found = [check.capacity for check in checks_of("cross-spring", {"support": asked}, **shape)]
+    J = b * H**3 * (1.0 / 3.0 - 0.21 * H / b * (1.0 - (H / b) ** 4 / 12.0))
+    bends = E * H * b**3 / 12.0 / L
+    wide = 12.0 * E * H * b**3 / 12.0 / L**3 / (1.0 + 2.4 * 1.34 * (b / L) ** 2)
+    own = np.array([E * b * H / L, 12.0 * E * TURN / L**3 / (1.0 + SHEAR), wide,
+                    G * J / L, bends, E * TURN / L])  # fmt: skip
+    K = np.zeros((6, 6))
+    for index in range(2 * pairs):
+        angle = half_angle if index % 2 == 0 else -half_angle
+        turn = np.array([[np.cos(angle), np.sin(angle), 0.0],
+                         [-np.sin(angle), np.cos(angle), 0.0], [0.0, 0.0, 1.0]])  # fmt: skip
+        z = (index - (2 * pairs - 1) / 2.0) * b
+        arm = np.array([[0.0, z, 0.0], [-z, 0.0, 0.0], [0.0, 0.0, 0.0]])  # u + φ × (0, 0, z)
+        moved = np.block([[turn, turn @ arm], [np.zeros((3, 3)), turn]])
+        K += moved.T @ np.diag(own) @ moved
+    assert found == pytest.approx(1.0 / np.diag(np.linalg.inv(K))[[0, 1, 3, 4]], rel=1e-5)

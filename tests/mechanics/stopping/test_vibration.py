@@ -1,4 +1,4 @@
-from math import acos, asin, atan2, inf, pi, sqrt
+from math import acos, asin, atan2, exp, inf, pi, sqrt
 
 import numpy as np
 import pytest
@@ -291,3 +291,45 @@ def test_pieces_of_a_signal_can_be_cut_anywhere():
     cut = simulate(oscillator(damping=0.01), stops, linear_samples(fine.tolist(), 0.1))
     np.testing.assert_allclose(coarse.contacts.time, cut.contacts.time, rtol=1e-11)
     np.testing.assert_allclose(coarse.q, cut.q, rtol=1e-9)
+
+
+SLUGGISH = 0.5
+"""Damping (share of critical) that is felt in the press on a stop."""
+
+
+def test_a_plastic_stop_holds_a_damped_blade_from_its_first_touch_under_a_load_that_presses():
+    # at the stop it stands, where no damping acts: the stop bears the load less the spring
+    load, gap = 1.5, 1.0
+    stops = Stops(RigidStop(0.0), above=gap, below=inf)
+    result = simulate(oscillator(damping=SLUGGISH), stops, polynomial([-load], 30.0))
+    ((time,), (duration,)) = result.contacts.time, result.contacts.duration
+    assert time + duration == pytest.approx(30.0, rel=1e-12)
+    assert result.contacts.impulse[0] == pytest.approx(
+        sqrt(2.0 * _energy_at(load, gap)) + (load - gap) * duration, rel=1e-9
+    )
+
+
+def _energy_at(load, gap):
+    """Return the kinetic energy of a damped unit oscillator when it gets to the gap, by Runge."""
+
+    def rates(_, y):
+        return y[1], load - y[0] - 2.0 * SLUGGISH * y[1]
+
+    def touch(_, y):
+        return y[0] - gap
+
+    touch.terminal = True
+    found = solve_ivp(rates, (0.0, 30.0), (0.0, 0.0), events=touch, rtol=1e-12, atol=1e-13)
+    return found.y_events[0][0][1] ** 2 / 2.0
+
+
+def test_a_plastic_stop_lets_a_damped_blade_go_that_nothing_presses():
+    # it stops, and the spring takes it back from rest at the gap, with decays of 1/2 and 2 per s
+    gap = 1.0
+    stops = Stops(RigidStop(0.0), above=gap, below=inf)
+    result = simulate(oscillator(damping=1.25), stops, quiet(5.0), rate=[4.0])
+    assert result.contacts.time.size == 1
+    assert result.contacts.duration[0] == 0.0
+    since = 5.0 - result.contacts.time[0]
+    back = gap * (4.0 * exp(-since / 2.0) - exp(-2.0 * since)) / 3.0
+    assert result.q[0] == pytest.approx(back, rel=1e-9)

@@ -166,3 +166,20 @@ def test_a_sine_without_damping_is_a_finding():
     ((_, requirement),) = found.requirements.each()
     with pytest.raises(RequirementError, match="damped"):
         list(requirement.limits(ask))
+
+
+def test_a_slow_shaking_along_the_blades_presses_each_with_its_share_of_the_payload():
+    """Far below its resonance the payload rides along: two blades carry m a."""
+    low, high, level = 20.0, 40.0, 0.01 * 9.80665**2
+    case = flat(low, high)
+    case["asd"]["axis"] = "y"
+    case["ends"] = "clamped-guided"
+    found = limit(case, Off(), {"dynamic-buckling": 2.0})
+    peak = 3.0 * sqrt(level * (high - low))
+    # the gain of the resonance along the blades, over 2 kHz, is (40 Hz/2 kHz)² above one
+    assert found.demand == pytest.approx(MASS * peak / 2.0, rel=1e-3)
+    assert found.quantity.startswith("3σ axial force")
+    assert found.unit == "N"
+    assert found.required == 2.0
+    # Euler's load of a blade whose ends keep their direction, but for its stretch, some (h/l)²
+    assert found.capacity == pytest.approx(pi**2 * E * B * H**3 / 12.0 / L**2, rel=1e-3)

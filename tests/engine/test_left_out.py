@@ -1,0 +1,31 @@
+"""What is left out of a number is told where it may change it by five in a hundred, not below."""
+
+import pytest
+from strategies import TITANIUM, design
+
+from flexcli.engine.check import check
+
+WIDE = {"kind": "leaf-spring-stage", "h": "0.1 mm", "l": "20 mm", "b": "200 mm"}
+"""Blades that bend as plates: their stiffness is 1/(1 − ν²) that of a beam, ν²/(1 − ν²) more."""
+
+
+STROKE = {"work": {"stroke": {"translation": "1 um", "cycles": 1e6}}}
+
+
+def left_out(poisson_ratio, model):
+    material = {**TITANIUM, "poisson_ratio": poisson_ratio}
+    found = design(WIDE, {"stiffness": {"max": "1 N/um"}}, STROKE, material=material)
+    result = check(found, found.fixed_sizes(), "spec", model)
+    return [note.text for note in result.warnings if note.code == "effect-left-out"]
+
+
+# 4.8 % and 5.2 %
+@pytest.mark.parametrize(("poisson_ratio", "told"), [(0.214, False), (0.223, True)])
+def test_plates_for_beams_are_a_warning_from_five_in_a_hundred(poisson_ratio, told):
+    found = left_out(poisson_ratio, "source")
+    assert [text.split(",")[0] for text in found] == (["plate widening"] if told else [])
+    assert all("may change results by 5%" in text for text in found)
+
+
+def test_an_effect_that_the_model_carries_is_no_warning():
+    assert left_out(0.34, "closed-form") == []
