@@ -1,7 +1,7 @@
 # The few verbs of daily work; bash .ci/run is what CI runs.
 python := .venv/bin/python
 
-.PHONY: install test lint format fuzz ci
+.PHONY: install test lint format fuzz docs ci
 
 install: .venv/bin/python
 	$(python) -m pip install --quiet --editable '.[test]'
@@ -23,6 +23,10 @@ format:
 
 fuzz:
 	FUZZ_SECONDS=60 FUZZ_SEED=$$(date +%s) $(python) -m pytest -q -rP -n 2 -m fuzz tests/cli/test_fuzz.py
+
+docs:
+	$(python) -m pip install --quiet --editable '.[docs]'
+	$(python) -m mkdocs build --strict
 
 ci:
 	bash .ci/run

@@ -268,8 +268,8 @@ def test_the_hooks_of_pre_commit_run_commands_that_there_are():
         assert typer.testing.CliRunner().invoke(command.app, [*verb, "-h"]).exit_code == 0
 
 
-def test_the_workflow_of_the_readme_is_one_and_uses_formats_that_there_are():
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+def test_the_workflow_of_the_guide_is_one_and_uses_formats_that_there_are():
+    text = (ROOT / "docs" / "how-to" / "ci.md").read_text(encoding="utf-8")
     block = text.split("    # .github/workflows/flexures.yml\n")[1].split("\n\n")[0]
     steps = yaml.safe_load(textwrap.dedent(block))["jobs"]["flexures"]["steps"]
     asked = re.findall(r"--format (\w+)", " ".join(step.get("run", "") for step in steps))
