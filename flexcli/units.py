@@ -18,6 +18,7 @@ __all__ = [
     "SLIPS",
     "Dimension",
     "QuantityError",
+    "number_and_unit",
     "parse_quantity",
     "registry",
     "show",
@@ -172,6 +173,12 @@ ksi = 1000 psi
 decibel = [level] = dB
 octave = [interval] = oct
 """
+
+
+def number_and_unit(text: str) -> tuple[float, str] | None:
+    """Return the number of a quantity and its unit as written, or nothing where it is none."""
+    match = _NUMBER.fullmatch(text) if len(text) <= MAX_LENGTH else None
+    return None if match is None else (float(match[1]), match[2])
 
 
 def parse_quantity(text: str, dimension: str) -> float:

@@ -24,6 +24,7 @@ from flexcli.cli import (
     simulate,
     size,
     stops,
+    sweep,
     validate,
 )
 from flexcli.cli.common import with_common_options
@@ -57,6 +58,7 @@ for verb in (
     accuracy,
     balance,
     stops,
+    sweep,
     draw,
     plot,
     report,

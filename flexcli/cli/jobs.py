@@ -1,23 +1,23 @@
-"""Many specs over the cores of the machine: answers in the order of the specs."""
+"""Many tasks over the cores of the machine: answers in the order of the tasks."""
 
 import os
 from collections.abc import Callable, Generator, Sequence
 from contextlib import closing
 from itertools import islice
-from pathlib import Path
 from time import monotonic, time
 from typing import TypeVar
 
 __all__ = ["over", "usual_jobs"]
 
 A_JOB = 4
-"""Specs for which a further process is worth its start."""
+"""Tasks for which a further process is worth its start."""
 
+Task = TypeVar("Task")
 Answer = TypeVar("Answer")
 
 
 def usual_jobs(count: int) -> int:
-    """Return in how many processes so many specs are done."""
+    """Return in how many processes so many tasks are done."""
     try:
         cores = len(os.sched_getaffinity(0))
     except AttributeError:  # not on this system
@@ -26,30 +26,30 @@ def usual_jobs(count: int) -> int:
 
 
 def over(
-    task: Callable[[Path], Answer],
-    stopped: Callable[[Path], Answer],
-    specs: Sequence[Path],
+    do: Callable[[Task], Answer],
+    stopped: Callable[[Task], Answer],
+    tasks: Sequence[Task],
     jobs: int,
 ) -> Generator[Answer, None, None]:
-    """Yield the answer of a task about each spec, by so many processes at a time.
+    """Yield the answer to each task in order, done in so many processes at a time.
 
-    ``stopped`` answers for a spec that Ctrl-C left undone.
+    ``stopped`` answers for a task that Ctrl-C left undone.
     """
-    if jobs < 2 or len(specs) < 2:
-        yield from map(task, specs)
+    if jobs < 2 or len(tasks) < 2:
+        yield from map(do, tasks)
         return
-    with closing(_spread(task, specs, min(jobs, len(specs)))) as answers:
+    with closing(_spread(do, tasks, min(jobs, len(tasks)))) as answers:
         done = 0
         try:
             for answer in answers:
                 done += 1
                 yield answer
         except KeyboardInterrupt:
-            yield from map(stopped, specs[done:])
+            yield from map(stopped, tasks[done:])
 
 
 def _spread(
-    task: Callable[[Path], Answer], specs: Sequence[Path], jobs: int
+    do: Callable[[Task], Answer], tasks: Sequence[Task], jobs: int
 ) -> Generator[Answer, None, None]:
     from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
@@ -62,20 +62,20 @@ def _spread(
     end = None if now is None or now.end is None else time() + now.end - monotonic()
     pool = ProcessPoolExecutor(jobs, mp_context=get_context("spawn"))
     try:
-        told = [pool.submit(_in_process, task, spec, is_from_anywhere(), end) for spec in specs]
+        told = [pool.submit(_in_process, do, task, is_from_anywhere(), end) for task in tasks]
         done = 0
         try:
             for future in told:
                 yield future.result()
                 done += 1
         except BrokenProcessPool:  # one was killed, as for want of memory: the rest one by one
-            yield from map(task, islice(specs, done, None))
+            yield from map(do, islice(tasks, done, None))
     finally:
         pool.shutdown(cancel_futures=True)
 
 
 def _in_process(
-    task: Callable[[Path], Answer], spec: Path, allow_outside: bool, end: float | None
+    do: Callable[[Task], Answer], task: Task, allow_outside: bool, end: float | None
 ) -> Answer:
     """Return an answer in a process of its own, with what the command line allowed."""
     from flexcli.cli import progress
@@ -83,4 +83,4 @@ def _in_process(
 
     progress.run.set(progress.Run(None if end is None else max(end - time(), 1e-3)))
     with from_anywhere(allow_outside):
-        return task(spec)
+        return do(task)

@@ -35,9 +35,11 @@ from flexcli.results import EXACT
 if TYPE_CHECKING:
     from flexcli.parts.balancing import BalanceOptions
     from flexcli.parts.stops import Stops
+    from flexcli.parts.study import Study
 else:
     BalanceOptions = Annotated[Any, Named("flexcli.parts.balancing:BalanceOptions")]
     Stops = Annotated[Any, Named("flexcli.parts.stops:Stops")]
+    Study = Annotated[Any, Named("flexcli.parts.study:Study")]
 
 __all__ = ["DesignSpec", "ModelName", "Problem"]
 
@@ -89,6 +91,10 @@ class DesignSpec(Part):
     stops: Stops | None = None
     """End stops along a blade with a tip mass,
     e.g. ``{height: 10 mm, gap: 0.2 mm, bending: 1.5, simulation: {modes: 3}}``.
+    """
+    study: Study | None = None
+    """What 'flexure sweep' varies, and what it does at each point,
+    e.g. ``{vary: {geometry.p: {from: 1 mm, to: 3 mm, points: 5}}, each: check}``.
     """
     accuracy: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] | None = None
     """Error that every reported number may have; effects are on where it needs them,

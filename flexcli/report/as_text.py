@@ -35,6 +35,7 @@ SECTIONS = {
     "sweeps": "sweep_text",
     "plan": "plan_text",
     "audit": "plan_text",
+    "study": "study_table",
 }
 """The module whose ``section(result)`` yields each section of a result, in their order."""
 

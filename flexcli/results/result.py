@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from enum import Enum
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from flexcli.errors import Finding
 from flexcli.results.accuracy import AccuracyResult
@@ -15,6 +15,9 @@ from flexcli.results.simulation import SweepResult
 from flexcli.results.sizing import SizingResult
 from flexcli.results.stops import StopsResult
 from flexcli.results.vibration import BreakpointRow, CaseResponse, ProfileRow, WorstCaseRow
+
+if TYPE_CHECKING:
+    from flexcli.results.study import StudyResult
 
 __all__ = ["Cost", "PassedOver", "Result", "Status"]
 
@@ -87,6 +90,7 @@ class Result:
     accuracy: AccuracyResult | None = None
     plan: Plan | None = None
     audit: tuple[AuditRow, ...] = ()
+    study: "StudyResult | None" = None
 
     @property
     def sections(self) -> dict[str, Any]:

@@ -1,0 +1,310 @@
+"""``flexure sweep``: one verb at many points of a spec, a row for each."""
+
+from collections.abc import Mapping, Sequence
+from contextlib import closing
+from enum import Enum
+from functools import partial
+from pathlib import Path
+from time import monotonic, perf_counter
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from flexcli.cli.common import (
+    DEFAULT_SPEC,
+    Format,
+    FormatOption,
+    ModelOption,
+    SetOption,
+    attempt,
+    fail,
+    finish,
+    read,
+)
+from flexcli.cli.files import ForceOption, write_or_end
+from flexcli.errors import Finding, SpecError
+from flexcli.results import Cost, Result, Status
+
+if TYPE_CHECKING:
+    from flexcli.parts.study import Study
+    from flexcli.results.study import Column, StudyResult, StudyRow
+
+__all__ = ["NAME", "run"]
+
+NAME = "sweep"
+
+FORM = "write PATH=FROM:TO:POINTS or PATH=a,b,c"
+
+SAVED = 10.0
+"""Seconds after which what is done is saved again."""
+
+
+class Each(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
+    """What is done at each point."""
+
+    CHECK = "check"
+    SIZE = "size"
+    SIMULATE = "simulate"
+
+
+class Sample(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
+    """How the points are laid."""
+
+    GRID = "grid"
+    SOBOL = "sobol"
+    LATIN = "latin-hypercube"
+
+
+def run(
+    spec: Annotated[Path, typer.Argument(help="Name a design, or - for stdin.")] = Path(
+        DEFAULT_SPEC
+    ),
+    vary: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--vary",
+            metavar="PATH=FROM:TO:POINTS",
+            help="Vary a place of the spec: from:to:points (with :log, at equal ratios), or a,b,c.",
+        ),
+    ] = None,
+    each: Annotated[
+        Each | None, typer.Option("--each", help="Do this at each point; left out, check.")
+    ] = None,
+    sample: Annotated[
+        Sample | None, typer.Option("--sample", help="Lay all combinations, or spread points.")
+    ] = None,
+    points: Annotated[
+        int | None, typer.Option("--points", min=1, help="Take so many points of a sample.")
+    ] = None,
+    seed: Annotated[
+        int | None, typer.Option("--seed", min=0, help="Take the sample of this seed.")
+    ] = None,
+    shown: Annotated[
+        list[str] | None,
+        typer.Option("--value", help="Show this value in the table too, e.g. k_pivot."),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="Save every value and check as .csv or .parquet."),
+    ] = None,
+    resume: Annotated[
+        bool, typer.Option("--resume", help="Keep the rows of the .csv that are done already.")
+    ] = False,
+    jobs: Annotated[
+        int | None,
+        typer.Option("--jobs", "-j", min=1, help="Processes; left out, one of each core."),
+    ] = None,
+    force: ForceOption = False,
+    model: ModelOption = None,
+    stated: SetOption = None,
+    style: FormatOption = Format.TEXT,
+) -> None:
+    """Sweep a design: what it does as values of its spec vary, a row for each.
+
+    A row that has no answer says why. Ctrl-C and the time limit keep what is done, and --resume
+    goes on from there. It exits 0 only where every design passes.
+    """
+    options = {
+        "each": each.value if each else None,
+        "sample": sample.value if sample else None,
+        "points": points,
+        "seed": seed,
+    }
+    started = perf_counter()
+
+    def verb() -> Result:
+        asked = _study(spec, vary, stated, options)
+        found = _Sweep(
+            spec, asked, stated, model.value if model else None, output,
+            force=force, resume=resume, jobs=jobs, shown=tuple(shown or ()),
+        ).done()  # fmt: skip
+        models = dict.fromkeys(row.model for row in found.rows if row.model)
+        cost = Cost(perf_counter() - started, ", ".join(models) or "no", None)
+        return Result(NAME, str(spec), _status(found), study=found, cost=cost)
+
+    if output is not None and output.suffix not in (".csv", ".parquet"):
+        _refuse(spec, f"{output} is neither .csv nor .parquet", "name it .csv", style)
+    if resume and (output is None or output.suffix != ".csv"):
+        _refuse(spec, "only rows of a .csv can be kept", "add -o FILE.csv", style)
+    finish(NAME, [attempt(NAME, spec, verb)], style, many=False)
+
+
+def _status(found: "StudyResult") -> Status:
+    """Return the worst of all designs; undecided where some were not done."""
+    there = {row.status for row in found.rows}
+    if there == {Status.ERROR.value}:
+        return Status.ERROR
+    if {Status.FAIL.value, Status.INFEASIBLE.value, Status.ERROR.value} & there:
+        return Status.FAIL
+    if Status.UNDECIDED.value in there or len(found.rows) < found.points:
+        return Status.UNDECIDED
+    return Status.PASS
+
+
+def _refuse(spec: Path, text: str, hint: str, style: Format) -> None:
+    fail(NAME, str(spec), SpecError([Finding(NAME, text, hint)]), style)
+
+
+def _study(
+    spec: Path, vary: Sequence[str] | None, stated: Sequence[str] | None, options: Mapping[str, Any]
+) -> "Study":
+    """Return the study of the spec, with what the command line says of it."""
+    from pydantic import ValidationError
+
+    from flexcli.parts.study import Study
+
+    loaded = read(spec, stated)
+    own = loaded.part.study if loaded.kind == "design" else None
+    content: dict[str, Any] = own.model_dump(by_alias=True) if own is not None else {"vary": {}}
+    if own is not None:
+        content["vary"] = {
+            name: list(v.values) if v.values else v.model_dump(by_alias=True, exclude={"values"})
+            for name, v in own.vary.items()
+        }
+    content |= {name: value for name, value in options.items() if value is not None}
+    for text in vary or ():
+        path, equals, values = text.partition("=")
+        if not equals:
+            hint = "write geometry.h=0.1mm:0.3mm:5 or material=a,b"
+            raise SpecError([Finding("--vary", f"'{text}' has no '='", hint)])
+        content["vary"][path.strip()] = _variation(values)
+    if not content["vary"]:
+        hint = "add --vary geometry.h=0.1mm:0.3mm:5, or study: to the spec"
+        raise SpecError([Finding(str(spec), "nothing varies", hint)])
+    try:
+        return Study.model_validate(content)
+    except ValidationError as error:
+        findings = [
+            Finding("--vary", str(one["msg"]), one.get("ctx", {}).get("hint") or FORM)
+            for one in error.errors()
+        ]
+        raise SpecError(findings) from error
+
+
+def _variation(text: str) -> Any:
+    """Return what ``FROM:TO:POINTS`` or ``a,b,c`` says, as a study has it."""
+    parts = text.split(":")
+    if len(parts) not in (3, 4) or not parts[2].strip().isdigit():
+        return [value.strip() for value in text.split(",")]
+    spacing = {"spacing": parts[3].strip()} if len(parts) == 4 else {}
+    return {"from": parts[0].strip(), "to": parts[1].strip(), "points": int(parts[2]), **spacing}
+
+
+class _Sweep:
+    """A study on its way: what is done, and where it is saved."""
+
+    def __init__(
+        self,
+        spec: Path,
+        asked: "Study",
+        stated: Sequence[str] | None,
+        model: str | None,
+        output: Path | None,
+        *,
+        force: bool,
+        resume: bool,
+        jobs: int | None,
+        shown: tuple[str, ...],
+    ) -> None:
+        from flexcli.parts.study import points_of
+
+        self.spec, self.asked, self.output, self.shown = spec, asked, output, shown
+        self.points = points_of(asked)
+        self.rows: list[tuple[StudyRow, tuple[Column, ...]]] = []
+        self.task = partial(_at, spec, tuple(stated or ()), asked.each, model)
+        self.jobs = jobs
+        self.kept = _kept(output) if resume and output is not None and output.exists() else {}
+        self.may_replace = force or resume
+
+    def done(self) -> "StudyResult":
+        """Do what is not done, save it now and then, and return all of it."""
+        from flexcli.cli.jobs import over, usual_jobs
+
+        if self.output is not None:
+            self._save()  # what cannot be written is said before hours of work
+            self.may_replace = True
+        todo = [point for point in self.points if tuple(point.values()) not in self.kept]
+        answers = over(self.task, _not_done, todo, self.jobs or usual_jobs(len(todo)))
+        last = monotonic()
+        with closing(answers) as made:
+            for point in self.points:
+                kept = self.kept.get(tuple(point.values()))
+                try:
+                    row = kept if kept is not None else next(made)
+                except KeyboardInterrupt:
+                    break
+                if row is None:
+                    break
+                self.rows.append(row)
+                if self.output is not None and monotonic() - last > SAVED:
+                    self._save()
+                    last = monotonic()
+        if self.output is not None:
+            self._save()
+        return self._collected()
+
+    def _collected(self) -> "StudyResult":
+        from flexcli.study import collected
+
+        found = collected(self.rows, self.asked.each, len(self.points))
+        return found._replace(shown=self.shown, varied=tuple(self.asked.vary))
+
+    def _save(self) -> None:
+        from flexcli.report.study_table import parquet_bytes, study_csv
+
+        assert self.output is not None  # the caller's
+        found = self._collected()
+        is_text = self.output.suffix == ".csv"
+        content = study_csv(found) if is_text else parquet_bytes(found)
+        write_or_end(self.output, content, force=self.may_replace)
+
+
+def _not_done(point: Mapping[str, str]) -> None:
+    """Answer for a point that Ctrl-C left undone."""
+
+
+def _at(
+    spec: Path, stated: Sequence[str], each: Any, model: str | None, point: Mapping[str, str]
+) -> "tuple[StudyRow, tuple[Column, ...]]":
+    """Return the row of one point, in whatever process."""
+    from flexcli.cli.common import overrides_of
+    from flexcli.study import row_of
+
+    return row_of(spec, {**overrides_of(stated), **point}, each, model, varied=point)
+
+
+def _kept(path: Path) -> "dict[tuple[str, ...], tuple[StudyRow, tuple[Column, ...]]]":
+    """Return the rows of a study that was saved before, by the values that were put in."""
+    import csv
+
+    from flexcli.report.study_table import FIXED
+    from flexcli.results.study import Column, StudyRow
+
+    with path.open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.reader(stream))
+    if not rows or FIXED[0] not in rows[0]:
+        hint = "name the file that an earlier sweep saved"
+        raise SpecError([Finding(str(path), "is no table of a sweep", hint)])
+    first = rows[0].index(FIXED[0])
+    names, own = rows[0][:first], rows[0][first + len(FIXED) :]
+    columns = []
+    for name in own:
+        plain, bracket, unit = name.removesuffix("]").rpartition(" [")
+        columns.append(Column(plain, unit, "") if bracket else Column(name, "", ""))
+    found = {}
+    for row in rows[1:]:
+        status, decided_by, by_model, reason = row[first : first + len(FIXED)]
+        texts = zip(columns, row[first + len(FIXED) :], strict=True)
+        cells = {column.name: _cell(text) for column, text in texts if text}
+        point = dict(zip(names, row[:first], strict=True))
+        there = tuple(column for column in columns if column.name in cells)
+        done = StudyRow(point, status, decided_by, by_model, reason, cells)
+        found[tuple(point.values())] = (done, there)
+    return found
+
+
+def _cell(text: str) -> float | str:
+    try:
+        return float(text)
+    except ValueError:
+        return text

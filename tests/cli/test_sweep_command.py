@@ -1,0 +1,162 @@
+"""``flexure sweep`` as a user runs it, and the points of a study."""
+
+import csv
+import json
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import flexcli
+from flexcli.parts.study import Study, points_of
+
+STAGE = """\
+flexure: 1
+title: guide
+material: ti-6al-4v
+geometry: {kind: leaf-spring-stage, blades: 2, spacing: 20 mm, h: 0.2 mm, l: 40 mm, b: 10 mm}
+stroke: {translation: 1 mm, cycles: 1e6}
+requirements: {yield: 1.5, stiffness: {max: 2 N/mm}}
+"""
+
+H = ["0.1 mm", "0.2 mm", "0.3 mm", "0.4 mm"]
+
+
+@pytest.fixture
+def spec(tmp_path):
+    path = tmp_path / "guide.yaml"
+    path.write_text(STAGE, encoding="utf-8")
+    return path
+
+
+def table(path):
+    with Path(path).open(encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def test_every_row_is_what_check_says_of_that_design(flexure, spec, tmp_path):
+    done = flexure(
+        "sweep", str(spec), "--vary", "geometry.h=0.1mm:0.4mm:4", "-o", "h.csv", "-j", "1"
+    )
+    rows = table(tmp_path / "h.csv")
+    assert [row["geometry.h"] for row in rows] == H
+    statuses = set()
+    for row, h in zip(rows, H, strict=True):
+        found = flexcli.check(spec, overrides={"geometry.h": h})
+        assert row["status"] == found.status.value
+        statuses.add(row["status"])
+        assert float(row["k_stage [N/m]"]) == found.values["k_stage"].value
+        for check in found.checks:
+            assert float(row[f"factor of {check.full_name}"]) == check.factor
+            assert row[f"verdict on {check.full_name}"] == check.verdict.value
+    assert {"pass", "fail"} <= statuses  # thick blades are too stiff
+    assert done.returncode == 1
+    assert "of 4 designs pass" in done.stdout
+
+
+def test_several_processes_give_the_same_file(flexure, spec, tmp_path):
+    vary = ["--vary", "geometry.h=0.1mm:0.2mm:2", "--vary", "material=ti-6al-4v,6061-t6"]
+    for jobs in ("1", "2"):
+        flexure("sweep", str(spec), *vary, "-j", jobs, "-o", f"{jobs}.csv")
+    assert (tmp_path / "1.csv").read_bytes() == (tmp_path / "2.csv").read_bytes()
+    assert len(table(tmp_path / "1.csv")) == 4
+
+
+def test_a_row_without_an_answer_says_why_and_the_rest_go_on(flexure, spec, tmp_path):
+    vary = ["--vary", "material=ti-6al-4v,no-such-metal"]
+    done = flexure("sweep", str(spec), *vary, "-o", "m.csv", "-j", "1")
+    good, bad = table(tmp_path / "m.csv")
+    assert (good["status"], bad["status"]) == ("pass", "error")
+    assert "no-such-metal" in bad["reason"]
+    assert done.returncode == 1
+
+
+def test_resume_keeps_what_is_done(flexure, spec, tmp_path):
+    run = ["sweep", str(spec), "--vary", "geometry.h=0.1mm:0.4mm:4", "-o", "h.csv", "-j", "1"]
+    flexure(*run)
+    whole = (tmp_path / "h.csv").read_text(encoding="utf-8")
+    lines = whole.splitlines(keepends=True)
+    marked = lines[1].replace("pass", "pass", 1).replace(",closed-form,", ",by hand,", 1)
+    (tmp_path / "h.csv").write_text("".join([lines[0], marked, lines[2]]), encoding="utf-8")
+    assert flexure(*run).returncode == 2  # a file that exists is not replaced
+    flexure(*run, "--resume")
+    rows = table(tmp_path / "h.csv")
+    assert [row["geometry.h"] for row in rows] == H
+    assert rows[0]["model"] == "by hand"  # kept, not done again
+    assert rows[3]["status"] == "fail"
+
+
+def test_a_spec_may_say_its_study(flexure, spec, tmp_path):
+    study = "study: {vary: {geometry.l: {from: 30 mm, to: 60 mm, points: 3, spacing: log}}}\n"
+    spec.write_text(STAGE + study, encoding="utf-8")
+    done = flexure("sweep", str(spec), "--format", "json", "-j", "1")
+    content = json.loads(done.stdout)["study"]
+    lengths = [float(row["point"]["geometry.l"].split()[0]) for row in content["rows"]]
+    assert lengths == pytest.approx([30.0, (30.0 * 60.0) ** 0.5, 60.0])
+    assert content["points"] == 3
+
+
+def test_each_design_may_be_sized(flexure, spec, tmp_path):
+    spec.write_text(STAGE.replace("h: 0.2 mm", "h: {free: [50 um, 1 mm]}"), encoding="utf-8")
+    vary = ["--vary", "requirements.stiffness.min=0.1 N/mm,0.5 N/mm"]
+    flexure(
+        "sweep", str(spec), *vary, "--each", "size", "--model", "source", "-o", "s.csv", "-j", "1"
+    )
+    soft, stiff = (float(row["h [m]"]) for row in table(tmp_path / "s.csv"))
+    assert stiff / soft == pytest.approx(5 ** (1 / 3), rel=1e-6)  # k grows with h³
+
+
+def test_parquet_has_the_units_in_its_schema(flexure, spec, tmp_path):
+    parquet = import_module("pyarrow.parquet")
+    flexure("sweep", str(spec), "--vary", "geometry.h=0.1mm:0.2mm:2", "-o", "h.parquet", "-j", "1")
+    found = parquet.read_table(tmp_path / "h.parquet")
+    assert found.num_rows == 2
+    field = found.schema.field("k_stage")
+    assert field.metadata[b"unit"] == b"N/m"
+    one = flexcli.check(spec, overrides={"geometry.h": "0.1 mm"}).values["k_stage"].value
+    assert found["k_stage"][0].as_py() == one
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        ((), "nothing varies"),
+        (("--vary", "geometry.h"), "has no '='"),
+        (("--vary", "geometry.h=0.1mm:0.3um:3"), "write both in one unit"),
+        (("--vary", "study.seed=1,2"), "vary itself"),
+        (("--vary", "geometry.h=1mm,2mm", "-o", "h.xlsx"), "neither .csv nor .parquet"),
+    ],
+)
+def test_what_cannot_be_swept_is_a_finding(flexure, spec, options, text):
+    done = flexure("sweep", str(spec), *options)
+    assert done.returncode == 2
+    assert text in " ".join(done.stderr.split())
+
+
+@pytest.mark.parametrize("sample", ["sobol", "latin-hypercube"])
+def test_a_sample_is_spread_in_its_ranges_and_the_same_again(sample):
+    study = Study.model_validate(
+        {
+            "vary": {
+                "a": {"from": "1 mm", "to": "3 mm"},
+                "b": {"from": "1 N", "to": "1e4 N", "spacing": "log"},
+                "c": ["x", "y"],
+            },
+            "sample": sample,
+            "points": 32,
+            "seed": 5,
+        }
+    )
+    points = points_of(study)
+    assert points == points_of(study)
+    assert points != points_of(study.model_copy(update={"seed": 6}))
+    lengths = [float(point["a"].split()[0]) for point in points]
+    forces = [float(point["b"].split()[0]) for point in points]
+    assert len(points) == 32
+    assert min(lengths) >= 1.0
+    assert max(lengths) <= 3.0
+    # both fill every fourth of a range with a fourth of the points; the log one in decades
+    for k in range(4):
+        assert sum(1 + k / 2 <= x < 1.5 + k / 2 for x in lengths) == 8
+        assert sum(10.0**k <= x < 10.0 ** (k + 1) for x in forces) == 8
+    assert sum(point["c"] == "x" for point in points) == 16
