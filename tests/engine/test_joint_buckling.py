@@ -157,3 +157,24 @@ def test_a_pull_on_parallel_blades_buckles_none():
     stage = {"kind": "leaf-spring-stage", **BLADE, "spacing": "10 mm"}
     for answers in (CLOSED_FORM, LinearAnswers(), ExactAnswers()):
         assert critical(answers, stage, "clamped-guided", 0)[0] == np.inf
+
+
+@pytest.mark.parametrize("nu", [0.3, None])
+@pytest.mark.parametrize(
+    ("ends", "length"), [("clamped-guided", 1.0), ("clamped-free", 2.0), ("clamped-clamped", 0.5)]
+)
+def test_across_the_width_a_blade_bears_engesser_s_load_at_least_and_that_of_two_clamps_at_most(
+    ends, length, nu
+):
+    """1/P = 1/P_E + 1/(κ G A); no hold of its ends gives more than two clamps."""
+    E, h, l, b = 210e9, 0.1e-3, 20e-3, 10e-3
+    material = {key: value for key, value in STEEL.items() if nu or key != "poisson_ratio"}
+    stage = {"kind": "leaf-spring-stage", "h": "0.1 mm", "l": "20 mm", "b": "10 mm"}
+    ask = ask_of(stage, ends, material=material)
+    (found,) = (c for c in CLOSED_FORM.critical(ask) if c.way == "across the width")
+    euler = pi**2 * E * h * b**3 / 12.0 / (length * l) ** 2
+    # rubber, which keeps its volume, has the least shear modulus
+    sheared = 5.0 / 6.0 * E / 2.0 / (1.0 + (nu or 0.5)) * h * b
+    low, high = (float(found.force) * (1.0 + end) for end in found.error)
+    assert low == pytest.approx(2.0 / (1.0 / euler + 1.0 / sheared), rel=1e-12)
+    assert high == pytest.approx(2.0 * euler * (2.0 * length) ** 2, rel=1e-12)
