@@ -15,7 +15,9 @@ from flexcli.cli import (
     balance,
     check,
     draw,
+    examples,
     explain,
+    init,
     materials,
     plan,
     plot,
@@ -51,6 +53,7 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 for verb in (
+    init,
     size,
     check,
     simulate,
@@ -67,11 +70,13 @@ for verb in (
     materials,
     schema,
 ):
-    reads_no_spec = verb in (explain, materials, schema)
+    reads_no_spec = verb in (init, explain, materials, schema)
     app.command(name=verb.NAME)(verb.run if reads_no_spec else with_common_options(verb.run))
 app.add_typer(asd.app)
-for command in (*app.registered_commands, *asd.app.registered_commands):
-    command.epilog = EXIT_CODES
+app.add_typer(examples.app)
+for group in (app, asd.app, examples.app):
+    for command in group.registered_commands:
+        command.epilog = EXIT_CODES
 
 
 UsageError: Any = typer.BadParameter.__base__

@@ -1,5 +1,6 @@
 """``flexure explain``: what a spec may say, and the formulas behind it with their source."""
 
+from time import perf_counter
 from typing import Annotated
 
 import typer
@@ -29,8 +30,10 @@ def run(
     from flexcli.engine.explain import explain, topics
     from flexcli.errors import SpecError
     from flexcli.report import explanation
+    from flexcli.report.as_json import listing
     from flexcli.spec.manual import entries, names
 
+    started = perf_counter()
     try:
         if name is None:
             found = topics()
@@ -40,7 +43,7 @@ def run(
     except SpecError as error:
         fail(NAME, name or "", error, style)
     if style is Format.JSON:
-        write_json(explanation.document(NAME, found))
+        write_json(listing(NAME, perf_counter() - started, topics=list(found)))
     elif name is None:
         write_text(lambda console: explanation.print_list(found, console))
     else:

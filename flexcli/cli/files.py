@@ -3,7 +3,7 @@
 import os
 import stat
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from secrets import token_hex
@@ -11,7 +11,7 @@ from typing import Annotated
 
 import typer
 
-__all__ = ["ForceOption", "saved", "write_or_end"]
+__all__ = ["ForceOption", "saved", "write_all_or_end", "write_or_end"]
 
 ForceOption = Annotated[
     bool, typer.Option("--force", help="Replace the file to write, if it exists.")
@@ -69,6 +69,21 @@ def write_or_end(path: Path, content: str | bytes, *, force: bool) -> None:
     except _NotWritten as error:
         sys.stderr.write(f"flexure: cannot write {path}: {error}\n")
         raise typer.Exit(2) from error
+
+
+def write_all_or_end(files: Mapping[Path, bytes], *, force: bool) -> None:
+    """Write files of new folders, or end the run with one line before any is written."""
+    for path in files:
+        if path.exists() and not force:
+            sys.stderr.write(f"flexure: cannot write {path}: {EXISTS}\n")
+            raise typer.Exit(2)
+    for path, content in files.items():
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            sys.stderr.write(f"flexure: cannot make {path.parent}: {error.strerror}\n")
+            raise typer.Exit(2) from error
+        write_or_end(path, content, force=force)
 
 
 def _write(path: Path, content: str | bytes, *, force: bool) -> None:

@@ -1,5 +1,6 @@
 """``flexure materials``: list the shipped materials, or show one with its sources."""
 
+from time import perf_counter
 from typing import Annotated
 
 import typer
@@ -24,9 +25,11 @@ def run(
     """
     from flexcli.errors import SpecError
     from flexcli.report import catalogue
+    from flexcli.report.as_json import listing
     from flexcli.spec.load import load_shipped
     from flexcli.spec.shipped import shipped_names
 
+    started = perf_counter()
     try:
         names = shipped_names("material") if name is None else [name]
         materials = {each: load_shipped("material", each) for each in names}
@@ -35,7 +38,8 @@ def run(
     rows = {each: material.properties() for each, material in materials.items()}
     titles = {each: material.name for each, material in materials.items()}
     if style is Format.JSON:
-        write_json(catalogue.document(NAME, titles, rows))
+        content = catalogue.document(titles, rows)
+        write_json(listing(NAME, perf_counter() - started, materials=content))
     elif name is None:
         write_text(lambda console: catalogue.print_list(rows, console))
     else:

@@ -25,6 +25,7 @@ __all__ = [
     "finish",
     "write_failure",
     "write_json",
+    "write_plain",
     "write_text",
 ]
 
@@ -86,6 +87,11 @@ def write_text(body: Callable[["Console"], None]) -> None:
     from flexcli.report.tables import on_page
 
     _write(on_page(body, _page(sys.stdout, Format.TEXT)), sys.stdout)
+
+
+def write_plain(text: str) -> None:
+    """Write a text to stdout as it stands."""
+    _write(text, sys.stdout)
 
 
 def write_json(content: Any) -> None:

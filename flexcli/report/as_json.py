@@ -13,7 +13,7 @@ from flexcli.report.plan_json import plan_document
 from flexcli.report.stops_json import stops_document
 from flexcli.results import Cost, Result, SizingResult, Status
 
-__all__ = ["FORMAT", "contents", "document", "dumps", "render", "summary"]
+__all__ = ["FORMAT", "contents", "document", "dumps", "listing", "render", "summary"]
 
 FORMAT = 1
 """Version of the output contract."""
@@ -146,6 +146,18 @@ def summary(report: Report) -> dict[str, Any]:
         "results": [document(result) for result in results],
         "passed_over": list(report.passed_over),
         "cost": {"seconds": sum(r.cost.seconds for r in results if r.cost is not None)},
+    }
+
+
+def listing(command: str, seconds: float, **content: Any) -> dict[str, Any]:
+    """Return what a command lists or tells that is no result of a spec."""
+    return {
+        "flexure": FORMAT,
+        "command": command,
+        "version": __version__,
+        "status": Status.PASS.value,
+        **content,
+        "cost": {"seconds": seconds},
     }
 
 

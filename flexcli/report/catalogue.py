@@ -1,47 +1,48 @@
-"""The shipped materials as a list, or one with the source of every number."""
+"""What ships as a list: materials, or one with the source of every number, and examples."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from rich.console import Console
 
-from flexcli import __version__
-from flexcli.report.as_json import FORMAT
 from flexcli.report.tables import Line, table
 from flexcli.results import Property
 from flexcli.units import show
 
-__all__ = ["document", "print_list", "print_one"]
+__all__ = ["document", "print_lines", "print_list", "print_one"]
 
 _LISTED = ("youngs_modulus", "yield_strength", "tensile_strength", "fatigue_amplitude")
 
 
-def document(
-    command: str, titles: Mapping[str, str], rows: Mapping[str, Sequence[Property]]
-) -> dict[str, Any]:
+def document(titles: Mapping[str, str], rows: Mapping[str, Sequence[Property]]) -> dict[str, Any]:
     """Return materials as JSON content, numbers in SI."""
     return {
-        "flexure": FORMAT,
-        "command": command,
-        "version": __version__,
-        "status": "pass",
-        "materials": {
-            name: {
-                "name": titles[name],
-                "properties": {
-                    row.name: {
-                        "value": row.value,
-                        "unit": row.unit,
-                        "detail": row.detail,
-                        "status": row.status,
-                        "source": row.source,
-                    }
-                    for row in properties
-                },
-            }
-            for name, properties in rows.items()
-        },
+        name: {
+            "name": titles[name],
+            "properties": {
+                row.name: {
+                    "value": row.value,
+                    "unit": row.unit,
+                    "detail": row.detail,
+                    "status": row.status,
+                    "source": row.source,
+                }
+                for row in properties
+            },
+        }
+        for name, properties in rows.items()
     }
+
+
+def print_lines(
+    heads: tuple[str, ...], rows: Iterable[tuple[str, ...]], told: str, console: Console
+) -> None:
+    """Print a list of names with what they are, and what to do with one."""
+    listed = table("", *heads)
+    for row in rows:
+        listed.add_row(*row)
+    console.print(listed)
+    console.print(Line((told, "dim")))
 
 
 def print_list(rows: Mapping[str, Sequence[Property]], console: Console) -> None:

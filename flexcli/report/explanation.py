@@ -1,14 +1,11 @@
-"""What ``explain`` tells, on screen and as JSON."""
+"""What ``explain`` tells on screen."""
 
 from collections.abc import Sequence
-from typing import Any
 
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from flexcli import __version__
-from flexcli.report.as_json import FORMAT
 from flexcli.results import Explanation, FieldRow, FormulaRow, KeyRow, SymbolRow, TableRow
 from flexcli.units import show
 
@@ -18,18 +15,7 @@ GAP = 2
 SHOWN_PLACES = 4
 """Places of a key that are listed; of more, only their number."""
 
-__all__ = ["document", "print_list", "print_one"]
-
-
-def document(command: str, found: Sequence[Explanation]) -> dict[str, Any]:
-    """Return explanations as JSON content, numbers in SI."""
-    return {
-        "flexure": FORMAT,
-        "command": command,
-        "version": __version__,
-        "status": "pass",
-        "topics": list(found),
-    }
+__all__ = ["print_list", "print_one"]
 
 
 def print_list(found: Sequence[Explanation], console: Console) -> None:

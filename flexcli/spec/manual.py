@@ -14,7 +14,7 @@ from flexcli.spec.schema import BESIDE, json_schema
 from flexcli.spec.sketches import AXES
 from flexcli.units import DIMENSIONS
 
-__all__ = ["entries", "names"]
+__all__ = ["entries", "meaning", "names"]
 
 NAME = "<name>"
 """Step of a path where a spec has a name of its own."""
@@ -64,6 +64,15 @@ def entries(name: str) -> tuple[FieldRow, ...]:
             found.setdefault(str(place.schema.get("description")), []).append(place)
     effects = (_effect(each) for each in EFFECTS if name in (each.key, f"effects.{each.key}"))
     return (*(_entry(places) for places in found.values()), *effects)
+
+
+def meaning(path: tuple[str | int, ...], kind: str) -> str:
+    """Return what the key at a path of a design means, in a part of a kind if it has one."""
+    for place in _places():
+        own = len(place.path) == len(path) and place.kind in ("", kind)
+        if own and all(a in (b, NAME, ITEM) for a, b in zip(place.path, path, strict=True)):
+            return str(place.schema.get("description", ""))
+    return ""
 
 
 def _effect(effect: Effect) -> FieldRow:

@@ -3,7 +3,7 @@
 from functools import cache
 from pathlib import Path
 
-__all__ = ["FOLDERS", "shipped_names", "shipped_path"]
+__all__ = ["FOLDERS", "shipped_names", "shipped_path", "shipped_root"]
 
 FOLDERS = {
     "material": "materials",
@@ -15,18 +15,20 @@ FOLDERS = {
 
 
 @cache
-def _root() -> Path:
-    """Return ``specs/``: inside the package of a wheel, beside it in a source tree."""
+def shipped_root(folder: str = "specs") -> Path:
+    """Return a folder that ships: inside the package of a wheel, beside it in a source tree."""
     package = Path(__file__).resolve().parent.parent
-    inside = package / "specs"
-    return inside if inside.is_dir() else package.parent / "specs"
+    inside = package / folder
+    return inside if inside.is_dir() else package.parent / folder
 
 
 def shipped_names(kind: str) -> list[str]:
     """Return the names of the shipped specs of a kind, sorted."""
-    return sorted(path.stem for path in (_root() / FOLDERS[kind]).glob("*.yaml"))
+    return sorted(path.stem for path in (shipped_root() / FOLDERS[kind]).glob("*.yaml"))
 
 
 def shipped_path(kind: str, name: str) -> Path | None:
     """Return the file of a shipped spec, or nothing when there is none of that name."""
-    return (_root() / FOLDERS[kind] / f"{name}.yaml") if name in shipped_names(kind) else None
+    return (
+        (shipped_root() / FOLDERS[kind] / f"{name}.yaml") if name in shipped_names(kind) else None
+    )

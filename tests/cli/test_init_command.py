@@ -1,0 +1,76 @@
+"""``flexure init`` and ``flexure examples``: something to start from, written where it is asked."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+def test_a_first_spec_is_sized_written_and_checked(inside, tmp_path):
+    assert inside("init", "-o", "flexure.yaml").returncode == 0
+    assert (tmp_path / "flexure.yaml").read_text() == inside("init").stdout
+    assert inside("size", "--write", "sized.yaml").returncode == 0
+    assert inside("check", "sized.yaml").returncode == 0
+    first, _ = (tmp_path / "sized.yaml").read_text().split("\n", 1)
+    assert first.startswith("# yaml-language-server:"), "the schema stays in the first line"
+
+
+def test_a_first_spec_replaces_no_file_but_by_force(inside, tmp_path):
+    mine = tmp_path / "flexure.yaml"
+    mine.write_text("mine")
+    told = inside("init", "rcc", "-o", "flexure.yaml")
+    assert (told.returncode, mine.read_text()) == (2, "mine")
+    assert "--force" in told.stderr
+    assert inside("init", "rcc", "-o", "flexure.yaml", "--force").returncode == 0
+    assert "kind: rcc" in mine.read_text()
+
+
+def test_an_unknown_kind_names_the_nearest(inside):
+    told = inside("init", "leafspring-stage")
+    assert (told.returncode, told.stdout) == (2, "")
+    assert "did you mean 'leaf-spring-stage'?" in told.stderr
+
+
+@pytest.mark.parametrize("words", [("examples",), ("examples", "list")])
+def test_every_example_is_listed_with_its_command(inside, words):
+    told = inside(*words).stdout
+    for folder in EXAMPLES.glob("*/"):
+        assert folder.name in told
+    assert "flexure stops" in told
+    found = json.loads(inside("examples", "list", "--format", "json").stdout)
+    assert found["examples"]["linear-stage"]["command"] == "flexure balance"
+    assert found["cost"]["seconds"] >= 0.0
+
+
+def test_a_copied_example_runs_by_the_command_that_is_told(inside, tmp_path):
+    told = inside("examples", "copy", "lecture-leaf-spring", "mine/stage")
+    assert told.returncode == 0
+    command = told.stdout.splitlines()[-1].split()
+    assert command == ["flexure", "check", str(Path("mine/stage/flexure.yaml"))]
+    assert inside(*command[1:]).returncode == 0
+    source = EXAMPLES / "lecture-leaf-spring"
+    copied = tmp_path / "mine" / "stage"
+    assert {path.name: path.read_bytes() for path in copied.iterdir()} == {
+        path.name: path.read_bytes() for path in source.iterdir()
+    }
+
+
+def test_a_copy_replaces_nothing_and_leaves_nothing_half_done(inside, tmp_path):
+    (tmp_path / "torsion-bar").mkdir()
+    (tmp_path / "torsion-bar" / "flexure.yaml").write_text("mine")
+    told = inside("examples", "copy", "torsion-bar")
+    assert told.returncode == 2
+    assert "it exists" in told.stderr
+    assert [path.name for path in (tmp_path / "torsion-bar").iterdir()] == ["flexure.yaml"]
+    assert inside("examples", "copy", "torsion-bar", "--force").returncode == 0
+    assert (tmp_path / "torsion-bar" / "README.md").is_file()
+
+
+@pytest.mark.parametrize("name", ["lineer-stage", "../specs", ""])
+def test_what_is_no_example_is_not_copied(inside, tmp_path, name):
+    told = inside("examples", "copy", name)
+    assert told.returncode == 2
+    assert "linear-stage" in told.stderr
+    assert not list(tmp_path.iterdir())
