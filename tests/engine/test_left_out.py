@@ -29,3 +29,32 @@ def test_plates_for_beams_are_a_warning_from_five_in_a_hundred(poisson_ratio, to
 
 def test_an_effect_that_the_model_carries_is_no_warning():
     assert left_out(0.34, "closed-form") == []
+
+
+NARROW = {"kind": "leaf-spring-stage", "h": "0.1 mm", "l": "20 mm", "b": "5 mm"}
+
+
+@pytest.mark.parametrize(
+    ("shape", "told"),
+    [
+        ({}, []),
+        ({"h": "4.9 um"}, ["thin"]),
+        ({"h": "5.1 um"}, []),
+        ({"b": "0.099 mm"}, ["narrow"]),
+        ({"b": "0.101 mm"}, []),
+    ],
+)
+def test_a_section_that_nobody_makes_or_that_bends_the_other_way_is_a_warning(shape, told):
+    found = design({**NARROW, **shape}, {"stiffness": {"max": "1 N/um"}}, STROKE)
+    result = check(found, found.fixed_sizes(), "spec", "source")
+    assert [n.code for n in result.warnings if n.code in ("thin", "narrow")] == told
+
+
+@pytest.mark.parametrize("asked", ["yield", "fatigue", "stiffness"])
+def test_a_stress_that_anyone_asks_for_has_its_effects_told(asked):
+    """A wide blade is stressed by 1/(1 − ν²) more than a beam at its clamps."""
+    bound = {"max": "1 N/um"} if asked == "stiffness" else 1.0
+    found = design(WIDE, {asked: bound}, STROKE)
+    result = check(found, found.fixed_sizes(), "spec", "source")
+    (widening,) = (row for row in result.effects if row.name == "plate widening")
+    assert ("stress" in widening.estimates) == (asked != "stiffness")

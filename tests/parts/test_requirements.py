@@ -220,3 +220,10 @@ def test_bounds_that_make_no_sense_are_refused(bound):
 def test_a_requirement_without_ground_is_refused(requirements, text):
     with pytest.raises(Inconsistent, match=text):
         checks_of(requirements, {"x": TURN}, geometry=three_blade(**SIZED))
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize(("off", "verdict"), [(0.0099, Verdict.PASS), (0.0101, Verdict.FAIL)])
+def test_a_target_is_met_within_one_in_a_hundred_where_no_tolerance_is_given(off, verdict, way):
+    target = 40.0 * (1.0 + off) ** way
+    assert only({"l/h": {"equals": target}}, TURN).verdict is verdict
