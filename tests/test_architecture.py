@@ -29,7 +29,8 @@ LAYERS = {
     "engine": BASE | {"formulas", "numerics", "mechanics", "parts"},
     "report": BASE,
     "api": BASE | {"parts", "spec", "engine", "report"},
-    "cli": BASE | {"parts", "spec", "engine", "report", "api"},
+    "study": BASE | {"api"},
+    "cli": BASE | {"parts", "spec", "engine", "report", "api", "study"},
     "": {"api"},
 }
 """What each package may import, besides itself (the table of the design, layer by layer)."""

@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, johnson_stress, thick_load
 from flexcli.formulas.handbook.loaded_pivot import loaded_stiffness
-from flexcli.formulas.joint_buckling import held_load, shares, turning_load, turning_stiffness
+from flexcli.formulas.joint_buckling import held_load, shares, sway, turning_load, turning_stiffness
 
 ROUNDING = 1e-9
 
@@ -99,3 +99,12 @@ def test_a_body_held_across_an_oblique_force_takes_it_along_its_line_alone():
     assert shares(angles=angles, direction=radians(45.0), across=True) == pytest.approx((1.0, 0.0))
     along, across = shares(angles=angles, direction=radians(20.0), across=True)
     assert along / across == pytest.approx(cos(radians(25.0)) / cos(radians(65.0)))
+
+
+@pytest.mark.parametrize("degrees", [(20.0, 100.0), (-35.0, 10.0), (45.0, -45.0)])
+def test_what_a_blade_does_not_stretch_of_the_body_s_motion_it_sways(degrees):
+    """Two blades alone say how the body moves: d² = (u·d)² + (u × d)² for each."""
+    angles, stretches = np.deg2rad(degrees), np.array([0.3, -0.8])
+    d = np.linalg.solve(np.column_stack([np.cos(angles), np.sin(angles)]), stretches)
+    expected = np.sqrt((d @ d - stretches**2).max()) / 0.8
+    assert sway(angles=tuple(angles), shares=tuple(stretches)) == pytest.approx(expected, rel=1e-9)
