@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 __all__ = [
     "DIMENSIONS",
     "MAX_LENGTH",
+    "SHOWN_UNITS",
     "SLIPS",
     "Dimension",
     "QuantityError",
@@ -298,6 +299,11 @@ _SHOWN = {
     "N*m/rad": (("N·mm/rad", 1e-3), ("N·m/rad", 1.0)),
     "N/m": (("N/m", 1.0), ("N/mm", 1e3), ("N/µm", 1e6)),
 }
+
+SHOWN_UNITS = frozenset(
+    {name for scales in _SHOWN.values() for name, _ in scales} | {"%", "Hz", "g", "dB", "g²/Hz"}
+)
+"""Units in which a person reads numbers."""
 
 
 def shown_unit(value: float, unit: str) -> tuple[str, float]:

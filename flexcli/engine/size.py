@@ -21,6 +21,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Correction, Objective
 from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value, Verdict
+from flexcli.results.activity import doing
 from flexcli.units import show
 
 __all__ = ["size"]
@@ -106,6 +107,7 @@ def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str
     )
     change = inf
     for rounds in range(ROUNDS):
+        doing(f"the optimum, round {rounds + 1}")
         at = _continuous(design, corrections)
         if at is None:
             remarks = ()
@@ -345,6 +347,7 @@ def _on_grid(
         return _Choice(ideal, replace(sizing, designs=tuple(designs)), iterations=iterations)
     centre = {name: float(getattr(ideal, name)) for name in program.names}
     goals = None if objective is None else program.objectives(objective)
+    doing("the best point of the grid")
     point = from_stock(design, program, grids, goals, centre)
     if point.x is None:
         text = "the manufacturing grid has no feasible design"

@@ -25,6 +25,8 @@ def render(report: Report, page: Page) -> str:
             for note in result.warnings
         ]
         lines.append(plain(_told(result), page.encoding))
+    # no colon starts them either
+    lines += [f"passed over {plain(f'{s}: {why}', page.encoding)}" for s, why in report.passed_over]
     return "".join(f"{line}\n" for line in lines)
 
 

@@ -4,6 +4,7 @@ The attributes and their order are those that the schema of Ant's JUnit task ask
 strictest in use; file and line stand in the text of a failure, for it has no attribute for them.
 """
 
+from collections.abc import Sequence
 from datetime import datetime
 from xml.etree import ElementTree as Xml
 
@@ -21,9 +22,20 @@ def render(report: Report, _: Page) -> str:
     root = Xml.Element("testsuites")
     for number, result in enumerate(report.results):
         root.append(_suite(result, number))
+    if report.passed_over:
+        root.append(_passed_over(report))
     Xml.indent(root)
     body = Xml.tostring(root, encoding="us-ascii", xml_declaration=False).decode("ascii")
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{body}\n'
+
+
+def _passed_over(report: Report) -> Xml.Element:
+    """Return a suite of what was not judged: its cases are skipped."""
+    cases = []
+    for spec, why in report.passed_over:
+        cases.append(Xml.Element("testcase", name="passed over", classname=_clean(spec), time="0"))
+        Xml.SubElement(cases[-1], "skipped", message=_clean(why))
+    return _filled(f"{report.command} passed over", len(report.results), cases)
 
 
 def _suite(result: Result, number: int) -> Xml.Element:
@@ -36,22 +48,36 @@ def _suite(result: Result, number: int) -> Xml.Element:
     if not cases:
         cases.append(_case(result, result.command, 0.0, None, ""))
     spent = result.cost.seconds if result.cost is not None else 0.0
+    notes = "; ".join(f"{note.text} [{note.code}]" for note in result.warnings)
+    name = f"{result.command} {result.spec}"
+    return _filled(name, number, cases, spent, found, result.title, notes)
+
+
+def _filled(
+    name: str,
+    number: int,
+    cases: Sequence[Xml.Element],
+    seconds: float = 0.0,
+    found: Sequence[Problem] = (),
+    title: str = "",
+    notes: str = "",
+) -> Xml.Element:
+    """Return a suite with all that the schema asks for."""
     suite = Xml.Element(
         "testsuite",
-        name=_clean(f"{result.command} {result.spec}"),
+        name=_clean(name),
         timestamp=datetime.now().isoformat(timespec="seconds"),
         hostname="localhost",
         tests=str(len(cases)),
         failures=str(sum(not problem.is_finding for problem in found)),
         errors=str(sum(problem.is_finding for problem in found)),
-        time=f"{spent:.6f}",
+        time=f"{seconds:.6f}",
         package="flexure",
         id=str(number),
     )
     Xml.SubElement(suite, "properties")
     suite.extend(cases)
-    Xml.SubElement(suite, "system-out").text = _clean(result.title)
-    notes = "; ".join(f"{note.text} [{note.code}]" for note in result.warnings)
+    Xml.SubElement(suite, "system-out").text = _clean(title)
     Xml.SubElement(suite, "system-err").text = _clean(notes)
     return suite
 

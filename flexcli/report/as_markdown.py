@@ -17,6 +17,7 @@ _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~&!$@]|:(?=[\w+-]+:))")
 def render(report: Report, page: Page) -> str:
     """Return a heading with the verdict for each result, its margins and its problems."""
     rows = [row for result in report.results for row in _told(result)]
+    rows += [f"- passed over: {_text(f'{spec}: {why}')}" for spec, why in report.passed_over]
     return "".join(f"{plain(row, page.encoding)}\n" for row in rows)
 
 

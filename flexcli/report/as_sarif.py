@@ -39,10 +39,16 @@ def render(report: Report, _: Page) -> str:
     rules = [{"id": code, "shortDescription": {"text": text}} for code, text in RULES.items()]
     rules.append({"id": WARNING, "shortDescription": {"text": "Something to know of a result."}})
     driver = {"name": "flexure", "version": __version__, "rules": rules}
+    told = [
+        {"level": "note", **_what(Problem("passed-over", f"passed over: {why}", spec))}
+        for spec, why in report.passed_over
+    ]
     run = {
         "tool": {"driver": driver},
         "columnKind": "unicodeCodePoints",
-        "invocations": [{"executionSuccessful": ok}],
+        "invocations": [
+            {"executionSuccessful": ok} | ({"toolExecutionNotifications": told} if told else {})
+        ],
         "results": found,
     }
     log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
@@ -50,11 +56,12 @@ def render(report: Report, _: Page) -> str:
 
 
 def _result(problem: Problem, level: str) -> dict[str, Any]:
-    found: dict[str, Any] = {
-        "ruleId": problem.code,
-        "level": level,
-        "message": {"text": printable(problem.text)},
-    }
+    return {"ruleId": problem.code, "level": level, **_what(problem)}
+
+
+def _what(problem: Problem) -> dict[str, Any]:
+    """Return what a problem says, and where."""
+    found: dict[str, Any] = {"message": {"text": printable(problem.text)}}
     if problem.file:
         location: dict[str, Any] = {"artifactLocation": {"uri": _uri(problem.file)}}
         if problem.line:

@@ -1,6 +1,8 @@
 """The look of our text: lines that hang, and tables that become blocks where they do not fit."""
 
+import re
 from collections.abc import Callable, Iterable
+from functools import cache
 from io import StringIO
 
 from rich.cells import cell_len
@@ -11,6 +13,7 @@ from rich.text import Text
 
 from flexcli.report.charset import plain
 from flexcli.report.formats import Page
+from flexcli.units import SHOWN_UNITS
 
 __all__ = ["Cell", "Drawing", "Line", "Rows", "on_page", "table"]
 
@@ -24,9 +27,19 @@ FEWEST = 12
 """Characters of a column of texts, if they have as many, below which blocks read better."""
 
 
+GLUE = "\ue000"
+"""Stands for the space between a number and its unit until lines are broken."""
+
+
+@cache
+def _quantity(encoding: str) -> re.Pattern[str]:
+    units = "|".join(re.escape(plain(unit, encoding)) for unit in sorted(SHOWN_UNITS))
+    return re.compile(rf"(?<=\d) (?=(?:{units})(?![\w/*^·²³]))")
+
+
 def _text(cell: Cell, encoding: str) -> Text:
     text, style = (cell, "") if isinstance(cell, str) else cell
-    return Text(plain(text, encoding), style)
+    return Text(_quantity(encoding).sub(GLUE, plain(text, encoding)), style)
 
 
 class Line:
@@ -155,4 +168,5 @@ def on_page(body: Callable[[Console], None], page: Page) -> str:
         emoji=False,
     )
     body(console)
-    return "\n".join(line.rstrip() for line in sheet.getvalue().split("\n"))
+    text = sheet.getvalue().replace(GLUE, " ")
+    return "\n".join(line.rstrip() for line in text.split("\n"))

@@ -10,7 +10,7 @@ from flexcli.errors import SpecError
 from flexcli.parts.base import said
 from flexcli.spec.load import KINDS
 from flexcli.spec.read import read_document
-from flexcli.spec.references import SUFFIXES
+from flexcli.spec.references import SUFFIXES, is_from_anywhere
 
 __all__ = ["members"]
 
@@ -22,6 +22,8 @@ DESIGN = {"material", "geometry", "mechanism", "cases", "requirements"}
 
 LIKE_A_SPEC = re.compile(rf"^\W*(fle\w*|{'|'.join(DESIGN)})\b", re.MULTILINE)
 """What stands in the text of a design, though it be no YAML."""
+
+OUTSIDE = "a link to a file outside the folder; --allow-outside takes it"
 
 LOOKED_AT = 65_536
 """Characters in which that is looked for."""
@@ -47,9 +49,19 @@ def _members(folder: Path) -> Iterator[tuple[Path, str]]:
         for name in files:
             path = Path(here, name)
             if path.suffix.lower() in SUFFIXES:
-                yield path, _why_not(path)
+                yield path, OUTSIDE if _leads_outside(path, folder) else _why_not(path)
     for error in unread:
         yield Path(str(error.filename)), f"cannot be read: {error.strerror}"
+
+
+def _leads_outside(file: Path, folder: Path) -> bool:
+    """Return whether a file is a link that a folder of strangers may not have followed."""
+    if is_from_anywhere() or not file.is_symlink():
+        return False
+    try:
+        return not file.resolve().is_relative_to(folder.resolve())
+    except (OSError, RuntimeError):  # RuntimeError: a loop of links
+        return False
 
 
 def _why_not(file: Path) -> str:

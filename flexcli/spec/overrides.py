@@ -10,7 +10,16 @@ from flexcli.spec.document import Document, Position, finding_at
 from flexcli.spec.findings import path_text
 from flexcli.spec.parse import parse_document
 
-__all__ = ["Override", "Place", "at", "overridden", "overrides_of", "refuse_waiting", "with_value"]
+__all__ = [
+    "Override",
+    "Place",
+    "at",
+    "overridden",
+    "overrides_of",
+    "refuse_waiting",
+    "with_position",
+    "with_value",
+]
 
 FILE = "--set"
 """The file that findings about an override name; each override is one line of it."""
@@ -83,7 +92,7 @@ def overridden(
             waiting.append(override)
             continue
         value = with_value(value, override.path, override.value)
-        position = _with_position(position, override.path, override.position)
+        position = with_position(position, override.path, override.position)
         changed[override.path] = override.value
     found = replace(document, value=value, position=position, lines=lines, changed=changed)
     return found, waiting
@@ -122,11 +131,12 @@ def with_value(value: Any, path: Place, new: Any) -> Any:
     return {**inner, first: with_value(inner.get(first), rest, new)}
 
 
-def _with_position(position: Position, path: Place, new: Position) -> Position:
+def with_position(position: Position, path: Place, new: Position) -> Position:
+    """Return a position with the one at a path below it replaced or added."""
     if not path:
         return new
     below = position.children.get(path[0], new._replace(children={}))
-    inner = _with_position(below, path[1:], new)
+    inner = with_position(below, path[1:], new)
     return position._replace(children={**position.children, path[0]: inner})
 
 

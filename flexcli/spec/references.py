@@ -17,6 +17,7 @@ from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
 from flexcli.spec.document import Document, Position, finding_at
 from flexcli.spec.findings import nearest, path_text
+from flexcli.spec.overrides import at, with_position, with_value
 from flexcli.spec.read import read_document
 from flexcli.spec.shipped import FOLDERS, shipped_names, shipped_path
 
@@ -123,7 +124,7 @@ class _Resolver:
         value, position = document.value, document.position
         for pattern, wanted in (REFERENCES if kind == "design" else {(kind,): kind}).items():
             for path in _matches(value, pattern):
-                own = _at(value, path)
+                own = at(value, path)
                 step = (*path, EXTENDS) if _extends(own, wanted) else path
                 name = own[EXTENDS] if step != path else own
                 if not isinstance(name, str) or (step == path and kind != "design"):
@@ -144,8 +145,8 @@ class _Resolver:
                 new, place = target.value[wanted], target.position.children[wanted]
                 if step != path:
                     new, place = _extended(new, place, own, position.closest(path)[0])
-                value = _with(value, path, new)
-                position = _with_position(position, path, place)
+                value = with_value(value, path, new)
+                position = with_position(position, path, place)
         found = replace(
             document, value=value, position=position, lines=lines, findings=tuple(findings)
         )
@@ -256,22 +257,3 @@ def _matches(value: Any, pattern: tuple[str, ...]) -> list[tuple[str, ...]]:
         return []
     keys = list(value) if pattern[0] == "*" else [pattern[0]] if pattern[0] in value else []
     return [(key, *rest) for key in keys for rest in _matches(value[key], pattern[1:])]
-
-
-def _at(value: Any, path: tuple[str, ...]) -> Any:
-    for step in path:
-        value = value[step]
-    return value
-
-
-def _with(value: Any, path: tuple[str, ...], new: Any) -> Any:
-    if not path:
-        return new
-    return {**value, path[0]: _with(value[path[0]], path[1:], new)}
-
-
-def _with_position(position: Position, path: tuple[str, ...], new: Position) -> Position:
-    if not path:
-        return new
-    inner = _with_position(position.children[path[0]], path[1:], new)
-    return position._replace(children={**position.children, path[0]: inner})

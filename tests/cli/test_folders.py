@@ -147,3 +147,28 @@ def test_a_process_keeps_to_what_the_command_line_allows(inside, folder):
     )
     assert inside(*CHECK, "specs", "--jobs", "2").returncode == 2
     assert inside(*CHECK, "specs", "--jobs", "2", "--allow-outside").returncode == 0
+
+
+def test_a_linked_file_that_leads_outside_is_passed_over_unless_it_is_allowed(inside, folder):
+    """Nothing of what stands there is told."""
+    (folder.parent / "secret.yaml").write_text(FAILS)
+    (folder / "link.yaml").symlink_to("../secret.yaml")
+    (folder / "own.yaml").symlink_to("a.yaml")
+    found = document(inside(*CHECK, "specs", "--format", "json"))
+    (why,) = (r["why"] for r in found["passed_over"] if r["spec"] == "specs/link.yaml")
+    assert "outside" in why
+    assert "specs/own.yaml" in [r["spec"] for r in found["results"]]
+    told = inside(*CHECK, "specs", "--allow-outside", "--format", "json")
+    assert told.returncode == 1
+    assert "specs/link.yaml" in [r["spec"] for r in document(told)["results"]]
+
+
+@pytest.mark.parametrize("style", ["junit", "sarif", "github", "markdown"])
+def test_every_format_names_what_was_passed_over_and_why(inside, folder, style):
+    (folder.parent / "outside.yaml").write_text(GOOD)
+    told = inside(*CHECK, "specs", "--format", style)
+    assert told.returncode == 0
+    assert "passed over" in told.stdout
+    for name, why in (("ci.yaml", "its first key is"), ("material.yaml", "of kind material")):
+        assert f"specs/deep/{name}" in told.stdout
+        assert why in told.stdout

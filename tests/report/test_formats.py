@@ -15,6 +15,7 @@ from flexcli.results import (
     Check,
     Cost,
     Note,
+    PassedOver,
     Place,
     Relaxation,
     Result,
@@ -337,3 +338,52 @@ def test_every_width_shows_name_and_verdict_and_breaks_no_word(width, encoding):
     whole = told(Format.TEXT, result, width=1000, encoding=encoding)
     words, found = ({word.rstrip(",") for word in each.split()} for each in (whole, text))
     assert not {word for word in found - words if not re.fullmatch(r"[█░┃╂#.|+]+", word)}
+
+
+# What was passed over: named by every format, a problem to none
+
+
+PASSED_OVER = Report(
+    "check", (FAILING,), True, (PassedOver("a b/ci.yaml", "no spec: ::`x`, 50%"),)
+)  # fmt: skip
+
+
+def test_junit_skips_what_was_passed_over():
+    suite = ElementTree.fromstring(Format.JUNIT.render(PASSED_OVER, Page()))[-1]
+    assert set(suite.attrib) == SUITE
+    assert (suite.get("tests"), suite.get("failures"), suite.get("errors")) == ("1", "0", "0")
+    (case,) = suite.findall("testcase")
+    assert case.get("classname") == "a b/ci.yaml"
+    assert case.find("skipped").get("message") == "no spec: ::`x`, 50%"
+
+
+def test_sarif_notes_what_was_passed_over():
+    (run,) = json.loads(Format.SARIF.render(PASSED_OVER, Page()))["runs"]
+    (note,) = run["invocations"][0]["toolExecutionNotifications"]
+    assert note["level"] == "note"
+    assert note["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] == "a%20b/ci.yaml"
+    assert {result["ruleId"] for result in run["results"]} <= {
+        "fail",
+        "undecided",
+        "not-judged",
+    } | {"warning"}
+
+
+@pytest.mark.parametrize("style", [Format.GITHUB, Format.MARKDOWN])
+def test_what_was_passed_over_is_a_line_that_starts_no_command(style):
+    last = style.render(PASSED_OVER, Page()).splitlines()[-1]
+    assert "passed over" in last
+    assert "a b/ci.yaml" in last
+    assert not last.startswith("::")
+    if style is Format.MARKDOWN:
+        assert "`x`" not in last.replace("\\`", "")
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "utf-8"])
+@pytest.mark.parametrize("width", range(40, 80, 3))
+def test_a_number_and_its_unit_stand_in_one_line(width, encoding):
+    note = Note("long", "a blade of 12 mm and 3.5 N·mm/rad bears 217.3 MPa at 20 µm " * 3)
+    text = told(Format.TEXT, replace(FAILING, warnings=(note,)), width=width, encoding=encoding)
+    assert not re.search(r"[\d.]$\n +([mkMGuµ]?(m|Pa|g|Hz)|N[*·]mm/rad)\b", text, re.MULTILINE)
+    assert max(map(len, text.splitlines())) <= width
+    assert "\ue000" not in text
