@@ -4,19 +4,20 @@ from collections.abc import Callable
 from functools import partial
 from math import isfinite
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from flexcli.cli import response
 from flexcli.cli.common import (
     DEFAULT_SPEC,
     STDIN,
     Format,
     FormatOption,
     SetOption,
+    SpecsArgument,
     attempt,
     finish,
+    on_each,
     overrides_of,
     read,
     with_common_options,
@@ -24,6 +25,9 @@ from flexcli.cli.common import (
 from flexcli.cli.files import ForceOption, saved
 from flexcli.errors import Finding, SpecError
 from flexcli.results import Result
+
+if TYPE_CHECKING:
+    from flexcli.api import Loaded
 
 __all__ = ["NAME", "app"]
 
@@ -47,7 +51,23 @@ WriteOption = Annotated[
 ]
 
 
-app.command(response.NAME)(with_common_options(response.run))
+@app.command()
+@with_common_options
+def response(
+    specs: SpecsArgument = None, stated: SetOption = None, style: FormatOption = Format.TEXT
+) -> None:
+    """Compute what a design's modes make of each case.
+
+    It gives modes, rms and peaks of travel, stress and force, and life.
+    """
+
+    def verb(spec: "Loaded") -> Result:
+        from flexcli import api
+
+        return api.asd_response(spec)
+
+    results = on_each("asd response", specs, stated, verb)
+    finish("asd response", results, style, many=len(results) > 1)
 
 
 @app.command("list")
