@@ -7,7 +7,7 @@ mass, or inertia; the frequency so found is an upper bound and exact to second o
 from math import pi, sqrt, tan
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = [
     "CANTILEVER",
@@ -37,7 +37,7 @@ TORSION_CLAMPED = 13.0 / 35.0
 nothing else resists: ∫(3s² − 2s³)² ds; ⅓ where they are free."""
 
 
-def pivot_inertia(*, m_b: Quantity, l: Quantity, p: Quantity, blades: int = 2) -> Quantity:
+def pivot_inertia(*, m_b: Quantity, l: Quantity, p: Quantity, blades: int = 2) -> Computed:
     """Return the inertia that the blades of a pivot add to the body at their outer ends.
 
     ``J = n m_b l² (13(1 + δ)²/35 − 11(1 + δ)/105 + 1/105)``.

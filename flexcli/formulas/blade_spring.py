@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import Constant, NeckedDown, Profile
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.restrained_torsion import restrained_stiffness
 from flexcli.formulas.rigid_motion import motion_at
 from flexcli.formulas.section import second_moment, shear_parameter
@@ -212,16 +212,16 @@ class MiddleStiffness(NamedTuple):
     x along the blade, y across its thickness, z across its width [N/m], and about them [N·m/rad].
     """
 
-    x: Quantity
-    y: Quantity
-    z: Quantity
-    theta_x: Quantity
-    theta_y: Quantity
-    theta_z: Quantity
+    x: Computed
+    y: Computed
+    z: Computed
+    theta_x: Computed
+    theta_y: Computed
+    theta_z: Computed
 
 
 def middle_stiffness(
-    *, E: Quantity, G: Quantity, h: Quantity, l: Quantity, b: Quantity
+    *, E: Numbers, G: Numbers, h: Numbers, l: Numbers, b: Numbers
 ) -> MiddleStiffness:
     """Return the six stiffnesses of a blade at its middle, where no two of them are coupled.
 

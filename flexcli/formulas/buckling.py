@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from flexcli.formulas.card import SLENDER, Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = ["CARDS", "EFFECTIVE_LENGTH", "euler_load", "johnson_stress", "thick_load"]
 
@@ -20,7 +20,7 @@ EFFECTIVE_LENGTH = {
 """Effective length over length, by what holds the two ends (Timoshenko & Gere 1961, §2.1)."""
 
 
-def euler_load(*, E: Quantity, I: Quantity, l: Quantity, ends: str) -> Quantity:
+def euler_load(*, E: Quantity, I: Quantity, l: Quantity, ends: str) -> Computed:
     """Return the critical axial force of a straight blade.
 
     ``N_cr = π² E I / (μ l)²`` with the effective length μ l of how its ends are held.

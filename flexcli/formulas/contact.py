@@ -4,7 +4,7 @@ from math import pi
 from typing import NamedTuple
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = [
     "CARDS",
@@ -16,7 +16,7 @@ __all__ = [
 ]
 
 
-def contact_modulus(*, E_1: Quantity, nu_1: Quantity, E_2: Quantity, nu_2: Quantity) -> Quantity:
+def contact_modulus(*, E_1: Quantity, nu_1: Quantity, E_2: Quantity, nu_2: Quantity) -> Computed:
     """Return the plane-strain modulus of two bodies in contact.
 
     ``1/E* = (1 − ν1²)/E1 + (1 − ν2²)/E2``.
@@ -53,9 +53,9 @@ LINE_SHEAR = 0.30028310
 class LineContact(NamedTuple):
     """Half-width of the contact [m], peak pressure and greatest shear [Pa]."""
 
-    half_width: Quantity
-    pressure: Quantity
-    shear: Quantity
+    half_width: Computed
+    pressure: Computed
+    shear: Computed
 
 
 def line_contact(*, F: Quantity, b: Quantity, R: Quantity, E_star: Quantity) -> LineContact:
@@ -114,10 +114,10 @@ POINT_SHEAR = 0.31
 class PointContact(NamedTuple):
     """Radius of the contact and approach [m], peak pressure and greatest shear [Pa]."""
 
-    radius: Quantity
-    approach: Quantity
-    pressure: Quantity
-    shear: Quantity
+    radius: Computed
+    approach: Computed
+    pressure: Computed
+    shear: Computed
 
 
 def point_contact(*, F: Quantity, R: Quantity, E_star: Quantity) -> PointContact:

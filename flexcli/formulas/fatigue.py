@@ -9,7 +9,7 @@ from math import exp, log
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = [
     "amplitude_at_life",
@@ -100,7 +100,7 @@ def fully_reversed_amplitude(
 
 def goodman_amplitude(
     *, amplitude: Quantity, mean: Quantity, reversed_strength: float, limit: float
-) -> Quantity:
+) -> Computed:
     """Return the fully reversed amplitude equal in damage, for loads that grow in proportion.
 
     ``σ_a + σ_m σ_D/L``: comparing it with the strength σ_D gives the factor
@@ -176,7 +176,7 @@ def goodman_factor(mean: ArrayLike, tensile_strength: ArrayLike) -> Floats:
     return factor
 
 
-def swt_amplitude_squared(*, amplitude: Quantity, mean: Quantity) -> Quantity:
+def swt_amplitude_squared(*, amplitude: Quantity, mean: Quantity) -> Computed:
     """Return the square of Smith, Watson and Topper's equivalent amplitude, (σ_a + σ_m) σ_a.
 
     Parameters

@@ -11,7 +11,6 @@ from typing import NamedTuple
 import numpy as np
 
 from flexcli.formulas.card import Card
-from flexcli.formulas.quantity import Quantity
 
 __all__ = ["CARDS", "AtRest", "at_rest"]
 
@@ -27,9 +26,7 @@ class AtRest(NamedTuple):
     """Largest stress with the axial one, over the same [-]."""
 
 
-def at_rest(
-    *, slender: Quantity, gamma: Quantity, angles: tuple[float, ...], Phi: Quantity
-) -> AtRest:
+def at_rest(*, slender: float, gamma: float, angles: tuple[float, ...], Phi: float) -> AtRest:
     """Return stiffness and stress of blades that point at one centre, over their closed forms.
 
     ``k_a = 12/(h/l)²`` along and ``k_s = 12/(1 + Φ)`` across each blade [EI/l³];

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.card import SMALL_ROTATION, Card, Range, Table
 from flexcli.formulas.profile import Notch, Profile
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.numerics.quadrature import gauss_rule
 from flexcli.results import QuantityKind
 
@@ -19,7 +19,7 @@ _NODES = 64
 """Gauss nodes on a piece, as for the springs of a blade."""
 
 
-def blade_shift(*, l: Quantity, theta: Quantity) -> Quantity:
+def blade_shift(*, l: Quantity, theta: Quantity) -> Computed:
     """Return the shift of the middle of a blade that a moment turns.
 
     ``λ = θ² l/12``.
@@ -54,7 +54,7 @@ def blade_shift(*, l: Quantity, theta: Quantity) -> Quantity:
     return l * (theta**2 / 12.0)
 
 
-def profile_shift(profile: Profile, *, l: Quantity, theta: Quantity) -> Quantity:
+def profile_shift(profile: Profile, *, l: Quantity, theta: Quantity) -> Computed:
     """Return the shift of the middle of a hinge of any symmetric profile that a moment turns.
 
     ``λ = (θ²/2) ∫f (1 − f) ds``, f the share of the rotation up to s: ``∫₀ˢ h⁻³/∫₀ˡ h⁻³``.
@@ -110,7 +110,7 @@ def profile_shift(profile: Profile, *, l: Quantity, theta: Quantity) -> Quantity
     return spread * theta**2 / 2.0
 
 
-def circular_shift(*, e: Quantity, r: Quantity, theta: Quantity) -> Quantity:
+def circular_shift(*, e: Quantity, r: Quantity, theta: Quantity) -> Computed:
     """Return the shift of the middle of a right-circular notch hinge that a moment turns.
 
     ``λ = (θ²/2) ∫f (1 − f) ds``, f the share of the rotation up to s: 0.155 √(e r) θ² where the

@@ -7,7 +7,7 @@ four-bar linkage, whose limbs turn by ψ = (1 + δ)θ ± δ(1 + δ)θ² tan α/2
 import numpy as np
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 
 __all__ = [
     "CARDS",
@@ -18,7 +18,7 @@ __all__ = [
 ]
 
 
-def stage_turn_change(*, l: Quantity, x: Quantity) -> Quantity:
+def stage_turn_change(*, l: Quantity, x: Quantity) -> Computed:
     """Return the relative change that a large stroke makes to the turn and stress of the hinges.
 
     ``ψ/sin ψ − 1``, ``sin ψ = x/l``: (x/l)²/6 at first.
@@ -46,7 +46,7 @@ def stage_turn_change(*, l: Quantity, x: Quantity) -> Quantity:
     return over_sine(np.arcsin(x / l)) - 1.0
 
 
-def stage_shift_change(*, l: Quantity, x: Quantity) -> Quantity:
+def stage_shift_change(*, l: Quantity, x: Quantity) -> Computed:
     """Return the relative change that a large stroke makes to the motion towards the base.
 
     ``2/(1 + cos ψ) − 1 = tan²(ψ/2)``, ``sin ψ = x/l``: (x/l)²/4 at first.
@@ -74,9 +74,7 @@ def stage_shift_change(*, l: Quantity, x: Quantity) -> Quantity:
     return np.tan(np.arcsin(x / l) / 2.0) ** 2
 
 
-def pivot_turn_change(
-    *, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity
-) -> Quantity:
+def pivot_turn_change(*, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers) -> Computed:
     """Return the relative change that a large rotation makes to the largest turn of a hinge.
 
     ``max(|1 + δ + a|, |δ + a|)/max(|1 + δ|, |δ|) − 1`` with
@@ -121,9 +119,7 @@ def pivot_turn_change(
     return np.maximum(inner, outer) / most - 1.0
 
 
-def pivot_shift_change(
-    *, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity
-) -> Quantity:
+def pivot_shift_change(*, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers) -> Computed:
     """Return the relative change that a large rotation makes to the shift along the bisector.
 
     ``PP'/PP'₀ − 1 = −θ² (9γ² + 12γ + 7 − 3(γ² − 1) tan²α)/48``, ``γ = 1 + 2δ``.
@@ -163,7 +159,7 @@ def pivot_shift_change(
     return -(theta**2) * (share - 3.0 * (gamma**2 - 1.0) * np.tan(half_angle) ** 2) / 48.0
 
 
-def over_sine(psi: Quantity) -> Quantity:
+def over_sine(psi: Quantity) -> Computed:
     """Return ψ/sin ψ, 1 at rest."""
     return 1.0 / np.sinc(psi / np.pi)
 

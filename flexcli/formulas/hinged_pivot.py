@@ -9,7 +9,7 @@ from math import cos
 import numpy as np
 
 from flexcli.formulas.card import Card, Range, Table
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.results import QuantityKind
 
 __all__ = [
@@ -21,7 +21,7 @@ __all__ = [
 ]
 
 
-def hinge_rotations(*, l: Quantity, p: Quantity, theta: Quantity) -> tuple[Quantity, Quantity]:
+def hinge_rotations(*, l: Quantity, p: Quantity, theta: Quantity) -> tuple[Computed, Computed]:
     """Return the rotation of the inner and of the outer hinge of each limb of a turned pivot.
 
     ``φ_inner = (1 + δ) θ``, ``φ_outer = −δ θ``: the limb itself turns by (1 + δ) θ when its inner
@@ -60,7 +60,7 @@ def hinge_rotations(*, l: Quantity, p: Quantity, theta: Quantity) -> tuple[Quant
 
 def rotational_stiffness(
     *, K: Quantity, l: Quantity, p: Quantity, c: Quantity, limbs: int = 2
-) -> Quantity:
+) -> Computed:
     """Return the rotational stiffness of n limbs with two equal hinges each, about their centre.
 
     ``K_θ = n K (l² + 2 l p + 2p² + 2c²) / (l² + 4c²)``: ``n K (1 + 2δ + 2δ²)`` for pins with
@@ -104,7 +104,7 @@ def rotational_stiffness(
     return limbs * K * (l**2 + 2.0 * l * p + 2.0 * p**2 + 2.0 * c**2) / (l**2 + 4.0 * c**2)
 
 
-def admissible_rotation(*, gamma: Quantity, l: Quantity, p: Quantity) -> Quantity:
+def admissible_rotation(*, gamma: Quantity, l: Quantity, p: Quantity) -> Computed:
     """Return the rotation of the pivot at which its more strained hinges reach their limit.
 
     ``θ = γ / max(|1 + δ|, |δ|)``.
@@ -142,7 +142,7 @@ def admissible_rotation(*, gamma: Quantity, l: Quantity, p: Quantity) -> Quantit
     return gamma / np.maximum(np.abs(1.0 + p / l), np.abs(p / l))
 
 
-def parasitic_shift(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: float) -> Quantity:
+def parasitic_shift(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: float) -> Computed:
     """Return the shift of the centre of a pivot of two limbs, leading order in θ, with its sign.
 
     ``PP' = δ (1 + δ) θ² l / (2 cos α)``, positive the way blades shift a remote centre.

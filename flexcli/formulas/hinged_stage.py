@@ -3,13 +3,13 @@
 from math import pi
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.results import QuantityKind
 
 __all__ = ["CARDS", "admissible_stroke", "law_stroke", "translational_stiffness"]
 
 
-def translational_stiffness(*, K: Quantity, l: Quantity, c: Quantity, limbs: int = 2) -> Quantity:
+def translational_stiffness(*, K: Quantity, l: Quantity, c: Quantity, limbs: int = 2) -> Computed:
     """Return the stiffness along its stroke of a stage on n limbs with two equal hinges each.
 
     ``K_x = 2 n K / (l² + 4c²)``.
@@ -51,7 +51,7 @@ def translational_stiffness(*, K: Quantity, l: Quantity, c: Quantity, limbs: int
     return 2.0 * limbs * K / (l**2 + 4.0 * c**2)
 
 
-def admissible_stroke(*, gamma: Quantity, l: Quantity, c: Quantity) -> Quantity:
+def admissible_stroke(*, gamma: Quantity, l: Quantity, c: Quantity) -> Computed:
     """Return the stroke at which the hinges of a stage bear their admissible moment.
 
     ``f = γ l (1 + 4c²/l²)``, γ the rotation of a hinge under that moment alone.
@@ -89,7 +89,7 @@ def admissible_stroke(*, gamma: Quantity, l: Quantity, c: Quantity) -> Quantity:
     return gamma * l * (1.0 + 4.0 * (c / l) ** 2)
 
 
-def law_stroke(*, E: Quantity, sigma: Quantity, e: Quantity, r: Quantity, l: Quantity) -> Quantity:
+def law_stroke(*, E: Quantity, sigma: Quantity, e: Quantity, r: Quantity, l: Quantity) -> Computed:
     """Return the admissible stroke of a stage on right-circular notches, by the scaling law.
 
     ``f ≈ 3π σ √r l / (4 E √e)``: half the thickness e gives √2 the stroke.

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.arguments import positive
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.section import second_moment
 
 __all__ = ["CARDS", "guided_critical_load", "locked_critical_load"]
@@ -17,8 +17,8 @@ _NEWTON_STEPS = 4
 
 
 def guided_critical_load(
-    *, E: Quantity, h: Quantity, l: Quantity, b: Quantity, xi: Quantity
-) -> Quantity:
+    *, E: Numbers, h: Numbers, l: Numbers, b: Numbers, xi: Numbers
+) -> Computed:
     """Return the critical load of a necked-down blade under a stage free along its stroke.
 
     ``P = 4 E I u² / (ξ l)²`` with ``u tan u = ξ/(1 − ξ)`` in (0, π/2]: the stage moves without
@@ -65,7 +65,7 @@ def guided_critical_load(
 
 def locked_critical_load(
     *, E: Quantity, h: Quantity, l: Quantity, b: Quantity, xi: Quantity
-) -> Quantity:
+) -> Computed:
     """Return the critical load of a necked-down blade under a stage locked along its stroke.
 
     ``P = 4 π² E I / (ξ l)² = π² E I / l_c²``: the rigid middle moves sideways without turning.
@@ -103,7 +103,7 @@ def locked_critical_load(
     return E * second_moment(b, h) / l**2 * (2.0 * np.pi / xi) ** 2
 
 
-def _phase(xi: Quantity) -> Floats:
+def _phase(xi: Numbers) -> Floats:
     """Return the root u in (0, π/2] of (1 − ξ) u sin u = ξ cos u."""
     (share,) = positive(xi=xi)
     if (share > 1.0).any():

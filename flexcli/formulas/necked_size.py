@@ -17,7 +17,7 @@ from flexcli.formulas.necked_stage import (
     compression_stiffness,
     translational_stiffness,
 )
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 
 __all__ = [
     "CARDS",
@@ -33,7 +33,7 @@ __all__ = [
 
 def hinge_thickness(
     *, E: Quantity, sigma: Quantity, l: Quantity, x: Quantity, xi: Quantity
-) -> Quantity:
+) -> Computed:
     """Return the thickness at which the hinges reach the admissible stress at the stroke.
 
     ``h = σ l² (1 − (1 − ξ)³) / (3 E x)``.
@@ -71,7 +71,7 @@ def hinge_thickness(
 
 def aspect_ratio(
     *, E: Quantity, sigma: Quantity, l: Quantity, x: Quantity, xi: Quantity
-) -> Quantity:
+) -> Computed:
     """Return how many times longer than thick the hinges are that just bear the stroke.
 
     ``l_c/h = 3 E x / (2 σ l (3 − 3ξ + ξ²))``.
@@ -145,11 +145,11 @@ _GIVEN = {"E": 200e9, "sigma": 400e6, "l": 50e-3, "x": 2e-3, "xi": 0.2}
 class Hinge(NamedTuple):
     """Share ξ of the blade that bends [-] and nominal thickness h [m] of its hinges."""
 
-    xi: Quantity
-    h: Quantity
+    xi: Computed
+    h: Computed
 
 
-def hinge_ratio(*, E: Quantity, sigma: Quantity, l: Quantity, x: Quantity, h: Quantity) -> Quantity:
+def hinge_ratio(*, E: Quantity, sigma: Quantity, l: Quantity, x: Quantity, h: Quantity) -> Computed:
     """Return the share ξ at which hinges of a given thickness just bear the stroke.
 
     ``ξ = 1 − (1 − 3 E h x/(σ l²))^(1/3)``, the inverse of
@@ -196,7 +196,7 @@ def hinge_ratio(*, E: Quantity, sigma: Quantity, l: Quantity, x: Quantity, h: Qu
         return -np.expm1(np.log1p(-share) / 3.0)
 
 
-def stiffness_spread(*, h: Quantity, tolerance: Quantity) -> tuple[Quantity, Quantity]:
+def stiffness_spread(*, h: Quantity, tolerance: Quantity) -> tuple[Computed, Computed]:
     """Return stiffness of the thinnest and the thickest hinge over that of the nominal one.
 
     ``K/K_nominal = (1 ∓ Δ/h)³``; the stress at a given stroke goes with (1 ∓ Δ/h).
@@ -229,7 +229,7 @@ def stiffness_spread(*, h: Quantity, tolerance: Quantity) -> tuple[Quantity, Qua
     return (1.0 - tolerance / h) ** 3, (1.0 + tolerance / h) ** 3
 
 
-def thickness_for_spread(*, tolerance: Quantity, spread: float) -> Quantity:
+def thickness_for_spread(*, tolerance: Quantity, spread: float) -> Computed:
     """Return the least thickness whose stiffness a tolerance raises by no more than a share.
 
     ``h = Δ / ((1 + s)^(1/3) − 1)``, about 3Δ/s.
@@ -265,12 +265,12 @@ def thickness_for_spread(*, tolerance: Quantity, spread: float) -> Quantity:
 
 def shortest_hinge(
     *,
-    E: Quantity,
-    sigma: Quantity,
-    l: Quantity,
-    x: Quantity,
-    machinable: Quantity,
-    tolerance: Quantity,
+    E: Numbers,
+    sigma: Numbers,
+    l: Numbers,
+    x: Numbers,
+    machinable: Numbers,
+    tolerance: Numbers,
     spread: float,
 ) -> Hinge:
     """Return the shortest hinges that can be machined and bear the stroke within tolerance.

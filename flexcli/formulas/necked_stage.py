@@ -6,7 +6,7 @@ stretch; with ξ = 1 this is the leaf spring of :mod:`flexcli.formulas.thick_bla
 """
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.results import QuantityKind
 
 __all__ = [
@@ -22,7 +22,7 @@ __all__ = [
 ]
 
 
-def compliance_share(xi: Quantity) -> Quantity:
+def compliance_share(xi: Quantity) -> Computed:
     """Return the share of the leaf spring's bending compliance that its two hinges keep.
 
     ``g = 1 − (1 − ξ)³ = ξ (3 − 3ξ + ξ²)``, of hinge and leaf spring equally thick.
@@ -57,7 +57,7 @@ def compliance_share(xi: Quantity) -> Quantity:
 
 def translational_stiffness(
     *, E: Quantity, h: Quantity, l: Quantity, b: Quantity, xi: Quantity, blades: int = 2
-) -> Quantity:
+) -> Computed:
     """Return the stiffness of a stage on n necked-down blades along its stroke.
 
     ``K = n E b h³ / (l³ (1 − (1 − ξ)³))``.
@@ -95,7 +95,7 @@ def translational_stiffness(
     return blades * E * b * h**3 / l**3 / compliance_share(xi)
 
 
-def end_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity, xi: Quantity) -> Quantity:
+def end_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity, xi: Quantity) -> Computed:
     """Return the bending stress at the ends of a blade whose stage has moved by x.
 
     ``σ = 6M/(b h²) = 3 E h x / (l² (1 − (1 − ξ)³))`` with ``M = F l/2``.
@@ -136,7 +136,7 @@ def end_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity, xi: Quanti
 
 def compression_stiffness(
     *, E: Quantity, h: Quantity, l: Quantity, b: Quantity, xi: Quantity, blades: int = 2
-) -> Quantity:
+) -> Computed:
     """Return the stiffness of a stage on n necked-down blades along the blades.
 
     ``K_t = n E b h / (2 l_c) = n E b h / (ξ l)``.
@@ -174,7 +174,7 @@ def compression_stiffness(
     return blades * E * b * h / (xi * l)
 
 
-def shortening(*, l: Quantity, x: Quantity, xi: Quantity) -> Quantity:
+def shortening(*, l: Quantity, x: Quantity, xi: Quantity) -> Computed:
     """Return the parasitic motion of the stage towards its base.
 
     ``λ = (x²/l) (4.5 − 7.5ξ + 4.5ξ² − 0.9ξ³) / (3 − 3ξ + ξ²)²``: from x²/(2l) of a rigid link
@@ -216,7 +216,7 @@ _STROKE = Range("x/l", -0.1, 0.1, "small deflection")
 _BLADE = {"E": 200e9, "h": 100e-6, "l": 50e-3, "xi": 0.2}
 
 
-def shear_parameter(*, Phi: Quantity, xi: Quantity) -> Quantity:
+def shear_parameter(*, Phi: Quantity, xi: Quantity) -> Computed:
     """Return the shear of the hinges over their bending, as Timoshenko's Φ is of a whole blade.
 
     ``Φ' = Φ/(3 − 3ξ + ξ²)``: the stage is softer by the factor 1/(1 + Φ').
@@ -246,7 +246,7 @@ def shear_parameter(*, Phi: Quantity, xi: Quantity) -> Quantity:
     return Phi / (3.0 - 3.0 * xi + xi**2)
 
 
-def shear_in_shift(*, Phi: Quantity, xi: Quantity) -> Quantity:
+def shear_in_shift(*, Phi: Quantity, xi: Quantity) -> Computed:
     """Return the relative change that shear makes to the motion towards the base.
 
     ``(1 + Φ' (3 − ξ) D/(2S))/(1 + Φ')² − 1`` with ``D = 3 − 3ξ + ξ²`` and
@@ -280,7 +280,7 @@ def shear_in_shift(*, Phi: Quantity, xi: Quantity) -> Quantity:
     return (1.0 + Phi * (3.0 - xi) * D / (2.0 * S)) / (1.0 + Phi) ** 2 - 1.0
 
 
-def stretch_in_shift(*, h: Quantity, l: Quantity, xi: Quantity) -> Quantity:
+def stretch_in_shift(*, h: Quantity, l: Quantity, xi: Quantity) -> Computed:
     """Return the relative change that stretching makes to the motion towards the base.
 
     ``−(h/l)² (3 − ξ)/(2S)`` with ``S = 4.5 − 7.5ξ + 4.5ξ² − 0.9ξ³``.
@@ -311,7 +311,7 @@ def stretch_in_shift(*, h: Quantity, l: Quantity, xi: Quantity) -> Quantity:
     return -((h / l) ** 2) * (3.0 - xi) / (2.0 * S)
 
 
-def _sums(xi: Quantity) -> tuple[Quantity, Quantity]:
+def _sums(xi: Quantity) -> tuple[Computed, Computed]:
     return 3.0 - 3.0 * xi + xi**2, 4.5 - 7.5 * xi + 4.5 * xi**2 - 0.9 * xi**3
 
 

@@ -11,7 +11,7 @@ from math import pi
 import numpy as np
 
 from flexcli.formulas.card import Card, Range, Table
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.numerics.quadrature import gauss_rule
 from flexcli.results import QuantityKind
 
@@ -32,7 +32,7 @@ __all__ = [
 
 def elliptic_stiffness(
     *, E: Quantity, b: Quantity, e: Quantity, l: Quantity, depth: Quantity
-) -> Quantity:
+) -> Computed:
     """Return the rotational stiffness of an elliptic notch hinge, by the exact integral.
 
     ``1/K = ∫ds/(E I)`` gives ``K = 8 E b q² / (3 l (3 g J + 4 g + 2 d²/g))`` with ``g = d + e/2``,
@@ -75,7 +75,7 @@ def elliptic_stiffness(
     return 8.0 * E * b * q**2 / (3.0 * l * (3.0 * g * J + 4.0 * g + 2.0 * depth**2 / g))
 
 
-def circular_stiffness(*, E: Quantity, b: Quantity, e: Quantity, r: Quantity) -> Quantity:
+def circular_stiffness(*, E: Quantity, b: Quantity, e: Quantity, r: Quantity) -> Computed:
     """Return the rotational stiffness of a right-circular notch hinge, by the exact integral.
 
     ``1/K = ∫ds/(E I)`` gives ``K = 4 E b q² / (3 r (3 g J + 4 g + 2 r²/g))`` with ``g = r + e/2``,
@@ -114,7 +114,7 @@ def circular_stiffness(*, E: Quantity, b: Quantity, e: Quantity, r: Quantity) ->
 
 def throat_stress(
     *, K: Quantity, b: Quantity, e: Quantity, theta: Quantity, factor: Quantity
-) -> Quantity:
+) -> Computed:
     """Return the bending stress at the throat of a notch hinge turned by θ.
 
     ``σ = K_t 6M/(b e²)`` with ``M = K θ``.
@@ -154,7 +154,7 @@ def throat_stress(
 
 def admissible_rotation(
     *, K: Quantity, b: Quantity, e: Quantity, sigma: Quantity, factor: Quantity
-) -> Quantity:
+) -> Computed:
     """Return the rotation at which the throat of a notch hinge reaches the admissible stress.
 
     ``γ = σ b e² / (6 K_t K)``, about ``3πσ√r/(4E√e)`` for a circular notch without K_t.
@@ -197,7 +197,7 @@ _BENT = {"K": 0.2356, "b": 10e-3, "e": 100e-6, "factor": 1.005}
 _BEAM = Range("e/r", 0.0, 0.2, "as a plane body the hinge is softer, at e/r = 0.2 by 7 %")
 
 
-def law_stiffness(*, E: Quantity, b: Quantity, e: Quantity, r: Quantity) -> Quantity:
+def law_stiffness(*, E: Quantity, b: Quantity, e: Quantity, r: Quantity) -> Computed:
     """Return the rotational stiffness of a right-circular notch hinge, by the scaling law.
 
     ``K ≈ 2 E b e^2.5 / (9π √r) = 0.0707 E b e^2.5 r^−0.5``, which the lecture rounds to 0.07.
@@ -258,7 +258,7 @@ _NODES = 24
 """Enough for full digits up to e/r = 10, where the nearest pole is 0.45 from the interval."""
 
 
-def bending_factor(*, e: Quantity, r: Quantity) -> Quantity:
+def bending_factor(*, e: Quantity, r: Quantity) -> Computed:
     """Return the stress concentration factor of two deep opposite notches in bending.
 
     ``K_t = 4 a√a / (3 (√a + (a − 1) arctan √a))`` with ``a = e/(2r)``; 1 + e/(5r) for a thin
@@ -296,7 +296,7 @@ def bending_factor(*, e: Quantity, r: Quantity) -> Quantity:
     return 4.0 / 3.0 / ((1.0 + u**2) / (1.0 + a * u**2) @ weights)
 
 
-def axial_factor(*, e: Quantity, r: Quantity) -> Quantity:
+def axial_factor(*, e: Quantity, r: Quantity) -> Computed:
     """Return the stress concentration factor of two deep opposite notches in tension.
 
     ``K_t = 2 (a + 1)√a / ((a + 1) arctan √a + √a)`` with ``a = e/(2r)``; 1 + e/(3r) for a thin
@@ -334,7 +334,7 @@ def axial_factor(*, e: Quantity, r: Quantity) -> Quantity:
     return 2.0 * (a + 1.0) / ((a + 1.0) * arc + 1.0)
 
 
-def fitted_bending_factor(*, e: Quantity, r: Quantity) -> Quantity:
+def fitted_bending_factor(*, e: Quantity, r: Quantity) -> Computed:
     """Return the stress concentration factor of a right-circular notch hinge, as fitted.
 
     ``K_t = (2.7 e + 5.4 r)/(8 r + e) + 0.325``.

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import Notch, Profile
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.numerics.quadrature import gauss_rule
 
 __all__ = ["CARDS", "Compliance", "bending_reach", "circular_compliance", "planar_compliance"]
@@ -41,7 +41,7 @@ class Compliance(NamedTuple):
 
 
 def planar_compliance(
-    profile: Profile, *, E: Quantity, l: Quantity, b: Quantity, a: Quantity, G: Quantity = inf
+    profile: Profile, *, E: Computed, l: Computed, b: Computed, a: Computed, G: Computed = inf
 ) -> Floats:
     """Return the compliance of a hinge in its plane about a point of its axis.
 
@@ -153,7 +153,7 @@ def circular_compliance(
     return Compliance(C[..., 0, 0], C[..., 1, 1], C[..., 2, 2])
 
 
-def bending_reach(*, across: Quantity, turn: Quantity) -> Quantity:
+def bending_reach(*, across: Quantity, turn: Quantity) -> Computed:
     """Return how far from its centre a hinge bends, as the root of the mean square.
 
     ``c = √(C_y/C_φ)`` without shear: l/√12 for a constant thickness, about √(e r/3) for a

@@ -7,7 +7,7 @@ import numpy as np
 
 from flexcli.formulas.arguments import positive
 from flexcli.formulas.card import Card, Range, Table
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.stop_stiffness import bent_shape, stiffness_ratio
 
 __all__ = [
@@ -34,7 +34,7 @@ MEASURED = (
 """Where the operating line was measured: sine at the free natural frequency, ball stops."""
 
 
-def operating_line(pi_1: Quantity) -> Quantity:
+def operating_line(pi_1: Numbers) -> Computed:
     """Return the measured range of the tip over the gap, for a stop that stiffens π1 times.
 
     ``π5 = 10.032 π1^(−0.304)``, the fit to resonant tests of four blades.
@@ -73,7 +73,7 @@ def operating_line(pi_1: Quantity) -> Quantity:
     return FACTOR * ratio**EXPONENT
 
 
-def ratio_on_line(pi_5: Quantity) -> Quantity:
+def ratio_on_line(pi_5: Numbers) -> Computed:
     """Return the stiffness ratio at which the operating line gives a range over gap.
 
     ``π1 = (π5/10.032)^(−1/0.304)``.
@@ -107,7 +107,7 @@ def ratio_on_line(pi_5: Quantity) -> Quantity:
     return (ratio / FACTOR) ** (1.0 / EXPONENT)
 
 
-def contact_threshold(share: Quantity) -> Quantity:
+def contact_threshold(share: Numbers) -> Computed:
     """Return the range of the tip over the gap below which a tip-loaded blade meets no stop.
 
     ``π5 = 2/φ(a) = 4/(a² (3 − a))`` with ``a = L_a/L``: at the instant of contact the blade

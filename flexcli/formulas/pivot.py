@@ -13,7 +13,7 @@ from math import atan2, cos, pi, radians, sin, sqrt
 import numpy as np
 
 from flexcli.formulas.card import SLENDER, SMALL_ROTATION, Card, Range, Table
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import second_moment
 from flexcli.results import QuantityKind
 
@@ -41,7 +41,7 @@ __all__ = [
 
 def rotational_stiffness(
     *, E: Quantity, h: Quantity, l: Quantity, b: Quantity, p: Quantity, blades: int = 2
-) -> Quantity:
+) -> Computed:
     """Return the rotational stiffness of n blades whose centre lines meet in one point.
 
     ``K = n 4EI/l (1 + 3δ + 3δ²)`` with ``I = b h³/12`` and ``δ = p/l``: for two blades
@@ -83,7 +83,7 @@ def rotational_stiffness(
 
 def end_stresses(
     *, E: Quantity, h: Quantity, l: Quantity, p: Quantity, theta: Quantity
-) -> tuple[Quantity, Quantity]:
+) -> tuple[Computed, Computed]:
     """Return the bending stress at the inner and at the outer end of each blade, with its sign.
 
     ``σ_inner = E h θ/l (2 + 3δ)``, ``σ_outer = E h θ/l (1 + 3δ)``. The larger magnitude decides:
@@ -127,7 +127,7 @@ def end_stresses(
     return curvature * (2.0 + 3.0 * p / l), curvature * (1.0 + 3.0 * p / l)
 
 
-def parasitic_shift(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: float) -> Quantity:
+def parasitic_shift(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: float) -> Computed:
     """Return the shift of the centre of a pivot of two blades, leading order in θ, with its sign.
 
     ``PP' = (9δ² + 9δ + 1) θ² l / (15 cos α)``. The bracket vanishes at Wittrick's crossing
@@ -210,7 +210,7 @@ def axial_share(angles: tuple[float, ...], direction: float) -> tuple[float, ...
 
 def out_of_plane_stiffness(
     *, E: Quantity, h: Quantity, l: Quantity, b: Quantity, blades: int
-) -> Quantity:
+) -> Computed:
     """Return the stiffness along the pivot's axis of n blades, both ends kept from turning.
 
     ``K_z = n E h b³ / l³``: each blade bends across its width between a fixed end and a body
@@ -313,7 +313,7 @@ WITTRICK = (sqrt(45.0) - 9.0) / 18.0
 
 def admissible_rotation(
     *, E: float, h: Quantity, l: Quantity, p: Quantity, stress: float
-) -> Quantity:
+) -> Computed:
     """Return the rotation at which the larger of the two end stresses reaches a given one.
 
     ``θ = σ l / (E h max(|2 + 3δ|, |1 + 3δ|))``. Both ends count: the course's formula takes the
@@ -351,7 +351,7 @@ def admissible_rotation(
     return stress / np.maximum(np.abs(inner), np.abs(outer))
 
 
-def stiffness_ratio(delta: Quantity) -> Quantity:
+def stiffness_ratio(delta: Quantity) -> Computed:
     """Return the stiffness of a cross-spring pivot over that of the symmetric one.
 
     ``4 (3δ² + 3δ + 1)``, for the same blades: 2.667 at Wittrick's crossing, where the course
@@ -380,7 +380,7 @@ def stiffness_ratio(delta: Quantity) -> Quantity:
     return 4.0 * (3.0 * delta * (delta + 1.0) + 1.0)
 
 
-def stroke_ratio(delta: Quantity) -> Quantity:
+def stroke_ratio(delta: Quantity) -> Computed:
     """Return the admissible rotation of a cross-spring pivot over that of the symmetric one.
 
     ``½ / max(|2 + 3δ|, |1 + 3δ|)``, for the same blades and stress: 1/3.236 at Wittrick's

@@ -24,7 +24,7 @@ from typing import NamedTuple
 import numpy as np
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 
 __all__ = [
     "CARDS",
@@ -50,22 +50,22 @@ LARGE_ROTATION = (
 class Parts(NamedTuple):
     """A next-order term by powers of cot α: their sum is the term, that of magnitudes a bound."""
 
-    square: Quantity
-    none: Quantity
-    inverse: Quantity
+    square: Computed
+    none: Computed
+    inverse: Computed
 
     @property
-    def total(self) -> Quantity:
+    def total(self) -> Computed:
         """Return the sum."""
         return self.square + self.none + self.inverse
 
     @property
-    def bound(self) -> Quantity:
+    def bound(self) -> Computed:
         """Return the sum of the magnitudes, which no chance cancellation makes small."""
         return np.abs(self.square) + np.abs(self.none) + np.abs(self.inverse)
 
 
-def moment_parts(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Parts:
+def moment_parts(*, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers) -> Parts:
     """Return the parts of the relative change of the moment, see :func:`moment_change`."""
     gamma, cot = 1.0 + 2.0 * p / l, 1.0 / np.tan(half_angle)
     share = theta**2 / (2.0 * (1.0 + 3.0 * gamma**2))
@@ -76,7 +76,7 @@ def moment_parts(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quant
     )
 
 
-def moment_change(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
+def moment_change(*, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers) -> Computed:
     """Return the relative change that a large rotation makes to the moment over the rotation.
 
     ``M/(Kθ) − 1 = θ²/(2(1 + 3γ²)) · (−γ²(9γ² + 35) cot²α/175 − 2γ²(243γ² − 175)/175
@@ -115,7 +115,7 @@ def moment_change(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quan
     return moment_parts(l=l, p=p, theta=theta, half_angle=half_angle).total
 
 
-def stress_change(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
+def stress_change(*, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers) -> Computed:
     """Return the relative change that a large rotation makes to the largest bending stress.
 
     ``σ/σ₀ − 1 = max|1 + 3γ ± s₁ θ + s₂ θ²|/(1 + 3|γ|) − 1`` over both blades and, with −γ for γ,
@@ -155,14 +155,14 @@ def stress_change(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quan
 
     """
     gamma, cot = 1.0 + 2.0 * p / l, 1.0 / np.tan(half_angle)
-    most: Quantity = 0.0
+    most: Computed = 0.0
     for side in (gamma, -gamma):
         odd, even = _end_moment(side, theta, cot)
         most = np.maximum(most, np.abs(1.0 + 3.0 * side + even.total) + np.abs(odd))
     return most / (1.0 + 3.0 * np.abs(gamma)) - 1.0
 
 
-def stress_bound(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
+def stress_bound(*, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers) -> Computed:
     """Return the sum of the magnitudes in ``stress_change``, which nothing cancels.
 
     ``(|s₁| θ + Σ|s₂ terms| θ²)/(1 + 3|γ|)``, the larger of both ends.
@@ -200,7 +200,7 @@ def stress_bound(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quant
     return most / (1.0 + 3.0 * np.abs(gamma))
 
 
-def _end_moment(gamma: Quantity, theta: Quantity, cot: Quantity) -> tuple[Quantity, Parts]:
+def _end_moment(gamma: Quantity, theta: Quantity, cot: Quantity) -> tuple[Computed, Parts]:
     """Return the next terms of the inner end's moment, odd and even in θ, over EI θ/l."""
     odd = (3.0 * gamma**2 + 5.0 * gamma) * cot - (9.0 * gamma**2 - 5.0) / cot
     square, none = theta**2 * gamma * cot**2, theta**2 * gamma
@@ -214,7 +214,7 @@ def _end_moment(gamma: Quantity, theta: Quantity, cot: Quantity) -> tuple[Quanti
 _PIVOT = {"l": 17.5e-3, "p": 2e-3, "theta": 0.1, "half_angle": 0.7}
 
 
-def shift_parts(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Parts:
+def shift_parts(*, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers) -> Parts:
     """Return the parts of the fourth-order shift [m], see :func:`next_shift`."""
     gamma, cot = 1.0 + 2.0 * p / l, 1.0 / np.tan(half_angle)
     square, size = gamma**2, l * theta**4 / np.cos(half_angle)
@@ -227,7 +227,7 @@ def shift_parts(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quanti
     )
 
 
-def next_shift(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
+def next_shift(*, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers) -> Computed:
     """Return what the next order in θ adds to the shift of the centre along the bisector.
 
     ``ΔPP' = −θ⁴ l/cos α · (γ(9γ³ + 9γ² + 27γ + 35) cot²α/8400 + (108γ⁴ + 126γ³ − 13γ² − 70γ −
@@ -271,7 +271,7 @@ def next_shift(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantit
     return shift_parts(l=l, p=p, theta=theta, half_angle=half_angle).total
 
 
-def shift_across(*, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
+def shift_across(*, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers) -> Computed:
     """Return the shift of the centre across the bisector, of the order θ³ with which it begins.
 
     ``Y = −θ³ l/sin α · (γ(9γ² + 35) cot α + (378γ³ + 315γ² − 210γ − 175) tan α)/4200``.

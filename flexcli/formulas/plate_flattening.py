@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from flexcli.formulas.card import Card, Range, Table
 from flexcli.formulas.plate_factors import bound
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers
 
 __all__ = ["CARDS", "flat_width", "held_and_curved", "secant_factor", "tangent_factor"]
 
@@ -15,9 +15,7 @@ _SERIES = 0.3
 """Below this β the quotient loses digits, and two terms of its series are exact to 1e-6."""
 
 
-def flat_width(
-    *, b: Quantity, h: Quantity, curvature: Quantity, poisson_ratio: Quantity
-) -> Quantity:
+def flat_width(*, b: Numbers, h: Numbers, curvature: Numbers, poisson_ratio: Numbers) -> Computed:
     """Return the width of a curved blade over the length on which its section can curl.
 
     ``β = b (3(1 − ν²) κ²/h²)^¼``: the root of Searle's b²κ/h times 1.3 or so.

@@ -1,11 +1,11 @@
 """The rectangular section of a blade: area, second moments, volume, stress of a force."""
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = ["axial_stress", "blade_volume", "second_moment", "shear_parameter"]
 
 
-def second_moment(width: Quantity, depth: Quantity) -> Quantity:
+def second_moment(width: Quantity, depth: Quantity) -> Computed:
     """Return the second moment of area of a rectangle about the axis parallel to its width.
 
     ``I = width depth³ / 12``: with (b, h) for bending across the thickness h, with (h, b) for
@@ -36,7 +36,7 @@ def second_moment(width: Quantity, depth: Quantity) -> Quantity:
     return width * depth**3 / 12.0
 
 
-def axial_stress(force: Quantity, h: Quantity, b: Quantity) -> Quantity:
+def axial_stress(force: Quantity, h: Quantity, b: Quantity) -> Computed:
     """Return the mean stress N/(h b) of a force N [N] along a blade [Pa].
 
     Examples
@@ -48,7 +48,7 @@ def axial_stress(force: Quantity, h: Quantity, b: Quantity) -> Quantity:
     return force / (h * b)
 
 
-def blade_volume(blades: int, h: Quantity, l: Quantity, b: Quantity) -> Quantity:
+def blade_volume(blades: int, h: Quantity, l: Quantity, b: Quantity) -> Computed:
     """Return the volume n h l b of n blades [m³].
 
     Examples
@@ -60,7 +60,7 @@ def blade_volume(blades: int, h: Quantity, l: Quantity, b: Quantity) -> Quantity
     return blades * h * l * b
 
 
-def shear_parameter(*, depth: Quantity, l: Quantity, poisson_ratio: float) -> Quantity:
+def shear_parameter(*, depth: Quantity, l: Quantity, poisson_ratio: Quantity) -> Computed:
     """Return Timoshenko's shear parameter Φ = 12EI/(κ G A l²) of a rectangular blade.
 
     ``Φ = (12/5)(1 + ν)(d/l)²`` with κ = 5/6 and d the side across the neutral axis: a

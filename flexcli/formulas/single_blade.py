@@ -1,7 +1,7 @@
 """One blade from a clamp to its tip: pushed, turned by a moment, or guided without turning."""
 
 from flexcli.formulas.card import SLENDER, SMALL_ROTATION, Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import second_moment
 from flexcli.results import QuantityKind
 
@@ -21,7 +21,7 @@ __all__ = [
 ]
 
 
-def force_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Quantity:
+def force_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Computed:
     """Return the stiffness of a cantilever against a force across its tip.
 
     ``K = 3EI/l³``.
@@ -51,7 +51,7 @@ def force_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Qu
     return 3.0 * E * second_moment(b, h) / l**3
 
 
-def force_shape(*, l: Quantity, x: Quantity, s: Quantity) -> Quantity:
+def force_shape(*, l: Quantity, x: Quantity, s: Quantity) -> Computed:
     """Return the deflection along a cantilever whose tip a force has moved.
 
     ``w(s) = x s²(3l − s)/(2l³)``.
@@ -83,7 +83,7 @@ def force_shape(*, l: Quantity, x: Quantity, s: Quantity) -> Quantity:
     return x * s**2 * (3.0 * l - s) / (2.0 * l**3)
 
 
-def force_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity, s: Quantity) -> Quantity:
+def force_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity, s: Quantity) -> Computed:
     """Return the bending stress along a cantilever whose tip a force has moved.
 
     ``σ(s) = 3 E h x (l − s)/(2l³)``, largest at the clamp.
@@ -117,7 +117,7 @@ def force_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity, s: Quant
     return 1.5 * E * h * x * (1.0 - s / l) / l**2
 
 
-def moment_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Quantity:
+def moment_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Computed:
     """Return the stiffness of a cantilever against a moment at its tip.
 
     ``K = EI/l``.
@@ -147,7 +147,7 @@ def moment_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Q
     return E * second_moment(b, h) / l
 
 
-def moment_shape(*, l: Quantity, theta: Quantity, s: Quantity) -> Quantity:
+def moment_shape(*, l: Quantity, theta: Quantity, s: Quantity) -> Computed:
     """Return the deflection along a cantilever whose tip a moment has turned.
 
     ``w(s) = θ s²/(2l)``.
@@ -179,7 +179,7 @@ def moment_shape(*, l: Quantity, theta: Quantity, s: Quantity) -> Quantity:
     return theta * s**2 / (2.0 * l)
 
 
-def moment_stress(*, E: Quantity, h: Quantity, l: Quantity, theta: Quantity) -> Quantity:
+def moment_stress(*, E: Quantity, h: Quantity, l: Quantity, theta: Quantity) -> Computed:
     """Return the bending stress of a blade whose tip a moment has turned, the same all along.
 
     ``σ = E h θ/(2l)``.
@@ -215,7 +215,7 @@ def moment_stress(*, E: Quantity, h: Quantity, l: Quantity, theta: Quantity) -> 
     return E * h * theta / (2.0 * l)
 
 
-def guided_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Quantity:
+def guided_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Computed:
     """Return the stiffness of a blade whose tip moves across it without turning.
 
     ``K = 12EI/l³ = E b h³/l³``.
@@ -245,7 +245,7 @@ def guided_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Q
     return E * b * h**3 / l**3
 
 
-def guided_shape(*, l: Quantity, x: Quantity, s: Quantity) -> Quantity:
+def guided_shape(*, l: Quantity, x: Quantity, s: Quantity) -> Computed:
     """Return the deflection along a blade whose tip has moved without turning.
 
     ``w(s) = x s²(3l − 2s)/l³``.
@@ -277,7 +277,7 @@ def guided_shape(*, l: Quantity, x: Quantity, s: Quantity) -> Quantity:
     return x * s**2 * (3.0 * l - 2.0 * s) / l**3
 
 
-def guided_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity, s: Quantity) -> Quantity:
+def guided_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity, s: Quantity) -> Computed:
     """Return the bending stress along a blade whose tip has moved without turning.
 
     ``σ(s) = 3 E h x (l − 2s)/l³``: equal and opposite at the two ends.

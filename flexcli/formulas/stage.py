@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from flexcli.formulas.card import SLENDER, Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import second_moment
 from flexcli.results import QuantityKind
 
@@ -22,7 +22,7 @@ __all__ = [
 
 def translational_stiffness(
     *, E: Quantity, h: Quantity, l: Quantity, b: Quantity, blades: int = 2
-) -> Quantity:
+) -> Computed:
     """Return the stiffness of a parallel leaf-spring stage along its stroke.
 
     ``K = n 12EI/l³ = n E b h³/l³``.
@@ -59,7 +59,7 @@ def translational_stiffness(
     return blades * E * b * h**3 / l**3
 
 
-def end_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity) -> Quantity:
+def end_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity) -> Computed:
     """Return the bending stress at the ends of a blade whose stage has moved by x.
 
     ``σ = 3 E h x/l²``, which the lecture writes as the admissible stroke σ l²/(3 E h).
@@ -91,7 +91,7 @@ def end_stress(*, E: Quantity, h: Quantity, l: Quantity, x: Quantity) -> Quantit
     return 3.0 * E * h * x / l**2
 
 
-def shortening(*, l: Quantity, x: Quantity) -> Quantity:
+def shortening(*, l: Quantity, x: Quantity) -> Computed:
     """Return the parasitic motion of a stage towards its base, leading order.
 
     ``λ = 3x²/(5l)``.
@@ -121,7 +121,7 @@ def shortening(*, l: Quantity, x: Quantity) -> Quantity:
     return 0.6 * x**2 / l
 
 
-def admissible_translation(*, E: Quantity, h: Quantity, l: Quantity, stress: Quantity) -> Quantity:
+def admissible_translation(*, E: Quantity, h: Quantity, l: Quantity, stress: Quantity) -> Computed:
     """Return the travel at which the bending stress at the blades' ends reaches a given one.
 
     ``x = σ l²/(3 E h)``.
@@ -162,7 +162,7 @@ def drive_rotation(
     places: Sequence[Quantity],
     drive: Quantity,
     x: Quantity,
-) -> Quantity:
+) -> Computed:
     """Return how far a stage turns when it is driven beside the middle of its blades.
 
     ``φ = K x (d − l/2) / (Σ EA y²/l + n EI/l)``: the force of the stroke has a moment about the
@@ -214,7 +214,7 @@ def drive_rotation(
 
 def loaded_stiffness(
     *, E: Quantity, h: Quantity, l: Quantity, b: Quantity, axial: Quantity, blades: int = 2
-) -> Quantity:
+) -> Computed:
     """Return the stiffness of a leaf-spring stage whose blades carry an axial force.
 
     ``K = P/(2 tan(κl/2)/κ − l)`` with ``κ² = P/(n E I)`` for a compression P, and the same with

@@ -5,12 +5,12 @@ of a guided blade, and a cantilever, is an elastica θ' = c(s) f ∫cos θ ds un
 """
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = ["CARDS", "shift_change", "stress_change"]
 
 
-def stress_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
+def stress_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Computed:
     """Return the relative change that a large stroke makes to the largest bending stress.
 
     ``σ/σ₀ − 1 = (x/l)² 3(105 − 105ξ − 126ξ² + 238ξ³ − 123ξ⁴ + 21ξ⁵)/(70 (3 − 3ξ + ξ²)³)``: 3/7
@@ -46,7 +46,7 @@ def stress_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
     return (x / l) ** 2 * 3.0 * share / (70.0 * flexible_share(xi) ** 3)
 
 
-def shift_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
+def shift_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Computed:
     """Return the relative change that a large stroke makes to the motion towards the base.
 
     ``λ/λ₀ − 1 = (x/l)² 3N/(140 (3 − 3ξ + ξ²)³ (15 − 25ξ + 15ξ² − 3ξ³))``,
@@ -81,7 +81,7 @@ def shift_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
     return (x / l) ** 2 * 3.0 * share / (140.0 * flexible_share(xi) ** 3 * first)
 
 
-def flexible_share(xi: Quantity) -> Quantity:
+def flexible_share(xi: Quantity) -> Computed:
     """Return the compliance of the hinges over that of their share of the blade."""
     return 3.0 - 3.0 * xi + xi**2
 

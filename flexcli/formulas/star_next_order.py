@@ -11,7 +11,7 @@ import numpy as np
 
 from flexcli.formulas.beam_column import s_bending, uniform_bending
 from flexcli.formulas.card import SLENDER, Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = ["CARDS", "held_shares", "stress_change", "tension"]
 
@@ -50,7 +50,7 @@ def held_shares(angles: tuple[float, ...]) -> tuple[float, ...]:
 
 def tension(
     *, h: Quantity, l: Quantity, p: Quantity, theta: Quantity, share: Quantity = 1.0
-) -> Quantity:
+) -> Computed:
     """Return the tension that the rotation of an overconstrained pivot makes in a blade.
 
     ``n = c θ² share/((h/l)²/12 + (9γ² + 35) θ²/25200)`` in units of EI/l², ``γ = 1 + 2δ``.
@@ -95,7 +95,7 @@ def tension(
 
 def stress_change(
     *, h: Quantity, l: Quantity, p: Quantity, theta: Quantity, angles: tuple[float, ...]
-) -> Quantity:
+) -> Computed:
     """Return the relative change that the tension makes to the largest bending stress.
 
     ``max (k_s + 3|γ| k_a)/(1 + 3|γ|) − 1`` over the blades.

@@ -8,7 +8,7 @@ and the forces and stresses with the tip at the end of its range.
 from flexcli.formulas.arguments import positive
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.pi_law import MEASURED, operating_line, ratio_on_line
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.stop_stiffness import height_share, stiffness_ratio
 
 __all__ = [
@@ -26,7 +26,7 @@ REACHED = Range(
 )
 
 
-def allowed_travel(*, E: Quantity, h: Quantity, L: Quantity, sigma: Quantity) -> Quantity:
+def allowed_travel(*, E: Quantity, h: Quantity, L: Quantity, sigma: Quantity) -> Computed:
     """Return the deflection of a tip-loaded cantilever whose base bears a stress.
 
     ``δ = 2 σ L²/(3 E h)``.
@@ -65,7 +65,7 @@ def allowed_travel(*, E: Quantity, h: Quantity, L: Quantity, sigma: Quantity) ->
     return 2.0 * sigma * L**2 / (3.0 * E * h)
 
 
-def line_gap(*, L_a: Quantity, L_b: Quantity, delta_O: Quantity) -> Quantity:
+def line_gap(*, L_a: Quantity, L_b: Quantity, delta_O: Quantity) -> Computed:
     """Return the gap that keeps the tip to a range, on the operating line.
 
     ``δ_G = δ_O/π5`` with ``π5 = 10.032 π1^(−0.304)``.
@@ -95,7 +95,7 @@ def line_gap(*, L_a: Quantity, L_b: Quantity, delta_O: Quantity) -> Quantity:
     return delta_O / operating_line(stiffness_ratio(L_a=L_a, L_b=L_b))
 
 
-def line_height(*, d: Quantity, L: Quantity, delta_O: Quantity) -> Quantity:
+def line_height(*, d: Numbers, L: Numbers, delta_O: Numbers) -> Computed:
     """Return the height of the stops that keeps the tip to a range, for a given gap.
 
     ``L_a = L a(π1)`` with ``π1 = (10.032 d/δ_O)^(1/0.304)``.

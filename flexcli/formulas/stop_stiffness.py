@@ -10,7 +10,7 @@ import numpy as np
 
 from flexcli.formulas.arguments import positive
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 
 __all__ = [
     "CARDS",
@@ -24,7 +24,7 @@ __all__ = [
 SLENDER = Range("L/h", 10.0, why="shear is left out; it matters most for a short overhang L_b/h")
 
 
-def bent_shape(share: Quantity) -> Quantity:
+def bent_shape(share: Quantity) -> Computed:
     """Return the deflection of a tip-loaded cantilever at x, over that of its tip.
 
     ``φ(a) = a² (3 − a)/2`` with ``a = x/L``. It is also the share of the tip's speed at x while
@@ -53,7 +53,7 @@ def bent_shape(share: Quantity) -> Quantity:
     return share**2 * (3.0 - share) / 2.0
 
 
-def free_stiffness(*, E: Quantity, I: Quantity, L: Quantity) -> Quantity:
+def free_stiffness(*, E: Quantity, I: Quantity, L: Quantity) -> Computed:
     """Return the stiffness of a cantilever to a lateral force at its tip.
 
     ``k_free = 3 E I/L³``.
@@ -85,7 +85,7 @@ def free_stiffness(*, E: Quantity, I: Quantity, L: Quantity) -> Quantity:
     return 3.0 * E * I / L**3
 
 
-def contact_stiffness(*, E: Quantity, I: Quantity, L_a: Quantity, L_b: Quantity) -> Quantity:
+def contact_stiffness(*, E: Quantity, I: Quantity, L_a: Quantity, L_b: Quantity) -> Computed:
     """Return the stiffness at the tip of a cantilever that rests on a stop at height L_a.
 
     ``k_contact = 12 E I/(L_b² (3 L_a + 4 L_b))``: the propped overhang's.
@@ -122,7 +122,7 @@ def contact_stiffness(*, E: Quantity, I: Quantity, L_a: Quantity, L_b: Quantity)
     return 12.0 * E * I / (L_b**2 * (3.0 * L_a + 4.0 * L_b))
 
 
-def stiffness_ratio(*, L_a: Quantity, L_b: Quantity) -> Quantity:
+def stiffness_ratio(*, L_a: Quantity, L_b: Quantity) -> Computed:
     """Return how much stiffer a cantilever is at its tip when it rests on a stop.
 
     ``π1 = k_contact/k_free = 4 (L_a + L_b)³/(L_b² (3 L_a + 4 L_b))``.
@@ -150,7 +150,7 @@ def stiffness_ratio(*, L_a: Quantity, L_b: Quantity) -> Quantity:
     return 4.0 * (L_a + L_b) ** 3 / (L_b**2 * (3.0 * L_a + 4.0 * L_b))
 
 
-def height_share(pi_1: Quantity) -> Quantity:
+def height_share(pi_1: Numbers) -> Computed:
     """Return the height over length of the stop that makes a cantilever π1 times stiffer.
 
     ``L_a/L = 1 + 2 sin²(ψ/3) − √3 sin(2ψ/3)`` with ``tan ψ = 1/√(π1 − 1)``: the root of

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.stop_stiffness import bent_shape, contact_stiffness, free_stiffness
 
 __all__ = [
@@ -33,7 +33,7 @@ def _gap(name: str, d: Quantity) -> NDArray[np.float64]:
 
 def contact_load(
     *, E: Quantity, I: Quantity, L_a: Quantity, L_b: Quantity, d: Quantity
-) -> Quantity:
+) -> Computed:
     """Return the tip force at which a cantilever just touches the stop.
 
     ``F′ = d 6EI/(L_a² (3L − L_a))``.
@@ -74,14 +74,14 @@ def contact_load(
 
 def excess_load(
     *,
-    F: Quantity,
-    E: Quantity,
-    I: Quantity,
-    L_a: Quantity,
-    L_b: Quantity,
-    d: Quantity,
-    d_behind: Quantity = np.inf,
-) -> Quantity:
+    F: Numbers,
+    E: Numbers,
+    I: Numbers,
+    L_a: Numbers,
+    L_b: Numbers,
+    d: Numbers,
+    d_behind: Numbers = np.inf,
+) -> Computed:
     """Return the part of the tip force beyond the one that makes contact, with its sign.
 
     ``F″ = F − F′`` once the blade touches, 0 before: what is not 0 is contact.
@@ -127,14 +127,14 @@ def excess_load(
 
 def reaction(
     *,
-    F: Quantity,
-    E: Quantity,
-    I: Quantity,
-    L_a: Quantity,
-    L_b: Quantity,
-    d: Quantity,
-    d_behind: Quantity = np.inf,
-) -> Quantity:
+    F: Numbers,
+    E: Numbers,
+    I: Numbers,
+    L_a: Numbers,
+    L_b: Numbers,
+    d: Numbers,
+    d_behind: Numbers = np.inf,
+) -> Computed:
     """Return the force of the stops on the blade, with its sign; 0 without contact.
 
     ``R = F″ (L_a − 3L)/(2 L_a)``: it opposes the tip force and exceeds its part beyond contact.
@@ -178,14 +178,14 @@ def reaction(
 
 def load_at_travel(
     *,
-    delta: Quantity,
-    E: Quantity,
-    I: Quantity,
-    L_a: Quantity,
-    L_b: Quantity,
-    d: Quantity,
-    d_behind: Quantity = np.inf,
-) -> Quantity:
+    delta: Numbers,
+    E: Numbers,
+    I: Numbers,
+    L_a: Numbers,
+    L_b: Numbers,
+    d: Numbers,
+    d_behind: Numbers = np.inf,
+) -> Computed:
     """Return the tip force that holds the tip at a deflection δ, in contact or not.
 
     ``F = k_free δ′ + k_contact (δ − δ′)`` with δ′ the part of δ travelled before contact,
@@ -241,15 +241,15 @@ _VALIDITY = (
 
 def bending_moment(
     *,
-    x: Quantity,
-    F: Quantity,
-    E: Quantity,
-    I: Quantity,
-    L_a: Quantity,
-    L_b: Quantity,
-    d: Quantity,
-    d_behind: Quantity = np.inf,
-) -> Quantity:
+    x: Numbers,
+    F: Numbers,
+    E: Numbers,
+    I: Numbers,
+    L_a: Numbers,
+    L_b: Numbers,
+    d: Numbers,
+    d_behind: Numbers = np.inf,
+) -> Computed:
     """Return the bending moment at height x of a cantilever that may rest on a stop.
 
     ``M(x) = F (L − x) + R (L_a − x)``, the second term below the stop only: ``F L_b`` at the
@@ -301,7 +301,7 @@ def bending_moment(
     return F * (L_a + L_b - x) + force * np.maximum(L_a - x, 0.0)
 
 
-def bending_stress(*, M: Quantity, I: Quantity, h: Quantity) -> Quantity:
+def bending_stress(*, M: Quantity, I: Quantity, h: Quantity) -> Computed:
     """Return the bending stress at the surface of a blade of thickness h.
 
     ``σ = M h/(2 I)``.

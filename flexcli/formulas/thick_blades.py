@@ -14,7 +14,7 @@ from math import pi
 import numpy as np
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.section import shear_parameter
 
 __all__ = [
@@ -30,7 +30,7 @@ __all__ = [
 ]
 
 
-def s_bending_share(delta: Quantity) -> Quantity:
+def s_bending_share(delta: Quantity) -> Computed:
     """Return the share of a pivot's stiffness that is S-shaped bending.
 
     ``3(1 + 2δ)²/(1 + 3(1 + 2δ)²)``: none for the symmetric pivot, 3/4 for p = 0.
@@ -59,7 +59,7 @@ def s_bending_share(delta: Quantity) -> Quantity:
     return share / (1.0 + share)
 
 
-def stiffness_change(*, Phi: Quantity, share: Quantity = 1.0, series: Quantity = 1.0) -> Quantity:
+def stiffness_change(*, Phi: Quantity, share: Quantity = 1.0, series: Quantity = 1.0) -> Computed:
     """Return the relative change that shear makes to a stiffness.
 
     ``−share · series Φ/(1 + series Φ)``: share 1 and series 1 for guided blades and stages,
@@ -98,7 +98,7 @@ def stiffness_change(*, Phi: Quantity, share: Quantity = 1.0, series: Quantity =
     return -share * series * Phi / (1.0 + series * Phi)
 
 
-def buckling_change(*, Phi: Quantity, effective_length: Quantity = 1.0) -> Quantity:
+def buckling_change(*, Phi: Quantity, effective_length: Quantity = 1.0) -> Computed:
     """Return the relative change that shear makes to a critical axial force.
 
     ``P/P_E − 1 = −u/(1 + u)``, ``u = P_E/(κGA) = π²Φ/(12 k²)``, k the effective length over l.
@@ -138,8 +138,8 @@ _SHORT = Range("Phi", 0.0, 1.0, "a blade as thick as this is no beam")
 
 
 def pivot_softening(
-    *, h: Quantity, l: Quantity, half_angle: Quantity, poisson_ratio: float
-) -> Quantity:
+    *, h: Numbers, l: Numbers, half_angle: Numbers, poisson_ratio: float
+) -> Computed:
     """Return how much shear and stretching soften the S-shaped bending of a pivot's blades.
 
     ``Φ* = Φ + (h/l)² cot²α``: the S-shaped part of stiffness and stress is divided by 1 + Φ*.
@@ -180,13 +180,13 @@ def pivot_softening(
 
 def pivot_shift_across(
     *,
-    h: Quantity,
-    l: Quantity,
-    p: Quantity,
-    theta: Quantity,
-    half_angle: Quantity,
+    h: Numbers,
+    l: Numbers,
+    p: Numbers,
+    theta: Numbers,
+    half_angle: Numbers,
     poisson_ratio: float,
-) -> Quantity:
+) -> Computed:
     """Return the shift of the centre across the bisector that the stretching of the blades makes.
 
     ``Y = −θ l γ (h/l)² cos α/(2 sin²α (1 + Φ*))``: linear in θ, zero for δ = −½.
@@ -233,7 +233,7 @@ def pivot_shift_across(
 _PIVOT = {"h": 1e-3, "l": 17.5e-3, "half_angle": 0.7, "poisson_ratio": 0.33}
 
 
-def shear_factor(Phi: Quantity) -> Quantity:
+def shear_factor(Phi: Quantity) -> Computed:
     """Return by how much shear scales the shortening of a blade that bends in an S.
 
     ``(1 + 5Φ/3)/(1 + Φ)²``: the blade turns less and shears instead.
@@ -261,7 +261,7 @@ def shear_factor(Phi: Quantity) -> Quantity:
     return (1.0 + 5.0 * Phi / 3.0) / (1.0 + Phi) ** 2
 
 
-def stage_stretch(*, h: Quantity, l: Quantity) -> Quantity:
+def stage_stretch(*, h: Quantity, l: Quantity) -> Computed:
     """Return the relative change that stretching makes to the motion towards the base.
 
     ``−(5/3)(h/l)²`` of guided blades; a cantilever is half a guided blade of twice its length.
@@ -289,7 +289,7 @@ def stage_stretch(*, h: Quantity, l: Quantity) -> Quantity:
     return -5.0 / 3.0 * (h / l) ** 2
 
 
-def pivot_stretch(*, h: Quantity, l: Quantity, p: Quantity, half_angle: Quantity) -> Quantity:
+def pivot_stretch(*, h: Numbers, l: Numbers, p: Numbers, half_angle: Numbers) -> Computed:
     """Return what stretching adds to the bracket of the shift of a pivot of two blades.
 
     ``(γ − γ')/4 + 3(γ² − γ'²)/20 + γ'(γ' + 1)(h/l)²/4 − (h/l)² (18γ² + 15γ + (5 − 9γ²) tan²α)/60``,

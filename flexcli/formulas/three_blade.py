@@ -1,7 +1,7 @@
 """Three-blade pivot along its axis: width bending with the shear that a wide blade adds."""
 
 from flexcli.formulas.card import Card, Range, Table
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.results import QuantityKind
 
 __all__ = ["CARDS", "out_of_plane_compliance", "out_of_plane_stiffness"]
@@ -9,7 +9,7 @@ __all__ = ["CARDS", "out_of_plane_compliance", "out_of_plane_stiffness"]
 
 def out_of_plane_compliance(
     *, E: Quantity, G: Quantity, h: Quantity, l: Quantity, b: Quantity, blades: int = 3
-) -> Quantity:
+) -> Computed:
     """Return the compliance along the pivot's axis of n blades around it, bending and shear.
 
     ``1/K_z = (l³/b³ + (6/5)(E/G) l/b)/(n E h)``.
@@ -50,7 +50,7 @@ def out_of_plane_compliance(
 
 def out_of_plane_stiffness(
     *, E: Quantity, G: Quantity, h: Quantity, l: Quantity, b: Quantity, blades: int = 3
-) -> Quantity:
+) -> Computed:
     """Return the stiffness along the pivot's axis of n blades around it, bending and shear.
 
     ``K_z = n E h b³/(l³ (1 + Φ))`` with ``Φ = (6/5)(E/G)(b/l)² = (12/5)(1 + ν)(b/l)²``.

@@ -3,7 +3,7 @@
 from math import sqrt
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.results import QuantityKind
 
 __all__ = [
@@ -15,7 +15,7 @@ __all__ = [
 ]
 
 
-def torsional_stiffness(*, G: Quantity, J: Quantity, l: Quantity, bars: int = 1) -> Quantity:
+def torsional_stiffness(*, G: Quantity, J: Quantity, l: Quantity, bars: int = 1) -> Computed:
     """Return the stiffness of torsion bars on one axis, free to warp, each from body to ground.
 
     ``K = n G J/l``: one bar, or two in line that hold the body between them.
@@ -57,7 +57,7 @@ def torsional_stiffness(*, G: Quantity, J: Quantity, l: Quantity, bars: int = 1)
 
 def shear_stress(
     *, G: Quantity, h: Quantity, l: Quantity, theta: Quantity, factor: Quantity = 1.0
-) -> Quantity:
+) -> Computed:
     """Return the largest shear stress of a torsion bar, at the middle of its broad sides.
 
     ``τ = k G h θ/l``; for a circle h is the diameter and k = ½.
@@ -97,7 +97,7 @@ def shear_stress(
 
 def admissible_twist(
     *, G: Quantity, h: Quantity, l: Quantity, sigma: Quantity, factor: Quantity = 1.0
-) -> Quantity:
+) -> Computed:
     """Return the twist at which von Mises' equivalent stress of a torsion bar is admissible.
 
     ``θ = σ l/(√3 k G h)``.
@@ -137,7 +137,7 @@ def admissible_twist(
 
 def offset_bars_stiffness(
     *, E: Quantity, G: Quantity, I: Quantity, J: Quantity, l: Quantity, r: Quantity, bars: int
-) -> Quantity:
+) -> Computed:
     """Return the stiffness of separate bars that stand around the axis of rotation, parallel to it.
 
     ``K = n (G J/l + 12 E I r²/l³)``: each bar twists by θ and is swung sideways by r θ.

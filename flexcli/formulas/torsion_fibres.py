@@ -5,14 +5,14 @@ come closer shortens until its axial force vanishes; one whose ends are held doe
 """
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = ["CARDS", "fibre_moment", "fibre_stress", "rectangle_fourth_moment"]
 
 
 def fibre_stress(
     *, E: Quantity, rate: Quantity, square: Quantity, mean_square: Quantity
-) -> Quantity:
+) -> Computed:
     """Return the axial stress of a fibre of a twisted bar.
 
     ``σ = ½ E φ'² (r² − r_m²)``: at the edge of a strip ``E (b φ')²/12`` where the bar may
@@ -56,7 +56,7 @@ def fibre_stress(
 
 def fibre_moment(
     *, E: Quantity, rate: Quantity, area: Quantity, fourth: Quantity, mean_square: Quantity
-) -> Quantity:
+) -> Computed:
     """Return the torque that the long fibres of a twisted bar add to Saint-Venant's.
 
     ``T = ½ E φ'³ (∫r⁴ dA − A r_m⁴)``: ``E h b⁵ φ'³/360`` for a strip that may shorten and
@@ -94,7 +94,7 @@ def fibre_moment(
     return E * rate**3 / 2.0 * (fourth - area * mean_square**2)
 
 
-def rectangle_fourth_moment(h: Quantity, b: Quantity) -> Quantity:
+def rectangle_fourth_moment(h: Quantity, b: Quantity) -> Computed:
     """Return ∫r⁴ dA of a rectangle about its middle [m⁶].
 
     ``(b⁵h + bh⁵)/80 + b³h³/72``.

@@ -3,7 +3,7 @@
 from math import pi
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = [
     "CARDS",
@@ -15,7 +15,7 @@ __all__ = [
 ]
 
 
-def strip_torsion_constant(h: Quantity, b: Quantity) -> Quantity:
+def strip_torsion_constant(h: Quantity, b: Quantity) -> Computed:
     """Return the torsion constant of a rectangle of thin side h, close and in powers only.
 
     ``J ≈ b h³/3 − 0.21008 h⁴ + 0.0175 h^7.5/b^3.5``.
@@ -54,7 +54,7 @@ STAR_ERROR = {2: 0.02, 3: 0.2, 4: 0.8, 5: 4.0, 6: 6.0}
 """Of the torsion constant of crossing strips, by their number, over h⁴; unknown beyond."""
 
 
-def star_torsion_constant(h: Quantity, b: Quantity, strips: int) -> Quantity:
+def star_torsion_constant(h: Quantity, b: Quantity, strips: int) -> Computed:
     """Return the torsion constant of strips of full width b that cross in one axis, as one section.
 
     ``J = n b h³/3 + c_n h⁴``: two strips make the cruciform (plus) section, three a star of six
@@ -91,7 +91,7 @@ def star_torsion_constant(h: Quantity, b: Quantity, strips: int) -> Quantity:
     return strips * b * h**3 / 3.0 + _CORE.get(strips, 0.0) * h**4
 
 
-def circle_torsion_constant(d: Quantity) -> Quantity:
+def circle_torsion_constant(d: Quantity) -> Computed:
     """Return the torsion constant of a circular section, whose edge is sheared by G φ' d/2.
 
     ``J = π d⁴/32``.
@@ -123,7 +123,7 @@ def circle_torsion_constant(d: Quantity) -> Quantity:
     return pi * d**4 / 32.0
 
 
-def warping_constant(h: Quantity, b: Quantity) -> Quantity:
+def warping_constant(h: Quantity, b: Quantity) -> Computed:
     """Return the warping constant of a thin rectangular strip.
 
     ``Γ = b³ h³/144``, of the warping function y z over the section.

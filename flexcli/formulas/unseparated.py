@@ -3,14 +3,14 @@
 from math import cos, pi, radians
 
 from flexcli.formulas.card import SLENDER, Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import second_moment
 from flexcli.results import QuantityKind
 
 __all__ = ["CARDS", "unseparated_shift", "unseparated_stiffness", "unseparated_stresses"]
 
 
-def unseparated_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Quantity:
+def unseparated_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Computed:
     """Return the rotational stiffness of two crossed blades that are joined where they cross.
 
     ``K = 8EI/l`` wherever they cross: two pivots of p = 0 in series, of blades c l and (1 − c) l.
@@ -47,7 +47,7 @@ def unseparated_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity)
 
 def unseparated_stresses(
     *, E: Quantity, h: Quantity, l: Quantity, theta: Quantity
-) -> tuple[Quantity, Quantity]:
+) -> tuple[Computed, Computed]:
     """Return the bending stress at the crossing and at the ends of joined crossed blades.
 
     ``σ_crossing = 2 E h θ/l``, ``σ_ends = E h θ/l``, wherever the blades cross: four times the
@@ -83,7 +83,7 @@ def unseparated_stresses(
 
 def unseparated_shift(
     *, l: Quantity, crossing: float, theta: Quantity, half_angle: float
-) -> Quantity:
+) -> Computed:
     """Return the shift of the centre of joined crossed blades along the bisector, leading order.
 
     ``PP' = (c³ + (1 − c)³) θ² l / (15 cos α)``: each side shifts like a pivot of p = 0, length

@@ -9,7 +9,7 @@ import numpy as np
 from flexcli.formulas import pivot_next_order as part
 from flexcli.formulas import pivot_next_order as shifts
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers
 
 __all__ = [
     "CARDS",
@@ -18,7 +18,7 @@ __all__ = [
 ]
 
 
-def moment_change(*, crossing: Quantity, theta: Quantity, half_angle: Quantity) -> Quantity:
+def moment_change(*, crossing: Numbers, theta: Numbers, half_angle: Numbers) -> Computed:
     """Return the relative change that a large rotation makes to the moment over the rotation.
 
     ``M/(Kθ) − 1 = κ θ² (c³ + (1 − c)³)``, κθ² that of a pivot of p = 0; the tangent stiffness
@@ -59,9 +59,7 @@ def moment_change(*, crossing: Quantity, theta: Quantity, half_angle: Quantity) 
     return alone * (crossing**3 + (1.0 - crossing) ** 3)
 
 
-def next_shift(
-    *, l: Quantity, crossing: Quantity, theta: Quantity, half_angle: Quantity
-) -> Quantity:
+def next_shift(*, l: Numbers, crossing: Numbers, theta: Numbers, half_angle: Numbers) -> Computed:
     """Return what the next order in θ adds to the shift of the centre along the bisector.
 
     The shifts of both pivots of order θ⁴, that of the second turned with the cross, and what

@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple, TypeAlias
 from pydantic import Discriminator, Field, GetJsonSchemaHandler, Tag, model_validator
 from pydantic_core import CoreSchema
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
 
 __all__ = ["QUANTITIES", "Correction", "Grid", "Minimize", "Objective", "SizeOptions"]
@@ -59,7 +59,7 @@ class Correction(NamedTuple):
     alone: bool = False
     spread: float = 0.0
 
-    def at(self, sizes: Any) -> Quantity:
+    def at(self, sizes: Any) -> Computed:
         """Return the correction at sizes: floats, arrays or signomials."""
         found: Quantity = self.factor
         for name, slope in self.slopes.items():

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from math import isfinite
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
@@ -51,15 +51,15 @@ class Corrected(Answers):
             factor *= 1.0 + (change.value or 0.0) if change is not None else 1.0
         return factor
 
-    def stiffness(self, ask: Ask) -> Quantity:
+    def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
         return self.inner.stiffness(ask) * self._factor(ask, QuantityKind.STIFFNESS)
 
-    def sag_stiffness(self, ask: Ask) -> Quantity:
+    def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
         return self.inner.sag_stiffness(ask) / self._factor(ask, QuantityKind.SAG)
 
-    def parasitic_shift(self, ask: Ask) -> Quantity:
+    def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the signed shift at the end of the case's stroke [m]."""
         return self.inner.parasitic_shift(ask) * self._factor(ask, QuantityKind.SHIFT)
 

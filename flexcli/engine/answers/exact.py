@@ -18,7 +18,7 @@ from flexcli.engine.answers.joint_states import (
 )
 from flexcli.engine.answers.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.equilibrium import LEVELS
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.points import point_motion
@@ -90,7 +90,7 @@ class ExactAnswers(Answers):
             return None
         return ErrorRange(-found, found) if isfinite(found) else None
 
-    def stiffness(self, ask: Ask) -> Quantity:
+    def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion at rest, shear and stretching included."""
         return self._stiffness(ask)[0]
 
@@ -122,7 +122,7 @@ class ExactAnswers(Answers):
         find = lambda: over_stroke(ask, self.effects, self.tolerance, self.levels)  # noqa: E731
         return self._known_states.of("states", ask, find)
 
-    def sag_stiffness(self, ask: Ask) -> Quantity:
+    def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration, the joint free but for its guide."""
         if _is_along_stroke(ask):
             return self.stiffness(ask)
@@ -135,7 +135,7 @@ class ExactAnswers(Answers):
             return self._stiffness(ask)[1]
         return BLADE_SPRINGS if ask.scene.axis else inf
 
-    def parasitic_shift(self, ask: Ask) -> Quantity:
+    def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the shift at the end of the stroke alone, positive towards −x of the layout."""
         return self._shift(ask)[0]
 

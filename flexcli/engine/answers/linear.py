@@ -14,7 +14,7 @@ from flexcli.engine.answers.holds import driven_axis
 from flexcli.engine.answers.joint_states import blades_of, layout_of, of_case
 from flexcli.engine.answers.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.linear import NODES, LinearSolution, linear
@@ -72,7 +72,7 @@ class LinearAnswers(Answers):
             return None
         return known + ErrorRange(-error, error) if isfinite(error) else None
 
-    def stiffness(self, ask: Ask) -> Quantity:
+    def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
         return self._settled(ask)[0]
 
@@ -95,11 +95,11 @@ class LinearAnswers(Answers):
                 break
         return found, nodes, max(error, ROUNDING)
 
-    def sag_stiffness(self, ask: Ask) -> Quantity:
+    def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
         return ExactAnswers(self.effects).sag_stiffness(ask)
 
-    def parasitic_shift(self, ask: Ask) -> Quantity:
+    def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the closed form's: a linear model has no motion of second order."""
         return AS_PRINTED.parasitic_shift(ask)
 

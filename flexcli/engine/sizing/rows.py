@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 from typing import NamedTuple
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.requirements import Limit
 from flexcli.units import show
@@ -40,8 +40,8 @@ class Row:
     """A row ``demand ≤ capacity`` and what it stands for: a limit, a bound, or a quantity."""
 
     name: str
-    demand: Quantity
-    capacity: Quantity
+    demand: Computed
+    capacity: Computed
     limit: Limit | None = None
     bound: float = 0.0
 

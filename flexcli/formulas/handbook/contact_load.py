@@ -3,12 +3,12 @@
 from math import pi
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = ["CARDS", "line_load", "point_load", "relative_radius"]
 
 
-def relative_radius(R_1: Quantity, R_2: Quantity) -> Quantity:
+def relative_radius(R_1: Quantity, R_2: Quantity) -> Computed:
     """Return the relative radius of two balls, or of two parallel cylinders, in contact.
 
     ``1/R = 1/R1 + 1/R2``: for a ball on a flat (R2 infinite) the ball's own.
@@ -36,7 +36,7 @@ def relative_radius(R_1: Quantity, R_2: Quantity) -> Quantity:
     return 1.0 / (1.0 / R_1 + 1.0 / R_2)
 
 
-def line_load(*, p: Quantity, b: Quantity, R: Quantity, E_star: Quantity) -> Quantity:
+def line_load(*, p: Quantity, b: Quantity, R: Quantity, E_star: Quantity) -> Computed:
     """Return the force that presses a cylinder on a body with a peak pressure.
 
     ``F = π b R p²/E*``.
@@ -70,7 +70,7 @@ def line_load(*, p: Quantity, b: Quantity, R: Quantity, E_star: Quantity) -> Qua
     return pi * b * R * p**2 / E_star
 
 
-def point_load(*, p: Quantity, R: Quantity, E_star: Quantity) -> Quantity:
+def point_load(*, p: Quantity, R: Quantity, E_star: Quantity) -> Computed:
     """Return the force that presses a ball on a body with a peak pressure.
 
     ``F = π³ p³ R²/(6 E*²)``.

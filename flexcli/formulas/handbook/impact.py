@@ -7,7 +7,7 @@ from math import gamma, pi, sqrt
 from typing import NamedTuple
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = ["CARDS", "Estimate", "Impact", "hertz_impact", "reduced_mass", "stopping_estimate"]
 
@@ -18,20 +18,20 @@ _STOPPING = sqrt(pi) * gamma(0.4) / (2.5 * gamma(0.9))
 class Impact(NamedTuple):
     """Time to rest and whole contact [s], greatest approach [m] and force [N]."""
 
-    stopping_time: Quantity
-    duration: Quantity
-    approach: Quantity
-    force: Quantity
+    stopping_time: Computed
+    duration: Computed
+    approach: Computed
+    force: Computed
 
 
 class Estimate(NamedTuple):
     """Time to rest [s] and the mean force over it [N]."""
 
-    stopping_time: Quantity
-    force: Quantity
+    stopping_time: Computed
+    force: Computed
 
 
-def reduced_mass(m_1: Quantity, m_2: Quantity) -> Quantity:
+def reduced_mass(m_1: Quantity, m_2: Quantity) -> Computed:
     """Return the mass with which two free bodies meet.
 
     ``1/m = 1/m1 + 1/m2``; a body held fast has an infinite mass.

@@ -11,7 +11,7 @@ from flexcli.formulas.beam_column import s_bending, uniform_bending
 from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.hinged_next_order import over_sine
 from flexcli.formulas.pivot_next_order import LARGE_ROTATION, moment_change
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.stage_next_order import flexible_share
 from flexcli.formulas.star_next_order import held_shares, tension
 
@@ -26,7 +26,7 @@ __all__ = [
 ]
 
 
-def hinged_stage_force_change(*, l: Quantity, x: Quantity) -> Quantity:
+def hinged_stage_force_change(*, l: Quantity, x: Quantity) -> Computed:
     """Return the relative change that a large stroke makes to the force over the stroke.
 
     ``F/(K x) − 1 = ψ/(sin ψ cos ψ) − 1``, ``sin ψ = x/l``: (2/3)(x/l)² at first; the tangent
@@ -61,8 +61,8 @@ def hinged_stage_force_change(*, l: Quantity, x: Quantity) -> Quantity:
 
 
 def hinged_pivot_moment_change(
-    *, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity
-) -> Quantity:
+    *, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers
+) -> Computed:
     """Return the relative change that a large rotation makes to the moment over the rotation.
 
     ``M/(Kθ) − 1 = θ² (γ² − 1)(3(γ² − 1) tan²α − 8γ²)/(24(1 + γ²))``, ``γ = 1 + 2δ``; the tangent
@@ -106,8 +106,8 @@ def hinged_pivot_moment_change(
 
 
 def pivot_stiffness_change(
-    *, l: Quantity, p: Quantity, theta: Quantity, half_angle: Quantity
-) -> Quantity:
+    *, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers
+) -> Computed:
     """Return the relative change that a large rotation makes to the tangent stiffness.
 
     ``(dM/dθ)/K − 1``, three times that of the moment over the rotation.
@@ -140,7 +140,7 @@ def pivot_stiffness_change(
     return 3.0 * moment_change(l=l, p=p, theta=theta, half_angle=half_angle)
 
 
-def stage_force_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
+def stage_force_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Computed:
     """Return the relative change that a large stroke makes to the force over the stroke.
 
     ``F/(K x) − 1 = (x/l)² 9(140 − 315ξ + 273ξ² − 105ξ³ + 15ξ⁴)/(70 (3 − 3ξ + ξ²)³)``: 36/35
@@ -178,7 +178,7 @@ def stage_force_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quant
     return (x / l) ** 2 * 9.0 * share / (70.0 * flexible_share(xi) ** 3)
 
 
-def stage_stiffness_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Quantity:
+def stage_stiffness_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Computed:
     """Return the relative change that a large stroke makes to the tangent stiffness.
 
     ``(dF/dx)/K − 1``, three times that of the force over the stroke.
@@ -210,7 +210,7 @@ def stage_stiffness_change(*, l: Quantity, x: Quantity, xi: Quantity = 1.0) -> Q
 
 def star_moment_change(
     *, h: Quantity, l: Quantity, p: Quantity, theta: Quantity, angles: tuple[float, ...]
-) -> Quantity:
+) -> Computed:
     """Return the relative change that the tension makes to the moment over the rotation.
 
     ``M/(Kθ) − 1 = Σ (k_s + 3γ² k_a + n (γ² − 1)/4)/(N(1 + 3γ²)) − 1`` over N blades, the

@@ -11,7 +11,7 @@ import numpy as np
 
 from flexcli.formulas.beam_column import s_bending, uniform_bending
 from flexcli.formulas.card import SLENDER, Card
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.section import second_moment
 
 __all__ = ["CARDS", "loaded_stiffness", "radial_gain", "transverse_gain"]
@@ -25,7 +25,7 @@ def loaded_stiffness(
     b: Quantity,
     p: Quantity,
     tensions: Sequence[Quantity],
-) -> Quantity:
+) -> Computed:
     """Return the rotational stiffness of a pivot at rest whose blades carry axial forces.
 
     ``K = (EI/l) Σ (k_s + 3γ² k_a + n (γ² − 1)/4)`` over the blades, ``γ = 1 + 2δ``,
@@ -75,7 +75,7 @@ def loaded_stiffness(
     return unit / l * total
 
 
-def radial_gain(*, l: Quantity, p: Quantity, half_angle: Quantity) -> Quantity:
+def radial_gain(*, l: Numbers, p: Numbers, half_angle: Numbers) -> Computed:
     """Return the change of the stiffness of a pivot of two blades per radial force at its centre.
 
     ``dK/dF = 2(9δ² + 9δ + 1) l/(15 cos α)``, F along the bisector and positive when it stretches
@@ -113,8 +113,8 @@ def radial_gain(*, l: Quantity, p: Quantity, half_angle: Quantity) -> Quantity:
 
 
 def transverse_gain(
-    *, E: Quantity, h: Quantity, l: Quantity, b: Quantity, p: Quantity, half_angle: Quantity
-) -> Quantity:
+    *, E: Numbers, h: Numbers, l: Numbers, b: Numbers, p: Numbers, half_angle: Numbers
+) -> Computed:
     """Return the change of the stiffness of a pivot of two blades per squared force across it.
 
     ``(K − K₀)/F² = −(9γ² + 35) l³/(50400 EI sin²α)``, F across the bisector, ``γ = 1 + 2δ``: one

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.pi_law import MEASURED, operating_line
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.stop_line import HARD_STOP, REACHED
 from flexcli.formulas.stop_stiffness import (
     bent_shape,
@@ -28,11 +28,11 @@ __all__ = ["CARDS", "PiTerms", "StopDesign", "deflection", "pi_terms", "stop_des
 class PiTerms(NamedTuple):
     """The five dimensionless numbers of a blade that vibrates between stops [-]."""
 
-    pi_1: Quantity
-    pi_2: Quantity
-    pi_3: Quantity
-    pi_4: Quantity
-    pi_5: Quantity
+    pi_1: Computed
+    pi_2: Computed
+    pi_3: Computed
+    pi_4: Computed
+    pi_5: Computed
 
 
 def pi_terms(
@@ -96,7 +96,7 @@ def pi_terms(
     )
 
 
-def _of_force(force: Quantity, at: Quantity, x: Quantity, rigidity: Quantity) -> Quantity:
+def _of_force(force: Numbers, at: Numbers, x: Numbers, rigidity: Numbers) -> Computed:
     """Return the deflection at x of a cantilever under one lateral force at a height."""
     near = np.minimum(x, at)
     # straight beyond the force: slope of the bent part times the rest of the way
@@ -106,15 +106,15 @@ def _of_force(force: Quantity, at: Quantity, x: Quantity, rigidity: Quantity) ->
 
 def deflection(
     *,
-    x: Quantity,
-    F: Quantity,
-    E: Quantity,
-    I: Quantity,
-    L_a: Quantity,
-    L_b: Quantity,
-    d: Quantity,
-    d_behind: Quantity = np.inf,
-) -> Quantity:
+    x: Numbers,
+    F: Numbers,
+    E: Numbers,
+    I: Numbers,
+    L_a: Numbers,
+    L_b: Numbers,
+    d: Numbers,
+    d_behind: Numbers = np.inf,
+) -> Computed:
     """Return the deflection at height x of a cantilever that may rest on a stop.
 
     ``δ(x) = δ_F(x) + δ_R(x)``: superposed cantilevers under F at the tip and R at L_a, each
@@ -164,30 +164,30 @@ def deflection(
 class StopDesign:
     """Stops on the operating line with the statics of the tip at the end of its range."""
 
-    gap: Quantity
+    gap: Computed
     """Gap on each side [m]."""
-    pi_1: Quantity
+    pi_1: Computed
     """Stiffness in contact over free stiffness [-]."""
-    pi_5: Quantity
+    pi_5: Computed
     """Range of the tip over the gap [-]."""
-    tip_at_contact: Quantity
+    tip_at_contact: Computed
     """Deflection of the tip when the blade touches [m]; the tip is free up to it."""
     reached: NDArray[np.bool_]
     """Whether the tip-loaded blade touches the stop within the range."""
     hard: NDArray[np.bool_]
     """Whether the source would call it a hard stop."""
-    load: Quantity
+    load: Computed
     """Force that holds the tip at half the range [N]."""
-    stop_force: Quantity
+    stop_force: Computed
     """Force on the stop then [N]."""
-    onset_stress: Quantity
+    onset_stress: Computed
     """Bending stress at the base when it touches, or at half the range if it never does [Pa]."""
-    base_stress: Quantity
+    base_stress: Computed
     """Bending stress at the base at half the range [Pa], with its sign."""
-    stop_stress: Quantity
+    stop_stress: Computed
     """Bending stress at the stop at half the range [Pa]."""
 
-    def factor(self, sigma: Quantity) -> Quantity:
+    def factor(self, sigma: Numbers) -> Computed:
         """Return the safety factor of bending against a stress [Pa]: the worst place decides."""
         worst = np.maximum(self.onset_stress, np.abs(self.base_stress))
         return sigma / np.maximum(worst, self.stop_stress)

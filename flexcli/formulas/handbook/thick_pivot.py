@@ -3,7 +3,7 @@
 import numpy as np
 
 from flexcli.formulas.card import Card
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.thick_blades import pivot_softening, s_bending_share
 from flexcli.formulas.thick_blades import stiffness_change as relieved
 
@@ -11,8 +11,8 @@ __all__ = ["CARDS", "stiffness_change", "stress_change"]
 
 
 def stiffness_change(
-    *, h: Quantity, l: Quantity, p: Quantity, half_angle: Quantity, poisson_ratio: float
-) -> Quantity:
+    *, h: Numbers, l: Numbers, p: Numbers, half_angle: Numbers, poisson_ratio: float
+) -> Computed:
     """Return the relative change that shear and stretching make to the rotational stiffness.
 
     ``−3γ²/(1 + 3γ²) · Φ*/(1 + Φ*)``, ``γ = 1 + 2δ``.
@@ -50,8 +50,8 @@ def stiffness_change(
 
 
 def stress_change(
-    *, h: Quantity, l: Quantity, p: Quantity, half_angle: Quantity, poisson_ratio: float
-) -> Quantity:
+    *, h: Numbers, l: Numbers, p: Numbers, half_angle: Numbers, poisson_ratio: float
+) -> Computed:
     """Return the relative change that shear and stretching make to the largest bending stress.
 
     ``−3|γ|/(1 + 3|γ|) · Φ*/(1 + Φ*)``, ``γ = 1 + 2δ``, at a given rotation.

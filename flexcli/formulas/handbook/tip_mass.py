@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from flexcli.formulas.arguments import positive
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = [
     "CARDS",
@@ -25,7 +25,7 @@ __all__ = [
 
 def massless_frequencies(
     *, E: Quantity, I: Quantity, L: Quantity, m: Quantity, c: Quantity = 0.0, J: Quantity = 0.0
-) -> tuple[Quantity, Quantity]:
+) -> tuple[Computed, Computed]:
     """Return both natural frequencies of a massless cantilever with a body beyond its end.
 
     ``1/ω² = (T ± √(T² − 4D))/2`` with ``T = (m L³/3 + m c L² + (J + m c²) L)/(EI)`` and

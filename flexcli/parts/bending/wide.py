@@ -10,7 +10,7 @@ from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.profile import Profile
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment
 from flexcli.mechanics.layout import Layout
 from flexcli.parts.bending.base import Factor, WideBlades
@@ -39,7 +39,7 @@ LOCKED = "clamped-clamped"
 
 
 def wide_pivot(
-    blade: Blade, nu: float, *, delta: Quantity, pair: bool, sags_wide: bool = False
+    blade: Blade, nu: float, *, delta: Computed, pair: bool, sags_wide: bool = False
 ) -> WideBlades:
     """Return the factors of equal blades that point at one centre, p = δ l from it.
 
@@ -119,7 +119,7 @@ def wide_halves(blade: Blade, nu: float, crossing: float) -> WideBlades:
     return WideBlades(widest, stiffness, stress, held, (0.0, most), None, bends)
 
 
-def wide_necks(neck: Blade, nu: float, *, l: Quantity) -> WideBlades:
+def wide_necks(neck: Blade, nu: float, *, l: Numbers) -> WideBlades:
     """Return the factors of hinges at the ends of blades of length l that a stage's drive bends.
 
     The force is at half the height of the stage.
@@ -138,10 +138,10 @@ def wide_notch(
     nu: float,
     profile: Profile,
     *,
-    throat: Quantity,
-    length: Quantity,
-    b: Quantity,
-    turn: Quantity,
+    throat: Numbers,
+    length: Numbers,
+    b: Numbers,
+    turn: Numbers,
     uneven: float = 0.0,
 ) -> WideBlades:
     """Return the factors of a hinge of its thickness profile that rigid bodies hold.

@@ -10,7 +10,7 @@ from pydantic import AliasPath, Field, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
 from flexcli.formulas.card import Card, Range, outside
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Layout, Point
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, or_free, spec_error
 from flexcli.parts.bending import Bending, WideBlades
@@ -57,9 +57,9 @@ __all__ = [
 class Blade(NamedTuple):
     """Dimensions of the equal blades: floats, arrays of many designs, or signomials [m]."""
 
-    h: Quantity
-    l: Quantity
-    b: Quantity
+    h: Computed
+    l: Computed
+    b: Computed
 
 
 Held: TypeAlias = tuple[float | None, float | None, float | None]
@@ -77,9 +77,9 @@ class Critical(NamedTuple):
     """
 
     way: str
-    force: Quantity
+    force: Computed
     source: str
-    stress: Quantity | None = None
+    stress: Computed | None = None
     error: ErrorRange | None = None
     carries: frozenset[EffectName] = frozenset()
 
@@ -87,7 +87,7 @@ class Critical(NamedTuple):
 class TwistingBars(NamedTuple):
     """Bars that turn with the body: ∫r² dV about their axis [m⁵], whether clamps hold warping."""
 
-    polar: Quantity
+    polar: Computed
     restrained: bool
 
 
@@ -229,16 +229,16 @@ class Geometry(Part):
         return "N*m/rad" if self.motion == "rotation" else "N/m"
 
     @abstractmethod
-    def stiffness(self, elastic: Elastic, sizes: Sizes) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Sizes) -> Computed:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
 
     @abstractmethod
-    def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Computed]:
         """Return the signed stress at each place that may be the worst [Pa], at a travel."""
 
     def stroke_stresses(
         self, elastic: Elastic, sizes: Sizes, amplitude: float, middle: float
-    ) -> tuple[dict[str, Quantity], dict[str, Quantity]]:
+    ) -> tuple[dict[str, Computed], dict[str, Computed]]:
         """Return amplitude and mean of the stress at each place [Pa]; no mean where it is zero.
 
         ``middle`` is that of the stroke from rest, with its sign.
@@ -253,18 +253,18 @@ class Geometry(Part):
         return ""
 
     @abstractmethod
-    def volume(self, sizes: Sizes) -> Quantity:
+    def volume(self, sizes: Sizes) -> Computed:
         """Return the volume of what flexes [m³]."""
 
     @abstractmethod
-    def ratios(self, sizes: Sizes) -> dict[str, Quantity]:
+    def ratios(self, sizes: Sizes) -> dict[str, Computed]:
         """Return the ratios of its shape, such as l/h and b/h, that can be bounded [-]."""
 
-    def fits(self, sizes: Sizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
+    def fits(self, sizes: Sizes) -> tuple[tuple[str, Computed, Computed], ...]:
         """Return what must be no longer than what, for the joint to exist, in words and [m]."""
         return ()
 
-    def thicknesses(self, sizes: Sizes) -> dict[str, Quantity]:
+    def thicknesses(self, sizes: Sizes) -> dict[str, Computed]:
         """Return the sizes that are thicknesses, by symbol [m]."""
         found: dict[str, Quantity] = sizes._asdict()
         return {name: x for name, x in found.items() if name.partition("_")[0] in THICKNESSES}
@@ -287,7 +287,7 @@ class Geometry(Part):
         """
         raise NotAvailable("has no closed form for the axial force in its blades")
 
-    def axial_stress(self, force: float, sizes: Sizes) -> Quantity:
+    def axial_stress(self, force: float, sizes: Sizes) -> Computed:
         """Return the largest axial stress of a force along one blade [Pa]."""
         raise NotAvailable("has no closed form for the axial stress")
 
@@ -346,7 +346,7 @@ class Geometry(Part):
         """Return the bars whose twist is its motion, where it has no other blades."""
         return None
 
-    def parasitic_shift(self, sizes: Sizes, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Sizes, travel: float) -> Computed:
         """Return the parasitic motion at a travel [m], positive towards −x of the layout.
 
         It is that of a pivot's centre along the bisector, and of a stage's point along its
@@ -354,7 +354,7 @@ class Geometry(Part):
         """
         raise NotAvailable("has no closed form for its parasitic shift")
 
-    def sag_stiffness(self, elastic: Elastic, sizes: Sizes, axis: str) -> Quantity:
+    def sag_stiffness(self, elastic: Elastic, sizes: Sizes, axis: str) -> Computed:
         """Return the stiffness against the weight of the moving body along an axis [N/m]."""
         raise NotAvailable(f"has no closed form for its stiffness along {axis}")
 
@@ -367,7 +367,7 @@ class Geometry(Part):
         """Return the length that a stroke is compared with [m]."""
         return float(sizes.l)
 
-    def indicators(self, sizes: Sizes, travel: float) -> dict[str, Quantity]:
+    def indicators(self, sizes: Sizes, travel: float) -> dict[str, Computed]:
         """Return what the validity of its closed forms is stated in, at the largest travel."""
         return self.ratios(sizes)
 

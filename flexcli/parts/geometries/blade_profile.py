@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 from pydantic import Field, model_validator
 
 from flexcli.formulas import profile as shapes
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
 from flexcli.parts.geometries.base import Extent
 
@@ -31,11 +31,11 @@ class BladeProfile(Part):
     def shape(self, size: Any) -> shapes.Profile:
         """Return the thickness along the blade for a value of its size [m]."""
 
-    def thinnest(self, size: Quantity) -> Quantity:
+    def thinnest(self, size: Quantity) -> Computed:
         """Return the least thickness [m]."""
         return size
 
-    def notch(self, size: Quantity, l: float) -> tuple[Quantity, Quantity] | None:
+    def notch(self, size: Quantity, l: float) -> tuple[Computed, Computed] | None:
         """Return thickness and radius of curvature where the shape raises the stress [m]."""
         return None
 
@@ -89,7 +89,7 @@ class NotchProfile(BladeProfile):
         """Return the two half-ellipses."""
         return shapes.Notch(size, self.depth)
 
-    def notch(self, size: Quantity, l: float) -> tuple[Quantity, Quantity]:
+    def notch(self, size: Quantity, l: float) -> tuple[Computed, Computed]:
         """Return the throat and the radius of curvature (l/2)²/depth."""
         return size, l**2 / (4.0 * self.depth)
 
@@ -107,7 +107,7 @@ class FilletedProfile(BladeProfile):
         """Return the blade with its fillets."""
         return shapes.Filleted(size, self.r)
 
-    def notch(self, size: Quantity, l: float) -> tuple[Quantity, Quantity]:
+    def notch(self, size: Quantity, l: float) -> tuple[Computed, Computed]:
         """Return h and r, at the start of a fillet."""
         return size, self.r
 
@@ -152,7 +152,7 @@ class TabulatedProfile(BladeProfile):
         """Return the table."""
         return shapes.Tabulated(self.at, self.h)
 
-    def thinnest(self, size: Quantity) -> Quantity:
+    def thinnest(self, size: Quantity) -> Computed:
         """Return the least thickness of the table [m]."""
         return min(self.h)
 

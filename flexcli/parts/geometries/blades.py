@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.card import SLENDER, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Blade, Critical, Extent, Geometry
@@ -37,15 +37,15 @@ class BladeGeometry(Geometry):
     def blade_count(self) -> int:
         """Return the number of blades."""
 
-    def volume(self, sizes: Blade) -> Quantity:
+    def volume(self, sizes: Blade) -> Computed:
         """Return the volume of all blades [m³]."""
         return blade_volume(self.blade_count, sizes.h, sizes.l, sizes.b)
 
-    def ratios(self, sizes: Blade) -> dict[str, Quantity]:
+    def ratios(self, sizes: Blade) -> dict[str, Computed]:
         """Return l/h and b/h."""
         return {"l/h": sizes.l / sizes.h, "b/h": sizes.b / sizes.h}
 
-    def axial_stress(self, force: float, sizes: Blade) -> Quantity:
+    def axial_stress(self, force: float, sizes: Blade) -> Computed:
         """Return N/(h b) [Pa]."""
         return axial_stress(force, sizes.h, sizes.b)
 

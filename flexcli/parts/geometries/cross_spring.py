@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 from flexcli.formulas import pivot
 from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.pivot import SYMMETRIC_CARDS, stiffness_ratio, stroke_ratio
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.parts.base import Length, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
@@ -77,11 +77,11 @@ class CrossSpringPivot(PairPivot):
         middle = (self.blade_count - 1) / 2.0
         return tuple((index - middle) * sizes.b for index in range(self.blade_count))
 
-    def offset(self, sizes: Blade) -> Quantity:
+    def offset(self, sizes: Blade) -> Computed:
         """Return p [m], as given or as delta times the length."""
         return self.p if self.p is not None else self.delta * sizes.l
 
-    def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in; for its shift only where it turns."""
         found = super().indicators(sizes, travel)
         if travel == 0.0:

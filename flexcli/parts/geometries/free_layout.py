@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 from pydantic_core import InitErrorDetails
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Blade, Body, Layout, Number, Point, Support
 from flexcli.numerics.collocation import gauss_nodes
 from flexcli.parts.bending import WideBlades
@@ -131,15 +131,15 @@ class FreeLayout(Geometry):
         found = {name: values.get(name, extent.fixed) for name, extent in self.extents.items()}
         return namedtuple("LayoutSizes", found)(**found)
 
-    def stiffness(self, elastic: Elastic, sizes: Sizes) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Sizes) -> Computed:
         """Refuse: what is drawn freely has no closed form."""
         raise NotAvailable("is described by its bodies and blades: take --model linear or exact")
 
-    def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Computed]:
         """Refuse: what is drawn freely has no closed form."""
         raise NotAvailable("is described by its bodies and blades: take --model linear or exact")
 
-    def parasitic_shift(self, sizes: Sizes, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Sizes, travel: float) -> Computed:
         """Refuse: a shift is of second order, beyond closed forms and the linear model."""
         raise NotAvailable("has its shift from --model exact alone")
 
@@ -169,7 +169,7 @@ class FreeLayout(Geometry):
         layout = self.layout(Elastic(1.0, nu), sizes)
         return wide_by_shapes(plain, each, nu, layout, self.held(1.0))
 
-    def volume(self, sizes: Sizes) -> Quantity:
+    def volume(self, sizes: Sizes) -> Computed:
         """Return the volume of all blades, without their rigid parts [m³]."""
         u, weight = gauss_nodes(_NODES)
         return sum(
@@ -180,7 +180,7 @@ class FreeLayout(Geometry):
             )
         )
 
-    def ratios(self, sizes: Sizes) -> dict[str, Quantity]:
+    def ratios(self, sizes: Sizes) -> dict[str, Computed]:
         """Return l/h and b/h of every blade where it is thinnest."""
         found: dict[str, Quantity] = {}
         for name, blade in self.blades.items():
@@ -229,7 +229,7 @@ class FreeLayout(Geometry):
             supports=tuple(self._support(support) for support in self.supports),
         )
 
-    def _peak(self, name: str, sizes: Sizes) -> tuple[Quantity, Quantity]:
+    def _peak(self, name: str, sizes: Sizes) -> tuple[Computed, Computed]:
         """Return by what the shape of a blade raises its stress."""
         blade = self.blades[name]
         notch = blade.thickness.notch(self.size_of(name, sizes), blade.length)

@@ -11,7 +11,7 @@ from flexcli.formulas import hinge_shift, hinged_pivot, hinged_stage, notch
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
 from flexcli.formulas.profile import Notch, per_design
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.parts.base import Length, PositiveLength, QuantityOf, spec_error
@@ -30,10 +30,10 @@ __all__ = ["HingedPivot", "HingedStage"]
 class LimbSizes(NamedTuple):
     """Throat and radius of a hinge, distance between the hinges of a limb, width [m]."""
 
-    e: Quantity
-    r: Quantity
-    l: Quantity
-    b: Quantity
+    e: Computed
+    r: Computed
+    l: Computed
+    b: Computed
 
 
 class _Hinged(Geometry):
@@ -71,7 +71,7 @@ class _Hinged(Geometry):
             raise spec_error("the hinges of a limb overlap", "r is at most l/2", at=("r",))
         return self
 
-    def hinge(self, elastic: Elastic, sizes: LimbSizes) -> tuple[Quantity, Quantity]:
+    def hinge(self, elastic: Elastic, sizes: LimbSizes) -> tuple[Computed, Computed]:
         """Return stiffness of a hinge [N·m/rad] and reach of its bending about its centre [m]."""
         C = circular_compliance(E=elastic.E, b=sizes.b, e=sizes.e, r=sizes.r)
         return 1.0 / C.turn, bending_reach(across=C.across, turn=C.turn)
@@ -104,26 +104,26 @@ class _Hinged(Geometry):
         at = {"throat": e, "length": 2.0 * r, "b": b, "turn": turn, "uneven": 4.0 * reach**2}
         return wide_notch(nu, Notch(e, r), **at)
 
-    def throat_stress(self, sizes: LimbSizes, moment: Quantity) -> Quantity:
+    def throat_stress(self, sizes: LimbSizes, moment: Quantity) -> Computed:
         """Return the stress in a throat that bears a moment [Pa]."""
         factor = throat_factor(self.concentration, sizes.e, sizes.r)
         return notch.throat_stress(K=moment, b=sizes.b, e=sizes.e, theta=1.0, factor=factor)
 
-    def hinges_volume(self, sizes: LimbSizes, hinges: int) -> Quantity:
+    def hinges_volume(self, sizes: LimbSizes, hinges: int) -> Computed:
         """Return the volume between the notches of all hinges [m³]."""
         e, r, _, b = sizes
         return hinges * b * (2.0 * r * (e + 2.0 * r) - pi * r**2)
 
-    def axial_stress(self, force: float, sizes: LimbSizes) -> Quantity:
+    def axial_stress(self, force: float, sizes: LimbSizes) -> Computed:
         """Return N/(e b) in a throat, with the peak beside the notches [Pa]."""
         _, along = throat_peaks(self.concentration, sizes.e, sizes.r)
         return force / (sizes.e * sizes.b) * along
 
-    def fits(self, sizes: LimbSizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
+    def fits(self, sizes: LimbSizes) -> tuple[tuple[str, Computed, Computed], ...]:
         """Return that the hinges of a limb do not overlap."""
         return (("two half hinges in a limb, 2 r ≤ l", 2.0 * sizes.r, sizes.l),)
 
-    def ratios(self, sizes: LimbSizes) -> dict[str, Quantity]:
+    def ratios(self, sizes: LimbSizes) -> dict[str, Computed]:
         """Return e/r, b/e and the share of the hinges in a limb."""
         return {
             "e/r": sizes.e / sizes.r,
@@ -135,7 +135,7 @@ class _Hinged(Geometry):
         """Return e/(2r), thickness over length of a hinge [-]."""
         return float(sizes.e / (2.0 * sizes.r))
 
-    def reach(self, sizes: LimbSizes) -> Quantity:
+    def reach(self, sizes: LimbSizes) -> Computed:
         """Return how far a hinge bends about its centre over the length of a limb [-]."""
         return self.hinge(Elastic(1.0), sizes)[1] / sizes.l
 
@@ -171,14 +171,14 @@ class HingedStage(SagsAlongStroke, _Hinged):
     spacing: PositiveLength | None = None
     """Distance from each limb to the next, e.g. ``30 mm``."""
 
-    def stiffness(self, elastic: Elastic, sizes: LimbSizes) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: LimbSizes) -> Computed:
         """Return the stiffness along the stroke [N/m]."""
         K, c = self.hinge(elastic, sizes)
         return hinged_stage.translational_stiffness(K=K, l=sizes.l, c=c, limbs=self.limbs)
 
     def end_stresses(
         self, elastic: Elastic, sizes: LimbSizes, travel: float
-    ) -> dict[str, Quantity]:
+    ) -> dict[str, Computed]:
         """Return the bending stress in the throats [Pa]."""
         force = self.stiffness(elastic, sizes) * travel / self.limbs
         return {"throats": self.throat_stress(sizes, force * sizes.l / 2.0)}
@@ -187,7 +187,7 @@ class HingedStage(SagsAlongStroke, _Hinged):
         """Return that of parallel limbs."""
         return LimbStage(hinge=self.hinge_in_limbs(sizes), travel=travel / float(sizes.l))
 
-    def volume(self, sizes: LimbSizes) -> Quantity:
+    def volume(self, sizes: LimbSizes) -> Computed:
         """Return the volume of the hinges [m³]; the limbs are bodies."""
         return self.hinges_volume(sizes, 2 * self.limbs)
 
@@ -201,11 +201,11 @@ class HingedStage(SagsAlongStroke, _Hinged):
         """Return the axial force in a limb per force on the stage along the limbs [-]."""
         return force_share(direction, self.limbs)
 
-    def parasitic_shift(self, sizes: LimbSizes, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: LimbSizes, travel: float) -> Computed:
         """Return the motion towards the base, x²/(2l) as of pins [m]."""
         return travel**2 / (2.0 * sizes.l)
 
-    def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Quantity]:
+    def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in: shape and stroke."""
         return {**self.ratios(sizes), "x/l": travel / sizes.l, "c/l": self.reach(sizes)}
 
@@ -249,18 +249,18 @@ class HingedPivot(_Hinged):
             raise spec_error("the centre is placed by p or by delta", "give one, e.g. p: 2 mm")
         return self
 
-    def offset(self, sizes: LimbSizes) -> Quantity:
+    def offset(self, sizes: LimbSizes) -> Computed:
         """Return p [m], as given or as delta times the distance of the hinges."""
         return self.p if self.p is not None else self.delta * sizes.l
 
-    def stiffness(self, elastic: Elastic, sizes: LimbSizes) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: LimbSizes) -> Computed:
         """Return the rotational stiffness [N·m/rad]."""
         K, c = self.hinge(elastic, sizes)
         return hinged_pivot.rotational_stiffness(K=K, l=sizes.l, p=self.offset(sizes), c=c)
 
     def end_stresses(
         self, elastic: Elastic, sizes: LimbSizes, travel: float
-    ) -> dict[str, Quantity]:
+    ) -> dict[str, Computed]:
         """Return the bending stress in the inner and the outer throats [Pa]."""
         K, _ = self.hinge(elastic, sizes)
         turns = hinged_pivot.hinge_rotations(l=sizes.l, p=self.offset(sizes), theta=travel)
@@ -275,17 +275,17 @@ class HingedPivot(_Hinged):
         delta, hinge = float(self.offset(sizes) / sizes.l), self.hinge_in_limbs(sizes)
         return LimbPivot(hinge=hinge, delta=delta, theta=travel, half_angle=self.half_angle)
 
-    def volume(self, sizes: LimbSizes) -> Quantity:
+    def volume(self, sizes: LimbSizes) -> Computed:
         """Return the volume of the hinges [m³]; the limbs are bodies."""
         return self.hinges_volume(sizes, 4)
 
-    def parasitic_shift(self, sizes: LimbSizes, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: LimbSizes, travel: float) -> Computed:
         """Return the signed shift of the centre along the bisector [m]."""
         return hinged_pivot.parasitic_shift(
             l=sizes.l, p=self.offset(sizes), theta=travel, half_angle=self.half_angle
         )
 
-    def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Quantity]:
+    def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in: shape, rotation, place of the centre."""
         delta = self.offset(sizes) / sizes.l
         c = self.reach(sizes)

@@ -7,7 +7,7 @@ from pydantic import Field
 from flexcli.formulas import stage
 from flexcli.formulas.card import Card
 from flexcli.formulas.profile import Constant, per_design
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import Length, PositiveLength
@@ -46,12 +46,12 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         """Return the number of blades."""
         return self.blades
 
-    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the stiffness along the stroke [N/m]."""
         h, l, b = sizes
         return stage.translational_stiffness(E=elastic.E, h=h, l=l, b=b, blades=self.blades)
 
-    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return the bending stress, equal and opposite at the two ends [Pa]."""
         return {"both ends": stage.end_stress(E=elastic.E, h=sizes.h, l=sizes.l, x=travel)}
 
@@ -86,7 +86,7 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         push = is_push(direction, "blades")
         return row_critical(elastic, sizes, places, self.blades, ends, push=push)
 
-    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Computed:
         """Return the motion towards the base [m]."""
         return stage.shortening(l=sizes.l, x=travel)
 

@@ -10,7 +10,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from flexcli.errors import SolveError
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.mechanics.linkages.extremes import Extremes, extremes
 from flexcli.mechanics.linkages.linkage import Linkage, Prismatic, Revolute
@@ -178,7 +178,7 @@ class LinkageGeometry(Geometry):
         """Return the extremes of every joint's deflection over a range of the input."""
         return extremes(self._followed(start, end), start, end)
 
-    def stiffness(self, elastic: Elastic, sizes: Sizes) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Sizes) -> Computed:
         """Return the stiffness that the joints reflect to the input at rest."""
         ratios = motion(self.rigid, 0.0).ratios
         found: Quantity = 0.0
@@ -189,7 +189,7 @@ class LinkageGeometry(Geometry):
 
     def stroke_stresses(
         self, elastic: Elastic, sizes: Sizes, amplitude: float, middle: float
-    ) -> tuple[dict[str, Quantity], dict[str, Quantity]]:
+    ) -> tuple[dict[str, Computed], dict[str, Computed]]:
         """Return amplitude and mean of the stress at each place of every joint [Pa].
 
         Each joint goes through its own range, whose middle need not be its rest.
@@ -206,7 +206,7 @@ class LinkageGeometry(Geometry):
                     each.update({f"{name}, {place}": s for place, s in stresses.items()})
         return found
 
-    def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Computed]:
         """Return the largest stress at each place of every joint [Pa], over ± the travel."""
         amplitudes, means = self.stroke_stresses(elastic, sizes, travel, 0.0)
         return {place: s + means.get(place, 0.0) for place, s in amplitudes.items()}
@@ -225,12 +225,12 @@ class LinkageGeometry(Geometry):
         """Return that its links are such parts."""
         return True
 
-    def volume(self, sizes: Sizes) -> Quantity:
+    def volume(self, sizes: Sizes) -> Computed:
         """Return the volume of all flexures [m³]."""
         each = [flexure.volume(self.sizes_of(n, sizes)) for n, flexure in self.flexures()]
         return sum(each[1:], each[0]) if each else 0.0
 
-    def fits(self, sizes: Sizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
+    def fits(self, sizes: Sizes) -> tuple[tuple[str, Computed, Computed], ...]:
         """Return what every flexure needs to exist."""
         return tuple(
             (f"{name}: {text}", small, large)
@@ -238,7 +238,7 @@ class LinkageGeometry(Geometry):
             for text, small, large in flexure.fits(self.sizes_of(name, sizes))
         )
 
-    def ratios(self, sizes: Sizes) -> dict[str, Quantity]:
+    def ratios(self, sizes: Sizes) -> dict[str, Computed]:
         """Return the ratios of every flexure's shape, by joint."""
         return {
             f"{ratio} {name}": value

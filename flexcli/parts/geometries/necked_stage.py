@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from flexcli.formulas import necked_buckling, necked_size, necked_stage
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import NeckedDown, per_design
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.formulas.section import axial_stress
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
@@ -33,13 +33,13 @@ SOURCE = "the beam's equation with a rigid middle"
 class NeckedSizes(NamedTuple):
     """Thickness and length of a hinge, length and width of a whole blade [m]."""
 
-    h: Quantity
-    l_c: Quantity
-    l: Quantity
-    b: Quantity
+    h: Computed
+    l_c: Computed
+    l: Computed
+    b: Computed
 
     @property
-    def xi(self) -> Quantity:
+    def xi(self) -> Computed:
         """Return ξ = 2 l_c/l."""
         return 2.0 * self.l_c / self.l
 
@@ -91,7 +91,7 @@ class NeckedDownStage(SagsAlongStroke):
             )
         return self
 
-    def stiffness(self, elastic: Elastic, sizes: NeckedSizes) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: NeckedSizes) -> Computed:
         """Return the stiffness along the stroke [N/m]."""
         return necked_stage.translational_stiffness(
             E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b, xi=sizes.xi, blades=self.blades
@@ -99,7 +99,7 @@ class NeckedDownStage(SagsAlongStroke):
 
     def end_stresses(
         self, elastic: Elastic, sizes: NeckedSizes, travel: float
-    ) -> dict[str, Quantity]:
+    ) -> dict[str, Computed]:
         """Return the bending stress, equal and opposite at the two ends [Pa]."""
         stress = necked_stage.end_stress(E=elastic.E, h=sizes.h, l=sizes.l, x=travel, xi=sizes.xi)
         return {"both ends": stress}
@@ -113,15 +113,15 @@ class NeckedDownStage(SagsAlongStroke):
         """Return the factors of the hinges."""
         return wide_necks(Blade(sizes.h, sizes.l_c, sizes.b), nu, l=sizes.l)
 
-    def volume(self, sizes: NeckedSizes) -> Quantity:
+    def volume(self, sizes: NeckedSizes) -> Computed:
         """Return the volume of the hinges [m³]; the middles are bodies."""
         return self.blades * 2.0 * sizes.h * sizes.l_c * sizes.b
 
-    def fits(self, sizes: NeckedSizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
+    def fits(self, sizes: NeckedSizes) -> tuple[tuple[str, Computed, Computed], ...]:
         """Return that two hinges fit in a blade."""
         return (("two hinges in a blade, 2 l_c ≤ l", 2.0 * sizes.l_c, sizes.l),)
 
-    def ratios(self, sizes: NeckedSizes) -> dict[str, Quantity]:
+    def ratios(self, sizes: NeckedSizes) -> dict[str, Computed]:
         """Return ξ and the aspect ratios of a hinge."""
         return {
             "xi": sizes.xi,
@@ -130,7 +130,7 @@ class NeckedDownStage(SagsAlongStroke):
             "b/h": sizes.b / sizes.h,
         }
 
-    def indicators(self, sizes: NeckedSizes, travel: float) -> dict[str, Quantity]:
+    def indicators(self, sizes: NeckedSizes, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in: shape and stroke."""
         return {**self.ratios(sizes), "x/l": travel / sizes.l}
 
@@ -144,7 +144,7 @@ class NeckedDownStage(SagsAlongStroke):
         """Return the axial force in a blade per force on the stage along the blades [-]."""
         return force_share(direction, self.blades)
 
-    def axial_stress(self, force: float, sizes: NeckedSizes) -> Quantity:
+    def axial_stress(self, force: float, sizes: NeckedSizes) -> Computed:
         """Return N/(h b) in a hinge [Pa]."""
         return axial_stress(force, sizes.h, sizes.b)
 
@@ -184,7 +184,7 @@ class NeckedDownStage(SagsAlongStroke):
         force = self.blades * found.force
         return Critical("in the plane", force, source, stress, known, CARRIED)
 
-    def parasitic_shift(self, sizes: NeckedSizes, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: NeckedSizes, travel: float) -> Computed:
         """Return the motion towards the base [m]."""
         return necked_stage.shortening(l=sizes.l, x=travel, xi=sizes.xi)
 

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from flexcli.formulas import hinge_shift, notch, notch_compliance
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import Filleted, Notch, Profile, per_design
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import spec_error
@@ -41,12 +41,12 @@ CONCENTRATION: Concentration = "deep-notch"
 SOURCE = "Paros & Weisbord 1965, Machine Design 37; Neuber 1958 for the peak of the stress"
 
 
-def throat_factor(way: Concentration, e: Quantity, r: Quantity) -> Quantity:
+def throat_factor(way: Concentration, e: Quantity, r: Quantity) -> Computed:
     """Return K_t by Neuber's deep notch of radius r, or 1 for the nominal stress."""
     return 1.0 if way == "none" else notch.bending_factor(e=e, r=r)
 
 
-def throat_peaks(way: Concentration, e: Quantity, r: Quantity) -> tuple[Quantity, Quantity]:
+def throat_peaks(way: Concentration, e: Quantity, r: Quantity) -> tuple[Computed, Computed]:
     """Return the factors of the peak over the nominal stress in bending and along the hinge."""
     along = 1.0 if way == "none" else notch.axial_factor(e=e, r=r)
     return throat_factor(way, e, r), along
@@ -65,32 +65,32 @@ class NotchGeometry(Geometry):
     """
 
     @abstractmethod
-    def profile(self, sizes: Any) -> tuple[Profile, Quantity]:
+    def profile(self, sizes: Any) -> tuple[Profile, Computed]:
         """Return the thickness along the hinge and its length [m]."""
 
     @abstractmethod
-    def throat(self, sizes: Any) -> tuple[Quantity, Quantity]:
+    def throat(self, sizes: Any) -> tuple[Computed, Computed]:
         """Return thickness of the throat and radius of the notch there [m]."""
 
-    def _column(self, sizes: Any) -> tuple[Profile, Quantity]:
+    def _column(self, sizes: Any) -> tuple[Profile, Computed]:
         """Return the profile of each design, with a trailing axis along the hinge, and length."""
         profile, l = self.profile(
             sizes._make(np.asarray(size, dtype=np.float64)[..., None] for size in sizes)
         )
         return profile, np.asarray(l, dtype=np.float64)[..., 0]
 
-    def compliance(self, elastic: Elastic, sizes: Any) -> Quantity:
+    def compliance(self, elastic: Elastic, sizes: Any) -> Computed:
         """Return the planar compliance about the middle of the hinge, without shear."""
         profile, length = self._column(sizes)
         return notch_compliance.planar_compliance(
             profile, E=elastic.E, l=length, b=sizes.b, a=length / 2.0
         )
 
-    def stiffness(self, elastic: Elastic, sizes: Any) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Any) -> Computed:
         """Return the rotational stiffness, by the exact integral [N·m/rad]."""
         return 1.0 / self.compliance(elastic, sizes)[..., 2, 2]
 
-    def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Computed]:
         """Return the bending stress in the throat [Pa]."""
         e, r = self.throat(sizes)
         stress = notch.throat_stress(
@@ -113,16 +113,16 @@ class NotchGeometry(Geometry):
         """Return 1: all of a force along the hinge goes through the throat."""
         return straight_share(direction, "axis")
 
-    def axial_stress(self, force: float, sizes: Any) -> Quantity:
+    def axial_stress(self, force: float, sizes: Any) -> Computed:
         """Return N/(e b) in the throat, with the peak beside the notches [Pa]."""
         e, r = self.throat(sizes)
         return force / (e * sizes.b) * throat_peaks(self.concentration, e, r)[1]
 
-    def indicators(self, sizes: Any, travel: float) -> dict[str, Quantity]:
+    def indicators(self, sizes: Any, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in: shape and rotation."""
         return {**self.ratios(sizes), "theta": travel}
 
-    def parasitic_shift(self, sizes: Any, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Any, travel: float) -> Computed:
         """Return the shift of the middle along the hinge: away from the base [m]."""
         profile, l = self._column(sizes)
         return -hinge_shift.profile_shift(profile, l=l, theta=travel)
@@ -159,9 +159,9 @@ class NotchGeometry(Geometry):
 class CircularSizes(NamedTuple):
     """Thickness of the throat, radius of the notches and width [m]."""
 
-    e: Quantity
-    r: Quantity
-    b: Quantity
+    e: Computed
+    r: Computed
+    b: Computed
 
 
 class CircularHinge(NotchGeometry):
@@ -194,23 +194,23 @@ class CircularHinge(NotchGeometry):
     b: Extent
     """Width, across the plane of the motion, e.g. ``10 mm``."""
 
-    def profile(self, sizes: CircularSizes) -> tuple[Profile, Quantity]:
+    def profile(self, sizes: CircularSizes) -> tuple[Profile, Computed]:
         """Return two half-circles."""
         return Notch(sizes.e, sizes.r), 2.0 * sizes.r
 
-    def throat(self, sizes: CircularSizes) -> tuple[Quantity, Quantity]:
+    def throat(self, sizes: CircularSizes) -> tuple[Computed, Computed]:
         """Return e and r."""
         return sizes.e, sizes.r
 
-    def stiffness(self, elastic: Elastic, sizes: CircularSizes) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: CircularSizes) -> Computed:
         """Return the rotational stiffness, by the exact integral in closed form [N·m/rad]."""
         return notch.circular_stiffness(E=elastic.E, b=sizes.b, e=sizes.e, r=sizes.r)
 
-    def volume(self, sizes: CircularSizes) -> Quantity:
+    def volume(self, sizes: CircularSizes) -> Computed:
         """Return the volume between the notches [m³]."""
         return sizes.b * (2.0 * sizes.r * (sizes.e + 2.0 * sizes.r) - np.pi * sizes.r**2)
 
-    def ratios(self, sizes: CircularSizes) -> dict[str, Quantity]:
+    def ratios(self, sizes: CircularSizes) -> dict[str, Computed]:
         """Return e/r and b/e."""
         return {"e/r": sizes.e / sizes.r, "b/e": sizes.b / sizes.e}
 
@@ -218,10 +218,10 @@ class CircularHinge(NotchGeometry):
 class EllipticSizes(NamedTuple):
     """Thickness of the throat, depth and length of the notches, width [m]."""
 
-    e: Quantity
-    depth: Quantity
-    l: Quantity
-    b: Quantity
+    e: Computed
+    depth: Computed
+    l: Computed
+    b: Computed
 
 
 class EllipticHinge(NotchGeometry):
@@ -249,25 +249,25 @@ class EllipticHinge(NotchGeometry):
     b: Extent
     """Width, across the plane of the motion, e.g. ``10 mm``."""
 
-    def profile(self, sizes: EllipticSizes) -> tuple[Profile, Quantity]:
+    def profile(self, sizes: EllipticSizes) -> tuple[Profile, Computed]:
         """Return two half-ellipses."""
         return Notch(sizes.e, sizes.depth), sizes.l
 
-    def throat(self, sizes: EllipticSizes) -> tuple[Quantity, Quantity]:
+    def throat(self, sizes: EllipticSizes) -> tuple[Computed, Computed]:
         """Return e and the radius of curvature (l/2)²/depth."""
         return sizes.e, sizes.l**2 / (4.0 * sizes.depth)
 
-    def stiffness(self, elastic: Elastic, sizes: EllipticSizes) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: EllipticSizes) -> Computed:
         """Return the rotational stiffness, by the exact integral in closed form [N·m/rad]."""
         e, depth, l, b = sizes
         return notch.elliptic_stiffness(E=elastic.E, b=b, e=e, l=l, depth=depth)
 
-    def volume(self, sizes: EllipticSizes) -> Quantity:
+    def volume(self, sizes: EllipticSizes) -> Computed:
         """Return the volume between the notches [m³]."""
         e, depth, l, b = sizes
         return b * l * (e + 2.0 * depth - np.pi / 2.0 * depth)
 
-    def ratios(self, sizes: EllipticSizes) -> dict[str, Quantity]:
+    def ratios(self, sizes: EllipticSizes) -> dict[str, Computed]:
         """Return e over the throat's radius, and b/e."""
         e, r = self.throat(sizes)
         return {"e/radius": e / r, "b/e": sizes.b / sizes.e}
@@ -276,10 +276,10 @@ class EllipticHinge(NotchGeometry):
 class FilletedSizes(NamedTuple):
     """Thickness, radius of the fillets, length over all and width [m]."""
 
-    h: Quantity
-    r: Quantity
-    l: Quantity
-    b: Quantity
+    h: Computed
+    r: Computed
+    l: Computed
+    b: Computed
 
 
 class FilletedHinge(NotchGeometry):
@@ -315,24 +315,24 @@ class FilletedHinge(NotchGeometry):
             raise spec_error("two fillets are longer than the hinge", "r is at most l/2", at=("r",))
         return self
 
-    def profile(self, sizes: FilletedSizes) -> tuple[Profile, Quantity]:
+    def profile(self, sizes: FilletedSizes) -> tuple[Profile, Computed]:
         """Return the blade with its fillets, which end at its middle at the latest."""
         return Filleted(sizes.h, np.minimum(sizes.r, sizes.l / 2.0)), sizes.l
 
-    def throat(self, sizes: FilletedSizes) -> tuple[Quantity, Quantity]:
+    def throat(self, sizes: FilletedSizes) -> tuple[Computed, Computed]:
         """Return h and r, at the start of a fillet."""
         return sizes.h, sizes.r
 
-    def volume(self, sizes: FilletedSizes) -> Quantity:
+    def volume(self, sizes: FilletedSizes) -> Computed:
         """Return the volume of the blade and its fillets [m³]."""
         h, r, l, b = sizes
         return b * (l * h + 4.0 * r**2 * (1.0 - np.pi / 4.0))
 
-    def fits(self, sizes: FilletedSizes) -> tuple[tuple[str, Quantity, Quantity], ...]:
+    def fits(self, sizes: FilletedSizes) -> tuple[tuple[str, Computed, Computed], ...]:
         """Return that the fillets fit in the hinge."""
         return (("two fillets in the hinge, 2 r ≤ l", 2.0 * sizes.r, sizes.l),)
 
-    def ratios(self, sizes: FilletedSizes) -> dict[str, Quantity]:
+    def ratios(self, sizes: FilletedSizes) -> dict[str, Computed]:
         """Return l/h, b/h and the share of the fillets in the length."""
         h, r, l, b = sizes
         return {"l/h": l / h, "b/h": b / h, "2r/l": 2.0 * r / l}

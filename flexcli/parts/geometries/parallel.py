@@ -2,7 +2,7 @@
 
 from math import cos, sin
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 
@@ -15,7 +15,7 @@ ROUNDING = 1e-9
 class SagsAlongStroke(Geometry):
     """A straight guide: a weight along its stroke x bends it as the stroke does."""
 
-    def sag_stiffness(self, elastic: Elastic, sizes: Sizes, axis: str) -> Quantity:
+    def sag_stiffness(self, elastic: Elastic, sizes: Sizes, axis: str) -> Computed:
         """Return the stiffness along the stroke x [N/m]."""
         if axis != "x":
             raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")

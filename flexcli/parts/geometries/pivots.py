@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar
 from flexcli.formulas import pivot, pivot_next_order, thick_blades
 from flexcli.formulas.card import Card
 from flexcli.formulas.profile import Constant, per_design
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.thick_blades import s_bending_share
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
@@ -37,7 +37,7 @@ class BladePivot(BladeGeometry):
         """Return the direction of each blade from the axis of symmetry [rad]."""
 
     @abstractmethod
-    def offset(self, sizes: Blade) -> Quantity:
+    def offset(self, sizes: Blade) -> Computed:
         """Return p, from the centre to the inner ends of the blades [m]."""
 
     @property
@@ -45,14 +45,14 @@ class BladePivot(BladeGeometry):
         """Return the number of blades."""
         return len(self.blade_angles)
 
-    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the rotational stiffness [N·m/rad]."""
         h, l, b = sizes
         return pivot.rotational_stiffness(
             E=elastic.E, h=h, l=l, b=b, p=self.offset(sizes), blades=self.blade_count
         )
 
-    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return the signed bending stress at the inner and the outer end [Pa]."""
         inner, outer = pivot.end_stresses(
             E=elastic.E, h=sizes.h, l=sizes.l, p=self.offset(sizes), theta=travel
@@ -122,7 +122,7 @@ class BladePivot(BladeGeometry):
         start, end = ((r * cos(angle), r * sin(angle)) for r in reach)
         return Strip(name, *bodies, start, end, Constant(per_design(sizes.h)), sizes.b, z)
 
-    def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in: shape, rotation, place of the crossing."""
         delta = self.offset(sizes) / sizes.l
         return {**self.ratios(sizes), "theta": travel, "delta": delta}
@@ -150,7 +150,7 @@ class PairPivot(BladePivot):
         """Return the two directions from the bisector [rad]."""
         return (self.half_angle, -self.half_angle)
 
-    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Computed:
         """Return the signed shift of the centre along the bisector [m], leading order."""
         return pivot.parasitic_shift(
             l=sizes.l, p=self.offset(sizes), theta=travel, half_angle=self.half_angle

@@ -2,7 +2,7 @@
 
 from typing import Annotated, ClassVar, Literal
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.geometries.base import Blade
 from flexcli.parts.geometries.pivots import PairPivot
@@ -20,6 +20,6 @@ class RCCPivot(PairPivot):
     p: Annotated[float, QuantityOf("length", at_least=0.0)]
     """Distance from the centre of rotation to the near end of each blade, e.g. ``2 mm``."""
 
-    def offset(self, sizes: Blade) -> Quantity:
+    def offset(self, sizes: Blade) -> Computed:
         """Return p [m]."""
         return self.p

@@ -6,7 +6,7 @@ from flexcli.formulas import single_blade as blade
 from flexcli.formulas.card import Card
 from flexcli.formulas.hinge_shift import BLADE_CARDS, blade_shift
 from flexcli.formulas.profile import Constant, per_design
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.formulas.stage import shortening
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
@@ -40,7 +40,7 @@ class _SingleBlade(BladeGeometry):
         """Return the axial force in the blade per force on its tip [-]."""
         return force_share(direction, 1)
 
-    def root(self, sizes: Blade) -> Quantity:
+    def root(self, sizes: Blade) -> Computed:
         """Return where the clamp is on x [m]."""
         return 0.0
 
@@ -58,7 +58,7 @@ class _SingleBlade(BladeGeometry):
         strip = Strip("blade", GROUND, MOVING, root, tip, Constant(per_design(h)), b)
         return Layout((Body(MOVING, tip),), (strip,), elastic.E, elastic.shear)
 
-    def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in: shape and stroke."""
         stroke = {"theta": travel} if self.motion == "rotation" else {"x/l": travel / sizes.l}
         return {**self.ratios(sizes), **stroke}
@@ -72,11 +72,11 @@ class Cantilever(SagsAlongStroke, _SingleBlade):
 
     kind: Literal["cantilever"]
 
-    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the stiffness of the tip [N/m]."""
         return blade.force_stiffness(E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b)
 
-    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return the bending stress at the clamp [Pa]."""
         h, l, _ = sizes
         return {"clamp": blade.force_stress(E=elastic.E, h=h, l=l, x=travel, s=0.0)}
@@ -94,7 +94,7 @@ class Cantilever(SagsAlongStroke, _SingleBlade):
         """Return ¼: a cantilever softens by Φ/4, Φ that of a blade clamped at both ends."""
         return 0.25
 
-    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Computed:
         """Return the motion of the tip towards the clamp, 3x²/(5l) as of a guided one [m]."""
         return shortening(l=sizes.l, x=travel)
 
@@ -107,11 +107,11 @@ class GuidedBlade(_SingleBlade):
 
     kind: Literal["guided-blade"]
 
-    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the stiffness of the tip [N/m]."""
         return blade.guided_stiffness(E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b)
 
-    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return the bending stress, equal and opposite at the two ends [Pa]."""
         h, l, _ = sizes
         return {"both ends": blade.guided_stress(E=elastic.E, h=h, l=l, x=travel, s=0.0)}
@@ -129,7 +129,7 @@ class GuidedBlade(_SingleBlade):
         """Return 1: the blade bends in an S alone."""
         return 1.0
 
-    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Computed:
         """Return the motion of the tip towards the clamp [m]."""
         return shortening(l=sizes.l, x=travel)
 
@@ -146,11 +146,11 @@ class MomentBlade(_SingleBlade):
 
     kind: Literal["moment-blade"]
 
-    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the rotational stiffness of the tip [N·m/rad]."""
         return blade.moment_stiffness(E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b)
 
-    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return the bending stress, the same all along [Pa]."""
         h, l, _ = sizes
         return {"all along": blade.moment_stress(E=elastic.E, h=h, l=l, theta=travel)}
@@ -163,7 +163,7 @@ class MomentBlade(_SingleBlade):
         """Return the factors of a blade that a moment bends."""
         return wide_moment(sizes, nu)
 
-    def root(self, sizes: Blade) -> Quantity:
+    def root(self, sizes: Blade) -> Computed:
         """Return that the centre, about which the tip turns, is the middle of the blade [m]."""
         return -sizes.l / 2.0
 
@@ -175,6 +175,6 @@ class MomentBlade(_SingleBlade):
         """Return 1 for a force along the blade."""
         return straight_share(direction, "blade")
 
-    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Computed:
         """Return the shift of the centre, the middle of the blade: away from the clamp [m]."""
         return -blade_shift(l=sizes.l, theta=travel)

@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from flexcli.formulas import pivot
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.parts.base import Angle, Length, QuantityOf, spec_error
 from flexcli.parts.bending import Bending
 from flexcli.parts.bending.star import Star
@@ -57,7 +57,7 @@ class StarPivot(BladePivot):
         """Return the directions [rad]."""
         return self.angles
 
-    def offset(self, sizes: Blade) -> Quantity:
+    def offset(self, sizes: Blade) -> Computed:
         """Return p [m], as given or as delta times the length."""
         return self.p if self.p is not None else self.delta * sizes.l
 

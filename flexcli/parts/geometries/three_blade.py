@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Literal
 
 from flexcli.formulas import pivot, three_blade
 from flexcli.formulas.card import Card
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.bending import Bending
 from flexcli.parts.bending.star import Star
@@ -33,7 +33,7 @@ class ThreeBladePivot(BladePivot):
         """Return the three directions [rad]."""
         return (0.0, 2.0 * pi / 3.0, 4.0 * pi / 3.0)
 
-    def offset(self, sizes: Blade) -> Quantity:
+    def offset(self, sizes: Blade) -> Computed:
         """Return p [m]."""
         return self.p
 
@@ -43,7 +43,7 @@ class ThreeBladePivot(BladePivot):
         p = float(self.offset(sizes))
         return Star(h=h, l=l, p=p, theta=travel, angles=self.blade_angles)
 
-    def sag_stiffness(self, elastic: Elastic, sizes: Blade, axis: str) -> Quantity:
+    def sag_stiffness(self, elastic: Elastic, sizes: Blade, axis: str) -> Computed:
         """Return the stiffness along the axis of rotation z [N/m]."""
         if axis != "z":
             raise NotAvailable(f"has no closed form for its sag along {axis}, only along z")

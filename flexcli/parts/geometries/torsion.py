@@ -16,7 +16,7 @@ from flexcli.formulas import (
     torsion_shapes,
 )
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.formulas.section import second_moment
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.twist import Twist
@@ -44,10 +44,10 @@ LONG_FIBRES = Range(
 class Section(NamedTuple):
     """What a section is to its long fibres: area [m²], I_p/A [m²], ∫r⁴ dA [m⁶], most r² [m²]."""
 
-    area: Quantity
-    mean: Quantity
-    fourth: Quantity
-    edge: Quantity
+    area: Computed
+    mean: Computed
+    fourth: Computed
+    edge: Computed
     sheared: float
     """Shear stress at the farthest fibres over the largest of the section."""
 
@@ -69,11 +69,11 @@ class TorsionGeometry(Geometry):
     """
 
     @abstractmethod
-    def torsion_constant(self, sizes: Any) -> Quantity:
+    def torsion_constant(self, sizes: Any) -> Computed:
         """Return J of one bar [m⁴]."""
 
     @abstractmethod
-    def shear(self, elastic: Elastic, sizes: Any, twist: float) -> Quantity:
+    def shear(self, elastic: Elastic, sizes: Any, twist: float) -> Computed:
         """Return the largest shear stress [Pa] at a twist, the ends free to warp."""
 
     @abstractmethod
@@ -105,7 +105,7 @@ class TorsionGeometry(Geometry):
         return None
 
     @abstractmethod
-    def polar_moment(self, sizes: Any) -> Quantity:
+    def polar_moment(self, sizes: Any) -> Computed:
         """Return ∫r² dA of the section of a bar about its axis [m⁴]."""
 
     def twisting_bars(self, sizes: Any) -> TwistingBars | None:
@@ -117,11 +117,11 @@ class TorsionGeometry(Geometry):
         """Return how far the farthest fibre is from the axis [m]."""
         return float(self.section(sizes).edge ** 0.5)
 
-    def rate(self, elastic: Elastic, sizes: Any, twist: float) -> Quantity:
+    def rate(self, elastic: Elastic, sizes: Any, twist: float) -> Computed:
         """Return the largest twist per length [rad/m]."""
         return twist / sizes.l
 
-    def fibre_stress(self, elastic: Elastic, sizes: Any, twist: float, *, free: bool) -> Quantity:
+    def fibre_stress(self, elastic: Elastic, sizes: Any, twist: float, *, free: bool) -> Computed:
         """Return von Mises' equivalent stress with that of the long fibres, the worst place [Pa].
 
         Wide bars are worst at their edges, where little shear is left; near the axis the fibres
@@ -140,7 +140,7 @@ class TorsionGeometry(Geometry):
 
     def fibre_stiffening(
         self, elastic: Elastic, sizes: Any, twist: float, *, free: bool
-    ) -> Quantity:
+    ) -> Computed:
         """Return the torque of all bars at a twist over the twist [N·m/rad]."""
         section = self.section(sizes)
         torque = torsion_fibres.fibre_moment(
@@ -159,17 +159,17 @@ class TorsionGeometry(Geometry):
         text = f"moment over rotation at full stroke, ends that {ends}"
         return {"k_stroke": Value(float(stiff), self.stiffness_unit, text)}
 
-    def stiffness(self, elastic: Elastic, sizes: Any) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Any) -> Computed:
         """Return the rotational stiffness, the ends free to warp [N·m/rad]."""
         return torsion_bar.torsional_stiffness(
             G=elastic.G, J=self.torsion_constant(sizes), l=sizes.l, bars=self.bars
         )
 
-    def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Computed]:
         """Return von Mises' equivalent of the shear stress [Pa]."""
         return {"broad side": sqrt(3.0) * self.shear(elastic, sizes, travel)}
 
-    def thin(self, sizes: Any) -> Quantity:
+    def thin(self, sizes: Any) -> Computed:
         """Return the thin side of the section [m]."""
         return sizes.h
 
@@ -178,7 +178,7 @@ class TorsionGeometry(Geometry):
         thin = float(self.thin(sizes))
         return (("", thin, max(thin, float(getattr(sizes, "b", thin)))),)
 
-    def indicators(self, sizes: Any, travel: float) -> dict[str, Quantity]:
+    def indicators(self, sizes: Any, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in: shape and twist."""
         far = self.section(sizes).edge ** 0.5
         return {
@@ -211,7 +211,7 @@ class TorsionBar(TorsionGeometry):
     warping: Literal["free", "restrained"] = "free"
     """Whether the clamps keep the end sections flat, e.g. ``restrained``."""
 
-    def thin(self, sizes: Blade) -> Quantity:
+    def thin(self, sizes: Blade) -> Computed:
         """Return the lesser of h and b [m]."""
         return np.minimum(sizes.h, sizes.b)
 
@@ -227,7 +227,7 @@ class TorsionBar(TorsionGeometry):
         """Return what the spec says of the clamps."""
         return self.warping == "restrained"
 
-    def rate(self, elastic: Elastic, sizes: Blade, twist: float) -> Quantity:
+    def rate(self, elastic: Elastic, sizes: Blade, twist: float) -> Computed:
         """Return the twist per length, that at mid-length where the ends cannot warp [rad/m]."""
         if not self.is_restrained:
             return super().rate(elastic, sizes, twist)
@@ -238,15 +238,15 @@ class TorsionBar(TorsionGeometry):
         plain = self.shear(elastic, sizes, twist)
         return np.maximum(found.shear / plain, 1.0) * twist / l
 
-    def polar_moment(self, sizes: Blade) -> Quantity:
+    def polar_moment(self, sizes: Blade) -> Computed:
         """Return that of a rectangle [m⁴]."""
         return second_moment(sizes.h, sizes.b) + second_moment(sizes.b, sizes.h)
 
-    def torsion_constant(self, sizes: Blade) -> Quantity:
+    def torsion_constant(self, sizes: Blade) -> Computed:
         """Return J by Saint-Venant's series [m⁴]."""
         return torsion_section.torsion_constant(sizes.h, sizes.b)
 
-    def shear(self, elastic: Elastic, sizes: Blade, twist: float) -> Quantity:
+    def shear(self, elastic: Elastic, sizes: Blade, twist: float) -> Computed:
         """Return the largest shear stress, at the middle of the broad sides [Pa]."""
         h, l, b = sizes
         factor = torsion_section.shear_factor(h, b)
@@ -254,7 +254,7 @@ class TorsionBar(TorsionGeometry):
             G=elastic.G, h=self.thin(sizes), l=l, theta=twist, factor=factor
         )
 
-    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the rotational stiffness [N·m/rad]."""
         if self.warping == "free":
             return super().stiffness(elastic, sizes)
@@ -263,7 +263,7 @@ class TorsionBar(TorsionGeometry):
             E=elastic.E, G=elastic.G, h=h, b=b, l=l
         )
 
-    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return von Mises' equivalent stress at mid-length and, where clamped, at the ends."""
         if self.warping == "free":
             return super().end_stresses(elastic, sizes, travel)
@@ -273,11 +273,11 @@ class TorsionBar(TorsionGeometry):
         )
         return {"broad side": sqrt(3.0) * found.shear, "corners at the clamps": found.normal}
 
-    def volume(self, sizes: Blade) -> Quantity:
+    def volume(self, sizes: Blade) -> Computed:
         """Return the volume of the bars [m³]."""
         return self.bars * sizes.h * sizes.l * sizes.b
 
-    def ratios(self, sizes: Blade) -> dict[str, Quantity]:
+    def ratios(self, sizes: Blade) -> dict[str, Computed]:
         """Return l/h and b/h."""
         return {"l/h": sizes.l / sizes.h, "b/h": sizes.b / sizes.h}
 
@@ -285,8 +285,8 @@ class TorsionBar(TorsionGeometry):
 class RoundSizes(NamedTuple):
     """Diameter and length [m]."""
 
-    d: Quantity
-    l: Quantity
+    d: Computed
+    l: Computed
 
 
 class RoundTorsionBar(TorsionGeometry):
@@ -307,7 +307,7 @@ class RoundTorsionBar(TorsionGeometry):
     l: Extent
     """Length of a bar, e.g. ``20 mm``."""
 
-    def thin(self, sizes: RoundSizes) -> Quantity:
+    def thin(self, sizes: RoundSizes) -> Computed:
         """Return the diameter [m]."""
         return sizes.d
 
@@ -317,23 +317,23 @@ class RoundTorsionBar(TorsionGeometry):
         area = pi * square
         return Section(area, square / 2.0, area * square**2 / 3.0, square, 1.0)
 
-    def polar_moment(self, sizes: RoundSizes) -> Quantity:
+    def polar_moment(self, sizes: RoundSizes) -> Computed:
         """Return π d⁴/32 [m⁴]."""
         return pi * sizes.d**4 / 32.0
 
-    def torsion_constant(self, sizes: RoundSizes) -> Quantity:
+    def torsion_constant(self, sizes: RoundSizes) -> Computed:
         """Return π d⁴/32 [m⁴]."""
         return torsion_shapes.circle_torsion_constant(sizes.d)
 
-    def shear(self, elastic: Elastic, sizes: RoundSizes, twist: float) -> Quantity:
+    def shear(self, elastic: Elastic, sizes: RoundSizes, twist: float) -> Computed:
         """Return the shear stress at the surface [Pa]."""
         return torsion_bar.shear_stress(G=elastic.G, h=sizes.d, l=sizes.l, theta=twist, factor=0.5)
 
-    def volume(self, sizes: RoundSizes) -> Quantity:
+    def volume(self, sizes: RoundSizes) -> Computed:
         """Return the volume of the bars [m³]."""
         return self.bars * pi / 4.0 * sizes.d**2 * sizes.l
 
-    def ratios(self, sizes: RoundSizes) -> dict[str, Quantity]:
+    def ratios(self, sizes: RoundSizes) -> dict[str, Computed]:
         """Return l/d."""
         return {"l/d": sizes.l / sizes.d}
 
@@ -375,11 +375,11 @@ class TorsionStar(TorsionGeometry):
         square = h**2 + b**2
         return Section(n * h * b, square / 12.0, fourth, square / 4.0, NARROW_SIDE)
 
-    def polar_moment(self, sizes: Blade) -> Quantity:
+    def polar_moment(self, sizes: Blade) -> Computed:
         """Return that of all strips [m⁴]."""
         return self.strips * (second_moment(sizes.h, sizes.b) + second_moment(sizes.b, sizes.h))
 
-    def torsion_constant(self, sizes: Blade) -> Quantity:
+    def torsion_constant(self, sizes: Blade) -> Computed:
         """Return n b h³/3 with what their core adds [m⁴]."""
         return torsion_shapes.star_torsion_constant(sizes.h, sizes.b, self.strips)
 
@@ -388,19 +388,19 @@ class TorsionStar(TorsionGeometry):
         error = torsion_shapes.STAR_ERROR.get(self.strips, inf)
         return 3.0 * error * float(sizes.h / sizes.b) / self.strips
 
-    def shear(self, elastic: Elastic, sizes: Blade, twist: float) -> Quantity:
+    def shear(self, elastic: Elastic, sizes: Blade, twist: float) -> Computed:
         """Return the shear stress of the thin strips [Pa]."""
         return torsion_bar.shear_stress(G=elastic.G, h=sizes.h, l=sizes.l, theta=twist)
 
-    def volume(self, sizes: Blade) -> Quantity:
+    def volume(self, sizes: Blade) -> Computed:
         """Return the volume of the strips, their crossing counted once [m³]."""
         h, l, b = sizes
         return self.bars * l * (self.strips * h * b - (self.strips - 1) * h**2)
 
-    def fits(self, sizes: Blade) -> tuple[tuple[str, Quantity, Quantity], ...]:
+    def fits(self, sizes: Blade) -> tuple[tuple[str, Computed, Computed], ...]:
         """Return that a strip is no thicker than wide."""
         return (("a strip's thickness in its width, h ≤ b", sizes.h, sizes.b),)
 
-    def ratios(self, sizes: Blade) -> dict[str, Quantity]:
+    def ratios(self, sizes: Blade) -> dict[str, Computed]:
         """Return l/h and b/h."""
         return {"l/h": sizes.l / sizes.h, "b/h": sizes.b / sizes.h}

@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar, Literal
 from flexcli.formulas import pivot
 from flexcli.formulas import unseparated as joined
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.bending import Bending, WideBlades
@@ -35,15 +35,15 @@ class UnseparatedPivot(PairPivot):
     crossing: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] = 0.5
     """Share of the blades' length on the side of the base, e.g. ``0.5``."""
 
-    def offset(self, sizes: Blade) -> Quantity:
+    def offset(self, sizes: Blade) -> Computed:
         """Return minus the length on the side of the base [m]."""
         return -self.crossing * sizes.l
 
-    def stiffness(self, elastic: Elastic, sizes: Blade) -> Quantity:
+    def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the rotational stiffness [N·m/rad]."""
         return joined.unseparated_stiffness(E=elastic.E, h=sizes.h, l=sizes.l, b=sizes.b)
 
-    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return the signed bending stress where the blades cross and at their ends [Pa]."""
         crossing, ends = joined.unseparated_stresses(
             E=elastic.E, h=sizes.h, l=sizes.l, theta=travel
@@ -69,7 +69,7 @@ class UnseparatedPivot(PairPivot):
         """Refuse: the small cross between the halves moves on its own."""
         raise NotAvailable("has no closed form for the buckling of the whole joint")
 
-    def parasitic_shift(self, sizes: Blade, travel: float) -> Quantity:
+    def parasitic_shift(self, sizes: Blade, travel: float) -> Computed:
         """Return the signed shift of the centre along the bisector [m], leading order."""
         return joined.unseparated_shift(
             l=sizes.l, crossing=self.crossing, theta=travel, half_angle=self.half_angle
@@ -79,7 +79,7 @@ class UnseparatedPivot(PairPivot):
         """Return nothing: the blades are joined where they cross."""
         return ()
 
-    def indicators(self, sizes: Blade, travel: float) -> dict[str, Quantity]:
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in, with l/h of the shorter part."""
         part = min(self.crossing, 1.0 - self.crossing) * sizes.l / sizes.h
         return {**super().indicators(sizes, travel), "part l/h": part}

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import model_validator
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Geometry, Sizes
@@ -32,7 +32,7 @@ class Mode:
     """Stiffness and mass of the one degree of freedom: f = √(k/m)/2π."""
 
     def __init__(self, stiffness: Quantity, mass: float) -> None:
-        self.stiffness = stiffness
+        self.stiffness: Computed = stiffness
         self.mass = mass
 
 

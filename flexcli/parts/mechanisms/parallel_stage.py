@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import BeforeValidator, Field, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.transfer import natural_frequency
 from flexcli.mechanics import parallel_stage as planar
 from flexcli.mechanics.layout import Body
@@ -222,7 +222,7 @@ class ParallelStage(Mechanism):
         """Return whether any pivot's stiffness is stated."""
         return self.pivot_stiffness is not None
 
-    def stiffnesses(self, joint_stiffness: Quantity) -> tuple[Quantity, ...]:
+    def stiffnesses(self, joint_stiffness: Quantity | None) -> tuple[Computed, ...]:
         """Return k_1 to k_4: as stated, else of the joint."""
         stated = self.pivot_stiffness or (None,) * self.joints
         return tuple(joint_stiffness if k is None else k for k in stated)

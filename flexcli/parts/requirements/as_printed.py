@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.bending import FLOOR
 from flexcli.parts.elastic import NotAvailable
@@ -28,15 +28,15 @@ class AsPrinted(Answers):
             return None
         return FLOOR
 
-    def stiffness(self, ask: Ask) -> Quantity:
+    def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
         return ask.geometry.stiffness(ask.material.elastic, ask.sizes)
 
-    def sag_stiffness(self, ask: Ask) -> Quantity:
+    def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
         return ask.geometry.sag_stiffness(ask.material.elastic, ask.sizes, ask.scene.axis)
 
-    def parasitic_shift(self, ask: Ask) -> Quantity:
+    def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the signed shift at the end of the stroke [m]."""
         scene = ask.scene
         return ask.geometry.parasitic_shift(ask.sizes, scene.travel + scene.mean_travel)
@@ -95,8 +95,8 @@ def _each(ask: Ask) -> Iterator[EndStress]:
         yield EndStress("blade", 0.0, 0.0, axial)
         return
     elastic = ask.material.elastic
-    amplitudes: dict[str, Quantity] = {}
-    means: dict[str, Quantity] = {}
+    amplitudes: dict[str, Computed] = {}
+    means: dict[str, Computed] = {}
     if scene.moves:
         amplitudes, means = geometry.stroke_stresses(elastic, sizes, scene.travel, scene.middle)
     pushed = _pushed(ask)
@@ -107,7 +107,7 @@ def _each(ask: Ask) -> Iterator[EndStress]:
             yield EndStress(where, sign * amplitude, sign * mean, axial, joint)
 
 
-def _pushed(ask: Ask) -> dict[str, Quantity]:
+def _pushed(ask: Ask) -> dict[str, Computed]:
     """Return the stress of what acts along the stroke itself, by place [Pa]: the sag of the joint.
 
     It acts either way, so that it adds to the mean of the stroke.

@@ -3,7 +3,7 @@
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
 from flexcli.parts.material import Material
@@ -35,9 +35,9 @@ class EndStress(NamedTuple):
     """
 
     where: str
-    amplitude: Quantity
-    mean: Quantity
-    axial: Quantity
+    amplitude: Computed
+    mean: Computed
+    axial: Computed
     joint: str = ""
     is_at_face: bool = False
     reverses: bool = False
@@ -48,7 +48,7 @@ class EndStress(NamedTuple):
         return all(isinstance(s, float) and s == 0.0 for s in (self.mean, self.axial))
 
     @property
-    def largest(self) -> Quantity:
+    def largest(self) -> Computed:
         """Return the largest stress at this face, in compression too."""
         if self.is_at_face:
             return abs(self.amplitude) + abs(self.mean + self.axial)
@@ -91,15 +91,15 @@ class Answers(ABC):
         return None
 
     @abstractmethod
-    def stiffness(self, ask: Ask) -> Quantity:
+    def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness of the joint along its motion [N·m/rad or N/m]."""
 
     @abstractmethod
-    def sag_stiffness(self, ask: Ask) -> Quantity:
+    def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
 
     @abstractmethod
-    def parasitic_shift(self, ask: Ask) -> Quantity:
+    def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the signed shift at the end of the case's stroke [m]."""
 
     @abstractmethod

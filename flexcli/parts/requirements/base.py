@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from pydantic import model_validator
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.parts.base import Part, Ratio, Shorthand, spec_error
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements.ask import Ask, RequirementError
@@ -34,8 +34,8 @@ class Limit:
     requirement: str
     case: str
     quantity: str
-    demand: Quantity
-    capacity: Quantity
+    demand: Computed
+    capacity: Computed
     unit: str
     source: str
     required: float = 1.0

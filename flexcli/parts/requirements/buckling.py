@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, johnson_stress
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.material import Material
@@ -62,7 +62,7 @@ class Buckling(FactorRequirement):
             )
 
 
-def borne(critical: Critical, material: Material) -> tuple[Quantity, str]:
+def borne(critical: Critical, material: Material) -> tuple[Computed, str]:
     """Return the force [N] that a joint bears, and how if its blades yield before they buckle.
 
     By Johnson's parabola where the material has a yield strength; a choice of sizes takes the

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import ClassVar, Literal
 
 from flexcli.formulas.fatigue import goodman_amplitude, swt_amplitude_squared
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
@@ -89,7 +89,7 @@ class Fatigue(FactorRequirement):
 
     def _equivalent(
         self, stress: EndStress, ask: Ask, strength: float, method: str
-    ) -> tuple[Quantity, int]:
+    ) -> tuple[Computed, int]:
         mean = stress.mean + stress.axial
         if stress.is_at_face:
             mean = max(mean, 0.0)

@@ -1,6 +1,6 @@
 """Answers that stand for any: a requirement is tried on them where no closed form can answer."""
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Computed
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements.ask import Answers, Ask, EndStress
 
@@ -12,15 +12,15 @@ class _StandIn(Answers):
 
     model = "stand-in"
 
-    def stiffness(self, ask: Ask) -> Quantity:
+    def stiffness(self, ask: Ask) -> Computed:
         """Return 1."""
         return 1.0
 
-    def sag_stiffness(self, ask: Ask) -> Quantity:
+    def sag_stiffness(self, ask: Ask) -> Computed:
         """Return 1."""
         return 1.0
 
-    def parasitic_shift(self, ask: Ask) -> Quantity:
+    def parasitic_shift(self, ask: Ask) -> Computed:
         """Return 1."""
         return 1.0
 
