@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 from pydantic import TypeAdapter
 
 from flexcli.parts.elastic import Elastic, NotAvailable
@@ -33,7 +34,7 @@ SAMPLES: dict[str, dict[str, Any]] = {
     "unseparated-cross": {**BLADE, **BENT, "crossing": 0.4},
     "three-blade": {**BLADE, "p": 1.0},
     "star": {**BLADE, "angles": ["-50 deg", "0 deg", "60 deg"], "p": 2.0},
-    "leaf-spring-stage": {**BLADE, "blades": 3, "spacing": 15.0},
+    "leaf-spring-stage": {**BLADE, "blades": 3, "spacing": 15.0, "drive": 6.0},
     "necked-down-stage": {**BLADE, "l_c": 4.0, "blades": 3, "spacing": 15.0},
     "notch-hinge": {"e": 0.05, "r": 2.0, "b": 5.0},
     "elliptic-hinge": {"e": 0.05, "depth": 1.0, "l": 6.0, "b": 5.0},
@@ -87,3 +88,24 @@ def asked(form: Callable[..., Any], *arguments: Any) -> Any:
         return form(*arguments)
     except NotAvailable as reason:
         return reason
+
+
+SPREAD = 1.3
+"""Largest factor on a length of a sample, or on what is one over it."""
+
+
+def varied(kind: str, rng: np.random.Generator) -> Geometry:
+    """Return a joint of a kind with sizes, places, angles and numbers of its own."""
+    changes: dict[str, Any] = {}
+    for name, value in SAMPLES[kind].items():
+        factor = float(SPREAD ** rng.uniform(-1.0, 1.0))
+        if name == "angles":
+            told = [float(each.split()[0]) + rng.uniform(-10.0, 10.0) for each in value]
+            changes[name] = [f"{each!r} deg" for each in told]
+        elif name in ("blades", "limbs"):
+            changes[name] = int(rng.integers(2, 5))
+        elif isinstance(value, float):
+            changes[name] = value * factor
+        elif str(value).endswith(" deg"):
+            changes[name] = f"{float(value.split()[0]) * factor!r} deg"
+    return geometry(kind, **changes)

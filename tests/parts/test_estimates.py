@@ -11,12 +11,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from geometries_for_tests import ELASTIC, SAMPLES, asked, geometry
 
 from flexcli.engine import left_out
 from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, Estimate, estimate
 from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries import Geometry
 from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
 from flexcli.results import QuantityKind
 
@@ -53,6 +55,10 @@ def angle(rng: np.random.Generator) -> str:
 
 def pair(rng: np.random.Generator) -> dict[str, Any]:
     return {**blade(rng), "delta": rng.uniform(-0.9, 2.0), "half_angle": angle(rng)}
+
+
+def remote(rng: np.random.Generator) -> dict[str, Any]:
+    return {**blade(rng), **metres(p=rng.uniform(0.0, 2.0) * L), "half_angle": angle(rng)}
 
 
 def joined(rng: np.random.Generator) -> dict[str, Any]:
@@ -121,6 +127,7 @@ STAGES = {
 }
 PIVOTS = {
     "moment-blade": blade,
+    "rcc": remote,
     "cross-spring": pair,
     "unseparated-cross": joined,
     "star": star,
@@ -282,3 +289,12 @@ def test_numbers_at_rest_do_not_feel_the_stroke():
     _, found = promised(design, "stiffness")
     assert found.error is not None
     assert found.error.largest < 1e-5
+
+
+def test_every_joint_that_draws_its_blades_is_among_the_designs():
+    drawn = {k for k in SAMPLES if not isinstance(layout_of(geometry(k)), NotAvailable)}
+    assert drawn == set(KINDS)
+
+
+def layout_of(part: Geometry) -> object:
+    return asked(part.layout, ELASTIC, part.probe())

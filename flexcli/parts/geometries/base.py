@@ -37,6 +37,14 @@ AT_REST = frozenset({QuantityKind.STIFFNESS, QuantityKind.FREQUENCY, QuantityKin
 TRAVELS = frozenset({"theta", "x/l"})
 """Quantities of a range that the next order of a closed form extends."""
 
+FORMULAS = (
+    "axial_share", "axial_stress", "bending", "blade", "cards", "clearances", "critical",
+    "end_stresses", "joint_critical", "keeps_level", "parasitic_shift", "s_bending_share",
+    "sag_bends_width", "sag_stiffness", "stiffness", "stroke_stresses", "twisting_bars",
+    "validity", "values", "volume", "wide_blades",
+)  # fmt: skip
+"""What a joint states of the body that its layout draws: it holds for no other drawing."""
+
 ACROSS_WIDTH = "across the width"
 """How a blade buckles out of the plane."""
 
@@ -130,7 +138,12 @@ class Extent(Part):
 
 
 class Geometry(Part):
-    """A joint or stage whose sizes may be given or free."""
+    """A joint or stage whose sizes may be given or free.
+
+    A class that draws a layout of its own states its own formulas, or names among its bases the
+    classes that it takes them from, which draw nothing: what another joint states of its own body
+    is not handed down. What nobody states is not available.
+    """
 
     motion: ClassVar[str]
     source: ClassVar[str]
@@ -156,6 +169,23 @@ class Geometry(Part):
     keeps_level: ClassVar[bool] = False
     """Whether its closed forms take the body as kept from turning, however far apart its blades
     stand."""
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        """Refuse formulas that another joint states of a body drawn otherwise."""
+        super().__init_subclass__(**options)
+        if "layout" not in vars(cls):
+            return
+        named = {cls, Geometry}
+        for base in cls.__bases__:
+            if getattr(base, "layout", None) is Geometry.layout:
+                named.update(base.__mro__)
+        for formula in FORMULAS:
+            owner = next(each for each in cls.__mro__ if formula in vars(each))
+            if owner not in named:
+                raise TypeError(
+                    f"{cls.__name__} draws its own layout and inherits {formula} of "
+                    f"{owner.__name__}: state it, or name a base without a layout that does"
+                )
 
     @property
     def name(self) -> str:

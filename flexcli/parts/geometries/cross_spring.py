@@ -12,7 +12,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.parts.base import Length, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
-from flexcli.parts.geometries.pivots import PairPivot
+from flexcli.parts.geometries.pivots import BladePivot, PairFormulas
 from flexcli.results import QuantityKind, Value
 
 __all__ = ["CrossSpringPivot"]
@@ -21,7 +21,7 @@ LEADING = "|9δ² + 9δ + 1| tan² α/θ"
 """The shift's leading term over some ten times the next one, near Wittrick's crossing."""
 
 
-class CrossSpringPivot(PairPivot):
+class CrossSpringPivot(PairFormulas, BladePivot):
     """Cross-spring pivot of separate blades: the centre is placed by p or by delta = p/l."""
 
     also: ClassVar[tuple[str, ...]] = ("generalized-cross-spring", "generalised-cross-spring")

@@ -22,14 +22,21 @@ from flexcli.parts.geometries.blades import BladeGeometry
 from flexcli.parts.geometries.joint_buckling import pivot_critical
 from flexcli.results import Value
 
-__all__ = ["BladePivot", "PairPivot"]
+__all__ = [
+    "BladePair",
+    "BladePivot",
+    "CentredBlades",
+    "PairFormulas",
+    "PivotFormulas",
+    "centred_strip",
+    "largest_share",
+]
 
 
-class BladePivot(BladeGeometry):
-    """A pivot of n equal blades whose centre lines meet in its centre."""
+class CentredBlades(BladeGeometry):
+    """Equal blades whose centre lines meet in the centre of a pivot, however they are joined."""
 
     motion: ClassVar[str] = "rotation"
-    cards: ClassVar[tuple[Card, ...]] = pivot.CARDS
 
     @property
     @abstractmethod
@@ -44,6 +51,48 @@ class BladePivot(BladeGeometry):
     def blade_count(self) -> int:
         """Return the number of blades."""
         return len(self.blade_angles)
+
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
+        """Return what its closed forms are valid in: shape, rotation, place of the crossing."""
+        delta = self.offset(sizes) / sizes.l
+        return {**self.ratios(sizes), "theta": travel, "delta": delta}
+
+
+class BladePivot(CentredBlades):
+    """The drawing of a pivot whose blades all go from the base to the moving body."""
+
+    def heights(self, sizes: Blade) -> tuple[float, ...]:
+        """Return the height of each blade's middle plane over that of the pivot [m]."""
+        return (0.0,) * self.blade_count
+
+    def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
+        """Return the blades from their inner ends on the ground to the moving body."""
+        p = self.offset(sizes)
+        blades = [
+            centred_strip(f"blade {index}", (GROUND, MOVING), angle, (p, p + sizes.l), sizes, z)
+            for index, (angle, z) in enumerate(
+                zip(self.blade_angles, self.heights(sizes), strict=True), 1
+            )
+        ]
+        return Layout((Body(MOVING, (0.0, 0.0)),), tuple(blades), elastic.E, elastic.shear)
+
+    def clearances(self, sizes: Blade) -> tuple[tuple[str, float], ...]:
+        """Return the room between the inner ends of blades in one plane, and where they cross."""
+        heights, p, l = self.heights(sizes), float(self.offset(sizes)), float(sizes.l)
+        found = []
+        for i, j in combinations(range(self.blade_count), 2):
+            if heights[i] != heights[j]:
+                continue
+            apart = abs(sin((self.blade_angles[i] - self.blade_angles[j]) / 2.0))
+            nearest = 0.0 if p < 0.0 < p + l else min(abs(p), abs(p + l))
+            found.append((f"blades {i + 1} and {j + 1}", 2.0 * nearest * apart - float(sizes.h)))
+        return tuple(found)
+
+
+class PivotFormulas(CentredBlades):
+    """Closed forms of blades that each go from the base to the moving body, at one distance p."""
+
+    cards: ClassVar[tuple[Card, ...]] = pivot.CARDS
 
     def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the rotational stiffness [N·m/rad]."""
@@ -65,22 +114,7 @@ class BladePivot(BladeGeometry):
 
     def axial_share(self, direction: float) -> float:
         """Return the largest axial force in a blade per force on the pivot in its plane [-]."""
-        try:
-            return max(abs(share) for share in pivot.axial_share(self.blade_angles, direction))
-        except ValueError as error:
-            raise NotAvailable("has blades too parallel to share a force") from error
-
-    def clearances(self, sizes: Blade) -> tuple[tuple[str, float], ...]:
-        """Return the room between the inner ends of blades in one plane, and where they cross."""
-        heights, p, l = self.heights(sizes), float(self.offset(sizes)), float(sizes.l)
-        found = []
-        for i, j in combinations(range(self.blade_count), 2):
-            if heights[i] != heights[j]:
-                continue
-            apart = abs(sin((self.blade_angles[i] - self.blade_angles[j]) / 2.0))
-            nearest = 0.0 if p < 0.0 < p + l else min(abs(p), abs(p + l))
-            found.append((f"blades {i + 1} and {j + 1}", 2.0 * nearest * apart - float(sizes.h)))
-        return tuple(found)
+        return largest_share(self.blade_angles, direction)
 
     def joint_critical(
         self, elastic: Elastic, sizes: Blade, ends: str, direction: float
@@ -94,39 +128,6 @@ class BladePivot(BladeGeometry):
         delta = float(self.offset(sizes)) / float(sizes.l)
         return wide_pivot(sizes, nu, delta=delta, pair=False, sags_wide=self.sag_bends_width)
 
-    def heights(self, sizes: Blade) -> tuple[float, ...]:
-        """Return the height of each blade's middle plane over that of the pivot [m]."""
-        return (0.0,) * self.blade_count
-
-    def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
-        """Return the blades from their inner ends on the ground to the moving body."""
-        p = self.offset(sizes)
-        blades = [
-            self.strip(f"blade {index}", (GROUND, MOVING), angle, (p, p + sizes.l), sizes, z)
-            for index, (angle, z) in enumerate(
-                zip(self.blade_angles, self.heights(sizes), strict=True), 1
-            )
-        ]
-        return Layout((Body(MOVING, (0.0, 0.0)),), tuple(blades), elastic.E, elastic.shear)
-
-    @staticmethod
-    def strip(
-        name: str,
-        bodies: tuple[str, str],
-        angle: float,
-        reach: tuple[Quantity, Quantity],
-        sizes: Blade,
-        z: Quantity = 0.0,
-    ) -> Strip:
-        """Return a blade along a ray from the centre, between two distances from it [m]."""
-        start, end = ((r * cos(angle), r * sin(angle)) for r in reach)
-        return Strip(name, *bodies, start, end, Constant(per_design(sizes.h)), sizes.b, z)
-
-    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in: shape, rotation, place of the crossing."""
-        delta = self.offset(sizes) / sizes.l
-        return {**self.ratios(sizes), "theta": travel, "delta": delta}
-
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return δ."""
         return {
@@ -139,8 +140,8 @@ class BladePivot(BladeGeometry):
         }
 
 
-class PairPivot(BladePivot):
-    """A pivot of pairs of blades at ± a half-angle from their bisector."""
+class BladePair(CentredBlades):
+    """Pairs of blades at ± a half-angle from their bisector, however they are joined."""
 
     half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
     """Angle between each blade and the bisector, e.g. ``45 deg``."""
@@ -149,6 +150,10 @@ class PairPivot(BladePivot):
     def blade_angles(self) -> tuple[float, ...]:
         """Return the two directions from the bisector [rad]."""
         return (self.half_angle, -self.half_angle)
+
+
+class PairFormulas(PivotFormulas, BladePair):
+    """Closed forms of such blades where they are pairs about a bisector."""
 
     def parasitic_shift(self, sizes: Blade, travel: float) -> Computed:
         """Return the signed shift of the centre along the bisector [m], leading order."""
@@ -177,3 +182,24 @@ class PairPivot(BladePivot):
             )
         text = "parasitic shift across the bisector, by θ³ and by stretching"
         return {**found, "shift_across": Value(abs(float(across)), "m", text)}
+
+
+def centred_strip(
+    name: str,
+    bodies: tuple[str, str],
+    angle: float,
+    reach: tuple[Quantity, Quantity],
+    sizes: Blade,
+    z: Quantity = 0.0,
+) -> Strip:
+    """Return a blade along a ray from the centre, between two distances from it [m]."""
+    start, end = ((r * cos(angle), r * sin(angle)) for r in reach)
+    return Strip(name, *bodies, start, end, Constant(per_design(sizes.h)), sizes.b, z)
+
+
+def largest_share(angles: tuple[float, ...], direction: float) -> float:
+    """Return the largest axial force in a blade per force on the centre in the plane [-]."""
+    try:
+        return max(abs(share) for share in pivot.axial_share(angles, direction))
+    except ValueError as error:
+        raise NotAvailable("has blades too parallel to share a force") from error

@@ -5,12 +5,12 @@ from typing import Annotated, ClassVar, Literal
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.geometries.base import Blade
-from flexcli.parts.geometries.pivots import PairPivot
+from flexcli.parts.geometries.pivots import BladePivot, PairFormulas
 
 __all__ = ["RCCPivot"]
 
 
-class RCCPivot(PairPivot):
+class RCCPivot(PairFormulas, BladePivot):
     """RCC pivot: p ≥ 0 from the centre of rotation to the near end of each blade."""
 
     also: ClassVar[tuple[str, ...]] = ("rcc-pivot",)

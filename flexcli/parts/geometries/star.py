@@ -11,12 +11,22 @@ from flexcli.parts.bending import Bending
 from flexcli.parts.bending.star import Star
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
-from flexcli.parts.geometries.pivots import BladePivot
+from flexcli.parts.geometries.pivots import BladePivot, PivotFormulas
 
-__all__ = ["StarPivot"]
+__all__ = ["StarFormulas", "StarPivot"]
 
 
-class StarPivot(BladePivot):
+class StarFormulas(PivotFormulas):
+    """Closed forms of such blades in any directions, with what they leave out."""
+
+    def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
+        """Return that of blades in any directions."""
+        h, l, _ = map(float, sizes)
+        p = float(self.offset(sizes))
+        return Star(h=h, l=l, p=p, theta=travel, angles=self.blade_angles)
+
+
+class StarPivot(StarFormulas, BladePivot):
     """n blades at given angles from the x axis; p or delta places the centre for all of them."""
 
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints; exercise 12 B"
@@ -60,9 +70,3 @@ class StarPivot(BladePivot):
     def offset(self, sizes: Blade) -> Computed:
         """Return p [m], as given or as delta times the length."""
         return self.p if self.p is not None else self.delta * sizes.l
-
-    def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
-        """Return that of blades in any directions."""
-        h, l, _ = map(float, sizes)
-        p = float(self.offset(sizes))
-        return Star(h=h, l=l, p=p, theta=travel, angles=self.blade_angles)

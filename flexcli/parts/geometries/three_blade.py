@@ -7,17 +7,16 @@ from flexcli.formulas import pivot, three_blade
 from flexcli.formulas.card import Card
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.bending import Bending
-from flexcli.parts.bending.star import Star
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Blade
 from flexcli.parts.geometries.pivots import BladePivot
+from flexcli.parts.geometries.star import StarFormulas
 from flexcli.results import Value
 
 __all__ = ["ThreeBladePivot"]
 
 
-class ThreeBladePivot(BladePivot):
+class ThreeBladePivot(StarFormulas, BladePivot):
     """Overconstrained pivot of three blades; p is from the axis to the inner ends."""
 
     source: ClassVar[str] = "exercise 12 B"
@@ -36,12 +35,6 @@ class ThreeBladePivot(BladePivot):
     def offset(self, sizes: Blade) -> Computed:
         """Return p [m]."""
         return self.p
-
-    def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
-        """Return that of blades in any directions."""
-        h, l, _ = map(float, sizes)
-        p = float(self.offset(sizes))
-        return Star(h=h, l=l, p=p, theta=travel, angles=self.blade_angles)
 
     def sag_stiffness(self, elastic: Elastic, sizes: Blade, axis: str) -> Computed:
         """Return the stiffness along the axis of rotation z [N/m]."""

@@ -11,9 +11,9 @@ from flexcli.parts.base import QuantityOf
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.joined import Joined
 from flexcli.parts.bending.wide import wide_halves
-from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
-from flexcli.parts.geometries.pivots import PairPivot
+from flexcli.parts.elastic import Elastic
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade
+from flexcli.parts.geometries.pivots import BladePair, centred_strip, largest_share
 from flexcli.results import Value
 
 __all__ = ["UnseparatedPivot"]
@@ -21,7 +21,7 @@ __all__ = ["UnseparatedPivot"]
 CROSS = "cross"
 
 
-class UnseparatedPivot(PairPivot):
+class UnseparatedPivot(BladePair):
     """Two RCC pivots of p = 0 in series: l is the length of a blade from end to end."""
 
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints"
@@ -63,21 +63,15 @@ class UnseparatedPivot(PairPivot):
         """Return ¾ (1/c + 1/(1 − c)): ¾ of each part, whose Φ is that of its own length."""
         return 0.75 / self.crossing + 0.75 / (1.0 - self.crossing)
 
-    def joint_critical(
-        self, elastic: Elastic, sizes: Blade, ends: str, direction: float
-    ) -> Critical:
-        """Refuse: the small cross between the halves moves on its own."""
-        raise NotAvailable("has no closed form for the buckling of the whole joint")
+    def axial_share(self, direction: float) -> float:
+        """Return the axial force in a part-blade per force: both halves bear all of it [-]."""
+        return largest_share(self.blade_angles, direction)
 
     def parasitic_shift(self, sizes: Blade, travel: float) -> Computed:
         """Return the signed shift of the centre along the bisector [m], leading order."""
         return joined.unseparated_shift(
             l=sizes.l, crossing=self.crossing, theta=travel, half_angle=self.half_angle
         )
-
-    def clearances(self, sizes: Blade) -> tuple[tuple[str, float], ...]:
-        """Return nothing: the blades are joined where they cross."""
-        return ()
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in, with l/h of the shorter part."""
@@ -90,8 +84,8 @@ class UnseparatedPivot(PairPivot):
         for index, angle in enumerate(self.blade_angles, 1):
             near, far = self.crossing * sizes.l, (1.0 - self.crossing) * sizes.l
             blades += [
-                self.strip(f"blade {index} base", (GROUND, CROSS), angle, (-near, 0.0), sizes),
-                self.strip(f"blade {index} stage", (CROSS, MOVING), angle, (0.0, far), sizes),
+                centred_strip(f"blade {index} base", (GROUND, CROSS), angle, (-near, 0.0), sizes),
+                centred_strip(f"blade {index} stage", (CROSS, MOVING), angle, (0.0, far), sizes),
             ]
         bodies = (Body(CROSS, (0.0, 0.0)), Body(MOVING, (0.0, 0.0)))
         return Layout(bodies, tuple(blades), elastic.E, elastic.shear)
