@@ -13,7 +13,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from flexcli.errors import SolveError
-from flexcli.results import AccuracyResult, Check, SizingResult, SweepResult, Verdict
+from flexcli.results import (
+    AccuracyResult,
+    BalanceResult,
+    Check,
+    SizingResult,
+    StopsResult,
+    StopSweep,
+    SweepResult,
+    Verdict,
+)
 from flexcli.results.dossier import Dossier, Region, Spectrum
 from flexcli.results.drawing import Drawing
 from flexcli.units import STANDARD_GRAVITY, shown_unit
@@ -25,7 +34,9 @@ __all__ = [
     "margins_plot",
     "plots",
     "standalone",
+    "stops_plots",
     "tornado_plot",
+    "transfer_plot",
 ]
 
 COLOURS = {
@@ -326,6 +337,66 @@ def tornado_plot(sizing: SizingResult) -> Plot:
         "tornado", "1 % more of each demand", "Change of the optimum's sizes and objective.",
         _figure(draw, "tornado"),
     )  # fmt: skip
+
+
+def transfer_plot(found: BalanceResult) -> Plot:
+    """Return the motion per acceleration of the base over frequency, before and after balancing."""
+    rows = [row for row in found.transfer if row.frequency > 0.0]
+    f = [row.frequency for row in rows]
+    is_damped = any(row.final_damped is not None for row in rows)
+    kinds = (("before", "init", "--"), ("after balancing", "final", "-"))
+
+    def values(key: str) -> list[complex]:
+        told = [getattr(row, f"{key}_damped" if is_damped else key) for row in rows]
+        return [complex("nan") if value is None else complex(value) for value in told]
+
+    def draw(axes: Any) -> None:
+        for label, key, dash in kinds:
+            size = np.abs(values(key))
+            if np.nanmax(size, initial=0.0) > 0.0:
+                axes.loglog(f, size, color=COLOURS["ink"], ls=dash, label=label)
+        axes.set_xlabel("frequency, Hz")
+        axes.set_ylabel(f"motion per acceleration, {found.output_unit}/(m/s²)")
+        axes.legend()
+        if is_damped:
+            phases = axes.twinx()
+            for _, key, dash in kinds:
+                turn = np.degrees(np.angle(values(key)))
+                phases.semilogx(f, turn, color=COLOURS["motion"], ls=dash, lw=1.0)
+            phases.set_ylabel("phase, °", color=COLOURS["motion"])
+            phases.grid(visible=False)
+
+    return Plot(
+        "transfer", "Motion of the base, passed on",
+        f"Magnitude{' in ink, phase in violet' * is_damped}; dashed before balancing.",
+        _figure(draw, "transfer"),
+    )  # fmt: skip
+
+
+def stops_plots(found: StopsResult) -> Iterator[Plot]:
+    """Yield the frequency responses with stops, up and down, settled steps filled."""
+    for sweep in found.sweeps:
+
+        def draw(axes: Any, sweep: StopSweep = sweep) -> None:
+            for is_up, dash, label in ((True, "-", "up"), (False, "--", "down")):
+                steps = [step for step in sweep.steps if step.up is is_up]
+                f, x = ([getattr(s, n) for s in steps] for n in ("frequency", "travel"))
+                axes.plot(f, np.array(x) * 1e3, color=COLOURS["ink"], ls=dash, label=label)
+                rough = [s for s in steps if not s.settled]
+                axes.plot([s.frequency for s in rough], [s.travel * 1e3 for s in rough], "o",
+                          mfc="none", color=COLOURS["fail"], ms=4)  # fmt: skip
+            if sweep.metastable is not None:
+                axes.axvspan(*sweep.metastable, color=COLOURS["hair"])
+            axes.set_xlabel("frequency, Hz")
+            axes.set_ylabel("largest travel at the stop, mm")
+            axes.legend()
+
+        yield Plot(
+            "stops", f"Response with stops, {sweep.case}",
+            "Solid going up, dashed going down; shaded where the blade touches or not, by where it "
+            "came from; rings did not settle.",
+            _figure(draw, f"stops-{sweep.case}"),
+        )  # fmt: skip
 
 
 def accuracy_plot(found: AccuracyResult) -> Plot:

@@ -11,13 +11,14 @@ import pytest
 
 from flexcli import api
 from flexcli.report.page import design_page, folder_page, folder_row
-from flexcli.report.plots import plots
-from flexcli.results import Status
+from flexcli.report.plots import plots, stops_plots, transfer_plot
+from flexcli.results import Status, StopsResult, StopSweep, SweepStep
 
 ROOT = Path(__file__).parents[2]
 VOID = {"meta", "link", "br", "hr", "img", "input"}
 GIVEN = ["wittrick-crossing", "compound-stage", "torsion-bar", "force-balanced-stage"]
 SIZED = ["rocket-parallel-stage"]
+STOPS = ROOT / "examples" / "boundary-control" / "flexure.yaml"
 
 
 @cache
@@ -187,3 +188,24 @@ def test_a_folder_leads_to_its_designs_the_worst_first():
     assert found.fetched[0] == "c.html"
     assert set(found.fetched) == {"c.html", "wittrick-crossing.html", "rocket-parallel-stage.html"}
     assert "1 fail" in html
+
+
+def test_the_transfer_of_a_balanced_stage_is_drawn_before_and_after():
+    balanced = api.balance(ROOT / "examples" / "force-balanced-stage" / "flexure.yaml").balance
+    svg = transfer_plot(balanced).svg
+    assert "frequency, Hz" in svg
+    assert "after balancing" in svg
+
+
+def test_a_response_with_stops_has_both_ways_and_what_did_not_settle():
+    steps = [
+        SweepStep(up, f, 1e-4 * f, 0.0, 0.0, settled=f < 30.0)
+        for up in (True, False)
+        for f in (10.0, 20.0, 30.0)
+    ]
+    sweep = StopSweep("sine", "", tuple(steps), None, None, (18.0, 22.0))
+    place = api.stops(STOPS, simulate=False).stops.chosen
+    (plot,) = stops_plots(StopsResult("placed", place, (place,), sweeps=(sweep,)))
+    assert plot.title.endswith("sine")
+    for label in ("up", "down"):
+        assert f">{label}</text>" in plot.svg
