@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import inf
+from math import inf, isclose
 from time import perf_counter
 
 from flexcli.engine.check import judged
@@ -103,7 +103,10 @@ def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str
     """Return the design sized by formulas that say at the choice what the models that judge do."""
     corrections: dict[str, Correction] = {}
     remarks: tuple[Note, ...] = (
-        Note("did-not-settle", f"the sizing did not settle in {ROUNDS} rounds: not an optimum"),
+        Note(
+            "did-not-settle",
+            "the sizing did not settle: its choice is not the optimum",
+        ),
     )
     change = inf
     for rounds in range(ROUNDS):
@@ -119,7 +122,9 @@ def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str
             found = corrections_at(design, at, ladder)
         corrections, change = found, moved
         if change <= SETTLED:
-            remarks = ()
+            # slopes that are new may move the choice to where they do not hold
+            if rounds != 1 or _is_near(at, _continuous(design, corrections)):
+                remarks = ()
             break
     result = _chosen_and_judged(_tightened(design, corrections), spec, ladder, model)
     spreads: dict[str, float] = {}
@@ -139,6 +144,13 @@ def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str
     if undecided is not None and result.status is not Status.PASS:
         result = undecided  # no point of the grid was found that passes
     return replace(result, warnings=(*remarks, *result.warnings))
+
+
+def _is_near(sizes: Sizes, others: Sizes | None) -> bool:
+    """Return whether two choices differ by no more than a tenth in any size."""
+    if others is None:
+        return False
+    return all(isclose(x, y, rel_tol=0.1) for x, y in zip(sizes, others, strict=True))
 
 
 def _spreads(result: Result) -> dict[str, float]:
