@@ -54,6 +54,17 @@ def test_checks_before_an_interruption_are_kept_and_the_rest_is_undecided(tmp_pa
     assert raised.value.so_far.status is Status.UNDECIDED
 
 
+def test_a_check_that_is_stopped_reports_what_it_had_judged(tmp_path, monkeypatch):
+    first = design(tmp_path, 1.01)
+    rows = check(first, first.fixed_sizes(), "", "closed-form").checks
+    spec = design(tmp_path, next(row.factor for row in rows if row.name.startswith("yield")))
+    monkeypatch.setattr("flexcli.engine.check.rungs", lambda *_: (rungs(spec)[0], Endless()))
+    result = check(spec, spec.fixed_sizes(), "flexure.yaml")
+    assert result.status is Status.UNDECIDED
+    assert [note.code for note in result.warnings] == ["interrupted"]
+    assert Verdict.PASS in [row.verdict for row in result.checks]
+
+
 def test_a_simulation_keeps_the_cases_that_it_had_done(tmp_path, monkeypatch):
     spec = design(tmp_path, 1.5)
     monkeypatch.setattr("flexcli.engine.simulate.judge", interrupted)

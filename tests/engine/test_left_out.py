@@ -58,3 +58,12 @@ def test_a_stress_that_anyone_asks_for_has_its_effects_told(asked):
     result = check(found, found.fixed_sizes(), "spec", "source")
     (widening,) = (row for row in result.effects if row.name == "plate widening")
     assert ("stress" in widening.estimates) == (asked != "stiffness")
+
+
+@pytest.mark.parametrize("stated", [True, False])
+def test_a_fatigue_amplitude_of_no_stated_stress_ratio_is_a_warning(stated):
+    amplitude = {"value": "500 MPa", "cycles": 1e7} | ({"stress_ratio": -1} if stated else {})
+    material = {**TITANIUM, "fatigue_amplitude": amplitude}
+    found = design(NARROW, {"fatigue": 1.0}, STROKE, material=material)
+    result = check(found, found.fixed_sizes(), "spec", "source")
+    assert ("stress-ratio-unstated" in [note.code for note in result.warnings]) != stated

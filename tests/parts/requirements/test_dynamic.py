@@ -183,3 +183,48 @@ def test_a_slow_shaking_along_the_blades_presses_each_with_its_share_of_the_payl
     assert found.required == 2.0
     # Euler's load of a blade whose ends keep their direction, but for its stretch, some (h/l)²
     assert found.capacity == pytest.approx(pi**2 * E * B * H**3 / 12.0 / L**2, rel=1e-3)
+
+
+@pytest.mark.parametrize(("given", "most"), [({"poisson_ratio": 0.3}, 0.3), ({}, 0.5)])
+def test_wide_blades_bear_more_than_beams_by_what_a_plate_is_stiffer_at_most(given, most):
+    """Cylindrical bending is stiffer by 1/(1 − ν²); what a peak uses is less by that at most."""
+    case = {**flat(20.0, 40.0), "ends": "clamped-guided"}
+    case["asd"]["axis"] = "y"
+    asked = {"dynamic-buckling": 2.0}
+    found = limit(case, Off(), asked, **{"poisson_ratio": None, **given}).error
+    narrow = limit(case, Off(), asked, poisson_ratio=1e-9).error
+    wider = (1.0 + narrow.low) / (1.0 + found.low) - 1.0
+    # beside the error of the beams, some (h/l)²
+    assert wider == pytest.approx(most**2 / (1.0 - most**2), rel=1e-3)
+    assert found.high == pytest.approx(narrow.high, abs=(H / L) ** 2)
+
+
+class OffByTurn(Off):
+    """The printed formulas, whose stresses are off in proportion to the rotation."""
+
+    def error(self, ask, kind):
+        if kind is QuantityKind.STRESS:
+            return ErrorRange(0.0, 10.0 * ask.scene.travel)
+        return super().error(ask, kind)
+
+
+def test_the_stress_of_a_peak_is_as_far_off_as_the_pivots_turn_at_it():
+    """Levers turn pivots by the stroke over their height: θ from the stress E h θ (2l + 3p)/l²."""
+    lever = {"mass": "17 g", "com": "10 mm", "inertia": "5e-6 kg*m^2"}
+    stage = {"kind": "parallel-stage", "height": "20 mm", "solid-1": lever, "solid-3": lever,
+             "solid-2": {"mass": "68 g"}, "damping": {"q": Q}}  # fmt: skip
+    spec = {
+        "flexure": 1, "material": MATERIAL, "mechanism": stage, "cases": {"shake": sine(1.0, 5.0)},
+        "geometry": {"kind": "rcc", "p": "2 mm", "half_angle": "45 deg", "h": "0.1 mm",
+                     "l": "20 mm", "b": "10 mm"},
+        "requirements": {"dynamic-yield": 1.5},
+    }  # fmt: skip
+    found = DesignSpec.model_validate(spec)
+    ((_, requirement),) = found.requirements.each()
+    sizes, scene = found.fixed_sizes(), found.scene("shake")
+    ask = Ask(found.material, found.geometry, found.mechanism, sizes, scene, OffByTurn())
+    worst = max(requirement.limits(ask), key=lambda each: float(each.demand))
+    theta = worst.demand * 20e-3**2 / (E * 0.1e-3 * (2.0 * 20e-3 + 3.0 * 2e-3))
+    assert theta > 1e-3
+    # the axial force that comes with it is a part in a hundred of the stress
+    assert worst.error.high == pytest.approx(10.0 * theta, rel=0.02)
