@@ -165,9 +165,9 @@ def test_a_scene_that_lacks_an_effect_runs_no_code_for_it(monkeypatch):
 
     monkeypatch.setattr("flexcli.mechanics.equilibrium.solve", refuse)
     monkeypatch.setattr("flexcli.engine.answers.joint_states.solve", refuse)
-    monkeypatch.setattr("flexcli.parts.scene.miles_worst_case", refuse)
+    monkeypatch.setattr("flexcli.formulas.miles.miles_worst_case", refuse)
     monkeypatch.setattr("flexcli.parts.bending.pair.under_tension", refuse)
-    monkeypatch.setattr("flexcli.parts.effects.blade_mass.structure_of", refuse)
+    monkeypatch.setattr("flexcli.parts.heavy_blades.structure_of", refuse)
     design = design_of(accuracy=0.1)
     assert check(design, design.fixed_sizes(), "").checks
     exact = design_of(accuracy=1e-6)
