@@ -1,0 +1,127 @@
+"""Pages of examples in a real browser: silent, offline, no wider than the window, accessible.
+
+Run by ``-m browser`` with the extra ``browser`` and an installed Chromium; nothing is downloaded.
+"""
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+import flexcli
+from flexcli.report.page import design_page, folder_page, folder_row
+
+sync = pytest.importorskip("playwright.sync_api", reason="needs the extra 'browser'")
+axe = pytest.importorskip("axe_playwright_python.sync_playwright")
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser"))), None)
+
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.skipif(CHROMIUM is None, reason="there is no chromium on the path"),
+]
+
+ROOT = Path(__file__).parents[2] / "examples"
+EXAMPLES = sorted(path.parent.name for path in ROOT.glob("*/flexure.yaml"))
+INDEX = "index"
+DATE = "1 January 2026"
+
+PHONE, TABLET, LAPTOP = 380, 860, 1280
+PAPER = 672
+"""Width of A4 between margins of 16 mm [px]; one less, as 178 mm are 672.8 px."""
+
+WIDER = """() => [...document.querySelectorAll('body *')]
+    .filter(e => !e.closest('svg') || e.tagName === 'svg')
+    .filter(e => e.getBoundingClientRect().right > innerWidth + 0.5 && !e.closest('.scroll, pre'))
+    .map(e => `${e.tagName} ${e.className.baseVal ?? e.className} ${e.textContent.slice(0, 40)}`)"""
+"""What reaches beyond the right edge, but for what scrolls by itself."""
+
+CUT = """() => [...document.querySelectorAll('.scroll, pre')]
+    .filter(e => e.scrollWidth > e.clientWidth + 1)
+    .map(e => `${e.className || e.tagName} ${e.scrollWidth} > ${e.clientWidth}`)"""
+"""What would be cut off on paper, where nothing scrolls."""
+
+
+def page_of(name):
+    """Return the page of an example; free sizes are chosen by the formulas as printed."""
+    spec = flexcli.load(ROOT / name / "flexure.yaml")
+    model = "source" if spec.part.geometry.free else None
+    return design_page(flexcli.dossier(spec, model=model), DATE)
+
+
+def index():
+    """Return the page of a folder with a design that passes and one that fails."""
+    names = ("wittrick-crossing", "necked-down-stage")
+    results = [flexcli.check(ROOT / name / "flexure.yaml") for name in names]
+    assert len({result.status for result in results}) == 2
+    return folder_page("examples", [folder_row(r, f"{r.title}.html") for r in results], DATE)
+
+
+@pytest.fixture(scope="session")
+def chromium():
+    with sync.sync_playwright() as player:
+        # no sandbox: the root of a container has none; the pages are our own
+        browser = player.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(
+    params=[pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in [*EXAMPLES, INDEX]],
+    scope="module",
+)
+def page(request, chromium, tmp_path_factory):
+    """Yield an opened page with all that it logged and asked for."""
+    path = tmp_path_factory.mktemp("pages") / f"{request.param}.html"
+    html = index() if request.param == INDEX else page_of(request.param)
+    path.write_text(html, encoding="utf-8")
+    opened = chromium.new_page(viewport={"width": LAPTOP, "height": 900})
+    opened.logged, opened.asked = [], []
+    opened.on("console", lambda message: opened.logged.append(message.text))
+    opened.on("pageerror", lambda error: opened.logged.append(str(error)))
+    opened.on("request", lambda asked: opened.asked.append(asked.url))
+    opened.goto(path.as_uri(), wait_until="load")
+    yield opened
+    opened.close()
+
+
+def test_says_nothing_to_the_console_and_asks_for_nothing_but_itself(page):
+    assert page.logged == []
+    assert page.asked == [page.url]
+
+
+@pytest.mark.parametrize("width", [PHONE, TABLET, LAPTOP])
+def test_is_no_wider_than_the_window(page, width):
+    page.emulate_media(media="screen")
+    page.set_viewport_size({"width": width, "height": 900})
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    assert page.evaluate(WIDER) == []
+
+
+def test_nothing_is_cut_off_on_paper(page):
+    page.emulate_media(media="print")
+    page.set_viewport_size({"width": PAPER, "height": 1000})
+    assert page.evaluate("document.documentElement.scrollWidth") <= PAPER
+    assert page.evaluate(CUT) == []
+    assert page.evaluate(WIDER) == []
+
+
+@pytest.mark.parametrize(("width", "scheme"), [(PHONE, "dark"), (LAPTOP, "light")])
+def test_has_no_barrier_that_axe_finds(page, width, scheme):
+    page.emulate_media(media="screen", color_scheme=scheme)
+    page.set_viewport_size({"width": width, "height": 900})
+    found = axe.Axe().run(page)
+    assert found.violations_count == 0, found.generate_report()
+
+
+def test_the_checks_find_what_they_look_for(chromium):
+    opened = chromium.new_page(viewport={"width": PHONE, "height": 900})
+    opened.set_content(
+        "<main style='color:#ccc'>pale <img src='data:,'><p style='width:999px'>wide</p>"
+        "<div class='scroll' style='overflow:auto;width:9px'>cut</div></main>"
+    )
+    assert {"image-alt", "color-contrast"} <= {
+        barrier["id"] for barrier in axe.Axe().run(opened).response["violations"]
+    }
+    assert any("wide" in found for found in opened.evaluate(WIDER))
+    assert len(opened.evaluate(CUT)) == 1
+    opened.close()
