@@ -45,7 +45,7 @@ def test_its_spec_is_one():
 def test_its_table_has_every_command():
     told = README.split("## Commands")[1].split("\n### ")[0]
     for name in typer.main.get_command(app).commands:
-        assert f"`flexure {name} " in told, name
+        assert re.search(rf"`flexure {name}[ `]", told), name
 
 
 @pytest.mark.parametrize("page", sorted((ROOT / "docs").rglob("*.md")), ids=lambda p: p.stem)
