@@ -17,6 +17,7 @@ class EffectName(StrEnum):
     PLATE_WIDENING = "plate widening"
     ANTICLASTIC = "anticlastic"
     CLAMP_STRESS = "clamp stress"
+    THICK_NOTCH = "thick notch"
     BLADE_MASS = "blade mass"
     GRAVITY = "gravity"
     RANDOM_VIBRATION = "random vibration"

@@ -1,7 +1,8 @@
 """Random designs of every planar joint with their true numbers, each asked just above and below.
 
 A question holds a requirement that the true number keeps by 3 % and one that it misses by 3 %.
-Blades are beams here: specs switch plate widening off, or have no Poisson's ratio to widen by.
+Blades are beams here: specs switch thick notches off, and plate widening, or have no Poisson's
+ratio to widen by.
 """
 
 from collections.abc import Iterator
@@ -208,8 +209,9 @@ class _Draw:
         self.g = g
         self.twin = Twin(joint_of(self.kind, **g), self.E, self.nu, self.density)
         spec = {"flexure": 1, "title": f"twin {self.seed}", "geometry": words}
+        spec["effects"] = {"thick-notch": "off"}
         if self.nu > 0.0:
-            spec["effects"] = {"plate-widening": "off", "anticlastic": "off"}
+            spec["effects"] |= {"plate-widening": "off", "anticlastic": "off"}
         found = Drawn(self.kind, self.seed, spec)
         try:
             self._fill(found)

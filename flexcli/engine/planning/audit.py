@@ -36,10 +36,16 @@ HOW: dict[str, str] = {
     EffectName.HINGE_LENGTH: "exact at a hundredth of the stroke over the closed form of pins",
     EffectName.PLATE_WIDENING: "exact with and without the correction of the plate",
     EffectName.ANTICLASTIC: "exact with and without the correction of the curved plate",
+    EffectName.THICK_NOTCH: "exact with and without the correction of the plane body",
     EffectName.BLADE_MASS: "modes with and without the blades' mass",
 }
 
-FORMULAS = (EffectName.PLATE_WIDENING, EffectName.ANTICLASTIC, EffectName.BLADE_MASS)
+FORMULAS = (
+    EffectName.PLATE_WIDENING,
+    EffectName.ANTICLASTIC,
+    EffectName.THICK_NOTCH,
+    EffectName.BLADE_MASS,
+)
 """Effects that the finest model has as corrections of what it solves."""
 
 SMALL = 0.01

@@ -14,6 +14,7 @@ __all__ = [
     "Change",
     "Changes",
     "Factor",
+    "Thick",
     "WideBlades",
     "together",
     "whole",
@@ -102,6 +103,18 @@ class WideBlades(NamedTuple):
     """Curvatures at both ends of a blade of constant thickness, over the travel [1/m or 1/m²]."""
     bent: tuple[float, float, float] | None = None
     """h, l and b of the blade that these are of, where the joint has more than one shape [m]."""
+
+
+class Thick(NamedTuple):
+    """What plane elasticity changes in the stiffness of notch hinges, of which beams know nothing.
+
+    ``ratio`` is the largest e/radius; no factor where no such notch was compared. ``path`` is the
+    share of the joint's shift that its hinges make.
+    """
+
+    ratio: float
+    factor: Factor | None
+    path: float = 1.0
 
 
 class Bending(ABC):

@@ -18,6 +18,7 @@ from flexcli.parts.effects.plate import PlateWidening
 from flexcli.parts.effects.random_vibration import RandomVibration
 from flexcli.parts.effects.shear import Shear
 from flexcli.parts.effects.shock import ShockLoad
+from flexcli.parts.effects.thick_notch import ThickNotch
 
 __all__ = [
     "EFFECTS",
@@ -44,6 +45,7 @@ MODEL_EFFECTS: tuple[ModelEffect, ...] = (
     PlateWidening(),
     Anticlastic(),
     ClampStress(),
+    ThickNotch(),
     BladeMass(),
 )
 """What models of the blades carry or leave out."""

@@ -13,7 +13,7 @@ from flexcli.formulas.card import Card, Range, outside
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Layout, Point
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, or_free, spec_error
-from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending import Bending, Thick, WideBlades
 from flexcli.parts.bending.unknown import NotEstimated
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic, NotAvailable
@@ -371,6 +371,10 @@ class Geometry(Part):
 
         Nothing where nothing of it bends across its thickness.
         """
+
+    def thick_notches(self, sizes: Sizes) -> Thick | None:
+        """Return what plane elasticity changes in its notch hinges, nothing where it has none."""
+        return None
 
     def twisting_bars(self, sizes: Sizes) -> TwistingBars | None:
         """Return the bars whose twist is its motion, where it has no other blades."""

@@ -12,7 +12,8 @@ from pydantic_core import InitErrorDetails
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Blade, Body, Layout, Number, Point, Support
 from flexcli.numerics.collocation import gauss_nodes
-from flexcli.parts.bending import WideBlades
+from flexcli.parts.bending import Thick, WideBlades
+from flexcli.parts.bending.thick import thick_linked
 from flexcli.parts.bending.wide import wide_by_shapes, wide_drawn
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Geometry, Sizes
@@ -168,6 +169,14 @@ class FreeLayout(Geometry):
         each = [WideBlade(*map(float, blade)) for blade, _ in blades]
         layout = self.layout(Elastic(1.0, nu), sizes)
         return wide_by_shapes(plain, each, nu, layout, self.held(1.0))
+
+    def thick_notches(self, sizes: Sizes) -> Thick | None:
+        """Return the range of its blades, of which some may be notches or have fillets."""
+        each = [
+            blade.thickness.thick(self.size_of(name, sizes), blade.length)
+            for name, blade in self.blades.items()
+        ]
+        return thick_linked([*each, None] if self.supports else each)
 
     def volume(self, sizes: Sizes) -> Computed:
         """Return the volume of all blades, without their rigid parts [m³]."""

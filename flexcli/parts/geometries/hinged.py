@@ -15,7 +15,7 @@ from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.parts.base import Length, PositiveLength, QuantityOf, spec_error
-from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.limbs import Hinge, LimbPivot, LimbStage
 from flexcli.parts.bending.wide import wide_notch
 from flexcli.parts.elastic import Elastic
@@ -46,7 +46,7 @@ class _Hinged(Geometry):
         "b": "width",
     }
     validity: ClassVar[tuple[Range, ...]] = (
-        Range("e/r", most=0.2, why="as a plane body a hinge is softer, by 7 % at e/r = 0.2"),
+        Range("e/r", most=0.2, why="a thicker throat is no beam; what `thick-notch` adds is 7 % here"),
         Range("2r/l", most=1.0, why="the hinges of a limb overlap"),
     )
     posynomial: ClassVar[bool] = False
@@ -103,6 +103,14 @@ class _Hinged(Geometry):
         reach = float(bending_reach(across=C.across, turn=C.turn)) / l
         at = {"throat": e, "length": 2.0 * r, "b": b, "turn": turn, "uneven": 4.0 * reach**2}
         return wide_notch(nu, Notch(e, r), **at)
+
+    def thick_notches(self, sizes: LimbSizes) -> Thick | None:
+        """Return the factor of the hinges, which turn the limbs by moments that are not even."""
+        e, r, l, b = map(float, sizes)
+        turn, c = self.hinge(Elastic(1.0), sizes)
+        uneven = 4.0 * (float(c) / l) ** 2
+        found = thick.thick_notch(e=e, depth=r, l=2.0 * r, turn=turn / b, uneven=uneven)
+        return found._replace(path=2.0 * float(c) / l)
 
     def throat_stress(self, sizes: LimbSizes, moment: Quantity) -> Computed:
         """Return the stress in a throat that bears a moment [Pa]."""

@@ -16,7 +16,8 @@ from flexcli.mechanics.linkages.extremes import Extremes, extremes
 from flexcli.mechanics.linkages.linkage import Linkage, Prismatic, Revolute
 from flexcli.mechanics.linkages.travel import Travel, motion, travel
 from flexcli.parts.base import Angle, Length, Part, spec_error
-from flexcli.parts.bending import WideBlades
+from flexcli.parts.bending import Thick, WideBlades
+from flexcli.parts.bending.thick import thick_linked
 from flexcli.parts.bending.wide import wide_linked
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.any_flexure import AnyFlexure
@@ -220,6 +221,10 @@ class LinkageGeometry(Geometry):
         return wide_linked(
             [flexure.wide_blades(self.sizes_of(n, sizes), nu) for n, flexure in self.flexures()]
         )
+
+    def thick_notches(self, sizes: Sizes) -> Thick | None:
+        """Return the range of its joints."""
+        return thick_linked([f.thick_notches(self.sizes_of(n, sizes)) for n, f in self.flexures()])
 
     def has_limbs(self, elastic: Elastic, sizes: Sizes) -> bool:
         """Return that its links are such parts."""

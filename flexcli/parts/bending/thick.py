@@ -1,0 +1,51 @@
+"""Thick notches: how much softer the hinges of a joint are as plane bodies than as beams."""
+
+from collections.abc import Sequence
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.thick_notch import DEEPEST, THICKEST, softening
+from flexcli.parts.bending.base import Factor, Thick
+
+__all__ = ["thick_fillets", "thick_linked", "thick_notch"]
+
+
+def thick_notch(
+    *, e: Quantity, depth: Quantity, l: Quantity, turn: Quantity, uneven: float = 0.0
+) -> Thick:
+    """Return the factor of a notch, whose stiffness at E b = 1 as a beam is ``turn`` [m²].
+
+    ``uneven`` is the share of its bending by moments that are not the same all along.
+    """
+    e, depth, l = float(e), float(depth), float(l)
+    ratio = 4.0 * depth * e / l**2
+    known = ratio <= THICKEST and e <= DEEPEST * depth
+    return Thick(ratio, _factor(e, depth, l, float(turn), uneven) if known else None)
+
+
+def thick_fillets(*, h: Quantity, r: Quantity, turn: Quantity) -> Thick:
+    """Return the factor of a blade with fillets, whose stiffness at E b = 1 is ``turn`` [m²]."""
+    h, r = float(h), float(r)
+    return Thick(h / r, _factor(h, r, 2.0 * r, float(turn), 0.0))
+
+
+def thick_linked(each: Sequence[Thick | None]) -> Thick | None:
+    """Return the range of several joints or blades, of which some have no notch."""
+    found = [thick for thick in each if thick is not None]
+    if not found:
+        return None
+    ratio = max(thick.ratio for thick in found)
+    factors = [Factor(1.0, 1.0, 1.0) if thick is None else thick.factor for thick in each]
+    known = [factor for factor in factors if factor is not None]
+    if len(known) < len(factors):
+        return Thick(ratio, None)
+    low, high = min(f.low for f in known), max(f.high for f in known)
+    return Thick(ratio, Factor((low + high) / 2.0, low, high))
+
+
+def _factor(e: float, depth: float, l: float, turn: float, uneven: float) -> Factor | None:
+    """Return the stiffness over the beam's, nothing where its error is as large as itself."""
+    more, error = (part * turn for part in softening(e=e, depth=depth, l=l))
+    error += uneven * more
+    if error >= 1.0 + more:
+        return None
+    return Factor(1.0 / (1.0 + more), 1.0 / (1.0 + more + error), 1.0 / (1.0 + more - error))

@@ -1,0 +1,48 @@
+"""Thick notch: a notch hinge is softer as a plane body than the beam of its profile."""
+
+from typing import ClassVar
+
+from flexcli.parts.bending import UNKNOWN, Change, Changes
+from flexcli.parts.effect_names import EffectName
+from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
+
+__all__ = ["ThickNotch"]
+
+
+class ThickNotch(ModelEffect):
+    """What the curved faces of a notch and the blocks beside it give way, on top of any beam.
+
+    At a given rotation the throat has as much less stress: its moment is what the hinge bears, and
+    the peak over the nominal stress is the deep notch's for any e/r. Under a load the moment may
+    be the load's own, and none of that counts.
+    """
+
+    name: ClassVar[EffectName] = EffectName.THICK_NOTCH
+    is_whole: ClassVar[bool] = True
+
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return the largest throat over the radius of its notch."""
+        thick = setting.geometry.thick_notches(setting.sizes)
+        return None if thick is None else Indicator(thick.ratio, f"e/r = {thick.ratio:.2g}")
+
+    def changes(self, setting: Setting) -> Changes:
+        """Return the softer stiffness, the stress of the stroke, and what else may follow them."""
+        thick = setting.geometry.thick_notches(setting.sizes)
+        if thick is None:
+            return {}
+        buckles = any(scene.blade_force for scene in setting.scenes)
+        if thick.factor is None:
+            names = ("stiffness", "stress", "shift", *(("buckling",) if buckles else ()))
+            return dict.fromkeys(names, UNKNOWN)
+        factor, low, high, _ = thick.factor
+        value, error = factor - 1.0, max(high - factor, factor - low) / factor
+        most = max(1.0 - low, high - 1.0)
+        found = {"stiffness": Change(value, most, error)}
+        if buckles:  # hinges between rigid limbs buckle by their stiffness, a bar less so
+            found["buckling"] = Change(value, most, error - value)
+        if setting.largest_travel:
+            loaded = any(scene.is_loaded for scene in setting.scenes)
+            found["stress"] = Change(0.0, most, most, -1) if loaded else found["stiffness"]
+            # the rotation is spread out further along the hinge
+            found["shift"] = Change(0.0, most * thick.path, most * thick.path)
+        return found

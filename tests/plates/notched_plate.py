@@ -1,0 +1,144 @@
+"""Notch hinge and the blocks beside it, bent in its plane as a plane body: finite elements.
+
+A quarter of it in plane stress, E = 1 and width 1, by elements of degree 5 that follow the edge of
+the notch. Behind the mouth stands a block, rigid at its end. Shares no code with the package.
+"""
+
+from itertools import pairwise, product
+
+import numpy as np
+from numpy.polynomial import legendre
+from scipy.sparse import coo_matrix
+from scipy.sparse.linalg import spsolve
+
+__all__ = ["elliptic", "filleted", "solid_over_beam"]
+
+DEGREE, ALONG, ACROSS = 5, 8, 2
+
+
+def elliptic(*, e, depth, l):
+    """Return the edge of half a notch as pieces s → (x, z), which run from throat to mouth."""
+
+    def edge(s):
+        return l / 2 * np.sin(np.pi / 2 * s), e / 2 + depth * (1 - np.cos(np.pi / 2 * s))
+
+    return (edge,)
+
+
+def filleted(*, h, r, l):
+    """Return the edge of half a blade and of its quarter circle."""
+
+    def straight(s):
+        return (l / 2 - r) * s, h / 2 + 0 * s
+
+    def arc(s):
+        x, z = elliptic(e=h, depth=r, l=2 * r)[0](s)
+        return l / 2 - r + x, z
+
+    return straight, arc
+
+
+def solid_over_beam(edges, *, block, rise=0.0, nu=0.3):
+    """Return the moment per rotation of both ends over that of the beam between rigid blocks.
+
+    ``block`` is the length of a block over the height of the mouth, ``rise`` by how much of that
+    it is higher at its end, on either side. Also the peak at the throat over its nominal stress.
+    """
+    K, throat_stress = _solid(edges, block, rise, nu)
+    g, w = legendre.leggauss(200)
+    flexible = 0.0
+    for edge in edges:
+        _, z = edge((g + 1) / 2)
+        slope = (edge((g + 1) / 2 + 1e-6)[0] - edge((g + 1) / 2 - 1e-6)[0]) / 2e-6
+        flexible += w @ (slope * 12 / (2 * z) ** 3)
+    nominal = 6 * 2 * K / (2 * edges[0](0.0)[1]) ** 2
+    return K * flexible, throat_stress / nominal
+
+
+def _columns(edges, block, rise):
+    """Yield the columns of elements as s → (x on the axis, x and z on the edge), s in [0, 1]."""
+    end, top = edges[-1](1.0)
+    lean = 0.5 * min(2 * top * block, top - edges[0](0.0)[1])
+    for index, edge in enumerate(edges):
+        last = index == len(edges) - 1
+
+        def column(s, edge=edge, lean=lean if last else 0.0):
+            x, z = edge(s)
+            return x + lean * s**2, x, z
+
+        for a, b in pairwise(np.linspace(0, 1, ALONG + 1) ** (1.5 if last else 1)):
+            yield column, a, b
+
+    def body(s):
+        length = 2 * top * block
+        return end + lean + (length - lean) * s, end + length * s, top * (1 + 2 * rise * s)
+
+    for a, b in pairwise(np.linspace(0, 1, ALONG // 2 + 1)):
+        yield body, a, b
+
+
+def _solid(edges, block, rise, nu):
+    p, columns = DEGREE, list(_columns(edges, block, rise))
+    inner = legendre.legroots(legendre.legder([0] * p + [1]))
+    t = np.concatenate([[-1], inner, [1]])
+    to_legendre = np.linalg.inv(legendre.legvander(t, p))
+
+    def shape(at, order):
+        each = [legendre.legval(at, legendre.legder(c, order)) for c in np.eye(p + 1)]
+        return np.transpose(each) @ to_legendre
+
+    g, w = legendre.leggauss(p + 2)
+    steps = [(k + (t + 1) / 2) / ACROSS for k in range(ACROSS)]
+    across = 1 - (1 - np.unique(np.round(np.concatenate(steps), 12))) ** 1.3
+    X = np.zeros((len(columns) * p + 1, len(across)))
+    Z = np.zeros_like(X)
+    for i, (column, a, b) in enumerate(columns):
+        axis, x, z = column(a + (b - a) * (t + 1) / 2)
+        X[i * p : i * p + p + 1] = axis[:, None] + (x - axis)[:, None] * across
+        Z[i * p : i * p + p + 1] = z[:, None] * across
+    number = np.arange(X.size).reshape(X.shape)
+
+    def blocks():
+        for i, j in product(range(len(columns)), range(ACROSS)):
+            yield slice(i * p, i * p + p + 1), slice(j * p, j * p + p + 1)
+
+    def strain(ids, at):
+        """Return the strains by the motions of an element's nodes, and the area, at s × t."""
+        N = [
+            np.einsum("ai,bj->abij", shape(at[0], m), shape(at[1], n)).reshape(-1, ids.size)
+            for m, n in ((1, 0), (0, 1))
+        ]
+        x, z = X.ravel()[ids], Z.ravel()[ids]
+        (x_s, x_t), (z_s, z_t) = ([n @ each for n in N] for each in (x, z))
+        area = x_s * z_t - x_t * z_s
+        assert (area > 0).all()
+        d_x = (N[0] * z_t[:, None] - N[1] * z_s[:, None]) / area[:, None]
+        d_z = (N[1] * x_s[:, None] - N[0] * x_t[:, None]) / area[:, None]
+        zero = np.zeros_like(d_x)
+        rows = [np.hstack(row) for row in ((d_x, zero), (zero, d_z), (d_z, d_x))]
+        return np.stack(rows, axis=1), area
+
+    elastic = np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]]) / (1 - nu**2)
+    rows, cols, entries = [], [], []
+    for where in blocks():
+        ids = number[where].ravel()
+        B, area = strain(ids, (g, g))
+        k = np.einsum(
+            "q,qai,ab,qbj->ij", np.outer(w, w).ravel() * area, B, elastic, B, optimize=True
+        )
+        dof = np.concatenate([ids, ids + X.size])
+        rows.append(np.repeat(dof, len(dof)))
+        cols.append(np.tile(dof, len(dof)))
+        entries.append(k.ravel())
+    found = (np.concatenate(rows), np.concatenate(cols))
+    K = coo_matrix((np.concatenate(entries), found), (2 * X.size, 2 * X.size)).tocsc()
+    # u is odd in x and in z; the far end turns by −1
+    u = np.zeros(2 * X.size)
+    u[number[-1]] = -Z[-1]
+    held = np.concatenate([number[0], number[:, 0], number[-1], number[-1] + X.size])
+    free = np.setdiff1d(np.arange(2 * X.size), held)
+    u[free] = spsolve(K[free][:, free], -(K @ u)[free])
+    ids = number[: p + 1, -p - 1 :].ravel()
+    B, _ = strain(ids, (np.array([-1.0]), np.array([1.0])))
+    stress = elastic @ B[0] @ np.concatenate([u[ids], u[ids + X.size]])
+    return u @ (K @ u), abs(stress[0])
