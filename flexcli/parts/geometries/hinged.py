@@ -46,7 +46,7 @@ class _Hinged(Geometry):
         "b": "width",
     }
     validity: ClassVar[tuple[Range, ...]] = (
-        Range("e/r", most=0.2, why="a thicker throat is no beam; what `thick-notch` adds is 7 % here"),
+        Range("e/r", most=0.2, why="a thicker throat is no beam: `thick-notch` adds 7 % here"),
         Range("2r/l", most=1.0, why="the hinges of a limb overlap"),
     )
     posynomial: ClassVar[bool] = False

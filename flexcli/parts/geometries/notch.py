@@ -188,7 +188,7 @@ class CircularHinge(NotchGeometry):
         *notch.CONCENTRATION_CARDS,
     )
     validity: ClassVar[tuple[Range, ...]] = (
-        Range("e/r", most=0.2, why="a thicker throat is no beam; what `thick-notch` adds is 7 % here"),
+        Range("e/r", most=0.2, why="a thicker throat is no beam: `thick-notch` adds 7 % here"),
     )
 
     kind: Literal["notch-hinge"]
