@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from flexcli.formulas.quantity import Quantity
+from flexcli.formulas.quantity import Numbers
 from flexcli.formulas.thick_notch import DEEPEST, THICKEST, softening
 from flexcli.parts.bending.base import Factor, Thick
 
@@ -10,7 +10,7 @@ __all__ = ["thick_fillets", "thick_linked", "thick_notch"]
 
 
 def thick_notch(
-    *, e: Quantity, depth: Quantity, l: Quantity, turn: Quantity, uneven: float = 0.0
+    *, e: Numbers, depth: Numbers, l: Numbers, turn: Numbers, uneven: float = 0.0
 ) -> Thick:
     """Return the factor of a notch, whose stiffness at E b = 1 as a beam is ``turn`` [m²].
 
@@ -22,7 +22,7 @@ def thick_notch(
     return Thick(ratio, _factor(e, depth, l, float(turn), uneven) if known else None)
 
 
-def thick_fillets(*, h: Quantity, r: Quantity, turn: Quantity) -> Thick:
+def thick_fillets(*, h: Numbers, r: Numbers, turn: Numbers) -> Thick:
     """Return the factor of a blade with fillets, whose stiffness at E b = 1 is ``turn`` [m²]."""
     h, r = float(h), float(r)
     return Thick(h / r, _factor(h, r, 2.0 * r, float(turn), 0.0))

@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from flexcli.formulas import profile as shapes
 from flexcli.formulas.notch_compliance import planar_compliance
-from flexcli.formulas.quantity import Computed, Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
 from flexcli.parts.bending.base import Thick
 from flexcli.parts.bending.thick import thick_fillets, thick_notch
@@ -42,11 +42,11 @@ class BladeProfile(Part):
         """Return thickness and radius of curvature where the shape raises the stress [m]."""
         return None
 
-    def thick(self, size: Quantity, l: float) -> Thick | None:
+    def thick(self, size: Numbers, l: float) -> Thick | None:
         """Return what plane elasticity changes in it, where it is a notch or has fillets."""
         return None
 
-    def turn(self, size: Quantity, l: float) -> float:
+    def turn(self, size: Numbers, l: float) -> float:
         """Return the rotational stiffness of a length at E b = 1, as a beam [m²]."""
         C = planar_compliance(self.shape(float(size)), E=1.0, l=l, b=1.0, a=l / 2.0)
         return 1.0 / float(C[..., 2, 2])
@@ -105,7 +105,7 @@ class NotchProfile(BladeProfile):
         """Return the throat and the radius of curvature (l/2)²/depth."""
         return size, l**2 / (4.0 * self.depth)
 
-    def thick(self, size: Quantity, l: float) -> Thick:
+    def thick(self, size: Numbers, l: float) -> Thick:
         """Return the factor of the throat."""
         return thick_notch(e=size, depth=self.depth, l=l, turn=self.turn(size, l))
 
@@ -127,7 +127,7 @@ class FilletedProfile(BladeProfile):
         """Return h and r, at the start of a fillet."""
         return size, self.r
 
-    def thick(self, size: Quantity, l: float) -> Thick:
+    def thick(self, size: Numbers, l: float) -> Thick:
         """Return the factor of the fillets."""
         return thick_fillets(h=size, r=self.r, turn=self.turn(size, l))
 
