@@ -36,7 +36,7 @@ SHAPES = {
     "circle": circular(0.15),
     "thick": circular(0.35),
     "as thick as round": circular(0.85),
-    "deep": elliptic(e=0.15, depth=1.0, l=1.5),
+    "deep": elliptic(e=0.1, depth=1.0, l=1.5),
     "deeper": elliptic(e=0.03, depth=1.0, l=0.7),
     "long": elliptic(e=0.3, depth=1.0, l=3.2),
     "shallow": elliptic(e=1.5, depth=1.0, l=10.0),

@@ -12,13 +12,12 @@ from flexcli.parts.effects.damping import DampedMotion
 from flexcli.parts.effects.end_stops import EndStops
 from flexcli.parts.effects.estimate import Estimate, estimate, left_by
 from flexcli.parts.effects.gravity import Gravity
-from flexcli.parts.effects.hinge_length import HingeLength
+from flexcli.parts.effects.hinges import HingeLength, ThickNotch
 from flexcli.parts.effects.large_rotation import LargeRotation
 from flexcli.parts.effects.plate import PlateWidening
 from flexcli.parts.effects.random_vibration import RandomVibration
 from flexcli.parts.effects.shear import Shear
 from flexcli.parts.effects.shock import ShockLoad
-from flexcli.parts.effects.thick_notch import ThickNotch
 
 __all__ = [
     "EFFECTS",

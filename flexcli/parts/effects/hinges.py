@@ -1,4 +1,4 @@
-"""Thick notch: a notch hinge is softer as a plane body than the beam of its profile."""
+"""Notch hinges: they bend over a length of their own, and are softer as plane bodies than beams."""
 
 from typing import ClassVar
 
@@ -6,7 +6,22 @@ from flexcli.parts.bending import UNKNOWN, Change, Changes
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
-__all__ = ["ThickNotch"]
+__all__ = ["HingeLength", "ThickNotch"]
+
+
+class HingeLength(ModelEffect):
+    """The closed forms of limbs take their hinges as pins with springs."""
+
+    name: ClassVar[EffectName] = EffectName.HINGE_LENGTH
+
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return how far a hinge bends about its centre, over the limb."""
+        reach = setting.bending.hinge_reach
+        return None if reach is None else Indicator(reach, f"c/l = {reach:.2g}")
+
+    def changes(self, setting: Setting) -> Changes:
+        """Return what hinges of a length do to stress and shift."""
+        return setting.bending.hinge_length()
 
 
 class ThickNotch(ModelEffect):
