@@ -34,6 +34,11 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         return FENCE.sub(lambda found: _shown(found[1], found[2], here), markdown)
 
 
+def on_post_page(output: str, **_: Any) -> str:
+    """Return a page whose wide blocks can be scrolled by keys, too."""
+    return output.replace("<pre>", '<pre tabindex="0">')
+
+
 def _section(heading: str, here: str) -> str:
     """Return a section of the README; its links lead to the same pages from here."""
     text = (ROOT / "README.md").read_text(encoding="utf-8")
