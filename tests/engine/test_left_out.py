@@ -67,3 +67,13 @@ def test_a_fatigue_amplitude_of_no_stated_stress_ratio_is_a_warning(stated):
     found = design(NARROW, {"fatigue": 1.0}, STROKE, material=material)
     result = check(found, found.fixed_sizes(), "spec", "source")
     assert ("stress-ratio-unstated" in [note.code for note in result.warnings]) != stated
+
+
+@pytest.mark.parametrize(("p", "told"), [("0.2 mm", True), ("0.22 mm", False)])
+def test_blades_that_meet_before_the_centre_are_a_warning(p, told):
+    """At 90° to each other their middles are √2 p apart there, their faces h less."""
+    shape = {"kind": "rcc", "p": p, "half_angle": "45 deg", "h": "0.3 mm", "l": "20 mm",
+             "b": "5 mm"}  # fmt: skip
+    found = design(shape, {"stiffness": {"max": "100 N*m/rad"}})
+    result = check(found, found.fixed_sizes(), "spec", "source")
+    assert ("blades-meet" in [note.code for note in result.warnings]) == told

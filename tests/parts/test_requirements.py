@@ -226,4 +226,12 @@ def test_a_requirement_without_ground_is_refused(requirements, text):
 @pytest.mark.parametrize(("off", "verdict"), [(0.0099, Verdict.PASS), (0.0101, Verdict.FAIL)])
 def test_a_target_is_met_within_one_in_a_hundred_where_no_tolerance_is_given(off, verdict, way):
     target = 40.0 * (1.0 + off) ** way
-    assert only({"l/h": {"equals": target}}, TURN).verdict is verdict
+    found = only({"l/h": {"equals": target}}, TURN)
+    assert found.verdict is verdict
+    assert found.factor == pytest.approx(1.0 / (1.0 + off), rel=ROUNDING)
+
+
+def test_a_case_without_a_stroke_has_no_parasitic_shift():
+    asked = {"parasitic_shift": {"max": "1 um"}}
+    found = checks_of(asked, {**PUSHED, "turn": TURN})
+    assert [c.case for c in found if c.name.startswith("parasitic shift")] == ["turn"]

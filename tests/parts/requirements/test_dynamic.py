@@ -208,23 +208,53 @@ class OffByTurn(Off):
         return super().error(ask, kind)
 
 
-def test_the_stress_of_a_peak_is_as_far_off_as_the_pivots_turn_at_it():
-    """Levers turn pivots by the stroke over their height: θ from the stress E h θ (2l + 3p)/l²."""
+def limits_of_levers(case, asked=None, **material):
+    """Return the limits on a stage of levers whose stresses are off as their pivots turn."""
     lever = {"mass": "17 g", "com": "10 mm", "inertia": "5e-6 kg*m^2"}
     stage = {"kind": "parallel-stage", "height": "20 mm", "solid-1": lever, "solid-3": lever,
              "solid-2": {"mass": "68 g"}, "damping": {"q": Q}}  # fmt: skip
     spec = {
-        "flexure": 1, "material": MATERIAL, "mechanism": stage, "cases": {"shake": sine(1.0, 5.0)},
+        "flexure": 1, "material": {**MATERIAL, **material},
+        "mechanism": stage, "cases": {"shake": case},
         "geometry": {"kind": "rcc", "p": "2 mm", "half_angle": "45 deg", "h": "0.1 mm",
                      "l": "20 mm", "b": "10 mm"},
-        "requirements": {"dynamic-yield": 1.5},
+        "requirements": asked or {"dynamic-yield": 1.5},
     }  # fmt: skip
     found = DesignSpec.model_validate(spec)
     ((_, requirement),) = found.requirements.each()
     sizes, scene = found.fixed_sizes(), found.scene("shake")
     ask = Ask(found.material, found.geometry, found.mechanism, sizes, scene, OffByTurn())
-    worst = max(requirement.limits(ask), key=lambda each: float(each.demand))
-    theta = worst.demand * 20e-3**2 / (E * 0.1e-3 * (2.0 * 20e-3 + 3.0 * 2e-3))
+    return list(requirement.limits(ask))
+
+
+def test_the_stress_of_a_peak_is_as_far_off_as_the_pivots_turn_at_it():
+    """Levers turn pivots by the stroke over their height: θ from the stress E h θ (2l + 3p)/l²."""
+    found = limits_of_levers(sine(1.0, 5.0))
+    worst = max(found, key=lambda each: float(each.demand))
+    theta = turned(worst.demand)
     assert theta > 1e-3
     # the axial force that comes with it is a part in a hundred of the stress
     assert worst.error.high == pytest.approx(10.0 * theta, rel=0.02)
+
+
+def turned(stress):
+    """Return the rotation of the levers' pivots at a stress of their inner ends [rad]."""
+    return stress * 20e-3**2 / (E * 0.1e-3 * (2.0 * 20e-3 + 3.0 * 2e-3))
+
+
+def test_a_life_is_as_far_off_as_the_pivots_turn_at_the_peaks():
+    case = flat(2.0, 20.0, 0.01)
+    peak = max(float(each.demand) for each in limits_of_levers(case))
+    points = [{"cycles": n, "amplitude": s} for n, s in ((1e3, "800 MPa"), (1e9, "100 MPa"))]
+    curve = {"sn_amplitudes": {"points": points, "stress_ratio": -1}}
+    asked = {"dynamic-life": {"factor": 4, "method": "narrow-band"}}
+    found = limits_of_levers(case, asked, **curve)
+    k = np.log(1e6) / np.log(8.0)
+    worst = min(found, key=lambda each: float(each.capacity))
+    assert 1.0 + worst.error.low == pytest.approx((1.0 + 10.0 * turned(peak)) ** -k, rel=0.1)
+
+
+def test_a_locked_stage_turns_no_pivot_whatever_shakes_it():
+    found = limits_of_levers({**flat(20.0, 40.0), "lock": "solid-2"})
+    assert found
+    assert all(each.error.high == pytest.approx(0.0, abs=1e-3) for each in found)
