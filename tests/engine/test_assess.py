@@ -99,3 +99,11 @@ def test_mirrored_crossings_have_the_same_margins(delta):
     mine, mirrored = worst(delta), worst(round(-1.0 - delta, 4))
     for name, margin in mine.items():
         assert margin == pytest.approx(mirrored[name], rel=1e-9)
+
+
+def test_many_designs_miss_a_target_on_either_side_alike():
+    spec = design(rcc(), {"l/h": {"equals": 40, "tolerance": "2 %"}})
+    off = np.array([1.5, 1.02, 1.0, 1.0 / 1.02, 1.0 / 1.5])
+    found = assess.factors(spec, h=20e-3 / (40.0 * off), l=np.full(5, 20e-3), b=np.full(5, 5e-3))
+    (margins,) = found.values()
+    np.testing.assert_allclose(margins, 1.02 / np.maximum(off, 1.0 / off), rtol=1e-12)
