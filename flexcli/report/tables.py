@@ -42,6 +42,18 @@ def _text(cell: Cell, encoding: str) -> Text:
     return Text(_quantity(encoding).sub(GLUE, plain(text, encoding)), style)
 
 
+def _lines(text: Text, console: Console, width: int) -> list[Text]:
+    """Return the lines that a text is broken into, at least one, no quantity torn."""
+    lines = [*text.wrap(console, width)] or [Text()]
+    for line in lines:
+        line.plain = line.plain.replace(GLUE, " ")
+    return lines
+
+
+def _broken(text: Text, console: Console, width: int) -> Text:
+    return Text("\n").join(_lines(text, console, width))
+
+
 class Line:
     """A paragraph of differently styled texts; what does not fit goes on below, indented."""
 
@@ -52,7 +64,7 @@ class Line:
         """Render it for rich."""
         whole = Text.assemble(*(_text(cell, options.encoding) for cell in self.cells))
         width = max(1, options.max_width - self.indent - self.hang)
-        for number, line in enumerate(whole.wrap(console, width) or [Text()]):
+        for number, line in enumerate(_lines(whole, console, width)):
             yield Padding(line, (0, 0, 0, self.indent + (self.hang if number else 0)))
 
 
@@ -81,7 +93,7 @@ class Rows:
         heads = [Text(plain(head, options.encoding), "bold") for head in self.columns]
         widths = self._widths(heads, rows, options.max_width)
         if widths is None:
-            yield from self._blocks(heads, rows)
+            yield from self._blocks(heads, rows, console, options.max_width)
             return
         found = Table(box=None, pad_edge=False, padding=(0, GAP, 0, 0))
         found.show_header = self.show_header
@@ -89,7 +101,7 @@ class Rows:
             right = index in self.numbers
             found.add_column(head, justify="right" if right else "left", width=width)
         for row in rows:
-            found.add_row(*row)
+            found.add_row(*(_broken(c, console, w) for c, w in zip(row, widths, strict=False)))
         yield found
 
     def _widths(self, heads: list[Text], rows: list[list[Text]], most: int) -> list[int] | None:
@@ -111,17 +123,20 @@ class Rows:
             widths[wide] = max(least[wide], next_wide, widths[wide] - excess)
         return widths
 
-    def _blocks(self, heads: list[Text], rows: list[list[Text]]) -> Iterable[RenderableType]:
+    def _blocks(
+        self, heads: list[Text], rows: list[list[Text]], console: Console, width: int
+    ) -> Iterable[RenderableType]:
         for row in rows:
             lead = [cell for cell in row[: self.leads] if cell.plain.strip()]
-            yield Text(" ").join(lead)
+            yield _broken(Text(" ").join(lead), console, width)
             rest = [
                 Text.assemble(head.plain, " " * bool(head.plain), cell)
                 for head, cell in zip(heads[self.leads :], row[self.leads :], strict=False)
                 if cell.plain.strip()
             ]
             if rest:
-                yield Padding(Text(", ").join(rest), (0, 0, 0, GAP))
+                told = _broken(Text(", ").join(rest), console, max(1, width - GAP))
+                yield Padding(told, (0, 0, 0, GAP))
 
 
 class Drawing:
@@ -168,5 +183,4 @@ def on_page(body: Callable[[Console], None], page: Page) -> str:
         emoji=False,
     )
     body(console)
-    text = sheet.getvalue().replace(GLUE, " ")
-    return "\n".join(line.rstrip() for line in text.split("\n"))
+    return "\n".join(line.rstrip() for line in sheet.getvalue().split("\n"))
