@@ -129,6 +129,9 @@ def _known(design: DesignSpec, sizes: Sizes) -> dict[str, Any]:
         value = getattr(geometry, name, None)
         if isinstance(value, int | float):
             found.setdefault(name, value)
+    count = getattr(geometry, "blade_count", None)
+    if count is not None:
+        found["blades"] = count
     offset = getattr(geometry, "offset", None)
     if callable(offset):
         found["p"] = float(offset(sizes))

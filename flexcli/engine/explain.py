@@ -32,6 +32,8 @@ from flexcli.formulas import (
     stop_stiffness,
     stopped_cantilever,
     thick_blades,
+    torsion_bar,
+    torsion_shapes,
     unseparated_next_order,
 )
 from flexcli.formulas.card import Card, Range, Symbol, Table, sheet
@@ -63,6 +65,8 @@ GENERAL: tuple[Card, ...] = (
     *stop_stiffness.CARDS,
     *stopped_cantilever.CARDS,
     *thick_blades.CARDS,
+    *torsion_bar.OFFSET_CARDS,
+    *torsion_shapes.STRIP_CARDS,
     *unseparated_next_order.CARDS,
 )
 """Formulas of no geometry of their own, and what comes after the first term of a joint's."""

@@ -7,6 +7,7 @@ from flexcli.formulas.arguments import positive
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.section import second_moment
+from flexcli.results import QuantityKind
 
 __all__ = ["CARDS", "guided_critical_load", "locked_critical_load"]
 
@@ -118,10 +119,21 @@ def _phase(xi: Numbers) -> Floats:
 
 
 _SHARE = Range("xi", 0.0, 1.0, "two hinges make up at most the whole blade")
-_ELASTIC = Range("P/(b h sigma_yield)", 0.0, 1.0, "elastic buckling")
 _BLADE = {"E": 200e9, "h": 100e-6, "l": 50e-3, "b": 10e-3, "xi": 0.2}
 
 CARDS: tuple[Card, ...] = (
-    Card("necked-down-buckling-guided", guided_critical_load, _BLADE, (_SHARE, _ELASTIC)),
-    Card("necked-down-buckling-locked", locked_critical_load, _BLADE, (_SHARE, _ELASTIC)),
+    Card(
+        "necked-down-buckling-guided",
+        guided_critical_load,
+        _BLADE,
+        (_SHARE,),
+        kind=QuantityKind.BUCKLING,
+    ),
+    Card(
+        "necked-down-buckling-locked",
+        locked_critical_load,
+        _BLADE,
+        (_SHARE,),
+        kind=QuantityKind.BUCKLING,
+    ),
 )

@@ -12,7 +12,7 @@ from math import atan2, cos, pi, radians, sin, sqrt
 
 import numpy as np
 
-from flexcli.formulas.card import SLENDER, SMALL_ROTATION, Card, Range, Table
+from flexcli.formulas.card import SLENDER, Card, Range, Table
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import second_moment
 from flexcli.results import QuantityKind
@@ -456,11 +456,15 @@ CARDS: tuple[Card, ...] = (
         kind=QuantityKind.SHIFT,
     ),
     Card("blade-shares", axial_share, {"angles": (pi / 4.0, -pi / 4.0), "direction": 0.0}),
+)
+
+ALONG_CARDS: tuple[Card, ...] = (
     Card(
         "stiffness-along-the-axis",
         out_of_plane_stiffness,
         {"E": 116e9, "h": 250e-6, "l": 80e-3, "b": 30e-3, "blades": 3},
         (Range("b/l", most=0.2, why="shear across the width takes more than a tenth"),),
+        kind=QuantityKind.SAG,
     ),
 )
 
@@ -470,8 +474,9 @@ SYMMETRIC_CARDS: tuple[Card, ...] = (
         "pivot-stroke",
         admissible_rotation,
         {"E": 114e9, "h": 637e-6, "l": 17.5e-3, "p": 2e-3, "stress": 200e6},
-        (SLENDER, SMALL_ROTATION),
+        (SLENDER, STRESS_TURN),
         {"delta": _DELTA},
+        kind=QuantityKind.STRESS,
     ),
     Card("stiffness-over-symmetric", stiffness_ratio, {"delta": WITTRICK}),
     Card("stroke-over-symmetric", stroke_ratio, {"delta": WITTRICK}),

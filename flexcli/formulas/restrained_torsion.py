@@ -9,6 +9,7 @@ from flexcli.formulas.arguments import positive
 from flexcli.formulas.card import Card, Range, Table
 from flexcli.formulas.torsion_section import shear_factor, torsion_constant
 from flexcli.formulas.torsion_shapes import warping_constant
+from flexcli.results import QuantityKind
 
 __all__ = [
     "CARDS",
@@ -197,6 +198,7 @@ CARDS: tuple[Card, ...] = (
                 note="thin strip of ν = 0.3",
             )
         },
+        kind=QuantityKind.STIFFNESS,
     ),
     Card(
         name="restrained-torsion-stress",
@@ -213,5 +215,6 @@ CARDS: tuple[Card, ...] = (
             Range("h/b", most=0.2, why="the warping function y z is that of a strip"),
             Range("l/b", least=0.5, why="shorter plates are outside what was compared"),
         ),
+        kind=QuantityKind.STRESS,
     ),
 )

@@ -294,6 +294,7 @@ CARDS = (
         admissible_translation,
         {**_BLADE, "stress": 72e6},
         (SLENDER, _STRESS_STROKE),
+        kind=QuantityKind.STRESS,
     ),
     Card(
         "stage-shift",

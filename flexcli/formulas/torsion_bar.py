@@ -201,7 +201,11 @@ CARDS: tuple[Card, ...] = (
         function=admissible_twist,
         example={"G": 42.5e9, "h": 0.5e-3, "l": 20e-3, "sigma": 400e6},
         validity=(THIN_TWIST,),
+        kind=QuantityKind.STRESS,
     ),
+)
+
+OFFSET_CARDS: tuple[Card, ...] = (
     Card(
         name="torsion-bars-around-an-axis",
         function=offset_bars_stiffness,

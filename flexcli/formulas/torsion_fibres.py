@@ -6,6 +6,7 @@ come closer shortens until its axial force vanishes; one whose ends are held doe
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed, Quantity
+from flexcli.results import QuantityKind
 
 __all__ = ["CARDS", "fibre_moment", "fibre_stress", "rectangle_fourth_moment"]
 
@@ -109,8 +110,11 @@ def rectangle_fourth_moment(h: Quantity, b: Quantity) -> Computed:
 
 
 _RATE = {"E": 114e9, "rate": 17.5}
-_WIDE = Range(
-    "b θ/l", most=0.35, why="long fibres stretch by the square of it, next order left out"
+LONG_FIBRES = Range(
+    "r θ/l",
+    most=0.25,
+    why="the fibres farthest from the axis stretch by half the square of it",
+    kind=QuantityKind.STRESS,
 )
 
 CARDS = (
@@ -118,12 +122,13 @@ CARDS = (
         "long-fibre-stress",
         fibre_stress,
         {**_RATE, "square": 25e-6, "mean_square": 8.33e-6},
-        (_WIDE,),
+        (LONG_FIBRES,),
+        kind=QuantityKind.STRESS,
     ),
     Card(
         "long-fibre-torque",
         fibre_moment,
         {**_RATE, "area": 5e-7, "fourth": 6.25e-14, "mean_square": 8.33e-6},
-        (_WIDE,),
+        (LONG_FIBRES,),
     ),
 )

@@ -4,10 +4,13 @@ from math import pi
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed, Quantity
+from flexcli.results import QuantityKind
 
 __all__ = [
-    "CARDS",
+    "CIRCLE_CARDS",
+    "STAR_CARDS",
     "STAR_ERROR",
+    "STRIP_CARDS",
     "circle_torsion_constant",
     "star_torsion_constant",
     "strip_torsion_constant",
@@ -155,7 +158,7 @@ def warping_constant(h: Quantity, b: Quantity) -> Computed:
     return b**3 * h**3 / 144.0
 
 
-CARDS: tuple[Card, ...] = (
+STRIP_CARDS: tuple[Card, ...] = (
     Card(
         name="strip-torsion-constant",
         function=strip_torsion_constant,
@@ -163,20 +166,27 @@ CARDS: tuple[Card, ...] = (
         validity=(Range("h/b", most=1.0, why="h is the thin side"),),
     ),
     Card(
-        name="star-torsion-constant",
-        function=star_torsion_constant,
-        example={"h": 0.5e-3, "b": 10e-3, "strips": 2},
-        validity=(Range("h/b", most=0.08, why="core and free edges count"),),
-    ),
-    Card(
-        name="circle-torsion-constant",
-        function=circle_torsion_constant,
-        example={"d": 1e-3},
-    ),
-    Card(
         name="warping-constant",
         function=warping_constant,
         example={"h": 0.5e-3, "b": 5e-3},
         validity=(Range("h/b", most=0.2, why="the warping function y z is that of a strip"),),
+    ),
+)
+
+STAR_CARDS: tuple[Card, ...] = (
+    Card(
+        name="star-torsion-constant",
+        function=star_torsion_constant,
+        example={"h": 0.5e-3, "b": 10e-3, "strips": 2},
+        validity=(Range("b/h", least=6.0, why="core and free edges count"),),
+        kind=QuantityKind.STIFFNESS,
+    ),
+)
+
+CIRCLE_CARDS: tuple[Card, ...] = (
+    Card(
+        name="circle-torsion-constant",
+        function=circle_torsion_constant,
+        example={"d": 1e-3},
     ),
 )

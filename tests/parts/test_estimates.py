@@ -214,6 +214,20 @@ def test_the_true_number_lies_within_the_error_of_the_closed_form(kind, number):
         assert known >= USEFUL[number] * DESIGNS
 
 
+@pytest.mark.parametrize("kind", ["cantilever", "guided-blade", "leaf-spring-stage"])
+def test_the_errors_of_straight_blades_hold_up_to_strokes_of_half_their_length(kind):
+    rng, exact = np.random.default_rng(5), ExactAnswers(tolerance=1e-9)
+    for share in (0.35, 0.42, 0.5):
+        slender = {**KINDS[kind](rng), **metres(h=L / between(rng, 20.0, 1000.0))}
+        design = design_of({"kind": kind, **slender}, {"stroke": {"translation": f"{share * L} m"}})
+        for number in ("stress", "shift"):
+            ask, found = promised(design, number)
+            assert found.error is not None
+            closed = NUMBERS[number](AS_PRINTED, ask) * found.factor
+            off = NUMBERS[number](exact, ask._replace(answers=exact)) / closed - 1.0
+            assert found.error.low <= off <= found.error.high
+
+
 @pytest.mark.parametrize("kind", ["leaf-spring-stage", "cross-spring", "cantilever", "star"])
 def test_the_stress_of_a_stroke_under_load_lies_within_its_error(kind):
     """Along the axis of symmetry, up to a tenth of Euler's load of guided blades."""

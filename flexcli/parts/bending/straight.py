@@ -18,7 +18,7 @@ class Straight(Bending):
     blades have none.
     """
 
-    travel_most: ClassVar[float] = 0.35
+    travel_most: ClassVar[float] = 0.5
 
     def __init__(
         self, *, h: float, l: float, travel: float, halves: int = 1, lever: float = 0.0
@@ -101,6 +101,8 @@ class Straight(Bending):
 
 class Necked(Straight):
     """Blades that bend at both ends alone, over the share ξ of their length."""
+
+    travel_most: ClassVar[float] = 0.35
 
     def __init__(self, *, h: float, l: float, travel: float, xi: float, lever: float) -> None:
         super().__init__(h=h, l=l, travel=travel, lever=lever)

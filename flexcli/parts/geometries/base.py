@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from math import hypot, pi
+from math import hypot, inf, pi
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
@@ -33,6 +33,12 @@ ROUNDING = 1e-9
 
 AT_REST = frozenset({QuantityKind.STIFFNESS, QuantityKind.FREQUENCY, QuantityKind.SAG})
 """Kinds of numbers that closed forms state at rest, whatever the travel."""
+
+FOLLOWS = {
+    QuantityKind.FREQUENCY: (QuantityKind.STIFFNESS,),
+    QuantityKind.SAG: (QuantityKind.STIFFNESS,),
+}
+"""Kinds of numbers that come of another: where that is not known, they are not."""
 
 TRAVELS = frozenset({"theta", "x/l"})
 """Quantities of a range that the next order of a closed form extends."""
@@ -156,6 +162,8 @@ class Geometry(Part):
     """Its formulas, as ``explain`` prints them."""
     validity: ClassVar[tuple[Range, ...]] = ()
     """Where its closed forms hold, in terms of :meth:`ratios`."""
+    extends: ClassVar[Mapping[str, float]] = {}
+    """How far a correction reaches beyond the range of a formula, by what the range is of."""
     closed_forms: ClassVar[bool] = True
     """Whether it has closed forms at all; else the exact model judges it unless told otherwise."""
     posynomial: ClassVar[bool] = True
@@ -361,7 +369,12 @@ class Geometry(Part):
             return False
         reach = 0.0 if kind in AT_REST else travel
         return all(
-            limits.quantity in TRAVELS and at <= bending.travel_most
+            at
+            <= (
+                bending.travel_most
+                if limits.quantity in TRAVELS
+                else self.extends.get(limits.quantity, -inf)
+            )
             for limits, at in self.outside_validity(sizes, reach, kind)
         )
 
@@ -416,7 +429,9 @@ class Geometry(Part):
             if card.kind is not None
             for limits in card.validity
         ]
-        found = [r for r in (*self.validity, *of_cards) if None in (kind, r.kind) or r.kind is kind]
+        asked = None if kind is None else {None, kind, *FOLLOWS.get(kind, ())}
+        each = (*self.validity, *of_cards)
+        found = [r for r in each if asked is None or r.kind in asked]
         return tuple({(r.quantity, r.least, r.most): r for r in reversed(found)}.values())
 
     def outside_validity(

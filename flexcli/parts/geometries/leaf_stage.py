@@ -64,6 +64,10 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         """Return the factors of guided blades."""
         return wide_guided(sizes, nu)
 
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
+        """Return what its closed forms are valid in: shape and stroke."""
+        return {**self.ratios(sizes), "x/l": travel / sizes.l}
+
     def s_bending_share(self, sizes: Blade) -> float:
         """Return 1: the blades bend in an S alone."""
         return 1.0

@@ -59,7 +59,6 @@ class NeckedDownStage(SagsAlongStroke):
     cards: ClassVar[tuple[Card, ...]] = (
         *necked_stage.CARDS,
         *necked_size.CARDS,
-        *necked_size.CARDS,
         *necked_buckling.CARDS,
     )
     validity: ClassVar[tuple[Range, ...]] = (

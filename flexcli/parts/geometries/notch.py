@@ -306,11 +306,7 @@ class FilletedHinge(NotchGeometry):
         "l": "hinge length, with the fillets",
         "b": "width",
     }
-    cards: ClassVar[tuple[Card, ...]] = (
-        *notch.CARDS[2:],
-        *notch_compliance.CARDS,
-        *thick_notch.CARDS,
-    )
+    cards: ClassVar[tuple[Card, ...]] = (*notch.CARDS[2:], *thick_notch.CARDS)
     validity: ClassVar[tuple[Range, ...]] = (
         Range("2r/l", most=1.0, why="the fillets are longer than the hinge"),
         Range("l/h", least=5.0, why="a stubby hinge is no beam"),

@@ -1,5 +1,6 @@
 """Three-blade pivot: three equal blades at 120° around the axis of rotation."""
 
+from collections.abc import Mapping
 from math import pi
 from typing import Annotated, ClassVar, Literal
 
@@ -20,7 +21,12 @@ class ThreeBladePivot(StarFormulas, BladePivot):
     """Overconstrained pivot of three blades; p is from the axis to the inner ends."""
 
     source: ClassVar[str] = "exercise 12 B"
-    cards: ClassVar[tuple[Card, ...]] = (*pivot.CARDS, *three_blade.CARDS)
+    cards: ClassVar[tuple[Card, ...]] = (
+        *pivot.CARDS,
+        *pivot.ALONG_CARDS,
+        *three_blade.CARDS,
+    )
+    extends: ClassVar[Mapping[str, float]] = {"b/l": 1.0}
     sag_bends_width: ClassVar[bool] = True
 
     kind: Literal["three-blade"]
@@ -35,6 +41,10 @@ class ThreeBladePivot(StarFormulas, BladePivot):
     def offset(self, sizes: Blade) -> Computed:
         """Return p [m]."""
         return self.p
+
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
+        """Return what its closed forms are valid in; along the axis its blades are wide beams."""
+        return {**super().indicators(sizes, travel), "b/l": sizes.b / sizes.l}
 
     def sag_stiffness(self, elastic: Elastic, sizes: Blade, axis: str) -> Computed:
         """Return the stiffness along the axis of rotation z [N/m]."""

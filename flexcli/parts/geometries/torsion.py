@@ -22,7 +22,7 @@ from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.twist import Twist
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade, Extent, Geometry, TwistingBars
-from flexcli.results import QuantityKind, Value
+from flexcli.results import Value
 
 __all__ = ["RoundTorsionBar", "Section", "TorsionBar", "TorsionGeometry", "TorsionStar"]
 
@@ -32,13 +32,6 @@ Bars = Annotated[int, Field(strict=True, ge=1, le=1000)]
 NARROW_SIDE = 0.743
 """Shear stress in the middle of a thin strip's narrow sides over that of the broad ones: 8/π²
 times Catalan's constant, Saint-Venant's series there."""
-
-LONG_FIBRES = Range(
-    "r θ/l",
-    most=0.25,
-    why="the fibres farthest from the axis stretch by half the square of it",
-    kind=QuantityKind.STRESS,
-)
 
 
 class Section(NamedTuple):
@@ -199,7 +192,7 @@ class TorsionBar(TorsionGeometry):
         *restrained_torsion.CARDS,
         *torsion_fibres.CARDS,
     )
-    validity: ClassVar[tuple[Range, ...]] = (torsion_bar.THIN_TWIST, LONG_FIBRES)
+    validity: ClassVar[tuple[Range, ...]] = (torsion_bar.THIN_TWIST,)
 
     kind: Literal["torsion-bar"]
     h: Extent
@@ -273,6 +266,13 @@ class TorsionBar(TorsionGeometry):
         )
         return {"broad side": sqrt(3.0) * found.shear, "corners at the clamps": found.normal}
 
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
+        """Return what its closed forms are valid in; of clamps that hold it, the sides as well."""
+        found = super().indicators(sizes, travel)
+        if self.is_restrained:
+            found |= {"h/b": sizes.h / sizes.b, "l/b": sizes.l / sizes.b}
+        return found
+
     def volume(self, sizes: Blade) -> Computed:
         """Return the volume of the bars [m³]."""
         return self.bars * sizes.h * sizes.l * sizes.b
@@ -296,10 +296,10 @@ class RoundTorsionBar(TorsionGeometry):
     labels: ClassVar[Mapping[str, str]] = {"d": "diameter", "l": "length of a bar"}
     cards: ClassVar[tuple[Card, ...]] = (
         *torsion_bar.CARDS,
-        *torsion_shapes.CARDS,
+        *torsion_shapes.CIRCLE_CARDS,
         *torsion_fibres.CARDS,
     )
-    validity: ClassVar[tuple[Range, ...]] = (torsion_bar.THIN_TWIST, LONG_FIBRES)
+    validity: ClassVar[tuple[Range, ...]] = (torsion_bar.THIN_TWIST,)
 
     kind: Literal["round-torsion-bar"]
     d: Extent
@@ -349,12 +349,11 @@ class TorsionStar(TorsionGeometry):
     }
     cards: ClassVar[tuple[Card, ...]] = (
         *torsion_bar.CARDS,
-        *torsion_shapes.CARDS,
+        *torsion_shapes.STAR_CARDS,
         *torsion_fibres.CARDS,
     )
     validity: ClassVar[tuple[Range, ...]] = (
         torsion_bar.THIN_TWIST,
-        LONG_FIBRES,
         Range("b/h", least=10.0, why="the strips' ends and their crossing count"),
     )
 
