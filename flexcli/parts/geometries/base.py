@@ -46,8 +46,8 @@ TRAVELS = frozenset({"theta", "x/l"})
 FORMULAS = (
     "axial_share", "axial_stress", "bending", "blade", "cards", "clearances", "critical",
     "end_stresses", "joint_critical", "keeps_level", "parasitic_shift", "s_bending_share",
-    "sag_bends_width", "sag_stiffness", "stiffness", "stroke_stresses", "twisting_bars",
-    "validity", "values", "volume", "wide_blades",
+    "sag_bends_width", "sag_stiffness", "stiffness", "stroke_stresses", "thick_notches",
+    "twisting_bars", "validity", "values", "volume", "wide_blades",
 )  # fmt: skip
 """What a joint states of the body that its layout draws: it holds for no other drawing."""
 

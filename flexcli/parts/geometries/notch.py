@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Literal, NamedTuple
 import numpy as np
 from pydantic import Field, model_validator
 
-from flexcli.formulas import hinge_shift, notch, notch_compliance, thick_notch
+from flexcli.formulas import hinge_shift, notch, notch_compliance
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import Filleted, Notch, Profile, per_design
 from flexcli.formulas.quantity import Computed, Quantity
@@ -182,7 +182,6 @@ class CircularHinge(NotchGeometry):
         notch.CARDS[0],
         *notch.CARDS[2:],
         *notch_compliance.CARDS,
-        *thick_notch.CARDS,
         *notch.LAW_CARDS,
         *hinge_shift.CARDS,
         *notch.CONCENTRATION_CARDS,
@@ -243,7 +242,7 @@ class EllipticHinge(NotchGeometry):
         "l": "hinge length",
         "b": "width",
     }
-    cards: ClassVar[tuple[Card, ...]] = (notch.CARDS[1], *notch.CARDS[2:], *thick_notch.CARDS)
+    cards: ClassVar[tuple[Card, ...]] = (notch.CARDS[1], *notch.CARDS[2:])
     validity: ClassVar[tuple[Range, ...]] = (
         Range("e/radius", most=0.2, why="where the throat is as thick as its curve, no beam"),
     )
@@ -306,7 +305,7 @@ class FilletedHinge(NotchGeometry):
         "l": "hinge length, with the fillets",
         "b": "width",
     }
-    cards: ClassVar[tuple[Card, ...]] = (*notch.CARDS[2:], *thick_notch.CARDS)
+    cards: ClassVar[tuple[Card, ...]] = notch.CARDS[2:]
     validity: ClassVar[tuple[Range, ...]] = (
         Range("2r/l", most=1.0, why="the fillets are longer than the hinge"),
         Range("l/h", least=5.0, why="a stubby hinge is no beam"),
