@@ -16,7 +16,7 @@ NAME = "examples"
 
 app = typer.Typer(
     name=NAME,
-    help="List worked examples with their sources, or copy one to run and change it.",
+    help="List worked examples, or copy one to run and change it.",
     no_args_is_help=False,
     rich_markup_mode=None,
 )
@@ -31,7 +31,10 @@ def usual(context: typer.Context) -> None:
 
 @app.command("list")
 def list_(style: CatalogueFormatOption = Format.TEXT) -> None:
-    """List the examples, with a line for each and the command that runs it."""
+    """List the examples.
+
+    Each has a line and the command that runs it.
+    """
     from flexcli.report import catalogue
     from flexcli.report.as_json import listing
     from flexcli.spec.examples import examples

@@ -99,10 +99,10 @@ def run(
     stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Sweep a design: what it does as values of its spec vary, a row for each.
+    """Sweep a design over values of its spec.
 
-    A row that has no answer says why. Ctrl-C and the time limit keep what is done, and --resume
-    goes on from there. It exits 0 only where every design passes.
+    Each combination is a row; one that has no answer says why. Ctrl-C and the time limit keep what
+    is done, and --resume goes on from there. It exits 0 only where every design passes.
     """
     options = {
         "each": each.value if each else None,
