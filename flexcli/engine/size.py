@@ -43,6 +43,9 @@ EASING = (1.0, 1.1, 1.5, 3.0, 10.0, 100.0)
 SMALLEST = 1e-9
 """A size [m] of a few atoms: a sizing that leads there is held by nothing."""
 
+THICKEST = 10.0
+"""Thickness over length of a blade that is none: a sizing that leads there has no end."""
+
 LARGE_SENSITIVITY = 3.0
 """Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
 
@@ -198,6 +201,29 @@ def _refuse_runaway(design: DesignSpec, sizes: Sizes) -> None:
                 f"bound {name} from below, e.g. {{free: [20 um, null]}}, or add a requirement "
                 "that a thinner blade fails: a stiffness, a frequency, a buckling factor",
             )
+    _refuse_thick(design, sizes)
+
+
+def _refuse_thick(design: DesignSpec, sizes: Sizes) -> None:
+    """Raise where a thickness that has no upper bound makes a block of a blade."""
+    geometry = design.geometry
+    slender = geometry.slenderness(sizes)
+    unbounded = {
+        name: float(x)
+        for name, x in geometry.thicknesses(sizes).items()
+        if name in geometry.free and geometry.extents[name].most is None
+    }
+    if slender is None or slender < THICKEST or not unbounded:
+        return
+    name = max(unbounded, key=lambda each: unbounded[each])
+    goal = "balanced design" if design.size.objective == "balanced" else "optimum"
+    raise NoSolution(
+        "nothing-holds-it",
+        f"no {goal} by the models that judge: nothing holds the {geometry.label(name)} {name} from "
+        f"above, it grows to {show(unbounded[name], 'm')} and on",
+        f"give {name} or bound it from above, e.g. {{free: [null, 1 mm]}}, and each of the others "
+        "from below: the thicker it is, the more another part is bent in its place",
+    )
 
 
 def _ideal(chosen: "_Choice") -> Sizes:
