@@ -26,6 +26,9 @@ from flexcli.units import show
 
 __all__ = ["size"]
 
+UNSETTLED = "not proved: the rounds settled on no choice, and a better one may exist"
+"""How sure a choice is that the models that judge still move."""
+
 ROUNDS = 15
 SETTLED = 1e-7
 """Change of every correction (relative) at which the rounds end; the rest is added to it, so that
@@ -146,7 +149,10 @@ def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str
         result = _chosen_and_judged(_tightened(design, corrections), spec, ladder, model)
     if undecided is not None and result.status is not Status.PASS:
         result = undecided  # no point of the grid was found that passes
-    return replace(result, warnings=(*remarks, *result.warnings))
+    sizing = result.sizing
+    if remarks and sizing is not None:
+        sizing = replace(sizing, certificate=UNSETTLED, sensitivities=())
+    return replace(result, sizing=sizing, warnings=(*remarks, *result.warnings))
 
 
 def _is_near(sizes: Sizes, others: Sizes | None) -> bool:
