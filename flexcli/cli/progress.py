@@ -116,6 +116,7 @@ def bounded(what: str) -> Iterator[None]:
         if before is signal.SIG_IGN and not now.stopped:
             return  # a background job, which its shell shields from Ctrl-C
         if clock.is_heard(frame):
+            clock.wished.set()  # again, where a library's callback swallows this one
             raise KeyboardInterrupt
 
     signal.signal(signal.SIGINT, stop)

@@ -15,6 +15,9 @@ __all__ = ["Study", "Variation", "points_of"]
 MOST = 1_000_000
 """Designs of a study."""
 
+KEYS = frozenset({"from", "to", "points", "spacing", "values"})
+"""What a variation takes."""
+
 
 class Variation(Part):
     """The values of one place of the spec: between two ends, or listed."""
@@ -37,9 +40,10 @@ class Variation(Part):
     def _read(cls, data: Any) -> Any:
         if isinstance(data, list):
             return {"values": [str(value) for value in data]}
-        if isinstance(data, dict):
-            return {k: str(v) if k in ("from", "to") else v for k, v in data.items()}
-        return data
+        if not isinstance(data, dict) or not set(data) <= KEYS:
+            hint = "write {from: 0.1 mm, to: 0.3 mm, points: 5} or a list"
+            raise spec_error("a variation is a range with points, or a list", hint)
+        return {k: str(v) if k in ("from", "to") else v for k, v in data.items()}
 
     @model_validator(mode="after")
     def _has_values(self) -> "Variation":

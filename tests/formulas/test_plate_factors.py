@@ -16,7 +16,6 @@ from flexcli.formulas.profile import Constant
 from flexcli.formulas.restrained_torsion import restrained_stiffness
 from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.mechanics.wide_hinge import wide_hinge
-from flexcli.parts.bending.wide import wide_blades
 from flexcli.parts.geometries import AnyGeometry
 
 RITZ = 5e-5
@@ -186,7 +185,7 @@ def test_a_wide_notch_is_as_stiff_as_the_solid(nu, sharp, wide):
     hinge = TypeAdapter(AnyGeometry).validate_python(
         {"kind": "notch-hinge", "e": f"{sharp} mm", "r": "1 mm", "b": f"{wide * sharp} mm"}
     )
-    found = wide_blades(hinge, hinge.sized({}), nu).stiffness
+    found = hinge.wide_blades(hinge.sized({}), nu).stiffness
     true = solid_notch(sharp, wide * sharp, nu) / solid_notch(sharp, 0.2 * sharp, nu)
     assert found.low - SOLID <= true <= found.high + SOLID
     assert found.high - found.low <= 0.35 * plates.bound(nu)  # a range that tells something
