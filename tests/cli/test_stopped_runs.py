@@ -47,10 +47,12 @@ def test_a_limit_that_is_not_reached_changes_nothing(flexure, tmp_path, sizing):
 
 
 def started(folder, *arguments, stderr):
+    """Start the command as from a terminal: tests in a background job inherit no Ctrl-C."""
     return subprocess.Popen(
         [*COMMAND, *arguments],
         cwd=folder, stdout=subprocess.PIPE, stderr=stderr, text=True,
         env={**os.environ, "COLUMNS": "100", "TERM": "xterm"},
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # noqa: PLW1509
     )  # fmt: skip
 
 
