@@ -1,6 +1,6 @@
 """Studies: one verb at many points of a spec, a row for each; above the verbs of the API."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from math import inf, isnan
 from typing import Any, Literal
 
@@ -9,44 +9,12 @@ from flexcli.errors import SolveError, SpecError
 from flexcli.results import Check, Result, Verdict
 from flexcli.results.study import Column, StudyResult, StudyRow
 
-__all__ = ["collected", "row_of", "study"]
+__all__ = ["collected", "row_of"]
 
 Each = Literal["check", "size", "simulate"]
 
 ORDER = (Verdict.FAIL, Verdict.UNDECIDED, Verdict.NOT_JUDGED, Verdict.PASS)
 """Which check decides a design: the worst verdict first."""
-
-
-def study(
-    source: api.Spec,
-    points: Iterable[Mapping[str, str]],
-    *,
-    each: Each = "check",
-    model: str | None = None,
-    go_on: Callable[[StudyRow], bool] = lambda _: True,
-) -> StudyResult:
-    """Return a row for every point: values put over those of a spec, and what a verb says there.
-
-    Parameters
-    ----------
-    source : str, path or Loaded
-        The spec.
-    points : iterable of mapping
-        By the paths of the spec, the values to put there, as the spec writes them.
-    each : str
-        The verb.
-    model : str, optional
-        The model that alone judges.
-    go_on : callable
-        Told each row; answers whether to go on.
-
-    """
-    told, rows = list(points), []
-    for point in told:
-        rows.append(row_of(source, point, each, model))
-        if not go_on(rows[-1][0]):
-            break
-    return collected(rows, each, len(told))
 
 
 def row_of(

@@ -14,7 +14,7 @@ from flexcli.cli.common import (
     finish,
     on_each,
 )
-from flexcli.cli.files import ForceOption, write_or_end
+from flexcli.cli.files import ForceOption, write_picture
 from flexcli.errors import Finding, SpecError
 from flexcli.results import Result, Status
 
@@ -69,15 +69,7 @@ def run(
     results = on_each(NAME, specs, stated, verb)
     if not drawn:
         finish(NAME, results, Format.TEXT, many=False)
-    (svg,) = drawn
-    if output is None:
-        typer.echo(svg, nl=False)
-    elif output.suffix == ".png":
-        from flexcli.report.raster import png
-
-        write_or_end(output, png(svg), force=force)
-    else:
-        write_or_end(output, svg, force=force)
+    write_picture(drawn[0], output, force=force)
 
 
 def _drawn(spec: "Loaded", view: View, case: str | None, *, stress: bool) -> str:

@@ -11,7 +11,9 @@ from typing import Annotated
 
 import typer
 
-__all__ = ["ForceOption", "saved", "write_all_or_end", "write_or_end"]
+from flexcli.errors import SolveError
+
+__all__ = ["ForceOption", "saved", "write_all_or_end", "write_or_end", "write_picture"]
 
 ForceOption = Annotated[
     bool, typer.Option("--force", help="Replace the file to write, if it exists.")
@@ -84,6 +86,23 @@ def write_all_or_end(files: Mapping[Path, bytes], *, force: bool) -> None:
             sys.stderr.write(f"flexure: cannot make {path.parent}: {error.strerror}\n")
             raise typer.Exit(2) from error
         write_or_end(path, content, force=force)
+
+
+def write_picture(svg: str, path: Path | None, *, force: bool) -> None:
+    """Write a picture as its file's name says, to stdout where there is none, or end the run."""
+    if path is None:
+        typer.echo(svg, nl=False)
+        return
+    content: str | bytes = svg
+    if path.suffix == ".png":
+        from flexcli.report.raster import png
+
+        try:
+            content = png(svg)
+        except SolveError as error:  # what draws pixels is not installed
+            sys.stderr.write(f"flexure: {error.text}: {error.remedy}\n")
+            raise typer.Exit(2) from error
+    write_or_end(path, content, force=force)
 
 
 def _write(path: Path, content: str | bytes, *, force: bool) -> None:

@@ -14,7 +14,7 @@ from flexcli.cli.common import (
     finish,
     read,
 )
-from flexcli.cli.files import ForceOption, write_or_end
+from flexcli.cli.files import ForceOption, write_picture
 from flexcli.errors import Finding, SpecError
 from flexcli.results import Result, Status
 
@@ -71,15 +71,7 @@ def run(
         fail(NAME, str(spec), SpecError([finding]), Format.TEXT)
     from flexcli.report.plots import standalone
 
-    svg = standalone(chosen[0])
-    if output is None:
-        typer.echo(svg)
-    elif output.suffix == ".png":
-        from flexcli.report.raster import png
-
-        write_or_end(output, png(svg), force=force)
-    else:
-        write_or_end(output, svg, force=force)
+    write_picture(standalone(chosen[0]), output, force=force)
 
 
 def _plots(path: Path, stated: list[str] | None, what: str | None) -> "list[Plot]":
