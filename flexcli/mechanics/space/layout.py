@@ -1,0 +1,166 @@
+"""A mechanism in space at rest: rigid bodies, blades and rods between them, and its motion.
+
+One description for every solver in space. Positions and directions are those of the drawing, in
+the pose in which nothing is strained; a body of no listed name is the ground.
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.formulas.profile import Profile
+
+__all__ = [
+    "Drive",
+    "Isotropic",
+    "Matrix3",
+    "SpaceBlade",
+    "SpaceBody",
+    "SpaceLayout",
+    "SpaceLoad",
+    "SpaceRod",
+    "SpaceSpring",
+    "Vector",
+    "along",
+]
+
+Floats = NDArray[np.float64]
+
+Vector: TypeAlias = tuple[float, float, float]
+"""Coordinates or components along x, y and z."""
+
+Matrix3: TypeAlias = tuple[Vector, Vector, Vector]
+"""A symmetric matrix, by rows."""
+
+_NONE: Matrix3 = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+
+
+class Isotropic(NamedTuple):
+    """Material of a blade: Young's and shear modulus [Pa], density [kg/m³]."""
+
+    E: float
+    G: float
+    density: float = 0.0
+
+    @property
+    def nu(self) -> float:
+        """Return Poisson's ratio, E/2G − 1 [-]."""
+        return self.E / (2.0 * self.G) - 1.0
+
+
+class SpaceBody(NamedTuple):
+    """A rigid body: the point its motion is stated at [m], mass [kg] and its centre [m].
+
+    ``inertia`` is the tensor about the centre of mass along the axes of the drawing [kg·m²]; its
+    products stand with their sign as entries, −∫xy dm.
+    """
+
+    name: str
+    point: Vector
+    com: Vector
+    mass: float = 0.0
+    inertia: Matrix3 = _NONE
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceBlade:
+    """A straight blade of rectangular section from body ``first`` to body ``second``.
+
+    ``profile`` is the thickness from ``start`` to ``end`` [m], ``b`` the width [m] in the
+    direction ``width`` (of any length; what it has along the blade plays no part).
+    """
+
+    name: str
+    first: str
+    second: str
+    start: Vector
+    end: Vector
+    width: Vector
+    profile: Profile
+    b: float
+    material: Isotropic
+
+    @property
+    def axes(self) -> Floats:
+        """Return its axes as rows: x along it, y across its thickness, z across its width."""
+        x = along(self.start, self.end)
+        z = np.asarray(self.width, dtype=np.float64)
+        z = z - (z @ x) * x
+        z = z / np.linalg.norm(z)
+        return np.stack([x, np.cross(z, x), z])
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceRod:
+    """A straight rod of round section of diameter ``d`` [m] from ``first`` to ``second``."""
+
+    name: str
+    first: str
+    second: str
+    start: Vector
+    end: Vector
+    d: float
+    material: Isotropic
+
+    @property
+    def axes(self) -> Floats:
+        """Return its axes as rows, x along it; y and z are any two across."""
+        x = along(self.start, self.end)
+        z = np.cross(x, np.eye(3)[int(np.argmin(np.abs(x)))])
+        z = z / np.linalg.norm(z)
+        return np.stack([x, np.cross(z, x), z])
+
+
+class SpaceSpring(NamedTuple):
+    """Springs from a body to the ground at a point, along and about x, y, z [N/m, N·m/rad]."""
+
+    body: str
+    point: Vector
+    stiffness: tuple[float, float, float, float, float, float]
+
+
+class SpaceLoad(NamedTuple):
+    """A force at a point of a body [N, m] and a moment on it [N·m], constant in direction."""
+
+    body: str
+    point: Vector
+    force: Vector = (0.0, 0.0, 0.0)
+    moment: Vector = (0.0, 0.0, 0.0)
+
+
+class Drive(NamedTuple):
+    """The one motion that a stroke asks of a body: along, or about, a unit ``direction``.
+
+    ``point`` is the point of the body that travels, or one on the axis it turns about [m].
+    """
+
+    body: str
+    turns: bool
+    direction: Vector
+    point: Vector
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceLayout:
+    """Bodies that may move, what joins them to each other and to the ground, and the drive."""
+
+    bodies: tuple[SpaceBody, ...]
+    blades: tuple[SpaceBlade | SpaceRod, ...]
+    drive: Drive
+    springs: tuple[SpaceSpring, ...] = ()
+
+    def index(self, name: str) -> int:
+        """Return where a body stands among those that may move; it must be one of them."""
+        return [body.name for body in self.bodies].index(name)
+
+    def body(self, name: str) -> SpaceBody:
+        """Return a body that may move."""
+        return self.bodies[self.index(name)]
+
+
+def along(start: Vector, end: Vector) -> Floats:
+    """Return the unit vector from one point to another [-]."""
+    r = np.subtract(end, start)
+    return np.asarray(r / np.linalg.norm(r))
