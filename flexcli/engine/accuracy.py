@@ -6,14 +6,14 @@ from time import perf_counter
 import numpy as np
 
 from flexcli.engine.comparing.compared import Settled, Timed, compared, relative_bound
-from flexcli.engine.comparing.ladder import (
+from flexcli.engine.comparing.model_series import (
     CONTROL_LEVELS,
     FINEST,
     Finest,
+    NamedModel,
     Number,
-    Rung,
-    ladder,
     numbers,
+    series,
 )
 from flexcli.engine.comparing.time_accuracy import accuracy_in_time, time_notes
 from flexcli.engine.plan import ACCURACY
@@ -50,9 +50,9 @@ def accuracy(
     if not settled:
         text = f"a {design.geometry.name} {_why_not(wanted[0])}: there is nothing to compare with"
         raise SolveError("one-model", text, "'flexure check' judges it by the model that it has")
-    rungs = ladder(design.geometry, tolerance)
+    models = series(design.geometry, tolerance)
     target = asked or design.accuracy or ACCURACY
-    still = compared(settled, rungs, timed(settled, rungs, runs), target, unsettled)
+    still = compared(settled, models, timed(settled, models, runs), target, unsettled)
     in_time = accuracy_in_time(design, sizes, runs, target)
     found = still._replace(in_time=in_time)
     ladders = [each for each in (still, in_time) if each is not None]
@@ -113,23 +113,23 @@ def _why_not(number: Number) -> str:
     return f"is zero to rounding in its {number.label}"
 
 
-def timed(settled: Sequence[Settled[Number]], rungs: Sequence[Rung], runs: int) -> Timed:
+def timed(settled: Sequence[Settled[Number]], models: Sequence[NamedModel], runs: int) -> Timed:
     """Return every number by every model, and the seconds that each took.
 
     The code is warm, the models are new each time: none remembers what it solved before. They take
     turns, so that a busy machine slows all of them alike.
     """
-    values = np.full((len(rungs), len(settled)), np.nan)
-    for i, rung in enumerate(rungs):
+    values = np.full((len(models), len(settled)), np.nan)
+    for i, model in enumerate(models):
         for j, each in enumerate(settled):
-            value = each.number.tried(rung.new())
+            value = each.number.tried(model.new())
             values[i, j] = np.nan if value is None else value
     seconds = np.full((runs, *values.shape), np.nan)
     for run in range(runs):
         for i, j in np.argwhere(np.isfinite(values)):
-            by, answers = settled[j].number.by, rungs[i].new()
+            by, joint_model = settled[j].number.by, models[i].new()
             begun = perf_counter()
-            by(answers)
+            by(joint_model)
             seconds[run, i, j] = perf_counter() - begun
     return Timed(values, seconds)
 

@@ -50,7 +50,7 @@ def _inverted(ask: Ask, strength: float, first: float) -> AdmissibleStroke | Non
     travel, power, before = first, 1.0, None
     for _ in range(ROUNDS):
         at = _moved(ask, travel)
-        stress = max(abs(float(each.largest)) for each in ask.answers.stresses(at)[1])
+        stress = max(abs(float(each.largest)) for each in ask.joint_model.stresses(at)[1])
         if not stress > 0.0:
             return None  # too small a number to tell
         off = log(strength / stress)
@@ -58,7 +58,7 @@ def _inverted(ask: Ask, strength: float, first: float) -> AdmissibleStroke | Non
             seen = log(stress / before[1]) / log(travel / before[0])
             power = min(max(seen, GENTLEST), STEEPEST)
         if abs(off) <= SETTLED:
-            error = ask.answers.error(at, QuantityKind.STRESS)
+            error = ask.joint_model.error(at, QuantityKind.STRESS)
             return None if error is None else AdmissibleStroke(travel, error.largest / power)
         before = travel, stress
         travel *= (strength / stress) ** (1.0 / power)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from time import perf_counter
 
-from flexcli.engine import assess, left_out
+from flexcli.engine import assess, omitted_effects
 from flexcli.engine import values as design_values
 from flexcli.engine.balancing.base_motion import (
     gravity_rows,
@@ -83,7 +83,7 @@ def balance(design: DesignSpec, spec: str) -> Result:
         values |= sag_values(gravity, states[-1])
     solved = stage.balancing if stage else None
     sizes = design.fixed_sizes()
-    errors = left_out.errors_of(design, sizes, AS_PRINTED) if sizes is not None else {}
+    errors = omitted_effects.errors_of(design, sizes, AS_PRINTED) if sizes is not None else {}
     return Result(
         command="balance",
         spec=spec,

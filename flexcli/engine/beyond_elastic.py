@@ -6,7 +6,7 @@ from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import Answers, RequirementError
+from flexcli.parts.requirements import JointModel, RequirementError
 from flexcli.results import Check, Note
 from flexcli.units import show
 
@@ -20,7 +20,7 @@ BUCKLING = ("buckling", "dynamic buckling")
 
 
 def beyond_elastic(
-    design: DesignSpec, sizes: Sizes, answers: Answers, checks: Iterable[Check]
+    design: DesignSpec, sizes: Sizes, joint_model: JointModel, checks: Iterable[Check]
 ) -> Iterator[Note]:
     """Yield a note for each case whose stress passes R_m or a strain of 2 %, and for buckling.
 
@@ -32,7 +32,7 @@ def beyond_elastic(
     strained = MOST_STRAIN * material.elastic.E
     for case in design.cases:
         stress = max(
-            _told(design, sizes, answers, case),
+            _told(design, sizes, joint_model, case),
             max((c.demand for c in found if c.case == case and c.unit == "Pa"), default=0.0),
         )
         if tensile is not None and stress > tensile.value:
@@ -51,15 +51,15 @@ def beyond_elastic(
         yield Note("buckling-without-yield-strength", text)
 
 
-def _told(design: DesignSpec, sizes: Sizes, answers: Answers, case: str) -> float:
+def _told(design: DesignSpec, sizes: Sizes, joint_model: JointModel, case: str) -> float:
     """Return the largest stress of a case by formulas, nothing where only solving tells it."""
-    if not design.geometry.closed_forms or answers.model not in ("source", "closed-form"):
+    if not design.geometry.closed_forms or joint_model.name not in ("source", "closed-form"):
         return 0.0
-    ask = design.ask(design.scene(case), sizes, answers)
+    ask = design.ask(design.scene(case), sizes, joint_model)
     if not (ask.scene.moves or ask.scene.is_loaded):
         return 0.0
     try:
-        _, stresses = answers.stresses(ask)
+        _, stresses = joint_model.stresses(ask)
     except (NotAvailable, RequirementError, SolveError):
         return 0.0
     return max((abs(float(s.largest)) for s in stresses), default=0.0)

@@ -4,16 +4,16 @@ from collections.abc import Iterator
 from dataclasses import replace
 from time import perf_counter
 
-from flexcli.engine import left_out
+from flexcli.engine import omitted_effects
 from flexcli.engine import values as design_values
 from flexcli.engine.beyond_elastic import beyond_elastic
 from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
-from flexcli.engine.models import LADDER, Rung, rungs
+from flexcli.engine.models import MODEL_SERIES, NamedModel, model_series
 from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import Answers
+from flexcli.parts.requirements import JointModel
 from flexcli.results import Cost, Note, Result, Value, Verdict
 
 __all__ = ["check", "judged", "told_values"]
@@ -48,7 +48,7 @@ def check(design: DesignSpec, sizes: Sizes, spec: str, model: str | None = None)
         )
     found: Judgement | None = None
     try:
-        found = judge(design, sizes, rungs(design, model))
+        found = judge(design, sizes, model_series(design, model))
         if design.stops is not None:
             from flexcli.engine.stopping.between import between_stops
 
@@ -72,9 +72,9 @@ def judged(
     model: str | None = None,
 ) -> Result:
     """Return a judgement with the values of a design by the cheapest model, and its warnings."""
-    answers = _answers(design, found, model or design.model or _cheapest(design))
-    values, notes = _values_of_any(design, sizes, answers)
-    rows = left_out.effects(design, sizes, answers)
+    joint_model = _judging(design, found, model or design.model or _cheapest(design))
+    values, notes = _values_of_any(design, sizes, joint_model)
+    rows = omitted_effects.effects(design, sizes, joint_model)
     errors = [v.estimated_error for v in values.values() if v.estimated_error is not None]
     result = Result(
         command=command,
@@ -85,55 +85,57 @@ def judged(
         checks=found.checks,
         effects=rows,
         warnings=(
-            *left_out.warnings(design, sizes, rows),
-            *beyond_elastic(design, sizes, answers, found.checks),
+            *omitted_effects.warnings(design, sizes, rows),
+            *beyond_elastic(design, sizes, joint_model, found.checks),
             *notes,
             *_open(design, sizes, found),
         ),
         cost=Cost(0.0, found.deciding, max(errors, default=None), by_model=found.by_model),
     )
-    if design.accuracy is None or answers.model == "source":
+    if design.accuracy is None or joint_model.name == "source":
         return result
     from flexcli.engine.planning.by_plan import with_planned_values
 
     return with_planned_values(result, design, sizes, model or design.model)
 
 
-def told_values(design: DesignSpec, sizes: Sizes, answers: Answers) -> dict[str, Value]:
+def told_values(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> dict[str, Value]:
     """Return the values of a design by a model, each with its estimated error."""
     try:
-        found = design_values.values(design, sizes, answers)
+        found = design_values.values(design, sizes, joint_model)
     except NotAvailable as error:
         text = f"a {design.geometry.name} {error}"
         remedy = "hold or support every body, or lessen the loads of the cases"
-        raise NoSolution(f"{answers.model}-has-no-answer", text, remedy) from error
-    return design_values.with_errors(found, left_out.errors_of(design, sizes, answers))
+        raise NoSolution(f"{joint_model.name}-has-no-answer", text, remedy) from error
+    return design_values.with_errors(found, omitted_effects.errors_of(design, sizes, joint_model))
 
 
 def _values_of_any(
-    design: DesignSpec, sizes: Sizes, answers: Answers
+    design: DesignSpec, sizes: Sizes, joint_model: JointModel
 ) -> tuple[dict[str, Value], tuple[Note, ...]]:
     """Return the values by a model, or by the cheapest that has an answer, which a note says."""
     try:
-        return told_values(design, sizes, answers), ()
+        return told_values(design, sizes, joint_model), ()
     except SolveError as error:
         reason = error
-    for name in LADDER:
+    for name in MODEL_SERIES:
         if name == "closed-form" and not design.geometry.closed_forms:
             continue
         try:
-            found = told_values(design, sizes, Rung(design, name).answers)
+            found = told_values(design, sizes, NamedModel(design, name).joint_model)
         except SolveError:
             continue
-        text = f"the {answers.model} model has none of the values ({reason.text}); these are {name}"
+        text = (
+            f"the {joint_model.name} model has none of the values ({reason.text}); these are {name}"
+        )
         return found, (Note("values-by-another-model", text),)
     raise reason
 
 
-def _answers(design: DesignSpec, found: Judgement, model: str) -> Answers:
+def _judging(design: DesignSpec, found: Judgement, model: str) -> JointModel:
     """Return a model, the one that judged where it did, as it knows what it has solved."""
-    asked = next((rung for rung in found.rungs if rung.name == model), Rung(design, model))
-    return asked.answers
+    judged = (named for named in found.models if named.name == model)
+    return next(judged, NamedModel(design, model)).joint_model
 
 
 def _cheapest(design: DesignSpec) -> str:

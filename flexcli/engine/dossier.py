@@ -52,19 +52,19 @@ def dossier(
         Symbols of the sizes that were chosen, of which a region shows the first two.
 
     """
-    left_out: list[str] = []
+    not_shown: list[str] = []
     drawn: Drawing | None = None
     sweeps: tuple[SweepResult, ...] = ()
     region: Region | None = None
     try:
         drawn = drawing(design, sizes)
     except SolveError as reason:
-        left_out.append(f"no drawing: {reason.text}")
+        not_shown.append(f"no drawing: {reason.text}")
     if any(scene.moves for scene in design.scenes()):
         try:
             sweeps = simulate(design, sizes, result.spec, POINTS).sweeps
         except SolveError as reason:
-            left_out.append(f"no simulation over the stroke: {reason.text}")
+            not_shown.append(f"no simulation over the stroke: {reason.text}")
     if len(chosen) > 1:
         region = _region(design, sizes, chosen)
     return Dossier(
@@ -75,7 +75,7 @@ def dossier(
         spectra=tuple(_spectra(design, result)),
         equations=tuple(_equations(design, sizes)),
         region=region,
-        left_out=tuple(left_out),
+        not_shown=tuple(not_shown),
     )
 
 

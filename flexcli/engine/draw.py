@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.answers.exact import TOLERANCE, ExactAnswers
-from flexcli.engine.answers.joint_states import blades_of, over_travels
+from flexcli.engine.joint_models.exact import TOLERANCE, ExactModel
+from flexcli.engine.joint_models.joint_states import blades_of, over_travels
 from flexcli.engine.values import stated_strength
 from flexcli.errors import SolveError
 from flexcli.mechanics.demand import Held
@@ -67,7 +67,7 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
     if case is not None and case not in design.cases:
         text = f"there is no case {case}"
         raise SolveError("no-such-case", text, f"name one of {', '.join(design.cases)}")
-    asks = design.asks(sizes, ExactAnswers())
+    asks = design.asks(sizes, ExactModel())
     named = [a for a in asks if a.scene.case == case]
     ask = next(iter(named or [a for a in asks if a.scene.moves] or asks))
     geometry, notes = design.geometry, []

@@ -11,7 +11,7 @@ from time import perf_counter
 from typing import NamedTuple
 
 from flexcli.engine import assess
-from flexcli.engine.models import Rung
+from flexcli.engine.models import NamedModel
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import Buckled, NotAvailable
@@ -66,7 +66,7 @@ class Judgement(NamedTuple):
 
     checks: tuple[Check, ...]
     by_model: dict[str, float]
-    rungs: tuple[Rung, ...]
+    models: tuple[NamedModel, ...]
 
     @property
     def status(self) -> Status:
@@ -96,9 +96,9 @@ class Interrupted(KeyboardInterrupt):
         self.so_far = so_far
 
 
-def judge(design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...]) -> Judgement:
+def judge(design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...]) -> Judgement:
     """Return every check of a design by the models in turn; raise Interrupted at Ctrl-C."""
-    ladder = _Ladder(design, sizes, rungs)
+    series = _Series(design, sizes, models)
     found = list(assess.checks(design.own_limits(sizes)))
     scenes = design.scenes()
     looked_at: dict[str, set[LoadKind]] = {scene.case: set() for scene in scenes}
@@ -107,18 +107,18 @@ def judge(design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...]) -> Judgemen
     for index, (requirement, scene) in enumerate(questions):
         try:
             path = paths[id(requirement)]
-            found.extend(check._replace(path=path) for check in ladder.climbed(requirement, scene))
+            found.extend(check._replace(path=path) for check in series.climbed(requirement, scene))
         except KeyboardInterrupt:
             open_ = (
                 _not_done(asked, of)._replace(path=paths[id(asked)])
                 for asked, of in questions[index:]
             )
             so_far = assess.worst_of_each([*found, *open_])
-            raise Interrupted(Judgement(so_far, ladder.seconds, rungs)) from None
+            raise Interrupted(Judgement(so_far, series.seconds, models)) from None
         looked_at[scene.case] |= requirement.looks_at(scene)
     for scene in scenes:
         found.extend(_not_judged(scene, looked_at[scene.case]))
-    return Judgement(assess.worst_of_each(found), ladder.seconds, rungs)
+    return Judgement(assess.worst_of_each(found), series.seconds, models)
 
 
 def stopped_result(
@@ -147,7 +147,7 @@ class Used(NamedTuple):
 def finest(
     design: DesignSpec,
     sizes: Sizes,
-    rungs: tuple[Rung, ...],
+    models: tuple[NamedModel, ...],
     only: Container[int] | None = None,
 ) -> dict[str, Used]:
     """Return what each check uses, by a model that is sure of it where it is near its limit.
@@ -155,12 +155,12 @@ def finest(
     The low end of the factor counts; of a target, its value. ``only`` are the questions to ask,
     by their place; all if left out. What no model has an answer for is not there.
     """
-    ladder, found = _Ladder(design, sizes, rungs), {}
+    series, found = _Series(design, sizes, models), {}
     scenes = design.scenes()
     for index, (requirement, scene) in enumerate(design.questions(scenes)):
         if only is not None and index not in only:
             continue
-        for check in ladder.climbed(requirement, scene, _is_sure):
+        for check in series.climbed(requirement, scene, _is_sure):
             share = _share(check)
             if isfinite(share) and share > 0.0:
                 found[check.full_name] = Used(share, index)
@@ -182,13 +182,13 @@ def _share(check: Check) -> float:
     return check.required / low if low > 0.0 else nan
 
 
-class _Ladder:
+class _Series:
     """The models in turn, and the time that each took."""
 
-    def __init__(self, design: DesignSpec, sizes: Sizes, rungs: tuple[Rung, ...]) -> None:
+    def __init__(self, design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...]) -> None:
         self.design = design
         self.sizes = sizes
-        self.rungs = rungs
+        self.models = models
         self.seconds: dict[str, float] = {}
 
     def climbed(
@@ -200,36 +200,36 @@ class _Ladder:
         """Yield the checks of a requirement in a case, each by the first model that does."""
         best: dict[str, Check] = {}
         spent, reason = 0.0, ""
-        for rung in self.rungs:
-            doing(f"{requirement.label}, {scene.case}, by the {rung.name} model")
+        for model in self.models:
+            doing(f"{requirement.label}, {scene.case}, by the {model.name} model")
             started = perf_counter()
             buckled: Buckled | None = None
             try:
-                limits = list(self._limits(requirement, scene, rung))
+                limits = list(self._limits(requirement, scene, model))
             except Buckled as found:
                 buckled, limits = found, []
             except (NotAvailable, RequirementError, SolveError) as error:
                 reason, limits = str(error), []
             took = perf_counter() - started
-            self.seconds[rung.name] = self.seconds.get(rung.name, 0.0) + took
+            self.seconds[model.name] = self.seconds.get(model.name, 0.0) + took
             spent += took
             for check in assess.checks(limits):
                 key = check.full_name
                 if key not in best or not enough(best[key]):
-                    best[key] = check._replace(model=rung.name, seconds=spent)
+                    best[key] = check._replace(model=model.name, seconds=spent)
             if buckled is not None:
                 for check in list(best.values()) or [_no_answer(requirement, scene, "", "", 0.0)]:
                     if not enough(check):
                         fails = _buckles(check, buckled.share)
-                        best[check.full_name] = fails._replace(model=rung.name, seconds=spent)
+                        best[check.full_name] = fails._replace(model=model.name, seconds=spent)
             if best and all(enough(check) for check in best.values()):
                 break
         if not best:
-            yield _no_answer(requirement, scene, reason, self.rungs[-1].name, spent)
+            yield _no_answer(requirement, scene, reason, self.models[-1].name, spent)
         yield from best.values()
 
-    def _limits(self, requirement: Requirement, scene: Scene, rung: Rung) -> Iterator[Limit]:
-        ask = self.design.ask(scene, self.sizes, rung.answers)
+    def _limits(self, requirement: Requirement, scene: Scene, model: NamedModel) -> Iterator[Limit]:
+        ask = self.design.ask(scene, self.sizes, model.joint_model)
         errors: dict[QuantityKind, ErrorRange | None] = {}
         for limit in requirement.limits(ask):
             kind = limit.kind
@@ -237,7 +237,7 @@ class _Ladder:
                 yield limit
                 continue
             if kind not in errors:  # one for all places of a stress
-                errors[kind] = ask.answers.error(ask, kind)
+                errors[kind] = ask.joint_model.error(ask, kind)
             yield replace(limit, error=errors[kind])
 
 

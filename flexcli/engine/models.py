@@ -2,20 +2,20 @@
 
 from functools import cached_property
 
-from flexcli.engine.answers.corrected import Corrected
+from flexcli.engine.joint_models.corrected import Corrected
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import MODEL_EFFECTS
-from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Answers
+from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, JointModel
 
-__all__ = ["LADDER", "Rung", "rungs"]
+__all__ = ["MODEL_SERIES", "NamedModel", "model_series"]
 
-LADDER = ("closed-form", "linear", "exact")
+MODEL_SERIES = ("closed-form", "linear", "exact")
 """What judges, the cheapest first."""
 
 
-class Rung:
+class NamedModel:
     """A model of a design by its name, made when it is first asked; it keeps what it solved."""
 
     def __init__(self, design: DesignSpec, name: str) -> None:
@@ -23,12 +23,12 @@ class Rung:
         self.name = name
 
     @cached_property
-    def answers(self) -> Answers:
+    def joint_model(self) -> JointModel:
         """Return the model itself."""
-        return _answers_of(self.design, self.name)
+        return _joint_model(self.design, self.name)
 
 
-def rungs(design: DesignSpec, model: str | None = None) -> tuple[Rung, ...]:
+def model_series(design: DesignSpec, model: str | None = None) -> tuple[NamedModel, ...]:
     """Return the models that may judge a design, the cheapest first; the one insisted on alone.
 
     Raises
@@ -39,12 +39,12 @@ def rungs(design: DesignSpec, model: str | None = None) -> tuple[Rung, ...]:
     """
     asked = model or design.model
     if asked is not None:
-        return (Rung(design, asked),)
-    names = LADDER if design.geometry.closed_forms else LADDER[1:]
-    return tuple(Rung(design, name) for name in names)
+        return (NamedModel(design, asked),)
+    names = MODEL_SERIES if design.geometry.closed_forms else MODEL_SERIES[1:]
+    return tuple(NamedModel(design, name) for name in names)
 
 
-def _answers_of(design: DesignSpec, model: str) -> Answers:
+def _joint_model(design: DesignSpec, model: str) -> JointModel:
     """Return a model of a design's joint; solvers are imported for the models that need them.
 
     The sources' formulas are taken as they stand; the other models get a correction for every
@@ -55,7 +55,7 @@ def _answers_of(design: DesignSpec, model: str) -> Answers:
         raise SolveError("no-closed-forms", text, "take model linear or exact, or name none")
     heard = tuple(e for e in MODEL_EFFECTS if not design.is_off(e.name))
     if model == "source":
-        return Corrected(AS_PRINTED, (), model, left_out=heard)
+        return Corrected(AS_PRINTED, (), model, omitted=heard)
     if model == "closed-form":
         return Corrected(CLOSED_FORM, heard, model)
     from flexcli.mechanics.mesh import Effects
@@ -65,9 +65,9 @@ def _answers_of(design: DesignSpec, model: str) -> Answers:
         shear=not design.is_off(EffectName.SHEAR),
     )
     if model == "linear":
-        from flexcli.engine.answers.linear import LinearAnswers
+        from flexcli.engine.joint_models.linear import LinearModel
 
-        return Corrected(LinearAnswers(blades), heard, model)
-    from flexcli.engine.answers.exact import ExactAnswers
+        return Corrected(LinearModel(blades), heard, model)
+    from flexcli.engine.joint_models.exact import ExactModel
 
-    return Corrected(ExactAnswers(blades), heard, model)
+    return Corrected(ExactModel(blades), heard, model)

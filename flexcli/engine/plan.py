@@ -8,8 +8,8 @@ half is for the model.
 from collections.abc import Iterator
 from math import inf
 
-from flexcli.engine import left_out
-from flexcli.engine.answers.corrected import Corrected
+from flexcli.engine import omitted_effects
+from flexcli.engine.joint_models.corrected import Corrected
 from flexcli.engine.planning.candidates import (
     Candidate,
     Known,
@@ -25,10 +25,10 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import MODEL_EFFECTS, SCENE_EFFECTS, ModelEffect, Setting
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import AS_PRINTED, Answers
+from flexcli.parts.requirements import AS_PRINTED, JointModel
 from flexcli.results import EffectRow, ModelRow, Note, Plan
 
-__all__ = ["ACCURACY", "plan", "planned_answers"]
+__all__ = ["ACCURACY", "plan", "planned_model"]
 
 ACCURACY = 0.01
 """What ``flexure plan`` takes where the spec asks for none."""
@@ -61,8 +61,8 @@ def plan(
         When the joint does not have the model insisted on, or none at all.
 
     """
-    setting = left_out.setting(design, sizes)
-    names = left_out.reported(design, setting)
+    setting = omitted_effects.setting(design, sizes)
+    names = omitted_effects.reported(design, setting)
     asked = design.accuracy or accuracy or inf
     known = list(_known(design, setting, names))
     on = _wanted(known, asked)
@@ -88,27 +88,27 @@ def plan(
     )
 
 
-def planned_answers(found: Plan) -> Answers:
+def planned_model(found: Plan) -> JointModel:
     """Return the model of a plan, with the effects that are on and no others."""
     on = set(found.on)
-    inner: Answers = AS_PRINTED
+    inner: JointModel = AS_PRINTED
     if found.model != "closed-form":
-        from flexcli.engine.answers.exact import ExactAnswers
-        from flexcli.engine.answers.linear import LinearAnswers
+        from flexcli.engine.joint_models.exact import ExactModel
+        from flexcli.engine.joint_models.linear import LinearModel
         from flexcli.mechanics.mesh import Effects
 
         off = {row.name for row in found.effects if row.asked == "off"}
         blades = Effects(
             extension=EffectName.AXIAL_EXTENSION not in off, shear=EffectName.SHEAR not in off
         )
-        exact = found.model == ExactAnswers.model
-        inner = ExactAnswers(blades, found.tolerance) if exact else LinearAnswers(blades)
+        exact = found.model == ExactModel.name
+        inner = ExactModel(blades, found.tolerance) if exact else LinearModel(blades)
     extra = [e for e in MODEL_EFFECTS if e.name in on and e.name not in inner.covers | inner.always]
     return Corrected(inner, extra, _named(inner, extra))
 
 
-def _named(inner: Answers, extra: list[ModelEffect]) -> str:
-    name = "closed-form" if inner is AS_PRINTED else inner.model
+def _named(inner: JointModel, extra: list[ModelEffect]) -> str:
+    name = "closed-form" if inner is AS_PRINTED else inner.name
     return f"{name} with {', '.join(e.name for e in extra)}" if extra else name
 
 

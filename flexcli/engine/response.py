@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from time import perf_counter
 
 from flexcli.engine.judge import judge, status_of
-from flexcli.engine.models import rungs
+from flexcli.engine.models import model_series
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.parts.asd import RandomVibration
@@ -51,13 +51,13 @@ def respond(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
     values: dict[str, Value] = {}
     notes: list[Note] = []
     rows: list[EffectRow] = []
-    models = rungs(design)
-    answers = models[0].answers
+    models = model_series(design)
+    joint_model = models[0].joint_model
     for name in design.cases:
         scene = design.scene(name)
         if not scene.loads & SHAKES:
             continue
-        ask = design.ask(scene, sizes, answers)
+        ask = design.ask(scene, sizes, joint_model)
         found = tuple(_responses(ask))
         for response in found:
             values |= _mode_values(response)

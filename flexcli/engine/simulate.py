@@ -8,13 +8,13 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine import left_out
+from flexcli.engine import omitted_effects
 from flexcli.engine import values as design_values
-from flexcli.engine.answers.exact import TOLERANCE, ExactAnswers, driven_stiffness
-from flexcli.engine.answers.holds import driven_axis
-from flexcli.engine.answers.joint_states import blades_of, layout_of, over_travels
+from flexcli.engine.joint_models.exact import TOLERANCE, ExactModel, driven_stiffness
+from flexcli.engine.joint_models.holds import driven_axis
+from flexcli.engine.joint_models.joint_states import blades_of, layout_of, over_travels
 from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
-from flexcli.engine.models import rungs
+from flexcli.engine.models import model_series
 from flexcli.errors import NoSolution, SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.energy import strain_energy
@@ -42,7 +42,7 @@ Floats = NDArray[np.float64]
 
 ALL = Effects()
 
-EXACT_MODEL = ExactAnswers.model
+EXACT_MODEL = ExactModel.name
 
 
 def simulate(
@@ -60,19 +60,19 @@ def simulate(
 
     """
     started = perf_counter()
-    answers = ExactAnswers(blades)
-    moving = [ask for ask in design.asks(sizes, answers) if ask.scene.moves]
+    joint_model = ExactModel(blades)
+    moving = [ask for ask in design.asks(sizes, joint_model) if ask.scene.moves]
     if not moving:
         raise SolveError(
             "no-stroke", "no case moves the joint", "add stroke: to a case, e.g. {rotation: 5 deg}"
         )
-    models = rungs(design, EXACT_MODEL)
+    models = model_series(design, EXACT_MODEL)
     sweeps: tuple[SweepResult, ...] = ()
     try:
         for ask in moving:
             doing(f"the stroke of {ask.scene.case}")
             sweeps += (_sweep(ask, points, blades),)
-        values = design_values.values(design, sizes, answers)
+        values = design_values.values(design, sizes, joint_model)
         found = judge(design, sizes, models)
     except NotAvailable as error:
         raise _no_sweep(moving[0], error) from error
@@ -83,7 +83,7 @@ def simulate(
         result = stopped_result("simulate", design, spec, so_far, perf_counter() - started)
         return replace(result, sweeps=sweeps)
     reached = not any(sweep.missed for sweep in sweeps)
-    effects = left_out.effects(design, sizes, models[0].answers)
+    effects = omitted_effects.effects(design, sizes, models[0].joint_model)
     errors = [p.estimated_error for sweep in sweeps for p in sweep.points]
     return Result(
         command="simulate",
@@ -92,15 +92,15 @@ def simulate(
         title=design.title,
         values=design_values.with_errors(
             {**values, **_at_ends(design, sweeps)},
-            left_out.errors_of(design, sizes, models[0].answers),
+            omitted_effects.errors_of(design, sizes, models[0].joint_model),
         ),
         checks=found.checks,
         sweeps=sweeps,
         effects=effects,
-        warnings=left_out.warnings(design, sizes, effects),
+        warnings=omitted_effects.warnings(design, sizes, effects),
         cost=Cost(
             perf_counter() - started,
-            answers.model,
+            joint_model.name,
             max(errors, default=None),
             by_model=found.by_model,
         ),

@@ -7,7 +7,7 @@ from time import perf_counter
 
 from flexcli.engine.check import judged
 from flexcli.engine.judge import judge
-from flexcli.engine.models import Rung, rungs
+from flexcli.engine.models import NamedModel, model_series
 from flexcli.engine.sizing.balanced import Balanced, NotBalanced, balanced
 from flexcli.engine.sizing.conflict import explain_conflict
 from flexcli.engine.sizing.decided import corrections_at, difference
@@ -84,11 +84,11 @@ def size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
     height = best_height(design, _merit) if design.geometry.free else None
     if height is not None:
         design = with_height(design, height)
-    ladder = rungs(design, model)
+    series = model_series(design, model)
     if design.fixed_sizes() is not None or (model or design.model) == "source":
-        result = _chosen_and_judged(design, spec, ladder, model)
+        result = _chosen_and_judged(design, spec, series, model)
     else:
-        result = _decided(design, spec, ladder, model)
+        result = _decided(design, spec, series, model)
     values = dict(result.values)
     if height is not None:
         values["H"] = Value(height, "m", "height of the levers, chosen with the blades", "sized")
@@ -105,7 +105,9 @@ def _merit(design: DesignSpec) -> float | None:
     return solution.objective if solution.converged else None
 
 
-def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str | None) -> Result:
+def _decided(
+    design: DesignSpec, spec: str, series: tuple[NamedModel, ...], model: str | None
+) -> Result:
     """Return the design sized by formulas that say at the choice what the models that judge do."""
     corrections: dict[str, Correction] = {}
     remarks: tuple[Note, ...] = (
@@ -122,17 +124,17 @@ def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str
             remarks = ()
             break
         # values alone at first, far from the choice; then slopes, as long as they do
-        found = corrections_at(design, at, ladder, None if rounds == 1 else corrections)
+        found = corrections_at(design, at, series, None if rounds == 1 else corrections)
         moved = difference(corrections, found, at)
         if rounds > 1 and moved > SLOW * change:
-            found = corrections_at(design, at, ladder)
+            found = corrections_at(design, at, series)
         corrections, change = found, moved
         if change <= SETTLED:
             # slopes that are new may move the choice to where they do not hold
             if rounds != 1 or _is_near(at, _continuous(design, corrections)):
                 remarks = ()
             break
-    result = _chosen_and_judged(_tightened(design, corrections), spec, ladder, model)
+    result = _chosen_and_judged(_tightened(design, corrections), spec, series, model)
     spreads: dict[str, float] = {}
     undecided: Result | None = None
     for _ in range(GRID_ROUNDS):
@@ -144,9 +146,9 @@ def _decided(design: DesignSpec, spec: str, ladder: tuple[Rung, ...], model: str
         at = design.geometry.sized({n: result.values[n].value for n in design.geometry.free})
         corrections = {
             name: found._replace(spread=spreads.get(name, 0.0))
-            for name, found in corrections_at(design, at, ladder).items()
+            for name, found in corrections_at(design, at, series).items()
         }
-        result = _chosen_and_judged(_tightened(design, corrections), spec, ladder, model)
+        result = _chosen_and_judged(_tightened(design, corrections), spec, series, model)
     if undecided is not None and result.status is not Status.PASS:
         result = undecided  # no point of the grid was found that passes
     sizing = result.sizing
@@ -240,18 +242,18 @@ def _ideal(chosen: "_Choice") -> Sizes:
 def _chosen_and_judged(
     design: DesignSpec,
     spec: str,
-    ladder: tuple[Rung, ...],
+    series: tuple[NamedModel, ...],
     model: str | None,
 ) -> Result:
     given = design.fixed_sizes()
     if given is not None:
-        return _judged(design, spec, _Choice(given, _nothing_free()), ladder, model)
+        return _judged(design, spec, _Choice(given, _nothing_free()), series, model)
     program = sizing_program(design)
     chosen = _choose(design, program)
     if chosen is None:
         return _infeasible(design, spec, program)
     _refuse_runaway(design, chosen.sizes)
-    return _judged(design, spec, chosen, ladder, model)
+    return _judged(design, spec, chosen, series, model)
 
 
 @dataclass(frozen=True, eq=False)
@@ -439,11 +441,11 @@ def _judged(
     design: DesignSpec,
     spec: str,
     chosen: _Choice,
-    ladder: tuple[Rung, ...],
+    series: tuple[NamedModel, ...],
     model: str | None,
 ) -> Result:
     sizes = chosen.sizes._make(float(x) for x in chosen.sizes)
-    result = judged("size", design, sizes, spec, judge(design, sizes, ladder), model)
+    result = judged("size", design, sizes, spec, judge(design, sizes, series), model)
     assert result.cost is not None  # a judgement has one
     own = _sized_values(design, chosen)
     return replace(

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import pi
 from time import perf_counter
 
-from flexcli.engine import assess, left_out
+from flexcli.engine import assess, omitted_effects
 from flexcli.engine.judge import status_of
 from flexcli.engine.stopping.choice import Choice, choose, on_line
 from flexcli.engine.stopping.free_travel import free_travel
@@ -86,7 +86,7 @@ def stops(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
     choice = choose(task)
     ends = tuple(_ends(task))
     judged = judge_stops(design, task, sizes, choice.place, simulate=False)
-    rows = left_out.effects(design, sizes)
+    rows = omitted_effects.effects(design, sizes)
     return Result(
         command="stops",
         spec=spec,
@@ -96,7 +96,7 @@ def stops(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
         checks=judged.checks,
         effects=rows,
         warnings=(
-            *left_out.warnings(design, sizes, rows),
+            *omitted_effects.warnings(design, sizes, rows),
             *_notes(design, task, choice.place, free),
         ),
         cost=with_time(None, perf_counter() - started, LINE),

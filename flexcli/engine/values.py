@@ -8,7 +8,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
+from flexcli.parts.requirements import AS_PRINTED, Ask, JointModel
 from flexcli.parts.scene import Scene, largest_travel
 from flexcli.results import QuantityKind, Value
 
@@ -23,22 +23,28 @@ STRENGTHS = ("admissible_stress", "fatigue_amplitude", "yield_strength")
 """What an admissible stroke is stated for: the first that the material gives."""
 
 
-def values(design: DesignSpec, sizes: Sizes, answers: Answers = AS_PRINTED) -> dict[str, Value]:
+def values(
+    design: DesignSpec, sizes: Sizes, joint_model: JointModel = AS_PRINTED
+) -> dict[str, Value]:
     """Return the named numbers of a design by a model: sizes, cases, joint and mechanism."""
     geometry, material = design.geometry, design.material
     found = {
         name: Value(float(size), "m", geometry.label(name), model="given")
         for name, size in sizes._asdict().items()
     }
-    asks = design.asks(sizes, answers)
+    asks = design.asks(sizes, joint_model)
     scenes = [ask.scene for ask in asks]
     found |= case_values(scenes)
-    stiffness = float(answers.stiffness(asks[0]))
+    stiffness = float(joint_model.stiffness(asks[0]))
     symbol = "k_pivot" if geometry.motion == "rotation" else "k_stage"
     found[symbol] = Value(
-        stiffness, geometry.stiffness_unit, "stiffness of a joint", answers.model, geometry.source,
+        stiffness,
+        geometry.stiffness_unit,
+        "stiffness of a joint",
+        joint_model.name,
+        geometry.source,
         kind=QuantityKind.STIFFNESS,
-    )  # fmt: skip
+    )
     found["volume"] = Value(
         float(geometry.volume(sizes)), "m^3", "volume of what flexes in a joint",
         estimated_error=0.0,
@@ -57,9 +63,9 @@ def values(design: DesignSpec, sizes: Sizes, answers: Answers = AS_PRINTED) -> d
 
 def _own_frequency(ask: Ask, stiffness: float, found: Mapping[str, Value]) -> dict[str, Value]:
     """Return the natural frequency, of all that a layout draws with a mass, by the model."""
-    factor = ask.answers.frequency_factor(ask)
+    factor = ask.joint_model.frequency_factor(ask)
     if not ask.geometry.has_masses:
-        return _corrected_frequencies(found, factor, ask.answers.model)
+        return _corrected_frequencies(found, factor, ask.joint_model.name)
     from flexcli.parts.own_motion import own_mode
 
     mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
@@ -67,7 +73,12 @@ def _own_frequency(ask: Ask, stiffness: float, found: Mapping[str, Value]) -> di
     source = "lowest mode of all bodies that the motion takes part in"
     return {
         "f_0": Value(
-            value, "Hz", "natural frequency", ask.answers.model, source, kind=QuantityKind.FREQUENCY
+            value,
+            "Hz",
+            "natural frequency",
+            ask.joint_model.name,
+            source,
+            kind=QuantityKind.FREQUENCY,
         )
     }
 
@@ -128,7 +139,11 @@ def _admissible(design: DesignSpec, ask: Ask) -> dict[str, Value]:
     text = f"stroke at which the stress reaches the {name.replace('_', ' ')}"
     return {
         f"{geometry.travel_symbol}_adm": Value(
-            found.travel, geometry.travel_unit, text, ask.answers.model, estimated_error=found.error
+            found.travel,
+            geometry.travel_unit,
+            text,
+            ask.joint_model.name,
+            estimated_error=found.error,
         )
     }
 
@@ -138,14 +153,14 @@ def _shift(ask: Ask, known: Mapping[str, Value]) -> dict[str, Value]:
     if not ask.scene.moves:
         return {}
     try:
-        shift = float(ask.answers.parasitic_shift(ask))
+        shift = float(ask.joint_model.parasitic_shift(ask))
     except NotAvailable:
         return {}
     name = "shift" if "shift" not in known else f"shift_{ask.scene.case}"
     label = "parasitic shift at full stroke, positive towards the base"
     return {
         name: Value(
-            shift, "m", label, ask.answers.model, ask.geometry.source, kind=QuantityKind.SHIFT
+            shift, "m", label, ask.joint_model.name, ask.geometry.source, kind=QuantityKind.SHIFT
         )
     }
 
@@ -158,13 +173,13 @@ def _sag(ask: Ask) -> dict[str, Value]:
     from flexcli.parts.own_motion import hanging_mass
 
     try:
-        stiffness = float(ask.answers.sag_stiffness(ask))
+        stiffness = float(ask.joint_model.sag_stiffness(ask))
         weight = scene.acceleration * hanging_mass(
             ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes, scene.axis
         )
     except (NotAvailable, MechanismError):
         return {}
-    source, axis, model = ask.geometry.source, scene.axis, ask.answers.model
+    source, axis, model = ask.geometry.source, scene.axis, ask.joint_model.name
     return {
         f"k_{axis}": Value(
             stiffness, "N/m", f"stiffness along {axis}", model, source, kind=QuantityKind.SAG

@@ -19,8 +19,8 @@ from flexcli.parts.mechanisms import AnyMechanism, MechanismError
 from flexcli.parts.named import Named
 from flexcli.parts.requirements import (
     AS_PRINTED,
-    Answers,
     Ask,
+    JointModel,
     Limit,
     Requirement,
     RequirementError,
@@ -206,7 +206,7 @@ class DesignSpec(Part):
 
     def scene(self, name: str) -> Scene:
         """Return one case in the terms of each joint, or raise :class:`MechanismError`."""
-        case, out = self.cases[name], self._left_out()
+        case, out = self.cases[name], self._omitted_effects()
         if out:
             case = case.model_copy(update=dict.fromkeys(out))
         return scene_of(name, case, self.mechanism, self.geometry)
@@ -215,7 +215,7 @@ class DesignSpec(Part):
         """Return every case in the terms of each joint."""
         return [self.scene(name) for name in self.cases]
 
-    def _left_out(self) -> list[str]:
+    def _omitted_effects(self) -> list[str]:
         """Return the keys of the cases that the spec's effects leave out."""
         if not self.effects:
             return []
@@ -225,17 +225,17 @@ class DesignSpec(Part):
         """Return whether the spec switches an effect off."""
         return bool(self.effects.get(effect.key) == "off")
 
-    def ask(self, scene: Scene, sizes: Sizes, answers: Answers) -> Ask:
+    def ask(self, scene: Scene, sizes: Sizes, joint_model: JointModel) -> Ask:
         """Return what a requirement of one case is judged on."""
-        return Ask(self.material, self.geometry, self.mechanism, sizes, scene, answers)
+        return Ask(self.material, self.geometry, self.mechanism, sizes, scene, joint_model)
 
-    def asks(self, sizes: Sizes, answers: Answers) -> list[Ask]:
+    def asks(self, sizes: Sizes, joint_model: JointModel) -> list[Ask]:
         """Return what is asked in every case."""
-        return [self.ask(scene, sizes, answers) for scene in self.scenes()]
+        return [self.ask(scene, sizes, joint_model) for scene in self.scenes()]
 
-    def limits(self, sizes: Sizes, answers: Answers = AS_PRINTED) -> list[Limit]:
+    def limits(self, sizes: Sizes, joint_model: JointModel = AS_PRINTED) -> list[Limit]:
         """Return every limit of every requirement in every case, on floats, by a model."""
-        return list(self._limits(sizes, answers, closed_form=False))
+        return list(self._limits(sizes, joint_model, closed_form=False))
 
     def closed_limits(self, sizes: Sizes) -> list[Limit]:
         """Return the limits that are formulas, on floats, arrays or signomials.
@@ -286,10 +286,12 @@ class DesignSpec(Part):
         design._ease = ease
         return design
 
-    def _limits(self, sizes: Sizes, answers: Answers, *, closed_form: bool) -> Iterator[Limit]:
+    def _limits(
+        self, sizes: Sizes, joint_model: JointModel, *, closed_form: bool
+    ) -> Iterator[Limit]:
         yield from self.own_limits(sizes)
         for requirement, scene in self.questions(self.scenes()):
-            ask = self.ask(scene, sizes, answers)
+            ask = self.ask(scene, sizes, joint_model)
             if not closed_form:
                 yield from requirement.judged(ask)
             elif requirement.closed_form:

@@ -34,15 +34,15 @@ def section(result: Result) -> Iterator[RenderableType]:
 
 def accuracy_tables(found: AccuracyResult) -> Iterator[RenderableType]:
     """Yield a table for each quantity, one of the whole, the curve and what to take."""
-    yield from _ladder(found, "")
+    yield from _series(found, "")
     yield Line((LEAVES_OUT, "dim"))
     if found.in_time is not None:
-        yield from _ladder(found.in_time, " in time")
+        yield from _series(found.in_time, " in time")
         yield Line((LEAVES_OUT_IN_TIME, "dim"))
 
 
-def _ladder(found: AccuracyResult, where: str) -> Iterator[RenderableType]:
-    """Yield the tables of one ladder, its curve and what to take."""
+def _series(found: AccuracyResult, where: str) -> Iterator[RenderableType]:
+    """Yield the tables of one series of models, its curve and what to take."""
     for quantity in found.quantities:
         yield _quantity(quantity)
     yield _whole(found, where)

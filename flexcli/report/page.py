@@ -203,7 +203,7 @@ def _about(dossier: Dossier) -> str:
     said = [] if drawn is None else [drawn.kind.replace("-", " ")]
     if drawn is not None:
         said += [f"{name} {show(size, 'm')}" for name, size in drawn.sizes[:6]]
-    return ", ".join([*said, *dossier.left_out])
+    return ", ".join([*said, *dossier.not_shown])
 
 
 def _tally(checks: Sequence[Check]) -> str:

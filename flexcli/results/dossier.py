@@ -68,7 +68,7 @@ class Dossier:
     spectra: tuple[Spectrum, ...] = ()
     equations: tuple[Equation, ...] = ()
     region: Region | None = None
-    left_out: tuple[str, ...] = ()
+    not_shown: tuple[str, ...] = ()
 
     def _repr_html_(self) -> str | None:
         html: str | None = rendered(self, "html")

@@ -12,9 +12,9 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from random_scenes import MATERIAL, scenes
 
-from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.engine.check import check
-from flexcli.engine.plan import plan, planned_answers
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.plan import plan, planned_model
 from flexcli.engine.planning.audit import audit
 from flexcli.parts.design import DesignSpec
 
@@ -23,7 +23,7 @@ PIVOT = {
     "h": "0.3 mm", "l": "10 mm", "b": "2 mm",
 }  # fmt: skip
 RUNS = 9
-CONTROL = ExactAnswers(tolerance=1e-12, levels=(10, 15, 22, 33, 50))
+CONTROL = ExactModel(tolerance=1e-12, levels=(10, 15, 22, 33, 50))
 """As fine as can be, on other nodes than those of the model that is judged."""
 
 
@@ -57,17 +57,17 @@ def promises() -> None:
         design = _design(accuracy)
         sizes = design.fixed_sizes()
         found = plan(design, sizes)
-        answers = planned_answers(found)
-        result, truth = check(design, sizes, "", answers), check(design, sizes, "", CONTROL)
+        joint_model = planned_model(found)
+        result, truth = check(design, sizes, "", joint_model), check(design, sizes, "", CONTROL)
         errors = [
             abs(result.values[name].value / truth.values[name].value - 1.0)
             for name in ("k_pivot", "shift")
         ]
         errors.append(abs(result.checks[0].demand / truth.checks[0].demand - 1.0))
-        seconds = median(_seconds(design, sizes, answers) for _ in range(RUNS))
+        seconds = median(_seconds(design, sizes, joint_model) for _ in range(RUNS))
         reference = reference or seconds
         print(
-            f"{accuracy:8.1e}  {answers.model}: declared {found.cost:.3g}, measured "
+            f"{accuracy:8.1e}  {joint_model.name}: declared {found.cost:.3g}, measured "
             f"{seconds / reference:.3g}, true error {max(errors):.1e}"
         )
 
@@ -85,9 +85,9 @@ def _design(accuracy: float) -> DesignSpec:
     return DesignSpec.model_validate(spec)
 
 
-def _seconds(design: DesignSpec, sizes: Any, answers: Any) -> float:
+def _seconds(design: DesignSpec, sizes: Any, joint_model: Any) -> float:
     begun = perf_counter()
-    check(design, sizes, "", answers)
+    check(design, sizes, "", joint_model)
     return perf_counter() - begun
 
 

@@ -1,4 +1,4 @@
-"""``flexure accuracy`` on a design with stops: the ladder in time after that at rest."""
+"""``flexure accuracy`` on a design with stops: the series in time after that at rest."""
 
 from pathlib import Path
 
@@ -14,7 +14,7 @@ EXAMPLE = Path(__file__).parents[2] / "examples" / "boundary-control" / "flexure
 @pytest.fixture(scope="module")
 def told():
     with pytest.MonkeyPatch.context() as patch:
-        # the slow end of the ladder takes most of the time and shows nothing more here
+        # the slow end of the series takes most of the time and shows nothing more here
         patch.setattr(time_accuracy, "TOLERANCES", (1e-4, 1e-6))
         yield CliRunner().invoke(app, ["accuracy", str(EXAMPLE)], env={"COLUMNS": "120"})
 

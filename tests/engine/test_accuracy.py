@@ -1,4 +1,4 @@
-"""What accuracy costs: errors fall down the ladder, bounds are honest, promises are kept."""
+"""What accuracy costs: errors fall from model to model, bounds are honest, promises are kept."""
 
 import json
 from itertools import pairwise
@@ -10,7 +10,14 @@ from strategies import crossed, design, rcc, stage
 
 from flexcli.engine import accuracy as verb
 from flexcli.engine.accuracy import Settled, Timed, accuracy, compared, timed
-from flexcli.engine.comparing.ladder import CONTROL_LEVELS, Finest, Number, Rung, ladder, numbers
+from flexcli.engine.comparing.model_series import (
+    CONTROL_LEVELS,
+    Finest,
+    NamedModel,
+    Number,
+    numbers,
+    series,
+)
 from flexcli.engine.plan import ACCURACY
 from flexcli.errors import SolveError
 from flexcli.mechanics.equilibrium import LEVELS
@@ -21,7 +28,7 @@ from flexcli.results import Status
 TURN = {"turn": {"stroke": {"rotation": "10 deg"}}}
 SLENDER = {"h": "0.1 mm", "l": "20 mm", "b": "5 mm"}
 TRUTH = Finest(tolerance=1e-13)
-"""Finer than the finest of the ladder."""
+"""Finer than the finest of the series."""
 
 
 def pivot(**changes):
@@ -32,10 +39,10 @@ def run(one, asked=0.01):
     return accuracy(one, one.fixed_sizes(), "spec", 1, asked).accuracy
 
 
-def ranked(settled, rungs, runs):
+def ranked(settled, models, runs):
     """Stand in for the clock: each model takes longer than the one before, in every quantity."""
-    values = timed(settled, rungs, 0).values
-    rank = np.arange(1.0, len(rungs) + 1.0)
+    values = timed(settled, models, 0).values
+    rank = np.arange(1.0, len(models) + 1.0)
     return Timed(values, np.broadcast_to(rank[:, None], (1, *values.shape)))
 
 
@@ -44,7 +51,7 @@ def found():
     return run(pivot())
 
 
-def test_errors_fall_down_the_ladder(found):
+def test_errors_fall_from_model_to_model(found):
     names = ("source", "linear", "exact, 4 nodes", "exact, 6 nodes", "exact, 8 nodes", "exact")
     errors = {row.model: row.error for row in found.models}
     fall = [max(errors[name], 1e-11) for name in names]
@@ -104,18 +111,18 @@ def test_the_recommended_model_keeps_its_promise_on_random_designs(monkeypatch):
         sizes = one.fixed_sizes()
         result = accuracy(one, sizes, "spec", 1, asked).accuracy
         assert result.recommended
-        answers = dict(ladder(one.geometry))[result.recommended]()
+        joint_model = dict(series(one.geometry))[result.recommended]()
         settled = {quantity.name for quantity in result.quantities}
         for number in numbers(one, sizes):
             if number.name in settled:
-                assert number.by(answers) == pytest.approx(number.by(TRUTH), rel=asked)
+                assert number.by(joint_model) == pytest.approx(number.by(TRUTH), rel=asked)
                 kept += 1
     assert kept > 36
 
 
 def test_a_tighter_accuracy_takes_a_finer_model(monkeypatch):
     monkeypatch.setattr(verb, "timed", ranked)
-    order = [rung.name for rung in ladder(pivot().geometry)]
+    order = [model.name for model in series(pivot().geometry)]
     taken = [order.index(run(pivot(), asked).recommended) for asked in (0.1, 1e-3, 1e-6, 1e-10)]
     assert taken[0] == 0
     assert taken == sorted(taken)
@@ -132,10 +139,10 @@ def test_no_accuracy_beyond_the_finest_is_promised():
 
 def by_hand(values, seconds, asked, bound=1e-12):
     """Compare made-up models on one number whose finest value is 1."""
-    rungs = [Rung(name, AS_PRINTED) for name in "abcd"[: len(values)]]
-    settled = [Settled(Number("k", "stiffness", "N/m", lambda answers: 1.0), 1.0, bound)]
+    models = [NamedModel(name, AS_PRINTED) for name in "abcd"[: len(values)]]
+    settled = [Settled(Number("k", "stiffness", "N/m", lambda joint_model: 1.0), 1.0, bound)]
     times = Timed(np.array(values)[:, None], np.array(seconds)[None, :, None])
-    return compared(settled, rungs, times, asked)
+    return compared(settled, models, times, asked)
 
 
 def test_the_pareto_set_is_what_no_model_beats_in_both():
@@ -162,10 +169,10 @@ def test_a_model_without_an_answer_is_not_recommended_and_says_what_it_lacks():
 
 
 def test_the_spread_is_that_of_the_runs():
-    settled = [Settled(Number("k", "stiffness", "N/m", lambda answers: 1.0), 1.0, 1e-12)]
+    settled = [Settled(Number("k", "stiffness", "N/m", lambda joint_model: 1.0), 1.0, 1e-12)]
     seconds = np.array([3.0, 1.0, 2.0])[:, None, None]
     times = Timed(np.ones((1, 1)), seconds)
-    (model,) = compared(settled, [Rung("a", AS_PRINTED)], times, 0.1).models
+    (model,) = compared(settled, [NamedModel("a", AS_PRINTED)], times, 0.1).models
     assert (model.least, model.seconds, model.most) == (1.0, 2.0, 3.0)
 
 

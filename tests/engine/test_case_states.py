@@ -6,9 +6,9 @@ import pytest
 from geometries_for_tests import MATERIAL, spec
 from strategies import crossed, design, rcc, stage
 
-from flexcli.engine.answers.exact import ExactAnswers
-from flexcli.engine.answers.linear import LinearAnswers
 from flexcli.engine.check import check
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.linear import LinearModel
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import AS_PRINTED
 from flexcli.results import QuantityKind, Verdict
@@ -16,7 +16,7 @@ from flexcli.results import QuantityKind, Verdict
 E = 114e9
 H, L, B = 0.1e-3, 20e-3, 5e-3
 SIZES = {"h": "0.1 mm", "l": "20 mm", "b": "5 mm"}
-SOLVERS = {"linear": LinearAnswers, "exact": ExactAnswers}
+SOLVERS = {"linear": LinearModel, "exact": ExactModel}
 STRONG = {**MATERIAL, "tensile_strength": "900 MPa",
           "fatigue_amplitude": {"value": "500 MPa", "cycles": 1e7, "stress_ratio": -1}}  # fmt: skip
 
@@ -24,13 +24,13 @@ SLENDER = 3e-2
 """What shear, stretching and small rotations leave between the models of these blades."""
 
 
-def asked(geometry, case, answers, mechanism=None):
+def asked(geometry, case, joint_model, mechanism=None):
     found = design(geometry, {"yield": 1}, {"c": case}, material=STRONG, mechanism=mechanism)
-    return found.ask(found.scene("c"), found.fixed_sizes(), answers)
+    return found.ask(found.scene("c"), found.fixed_sizes(), joint_model)
 
 
-def largest(geometry, case, answers, mechanism=None):
-    _, stresses = answers.stresses(asked(geometry, case, answers, mechanism))
+def largest(geometry, case, joint_model, mechanism=None):
+    _, stresses = joint_model.stresses(asked(geometry, case, joint_model, mechanism))
     return max(abs(float(stress.largest)) for stress in stresses)
 
 
@@ -59,47 +59,47 @@ SAME = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("answers", [AS_PRINTED, LinearAnswers(), ExactAnswers()])
+@pytest.mark.parametrize("joint_model", [AS_PRINTED, LinearModel(), ExactModel()])
 @pytest.mark.parametrize("kind", SAME)
-def test_a_force_is_the_same_however_it_is_written_and_acts_beside_the_stroke(kind, answers):
+def test_a_force_is_the_same_however_it_is_written_and_acts_beside_the_stroke(kind, joint_model):
     geometry, *loads = SAME[kind]
     stroke = {"rotation": "2 deg"} if "pivot" in kind else {"translation": "0.4 mm"}
-    alone = largest(geometry, {"stroke": stroke}, answers)
+    alone = largest(geometry, {"stroke": stroke}, joint_model)
     found = [
-        largest(geometry, {"stroke": stroke, **load}, answers, PAYLOAD if index == 2 else None)
+        largest(geometry, {"stroke": stroke, **load}, joint_model, PAYLOAD if index == 2 else None)
         for index, load in enumerate(loads)
     ]
     assert found == pytest.approx([found[0]] * 3, rel=1e-7)
     assert found[0] > alone * (1.0 + 1e-4)
 
 
-@pytest.mark.parametrize("answers", [AS_PRINTED, LinearAnswers(), ExactAnswers()])
-def test_a_weight_along_the_stroke_sags_the_stage_besides(answers):
+@pytest.mark.parametrize("joint_model", [AS_PRINTED, LinearModel(), ExactModel()])
+def test_a_weight_along_the_stroke_sags_the_stage_besides(joint_model):
     """σ = 3Eh(x + m a/k)/l²: the drive does not hold against the load."""
     k = 2 * E * B * H**3 / L**3
     case = {"stroke": {"translation": "50 um"}, "acceleration": {"level": "0.1 m/s^2", "axis": "x"}}
-    found = largest(stage(**SIZES, spacing="15 mm"), case, answers, PAYLOAD)
+    found = largest(stage(**SIZES, spacing="15 mm"), case, joint_model, PAYLOAD)
     assert found == pytest.approx(3 * E * H * (50e-6 + 0.01 / k) / L**2, rel=1e-3)
 
 
-@pytest.mark.parametrize("answers", [AS_PRINTED, LinearAnswers(), ExactAnswers()])
-def test_a_moment_turns_a_pivot_by_its_stiffness_besides_the_stroke(answers):
+@pytest.mark.parametrize("joint_model", [AS_PRINTED, LinearModel(), ExactModel()])
+def test_a_moment_turns_a_pivot_by_its_stiffness_besides_the_stroke(joint_model):
     geometry = rcc(**SIZES)
     turn = asked(geometry, {"stroke": {"rotation": "1 mrad"}}, AS_PRINTED)
     moment = 1e-3 * float(AS_PRINTED.stiffness(turn))
     both = {"stroke": {"rotation": "1 mrad"}, "wrench": {"theta_z": f"{moment!r} N*m"}}
-    twice = largest(geometry, {"stroke": {"rotation": "2 mrad"}}, answers)
-    assert largest(geometry, both, answers) == pytest.approx(twice, rel=5e-3)
+    twice = largest(geometry, {"stroke": {"rotation": "2 mrad"}}, joint_model)
+    assert largest(geometry, both, joint_model) == pytest.approx(twice, rel=5e-3)
 
 
-@pytest.mark.parametrize("answers", [LinearAnswers(), ExactAnswers()])
-def test_a_force_bends_the_blades_of_a_pivot_by_stretching_them(answers):
+@pytest.mark.parametrize("joint_model", [LinearModel(), ExactModel()])
+def test_a_force_bends_the_blades_of_a_pivot_by_stretching_them(joint_model):
     """The body moves ε l/cos α along the bisector, ε l tan α across a blade: 3 (h/l) tan α of σ."""
     alpha, force = pi / 6, 0.01
     geometry = {**rcc(**SIZES), "half_angle": "30 deg"}
     case = {"load": {"force": f"{force} N"}, "ends": "clamped-guided"}
     axial = force / (2 * cos(alpha) * B * H)
-    found = largest(geometry, case, answers)
+    found = largest(geometry, case, joint_model)
     assert found == pytest.approx(axial * (1 + 3 * H / L * tan(alpha)), rel=1e-4)
     closed = largest(geometry, case, AS_PRINTED)
     assert closed == pytest.approx(axial, rel=1e-12)
@@ -108,40 +108,40 @@ def test_a_force_bends_the_blades_of_a_pivot_by_stretching_them(answers):
 @pytest.mark.parametrize("ends", ["clamped-clamped", "clamped-guided"])
 def test_what_the_ends_hold_in_buckling_they_hold_in_stress(ends):
     """A free body would fall at less than the force that its ends let it bear."""
-    geometry, answers = rcc(**SIZES, p="20 mm"), ExactAnswers()
+    geometry, joint_model = rcc(**SIZES, p="20 mm"), ExactModel()
     found = {}
     for held in ("clamped-free", ends):
         case = {"load": {"force": "1 N"}, "ends": held}
-        ways = answers.critical(asked(geometry, case, answers))
+        ways = joint_model.critical(asked(geometry, case, joint_model))
         found[held] = min(float(way.force) for way in ways)
     between = (found["clamped-free"] * found[ends]) ** 0.5
     assert found[ends] > 1.02 * found["clamped-free"]
     case = {"load": {"force": f"{between!r} N"}}
-    assert largest(geometry, {**case, "ends": ends}, answers) > 0.0
+    assert largest(geometry, {**case, "ends": ends}, joint_model) > 0.0
     with pytest.raises(NotAvailable, match="buckle"):
-        largest(geometry, {**case, "ends": "clamped-free"}, answers)
+        largest(geometry, {**case, "ends": "clamped-free"}, joint_model)
 
 
-@pytest.mark.parametrize("answers", [LinearAnswers(), ExactAnswers()])
+@pytest.mark.parametrize("joint_model", [LinearModel(), ExactModel()])
 @pytest.mark.parametrize(
     "kind", ["three-blade", "star", "rcc", "leaf-spring-stage", "guided-blade"]
 )
-def test_states_without_motion_and_overconstrained_joints_solve(kind, answers):
+def test_states_without_motion_and_overconstrained_joints_solve(kind, joint_model):
     unit = "mm" if kind in ("leaf-spring-stage", "guided-blade") else "mrad"
     motion = "rotation" if unit == "mrad" else "translation"
-    one_way = largest(spec(kind), {"stroke": {motion: [f"0 {unit}", f"0.2 {unit}"]}}, answers)
-    both = largest(spec(kind), {"stroke": {motion: f"0.2 {unit}"}}, answers)
+    one_way = largest(spec(kind), {"stroke": {motion: [f"0 {unit}", f"0.2 {unit}"]}}, joint_model)
+    both = largest(spec(kind), {"stroke": {motion: f"0.2 {unit}"}}, joint_model)
     assert one_way == pytest.approx(both, rel=1e-2)
-    held = largest(spec(kind), {"load": {"force": "1 mN"}, "ends": "clamped-clamped"}, answers)
+    held = largest(spec(kind), {"load": {"force": "1 mN"}, "ends": "clamped-clamped"}, joint_model)
     assert held > 0.0
 
 
-@pytest.mark.parametrize("answers", [LinearAnswers(), ExactAnswers()])
-def test_two_sided_fatigue_takes_half_the_range_with_its_mean(answers):
+@pytest.mark.parametrize("joint_model", [LinearModel(), ExactModel()])
+def test_two_sided_fatigue_takes_half_the_range_with_its_mean(joint_model):
     """The ends of a stroke stress a place of a pivot unevenly: half the range is the amplitude."""
     case = {"stroke": {"rotation": "15 deg", "cycles": 1e6}}
-    ask = asked(rcc(**SIZES), case, answers)
-    _, found = answers.stresses(ask)
+    ask = asked(rcc(**SIZES), case, joint_model)
+    _, found = joint_model.stresses(ask)
     for stress in found:
         low, high = stress.mean - stress.amplitude, stress.mean + stress.amplitude
         assert max(abs(low), abs(high)) == pytest.approx(stress.largest, rel=1e-12)
@@ -152,18 +152,19 @@ def test_two_sided_fatigue_takes_half_the_range_with_its_mean(answers):
 def test_two_sided_fatigue_judges_the_amplitude_by_the_mean_stress_method():
     geometry = rcc(**SIZES, p="30 mm")
     cases = {"c": {"stroke": {"rotation": "8 deg", "cycles": 1e6}}}
-    answers = ExactAnswers()
+    joint_model = ExactModel()
     found = {}
     for method in ("none", "goodman"):
         asks = {"fatigue": {"factor": 1, "mean_stress": method}}
         one = design(geometry, asks, cases, material=STRONG)
-        found[method] = max(float(x.demand) for x in one.limits(one.fixed_sizes(), answers))
+        found[method] = max(float(x.demand) for x in one.limits(one.fixed_sizes(), joint_model))
     bare = {k: v for k, v in STRONG.items() if k != "tensile_strength"}
     one = design(geometry, {"fatigue": 1}, cases, material=bare)
-    larger_end = max(float(x.demand) for x in one.limits(one.fixed_sizes(), answers))
+    larger_end = max(float(x.demand) for x in one.limits(one.fixed_sizes(), joint_model))
     assert found["none"] < found["goodman"] < larger_end
     largest_stress = max(
-        s.largest for s in answers.stresses(one.ask(one.scene("c"), one.fixed_sizes(), answers))[1]
+        s.largest
+        for s in joint_model.stresses(one.ask(one.scene("c"), one.fixed_sizes(), joint_model))[1]
     )
     assert larger_end <= largest_stress * (1 + 1e-12)
 
@@ -171,8 +172,8 @@ def test_two_sided_fatigue_judges_the_amplitude_by_the_mean_stress_method():
 @pytest.mark.parametrize(
     "kind", ["notch-hinge", "elliptic-hinge", "filleted-hinge", "hinged-stage", "hinged-pivot"]
 )
-@pytest.mark.parametrize("answers", [LinearAnswers(), ExactAnswers()])
-def test_every_model_has_the_peak_of_a_notch(kind, answers):
+@pytest.mark.parametrize("joint_model", [LinearModel(), ExactModel()])
+def test_every_model_has_the_peak_of_a_notch(kind, joint_model):
     """K_t of the throat multiplies what a beam's section has, in all of them alike."""
     unit = "mm" if kind == "hinged-stage" else "mrad"
     case = {"stroke": {"translation" if unit == "mm" else "rotation": f"0.01 {unit}"}}
@@ -180,7 +181,7 @@ def test_every_model_has_the_peak_of_a_notch(kind, answers):
     ratios = [
         largest(spec(kind, **thick), case, each)
         / largest({**spec(kind, **thick), "stress-concentration": "none"}, case, each)
-        for each in (AS_PRINTED, answers)
+        for each in (AS_PRINTED, joint_model)
     ]
     # what little axial force the stroke makes has a factor of its own
     assert ratios[1] == pytest.approx(ratios[0], rel=1e-4)
@@ -188,13 +189,13 @@ def test_every_model_has_the_peak_of_a_notch(kind, answers):
 
 
 def test_the_exact_model_solves_a_case_once(monkeypatch):
-    from flexcli.engine.answers import joint_states
+    from flexcli.engine.joint_models import joint_states
 
     solved, inner = [], joint_states.solve
     monkeypatch.setattr(joint_states, "solve", lambda *a, **k: solved.append(1) or inner(*a, **k))
     cases = {"c": {"stroke": {"rotation": "2 deg", "cycles": 1e6}, "load": {"force": "1 N"}}}
     one = design(rcc(**SIZES), {"fatigue": 1, "yield": 1}, cases, material=STRONG)
-    one.limits(one.fixed_sizes(), ExactAnswers())
+    one.limits(one.fixed_sizes(), ExactModel())
     assert len(solved) == 1
 
 
@@ -202,12 +203,12 @@ def test_the_exact_model_solves_a_case_once(monkeypatch):
 @pytest.mark.parametrize("kind", ["notch-hinge", "rcc"])
 def test_the_solvers_error_bounds_what_is_reported(kind, nodes):
     """Against the finest nodes: the stiffness at rest, where nothing moves, and the stress."""
-    coarse, fine = ExactAnswers(tolerance=1e-2, levels=nodes), ExactAnswers(tolerance=1e-12)
+    coarse, fine = ExactModel(tolerance=1e-2, levels=nodes), ExactModel(tolerance=1e-12)
     case = {"stroke": {"rotation": "2 deg"}}
     asks = [asked(spec(kind), case, each) for each in (coarse, fine)]
     for quantity, number in (
-        (QuantityKind.STIFFNESS, lambda ask: float(ask.answers.stiffness(ask))),
-        (QuantityKind.STRESS, lambda ask: max(s.largest for s in ask.answers.stresses(ask)[1])),
+        (QuantityKind.STIFFNESS, lambda ask: float(ask.joint_model.stiffness(ask))),
+        (QuantityKind.STRESS, lambda ask: max(s.largest for s in ask.joint_model.stresses(ask)[1])),
     ):
         known = coarse.error(asks[0], quantity)
         true = number(asks[1]) / number(asks[0]) - 1.0
@@ -216,12 +217,12 @@ def test_the_solvers_error_bounds_what_is_reported(kind, nodes):
 
 
 def test_an_oblique_force_on_a_stage_is_shared_by_statics():
-    geometry, answers = stage(**SIZES, spacing="15 mm"), LinearAnswers()
+    geometry, joint_model = stage(**SIZES, spacing="15 mm"), LinearModel()
     case = {"load": {"force": "1 mN", "direction": "60 deg"}}
     k = 2 * E * B * H**3 / L**3
     bends = 3 * E * H * 1e-3 * sin(pi / 3) / k / L**2
     axial = 1e-3 * cos(pi / 3) / (2 * B * H)
-    assert largest(geometry, case, answers) == pytest.approx(bends + axial, rel=1e-3)
+    assert largest(geometry, case, joint_model) == pytest.approx(bends + axial, rel=1e-3)
     assert largest(geometry, case, AS_PRINTED) == pytest.approx(bends + axial, rel=1e-12)
 
 
@@ -267,7 +268,7 @@ def test_what_cannot_be_solved_is_a_row_of_the_report(kind, model):
 def test_the_masses_of_a_drawing_load_it():
     """Two blades bear 0.1 kg: beside its axial stress, bending by the arm to its centre."""
     weighed, pushed = (
-        largest(DRAWN, case, LinearAnswers())
+        largest(DRAWN, case, LinearModel())
         for case in (
             {"acceleration": {"level": "0.03 m/s^2", "axis": "y"}},
             {"wrench": {"y": "3 mN", "theta_z": "0.003 N*mm"}},

@@ -6,7 +6,7 @@ import pytest
 
 from flexcli.engine.check import check
 from flexcli.engine.judge import Interrupted, judge
-from flexcli.engine.models import rungs
+from flexcli.engine.models import model_series
 from flexcli.engine.simulate import simulate
 from flexcli.results import Status, Verdict
 from flexcli.spec.load import load_design
@@ -37,7 +37,7 @@ class Endless:
     """A model that is interrupted whenever it is asked."""
 
     name = "exact"
-    answers = property(interrupted)
+    joint_model = property(interrupted)
 
 
 def test_checks_before_an_interruption_are_kept_and_the_rest_is_undecided(tmp_path):
@@ -46,7 +46,7 @@ def test_checks_before_an_interruption_are_kept_and_the_rest_is_undecided(tmp_pa
     factor = next(row.factor for row in rows if row.name.startswith("yield"))
     spec = design(tmp_path, factor)  # at its limit, so that a finer model is asked
     with pytest.raises(Interrupted) as raised:
-        judge(spec, spec.fixed_sizes(), (rungs(spec)[0], Endless()))
+        judge(spec, spec.fixed_sizes(), (model_series(spec)[0], Endless()))
     found = {check.name: check for check in raised.value.so_far.checks}
     assert found["fatigue"].verdict is Verdict.PASS
     assert found["yield"].verdict is Verdict.UNDECIDED
@@ -58,7 +58,9 @@ def test_a_check_that_is_stopped_reports_what_it_had_judged(tmp_path, monkeypatc
     first = design(tmp_path, 1.01)
     rows = check(first, first.fixed_sizes(), "", "closed-form").checks
     spec = design(tmp_path, next(row.factor for row in rows if row.name.startswith("yield")))
-    monkeypatch.setattr("flexcli.engine.check.rungs", lambda *_: (rungs(spec)[0], Endless()))
+    monkeypatch.setattr(
+        "flexcli.engine.check.model_series", lambda *_: (model_series(spec)[0], Endless())
+    )
     result = check(spec, spec.fixed_sizes(), "flexure.yaml")
     assert result.status is Status.UNDECIDED
     assert [note.code for note in result.warnings] == ["interrupted"]

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from strategies import design
 
-from flexcli.engine.answers.exact import ExactAnswers
-from flexcli.engine.answers.linear import LinearAnswers
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.linear import LinearModel
 from flexcli.engine.judge import judge
-from flexcli.engine.models import rungs
+from flexcli.engine.models import model_series
 from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Ask
 from flexcli.results import Verdict
 
@@ -22,18 +22,18 @@ PRINTED = 6e-4
 """Of numbers given to four digits."""
 
 
-def ask_of(geometry, ends, direction=None, stroke=None, material=STEEL, answers=CLOSED_FORM):
+def ask_of(geometry, ends, direction=None, stroke=None, material=STEEL, joint_model=CLOSED_FORM):
     load = {"force": "100 N"} | ({} if direction is None else {"direction": f"{direction} deg"})
     case = {"load": load, "ends": ends} | ({"stroke": stroke} if stroke else {})
     found = design(geometry, {"buckling": 1}, {"push": case}, material=material)
     sizes = found.fixed_sizes()
-    return Ask(found.material, found.geometry, None, sizes, found.scene("push"), answers)
+    return Ask(found.material, found.geometry, None, sizes, found.scene("push"), joint_model)
 
 
-def critical(answers, *asked, **more):
+def critical(joint_model, *asked, **more):
     """Return the least critical force in the plane [N] and its error."""
-    ask = ask_of(*asked, **more, answers=answers)
-    found = [c for c in answers.critical(ask) if c.way != "across the width"]
+    ask = ask_of(*asked, **more, joint_model=joint_model)
+    found = [c for c in joint_model.critical(ask) if c.way != "across the width"]
     least = min(found, key=lambda c: float(c.force))
     return float(least.force), least.error
 
@@ -42,22 +42,22 @@ def critical(answers, *asked, **more):
 def test_a_pivot_held_at_its_stroke_bears_less_than_at_rest(degrees, force):
     """A pivot held from turning, pushed together: by independent elastica solutions."""
     stroke = {"rotation": f"{degrees} deg"}
-    found, _ = critical(ExactAnswers(), CROSSED, "clamped-guided", 180, stroke=stroke)
+    found, _ = critical(ExactModel(), CROSSED, "clamped-guided", 180, stroke=stroke)
     assert found == pytest.approx(force, rel=PRINTED)
-    rest, _ = critical(ExactAnswers(), CROSSED, "clamped-guided", 180)
+    rest, _ = critical(ExactModel(), CROSSED, "clamped-guided", 180)
     assert rest == pytest.approx(257.6, rel=PRINTED)
 
 
-@pytest.mark.parametrize("answers", [CLOSED_FORM, LinearAnswers(), ExactAnswers()])
-def test_a_pivot_that_is_pulled_turns_away(answers):
+@pytest.mark.parametrize("joint_model", [CLOSED_FORM, LinearModel(), ExactModel()])
+def test_a_pivot_that_is_pulled_turns_away(joint_model):
     """361 N, where one of its blades alone would bear Euler's 1265 N."""
     thick = CROSSED | {"h": "0.637 mm"}
-    pulled, error = critical(answers, thick, "clamped-pinned", 0)
-    pushed, _ = critical(answers, thick, "clamped-pinned", 180)
+    pulled, error = critical(joint_model, thick, "clamped-pinned", 0)
+    pushed, _ = critical(joint_model, thick, "clamped-pinned", 180)
     # by the slender limit, whose strain is 6e-4
     assert pulled == pytest.approx(361.0, rel=3e-3)
     assert pushed > 5.0 * pulled
-    either, _ = critical(answers, thick, "clamped-pinned")
+    either, _ = critical(joint_model, thick, "clamped-pinned")
     assert either == pytest.approx(pulled, rel=1e-12)
     assert error is None or error.largest < 0.01
 
@@ -74,8 +74,8 @@ def test_ends_mean_one_thing_in_every_model(kind, ends):
     }[kind]
     closed, error = critical(CLOSED_FORM, geometry, ends, 180)
     assert error is not None
-    linear, unsure = critical(LinearAnswers(), geometry, ends, 180)
-    exact, _ = critical(ExactAnswers(), geometry, ends, 180)
+    linear, unsure = critical(LinearModel(), geometry, ends, 180)
+    exact, _ = critical(ExactModel(), geometry, ends, 180)
     assert unsure is not None
     assert exact / closed - 1.0 == pytest.approx(
         (error.low + error.high) / 2.0, abs=(error.high - error.low) / 2.0 + 1e-8
@@ -92,9 +92,9 @@ def test_errors_of_closed_form_and_linear_model_hold_the_exact_load():
         geometry = {"kind": "cross-spring", "delta": float(delta), "half_angle": f"{half} deg",
                     **BLADE, "h": f"{h} mm"}  # fmt: skip
         ends = str(rng.choice(ENDS[:4]))
-        exact, _ = critical(ExactAnswers(tolerance=1e-7), geometry, ends, 180)
-        for answers in (CLOSED_FORM, LinearAnswers()):
-            force, error = critical(answers, geometry, ends, 180)
+        exact, _ = critical(ExactModel(tolerance=1e-7), geometry, ends, 180)
+        for joint_model in (CLOSED_FORM, LinearModel()):
+            force, error = critical(joint_model, geometry, ends, 180)
             if error is not None:
                 assert error.low <= exact / force - 1.0 <= error.high
 
@@ -102,7 +102,8 @@ def test_errors_of_closed_form_and_linear_model_hold_the_exact_load():
 def test_of_one_blade_alone_nobody_says_how_far_it_is_from_the_joint():
     """Euler of one blade is a quarter of what a pivot held from turning bears."""
     (alone, _), (joint, _) = (
-        critical(answers, CROSSED, "clamped-guided") for answers in (AS_PRINTED, ExactAnswers())
+        critical(joint_model, CROSSED, "clamped-guided")
+        for joint_model in (AS_PRINTED, ExactModel())
     )
     assert joint == pytest.approx(4.0 * alone, rel=0.01)
     assert critical(AS_PRINTED, CROSSED, "clamped-guided")[1] is None
@@ -110,15 +111,15 @@ def test_of_one_blade_alone_nobody_says_how_far_it_is_from_the_joint():
     assert critical(CLOSED_FORM, joined, "clamped-guided", 180)[1] is None
 
 
-@pytest.mark.parametrize("answers", [CLOSED_FORM, LinearAnswers(), ExactAnswers()])
-def test_a_blade_hinged_at_both_ends_is_eulers_column_in_every_model(answers):
+@pytest.mark.parametrize("joint_model", [CLOSED_FORM, LinearModel(), ExactModel()])
+def test_a_blade_hinged_at_both_ends_is_eulers_column_in_every_model(joint_model):
     for geometry, share in (
         ({"kind": "cantilever", **BLADE}, 1.0),
         ({"kind": "leaf-spring-stage", **BLADE, "spacing": "10 mm"}, 2.0),
         ({"kind": "rcc", **BLADE, "p": "3 mm", "half_angle": "45 deg"}, 2**0.5),
     ):
         euler = share * pi**2 * 210e9 * 5e-3 * 1e-12 / 12.0 / 20e-3**2
-        force, error = critical(answers, geometry, "pinned-pinned", 180)
+        force, error = critical(joint_model, geometry, "pinned-pinned", 180)
         # shear and stretching, (h/l)²
         assert force == pytest.approx(euler, rel=1e-4)
         assert error is not None
@@ -127,16 +128,16 @@ def test_a_blade_hinged_at_both_ends_is_eulers_column_in_every_model(answers):
 def test_a_drive_is_no_hold():
     """A pivot kept at its stroke by a moment that stays turns away as a free one does."""
     stroke = {"rotation": "0.01 deg"}
-    free, _ = critical(ExactAnswers(), CROSSED, "clamped-pinned", 180)
-    driven, _ = critical(ExactAnswers(), CROSSED, "clamped-pinned", 180, stroke=stroke)
+    free, _ = critical(ExactModel(), CROSSED, "clamped-pinned", 180)
+    driven, _ = critical(ExactModel(), CROSSED, "clamped-pinned", 180, stroke=stroke)
     assert driven == pytest.approx(free, rel=1e-3)
 
 
 def test_a_mirrored_design_under_a_mirrored_load_bears_the_same():
     stroke = {"rotation": ["0 deg", "8 deg"]}
     back = {"rotation": ["-8 deg", "0 deg"]}
-    one, _ = critical(ExactAnswers(), CROSSED, "clamped-guided", 170, stroke=stroke)
-    other, _ = critical(ExactAnswers(), CROSSED, "clamped-guided", -170, stroke=back)
+    one, _ = critical(ExactModel(), CROSSED, "clamped-guided", 170, stroke=stroke)
+    other, _ = critical(ExactModel(), CROSSED, "clamped-guided", -170, stroke=back)
     assert one == pytest.approx(other, rel=1e-7)
 
 
@@ -147,7 +148,7 @@ def test_a_blade_that_yields_first_bears_johnsons_parabola(model):
     blade = {"kind": "cantilever", "h": "0.2 mm", "l": "2 mm", "b": "10 mm"}
     case = {"push": {"load": {"force": "1500 N"}, "ends": "clamped-clamped"}}
     spec = design(blade, {"buckling": 1.5}, case, material=titanium)
-    (found,) = judge(spec, spec.fixed_sizes(), rungs(spec, model)).checks
+    (found,) = judge(spec, spec.fixed_sizes(), model_series(spec, model)).checks
     assert found.verdict is Verdict.FAIL
     # shear, and the plate that a wide blade is, move the elastic load by a tenth
     assert found.factor == pytest.approx(1.10, abs=0.02)
@@ -155,8 +156,8 @@ def test_a_blade_that_yields_first_bears_johnsons_parabola(model):
 
 def test_a_pull_on_parallel_blades_buckles_none():
     stage = {"kind": "leaf-spring-stage", **BLADE, "spacing": "10 mm"}
-    for answers in (CLOSED_FORM, LinearAnswers(), ExactAnswers()):
-        assert critical(answers, stage, "clamped-guided", 0)[0] == np.inf
+    for joint_model in (CLOSED_FORM, LinearModel(), ExactModel()):
+        assert critical(joint_model, stage, "clamped-guided", 0)[0] == np.inf
 
 
 @pytest.mark.parametrize("nu", [0.3, None])

@@ -6,9 +6,9 @@ import pytest
 from random_scenes import scenes
 
 from flexcli.engine import assess
-from flexcli.engine.answers.exact import ExactAnswers
 from flexcli.engine.check import check, told_values
-from flexcli.engine.plan import plan, planned_answers
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.plan import plan, planned_model
 from flexcli.engine.planning.audit import audit
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
@@ -20,7 +20,7 @@ PIVOT = {
 }  # fmt: skip
 TURN = {"rotation": "4 deg"}
 BEAMS = {"plate-widening": "off", "anticlastic": "off"}
-CONTROL = ExactAnswers(tolerance=1e-12, levels=(10, 15, 22, 33, 50))
+CONTROL = ExactModel(tolerance=1e-12, levels=(10, 15, 22, 33, 50))
 """As fine as can be, on other nodes than those of the model that is judged."""
 
 
@@ -51,16 +51,16 @@ def test_finer_accuracies_take_other_models_at_rising_cost_and_keep_their_promis
     for accuracy in (0.1, 0.01, 0.001, 1e-6):
         design = design_of(accuracy=accuracy, effects=BEAMS)
         sizes, found = design.fixed_sizes(), planned(design)
-        values = told_values(design, sizes, planned_answers(found))
+        values = told_values(design, sizes, planned_model(found))
         truth = told_values(design, sizes, CONTROL)
         for name in ("k_pivot", "shift"):
             assert values[name].value == pytest.approx(truth[name].value, rel=accuracy)
         stress, true = (
             assess.checks(design.limits(sizes, by))[0].demand
-            for by in (planned_answers(found), CONTROL)
+            for by in (planned_model(found), CONTROL)
         )
         assert stress == pytest.approx(true, rel=accuracy)
-        taken.append((planned_answers(found).model, found.tolerance))
+        taken.append((planned_model(found).name, found.tolerance))
         costs.append(found.cost)
     assert len(set(taken)) == 4
     assert costs == sorted(set(costs))
@@ -164,7 +164,7 @@ def test_a_scene_that_lacks_an_effect_runs_no_code_for_it(monkeypatch):
         raise AssertionError
 
     monkeypatch.setattr("flexcli.mechanics.equilibrium.solve", refuse)
-    monkeypatch.setattr("flexcli.engine.answers.joint_states.solve", refuse)
+    monkeypatch.setattr("flexcli.engine.joint_models.joint_states.solve", refuse)
     monkeypatch.setattr("flexcli.formulas.miles.miles_worst_case", refuse)
     monkeypatch.setattr("flexcli.parts.bending.pair.under_tension", refuse)
     monkeypatch.setattr("flexcli.parts.heavy_blades.structure_of", refuse)

@@ -14,7 +14,7 @@ from flexcli.engine.comparing import time_accuracy as verb
 from flexcli.engine.comparing import time_motions
 from flexcli.engine.comparing.penalty_law import penalty_law
 from flexcli.engine.comparing.time_accuracy import accuracy_in_time, bounded
-from flexcli.engine.comparing.time_ladder import stretches
+from flexcli.engine.comparing.time_methods import stretches
 from flexcli.engine.comparing.time_motions import PERIODS, Motion, motions
 from flexcli.mechanics.stopping.laws import LinearStop, Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
@@ -46,7 +46,7 @@ def moved(one):
 
 @pytest.fixture
 def quick(monkeypatch):
-    """Leave the slow end of the ladder out."""
+    """Leave the slow end of the series out."""
     monkeypatch.setattr(verb, "TOLERANCES", (1e-4, 1e-6))
 
 

@@ -62,7 +62,7 @@ def cases():
 
 
 def defaults():
-    """Yield every example with its verb alone: the ladder, and simulation where that decides."""
+    """Yield every example with its verb alone: the series, and simulation where that decides."""
     for folder in EXAMPLES:
         expected = yaml.safe_load((folder / "expected.yaml").read_text())
         verb = expected["command"].split()[0]

@@ -23,7 +23,7 @@ def quadrature(frequency, level, fn, Q, scale):
     In d = f/f_n − 1 beside the resonance; far from it in the distance from the segment's start,
     because what d loses to rounding a narrow, steep segment would multiply.
     """
-    rungs = np.concatenate([[0.0], *([s * 5.0**k / Q for k in range(12)] for s in (1, -1))])
+    models = np.concatenate([[0.0], *([s * 5.0**k / Q for k in range(12)] for s in (1, -1))])
     still = moving = 0.0
     for (a, b), (ga, gb) in zip(
         itertools.pairwise(frequency), itertools.pairwise(level), strict=True
@@ -45,7 +45,7 @@ def quadrature(frequency, level, fn, Q, scale):
 
         # slivers between a rung and an end would drown quad in rounding
         ends = begin, begin + width
-        inner = rungs - origin
+        inner = models - origin
         inner = inner[(inner > ends[0]) & (inner < ends[1])]
         for end in ends:
             inner = inner[np.abs(inner - end) > 1e-3 * np.abs(inner + origin)]

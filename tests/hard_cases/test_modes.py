@@ -68,8 +68,8 @@ def test_two_modes_1e_6_apart_of_opposite_sign_leave_their_difference(Q, kept):
 def _panels(fn, Q):
     """Give points and weights of a fine Gauss rule that closes in on a resonance."""
     x, w = np.polynomial.legendre.leggauss(24)
-    ladder = fn / Q * np.geomspace(0.05, 1e5, 80)
-    edges = np.unique(np.clip(np.concatenate([fn - ladder, [fn], fn + ladder]), 20.0, 2000.0))
+    series = fn / Q * np.geomspace(0.05, 1e5, 80)
+    edges = np.unique(np.clip(np.concatenate([fn - series, [fn], fn + series]), 20.0, 2000.0))
     half = np.diff(edges)[:, None] / 2
     middle = (edges[1:] + edges[:-1])[:, None] / 2
     return (middle + half * x).ravel(), (half * w).ravel()

@@ -5,10 +5,10 @@ from typing import Any
 import pytest
 from geometries_for_tests import SAMPLES, geometry, spec
 
-from flexcli.engine import left_out
-from flexcli.engine.answers.corrected import Corrected
-from flexcli.engine.answers.exact import ExactAnswers
-from flexcli.engine.answers.linear import LinearAnswers
+from flexcli.engine import omitted_effects
+from flexcli.engine.joint_models.corrected import Corrected
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.linear import LinearModel
 from flexcli.engine.planning.coverage import COVERAGE, OUTER
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.design import DesignSpec
@@ -43,28 +43,28 @@ def design_of(geometry: dict[str, Any], stroke: dict[str, Any], **more: Any) -> 
 
 
 def setting_of(design: DesignSpec) -> Setting:
-    return left_out.setting(design, design.fixed_sizes())
+    return omitted_effects.setting(design, design.fixed_sizes())
 
 
 def named(name: str) -> ModelEffect:
     return next(effect for effect in MODEL_EFFECTS if effect.name == name)
 
 
-def asked(design: DesignSpec, answers: Any) -> Ask:
+def asked(design: DesignSpec, joint_model: Any) -> Ask:
     sizes = design.fixed_sizes()
-    return Ask(design.material, design.geometry, None, sizes, design.scene("work"), answers)
+    return Ask(design.material, design.geometry, None, sizes, design.scene("work"), joint_model)
 
 
-def stress(design: DesignSpec, answers: Any) -> float:
-    return max(abs(float(s.largest)) for s in answers.stresses(asked(design, answers))[1])
+def stress(design: DesignSpec, joint_model: Any) -> float:
+    return max(abs(float(s.largest)) for s in joint_model.stresses(asked(design, joint_model))[1])
 
 
-def numbers(design: DesignSpec, answers: Any) -> dict[str, float]:
-    ask = asked(design, answers)
+def numbers(design: DesignSpec, joint_model: Any) -> dict[str, float]:
+    ask = asked(design, joint_model)
     return {
-        "stiffness": float(answers.stiffness(ask)),
-        "stress": stress(design, answers),
-        "shift": float(answers.parasitic_shift(ask)),
+        "stiffness": float(joint_model.stiffness(ask)),
+        "stress": stress(design, joint_model),
+        "shift": float(joint_model.parasitic_shift(ask)),
     }
 
 
@@ -75,8 +75,8 @@ def numbers(design: DesignSpec, answers: Any) -> dict[str, float]:
 )
 def test_change_is_that_of_exact_blades_with_and_without(geometry, stroke, name, less):
     design = design_of(geometry, stroke)
-    full = numbers(design, ExactAnswers(tolerance=1e-11))
-    without = numbers(design, ExactAnswers(Effects()._replace(**less), tolerance=1e-11))
+    full = numbers(design, ExactModel(tolerance=1e-11))
+    without = numbers(design, ExactModel(Effects()._replace(**less), tolerance=1e-11))
     changes = named(name).changes(setting_of(design))
     for number, change in changes.items():
         true = full[number] / without[number] - 1.0
@@ -88,7 +88,7 @@ def test_change_is_that_of_exact_blades_with_and_without(geometry, stroke, name,
 def test_large_rotation_is_that_of_exact_slender_blades(geometry, stroke):
     design = design_of({**geometry, "h": "0.01 mm"}, stroke)
     slender = Effects(extension=False, shear=False)
-    full = numbers(design, ExactAnswers(slender, tolerance=1e-11))
+    full = numbers(design, ExactModel(slender, tolerance=1e-11))
     first = numbers(design, AS_PRINTED)
     effect = named("large rotation")
     changes, estimates = (f(setting_of(design)) for f in (effect.changes, effect.estimates))
@@ -100,7 +100,7 @@ def test_large_rotation_is_that_of_exact_slender_blades(geometry, stroke):
 
 def test_blade_tension_is_what_both_faces_of_a_linear_pivot_add():
     design = design_of(PIVOT, TURN)
-    slender = LinearAnswers(Effects(extension=False, shear=False))
+    slender = LinearModel(Effects(extension=False, shear=False))
     true = numbers(design, slender)["stress"] / numbers(design, AS_PRINTED)["stress"] - 1.0
     change = named("blade tension").changes(setting_of(design))["stress"]
     assert change.value == pytest.approx(true, rel=1e-6)
@@ -112,7 +112,7 @@ def test_load_changes_the_stress_of_a_stroke_by_at_most_its_estimate(geometry, s
     loaded = design_of(slender, stroke, case={"load": {"force": "0.02 N"}})
     calm = design_of(slender, stroke)
     axial = numbers(loaded, AS_PRINTED)["stress"] - numbers(calm, AS_PRINTED)["stress"]
-    exact = ExactAnswers(tolerance=1e-11)
+    exact = ExactModel(tolerance=1e-11)
     true = numbers(loaded, exact)["stress"] / (numbers(calm, exact)["stress"] + axial) - 1.0
     estimate = named("axial load").estimates(setting_of(loaded))["stress"]
     assert 0.3 * estimate < abs(true) <= 1.1 * estimate
@@ -155,7 +155,7 @@ def test_effects_have_names_of_their_own_and_each_model_effect_one_carrier_at_le
 
 @pytest.mark.parametrize("model", ["linear", "exact"])
 def test_no_effect_is_counted_twice(model):
-    inner = {"linear": LinearAnswers, "exact": ExactAnswers}[model]()
+    inner = {"linear": LinearModel, "exact": ExactModel}[model]()
     design = design_of(PIVOT, TURN)
     plain = numbers(design, inner)
     for effect in MODEL_EFFECTS:
@@ -207,6 +207,6 @@ def test_blades_that_hold_their_centre_stretch_as_it_turns():
             "h": "0.25 mm", "l": "80 mm", "b": "10 mm"}  # fmt: skip
     design = design_of(star, {"rotation": "0.003 rad"})
     slender = Effects(extension=True, shear=False)
-    change = stress(design, ExactAnswers(slender)) / stress(design, AS_PRINTED) - 1.0
+    change = stress(design, ExactModel(slender)) / stress(design, AS_PRINTED) - 1.0
     estimate = named("large rotation").estimates(setting_of(design))["stress"]
     assert 0.5 * estimate < change <= estimate

@@ -13,13 +13,13 @@ import numpy as np
 import pytest
 from geometries_for_tests import ELASTIC, SAMPLES, asked, geometry
 
-from flexcli.engine import left_out
-from flexcli.engine.answers.exact import ExactAnswers
+from flexcli.engine import omitted_effects
+from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, Estimate, estimate
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Geometry
-from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
+from flexcli.parts.requirements import AS_PRINTED, Ask, JointModel
 from flexcli.results import QuantityKind
 
 OUTER = {"plate widening", "anticlastic", "clamp stress", "thick notch", "blade mass"}
@@ -171,14 +171,14 @@ def design_of(geometry: dict[str, Any], case: dict[str, Any]) -> DesignSpec:
     return DesignSpec.model_validate(content)
 
 
-def stress(answers: Answers, ask: Ask) -> float:
-    return max(abs(float(s.largest)) for s in answers.stresses(ask)[1])
+def stress(joint_model: JointModel, ask: Ask) -> float:
+    return max(abs(float(s.largest)) for s in joint_model.stresses(ask)[1])
 
 
-NUMBERS: dict[str, Callable[[Answers, Ask], float]] = {
-    "stiffness": lambda answers, ask: float(answers.stiffness(ask)),
+NUMBERS: dict[str, Callable[[JointModel, Ask], float]] = {
+    "stiffness": lambda joint_model, ask: float(joint_model.stiffness(ask)),
     "stress": stress,
-    "shift": lambda answers, ask: abs(float(answers.parasitic_shift(ask))),
+    "shift": lambda joint_model, ask: abs(float(joint_model.parasitic_shift(ask))),
 }
 
 
@@ -186,14 +186,14 @@ def promised(design: DesignSpec, kind: str) -> tuple[Ask, Estimate]:
     sizes = design.fixed_sizes()
     assert sizes is not None
     ask = Ask(design.material, design.geometry, None, sizes, design.scene("work"), AS_PRINTED)
-    setting = left_out.setting(design, sizes)
+    setting = omitted_effects.setting(design, sizes)
     return ask, estimate(setting, QuantityKind(kind), EFFECTS)
 
 
 @pytest.mark.parametrize("number", NUMBERS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_true_number_lies_within_the_error_of_the_closed_form(kind, number):
-    exact, known, missed = ExactAnswers(tolerance=1e-9), 0, []
+    exact, known, missed = ExactModel(tolerance=1e-9), 0, []
     for design in designs(kind, DESIGNS):
         ask, found = promised(design, number)
         try:
@@ -204,7 +204,7 @@ def test_the_true_number_lies_within_the_error_of_the_closed_form(kind, number):
         if found.error is None or closed == 0.0:
             continue
         known += 1
-        true = NUMBERS[number](exact, ask._replace(answers=exact))
+        true = NUMBERS[number](exact, ask._replace(joint_model=exact))
         solved = SOLVED * max(1.0, ask.scene.travel * L / closed if number == "shift" else 1.0)
         off = true / (closed * found.factor) - 1.0
         if not found.error.low - solved <= off <= found.error.high + solved:
@@ -216,7 +216,7 @@ def test_the_true_number_lies_within_the_error_of_the_closed_form(kind, number):
 
 @pytest.mark.parametrize("kind", ["cantilever", "guided-blade", "leaf-spring-stage"])
 def test_the_errors_of_straight_blades_hold_up_to_strokes_of_half_their_length(kind):
-    rng, exact = np.random.default_rng(5), ExactAnswers(tolerance=1e-9)
+    rng, exact = np.random.default_rng(5), ExactModel(tolerance=1e-9)
     for share in (0.35, 0.42, 0.5):
         slender = {**KINDS[kind](rng), **metres(h=L / between(rng, 20.0, 1000.0))}
         design = design_of({"kind": kind, **slender}, {"stroke": {"translation": f"{share * L} m"}})
@@ -224,14 +224,14 @@ def test_the_errors_of_straight_blades_hold_up_to_strokes_of_half_their_length(k
             ask, found = promised(design, number)
             assert found.error is not None
             closed = NUMBERS[number](AS_PRINTED, ask) * found.factor
-            off = NUMBERS[number](exact, ask._replace(answers=exact)) / closed - 1.0
+            off = NUMBERS[number](exact, ask._replace(joint_model=exact)) / closed - 1.0
             assert found.error.low <= off <= found.error.high
 
 
 @pytest.mark.parametrize("kind", ["leaf-spring-stage", "cross-spring", "cantilever", "star"])
 def test_the_stress_of_a_stroke_under_load_lies_within_its_error(kind):
     """Along the axis of symmetry, up to a tenth of Euler's load of guided blades."""
-    rng, exact, missed = np.random.default_rng(3), ExactAnswers(tolerance=1e-9), []
+    rng, exact, missed = np.random.default_rng(3), ExactModel(tolerance=1e-9), []
     for design in designs(kind, DESIGNS // 2):
         h, l, b = design.fixed_sizes()
         euler = np.pi**2 * 114e9 * b * h**3 / 12.0 / l**2
@@ -243,7 +243,7 @@ def test_the_stress_of_a_stroke_under_load_lies_within_its_error(kind):
         ask, found = promised(loaded, "stress")
         if found.error is None:
             continue
-        true, closed = stress(exact, ask._replace(answers=exact)), stress(AS_PRINTED, ask)
+        true, closed = stress(exact, ask._replace(joint_model=exact)), stress(AS_PRINTED, ask)
         bending = stress(AS_PRINTED, ask._replace(scene=ask.scene._replace(force=0.0)))
         corrected = closed + bending * (found.factor - 1.0)
         off = true / corrected - 1.0
@@ -290,8 +290,8 @@ def test_outside_the_validity_that_explain_prints_nothing_is_promised_and_a_warn
     assert found.error is None
     sizes = design.fixed_sizes()
     assert sizes is not None
-    rows = left_out.effects(design, sizes)
-    codes = {note.code for note in left_out.warnings(design, sizes, rows)}
+    rows = omitted_effects.effects(design, sizes)
+    codes = {note.code for note in omitted_effects.warnings(design, sizes, rows)}
     assert "outside-validity" in codes
 
 

@@ -10,7 +10,7 @@ from pydantic import TypeAdapter
 from strategies import TITANIUM, design
 
 from flexcli.engine.check import check
-from flexcli.engine.models import Rung, rungs
+from flexcli.engine.models import NamedModel, model_series
 from flexcli.errors import SolveError
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.linear import linear
@@ -277,7 +277,7 @@ def test_what_is_drawn_has_no_closed_form_and_says_what_has():
     with pytest.raises(NotAvailable, match="take --model linear or exact"):
         part.end_stresses(ELASTIC, sizes, 0.1)
     with pytest.raises(SolveError, match="no closed forms"):
-        _ = Rung(design(rcc(), {"yield": 1.5}, TURN), "closed-form").answers
+        _ = NamedModel(design(rcc(), {"yield": 1.5}, TURN), "closed-form").joint_model
 
 
 @pytest.mark.parametrize(
@@ -285,13 +285,13 @@ def test_what_is_drawn_has_no_closed_form_and_says_what_has():
     [(rcc(), None, "linear"), (rcc(), "linear", "linear"), (RCC, None, "closed-form")],
 )
 def test_the_model_is_the_cheapest_that_there_is_unless_one_is_asked(geometry, asked, model):
-    assert rungs(design(geometry, {"yield": 1.5}, TURN), asked)[0].name == model
+    assert model_series(design(geometry, {"yield": 1.5}, TURN), asked)[0].name == model
 
 
 def test_the_linear_model_has_no_shift_and_says_which_has():
     part = design(rcc(), {"parasitic_shift": {"max": "1 um"}}, TURN)
     with pytest.raises(RequirementError, match="--model exact"):
-        part.limits(part.fixed_sizes(), Rung(part, "linear").answers)
+        part.limits(part.fixed_sizes(), NamedModel(part, "linear").joint_model)
 
 
 def test_a_drawing_is_loaded_without_closed_forms_and_with_what_else_must_fit():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import yaml
 
-from flexcli.engine import left_out
+from flexcli.engine import omitted_effects
 from flexcli.formulas.handbook.tip_mass import tip_mass_frequencies
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects.blade_mass import BladeMass
@@ -69,7 +69,7 @@ def frequency(found):
 
 
 def change(found):
-    return BladeMass().changes(left_out.setting(found, found.fixed_sizes()))
+    return BladeMass().changes(omitted_effects.setting(found, found.fixed_sizes()))
 
 
 @pytest.mark.parametrize("payload", [None, {"kind": "payload", "mass": "50 g"}])

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from geometries_for_tests import ELASTIC, MATERIAL, SAMPLES, geometry, spec
 
-from flexcli.engine import left_out
+from flexcli.engine import omitted_effects
 from flexcli.engine.explain import explain
 from flexcli.formulas.card import Range
 from flexcli.parts.design import DesignSpec
@@ -106,10 +106,10 @@ def test_a_design_outside_of_a_range_is_warned_of_and_its_number_has_no_known_er
         judged = design(said, travel, part.motion == "rotation")
         sizes = judged.fixed_sizes()
         assert sizes is not None
-        rows = left_out.effects(judged, sizes)
-        notes = [n.text for n in left_out.warnings(judged, sizes, rows)]
+        rows = omitted_effects.effects(judged, sizes)
+        notes = [n.text for n in omitted_effects.warnings(judged, sizes, rows)]
         assert any(text.startswith(f"{limits.quantity} = ") for text in notes), limits
-        setting = left_out.setting(judged, sizes)
+        setting = omitted_effects.setting(judged, sizes)
         reach = {"theta": travel, "x/l": travel / part.length(sizes)}.get(limits.quantity, inf)
         corrected = limits.quantity in TRAVELS and reach <= setting.bending.travel_most
         for number in KINDS_OF_NUMBERS if limits.kind is None else (limits.kind,):

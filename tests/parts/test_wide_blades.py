@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from geometries_for_tests import SAMPLES, geometry, spec
 
-from flexcli.engine import left_out
+from flexcli.engine import omitted_effects
 from flexcli.formulas import plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas.plate_flattening import flat_width, secant_factor
@@ -42,7 +42,7 @@ def setting_of(shape: dict[str, Any], stroke: dict[str, Any], **more: Any) -> Se
             "requirements": {"yield": 1.0}, **more,
         }
     )  # fmt: skip
-    return left_out.setting(design, design.fixed_sizes())
+    return omitted_effects.setting(design, design.fixed_sizes())
 
 
 def named(name: str) -> ModelEffect:

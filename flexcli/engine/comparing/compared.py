@@ -72,13 +72,13 @@ def relative_bound(finest: float, control: float, tolerance: float) -> float | N
 
 def compared(
     settled: Sequence[Settled[N]],
-    rungs: Sequence[Named],
+    models: Sequence[Named],
     times: Timed,
     asked: float,
     unsettled: tuple[str, ...] = (),
 ) -> AccuracyResult:
     """Return errors against the finest, the Pareto sets, and the cheapest within what is asked."""
-    names = [rung.name for rung in rungs]
+    names = [model.name for model in models]
     finest = np.array([each.finest for each in settled])
     bound = np.array([each.bound for each in settled])
     missing = np.isnan(times.values)
@@ -95,7 +95,7 @@ def compared(
     worst = sure.max(axis=1)
     middle = np.median(whole, axis=0)
     front = pareto(worst.tolist(), middle.tolist())
-    models = tuple(
+    accuracies = tuple(
         ModelAccuracy(
             name,
             float(errors[i].max()),
@@ -113,7 +113,7 @@ def compared(
         runs=times.seconds.shape[0],
         finest=names[-1],
         quantities=quantities,
-        models=models,
+        models=accuracies,
         recommended=_cheapest(names, meets, whole),
         unsettled=unsettled,
     )

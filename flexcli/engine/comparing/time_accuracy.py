@@ -8,7 +8,7 @@ import numpy as np
 
 from flexcli.engine.comparing.compared import Settled, Timed, compared, relative_bound
 from flexcli.engine.comparing.penalty_law import RIGID_PENALTY
-from flexcli.engine.comparing.time_ladder import Method, TimePeaks, event_driven, penalty_run
+from flexcli.engine.comparing.time_methods import Method, TimePeaks, event_driven, penalty_run
 from flexcli.engine.comparing.time_motions import Motion, motions
 from flexcli.mechanics.stopping.laws import RigidStop
 from flexcli.numerics.signal_pieces import Piece
@@ -17,12 +17,12 @@ from flexcli.parts.geometries import Sizes
 from flexcli.parts.stops import Rigid
 from flexcli.results import AccuracyResult, Note
 
-__all__ = ["TimeNumber", "TimeRung", "accuracy_in_time", "bounded", "time_ladder", "time_notes"]
+__all__ = ["TimeNumber", "TimeRung", "accuracy_in_time", "bounded", "time_methods", "time_notes"]
 
 METHODS: tuple[Method, ...] = ("Radau", "DOP853")
 TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)
 CONTROLS = (1e-12, 1e-11)
-"""Tolerances of the control run, finer than any in the ladder, and of the run that bounds it."""
+"""Tolerances of the control run, finer than any of the series, and of the run that bounds it."""
 ROUNDING = 1e-12
 """Least error of a finest value: what is left of sixteen digits after many events."""
 CUT = 0.381966
@@ -68,12 +68,12 @@ def accuracy_in_time(
                 columns.append((i, j))
     if not settled:
         return None
-    rungs = time_ladder()
-    times = _timed(shaken, rungs, runs, columns)
-    return compared(settled, rungs, times, asked, tuple(unsettled))
+    models = time_methods()
+    times = _timed(shaken, models, runs, columns)
+    return compared(settled, models, times, asked, tuple(unsettled))
 
 
-def time_ladder() -> tuple[TimeRung, ...]:
+def time_methods() -> tuple[TimeRung, ...]:
     """Return general integrators from coarse to fine, and the event-driven run."""
     general = [
         TimeRung(f"{method} at {tolerance:.0e}", _general(method, tolerance))
@@ -118,7 +118,7 @@ def _cut(pieces: Iterable[Piece]) -> Iterator[Piece]:
 
 def _timed(
     shaken: list[Motion],
-    rungs: tuple[TimeRung, ...],
+    models: tuple[TimeRung, ...],
     runs: int,
     columns: list[tuple[int, int]],
 ) -> Timed:
@@ -126,13 +126,13 @@ def _timed(
 
     The methods take turns, so that a busy machine slows all of them alike.
     """
-    seconds = np.empty((runs, len(rungs), len(shaken)))
-    values = np.empty((len(rungs), len(shaken), len(NUMBERS)))
+    seconds = np.empty((runs, len(models), len(shaken)))
+    values = np.empty((len(models), len(shaken), len(NUMBERS)))
     for run in range(runs):
-        for i, rung in enumerate(rungs):
+        for i, model in enumerate(models):
             for j, motion in enumerate(shaken):
                 begun = perf_counter()
-                values[i, j] = rung.by(motion)
+                values[i, j] = model.by(motion)
                 seconds[run, i, j] = perf_counter() - begun
     of, which = np.array(columns).T
     return Timed(values[:, of, which], seconds[:, :, of], seconds.sum(axis=2))

@@ -4,9 +4,9 @@ from collections.abc import Callable, Iterator, Mapping
 from math import isfinite
 from typing import NamedTuple
 
-from flexcli.engine.answers.corrected import Corrected
-from flexcli.engine.answers.exact import ExactAnswers
-from flexcli.engine.answers.linear import LinearAnswers
+from flexcli.engine.joint_models.corrected import Corrected
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.linear import LinearModel
 from flexcli.errors import SolveError
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.design import DesignSpec
@@ -14,7 +14,7 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect, Setting
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import AS_PRINTED, Answers, Ask
+from flexcli.parts.requirements import AS_PRINTED, Ask, JointModel
 from flexcli.results import AuditRow, EffectRow, Plan
 
 __all__ = ["audit"]
@@ -51,7 +51,7 @@ FORMULAS = (
 SMALL = 0.01
 """Share of the stroke at which nothing is of next order."""
 
-Number = Callable[[Answers, Ask], float]
+Number = Callable[[JointModel, Ask], float]
 
 
 class _True(NamedTuple):
@@ -127,14 +127,14 @@ def _change(effect: str, ask: Ask, name: str) -> float | None:
     if effect == EffectName.BLADE_TENSION:
         if name != "stress":
             return 0.0
-        return number(LinearAnswers(NONE), calm) / number(AS_PRINTED, calm) - 1.0
+        return number(LinearModel(NONE), calm) / number(AS_PRINTED, calm) - 1.0
     if effect == EffectName.LARGE_ROTATION:
         if name not in ("stress", "shift"):
             return 0.0
         if name == "shift" and _own(EffectName.HINGE_LENGTH).indicator(_setting(ask)) is not None:
             # their first order is not that of the closed form, which takes hinges as pins
             return number(_exact(NONE), calm) / number(_exact(NONE), small) * SMALL**2 - 1.0
-        first = LinearAnswers(NONE)
+        first = LinearModel(NONE)
         return number(_exact(NONE), calm) / number(first, calm) - 1.0
     if effect == EffectName.HINGE_LENGTH:
         if name not in ("stress", "shift"):
@@ -160,7 +160,7 @@ def _corrected_by(effect: str, ask: Ask, name: str) -> float | None:
     change = own.all_changes(setting).get(name)
     if change is None or change.value is None:
         return None
-    finest = ExactAnswers()
+    finest = ExactModel()
     whole, without = (
         Corrected(finest, [e for e in MODEL_EFFECTS if e.name != out]) for out in ("", effect)
     )
@@ -181,23 +181,23 @@ def _setting(ask: Ask) -> Setting:
     return Setting(ask.material, ask.geometry, ask.mechanism, ask.sizes, (ask.scene,))
 
 
-def _exact(effects: Effects) -> ExactAnswers:
-    return ExactAnswers(effects, TOLERANCE)
+def _exact(effects: Effects) -> ExactModel:
+    return ExactModel(effects, TOLERANCE)
 
 
-def _stress(answers: Answers, ask: Ask) -> float:
-    return max(abs(float(s.largest)) for s in answers.stresses(ask)[1])
+def _stress(joint_model: JointModel, ask: Ask) -> float:
+    return max(abs(float(s.largest)) for s in joint_model.stresses(ask)[1])
 
 
-def _critical(answers: Answers, ask: Ask) -> float:
-    found = answers.critical(ask)
+def _critical(joint_model: JointModel, ask: Ask) -> float:
+    found = joint_model.critical(ask)
     return min(float(c.force) for c in found if c.way != "across the width")
 
 
 NUMBERS: dict[str, Number] = {
-    "stiffness": lambda answers, ask: float(answers.stiffness(ask)),
+    "stiffness": lambda joint_model, ask: float(joint_model.stiffness(ask)),
     "stress": _stress,
-    "shift": lambda answers, ask: float(answers.parasitic_shift(ask)),
+    "shift": lambda joint_model, ask: float(joint_model.parasitic_shift(ask)),
     "buckling": _critical,
-    "sag": lambda answers, ask: 1.0 / float(answers.sag_stiffness(ask)),
+    "sag": lambda joint_model, ask: 1.0 / float(joint_model.sag_stiffness(ask)),
 }

@@ -4,7 +4,7 @@ from dataclasses import replace
 from math import isfinite
 
 from flexcli.engine import values as design_values
-from flexcli.engine.plan import plan, planned_answers
+from flexcli.engine.plan import plan, planned_model
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
@@ -27,7 +27,7 @@ def with_planned_values(
     """
     found = plan(design, sizes, model)
     try:
-        values = design_values.values(design, sizes, planned_answers(found))
+        values = design_values.values(design, sizes, planned_model(found))
     except (NotAvailable, SolveError) as error:
         text = f"the {found.model} model of the plan has no answer: {error}"
         note = Note("planned-model-has-no-answer", text)

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from math import inf, log
 
 from flexcli.engine.judge import FAR, finest
-from flexcli.engine.models import Rung
+from flexcli.engine.models import NamedModel
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Limit
@@ -33,7 +33,7 @@ STEEPEST = 12.0
 def corrections_at(
     design: DesignSpec,
     sizes: Sizes,
-    rungs: tuple[Rung, ...],
+    models: tuple[NamedModel, ...],
     known: Mapping[str, Correction] | None = None,
 ) -> dict[str, Correction]:
     """Return how the formulas of each check differ from the models that judge, at a design.
@@ -44,7 +44,7 @@ def corrections_at(
         The design, without corrections.
     sizes : named tuple
         Sizes at which they are compared [m].
-    rungs : tuple of Rung
+    models : tuple of NamedModel
         The models that judge, the cheapest first.
     known : mapping, optional
         Corrections near by whose slopes are kept; else slopes are taken of what is near its limit.
@@ -55,7 +55,7 @@ def corrections_at(
         By the name of the check.
 
     """
-    fine, plain = finest(design, sizes, rungs), _used(design.closed_limits(sizes))
+    fine, plain = finest(design, sizes, models), _used(design.closed_limits(sizes))
     ratios = {name: used.share / plain.get(name, 1.0) for name, used in fine.items()}
     about = {name: float(getattr(sizes, name)) for name in design.geometry.free}
     near = {name for name, used in fine.items() if used.share > 1.0 / FAR}
@@ -63,7 +63,7 @@ def corrections_at(
     questions = {fine[name].question for name in near}
     for size, x in about.items() if known is None and near else ():
         beside = sizes._replace(**{size: x * (1.0 + STEP)})
-        there = finest(design, beside, rungs, questions)
+        there = finest(design, beside, models, questions)
         formulas = _used(design.closed_limits(beside))
         for name in near & there.keys():
             ratio = there[name].share / formulas.get(name, 1.0)

@@ -150,11 +150,11 @@ def judge_stops(
     SolveError
         When forced, for a case that is no motion in time.
     """
-    ladder = _Ladder(design, task, sizes, place, watch, options or task.stops.simulation)
-    ladder.keep_history, ladder.forced = keep_history, forced
+    series = _Series(design, task, sizes, place, watch, options or task.stops.simulation)
+    series.keep_history, series.forced = keep_history, forced
     begun = perf_counter()
     checks = [c._replace(model=STATICS) for c in assess.checks(static_limits(task, place))]
-    ladder.spend(LINE, perf_counter() - begun)
+    series.spend(LINE, perf_counter() - begun)
     f_0 = _frequency(design, task)
     shaken = [name for name, case in design.cases.items() if shakes(case)]
     for name in shaken:
@@ -165,7 +165,7 @@ def judge_stops(
         strengths = _strengths(design, name) if with_requirements else []
         found = [on_line]
         if simulate:
-            found = ladder.climbed(name, on_line, strengths, f_0)
+            found = series.climbed(name, on_line, strengths, f_0)
         else:
             found.extend(_open(strength) for strength in strengths)
         checks.extend(found)
@@ -174,10 +174,10 @@ def judge_stops(
         checks.append(on_line._replace(model=LINE))
     return StopJudgement(
         tuple(check if check.path else check._replace(path=("stops",)) for check in checks),
-        tuple(ladder.runs),
-        tuple(ladder.aside),
-        tuple(ladder.histories),
-        ladder.seconds,
+        tuple(series.runs),
+        tuple(series.aside),
+        tuple(series.histories),
+        series.seconds,
     )
 
 
@@ -208,7 +208,7 @@ def _open(strength: _Strength, reason: str = "no model but a simulation knows it
     )  # fmt: skip
 
 
-class _Ladder:
+class _Series:
     """Runs of each case by the models in turn, and the seconds that each took."""
 
     def __init__(

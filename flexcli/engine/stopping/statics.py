@@ -5,7 +5,7 @@ from math import inf
 from typing import NamedTuple
 
 from flexcli.engine.assess import ROUNDING
-from flexcli.engine.left_out import setting
+from flexcli.engine.omitted_effects import setting
 from flexcli.formulas.card import outside
 from flexcli.formulas.pi_law import MEASURED, SCATTER, contact_threshold, operating_line
 from flexcli.formulas.section import second_moment, shear_parameter

@@ -8,17 +8,17 @@ from pydantic import BeforeValidator, Field
 from flexcli.parts.base import OneOrMore, Part
 from flexcli.parts.named import Named
 from flexcli.parts.requirements.as_printed import AS_PRINTED
-from flexcli.parts.requirements.ask import Answers, Ask, EndStress, RequirementError
+from flexcli.parts.requirements.ask import Ask, EndStress, JointModel, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit, Requirement
 from flexcli.parts.requirements.closed_form import CLOSED_FORM
 
 __all__ = [
     "AS_PRINTED",
     "CLOSED_FORM",
-    "Answers",
     "Ask",
     "Bound",
     "EndStress",
+    "JointModel",
     "Limit",
     "Requirement",
     "RequirementError",

@@ -7,7 +7,7 @@ from flexcli.numerics.signomial import Signomial
 from flexcli.parts.bending import FLOOR
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
-from flexcli.parts.requirements.ask import Answers, Ask, EndStress
+from flexcli.parts.requirements.ask import Ask, EndStress, JointModel
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["AS_PRINTED", "AsPrinted", "stress_name"]
@@ -17,10 +17,10 @@ UNTOLD = frozenset({QuantityKind.BUCKLING, QuantityKind.SUPPORT, QuantityKind.RE
 """Kinds of numbers whose effects have no estimates."""
 
 
-class AsPrinted(Answers):
+class AsPrinted(JointModel):
     """Small rotation, slender blades: what the geometry's own formulas say."""
 
-    model = "source"
+    name = "source"
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return that of their digits where all that they leave out has an estimate."""

@@ -14,7 +14,7 @@ from flexcli.results import ErrorRange, QuantityKind
 if TYPE_CHECKING:
     from flexcli.parts.effects import Setting
 
-__all__ = ["Answers", "Ask", "EndStress", "RequirementError"]
+__all__ = ["Ask", "EndStress", "JointModel", "RequirementError"]
 
 
 class RequirementError(ValueError):
@@ -63,16 +63,16 @@ class Ask(NamedTuple):
     mechanism: Mechanism | None
     sizes: Sizes
     scene: Scene
-    answers: "Answers"
+    joint_model: "JointModel"
 
 
-class Answers(ABC):
+class JointModel(ABC):
     """A model of the joint: what requirements ask of it, for floats or signomials.
 
     Each method may raise :class:`flexcli.parts.elastic.NotAvailable`.
     """
 
-    model: str
+    name: str
     covers: ClassVar[frozenset[EffectName]] = frozenset()
     """The effects that it can carry, and leave out."""
     always: ClassVar[frozenset[EffectName]] = frozenset()

@@ -43,7 +43,7 @@ class Buckling(FactorRequirement):
                 f"nothing says what holds the blades' ends in case '{scene.case}'",
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
-        for critical in ask.answers.critical(ask):
+        for critical in ask.joint_model.critical(ask):
             capacity, crushed = borne(critical, ask.material)
             yield Limit(
                 self.label,

@@ -47,7 +47,7 @@ class Fatigue(FactorRequirement):
             )
         try:
             strength, where = material.reversed_amplitude(scene.cycles)
-            name, stresses = ask.answers.stresses(ask)
+            name, stresses = ask.joint_model.stresses(ask)
             for stress in stresses:
                 method = self._method(stress, ask)
                 meant = f"equivalent amplitude ({method}) of the {name}"

@@ -28,11 +28,11 @@ class Frequency(Bound):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the frequency, squared."""
         try:
-            stiffness, elastic = ask.answers.stiffness(ask), ask.material.elastic
+            stiffness, elastic = ask.joint_model.stiffness(ask), ask.material.elastic
             mode = own_mode(ask.mechanism, stiffness, ask.geometry, elastic, ask.sizes)
         except MechanismError as error:
             raise RequirementError(str(error), error.hint) from error
-        factor = ask.answers.frequency_factor(ask)
+        factor = ask.joint_model.frequency_factor(ask)
         yield from self.bounds(
             mode.stiffness * (factor**2 / (mode.mass * (2.0 * pi) ** 2)),
             case="",

@@ -35,7 +35,7 @@ class ParasiticShift(Bound):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the shift, with either sign, against its bound."""
         scene = ask.scene
-        shift = ask.answers.parasitic_shift(ask)
+        shift = ask.joint_model.parasitic_shift(ask)
         for sign in (1.0, -1.0):
             yield from self.bounds(
                 sign * shift,

@@ -61,14 +61,14 @@ class Uncertain:
         ratio = mechanism.joint_travel_per_motion if mechanism is not None else 1.0
         scene = ask.scene.without_loads()._replace(travel=peak * ratio, mean_travel=0.0, middle=0.0)
         held = ask._replace(scene=scene)
-        error = ask.answers.error(held, QuantityKind.STRESS)
+        error = ask.joint_model.error(held, QuantityKind.STRESS)
         if error is None or structure.motion is None or peak == 0.0:
             return error
         still = np.linalg.solve(structure.stiffness, structure.motion) * structure.motion_stiffness
         rows = [rows for name, rows in structure.outputs.items() if name.startswith("stress")]
         linear = max(float(np.abs(each @ still).max()) for each in rows) * peak
         try:
-            _, stresses = ask.answers.stresses(held)
+            _, stresses = ask.joint_model.stresses(held)
         except (NotAvailable, SolveError):
             return None
         off = max(abs(float(stress.largest)) for stress in stresses) / linear - 1.0
@@ -100,9 +100,9 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
         joint = carried(geometry, elastic, sizes).motion_stiffness
     except (MechanismError, NotAvailable) as error:
         raise RequirementError(str(error), getattr(error, "hint", "")) from error
-    factor = float(ask.answers.stiffness(ask)) / joint
+    factor = float(ask.joint_model.stiffness(ask)) / joint
     structure = plain.stiffened(factor)
-    off = ask.answers.error(ask, QuantityKind.STIFFNESS)
+    off = ask.joint_model.error(ask, QuantityKind.STIFFNESS)
     if off is None or geometry.has_limbs(elastic, sizes):
         return Uncertain(structure, None)
     ends = [factor * (1.0 + off.low), factor * (1.0 + off.high)]

@@ -43,7 +43,7 @@ class Sag(Bound):
             )
         except MechanismError as error:
             raise RequirementError(str(error), error.hint) from error
-        stiffness = ask.answers.sag_stiffness(ask)
+        stiffness = ask.joint_model.sag_stiffness(ask)
         yield from self.bounds(
             weight / stiffness,
             case=scene.case,

@@ -2,15 +2,15 @@
 
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.geometries.base import Critical
-from flexcli.parts.requirements.ask import Answers, Ask, EndStress
+from flexcli.parts.requirements.ask import Ask, EndStress, JointModel
 
 __all__ = ["STAND_IN"]
 
 
-class _StandIn(Answers):
+class _StandIn(JointModel):
     """One of everything, so that only what the material and the mechanism lack is refused."""
 
-    model = "stand-in"
+    name = "stand-in"
 
     def stiffness(self, ask: Ask) -> Computed:
         """Return 1."""

@@ -42,7 +42,7 @@ class Stiffness(Bound):
                 )
             plain[name] = given[0]
         yield from self.model_copy(update=plain).bounds(
-            ask.answers.stiffness(ask),
+            ask.joint_model.stiffness(ask),
             case="",
             quantity="stiffness of a joint",
             unit=unit,

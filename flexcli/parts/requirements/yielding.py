@@ -44,7 +44,7 @@ class Yield(FactorRequirement):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the largest stress at each end against each allowable."""
-        name, found = ask.answers.stresses(ask)
+        name, found = ask.joint_model.stresses(ask)
         for allowable in self.allowable:
             field = allowable.replace("-", "_")
             try:

@@ -47,11 +47,13 @@ def design(case, requirements=None, **more):
     return DesignSpec.model_validate(yaml.safe_load(yaml.safe_dump(given)))
 
 
-def limit(case, answers, requirements=None, **more):
+def limit(case, joint_model, requirements=None, **more):
     found = design(case, requirements, **more)
     sizes = found.fixed_sizes()
     ((_, requirement),) = found.requirements.each()
-    ask = Ask(found.material, found.geometry, found.mechanism, sizes, found.scene("shake"), answers)
+    ask = Ask(
+        found.material, found.geometry, found.mechanism, sizes, found.scene("shake"), joint_model
+    )
     (worst,) = requirement.limits(ask)
     return worst
 

@@ -1,21 +1,21 @@
-"""The ladder of models on one design, and the numbers that each is asked for."""
+"""The series of models on one design, and the numbers that each is asked for."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
 from math import isfinite
 from typing import NamedTuple
 
-from flexcli.engine.answers.exact import ExactAnswers
-from flexcli.engine.answers.joint_states import over_stroke
-from flexcli.engine.answers.linear import LinearAnswers
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.joint_states import over_stroke
+from flexcli.engine.joint_models.linear import LinearModel
 from flexcli.errors import SolveError
 from flexcli.mechanics.stresses import greatest_stress
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
-from flexcli.parts.requirements import AS_PRINTED, Answers, Ask, EndStress
+from flexcli.parts.requirements import AS_PRINTED, Ask, EndStress, JointModel
 
-__all__ = ["CONTROL_LEVELS", "FINEST", "Finest", "Number", "Rung", "ladder", "numbers"]
+__all__ = ["CONTROL_LEVELS", "FINEST", "Finest", "NamedModel", "Number", "numbers", "series"]
 
 NODES = (3, 4, 6, 8, 12)
 """Gauss nodes on a piece of a blade, taken as they are."""
@@ -27,7 +27,7 @@ CONTROL_LEVELS = (10, 15, 22, 33, 50, 75, 112)
 """Nodes of which none are the finest's: what both agree on is no accident of either."""
 
 
-class Finest(ExactAnswers):
+class Finest(ExactModel):
     """The exact model to its last digits; the stress is sought between places too."""
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
@@ -37,11 +37,11 @@ class Finest(ExactAnswers):
         return "greatest stress at a face", [EndStress("where it is greatest", stress, 0.0, 0.0)]
 
 
-class Rung(NamedTuple):
+class NamedModel(NamedTuple):
     """A model by the name that reports give it; a new one remembers no answer."""
 
     name: str
-    new: Callable[[], Answers]
+    new: Callable[[], JointModel]
 
 
 class Number(NamedTuple):
@@ -50,34 +50,36 @@ class Number(NamedTuple):
     name: str
     label: str
     unit: str
-    by: Callable[[Answers], float]
+    by: Callable[[JointModel], float]
 
-    def tried(self, answers: Answers) -> float | None:
+    def tried(self, joint_model: JointModel) -> float | None:
         """Return the number by a model, or nothing where it has no finite answer."""
         try:
-            value = self.by(answers)
+            value = self.by(joint_model)
         except (NotAvailable, SolveError):
             return None
         return value if isfinite(value) else None
 
 
-def ladder(geometry: Geometry, tolerance: float = FINEST[0]) -> tuple[Rung, ...]:
+def series(geometry: Geometry, tolerance: float = FINEST[0]) -> tuple[NamedModel, ...]:
     """Return the models that fit a geometry, from the cheapest to the finest.
 
     Those of given nodes solve their equations to the finest's tolerance, so that their error is
     that of their nodes.
     """
-    closed = [Rung(AS_PRINTED.model, lambda: AS_PRINTED)] if geometry.closed_forms else []
+    closed = [NamedModel(AS_PRINTED.name, lambda: AS_PRINTED)] if geometry.closed_forms else []
     exact = [
-        Rung(f"exact, {nodes} nodes", partial(ExactAnswers, tolerance=tolerance, levels=(nodes,)))
+        NamedModel(
+            f"exact, {nodes} nodes", partial(ExactModel, tolerance=tolerance, levels=(nodes,))
+        )
         for nodes in NODES
     ]
     return (
         *closed,
-        Rung("linear", LinearAnswers),
+        NamedModel("linear", LinearModel),
         *exact,
-        Rung("exact", ExactAnswers),
-        Rung(f"exact to {tolerance:g}", partial(Finest, tolerance=tolerance)),
+        NamedModel("exact", ExactModel),
+        NamedModel(f"exact to {tolerance:g}", partial(Finest, tolerance=tolerance)),
     )
 
 
@@ -100,31 +102,31 @@ def numbers(design: DesignSpec, sizes: Sizes) -> Iterator[Number]:
             yield Number(f"F_cr{end}", f"critical force, {scene.case}", "N", _by(ask, _critical))
 
 
-def _by(ask: Ask, number: Callable[[Ask], float]) -> Callable[[Answers], float]:
-    return lambda answers: float(number(ask._replace(answers=answers)))
+def _by(ask: Ask, number: Callable[[Ask], float]) -> Callable[[JointModel], float]:
+    return lambda joint_model: float(number(ask._replace(joint_model=joint_model)))
 
 
 def _stiffness(ask: Ask) -> float:
-    return float(ask.answers.stiffness(ask))
+    return float(ask.joint_model.stiffness(ask))
 
 
 def _stiffness_at_end(ask: Ask) -> float:
     """Return the tangent at full stroke: that at rest by a model in which nothing changes it."""
-    if isinstance(ask.answers, ExactAnswers):
-        return ask.answers.stiffness_at_end(ask)
+    if isinstance(ask.joint_model, ExactModel):
+        return ask.joint_model.stiffness_at_end(ask)
     return _stiffness(ask)
 
 
 def _stress(ask: Ask) -> float:
-    _, stresses = ask.answers.stresses(ask)
+    _, stresses = ask.joint_model.stresses(ask)
     return max(abs(float(stress.largest)) for stress in stresses)
 
 
 def _shift(ask: Ask) -> float:
-    return float(ask.answers.parasitic_shift(ask))
+    return float(ask.joint_model.parasitic_shift(ask))
 
 
 def _critical(ask: Ask) -> float:
     """Return the least critical force in the plane, where all models know it."""
-    found = ask.answers.critical(ask)
+    found = ask.joint_model.critical(ask)
     return min(float(c.force) for c in found if c.way != "across the width")

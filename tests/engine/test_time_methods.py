@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from flexcli.engine.comparing.penalty_law import RIGID_PENALTY
-from flexcli.engine.comparing.time_ladder import (
+from flexcli.engine.comparing.time_methods import (
     event_driven,
     penalty_run,
     stretches,

@@ -12,7 +12,7 @@ WIDE = {"kind": "leaf-spring-stage", "h": "0.1 mm", "l": "20 mm", "b": "200 mm"}
 STROKE = {"work": {"stroke": {"translation": "1 um", "cycles": 1e6}}}
 
 
-def left_out(poisson_ratio, model):
+def omitted_effects(poisson_ratio, model):
     material = {**TITANIUM, "poisson_ratio": poisson_ratio}
     found = design(WIDE, {"stiffness": {"max": "1 N/um"}}, STROKE, material=material)
     result = check(found, found.fixed_sizes(), "spec", model)
@@ -22,13 +22,13 @@ def left_out(poisson_ratio, model):
 # 4.8 % and 5.2 %
 @pytest.mark.parametrize(("poisson_ratio", "told"), [(0.214, False), (0.223, True)])
 def test_plates_for_beams_are_a_warning_from_five_in_a_hundred(poisson_ratio, told):
-    found = left_out(poisson_ratio, "source")
+    found = omitted_effects(poisson_ratio, "source")
     assert [text.split(",")[0] for text in found] == (["plate widening"] if told else [])
     assert all("may change results by 5%" in text for text in found)
 
 
 def test_an_effect_that_the_model_carries_is_no_warning():
-    assert left_out(0.34, "closed-form") == []
+    assert omitted_effects(0.34, "closed-form") == []
 
 
 NARROW = {"kind": "leaf-spring-stage", "h": "0.1 mm", "l": "20 mm", "b": "5 mm"}

@@ -7,13 +7,13 @@ from flexcli.formulas.quantity import Computed
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
-from flexcli.parts.requirements import Answers, Ask, EndStress
+from flexcli.parts.requirements import Ask, EndStress, JointModel
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["Corrected"]
 
 
-class Corrected(Answers):
+class Corrected(JointModel):
     """The answers of a model times one factor an effect, and what is left to be off by.
 
     An effect whose value nobody knows, or that lacks a property of the material, corrects
@@ -23,19 +23,19 @@ class Corrected(Answers):
 
     def __init__(
         self,
-        inner: Answers,
+        inner: JointModel,
         effects: Sequence[ModelEffect],
-        model: str = "",
-        left_out: Sequence[ModelEffect] = (),
+        name: str = "",
+        omitted: Sequence[ModelEffect] = (),
     ) -> None:
         self.inner = inner
         self.effects = tuple(effects)
-        self.left_out = tuple(left_out)
-        self.model = model or inner.model
+        self.omitted = tuple(omitted)
+        self.name = name or inner.name
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:
         """Return the effects of the inner model, and those whose values correct it."""
-        lacking = {e.name for e in (*self.effects, *self.left_out) if e.lacks(setting)}
+        lacking = {e.name for e in (*self.effects, *self.omitted) if e.lacks(setting)}
         known = {
             effect.name
             for effect in self._added(setting)
@@ -99,7 +99,7 @@ class Corrected(Answers):
         """Return an error with what the effects leave that are not carried."""
         setting, inner = _setting(ask), self.inner.covers | self.inner.always
         missing, applied, beside, whole = self._missing(setting), [], [], True
-        for effect in (*self.effects, *self.left_out):
+        for effect in (*self.effects, *self.omitted):
             if effect.indicator(setting) is None:
                 continue
             change = effect.all_changes(setting).get(kind)
@@ -107,7 +107,7 @@ class Corrected(Answers):
                 continue
             if effect not in missing or effect.name in carried:
                 beside.append(change)
-            elif effect in self.left_out or not _is_told(effect, setting):
+            elif effect in self.omitted or not _is_told(effect, setting):
                 if change.value is None and not effect.is_whole:
                     return None
                 found += _whole_range(effect, change, setting, kind)
@@ -127,7 +127,7 @@ class Corrected(Answers):
     def _missing(self, setting: Setting) -> list[ModelEffect]:
         """Return the effects that the inner model has not, as the material lacks something."""
         carried = self.inner.covers | self.inner.always
-        both = (*self.effects, *self.left_out)
+        both = (*self.effects, *self.omitted)
         return [e for e in both if e.name not in carried or e.lacks(setting)]
 
     def _added(self, setting: Setting) -> list[ModelEffect]:

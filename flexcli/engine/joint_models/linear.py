@@ -7,12 +7,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.answers.buckling import linear_critical_forces
-from flexcli.engine.answers.exact import ExactAnswers
-from flexcli.engine.answers.face_stress import blade_places, worst_of_stroke
-from flexcli.engine.answers.holds import driven_axis
-from flexcli.engine.answers.joint_states import blades_of, layout_of, of_case
-from flexcli.engine.answers.remembered import Remembered
+from flexcli.engine.joint_models.buckling import linear_critical_forces
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.face_stress import blade_places, worst_of_stroke
+from flexcli.engine.joint_models.holds import driven_axis
+from flexcli.engine.joint_models.joint_states import blades_of, layout_of, of_case
+from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.demand import Held
@@ -21,10 +21,10 @@ from flexcli.mechanics.linear import NODES, LinearSolution, linear
 from flexcli.mechanics.mesh import Effects
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
-from flexcli.parts.requirements import AS_PRINTED, Answers, Ask, EndStress
+from flexcli.parts.requirements import AS_PRINTED, Ask, EndStress, JointModel
 from flexcli.results import EXACT, ErrorRange, QuantityKind
 
-__all__ = ["LinearAnswers"]
+__all__ = ["LinearModel"]
 
 Floats = NDArray[np.float64]
 
@@ -40,10 +40,10 @@ ROUNDING = 1e-10
 """Least error that a linear solution is taken to have [-]."""
 
 
-class LinearAnswers(Answers):
+class LinearModel(JointModel):
     """Small motion of the assembled blades; the shift is that of the closed forms."""
 
-    model = "linear"
+    name = "linear"
     covers = COVERAGE["linear"].can
     always = COVERAGE["linear"].always
 
@@ -61,7 +61,7 @@ class LinearAnswers(Answers):
         if kind is QuantityKind.SHIFT:
             return None
         if kind is QuantityKind.SAG:
-            return ExactAnswers(self.effects).error(ask, kind)
+            return ExactModel(self.effects).error(ask, kind)
         at_rest = kind in AT_REST
         known = EXACT if at_rest else AS_PRINTED.error(ask, kind)
         if known is None or kind not in (*AT_REST, QuantityKind.STRESS):
@@ -97,7 +97,7 @@ class LinearAnswers(Answers):
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
-        return ExactAnswers(self.effects).sag_stiffness(ask)
+        return ExactModel(self.effects).sag_stiffness(ask)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the closed form's: a linear model has no motion of second order."""

@@ -5,9 +5,9 @@ from geometries_for_tests import MATERIAL, SAMPLES, spec
 from strategies import crossed, design, rcc, stage
 
 from flexcli.engine import assess
-from flexcli.engine.answers.exact import ExactAnswers
-from flexcli.engine.answers.linear import LinearAnswers
 from flexcli.engine.check import check
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.linear import LinearModel
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import AS_PRINTED, Ask
 from flexcli.parts.requirements.support import compliance_of
@@ -18,7 +18,7 @@ TURNS = {"rcc", "cross-spring", "unseparated-cross", "three-blade", "star", "mom
          "notch-hinge", "elliptic-hinge", "filleted-hinge", "hinged-pivot"}  # fmt: skip
 
 
-def ask_of(kind, answers, travel=1e-3):
+def ask_of(kind, joint_model, travel=1e-3):
     stroke = (
         {"rotation": f"{travel!r} rad"}
         if kind in TURNS | WITHOUT_LAYOUT
@@ -26,16 +26,16 @@ def ask_of(kind, answers, travel=1e-3):
     )
     found = design(spec(kind), {"yield": 1}, {"turn": {"stroke": stroke}}, material=MATERIAL)
     sizes = found.fixed_sizes()
-    return Ask(found.material, found.geometry, None, sizes, found.scene("turn"), answers)
+    return Ask(found.material, found.geometry, None, sizes, found.scene("turn"), joint_model)
 
 
 @pytest.mark.parametrize("kind", sorted(set(SAMPLES) - WITHOUT_LAYOUT))
-@pytest.mark.parametrize("answers", [LinearAnswers(), ExactAnswers()], ids=["linear", "exact"])
-def test_closed_forms_are_the_limit_of_a_small_stroke(kind, answers):
-    fine, coarse = ask_of(kind, answers), ask_of(kind, AS_PRINTED)
-    k, k_closed = answers.stiffness(fine), float(AS_PRINTED.stiffness(coarse))
+@pytest.mark.parametrize("joint_model", [LinearModel(), ExactModel()], ids=["linear", "exact"])
+def test_closed_forms_are_the_limit_of_a_small_stroke(kind, joint_model):
+    fine, coarse = ask_of(kind, joint_model), ask_of(kind, AS_PRINTED)
+    k, k_closed = joint_model.stiffness(fine), float(AS_PRINTED.stiffness(coarse))
     assert k == pytest.approx(k_closed, rel=5e-3)  # shear of slender blades
-    _, stresses = answers.stresses(fine)
+    _, stresses = joint_model.stresses(fine)
     _, closed = AS_PRINTED.stresses(coarse)
     most = max(abs(float(s.largest)) for s in stresses)
     # hinges at the ends of limbs bend about their own centres: c/l is left out of their stress
@@ -48,8 +48,8 @@ NO_SHIFT = {"three-blade", "star"}
 
 @pytest.mark.parametrize("kind", sorted(set(SAMPLES) - WITHOUT_LAYOUT - NO_SHIFT))
 def test_the_shift_is_of_the_same_point_in_every_model_with_its_sign(kind):
-    answers = ExactAnswers()
-    shift = answers.parasitic_shift(ask_of(kind, answers, travel=0.05))
+    joint_model = ExactModel()
+    shift = joint_model.parasitic_shift(ask_of(kind, joint_model, travel=0.05))
     closed = float(AS_PRINTED.parasitic_shift(ask_of(kind, AS_PRINTED, travel=0.05)))
     assert closed != 0.0
     # limbs are taken to turn about the middles of their hinges
@@ -59,23 +59,23 @@ def test_the_shift_is_of_the_same_point_in_every_model_with_its_sign(kind):
 @pytest.mark.parametrize("kind", sorted(set(SAMPLES) - WITHOUT_LAYOUT))
 def test_the_stiffness_along_the_motion_is_that_of_the_support(kind):
     """k_pivot is the support stiffness about z, k_stage that along x, k_z that along z."""
-    answers = ExactAnswers()
-    ask = ask_of(kind, answers)
+    joint_model = ExactModel()
+    ask = ask_of(kind, joint_model)
     C = compliance_of(ask)
     index = 5 if ask.geometry.motion == "rotation" else 0
     # blades one above the other let a pivot rock a little as it turns
     rocks = 2e-4 if kind == "cross-spring" else 1e-6
-    assert answers.stiffness(ask) == pytest.approx(1.0 / C[index, index], rel=rocks)
+    assert joint_model.stiffness(ask) == pytest.approx(1.0 / C[index, index], rel=rocks)
     for axis, place in zip("xyz", range(3), strict=True):
         weighed = ask._replace(scene=ask.scene._replace(axis=axis, acceleration=1.0))
-        found = answers.sag_stiffness(weighed)
+        found = joint_model.sag_stiffness(weighed)
         assert found == pytest.approx(1.0 / C[place, place], rel=1e-6)
 
 
 def test_what_is_not_made_of_blades_says_so():
-    ask = ask_of("torsion-bar", ExactAnswers())
+    ask = ask_of("torsion-bar", ExactModel())
     with pytest.raises(NotAvailable, match="straight blades"):
-        ExactAnswers().stiffness(ask)
+        ExactModel().stiffness(ask)
 
 
 LOADED = {
@@ -83,23 +83,23 @@ LOADED = {
 }
 
 
-def critical(geometry, ends, answers):
+def critical(geometry, ends, joint_model):
     case = {"push": {"load": {"force": "10 N"}, "ends": ends}}
     found = design(geometry, {"buckling": 1}, case, material=MATERIAL)
-    limits = found.limits(found.fixed_sizes(), answers)
+    limits = found.limits(found.fixed_sizes(), joint_model)
     return min(float(limit.capacity) for limit in limits)
 
 
 def test_a_locked_rcc_pivot_buckles_at_eulers_load():
     slender = rcc(h="50 um", l="20 mm", b="5 mm")
-    exact = critical(slender, "clamped-clamped", ExactAnswers())
+    exact = critical(slender, "clamped-clamped", ExactModel())
     assert exact == pytest.approx(critical(slender, "clamped-clamped", AS_PRINTED), rel=1e-3)
 
 
 def test_the_three_holds_of_an_rcc_pivot_are_three_numbers():
     slender = rcc(h="50 um", l="20 mm", b="5 mm")
     locked, guided, free = (
-        critical(slender, ends, ExactAnswers())
+        critical(slender, ends, ExactModel())
         for ends in ("clamped-clamped", "clamped-guided", "clamped-free")
     )
     assert free < 0.9 * guided
@@ -108,7 +108,7 @@ def test_the_three_holds_of_an_rcc_pivot_are_three_numbers():
 
 def test_a_stage_buckles_at_eulers_load_of_guided_blades():
     slender = stage(h="50 um", l="20 mm", b="5 mm", spacing="30 mm")
-    exact = critical(slender, "clamped-free", ExactAnswers())
+    exact = critical(slender, "clamped-free", ExactModel())
     closed = critical(slender, "clamped-guided", AS_PRINTED)
     assert exact == pytest.approx(closed, rel=2e-3)
 
@@ -122,7 +122,7 @@ def test_the_closed_form_stress_of_a_pivot_is_on_the_unsafe_side():
     for one in (pivot, off):
         sizes = one.fixed_sizes()
         closed = assess.checks(one.limits(sizes))[0].demand
-        exact = assess.checks(one.limits(sizes, ExactAnswers()))[0].demand
+        exact = assess.checks(one.limits(sizes, ExactModel()))[0].demand
         assert exact > closed
 
 

@@ -6,17 +6,17 @@ from math import cos, inf, isfinite, nan, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.answers.buckling import exact_critical
-from flexcli.engine.answers.face_stress import POINTS, worst_of_stroke
-from flexcli.engine.answers.holds import driven_axis
-from flexcli.engine.answers.joint_states import (
+from flexcli.engine.joint_models.buckling import exact_critical
+from flexcli.engine.joint_models.face_stress import POINTS, worst_of_stroke
+from flexcli.engine.joint_models.holds import driven_axis
+from flexcli.engine.joint_models.joint_states import (
     at_rest,
     blades_of,
     layout_of,
     over_stroke,
     solved,
 )
-from flexcli.engine.answers.remembered import Remembered
+from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.equilibrium import LEVELS
@@ -27,11 +27,11 @@ from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import held_stiffness
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
-from flexcli.parts.requirements import Answers, Ask, EndStress
+from flexcli.parts.requirements import Ask, EndStress, JointModel
 from flexcli.parts.requirements.support import compliance_of
 from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["ExactAnswers", "driven_stiffness"]
+__all__ = ["ExactModel", "driven_stiffness"]
 
 Floats = NDArray[np.float64]
 
@@ -47,14 +47,14 @@ BLADE_SPRINGS = 1e-8
 """Of a compliance in space: rounding, and the nodes of the blades' springs."""
 
 
-class ExactAnswers(Answers):
+class ExactModel(JointModel):
     """Any rotation, stretching and shear of the blades; stress at both faces all along them.
 
     ``levels`` are the Gauss nodes on a piece, level by level until the tolerance is met; a single
     one is taken as it is.
     """
 
-    model = "exact"
+    name = "exact"
     covers = COVERAGE["exact"].can
     always = COVERAGE["exact"].always
 

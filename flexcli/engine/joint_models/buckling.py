@@ -6,7 +6,7 @@ from math import cos, inf, isfinite, sin
 
 import numpy as np
 
-from flexcli.engine.answers.joint_states import blades_of, layout_of, turned
+from flexcli.engine.joint_models.joint_states import blades_of, layout_of, turned
 from flexcli.errors import SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import solve

@@ -6,7 +6,7 @@ from math import isfinite
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, Setting
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import AS_PRINTED, Answers
+from flexcli.parts.requirements import AS_PRINTED, JointModel
 from flexcli.results import EffectRow, Note, QuantityKind
 from flexcli.units import show
 
@@ -43,12 +43,12 @@ def reported(design: DesignSpec, given: Setting) -> tuple[str, ...]:
 
 
 def effects(
-    design: DesignSpec, sizes: Sizes, answers: Answers = AS_PRINTED
+    design: DesignSpec, sizes: Sizes, joint_model: JointModel = AS_PRINTED
 ) -> tuple[EffectRow, ...]:
     """Return the effects that this design can have, and which of them the model leaves out."""
     given = setting(design, sizes)
     names = reported(design, given)
-    carries = answers.carried(given)
+    carries = joint_model.carried(given)
     rows = []
     for effect in MODEL_EFFECTS:
         indicator = effect.indicator(given)
@@ -67,14 +67,14 @@ def effects(
     return tuple(rows)
 
 
-def errors_of(design: DesignSpec, sizes: Sizes, answers: Answers) -> dict[str, float]:
+def errors_of(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> dict[str, float]:
     """Return the estimated error of a model's numbers by kind, the largest of all cases.
 
     A kind whose error nobody can estimate is not there.
     """
-    asks, found = design.asks(sizes, answers), {}
+    asks, found = design.asks(sizes, joint_model), {}
     for kind in QuantityKind:
-        each = [answers.error(ask, kind) for ask in asks]
+        each = [joint_model.error(ask, kind) for ask in asks]
         known = [error.largest for error in each if error is not None]
         if len(known) == len(each):
             found[kind.value] = max(known, default=0.0)

@@ -9,7 +9,7 @@ from typing import Any, Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.answers.holds import driven_axis, held_at_rest, held_by_stroke, hold_of
+from flexcli.engine.joint_models.holds import driven_axis, held_at_rest, held_by_stroke, hold_of
 from flexcli.errors import SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import LEVELS, solve
