@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from enum import Enum
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 from flexcli.numerics.interior_point import Point, central_path, kkt_residual, polish
 from flexcli.numerics.log_sum_exp import LogSumExp
 from flexcli.numerics.signomial import Floats
+from flexcli.numerics.solution import Outcome
 
 FEASIBLE = 1e-9
 """Log violation below which a set counts as feasible, and log margin below which its interior
@@ -32,15 +32,6 @@ WIDE = 100.0
 """Box of the recession test: exponents of the objective down to 0.01 are seen."""
 
 
-class Status(Enum):
-    """How a convex solve ended."""
-
-    CONVERGED = "converged"
-    INFEASIBLE = "infeasible"
-    UNBOUNDED = "unbounded"
-    STALLED = "stalled"
-
-
 @dataclass(frozen=True, eq=False)
 class Convex:
     """Minimise row 0 of `rows` subject to the other rows ≤ 0 and G y = d."""
@@ -60,7 +51,7 @@ class ConvexOptimum:
     equalities and rows without interior leave.
     """
 
-    status: Status
+    outcome: Outcome
     y: Floats
     multipliers: Floats
     equality_multipliers: Floats
@@ -163,17 +154,17 @@ def minimize_convex(problem: Convex, near: Floats) -> ConvexOptimum:
     none = np.zeros(count)
 
     def ended(
-        status: Status, y: Floats, t: float, direction: Floats | None = None
+        outcome: Outcome, y: Floats, t: float, direction: Floats | None = None
     ) -> ConvexOptimum:
         return ConvexOptimum(
-            status, y, none, np.zeros(problem.d.size), t, iterations,
+            outcome, y, none, np.zeros(problem.d.size), t, iterations,
             np.zeros(y.size) if direction is None else direction, hull.basis,
         )  # fmt: skip
 
     while True:
         hull = affine_hull(G, d, near)
         if hull.mismatch > FEASIBLE:
-            return ended(Status.INFEASIBLE, hull.origin, hull.mismatch)
+            return ended(Outcome.INFEASIBLE, hull.origin, hull.mismatch)
         here = rows.rows([0, *(1 + kept)]).along(hull.origin, hull.basis)
         z = np.zeros(hull.basis.shape[1])
         margin = -float(here.values(z)[1:].max(initial=-DEEP_ENOUGH))
@@ -185,14 +176,14 @@ def minimize_convex(problem: Convex, near: Floats) -> ConvexOptimum:
         margin = -t
         if t > FEASIBLE:
             none[kept] = phase.multipliers
-            status = Status.INFEASIBLE if phase.converged else Status.STALLED
-            return ended(status, hull.origin + hull.basis @ z, t)
+            outcome = Outcome.INFEASIBLE if phase.converged else Outcome.STALLED
+            return ended(outcome, hull.origin + hull.basis @ z, t)
         if t < -FEASIBLE:
             break
         near = hull.origin + hull.basis @ z
         meeting = kept[phase.multipliers > SUPPORT]
         if not meeting.size:
-            return ended(Status.STALLED, near, t)
+            return ended(Outcome.STALLED, near, t)
         fixed = rows.rows((1 + meeting).tolist()).exponents
         fixed = fixed[np.abs(fixed).max(axis=1, initial=0.0) > 0.0]
         kept = np.setdiff1d(kept, meeting)
@@ -213,13 +204,13 @@ def minimize_convex(problem: Convex, near: Floats) -> ConvexOptimum:
         iterations += point.iterations
     y = hull.origin + hull.basis @ point.y
     if direction is not None:
-        return ended(Status.UNBOUNDED, y, -margin, hull.basis @ direction)
+        return ended(Outcome.UNBOUNDED, y, -margin, hull.basis @ direction)
     z, kept_multipliers = polish(here.expand, point.y, point.multipliers, kept.size)
     y = hull.origin + hull.basis @ z
     multipliers, equal = _all_multipliers(problem, y, kept, kept_multipliers)
-    status = Status.CONVERGED if point.converged else Status.STALLED
+    outcome = Outcome.CONVERGED if point.converged else Outcome.STALLED
     return ConvexOptimum(
-        status, y, multipliers, equal, -margin, iterations, np.zeros(y.size), hull.basis
+        outcome, y, multipliers, equal, -margin, iterations, np.zeros(y.size), hull.basis
     )
 
 

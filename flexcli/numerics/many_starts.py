@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from flexcli.numerics.convex_program import (
     FEASIBLE,
     Convex,
-    Status,
     middle,
     minimize_convex,
 )
@@ -123,7 +122,7 @@ def solve(
     program = programs[0]
     found = _end_of(program, starts)
     end = found.descent
-    converged = end.status is Status.CONVERGED
+    converged = end.outcome is Outcome.CONVERGED
     y, unique, steps = end.y, False, end.iterations
     if converged:
         y, unique, more = _untied(programs, found)
@@ -131,12 +130,12 @@ def solve(
     values = program.rows(y[:, None])[:, 0]
     unequal, equal = np.split(end.multipliers, [len(limits)])
     slack = values[1 : 1 + len(limits)]
-    runs = found.runaway if end.status is Status.UNBOUNDED else np.zeros(y.size, dtype=bool)
+    runs = found.runaway if end.outcome is Outcome.UNBOUNDED else np.zeros(y.size, dtype=bool)
     is_global = converged and program.is_convex
     with np.errstate(over="ignore", under="ignore"):
         x, objective = np.exp(y), float(np.exp(values[0]))
     return Solution(
-        outcome=Outcome[end.status.name],
+        outcome=end.outcome,
         x=dict(zip(program.names, x.tolist(), strict=True)),
         objective=objective,
         multipliers=dict(zip(limits, unequal.tolist(), strict=True)),
@@ -167,7 +166,7 @@ def _untied(programs: Sequence[LogProgram], found: _End) -> tuple[Floats, bool, 
         part = other.chosen(kept).along(y, basis)
         ended = _end_of(part, partial(_origin, part))
         iterations += ended.descent.iterations
-        if ended.descent.status is not Status.CONVERGED:
+        if ended.descent.outcome is not Outcome.CONVERGED:
             continue
         moved = y + basis @ ended.descent.y
         values = program.rows(moved[:, None])[:, 0]
@@ -209,38 +208,38 @@ def _global(program: LogProgram) -> _End:
     found = minimize_convex(Convex(rows, G, d), middle(everything))
     multipliers = np.concatenate([found.multipliers, found.equality_multipliers])
     at = program.expand(found.y)
-    residual, status = np.inf, found.status
-    if status in (Status.CONVERGED, Status.STALLED):
+    residual, outcome = np.inf, found.outcome
+    if outcome in (Outcome.CONVERGED, Outcome.STALLED):
         residual = kkt_residual(at, multipliers, program.inequalities)
         if residual <= ACCEPTED:
-            status = Status.CONVERGED
+            outcome = Outcome.CONVERGED
     worst = found.violation
-    if status is not Status.INFEASIBLE:
+    if outcome is not Outcome.INFEASIBLE:
         worst = float(at.values[1:keep].max(initial=-np.inf))
-    descent = Descent(status, found.y, at.values, multipliers, worst, residual, found.iterations)
+    descent = Descent(outcome, found.y, at.values, multipliers, worst, residual, found.iterations)
     away = np.abs(found.direction) > RUNS_AWAY * np.abs(found.direction).max(initial=0.0)
-    return _End(descent, int(status is Status.CONVERGED), found.free, away)
+    return _End(descent, int(outcome is Outcome.CONVERGED), found.free, away)
 
 
 def _best(program: LogProgram, starts: Sequence[Floats]) -> tuple[Descent, int]:
     """Return the best end with the steps of all, and how many distinct optima were found."""
     ends: list[Descent] = []
     for start in starts:
-        known = [end for end in ends if end.status is Status.CONVERGED]
+        known = [end for end in ends if end.outcome is Outcome.CONVERGED]
         ends.append(descend(program, start, known))
-        if ends[-1].status is Status.UNBOUNDED:
+        if ends[-1].outcome is Outcome.UNBOUNDED:
             break
-    order = (Status.UNBOUNDED, Status.CONVERGED, Status.STALLED, Status.INFEASIBLE)
+    order = (Outcome.UNBOUNDED, Outcome.CONVERGED, Outcome.STALLED, Outcome.INFEASIBLE)
 
     def rank(end: Descent) -> tuple[int, float]:
-        infeasible = end.status is Status.INFEASIBLE
-        return order.index(end.status), end.violation if infeasible else float(end.values[0])
+        infeasible = end.outcome is Outcome.INFEASIBLE
+        return order.index(end.outcome), end.violation if infeasible else float(end.values[0])
 
     best = min(ends, key=rank)
     distinct: list[float] = []
     for end in ends:
         value = float(end.values[0])
-        if end.status is Status.CONVERGED and all(abs(value - o) > SAME for o in distinct):
+        if end.outcome is Outcome.CONVERGED and all(abs(value - o) > SAME for o in distinct):
             distinct.append(value)
     total = sum(end.iterations for end in ends)
     return replace(best, iterations=total), len(distinct)

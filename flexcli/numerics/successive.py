@@ -8,11 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from flexcli.numerics.convex_model import ModelStep, best_step
-from flexcli.numerics.convex_program import FEASIBLE, Status
+from flexcli.numerics.convex_program import FEASIBLE
 from flexcli.numerics.interior_point import kkt_residual, polish
 from flexcli.numerics.log_program import LogProgram, violation
 from flexcli.numerics.log_sum_exp import Expansion
 from flexcli.numerics.signomial import Floats
+from flexcli.numerics.solution import Outcome
 
 __all__ = ["RIM", "Descent", "descend"]
 
@@ -46,7 +47,7 @@ class Descent:
     multipliers, which sum to one, tell the rows that conflict there.
     """
 
-    status: Status
+    outcome: Outcome
     y: Floats
     values: Floats
     multipliers: Floats
@@ -79,7 +80,7 @@ def descend(
     at = program.expand(y)
     none = np.zeros(at.values.size - 1)
     if not at.is_finite:
-        return _ended(program, Status.STALLED, y, at, none, 0)
+        return _ended(program, Outcome.STALLED, y, at, none, 0)
     feasible = bool(violation(program, at.values) <= FEASIBLE)
     if _is_at_rim(program, y):
         return _run_away(program, y, at, none, 0, feasible=feasible)
@@ -116,13 +117,13 @@ def descend(
         if resting or reach <= NARROWEST:
             violated = violation(program, at.values) > FEASIBLE
             if not (violated and heavier):
-                status = Status.INFEASIBLE if violated else Status.STALLED
+                outcome = Outcome.INFEASIBLE if violated else Outcome.STALLED
                 if not violated and resting and wide and not np.isinf(penalty):
-                    status = Status.CONVERGED
-                return _ended(program, status, y, at, multipliers, iteration)
+                    outcome = Outcome.CONVERGED
+                return _ended(program, outcome, y, at, multipliers, iteration)
             penalty, *heavier = heavier
             reach = TRUST
-    return _ended(program, Status.STALLED, y, at, multipliers, MODELS)
+    return _ended(program, Outcome.STALLED, y, at, multipliers, MODELS)
 
 
 def _gain(objective: float, less: float, penalty: float) -> float:
@@ -148,7 +149,7 @@ def _newton_end(
     if not residual <= KKT * (1.0 + np.abs(multipliers).max(initial=0.0)):
         return None
     violated = float(violation(program, at.values))
-    return Descent(Status.CONVERGED, y, at.values, multipliers, violated, residual, iterations)
+    return Descent(Outcome.CONVERGED, y, at.values, multipliers, violated, residual, iterations)
 
 
 def _is_at_rim(program: LogProgram, y: Floats) -> bool:
@@ -166,20 +167,20 @@ def _run_away(
     feasible: bool,
 ) -> Descent:
     """Return the end of a descent at the rim: unbounded where it was feasible on its way there."""
-    status = Status.UNBOUNDED if feasible else Status.INFEASIBLE
-    return _ended(program, status, y, at, multipliers, iteration)
+    outcome = Outcome.UNBOUNDED if feasible else Outcome.INFEASIBLE
+    return _ended(program, outcome, y, at, multipliers, iteration)
 
 
 def _ended(
     program: LogProgram,
-    status: Status,
+    outcome: Outcome,
     y: Floats,
     at: Expansion,
     multipliers: Floats,
     iterations: int,
 ) -> Descent:
     residual = np.inf
-    if status is Status.CONVERGED:
+    if outcome is Outcome.CONVERGED:
         residual = kkt_residual(at, multipliers, program.inequalities)
     violated = float(violation(program, at.values))
-    return Descent(status, y, at.values, multipliers, violated, residual, iterations)
+    return Descent(outcome, y, at.values, multipliers, violated, residual, iterations)

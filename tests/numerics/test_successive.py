@@ -6,12 +6,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from flexcli.numerics.black_box import BlackBox
-from flexcli.numerics.convex_program import Status
 from flexcli.numerics.geometric_program import minimize
 from flexcli.numerics.log_utilisation import log_utilisation
 from flexcli.numerics.many_starts import solve, spread, starts_among
 from flexcli.numerics.ratios import Ratio
 from flexcli.numerics.signomial import Signomial, as_signomial
+from flexcli.numerics.solution import Outcome
 from flexcli.numerics.successive import descend
 
 
@@ -42,7 +42,7 @@ def hs71(y):
 
 def test_hock_and_schittkowski_71_is_solved_to_its_printed_digits():
     found = descend(black_box(hs71, "abcd", 9), np.log([1.0, 5.0, 5.0, 1.0]))
-    assert found.status is Status.CONVERGED
+    assert found.outcome is Outcome.CONVERGED
     assert np.exp(found.values[0]) == pytest.approx(17.0140173, abs=5e-8)
     assert found.residual < 1e-9
     assert found.violation < 1e-12
@@ -106,7 +106,7 @@ def test_a_posynomial_as_numbers_has_the_optimum_of_the_convex_solver(problem):
         return np.array([np.broadcast_to(value, y.shape[1:]) for value in values])
 
     found = descend(black_box(rows, names, len(limits)), np.zeros(len(names)))
-    assert found.status is Status.CONVERGED
+    assert found.outcome is Outcome.CONVERGED
     assert found.values[0] == pytest.approx(np.log(exact.objective), abs=1e-8)
     if exact.unique:
         x = np.array([exact.x[name] for name in names])
@@ -122,7 +122,7 @@ def test_what_cannot_hold_ends_at_the_least_violation_with_its_weights():
         )  # fmt: skip
 
     found = descend(black_box(rows, "xz", 3), np.array([1.0, -2.0]))
-    assert found.status is Status.INFEASIBLE
+    assert found.outcome is Outcome.INFEASIBLE
     # x z = 2/t, x = z = t/2: t³ = 8
     assert found.violation == pytest.approx(np.log(2.0), abs=1e-8)
     assert found.multipliers == pytest.approx([1 / 3] * 3, abs=1e-6)
@@ -132,12 +132,12 @@ def test_an_objective_without_an_end_runs_to_the_end_of_the_world():
     def rows(y):
         return np.array([y[0] + y[1], log_utilisation(np.exp(y[0]), 0.5)])
 
-    assert descend(black_box(rows, "xz", 1), np.zeros(2)).status is Status.UNBOUNDED
+    assert descend(black_box(rows, "xz", 1), np.zeros(2)).outcome is Outcome.UNBOUNDED
 
 
 def test_a_start_off_the_domain_is_no_optimum():
     rows = black_box(lambda y: np.array([np.where(y[0] < 0.0, np.nan, y[0])]), "x", 0)
-    assert descend(rows, np.array([-1.0])).status is Status.STALLED
+    assert descend(rows, np.array([-1.0])).outcome is Outcome.STALLED
 
 
 def test_a_domain_that_ends_on_the_way_is_not_left():
@@ -145,7 +145,7 @@ def test_a_domain_that_ends_on_the_way_is_not_left():
         return np.array([(y[0] - 1.0) ** 2 + np.where(y[0] > 3.0, np.nan, 0.0)])
 
     found = descend(black_box(rows, "x", 0), np.array([2.9]))
-    assert found.status is Status.CONVERGED
+    assert found.outcome is Outcome.CONVERGED
     assert found.y == pytest.approx([1.0], abs=1e-8)
 
 

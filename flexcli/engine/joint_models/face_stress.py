@@ -37,7 +37,7 @@ def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterat
 
     States are those of a case (:func:`flexcli.engine.joint_models.joint_states.of_case`): pairs of
     the two ends of the stroke where there is one. What the loads of the case pull on average, the
-    same at both faces, is told apart as axial: it takes no part in what a wide blade's bending does.
+    same at both faces, is told apart as axial: no part of what a wide blade's bending does.
     """
     scene, joint = ask.scene, ask.geometry.joint_of(blade)
     reverses = scene.mean_travel == 0.0 and not scene.is_loaded
