@@ -10,7 +10,7 @@ import numpy as np
 from flexcli.engine.asd_worst_case import environments
 from flexcli.engine.assess import factors
 from flexcli.engine.draw import drawing
-from flexcli.engine.simulate import simulate
+from flexcli.engine.simulate import strokes
 from flexcli.errors import SolveError
 from flexcli.formulas.card import Card, sheet
 from flexcli.formulas.miles import miles
@@ -62,7 +62,7 @@ def dossier(
         not_shown.append(f"no drawing: {reason.text}")
     if any(scene.moves for scene in design.scenes()):
         try:
-            sweeps = simulate(design, sizes, result.spec, POINTS).sweeps
+            sweeps = strokes(design, sizes, POINTS)
         except SolveError as reason:
             not_shown.append(f"no simulation over the stroke: {reason.text}")
     if len(chosen) > 1:

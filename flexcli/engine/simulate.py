@@ -36,7 +36,7 @@ from flexcli.parts.requirements import Ask
 from flexcli.results import Cost, QuantityKind, Result, Status, SweepPoint, SweepResult, Value
 from flexcli.results.activity import doing
 
-__all__ = ["simulate"]
+__all__ = ["simulate", "strokes"]
 
 Floats = NDArray[np.float64]
 
@@ -61,16 +61,11 @@ def simulate(
     """
     started = perf_counter()
     joint_model = ExactModel(blades)
-    moving = [ask for ask in design.asks(sizes, joint_model) if ask.scene.moves]
-    if not moving:
-        raise SolveError(
-            "no-stroke", "no case moves the joint", "add stroke: to a case, e.g. {rotation: 5 deg}"
-        )
+    moving = _moving(design, sizes, joint_model)
     models = model_series(design, EXACT_MODEL)
     sweeps: tuple[SweepResult, ...] = ()
     try:
         for ask in moving:
-            doing(f"the stroke of {ask.scene.case}")
             sweeps += (_sweep(ask, points, blades),)
         values = design_values.values(design, sizes, joint_model)
         found = judge(design, sizes, models)
@@ -107,6 +102,31 @@ def simulate(
     )
 
 
+def strokes(design: DesignSpec, sizes: Sizes, points: int) -> tuple[SweepResult, ...]:
+    """Return the sweep of every case that has a stroke, without a verdict.
+
+    Raises
+    ------
+    SolveError
+        As :func:`simulate`.
+
+    """
+    moving = _moving(design, sizes, ExactModel())
+    try:
+        return tuple(_sweep(ask, points, ALL) for ask in moving)
+    except NotAvailable as error:
+        raise _no_sweep(moving[0], error) from error
+
+
+def _moving(design: DesignSpec, sizes: Sizes, joint_model: ExactModel) -> list[Ask]:
+    moving = [ask for ask in design.asks(sizes, joint_model) if ask.scene.moves]
+    if not moving:
+        raise SolveError(
+            "no-stroke", "no case moves the joint", "add stroke: to a case, e.g. {rotation: 5 deg}"
+        )
+    return moving
+
+
 def _no_sweep(ask: Ask, error: NotAvailable) -> SolveError:
     """Return why there is no simulation: of what joint, or of what loads and stroke."""
     text = f"a {ask.geometry.name} {error}"
@@ -121,6 +141,7 @@ def _no_sweep(ask: Ask, error: NotAvailable) -> SolveError:
 
 def _sweep(ask: Ask, points: int, blades: Effects) -> SweepResult:
     scene = ask.scene
+    doing(f"the stroke of {scene.case}")
     travels = np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points)
 
     def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> Equilibrium:

@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from importlib import import_module
 from io import StringIO
+from math import log10
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -56,6 +57,14 @@ SIZED = re.compile(r' (?:width|height)="[^"]*pt"')
 MOST_BARS = 14
 """Bars of a tornado."""
 
+MOST_ZEROS = 4
+"""Powers of ten from this on are written with an exponent."""
+
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+MOST_LETTERS = 9
+"""Of a label that fits the margin that plots have beside them."""
+
 DASHES = ("-", "--", ":", "-.", (0, (7, 2, 1, 2, 1, 2)))
 
 
@@ -87,8 +96,10 @@ def standalone(plot: Plot) -> str:
     for key, colour in COLOURS.items():
         svg = svg.replace(f"var(--{key})", colour)
     width, height = (100 * side for side in SIZE)
-    size = f'width="{width:g}" height="{height:g}" style="background:#fff" '
-    return svg.replace("<svg ", f"<svg {size}", 1)
+    size = f'width="{width:g}" height="{height:g}" '
+    svg = svg.replace("<svg ", f"<svg {size}", 1)
+    # a style for the background is not painted by what makes a PNG of it
+    return svg.replace(">", '><rect width="100%" height="100%" fill="#fff"/>', 1)
 
 
 def _figure(draw: Callable[[Any], None], name: str) -> str:
@@ -110,9 +121,11 @@ def _figure(draw: Callable[[Any], None], name: str) -> str:
         "axes.formatter.limits": (-4, 5), "font.serif": [], "mathtext.fontset": "dejavusans",
     }  # fmt: skip
     with matplotlib.rc_context(style):
-        sheet = figure.Figure(figsize=SIZE, layout="constrained")
+        sheet = figure.Figure(figsize=SIZE)
         axes = sheet.add_subplot()
         draw(axes)
+        _number_plainly(axes)
+        _fit(sheet, axes)
         text = StringIO()
         sheet.savefig(
             text, format="svg", transparent=True, metadata={"Date": None, "Creator": None}
@@ -128,6 +141,36 @@ def _figure(draw: Callable[[Any], None], name: str) -> str:
     for key, colour in COLOURS.items():
         svg = svg.replace(colour, f"var(--{key})")
     return svg
+
+
+def _number_plainly(axes: Any) -> None:
+    """Write the numbers of logarithmic axes as text: formulas take ten times as long to set."""
+    usual = import_module("matplotlib.ticker").LogFormatter
+
+    class Between(usual):  # type: ignore[misc, valid-type]
+        """Numbers between the powers of ten, where few of those are in view."""
+
+        def __call__(self, value: float, place: int | None = None) -> str:
+            return f"{value:g}" if super().__call__(value, place) else ""
+
+    for axis in (axes.xaxis, axes.yaxis):
+        if axis.get_scale() == "log":
+            axis.set_major_formatter(lambda value, _: _power_of_ten(value))
+            axis.set_minor_formatter(Between(minor_thresholds=(1.0, 0.4)))
+
+
+def _power_of_ten(value: float) -> str:
+    power = round(log10(value))
+    return f"{value:g}" if abs(power) < MOST_ZEROS else "10" + str(power).translate(RAISED)
+
+
+def _fit(sheet: Any, axes: Any) -> None:
+    """Leave the labels their room: those of bars are long, and others are known beforehand."""
+    if any(len(label.get_text()) > MOST_LETTERS for label in axes.get_yticklabels()):
+        sheet.tight_layout()
+    else:
+        right = 0.97 if len(sheet.axes) == 1 else 0.86
+        sheet.subplots_adjust(left=0.14, right=right, bottom=0.15, top=0.94)
 
 
 def _own_ids(svg: str, name: str) -> str:

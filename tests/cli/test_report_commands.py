@@ -3,6 +3,8 @@
 from pathlib import Path
 from xml.etree import ElementTree
 
+from matplotlib.image import imread
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 WITTRICK = EXAMPLES / "wittrick-crossing" / "flexure.yaml"
 NECKED = EXAMPLES / "necked-down-stage" / "flexure.yaml"
@@ -44,6 +46,9 @@ def test_plot_lists_what_a_design_has_and_writes_one(flexure, tmp_path):
     svg = ElementTree.parse(tmp_path / "shift.svg").getroot()
     assert svg.tag.endswith("svg")
     assert "var(--" not in (tmp_path / "shift.svg").read_text(encoding="utf-8")
+    assert flexure("plot", str(WITTRICK), "shift", "-o", "shift.png").returncode == 0
+    edge = imread(tmp_path / "shift.png")[0]
+    assert (edge == 1.0).all(), "a plot stands on white, whatever shows it"
     wrong = flexure("plot", str(WITTRICK), "shfit")
     assert wrong.returncode == 2
     assert "margins" in wrong.stderr
