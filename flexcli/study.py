@@ -6,15 +6,12 @@ from typing import Any, Literal
 
 from flexcli import api
 from flexcli.errors import SolveError, SpecError
-from flexcli.results import Check, Result, Verdict
+from flexcli.results import Check, Result
 from flexcli.results.study import Column, StudyResult, StudyRow
 
 __all__ = ["collected", "row_of"]
 
 Each = Literal["check", "size", "simulate"]
-
-ORDER = (Verdict.FAIL, Verdict.UNDECIDED, Verdict.NOT_JUDGED, Verdict.PASS)
-"""Which check decides a design: the worst verdict first."""
 
 
 def row_of(
@@ -80,7 +77,7 @@ def _share(check: Check) -> float:
 
 def _key(check: Check) -> tuple[int, float]:
     share = _share(check)
-    return ORDER.index(check.verdict), share if not isnan(share) else inf
+    return check.verdict.rank, share if not isnan(share) else inf
 
 
 def collected(

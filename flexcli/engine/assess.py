@@ -14,7 +14,6 @@ from flexcli.results import Check, Verdict
 __all__ = [
     "CHUNK",
     "ROUNDING",
-    "SEVERITY",
     "checks",
     "factor",
     "factors",
@@ -116,13 +115,10 @@ def verdict(between: tuple[float, float] | None, asked: float) -> Verdict:
     return Verdict.UNDECIDED if between[1] >= least else Verdict.FAIL
 
 
-SEVERITY = {Verdict.FAIL: 0, Verdict.UNDECIDED: 1, Verdict.NOT_JUDGED: 2, Verdict.PASS: 3}
-"""Which of several limits decides a check: the worst verdict, then the least factor."""
-
-
 def _order(check: Check) -> tuple[int, float]:
+    """Return which of several limits decides a check: the worst verdict, then the least factor."""
     between = check.factor_range
-    return SEVERITY[check.verdict], check.factor if between is None else between[0]
+    return check.verdict.rank, check.factor if between is None else between[0]
 
 
 def factors(design: DesignSpec, **sizes: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:

@@ -82,7 +82,7 @@ class Judgement(NamedTuple):
 
 def status_of(checks: Iterable[Check]) -> Status:
     """Return fail for one that fails, else undecided for one that is not decided, else pass."""
-    worst = min((check.verdict for check in checks), key=assess.SEVERITY.__getitem__, default=None)
+    worst = min((check.verdict for check in checks), key=lambda verdict: verdict.rank, default=None)
     if worst is Verdict.FAIL:
         return Status.FAIL
     return Status.PASS if worst in (None, Verdict.PASS) else Status.UNDECIDED

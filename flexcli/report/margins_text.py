@@ -45,8 +45,7 @@ BAR = 25
 
 def worst_first(checks: Sequence[Check]) -> list[Check]:
     """Return checks with what fails first, then what is not decided, then what passes."""
-    order = list(VERDICTS)
-    return sorted(checks, key=lambda check: order.index(check.verdict))
+    return sorted(checks, key=lambda check: check.verdict.rank)
 
 
 def decisive(checks: Sequence[Check]) -> Check | None:

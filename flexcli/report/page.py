@@ -5,13 +5,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from hashlib import sha256
 from importlib import import_module
-from math import inf, isfinite, isnan, log
+from math import isfinite, isnan, log
 from typing import Any, NamedTuple
 
 from flexcli import __version__
 from flexcli.errors import SolveError
 from flexcli.report.drawing_svg import STYLE, caption, drawing_svg
 from flexcli.report.drawing_views import view_svg
+from flexcli.report.margins_text import decisive, worst_first
 from flexcli.report.plots import plots
 from flexcli.results import Check, Result, Status, Verdict
 from flexcli.results.dossier import Dossier, Equation
@@ -59,7 +60,7 @@ def _markup(text: str) -> Any:
 def design_page(dossier: Dossier, date: str) -> str:
     """Return the page of one design; ``date`` is when it was made."""
     result = dossier.result
-    checks = _worst_first(result.checks)
+    checks = worst_first(result.checks)
     pictures = [
         {"title": p.title, "caption": p.caption, "picture": _markup(_labelled(p.svg, p.title))}
         for p in plots(dossier)
@@ -124,7 +125,7 @@ def summary(found: Result | Dossier) -> str:
     result = found.result if isinstance(found, Dossier) else found
     drawn = found.drawing if isinstance(found, Dossier) else None
     title = result.title or result.spec
-    checks = _worst_first(result.checks)
+    checks = worst_first(result.checks)
     context = {
         "result": result,
         "title": title,
@@ -154,7 +155,7 @@ class FolderRow(NamedTuple):
 
 def folder_row(result: Result, page: str) -> FolderRow:
     """Return the row of a design whose own page is at a path."""
-    worst = _worst(result.checks)
+    worst = decisive(result.checks)
     named = worst is not None
     return FolderRow(
         spec=result.spec,
@@ -211,21 +212,6 @@ def _tally(checks: Sequence[Check]) -> str:
     return ", ".join(f"{n} {verdict.value}" for verdict, n in counts.items() if n)
 
 
-def _worst_first(checks: Sequence[Check]) -> list[Check]:
-    return sorted(checks, key=lambda check: list(WORDS).index(check.verdict))
-
-
-def _worst(checks: Sequence[Check]) -> Check | None:
-    """Return the check nearest its limit or farthest beyond it, of the worst verdict."""
-    order = list(WORDS)
-
-    def key(check: Check) -> tuple[int, float]:
-        share = check.factor / check.required
-        return order.index(check.verdict), inf if isnan(share) else share
-
-    return min(checks, key=key, default=None)
-
-
 def _lead(result: Result, checks: Sequence[Check]) -> str:
     """Return the one sentence that matters."""
     if result.status is Status.INFEASIBLE and result.sizing is not None:
@@ -233,7 +219,7 @@ def _lead(result: Result, checks: Sequence[Check]) -> str:
         return (
             f"No sizes meet every requirement; in conflict: {names}." if names else "No sizes do."
         )
-    worst = _worst(checks)
+    worst = decisive(checks)
     if worst is None:
         return "Nothing is judged."
     name = worst.full_name[:1].upper() + worst.full_name[1:]

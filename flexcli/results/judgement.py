@@ -55,12 +55,17 @@ EXACT = ErrorRange(0.0, 0.0)
 
 
 class Verdict(StrEnum):
-    """What a check says of a design: the whole range of its factor has to hold for a pass."""
+    """What a check says, the worst first; a pass needs the whole range of its factor."""
 
-    PASS = "pass"
     FAIL = "fail"
     UNDECIDED = "undecided"
     NOT_JUDGED = "not judged"
+    PASS = "pass"
+
+    @property
+    def rank(self) -> int:
+        """Return its place from the worst, 0, on."""
+        return list(Verdict).index(self)
 
 
 class Value(NamedTuple):

@@ -20,7 +20,7 @@ from flexcli.spec.read import read_document
 from flexcli.spec.references import checked_root, no_version, resolved
 from flexcli.spec.shipped import shipped_names, shipped_path
 
-__all__ = ["KINDS", "Loaded", "load", "load_design", "load_shipped", "validated"]
+__all__ = ["KINDS", "Loaded", "load", "load_shipped", "validated"]
 
 KINDS: dict[str, Any] = {
     "material": Material,
@@ -37,16 +37,6 @@ class Loaded(NamedTuple):
     kind: str
     part: Any
     document: Document
-
-
-def load_design(path: Path) -> tuple[DesignSpec, Document]:
-    """Read a design, or raise :class:`SpecError` with every finding."""
-    loaded = load(path)
-    if loaded.kind != "design":
-        text = f"is a spec of kind {loaded.kind}, not a design"
-        hint = "name it in a design: flexure, material, geometry, cases, requirements"
-        raise SpecError([Finding(str(path), text, hint)])
-    return loaded.part, loaded.document
 
 
 def load(path: Path) -> Loaded:

@@ -13,7 +13,7 @@ from judging import size_as_printed
 
 from flexcli.engine.accuracy import accuracy
 from flexcli.parts.design import DesignSpec
-from flexcli.spec.load import load_design
+from flexcli.spec.load import load
 
 ROCKET = Path(__file__).parents[2] / "examples" / "rocket-parallel-stage" / "flexure.yaml"
 RUNS = 15
@@ -39,7 +39,7 @@ def joint(geometry, stroke):
 
 def rocket():
     """Return the pivot that sizing gives the stage of the rocket's take-off."""
-    design, _ = load_design(ROCKET)
+    design = load(ROCKET).part
     values = size_as_printed(design, str(ROCKET)).values
     free = {name: values[name].value for name in design.geometry.free}
     return design, design.geometry.sized(free)

@@ -11,7 +11,7 @@ import numpy as np
 
 from flexcli.engine.assess import checks, factors
 from flexcli.parts.geometries import Blade
-from flexcli.spec.load import load_design
+from flexcli.spec.load import load
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "rocket-parallel-stage" / "flexure.yaml"
 DESIGNS, ALONE, REPEATS = 1_000_000, 500, 5
@@ -27,7 +27,7 @@ def seconds(work):
 
 
 def main():
-    design, _ = load_design(EXAMPLE)
+    design = load(EXAMPLE).part
     generator = np.random.default_rng(20_261_121)
     h = 10 ** generator.uniform(-4.3, -3.0, DESIGNS)
     l = 10 ** generator.uniform(-2.3, -1.3, DESIGNS)

@@ -9,7 +9,7 @@ from flexcli.engine.judge import Interrupted, judge
 from flexcli.engine.models import model_series
 from flexcli.engine.simulate import simulate
 from flexcli.results import Status, Verdict
-from flexcli.spec.load import load_design
+from flexcli.spec.load import load
 
 SPEC = """flexure: 1
 material: ti-6al-4v
@@ -26,7 +26,7 @@ requirements:
 def design(folder: Path, strength: float):
     path = folder / "flexure.yaml"
     path.write_text(SPEC.replace("YIELD", repr(strength)))
-    return load_design(path)[0]
+    return load(path).part
 
 
 def interrupted(*_):

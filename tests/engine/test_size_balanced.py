@@ -10,7 +10,7 @@ from strategies import BEND, CASES, LOADS, PUSH, crossed, design, rcc
 from flexcli.engine.sizing.balanced import kind_of
 from flexcli.errors import SolveError
 from flexcli.parts.requirements import Limit
-from flexcli.spec.load import load_design
+from flexcli.spec.load import load
 
 BALANCED = {"objective": "balanced"}
 E, SIGMA, S, P = 114e9, 500e6, 2.5, 2e-3
@@ -33,7 +33,7 @@ def exercise_9(theta, force):
 @pytest.fixture
 def rocket(request):
     folder = request.config.rootpath / "examples" / "rocket-parallel-stage"
-    return load_design(folder / "flexure.yaml")[0]
+    return load(folder / "flexure.yaml").part
 
 
 def test_the_rocket_pivot_is_the_printed_one(rocket):

@@ -127,10 +127,10 @@ def test_a_stage_cannot_be_a_pivot():
 def test_the_crank_of_exercise_12_c_turns_to_one_side_only():
     from pathlib import Path
 
-    from flexcli.spec.load import load_design
+    from flexcli.spec.load import load
 
     root = Path(__file__).parents[2] / "examples/crank-linear-stage/flexure.yaml"
-    design, _ = load_design(root)
+    design = load(root).part
     ranges = design.geometry.deflections(-radians(15), radians(15))
     assert ranges["alpha"].least == pytest.approx(0.0, abs=1e-12)
     assert ranges["z"].greatest - ranges["z"].least == pytest.approx(25.88e-3, abs=5e-6)

@@ -7,7 +7,7 @@ import pytest
 from strategies import Inconsistent, design, rcc, stage, three_blade
 
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.spec.load import load_design
+from flexcli.spec.load import load
 
 ROUNDING = 1e-12
 SIZED = {"h": "637 um", "l": "17.5 mm", "b": "10 mm"}
@@ -38,7 +38,7 @@ def scene_of(case, mechanism, requirements=None, geometry=None):
 @pytest.fixture(scope="module")
 def rocket(request):
     folder = request.config.rootpath / "examples" / "rocket-parallel-stage"
-    return load_design(folder / "flexure.yaml")[0]
+    return load(folder / "flexure.yaml").part
 
 
 def test_the_stroke_of_a_stage_turns_its_pivots(rocket):

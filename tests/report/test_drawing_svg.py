@@ -12,7 +12,7 @@ from flexcli.engine.draw import drawing
 from flexcli.parts.design import DesignSpec
 from flexcli.report.drawing_svg import drawing_svg
 from flexcli.report.drawing_views import VIEWS, view_svg
-from flexcli.spec.load import load_design
+from flexcli.spec.load import load
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*/flexure.yaml"))
 SVG = "{http://www.w3.org/2000/svg}"
@@ -39,7 +39,7 @@ def sample(kind, **changes):
 
 
 def example(path):
-    design, _ = load_design(path)
+    design = load(path).part
     sizes = design.geometry.sized(dict.fromkeys(design.geometry.free, 2e-3))
     return drawing(design, sizes)
 

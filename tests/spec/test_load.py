@@ -10,13 +10,14 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import flexcli
 from flexcli.errors import Finding, SpecError
 from flexcli.parts.asd import ASDProfile
 from flexcli.parts.geometries import Geometry
 from flexcli.parts.material import Material
 from flexcli.parts.stroke import Stroke
 from flexcli.spec import load as load_module
-from flexcli.spec.load import KINDS, load, load_design, load_shipped
+from flexcli.spec.load import KINDS, load, load_shipped
 from flexcli.spec.shipped import FOLDERS, shipped_names, shipped_path
 
 ROOT = Path(__file__).parent.parent.parent
@@ -80,7 +81,7 @@ def test_a_shipped_spec_that_does_not_exist_has_a_neighbour() -> None:
 
 @pytest.mark.parametrize("path", sorted(ROOT.glob("examples/*/flexure.yaml")), ids=str)
 def test_every_example_validates(path: Path) -> None:
-    loaded, document = load_design(path)
+    _, loaded, document = load(path)
     assert loaded.flexure == 1
     assert document.position.children["geometry"].file.endswith(".yaml")
 
@@ -105,7 +106,7 @@ def test_each_kind_is_validated_alone(spec: Path, text: str, kind: str, model: t
     assert loaded.kind == kind
     assert isinstance(loaded.part, model)
     with pytest.raises(SpecError, match=f"is a spec of kind {kind}, not a design"):
-        load_design(spec)
+        flexcli.check(spec)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -129,10 +130,10 @@ def test_a_material_is_named_given_by_path_or_written_out(spec: Path) -> None:
         inline,
     ):
         spec.write_text(design(material))
-        parts.append(load_design(spec)[0].material)
+        parts.append(load(spec).part.material)
     assert all(part == parts[0] for part in parts)
     spec.write_text(design("ti-6al-4v"))
-    assert load_design(spec)[0].material == load_shipped("material", "ti-6al-4v")
+    assert load(spec).part.material == load_shipped("material", "ti-6al-4v")
 
 
 def test_paths_start_at_the_folder_of_the_spec(
@@ -238,7 +239,7 @@ def single(case: str) -> str:
 
 def test_a_single_case_stands_at_the_top(spec: Path) -> None:
     spec.write_text(single("stroke: {rotation: 2 deg, cycles: 1e7}\n"))
-    loaded, _ = load_design(spec)
+    loaded = load(spec).part
     assert list(loaded.cases) == ["design"]
 
 
@@ -276,7 +277,7 @@ def test_a_file_that_is_no_spec_gives_one_finding(spec: Path) -> None:
 
 
 def test_the_values_of_a_document_include_what_it_names() -> None:
-    loaded, document = load_design(GOOD / "force-balanced-stage.yaml")
+    _, loaded, document = load(GOOD / "force-balanced-stage.yaml")
     assert document.value["material"]["name"] == loaded.material.name
     place, path = document.position.closest(("material", "youngs_modulus"))
     assert path == ("material", "youngs_modulus")

@@ -6,7 +6,7 @@ import pytest
 
 from flexcli.errors import Finding, SpecError
 from flexcli.parts.material import Material
-from flexcli.spec.load import load, load_design, load_shipped
+from flexcli.spec.load import load, load_shipped
 from flexcli.spec.references import from_anywhere
 
 DESIGN = """flexure: 1
@@ -76,7 +76,7 @@ def test_what_lies_outside_the_folder_is_read_only_when_allowed(spec: Path, way:
     assert "lies outside the spec's folder" in found.text
     assert "--allow-outside" in found.hint
     with from_anywhere():
-        assert load_design(spec)[0].material.youngs_modulus.value == 113.8e9
+        assert load(spec).part.material.youngs_modulus.value == 113.8e9
     assert refused(spec) == [found], "allowed only as long as it was said"
 
 
@@ -112,12 +112,12 @@ def test_a_folder_of_parts_may_name_its_neighbours(spec: Path) -> None:
         "flexure: 1\nmaterial: {extends: ../mine.yaml}\n"
     )
     spec.write_text(DESIGN.format(material="parts/own.yaml"))
-    assert load_design(spec)[0].material.youngs_modulus.value == 113.8e9
+    assert load(spec).part.material.youngs_modulus.value == 113.8e9
 
 
 def material(spec: Path, text: str) -> Material:
     spec.write_text(DESIGN.format(material=text))
-    return load_design(spec)[0].material
+    return load(spec).part.material
 
 
 def test_own_values_take_the_place_of_those_of_the_material_that_is_extended(spec: Path) -> None:
