@@ -113,7 +113,7 @@ def sheet(function: Callable[..., Any]) -> Sheet:
     title, *body = [p.replace("\n", " ").strip() for p in head.strip().split("\n\n")]
     title = title.removeprefix("Return ").removeprefix("Give ").removesuffix(".")
     return Sheet(
-        title=title[:1].upper() + title[1:],
+        title=_begun(title),
         equation=" ".join(body).replace("``", ""),
         symbols=tuple(_entries(sections.get("Parameters", ""))),
         gives=tuple(_entries(sections.get("Returns", ""))),
@@ -156,9 +156,14 @@ def _one_by_one(meaning: str, count: int) -> list[str]:
     whole = re.search(r" of .*| between .*| in .*", parts[-1])
     tail = whole[0] if whole else ""
     found = [part if part.endswith(tail) or " of " in part else part + tail for part in parts]
-    return [part[:1].upper() + part[1:] for part in found]
+    return [_begun(part) for part in found]
 
 
 def outside(validity: tuple[Range, ...], at: Mapping[str, float]) -> list[Range]:
     """Return the ranges that a design, given by its quantities, lies outside of."""
     return [r for r in validity if r.quantity in at and not r.least <= at[r.quantity] <= r.most]
+
+
+def _begun(sentence: str) -> str:
+    """Return a sentence with a capital letter, unless it begins with a symbol such as σ_x."""
+    return sentence[:1].upper() + sentence[1:] if sentence[:1].isascii() else sentence
