@@ -25,6 +25,7 @@ from flexcli.parts.base import (
     AccelerationDensity,
     Duration,
     Frequency,
+    OrTable,
     Part,
     QuantityOf,
     Ratio,
@@ -156,8 +157,9 @@ class ASDProfile(Part):
     """How far the numbers were checked against the document, e.g. ``verified``."""
     note: str = ""
     """Anything a reader should know of the numbers, e.g. ``read off a chart``."""
-    points: tuple[Breakpoint, ...] | None = Field(None, json_schema_extra={"minItems": 2})
-    """Corners of the profile by rising frequency; or give start and segments,
+    points: Annotated[tuple[Breakpoint, ...], OrTable()] | None = None
+    """Corners of the profile by rising frequency, or a table of them, ``psd.csv`` or ``{file:
+    psd.csv, units: [Hz, g^2/Hz], column: 2}``; or give start and segments,
     e.g. ``[{frequency: 20 Hz, level: 0.02 g^2/Hz}, {frequency: 2 kHz, level: 0.02 g^2/Hz}]``.
     """
     start: Start | None = None
@@ -373,6 +375,17 @@ class RandomVibration(Part):
     e.g. ``x and y``.
     """
 
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        whole = handler.resolve_ref_schema(handler(schema))
+        points = {"allOf": [OrTable.schema()], "description": "A table of a profile's points"}
+        whole["properties"] = {**whole["properties"], "points": points}
+        whole["required"] = [key for key in whole["required"] if key != "profile"]
+        either = [{"required": ["profile"]}, {"required": ["points"]}]
+        return {**whole, "oneOf": either}
+
     @model_validator(mode="before")
     @classmethod
     def _say_what_is_needed(cls, data: Any) -> Any:
@@ -380,7 +393,12 @@ class RandomVibration(Part):
             raise spec_error(
                 "a vibration case needs its profile and Q", "write {profile: my.yaml, q: 100}"
             )
-        return data
+        if "points" not in data:
+            return data
+        if "profile" in data:
+            raise spec_error("'points' stands beside profile", "keep one of them", at=("points",))
+        rest = {key: value for key, value in data.items() if key != "points"}
+        return {"profile": {"points": data["points"]}, **rest}
 
     @model_validator(mode="after")
     def _mass_can_be_applied(self) -> "RandomVibration":

@@ -29,6 +29,7 @@ __all__ = [
     "Length",
     "Mass",
     "OneOrMore",
+    "OrTable",
     "Part",
     "PositiveLength",
     "QuantityOf",
@@ -96,6 +97,32 @@ class OneOrMore:
     ) -> dict[str, Any]:
         several = {"minItems": 1, **handler(schema)}
         return {"anyOf": [several["items"], several]}
+
+
+class OrTable:
+    """A type marker of lists of points: in a spec a table of them may be named in their place."""
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return {"anyOf": [{"minItems": 2, **handler(schema)}, self.schema()]}
+
+    @staticmethod
+    def schema() -> dict[str, Any]:
+        """Return the JSON Schema of a table's name."""
+        path = {"type": "string", "pattern": r"\.([cC][sS][vV]|[tT][sS][vV]|[tT][xX][tT])$"}
+        text = {"type": "string"}
+        told = {
+            "type": "object",
+            "properties": {
+                "file": path,
+                "units": {"type": "array", "items": text, "minItems": 2, "maxItems": 2},
+                "column": {"anyOf": [text, {"type": "integer"}]},
+            },
+            "required": ["file"],
+            "additionalProperties": False,
+        }
+        return {"title": "table", "anyOf": [path, told]}
 
 
 class QuantityOf:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
 from flexcli.formulas.shock import half_sine_damped, srs_level, velocity_shock_acceleration
-from flexcli.parts.base import Duration, Frequency, Part, QuantityOf, spec_error
+from flexcli.parts.base import Duration, Frequency, OrTable, Part, QuantityOf, spec_error
 
 __all__ = ["HalfSine", "Shock", "SpectrumPoint"]
 
@@ -50,8 +50,8 @@ class Shock(Part):
     """
     velocity: Annotated[float, QuantityOf("velocity", above=0.0)] | None = None
     """A sudden change of the base's velocity, e.g. ``velocity: 1 m/s``."""
-    srs: tuple[SpectrumPoint, ...] = ()
-    """A shock response spectrum, two points or more,
+    srs: Annotated[tuple[SpectrumPoint, ...], OrTable()] = ()
+    """A shock response spectrum, two points or more, or a table of them, ``srs.csv``,
     e.g. ``srs: [{frequency: 10 Hz, acceleration: 5 g}, {frequency: 2 kHz, acceleration: 900 g}]``.
     """
     q: Annotated[float, QuantityOf("ratio", at_least=0.5)] = 10.0

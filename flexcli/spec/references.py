@@ -26,6 +26,8 @@ __all__ = [
     "FORMAT",
     "REFERENCES",
     "SUFFIXES",
+    "TABLE_PLACES",
+    "TABLE_SUFFIXES",
     "checked_root",
     "from_anywhere",
     "is_from_anywhere",
@@ -51,6 +53,18 @@ REFERENCES = {
     ("stops", "contact", "material"): "material",
 }
 """Where a design may name a spec instead of holding it."""
+
+TABLE_SUFFIXES = (".csv", ".tsv", ".txt")
+TABLE_PLACES = {
+    ("asd", "points"): "asd",
+    ("asd", "profile", "points"): "asd",
+    ("cases", "*", "asd", "points"): "asd",
+    ("cases", "*", "asd", "profile", "points"): "asd",
+    ("balance", "asd", "profile", "points"): "asd",
+    ("shock", "srs"): "srs",
+    ("cases", "*", "shock", "srs"): "srs",
+}
+"""Where a spec may name a table in place of points, and the kind of table."""
 
 _VERSION = f"flexure: {FORMAT}"
 
@@ -150,13 +164,44 @@ class _Resolver:
         found = replace(
             document, value=value, position=position, lines=lines, findings=tuple(findings)
         )
+        for pattern, wanted in TABLE_PLACES.items() if kind in ("design", "asd") else ():
+            for path in _matches(found.value, pattern):
+                if isinstance(at(found.value, path), str | dict):
+                    found, is_read = self._with_table(found, path, wanted, folder)
+                    unresolved |= set() if is_read else {path_text(path)}
         return found, unresolved
+
+    def _with_table(
+        self, document: Document, path: tuple[str, ...], kind: str, folder: Path
+    ) -> tuple[Document, bool]:
+        """Return a document with the rows of a table in place of its name, or what is wrong."""
+        from flexcli.spec.table_file import named_table, read_table
+
+        lines = dict(document.lines)
+        try:
+            name, columns = named_table(at(document.value, path), TABLE_SUFFIXES)
+            file = self._data_file(folder, name, TABLE_SUFFIXES, "a table")
+            table = read_table(file, kind, columns)
+        except SpecError as error:
+            place, _ = document.position.closest(path)
+            here = [
+                f if f.line else finding_at(place, lines, path_text(path), f.text, f.hint)
+                for f in error.findings
+            ]
+            return replace(document, findings=(*document.findings, *here)), False
+        value = with_value(document.value, path, table.points())
+        position = with_position(document.position, path, table.position())
+        if file.resolve().is_relative_to(self.home):
+            lines[table.file] = table.lines
+        return replace(document, value=value, position=position, lines=lines), True
 
     def _found(self, kind: str, name: str, folder: Path, depth: int) -> Document:
         """Return the document of a spec named or given by its path from a folder."""
         if depth == MAX_DEPTH:
             text, hint = "these specs name one another without end", "write one of them out"
             raise SpecError([Finding("", text, hint)])
+        if kind == "asd" and name.lower().endswith(TABLE_SUFFIXES):
+            return self._of_table(name, folder)
         is_path = name.endswith(SUFFIXES)
         path = self._data_file(folder, name) if is_path else shipped_path(kind, name)
         if path is None:
@@ -177,6 +222,17 @@ class _Resolver:
             ) from (error)
         return document
 
+    def _of_table(self, name: str, folder: Path) -> Document:
+        """Return the document of a profile whose points are those of a table."""
+        place = Position(name, 1, 1, 1, 1, {})
+        whole = Position(name, 1, 1, 1, 1, {"asd": place._replace(children={"points": place})})
+        document = Document(name, {"asd": {"points": name}}, whole, {})
+        document, is_read = self._with_table(document, ("asd", "points"), "asd", folder)
+        if not is_read:
+            raise SpecError([f if f.line else Finding("", f.text, f.hint)
+                             for f in document.findings])  # fmt: skip
+        return document
+
     def _read(self, kind: str, path: Path) -> Document:
         try:
             document = read_document(path)
@@ -193,8 +249,14 @@ class _Resolver:
             raise SpecError([*document.findings, Finding("", text, hint)])
         return document
 
-    def _data_file(self, folder: Path, name: str) -> Path:
-        """Return the file of a path in a spec, which may lead, also by links, to YAML files only.
+    def _data_file(
+        self,
+        folder: Path,
+        name: str,
+        suffixes: tuple[str, ...] = SUFFIXES,
+        called: str = "a YAML file",
+    ) -> Path:
+        """Return the file of a path in a spec, which may lead, also by links, to data files only.
 
         Where it leads outside, nothing is told of what is there.
         """
@@ -208,8 +270,8 @@ class _Resolver:
         except (OSError, ValueError, RuntimeError) as error:  # RuntimeError: a loop of links
             text, hint = f"there is no file {path}", "paths start at the spec's folder"
             raise SpecError([Finding("", text, hint)]) from error
-        if target.suffix not in SUFFIXES:
-            text, hint = f"{path} is a link to something else", "a path leads to a YAML file"
+        if not target.suffix.lower().endswith(suffixes):
+            text, hint = f"{path} is a link to something else", f"a path leads to {called}"
             raise SpecError([Finding("", text, hint)])
         return path
 

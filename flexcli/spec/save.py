@@ -18,6 +18,7 @@ from flexcli.spec.document import Document
 from flexcli.spec.load import Loaded
 from flexcli.spec.overrides import Place, at, with_value
 from flexcli.spec.parse import parse_document
+from flexcli.spec.references import TABLE_SUFFIXES
 
 __all__ = ["spec_text"]
 
@@ -89,7 +90,8 @@ def _moved(value: Any, folder: Path, target: Path) -> Any:
         return {key: _moved(inner, folder, target) for key, inner in value.items()}
     if isinstance(value, list):
         return [_moved(inner, folder, target) for inner in value]
-    if isinstance(value, str) and value.endswith((".yaml", ".yml")) and (folder / value).is_file():
+    is_file = isinstance(value, str) and value.endswith((".yaml", ".yml", *TABLE_SUFFIXES))
+    if is_file and (folder / value).is_file():
         return Path(os.path.relpath(folder / value, target)).as_posix()
     return value
 
