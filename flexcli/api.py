@@ -16,13 +16,13 @@ SolveError
 
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from os import PathLike, fspath
 from pathlib import Path
 from time import perf_counter
-from typing import Any, TypeAlias, get_args
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 
 from flexcli.errors import Finding, NoSolution, SolveError, SpecError
 from flexcli.parts.design import DesignSpec, ModelName
@@ -39,6 +39,9 @@ from flexcli.spec.places import placed
 from flexcli.spec.read import read_document
 from flexcli.spec.references import from_anywhere
 from flexcli.units import show, written
+
+if TYPE_CHECKING:
+    from flexcli.spec.table_file import Columns
 
 __all__ = [
     "Loaded",
@@ -310,11 +313,22 @@ def dossier(
     return gathered(design, design.geometry.sized({}), found, spec.document.text, names)
 
 
-def asd_response(source: Spec, *, overrides: Overrides | None = None) -> Result:
-    """Say what the modes of a design make of the vibration or the shock of every case."""
+def asd_response(
+    source: Spec,
+    *,
+    spectra: Collection[Literal["density", "transfer"]] = (),
+    overrides: Overrides | None = None,
+) -> Result:
+    """Say what the modes of a design make of the vibration or the shock of every case.
+
+    ``spectra`` asks for densities of the responses, or for transfer functions to every body.
+    """
     from flexcli.engine.response import respond
 
-    return _on_sizes("asd response", source, overrides, respond)
+    def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
+        return respond(design, sizes, name, spectra)
+
+    return _on_sizes("asd response", source, overrides, verb)
 
 
 def asd_worst_case(
@@ -322,19 +336,21 @@ def asd_worst_case(
     *,
     qualities: Sequence[float] = (),
     duration: float | None = None,
+    columns: "Columns | None" = None,
     overrides: Overrides | None = None,
 ) -> Result:
     """Give Miles' worst case beside the exact response, of a design or of a profile.
 
     ``source`` may also be the name of a shipped profile; a profile needs quality factors, a design
-    has its own. ``duration`` [s] of exposure is over that of the spec.
+    has its own. ``duration`` [s] of exposure is over that of the spec. ``columns`` tells of a
+    table what its heading does not.
     """
     from flexcli.engine.asd_worst_case import environments, exposed, worst_case
     from flexcli.parts.asd import ASDProfile
     from flexcli.spec.profiles import load_design_or_profile
 
     if isinstance(source, str) and "\n" not in source:
-        spec, name = load_design_or_profile(source, overrides), source
+        spec, name = load_design_or_profile(source, overrides, columns), source
     else:
         spec = load(source, overrides=overrides)
         name = _name(spec)
@@ -356,36 +372,38 @@ def asd_list() -> Result:
     return asd_grms(shipped_names("asd"), command="asd list")
 
 
-def asd_grms(names: Sequence[str], *, command: str = "asd grms") -> Result:
+def asd_grms(
+    names: Sequence[str], *, command: str = "asd grms", columns: "Columns | None" = None
+) -> Result:
     """Compute the rms of profiles, by shipped names or files, beside the published one."""
     from flexcli.engine.asd import catalogue
     from flexcli.spec.profiles import load_profiles
 
-    return catalogue(command, load_profiles(names))
+    return catalogue(command, load_profiles(names, columns))
 
 
-def asd_show(name: str) -> Result:
+def asd_show(name: str, *, columns: "Columns | None" = None) -> Result:
     """Describe a profile: breakpoints, slopes, rms values, moments, sources."""
     from flexcli.engine.asd import describe
     from flexcli.spec.profiles import load_profile
 
-    return describe("asd show", name, load_profile(name))
+    return describe("asd show", name, load_profile(name, columns))
 
 
-def asd_envelope(names: Sequence[str]) -> Result:
+def asd_envelope(names: Sequence[str], *, columns: "Columns | None" = None) -> Result:
     """Describe the envelope of profiles, with the exact points where they cross."""
     from flexcli.engine.asd import describe, enveloped
     from flexcli.spec.profiles import load_profiles
 
-    return describe("asd envelope", ", ".join(names), enveloped(load_profiles(names)))
+    return describe("asd envelope", ", ".join(names), enveloped(load_profiles(names, columns)))
 
 
-def asd_scale(name: str, db: float) -> Result:
+def asd_scale(name: str, db: float, *, columns: "Columns | None" = None) -> Result:
     """Describe a profile with its level raised by so many decibels."""
     from flexcli.engine.asd import describe, scaled
     from flexcli.spec.profiles import load_profile
 
-    return describe("asd scale", name, scaled(name, load_profile(name), db))
+    return describe("asd scale", name, scaled(name, load_profile(name, columns), db))
 
 
 def _again(spec: Loaded, overrides: Mapping[Any, Any]) -> Loaded:

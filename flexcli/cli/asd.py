@@ -1,10 +1,12 @@
 """``flexure asd``: vibration profiles, and the worst case that they make of an oscillator."""
 
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from functools import partial
 from math import isfinite
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -18,22 +20,26 @@ from flexcli.cli.common import (
     attempt,
     finish,
     on_each,
+    only_one,
     overrides_of,
     read,
     with_common_options,
 )
 from flexcli.cli.files import ForceOption, saved
-from flexcli.errors import Finding, SpecError
+from flexcli.errors import Finding, SolveError, SpecError
 from flexcli.results import Result
 
 if TYPE_CHECKING:
     from flexcli.api import Loaded
+    from flexcli.spec.table_file import Columns
 
 __all__ = ["NAME", "app"]
 
 NAME = "asd"
 
 _MOST_DB = 100.0
+
+KINDS: tuple[Literal["density", "transfer"], ...] = ("density", "transfer")
 
 app = typer.Typer(
     name=NAME,
@@ -47,27 +53,62 @@ ProfilesArgument = Annotated[
     list[str], typer.Argument(help="Name shipped profiles, or files of them.")
 ]
 WriteOption = Annotated[
-    Path | None, typer.Option("--write", help="Save the profile as a spec (.yaml).")
+    Path | None,
+    typer.Option("--write", help="Save the profile as a spec (.yaml) or a table (.csv)."),
 ]
+UnitsOption = Annotated[
+    str | None,
+    typer.Option("--units", help="Tell the units of a table that has none, e.g. 'Hz, g^2/Hz'."),
+]
+ColumnOption = Annotated[
+    str | None,
+    typer.Option("--column", help="Take this column of a table of several, by name or number."),
+]
+
+
+def columns_of(units: str | None, column: str | None) -> "Columns":
+    """Return what the command line tells of tables."""
+    from flexcli.spec.table_file import Columns
+
+    return Columns.told(units, column)
 
 
 @app.command()
 @with_common_options
 def response(
-    specs: SpecsArgument = None, stated: SetOption = None, style: FormatOption = Format.TEXT
+    specs: SpecsArgument = None,
+    stated: SetOption = None,
+    densities: Annotated[
+        Path | None,
+        typer.Option("--csv", "-o", help="Save the densities of the responses, .csv or .parquet."),
+    ] = None,
+    transfers: Annotated[
+        Path | None,
+        typer.Option("--frf", help="Save the transfer functions to every body, likewise."),
+    ] = None,
+    force: ForceOption = False,
+    style: FormatOption = Format.TEXT,
 ) -> None:
     """Compute what a design's modes make of each case.
 
     It gives modes, rms and peaks of travel, stress and force, and life.
     """
+    only_one("asd response", "--csv", specs, densities or transfers, style)
+    files = {"density": densities, "transfer": transfers}
 
     def verb(spec: "Loaded") -> Result:
         from flexcli import api
 
-        return api.asd_response(spec)
+        for path in files.values():
+            refuse_no_table(path)
+        return api.asd_response(spec, spectra=[kind for kind in KINDS if files[kind]])
 
     results = on_each("asd response", specs, stated, verb)
-    finish("asd response", results, style, many=len(results) > 1)
+    with (
+        saved_spectra(densities, results, "density", force=force),
+        saved_spectra(transfers, results, "transfer", force=force),
+    ):
+        finish("asd response", results, style, many=len(results) > 1)
 
 
 @app.command("list")
@@ -83,29 +124,42 @@ def list_(style: FormatOption = Format.TEXT) -> None:
 
 @app.command()
 @with_common_options
-def show(name: ProfileArgument, style: FormatOption = Format.TEXT) -> None:
+def show(
+    name: ProfileArgument,
+    units: UnitsOption = None,
+    column: ColumnOption = None,
+    style: FormatOption = Format.TEXT,
+) -> None:
     """Show a profile with its curve and sources.
 
     It gives breakpoints, slopes, rms values and moments.
     """
     from flexcli import api
 
-    _finish("show", name, partial(api.asd_show, name), style)
+    _finish("show", name, partial(api.asd_show, name, columns=columns_of(units, column)), style)
 
 
 @app.command()
 @with_common_options
-def grms(names: ProfilesArgument, style: FormatOption = Format.TEXT) -> None:
+def grms(
+    names: ProfilesArgument,
+    units: UnitsOption = None,
+    column: ColumnOption = None,
+    style: FormatOption = Format.TEXT,
+) -> None:
     """Compute the exact rms of profiles, beside the published one."""
     from flexcli import api
 
-    _finish("grms", ", ".join(names), partial(api.asd_grms, names), style)
+    verb = partial(api.asd_grms, names, columns=columns_of(units, column))
+    _finish("grms", ", ".join(names), verb, style)
 
 
 @app.command()
 @with_common_options
 def validate(
     files: Annotated[list[str], typer.Argument(help="Name files of profiles.")],
+    units: UnitsOption = None,
+    column: ColumnOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
     """Validate profiles, with the published rms.
@@ -114,9 +168,11 @@ def validate(
     """
     from flexcli import api
 
-    command = f"{NAME} validate"
+    command, columns = f"{NAME} validate", columns_of(units, column)
     results = [
-        attempt(command, Path(name), partial(api.asd_grms, [name], command=command))
+        attempt(
+            command, Path(name), partial(api.asd_grms, [name], command=command, columns=columns)
+        )
         for name in files
     ]
     finish(command, results, style, many=len(files) > 1)
@@ -128,6 +184,8 @@ def envelope(
     names: ProfilesArgument,
     write: WriteOption = None,
     force: ForceOption = False,
+    units: UnitsOption = None,
+    column: ColumnOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
     """Form the envelope of profiles.
@@ -136,7 +194,7 @@ def envelope(
     """
     from flexcli import api
 
-    verb = partial(api.asd_envelope, names)
+    verb = partial(api.asd_envelope, names, columns=columns_of(units, column))
     _finish_made("envelope", ", ".join(names), verb, write, style, force=force)
 
 
@@ -147,6 +205,8 @@ def scale(
     db: Annotated[float, typer.Option("--db", help="Add so many decibels; 3 doubles the density.")],
     write: WriteOption = None,
     force: ForceOption = False,
+    units: UnitsOption = None,
+    column: ColumnOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
     """Scale the level of a profile by decibels."""
@@ -154,7 +214,8 @@ def scale(
 
     if not abs(db) <= _MOST_DB:
         raise typer.BadParameter(f"give decibels from -{_MOST_DB:g} to {_MOST_DB:g}")
-    _finish_made("scale", name, partial(api.asd_scale, name, db), write, style, force=force)
+    verb = partial(api.asd_scale, name, db, columns=columns_of(units, column))
+    _finish_made("scale", name, verb, write, style, force=force)
 
 
 @app.command("worst-case")
@@ -170,6 +231,8 @@ def worst_case(
     duration: Annotated[
         str | None, typer.Option("--duration", help="Give the time of exposure, e.g. '2 min'.")
     ] = None,
+    units: UnitsOption = None,
+    column: ColumnOption = None,
     stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
@@ -187,6 +250,7 @@ def worst_case(
             source,
             qualities=qualities or (),
             duration=_seconds(duration),
+            columns=columns_of(units, column),
             overrides=overrides_of(stated),
         )
 
@@ -210,19 +274,58 @@ def _finish_made(
     """Show a profile that was made, and save it where that is wished."""
 
     def made() -> Result:
-        if write is not None and write.suffix not in (".yaml", ".yml"):
-            raise SpecError([Finding(str(write), "is no name of a spec", "end it in .yaml")])
-        return run()
+        if write is not None and write.suffix not in (".yaml", ".yml", ".csv"):
+            hint = "end it in .yaml, or in .csv for a table"
+            raise SpecError([Finding(str(write), "is no name of a spec", hint)])
+        made = run()
+        if write is not None and write.suffix == ".csv":
+            refuse_linear(write, made)
+        return made
 
     def text() -> str | None:
         from flexcli.spec.profiles import profile_text
 
-        return profile_text(result) if result.breakpoints else None
+        as_table = write is not None and write.suffix == ".csv"
+        return profile_text(result, as_table=as_table) if result.breakpoints else None
 
     command = f"{NAME} {verb}"
     result = attempt(command, Path(spec), made)
     with saved(write, text, force=force, nothing="there is no profile"):
         finish(command, [result], style, many=False)
+
+
+def refuse_linear(path: Path, made: Result) -> None:
+    """Refuse to write as a table what one would be read as otherwise than it is."""
+    if any(profile.interpolation == "linear" for profile in made.profiles):
+        text = "a table is straight on log-log axes, and this profile on linear ones"
+        raise SpecError([Finding(str(path), text, "end it in .yaml")])
+
+
+def refuse_no_table(path: Path | None) -> None:
+    """Refuse a file that is no table."""
+    if path is not None and path.suffix not in (".csv", ".parquet"):
+        text = "is neither .csv nor .parquet"
+        raise SpecError([Finding(str(path), text, "name it .csv")])
+
+
+def saved_spectra(
+    path: Path | None, results: Sequence[Result], kind: str, *, force: bool
+) -> AbstractContextManager[None]:
+    """Write the spectra of a kind to a file, then let the results be printed."""
+
+    def content() -> bytes | None:
+        from flexcli.report.columns_file import file_bytes
+        from flexcli.report.spectra_text import spectra_columns
+
+        assert path is not None  # it is asked for
+        wanted = [one for result in results for one in result.spectra if one.kind == kind]
+        try:
+            return file_bytes(spectra_columns(wanted), path.suffix) if wanted else None
+        except SolveError as error:  # what writes Parquet is not installed
+            sys.stderr.write(f"flexure: {error.text}: {error.remedy}\n")
+            raise typer.Exit(2) from error
+
+    return saved(path, content, force=force, nothing="there is no spectrum")
 
 
 def _refuse_no_quality(qualities: list[float]) -> None:

@@ -28,7 +28,7 @@ class _NotWritten(Exception):
 
 @contextmanager
 def saved(
-    path: Path | None, text: Callable[[], str | None], *, force: bool, nothing: str
+    path: Path | None, text: Callable[[], str | bytes | None], *, force: bool, nothing: str
 ) -> Iterator[None]:
     """Write a text to a file, then let the result be printed, then tell what went wrong.
 

@@ -1,10 +1,12 @@
 """The verb response: what the mechanism's own modes make of a vibration or a shock."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from time import perf_counter
+from typing import Literal, TypeAlias
 
 from flexcli.engine.judge import judge, status_of
 from flexcli.engine.models import model_series
+from flexcli.engine.response_spectra import UNITS, densities, structure_of_case, transfers
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.parts.asd import RandomVibration
@@ -26,6 +28,7 @@ from flexcli.results import (
     Note,
     OutputResult,
     Result,
+    Spectrum,
     Value,
     Verdict,
 )
@@ -34,19 +37,25 @@ __all__ = ["respond"]
 
 MODEL = "linear modes"
 
+SpectrumKind: TypeAlias = Literal["density", "transfer"]
+"""What else may be wanted: densities of the responses, transfer functions to the bodies."""
+
 DYNAMIC = ("dynamic_yield", "dynamic_buckling", "dynamic_life")
 """Requirements that the modes answer."""
 
 TELLING = 1e-3
 """Share of the mass from which a mode that is not excited is told."""
 
-UNITS = {"force": "N", "axial": "Pa", "stress": "Pa", "travel": "m", "rotation": "rad"}
-"""SI units of a structure's outputs, by the first word of their names."""
 
+def respond(
+    design: DesignSpec, sizes: Sizes, spec: str, kinds: Collection[SpectrumKind] = ()
+) -> Result:
+    """Return modes and responses of every case in which the base is shaken.
 
-def respond(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
-    """Return modes and responses of every case in which the base is shaken."""
+    ``kinds`` are those of the spectra that are wanted besides.
+    """
     started = perf_counter()
+    spectra: list[Spectrum] = []
     responses: list[CaseResponse] = []
     values: dict[str, Value] = {}
     notes: list[Note] = []
@@ -66,6 +75,8 @@ def respond(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
                 notes += _without_life(ask, response)
                 rows.append(_higher_modes(scene, response))
         responses += found
+        spectra += densities(ask) if "density" in kinds else ()
+        spectra += transfers(ask) if "transfer" in kinds else ()
         values |= _worst_values(ask)
     if not responses:
         raise SolveError("no-vibration", "no case has a vibration or a shock", "add asd: to a case")
@@ -87,6 +98,7 @@ def respond(design: DesignSpec, sizes: Sizes, spec: str) -> Result:
             by_model=judged.by_model,
         ),
         responses=tuple(responses),
+        spectra=tuple(spectra),
     )
 
 
@@ -111,17 +123,9 @@ def _is_of_response(check: Check, design: DesignSpec) -> bool:
     return kind in SHAKES and kind not in looked_at
 
 
-def _structure(ask: Ask) -> Structure:
-    try:
-        return uncertain_structure(ask, ()).structure
-    except RequirementError as error:
-        hint = error.hint or "take another geometry or mechanism"
-        raise SolveError("no-structure", f"case '{ask.scene.case}': {error}", hint) from error
-
-
 def _responses(ask: Ask) -> Iterator[CaseResponse]:
     """Yield what the modes make of each excitation of a case."""
-    structure, scene = _structure(ask), ask.scene
+    structure, scene = structure_of_case(ask), ask.scene
     try:
         if scene.vibration is not None:
             yield _random(ask, structure, scene.vibration)

@@ -1,7 +1,6 @@
 """Random response of a linear structure, all of its modes together, to one base acceleration."""
 
-from itertools import pairwise
-from math import log, log2
+from math import log
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +16,8 @@ NODES = 16
 """Gauss nodes per panel."""
 WIDEST = 1.5
 """Largest ratio of the ends of a panel: away from resonances the integrand is a power law."""
+AT_ONCE = 500
+"""Panels integrated at once, to stay within the cache."""
 
 
 def response_moments(
@@ -25,7 +26,7 @@ def response_moments(
     level: Floats,
     scale: Scale,
     angular: Floats,
-    Q: float,
+    Q: float | Floats,
     coefficients: Floats,
     residual: Floats,
     orders: tuple[float, ...] = (0.0, 1.0, 2.0, 4.0),
@@ -44,8 +45,8 @@ def response_moments(
         Axes in which the profile is straight.
     angular : array, shape (m,)
         Natural angular frequencies [rad/s] of the modes that may resonate.
-    Q : float
-        Quality factor of every mode.
+    Q : float or array, shape (m,)
+        Quality factor of every mode, or of each.
     coefficients : array, shape (k, m)
         c: output k per unit of mode m times its participation [unit of y per m/s² · rad²/s²].
     residual : array, shape (k,)
@@ -80,26 +81,30 @@ def response_moments(
     """
     moments = np.zeros((len(orders), residual.size))
     nodes, weights = gauss_rule(NODES)
-    marks = _marks(angular / (2.0 * np.pi), Q)
-    for (f1, f2), (g1, g2) in zip(pairwise(frequency), pairwise(level), strict=True):
-        if f1 == f2:
-            continue
-        edges = _edges(float(f1), float(f2), marks)
-        width = np.diff(edges)[:, None]
-        f = (edges[:-1, None] + width * nodes[None, :]).reshape(-1)
-        weight = (width * weights[None, :]).reshape(-1)
+    edges = _edges(frequency, _marks(angular / (2.0 * np.pi), Q))
+    for part in np.split(np.arange(edges.size - 1), range(AT_ONCE, edges.size - 1, AT_ONCE)):
+        start, width = edges[part, None], np.diff(edges)[part, None]
+        f = start + width * nodes
+        # a panel lies on one segment, steps have none
+        segment = np.searchsorted(frequency, start[:, 0], side="right") - 1
+        f1, f2, g1, g2 = (
+            each[:, None]
+            for each in (frequency[segment], frequency[segment + 1],
+                         level[segment], level[segment + 1])
+        )  # fmt: skip
         if scale == "log":
-            slope = log(g2 / g1) / log(f2 / f1)
-            density = g1 * (f / f1) ** slope
+            density = g1 * (f / f1) ** (np.log(g2 / g1) / np.log(f2 / f1))
         else:
             density = g1 + (g2 - g1) * (f - f1) / (f2 - f1)
-        power = _squared_gain(f, angular, Q, coefficients, residual) * (density * weight)[:, None]
-        moments += np.stack([f**order @ power for order in orders])
+        power = (density * width * weights).reshape(-1)
+        f = f.reshape(-1)
+        square = _squared_gain(f, angular, Q, coefficients, residual) * power[:, None]
+        moments += np.stack([f**order @ square for order in orders])
     return moments
 
 
 def harmonic_gain(
-    f: Floats, angular: Floats, Q: float, coefficients: Floats, residual: Floats
+    f: Floats, angular: Floats, Q: float | Floats, coefficients: Floats, residual: Floats
 ) -> NDArray[np.complex128]:
     """Return the complex amplitude of outputs per acceleration of the base, all modes together.
 
@@ -111,8 +116,8 @@ def harmonic_gain(
         Frequencies [Hz].
     angular : array, shape (m,)
         Natural angular frequencies [rad/s].
-    Q : float
-        Quality factor of every mode.
+    Q : float or array, shape (m,)
+        Quality factor of every mode, or of each.
     coefficients : array, shape (k, m)
         As in :func:`response_moments`.
     residual : array, shape (k,)
@@ -143,22 +148,26 @@ def harmonic_gain(
 
 
 def _squared_gain(
-    f: Floats, angular: Floats, Q: float, coefficients: Floats, residual: Floats
+    f: Floats, angular: Floats, Q: float | Floats, coefficients: Floats, residual: Floats
 ) -> Floats:
     response = harmonic_gain(f, angular, Q, coefficients, residual)
     return np.asarray(response.real**2 + response.imag**2)
 
 
-def _marks(resonances: Floats, Q: float) -> Floats:
+def _marks(resonances: Floats, Q: float | Floats) -> Floats:
     """Return panel ends that close in on each resonance by halves, down to its bandwidth."""
-    steps = max(0, int(np.ceil(log2(2.0 * Q)))) + 2
-    offsets = 0.5 * 2.0 ** -np.arange(steps)
-    around = np.concatenate([-offsets, [0.0], offsets])
-    return np.sort((resonances[:, None] * (1.0 + around[None, :])).reshape(-1))
+    found = [np.zeros(0)]
+    for resonance, quality in zip(resonances, np.broadcast_to(Q, resonances.shape), strict=True):
+        steps = max(0, int(np.ceil(np.log2(2.0 * quality)))) + 2
+        offsets = 0.5 * 2.0 ** -np.arange(steps)
+        found.append(resonance * (1.0 + np.concatenate([-offsets, [0.0], offsets])))
+    return np.concatenate(found)
 
 
-def _edges(f1: float, f2: float, marks: Floats) -> Floats:
-    count = max(1, int(np.ceil(log(f2 / f1) / log(WIDEST))))
-    regular = f1 * (f2 / f1) ** (np.arange(1, count) / count)
-    inside = marks[(marks > f1) & (marks < f2)]
-    return np.unique(np.concatenate([[f1], regular, inside, [f2]]))
+def _edges(frequency: Floats, marks: Floats) -> Floats:
+    """Return panel ends over the band: no panel is wide, crosses a breakpoint or a mark."""
+    low, high = float(frequency[0]), float(frequency[-1])
+    count = max(1, int(np.ceil(log(high / low) / log(WIDEST))))
+    regular = low * (high / low) ** (np.arange(1, count) / count)
+    inside = marks[(marks > low) & (marks < high)]
+    return np.unique(np.concatenate([frequency, regular, inside]))

@@ -380,7 +380,11 @@ class RandomVibration(Part):
         cls, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
         whole = handler.resolve_ref_schema(handler(schema))
-        points = {"allOf": [OrTable.schema()], "description": "A table of a profile's points"}
+        points = {
+            "anyOf": [OrTable.schema()],
+            "description": "A table of the points of a profile, in its place",
+            "examples": ["psd.csv"],
+        }
         whole["properties"] = {**whole["properties"], "points": points}
         whole["required"] = [key for key in whole["required"] if key != "profile"]
         either = [{"required": ["profile"]}, {"required": ["points"]}]

@@ -110,14 +110,26 @@ class OrTable:
     @staticmethod
     def schema() -> dict[str, Any]:
         """Return the JSON Schema of a table's name."""
-        path = {"type": "string", "pattern": r"\.([cC][sS][vV]|[tT][sS][vV]|[tT][xX][tT])$"}
+        suffix = r"\.([cC][sS][vV]|[tT][sS][vV]|[tT][xX][tT])$"
+        path = {"type": "string", "pattern": suffix, "examples": ["psd.csv"]}
         text = {"type": "string"}
         told = {
             "type": "object",
             "properties": {
-                "file": path,
-                "units": {"type": "array", "items": text, "minItems": 2, "maxItems": 2},
-                "column": {"anyOf": [text, {"type": "integer"}]},
+                "file": {**path, "description": "Path of the table, from the spec's folder"},
+                "units": {
+                    "type": "array",
+                    "items": text,
+                    "minItems": 2,
+                    "maxItems": 2,
+                    "description": "Units of both columns, where the heading tells none",
+                    "examples": [["Hz", "g^2/Hz"]],
+                },
+                "column": {
+                    "anyOf": [text, {"type": "integer"}],
+                    "description": "Name or number of the column to take, of several",
+                    "examples": [2],
+                },
             },
             "required": ["file"],
             "additionalProperties": False,

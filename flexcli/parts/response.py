@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas.modal_response import harmonic_gain, response_moments
+from flexcli.formulas.spectrum import spectral_level
 from flexcli.numerics.modes import Modes, natural_modes
-from flexcli.parts.asd import RandomVibration
+from flexcli.parts.asd import AppliedASD, RandomVibration
 from flexcli.parts.shock import Shock
 from flexcli.parts.structure import Structure
 from flexcli.results import ModeResult
@@ -20,8 +21,11 @@ __all__ = [
     "RandomResponse",
     "random_outputs",
     "random_response",
+    "response_density",
     "shock_peaks",
     "sine_peaks",
+    "sweep_points",
+    "transfer_functions",
 ]
 
 Floats = NDArray[np.float64]
@@ -177,11 +181,8 @@ def sine_peaks(
 
     """
     modes, rows = natural_modes(structure.stiffness, structure.mass), _Rows(structure)
-    participation, _, static = _excitation(structure, modes, rows.matrix, "x")
-    per_mode = -(rows.matrix @ modes.shapes) * participation
-    residual = static - (per_mode / modes.angular**2).sum(axis=1)
-    f = _sweep_points(frequencies, modes.angular / (2.0 * pi), Q)
-    gain = acceleration * harmonic_gain(f, modes.angular, Q, per_mode, residual)
+    f = sweep_points(frequencies, modes.angular / (2.0 * pi), Q)
+    gain = acceleration * _gain(structure, modes, rows.matrix, "x", Q, f)
     found = {}
     for name, block in rows.by_name(np.abs(gain)):
         at_each = (
@@ -191,7 +192,101 @@ def sine_peaks(
     return found
 
 
-def _sweep_points(frequencies: tuple[float, float], resonances: Floats, Q: float) -> Floats:
+def transfer_functions(
+    structure: Structure, Q: float, axis: str, f: Floats
+) -> dict[str, NDArray[np.complex128]]:
+    """Return the acceleration of every body per acceleration of the base along an axis.
+
+    Parameters
+    ----------
+    structure : Structure
+        The structure.
+    Q : float
+        Quality factor of every mode.
+    axis : str
+        Axis of the base's motion.
+    f : array, shape (n,)
+        Frequencies [Hz].
+
+    Returns
+    -------
+    dict of array, shape (n, 3)
+        By body: absolute acceleration along x and y [-], angular acceleration [rad/m].
+
+    """
+    modes = natural_modes(structure.stiffness, structure.mass)
+    rows = np.concatenate([np.zeros((0, modes.shapes.shape[0])), *structure.bodies.values()])
+    relative = _gain(structure, modes, rows, axis, Q, f)
+    base = np.tile([float(axis == "x"), float(axis == "y"), 0.0], len(structure.bodies))
+    absolute = base - (2.0 * pi * f[:, None]) ** 2 * relative
+    return dict(zip(structure.bodies, np.split(absolute, len(structure.bodies), -1), strict=True))
+
+
+def response_density(
+    structure: Structure, vibration: RandomVibration
+) -> tuple[Floats, Floats, dict[str, Floats]]:
+    """Return the spectral density of every output and of every body's acceleration.
+
+    An output is told by its row of the largest rms, a force by the sum of its components.
+
+    Returns
+    -------
+    tuple
+        Frequencies [Hz], twice where the profile steps; the density of the base
+        [(m/s²)²/Hz]; by output its own, in the unit of the output squared per hertz.
+
+    """
+    applied, rows = vibration.applied(), _Rows(structure)
+    modes = natural_modes(structure.stiffness, structure.mass)
+    f, level = _density_points(applied, modes.angular / (2.0 * pi), vibration.q)
+    squares = np.zeros((f.size, rows.matrix.shape[0]))
+    found: dict[str, Floats] = {}
+    for axis in vibration.axes:
+        squares += np.abs(_gain(structure, modes, rows.matrix, axis, vibration.q, f)) ** 2
+        for name, gains in transfer_functions(structure, vibration.q, axis, f).items():
+            for n, direction in enumerate("xy"):
+                key = f"acceleration {name} {direction}"
+                before = found.get(key, np.zeros(f.size))
+                found[key] = before + np.abs(gains[:, n]) ** 2 * level
+    largest = dict(_worst_rows(structure, vibration, modes))
+    for name, block in rows.by_name(squares):
+        one = block.sum(axis=1) if name.startswith("force") else block[:, largest[name]]
+        found[name] = one * level
+    return f, level, found
+
+
+def _worst_rows(
+    structure: Structure, vibration: RandomVibration, modes: Modes
+) -> Iterator[tuple[str, int]]:
+    for name, block in _moments(structure, vibration, modes):
+        yield name, int(np.argmax(block[0]))
+
+
+def _gain(
+    structure: Structure, modes: Modes, rows: Floats, axis: str, Q: float, f: Floats
+) -> NDArray[np.complex128]:
+    """Return the complex amplitude of rows per acceleration of the base, by all modes."""
+    participation, _, static = _excitation(structure, modes, rows, axis)
+    per_mode = -(rows @ modes.shapes) * participation
+    residual = static - (per_mode / modes.angular**2).sum(axis=1)
+    return harmonic_gain(f, modes.angular, Q, per_mode, residual)
+
+
+def _density_points(applied: AppliedASD, resonances: Floats, Q: float) -> tuple[Floats, Floats]:
+    """Return frequencies that show every resonance and corner, and the level there."""
+    corners = applied.frequency
+    inner = sweep_points((float(corners[0]), float(corners[-1])), resonances, Q)
+    steps = corners[1:][np.diff(corners) == 0.0]
+    f = np.sort(np.concatenate([np.union1d(inner, corners), steps]))
+    after = np.concatenate([[False], np.diff(f) == 0.0])
+    left, right = (
+        spectral_level(f, corners, applied.level, scale=applied.scale, side=side)
+        for side in ("left", "right")
+    )
+    return f, np.where(after, right, left)
+
+
+def sweep_points(frequencies: tuple[float, float], resonances: Floats, Q: float) -> Floats:
     """Return frequencies [Hz] that miss no resonance: crowded at each by its bandwidth."""
     low, high = sorted(frequencies)
     if low == high:

@@ -47,6 +47,7 @@ class Structure:
     base along an axis, ``moved`` the mass that it moves [kg]. ``outputs`` holds rows (k, n): the
     mechanism's own motion [m or rad], per joint the force on it [N], axial stress and stress at
     the faces [Pa]. ``motion`` (n,) is the row of the own motion, nothing where that is locked.
+    ``bodies`` holds rows (3, n) of the motion (x, y, φ) of each body's point, relative to the base.
     """
 
     mass: Floats
@@ -55,6 +56,7 @@ class Structure:
     moved: Mapping[str, float]
     outputs: Mapping[str, Floats] = field(default_factory=dict)
     motion: Floats | None = None
+    bodies: Mapping[str, Floats] = field(default_factory=dict)
 
     def stiffened(self, factor: float) -> "Structure":
         """Return the structure with all of its stiffness, and so its stresses, times a factor."""
@@ -134,7 +136,9 @@ def assemble(
     if motion is not None:
         own = np.array(motion.direction) @ found.motions[motion.body]
         outputs[motion.name] = own[None, :]
-    return Structure(found.mass, found.stiffness, found.pull, found.moved, outputs, own)
+    return Structure(
+        found.mass, found.stiffness, found.pull, found.moved, outputs, own, found.motions
+    )
 
 
 def joined(name: str, point: Point, parts: Sequence[Body]) -> Body:

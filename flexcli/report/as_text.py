@@ -32,6 +32,7 @@ SECTIONS = {
     "breakpoints": "asd_text",
     "worst_cases": "asd_text",
     "responses": "response_text",
+    "spectra": "spectra_text",
     "sweeps": "sweep_text",
     "plan": "plan_text",
     "audit": "plan_text",

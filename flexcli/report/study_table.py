@@ -1,19 +1,18 @@
 """A study as a table: on the terminal, as CSV, as Parquet."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from importlib import import_module
+from collections.abc import Iterator
 from math import isnan
 
 from rich.console import RenderableType
 
-from flexcli.errors import SolveError
-from flexcli.report.rows_csv import rows_csv
+from flexcli.report.columns_file import FileColumn, csv_text
+from flexcli.report.columns_file import parquet_bytes as columns_parquet
 from flexcli.report.tables import Line, table
 from flexcli.results import Result
 from flexcli.results.study import StudyResult, StudyRow
 from flexcli.units import show
 
-__all__ = ["FIXED", "heading", "parquet_bytes", "section", "study_csv"]
+__all__ = ["FIXED", "parquet_bytes", "section", "study_csv"]
 
 FIXED = ("status", "decided by", "model", "reason")
 """Columns that every row has, after those of what varies."""
@@ -22,27 +21,9 @@ TOLD = 60
 """Rows that the terminal shows of a longer study: the first and the last of them."""
 
 
-def heading(result: StudyResult) -> list[str]:
-    """Return the names of all columns, with their SI units."""
-    own = [f"{c.name} [{c.unit}]" if c.unit else c.name for c in result.columns]
-    return [*result.varied, *FIXED, *own]
-
-
-def _cells(row: StudyRow, result: StudyResult) -> list[object]:
-    own = [row.cells.get(column.name, "") for column in result.columns]
-    fixed = [row.status, row.decided_by, row.model, row.reason]
-    return [*(row.point.get(name, "") for name in result.varied), *fixed, *own]
-
-
 def study_csv(result: StudyResult) -> str:
     """Return a row a design, numbers in SI with every digit."""
-    return rows_csv(
-        heading(result), ([_plain(c) for c in _cells(row, result)] for row in result.rows)
-    )
-
-
-def _plain(cell: object) -> object:
-    return "" if isinstance(cell, float) and isnan(cell) else cell
+    return csv_text(_columns(result))
 
 
 def parquet_bytes(result: StudyResult) -> bytes:
@@ -54,34 +35,24 @@ def parquet_bytes(result: StudyResult) -> bytes:
         When what writes Parquet is not installed.
 
     """
-    try:
-        arrow, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
-    except ImportError as error:
-        hint = "pip install 'flexcli[study]', or write a .csv"
-        raise SolveError("no-parquet", "Parquet needs the extra 'study'", hint) from error
-    fields, arrays = [], []
-
-    def column(name: str, values: Sequence[object], unit: str, label: str) -> None:
-        is_text = any(isinstance(value, str) and value for value in values)
-        kind = arrow.string() if is_text else arrow.float64()
-        cells = [None if value == "" else value for value in values]
-        fields.append(arrow.field(name, kind, metadata={"unit": unit, "label": label}))
-        arrays.append(arrow.array(cells, type=kind))
-
-    for name in result.varied:
-        column(name, [row.point.get(name, "") for row in result.rows], "", "as the spec writes it")
-    for name, values in _fixed(result).items():
-        column(name, values, "", "")
-    for each in result.columns:
-        column(each.name, [r.cells.get(each.name, "") for r in result.rows], each.unit, each.label)
-    sink = arrow.BufferOutputStream()
-    parquet.write_table(arrow.table(arrays, schema=arrow.schema(fields)), sink)
-    return bytes(sink.getvalue())
+    return columns_parquet(_columns(result))
 
 
-def _fixed(result: StudyResult) -> Mapping[str, list[str]]:
-    rows = [(r.status, r.decided_by, r.model, r.reason) for r in result.rows]
-    return {name: [row[k] for row in rows] for k, name in enumerate(FIXED)}
+def _columns(result: StudyResult) -> list[FileColumn]:
+    """Return what varies, how each design ended, and its values."""
+    rows = result.rows
+    fixed = [(row.status, row.decided_by, row.model, row.reason) for row in rows]
+    return [
+        *(
+            FileColumn(name, "", "as the spec writes it", [r.point.get(name, "") for r in rows])
+            for name in result.varied
+        ),
+        *(FileColumn(name, "", "", [cells[k] for cells in fixed]) for k, name in enumerate(FIXED)),
+        *(
+            FileColumn(each.name, each.unit, each.label, [r.cells.get(each.name, "") for r in rows])
+            for each in result.columns
+        ),
+    ]
 
 
 def section(result: Result) -> Iterator[RenderableType]:

@@ -67,6 +67,8 @@ from flexcli.results.vibration import (
     ModeResult,
     OutputResult,
     ProfileRow,
+    Spectrum,
+    SpectrumColumn,
     WorstCaseRow,
 )
 
@@ -105,6 +107,8 @@ __all__ = [
     "Result",
     "Sensitivity",
     "SizingResult",
+    "Spectrum",
+    "SpectrumColumn",
     "Status",
     "StopHistory",
     "StopHold",

@@ -14,7 +14,13 @@ from flexcli.results.shown import records, rendered, tables
 from flexcli.results.simulation import SweepResult
 from flexcli.results.sizing import SizingResult
 from flexcli.results.stops import StopsResult
-from flexcli.results.vibration import BreakpointRow, CaseResponse, ProfileRow, WorstCaseRow
+from flexcli.results.vibration import (
+    BreakpointRow,
+    CaseResponse,
+    ProfileRow,
+    Spectrum,
+    WorstCaseRow,
+)
 
 if TYPE_CHECKING:
     from flexcli.results.study import StudyResult
@@ -84,6 +90,7 @@ class Result:
     profiles: tuple[ProfileRow, ...] = ()
     breakpoints: tuple[BreakpointRow, ...] = ()
     worst_cases: tuple[WorstCaseRow, ...] = ()
+    spectra: tuple[Spectrum, ...] = ()
     sweeps: tuple[SweepResult, ...] = ()
     balance: BalanceResult | None = None
     stops: StopsResult | None = None

@@ -9,6 +9,8 @@ __all__ = [
     "ModeResult",
     "OutputResult",
     "ProfileRow",
+    "Spectrum",
+    "SpectrumColumn",
     "WorstCaseRow",
 ]
 
@@ -110,3 +112,21 @@ class WorstCaseRow(NamedTuple):
     a_peak: float | None
     c_davenport: float | None
     a_davenport: float | None
+
+
+class SpectrumColumn(NamedTuple):
+    """One column of a spectrum: name, SI unit ("" for none), what it is, its numbers."""
+
+    name: str
+    unit: str
+    label: str
+    values: tuple[float, ...]
+
+
+class Spectrum(NamedTuple):
+    """Numbers over the first column, the frequency: their kind, what they are, of which case."""
+
+    kind: str
+    name: str
+    case: str
+    columns: tuple[SpectrumColumn, ...]

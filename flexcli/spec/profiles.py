@@ -64,9 +64,7 @@ def load_profile(name: str, columns: Columns | None = None) -> ASDProfile:
     return profile
 
 
-def load_profiles(
-    names: Sequence[str], columns: Columns | None = None
-) -> dict[str, ASDProfile]:
+def load_profiles(names: Sequence[str], columns: Columns | None = None) -> dict[str, ASDProfile]:
     """Return profiles by their names; raise SpecError with the findings of all of them."""
     profiles: dict[str, ASDProfile] = {}
     findings: list[Finding] = []

@@ -105,7 +105,7 @@ class TableFile(NamedTuple):
             parse_quantity(f"1 {unit}", DIMENSIONS[dimension].name)
             for unit, dimension in zip(self.units, _dimensions(self.keys), strict=True)
         ]
-        return self.numbers * np.array(scales)
+        return np.asarray(self.numbers * np.array(scales))
 
 
 def _dimensions(keys: tuple[str, str]) -> tuple[str, str]:
@@ -201,6 +201,7 @@ class _Reader:
         self.keys = (TABLES[kind][0][0], TABLES[kind][1][0])
         self.dimensions = (TABLES[kind][0][1], TABLES[kind][1][1])
         self.findings: list[Finding] = []
+        self.width = 0
         self.separator = self._separator()
         self.has_decimal_commas = self.separator in (";", "\t")
 
@@ -215,11 +216,13 @@ class _Reader:
         if first is None:
             text = "holds no row of numbers" if heads else "is empty"
             raise SpecError([Finding(self.file, text, f"write {' and '.join(self.keys)} in a row")])
+        named = next((len(head.cells) for head in heads[::-1] if len(head.cells) > 1), 0)
+        self.width = max(named, len(first.cells)) if self._is_stepped(heads) else len(first.cells)
+        first = self._row(first.line, self.lines[first.line - 1])
         heads = [head for head in heads if len(head.cells) == len(first.cells)][-2:]
         column = self._column(heads, first)
         step = self._step_column(heads)
         units = self._units(heads, (0, column), first)
-        self._raise()
         numbers, places, steps = self._numbers(first, column, step)
         return TableFile(self.file, self.keys, numbers, units, places, steps, self.lines)
 
@@ -248,7 +251,7 @@ class _Reader:
                 before = len(cell) - len(cell.lstrip())
                 found.append((cell.strip().strip('"').strip(), start + before + 1))
                 start += len(cell) + 1
-        while len(found) > 1 and not found[-1][0]:  # a separator at the end of the line
+        while len(found) > max(self.width, 1) and not found[-1][0]:  # a separator at the end
             found.pop()
         return _Row(number, [cell for cell, _ in found], [at for _, at in found])
 
@@ -313,6 +316,11 @@ class _Reader:
         raise AssertionError  # raised above
 
     @staticmethod
+    def _is_stepped(heads: Sequence[_Row]) -> bool:
+        """Return whether a heading has a column of steps, which most rows leave empty."""
+        return any(STEP in [cell.lower() for cell in head.cells] for head in heads)
+
+    @staticmethod
     def _step_column(heads: Sequence[_Row]) -> int | None:
         names = [cell.lower() for cell in heads[0].cells] if heads else []
         return names.index(STEP) if STEP in names else None
@@ -360,6 +368,7 @@ class _Reader:
         self, first: _Row, column: int, step: int | None
     ) -> tuple[Floats, tuple[tuple[int, int, int], ...], tuple[bool, ...]]:
         if self.kind == "record":
+            self._raise()
             quick = self._quickly(first, column)
             if quick is not None:
                 return quick, (), ()
@@ -370,7 +379,7 @@ class _Reader:
             if not line.strip() or line.lstrip().startswith(_COMMENT):
                 continue
             row = self._row(number, line)
-            if len(row.cells) != len(first.cells) and not (step and len(row.cells) == step):
+            if len(row.cells) != len(first.cells):
                 self._find(row, 0, f"{len(row.cells)} columns, where the first row has "
                            f"{len(first.cells)}", "mend or remove the row")  # fmt: skip
                 continue
@@ -379,7 +388,7 @@ class _Reader:
                 continue
             numbers.append(pair)
             places.append((number, row.columns[0], row.columns[column]))
-            word = row.cells[step].lower() if step is not None and step < len(row.cells) else ""
+            word = row.cells[step].lower() if step is not None else ""
             if word not in _WORDS:
                 self._find(row, step or 0, f"'{word}' is neither true nor false", "write true")
             steps.append(_WORDS.get(word, False))

@@ -24,7 +24,7 @@ from flexcli.parts.requirements.response_range import (
     over,
     uncertain_structure,
 )
-from flexcli.parts.requirements.shaking import SHAKES, shakings
+from flexcli.parts.requirements.shaking import SHAKES, corners_of, shakings
 from flexcli.parts.requirements.yielding import Allowable
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import MOTIONS, Structure
@@ -193,7 +193,7 @@ class DynamicLife(_Dynamic):
         vibration = ask.scene.vibration
         assert vibration is not None  # it applies
         duration = _duration(ask.scene, vibration)
-        found = uncertain_structure(ask, _corners(vibration))
+        found = uncertain_structure(ask, corners_of(vibration))
         travels = found.of(lambda structure: _rms(structure, vibration, MOTIONS))
         travel = max((_largest(*each) for each in travels.values()), default=0.0)
         rest = found.stress_error(ask, vibration.sigma * travel)
@@ -259,11 +259,6 @@ class DynamicLife(_Dynamic):
             name: (life, between(life, [each[name] for each in every]))
             for name, life in plain.items()
         }
-
-
-def _corners(vibration: RandomVibration) -> tuple[float, ...]:
-    """Return the frequencies at which a profile changes [Hz]."""
-    return tuple(float(f) for f in vibration.applied().frequency)
 
 
 def _rms(

@@ -25,6 +25,10 @@ frequencies at which something changes, which are added."""
 MOST_MODES = 8
 """Lowest modes that are moved onto each such frequency."""
 
+MOST_FACTORS = 64
+"""Stiffnesses that put a mode onto such a frequency, of a density of many points evenly among
+them."""
+
 Peaks = Mapping[str, float]
 
 
@@ -113,7 +117,8 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
         return Uncertain(structure, None)
     others = []
     for base in (plain, heavy) if heavy is not None else (plain,):
-        chosen = {*np.linspace(low, high, STEPS).tolist(), *_onto(base, frequencies, low, high)}
+        onto = sorted(set(_onto(base, frequencies, low, high)))
+        chosen = {*np.linspace(low, high, STEPS).tolist(), *onto[:: 1 + len(onto) // MOST_FACTORS]}
         others += [base.stiffened(each) for each in sorted(chosen)]
     return Uncertain(structure, tuple(others))
 

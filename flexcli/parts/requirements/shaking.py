@@ -3,6 +3,8 @@
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
+import numpy as np
+
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.requirements.ask import Ask, RequirementError
@@ -10,10 +12,13 @@ from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.shock import Shock
 from flexcli.parts.structure import Structure
 
-__all__ = ["SHAKES", "PeakFactor", "Shaking", "quality_of", "shakings"]
+__all__ = ["SHAKES", "PeakFactor", "Shaking", "corners_of", "quality_of", "shakings"]
 
 SHAKES = frozenset({LoadKind.ASD, LoadKind.SHOCK, LoadKind.SINE, LoadKind.SWEEP})
 """Loads of a case that the modes answer."""
+
+FEW = 50
+"""Points of a density that are all looked at."""
 
 PeakFactor = Callable[[Scene, RandomVibration, float], float]
 """Peak over rms of a random response, from its rate of upward zero crossings [Hz]."""
@@ -81,8 +86,24 @@ def _random(scene: Scene, vibration: RandomVibration, factor: PeakFactor) -> Sha
         rate = random_outputs(structure, vibration)[name].crossing_rate
         return f"{factor(scene, vibration, rate):.3g}σ"
 
-    corners = tuple(float(f) for f in vibration.applied().frequency)
-    return Shaking(LoadKind.ASD, peaks, corners, f"modal response, Q = {vibration.q:g}", named)
+    return Shaking(LoadKind.ASD, peaks, corners_of(vibration), f"modal response, Q = {vibration.q:g}", named)
+
+
+def corners_of(vibration: RandomVibration) -> tuple[float, ...]:
+    """Return the frequencies at which a density changes [Hz].
+
+    A resonance sees a density over its bandwidth f/Q: of a measured one with many points the
+    highest and the lowest in each quarter of it stand for the rest.
+    """
+    applied = vibration.applied()
+    f, g = applied.frequency, applied.level
+    if f.size <= FEW:
+        return tuple(f.tolist())
+    quarter = np.floor(4.0 * vibration.q * np.log(f))
+    highest = np.lexsort((g, quarter))  # within each quarter by rising level
+    ends = np.diff(quarter[highest]) > 0.0
+    chosen = np.concatenate([highest[np.append(ends, True)], highest[np.insert(ends, 0, True)]])
+    return tuple(np.unique(f[chosen]).tolist())
 
 
 def _shock(shock: Shock) -> Shaking:

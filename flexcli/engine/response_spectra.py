@@ -1,0 +1,88 @@
+"""Spectra of a design's response: densities of what a vibration does, transfer functions."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.errors import SolveError
+from flexcli.numerics.modes import natural_modes
+from flexcli.parts.requirements import Ask, RequirementError
+from flexcli.parts.requirements.response_range import uncertain_structure
+from flexcli.parts.requirements.shaking import quality_of
+from flexcli.parts.response import response_density, sweep_points, transfer_functions
+from flexcli.parts.structure import Structure
+from flexcli.results import Spectrum, SpectrumColumn
+
+__all__ = ["UNITS", "densities", "structure_of_case", "transfers"]
+
+Floats = NDArray[np.float64]
+
+UNITS = {
+    "force": "N",
+    "axial": "Pa",
+    "stress": "Pa",
+    "travel": "m",
+    "rotation": "rad",
+    "acceleration": "(m/s^2)",
+}
+"""SI units of a structure's outputs, by the first word of their names."""
+
+DIRECTIONS = (("x", ""), ("y", ""), ("theta_z", "rad/m"))
+"""Motions of a body, and the unit of each per acceleration of the base."""
+
+
+def structure_of_case(ask: Ask) -> Structure:
+    """Return the mechanism of a case by the model that is asked, or raise SolveError."""
+    try:
+        return uncertain_structure(ask, ()).structure
+    except RequirementError as error:
+        hint = error.hint or "take another geometry or mechanism"
+        raise SolveError("no-structure", f"case '{ask.scene.case}': {error}", hint) from error
+
+
+def densities(ask: Ask) -> Iterator[Spectrum]:
+    """Yield the spectral densities of the outputs under the random vibration of a case."""
+    vibration = ask.scene.vibration
+    if vibration is None:
+        return
+    f, level, found = response_density(structure_of_case(ask), vibration)
+    columns = [_column("frequency", "Hz", "", f)]
+    for name, density in found.items():
+        unit = f"{UNITS[name.split()[0]]}^2/Hz"
+        columns.append(_column(name, unit, "", density))
+    label = "acceleration of the base, along each axis"
+    columns.append(_column("base", "(m/s^2)^2/Hz", label, level))
+    name = f"response densities, along {', '.join(vibration.axes)}"
+    yield Spectrum("density", name, ask.scene.case, tuple(columns))
+
+
+def transfers(ask: Ask) -> Iterator[Spectrum]:
+    """Yield the transfer functions from the base to every body, along each axis that is shaken."""
+    scene, structure = ask.scene, structure_of_case(ask)
+    axes: dict[str, tuple[float, tuple[float, float]]] = {}
+    if scene.vibration is not None:
+        ends = scene.vibration.applied().frequency[[0, -1]].tolist()
+        axes |= dict.fromkeys(scene.vibration.axes, (scene.vibration.q, (ends[0], ends[1])))
+    modes = natural_modes(structure.stiffness, structure.mass).angular / (2.0 * np.pi)
+    around = float(modes[0]) / 10.0, 10.0 * float(modes[0])
+    if scene.shock is not None:
+        axes.setdefault(scene.shock.axis, (scene.shock.q, around))
+    for sweep in (scene.sweep, scene.sine):
+        if sweep is not None:
+            axes.setdefault("x", (quality_of(ask.mechanism, scene), around))
+    for axis, (Q, band) in axes.items():
+        f = sweep_points(band, modes, Q)
+        columns = [_column("frequency", "Hz", "", f)]
+        for body, gains in transfer_functions(structure, Q, axis, f).items():
+            for (direction, unit), gain in zip(DIRECTIONS, gains.T, strict=True):
+                name = f"{body} {direction}"
+                label = "over the base's"
+                columns.append(_column(name, unit, label, np.abs(gain)))
+                columns.append(_column(f"{name} phase", "rad", "", np.angle(gain)))
+        name = f"transfer functions, base along {axis}, Q = {Q:g}"
+        yield Spectrum("transfer", name, f"{scene.case}, along {axis}", tuple(columns))
+
+
+def _column(name: str, unit: str, label: str, values: Floats) -> SpectrumColumn:
+    return SpectrumColumn(name, unit, label, tuple(values.tolist()))
