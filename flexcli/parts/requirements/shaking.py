@@ -86,7 +86,9 @@ def _random(scene: Scene, vibration: RandomVibration, factor: PeakFactor) -> Sha
         rate = random_outputs(structure, vibration)[name].crossing_rate
         return f"{factor(scene, vibration, rate):.3g}σ"
 
-    return Shaking(LoadKind.ASD, peaks, corners_of(vibration), f"modal response, Q = {vibration.q:g}", named)
+    return Shaking(
+        LoadKind.ASD, peaks, corners_of(vibration), f"modal response, Q = {vibration.q:g}", named
+    )
 
 
 def corners_of(vibration: RandomVibration) -> tuple[float, ...]:
