@@ -2,16 +2,18 @@
 
 from cmath import exp
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 from math import ceil, comb, log, pi, sqrt
 from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from flexcli.numerics.exponential_sum import Term, polynomial_at
 
 __all__ = [
     "Piece",
+    "Samples",
     "half_sine",
-    "linear_samples",
     "linear_sweep",
     "logarithmic_sweep",
     "polynomial",
@@ -41,6 +43,22 @@ class Piece(NamedTuple):
             turn = exp(rate * start)
             terms.append((rate, [turn * c for c in _shifted(p, start)]))
         return Piece(self.duration - start, tuple(terms))
+
+
+class Samples(NamedTuple):
+    """Equidistant values joined by straight lines, and the step between them [s]."""
+
+    values: NDArray[np.float64]
+    step: float
+
+    def line(self, index: int) -> Piece:
+        """Return the straight line from a value to the next."""
+        here, there = float(self.values[index]), float(self.values[index + 1])
+        return Piece(self.step, ((0j, [complex(here), complex((there - here) / self.step)]),))
+
+    def lines(self) -> Iterator[Piece]:
+        """Yield all the lines."""
+        return (self.line(index) for index in range(self.values.size - 1))
 
 
 def _shifted(p: Sequence[complex], start: float) -> list[complex]:
@@ -73,12 +91,6 @@ def sine(
 def polynomial(coefficients: Sequence[float], duration: float) -> Iterator[Piece]:
     """Yield one piece, a polynomial of time, lowest power first."""
     yield Piece(duration, ((0j, [complex(c) for c in coefficients]),))
-
-
-def linear_samples(values: Sequence[float], step: float) -> Iterator[Piece]:
-    """Yield the straight lines between equidistant samples."""
-    for here, there in pairwise(values):
-        yield Piece(step, ((0j, [complex(here), complex((there - here) / step)]),))
 
 
 def half_sine(*, amplitude: float, width: float, duration: float) -> Iterator[Piece]:

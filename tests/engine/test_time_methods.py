@@ -18,7 +18,7 @@ from flexcli.mechanics.stopping.laws import (
     Stops,
 )
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
-from flexcli.numerics.signal_pieces import Piece, half_sine, linear_samples, sine
+from flexcli.numerics.signal_pieces import Piece, Samples, half_sine, sine
 
 SPEED, RATIO, SWINGS = 1.1, 10.0, 3
 LUCK = 1e3
@@ -107,8 +107,8 @@ def test_periods_of_a_sine_are_one_stretch_of_the_same_signal():
 def test_a_pulse_and_a_sawtooth_are_cut_where_they_jump():
     pulse = [*half_sine(amplitude=1.0, width=0.1, duration=1.0), Piece(1.0, ())]
     assert [p.duration for p in stretches(pulse)] == pytest.approx([0.1, 1.9])
-    assert len(stretches(linear_samples([0.0, 1.0, 0.5, 1.5], 0.1))) == 3
-    teeth = [*linear_samples([0.0, 1.0], 0.1)] * 3
+    assert len(stretches(Samples(np.array([0.0, 1.0, 0.5, 1.5]), 0.1).lines())) == 3
+    teeth = [*Samples(np.array([0.0, 1.0]), 0.1).lines()] * 3
     assert len(stretches(teeth)) == 3
 
 

@@ -8,8 +8,8 @@ from flexcli.numerics.linear_response import respond
 from flexcli.numerics.linear_system import second_order_system
 from flexcli.numerics.response_batch import ResponseBatch, greatest_values
 from flexcli.numerics.signal_pieces import (
+    Samples,
     half_sine,
-    linear_samples,
     linear_sweep,
     logarithmic_sweep,
     polynomial,
@@ -23,7 +23,7 @@ SIGNALS = {
     "sine": lambda: sine(amplitude=2.0, angular=1.3, duration=9.0, phase=0.4),
     "linear sweep": lambda: linear_sweep(amplitude=2.0, start=1.0, end=4.0, duration=9.0),
     "log sweep": lambda: logarithmic_sweep(amplitude=2.0, start=4.0, end=1.0, duration=9.0),
-    "samples": lambda: linear_samples([1.0, 2.0, 0.0, 3.0], 3.0),
+    "samples": lambda: Samples(np.array([1.0, 2.0, 0.0, 3.0]), 3.0).lines(),
     "polynomial": lambda: polynomial([1.0, 2.0, -1.0, 0.3], 9.0),
     "half sine": lambda: half_sine(amplitude=2.0, width=2.0, duration=9.0),
 }

@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 from flexcli.numerics.exponential_sum import ExponentialSum
 from flexcli.numerics.signal_pieces import (
     Piece,
+    Samples,
     half_sine,
-    linear_samples,
     linear_sweep,
     logarithmic_sweep,
     polynomial,
@@ -51,7 +51,7 @@ def test_what_is_left_of_a_piece_is_the_same_signal(start, more):
 
 
 def test_samples_are_joined_by_straight_lines():
-    first, second = linear_samples([1.0, 3.0, -1.0], 0.5)
+    first, second = Samples(np.array([1.0, 3.0, -1.0]), 0.5).lines()
     assert (first(0.0), first(0.25), first(0.5)) == (1.0, 2.0, 3.0)
     assert second(0.25) == 1.0
 

@@ -1,7 +1,6 @@
 """The motions of a design between its stops that are short enough for every method in time."""
 
 from collections.abc import Iterable, Iterator
-from itertools import chain
 from math import pi
 from typing import NamedTuple
 
@@ -64,7 +63,10 @@ def motions(design: DesignSpec, sizes: Sizes) -> Iterator[Motion]:
                 label=f"{name}, {shaken.kind}, first {PERIODS} periods of the blade",
                 blade=blade,
                 stops=stops,
-                pieces=tuple(_first(chain.from_iterable(shaken.legs), window)),
+                # a sine or a shock has no samples
+                pieces=tuple(
+                    _first((p for leg in shaken.legs for p in leg if isinstance(p, Piece)), window)
+                ),
                 rate=np.zeros(blade.angular.size) if shaken.rate is None else shaken.rate,
             )
 

@@ -12,8 +12,8 @@ from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.mechanics.stopping.random_base import random_samples
 from flexcli.numerics.signal_pieces import (
     Piece,
+    Samples,
     half_sine,
-    linear_samples,
     linear_sweep,
     logarithmic_sweep,
     sine,
@@ -52,7 +52,7 @@ class Excitation(NamedTuple):
 
     kind: str
     planned: float
-    legs: Iterator[Iterable[Piece]]
+    legs: Iterator[Iterable[Piece | Samples]]
     exposure: float | None = None
     seed: int | None = None
     settles: bool = False
@@ -166,16 +166,15 @@ def _random(
     longest = max(MOST_SAMPLES / rate, MEMORIES * 0.5 / float(blade.damping[0]) / f_0)
     parts = ceil(length / longest)
 
-    def exposure() -> Iterator[Piece]:
+    def exposure() -> Iterator[Samples]:
         for _ in range(parts):
-            samples = random_samples(
+            yield random_samples(
                 applied.frequency,
                 applied.level,
                 duration=length / parts,
                 generator=generator,
                 oversampling=rate / f_end,
             )
-            yield from linear_samples(samples.values.tolist(), samples.step)
 
     text = f"random, {count} exposures of {length:g} s"
     legs = (exposure() for _ in range(count))

@@ -20,9 +20,11 @@ from flexcli.results import StopHistory, StopPlace, StopSimulation
 __all__ = ["Enough", "StopRun", "stop_runs"]
 
 LOOK_UP = 32
-"""Pieces between two reports on how far a run is."""
-LOOK_AT_PEAKS = 512
-"""Pieces between two looks at whether what a run has found is enough."""
+"""Pieces or flights between two reports on how far a run is, at most."""
+REPORTS = 200
+"""Least number of them: a flight may be long."""
+LOOK_AT_PEAKS = 64
+"""Pieces or flights between two looks at whether what a run has found is enough."""
 
 Enough = Callable[[float, float, float], bool]
 """Told travel [m] and stresses at base and stop [Pa] so far; answers whether to end."""
@@ -109,14 +111,17 @@ class StopRun:
         self, go_on: Callable[[float], bool], enough: Enough | None
     ) -> tuple[Peaks, Peaks, bool]:
         """Run leg after leg, and return the peaks of all and of the last; whether they do."""
-        engine, count = self.engine, 0
+        engine, count, told = self.engine, 0, 0.0
         most = last = engine.take_peaks()
         for leg in self.shaken.legs:
             for progress in engine.run(leg):
                 count += 1
-                if count % LOOK_UP == 0 and not go_on(progress.time / self.shaken.planned):
-                    last = engine.take_peaks()
-                    return _higher(most, last), last, False
+                done = progress.time / self.shaken.planned
+                if count % LOOK_UP == 0 or done > told + 1.0 / REPORTS:
+                    told = done
+                    if not go_on(done):
+                        last = engine.take_peaks()
+                        return _higher(most, last), last, False
                 if enough is not None and count % LOOK_AT_PEAKS == 0:
                     most = _higher(most, engine.take_peaks())
                     if enough(most.travel, *self._stresses(most)):

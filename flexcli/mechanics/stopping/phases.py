@@ -15,7 +15,7 @@ from flexcli.mechanics.stopping.laws import LinearStop, RigidStop, Stops, stiffn
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.numerics.linear_system import LinearSystem, second_order_system
 
-__all__ = ["Contact", "Phase", "free_phase", "held_phase", "phases_of", "spring_phase"]
+__all__ = ["Contact", "Phase", "Row", "free_phase", "held_phase", "phases_of", "spring_phase"]
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]

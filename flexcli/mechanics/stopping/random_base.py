@@ -1,23 +1,16 @@
 """A random acceleration of the base in time, of a given spectral density."""
 
 from math import ceil
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from flexcli.formulas.spectrum import spectral_level
+from flexcli.numerics.signal_pieces import Samples
 
-__all__ = ["RandomSamples", "random_samples"]
+__all__ = ["random_samples"]
 
 Floats = NDArray[np.float64]
-
-
-class RandomSamples(NamedTuple):
-    """Samples [m/s²] and the step between them [s], joined by straight lines."""
-
-    values: Floats
-    step: float
 
 
 def random_samples(
@@ -27,12 +20,13 @@ def random_samples(
     duration: float,
     generator: np.random.Generator,
     oversampling: float = 8.0,
-) -> RandomSamples:
+) -> Samples:
     """Return a Gaussian acceleration whose spectral density is a given profile.
 
-    A sum of sines ``√(2 G Δf) cos(2πft + φ)``, one per Δf = 1/duration, random phases. Straight
-    lines between samples weaken a sine by ``sinc²(f/f_s)``; that is made good, so the density of
-    the joined signal is the profile's, up to its end.
+    A sum of ``√(G Δf) (x cos 2πft + y sin 2πft)``, one per Δf = 1/duration, x and y standard
+    normal: sizes by Rayleigh's law, any phase. Straight lines between samples weaken a sine by
+    ``sinc²(f/f_s)``; that is made good, so the density of the joined signal is the profile's, up
+    to its end.
 
     Parameters
     ----------
@@ -41,21 +35,22 @@ def random_samples(
     duration : float
         Length [s].
     generator : numpy.random.Generator
-        The source of the phases.
+        The source of sizes and phases.
     oversampling : float
         Samples per period of the profile's last frequency.
 
     Returns
     -------
-    RandomSamples
+    Samples
         Samples and step.
 
     Notes
     -----
     The lines also carry images of the profile about the sampling frequency f_s, (f/(f_s − f))²
     as strong as a line at f: with 8 samples per period below 2.1 % of the amplitude, all beyond
-    seven times the profile's end. The joined signal's density within the profile is the profile's
-    whatever the seed: sizes are not drawn, only phases.
+    seven times the profile's end. Sines of the profile's own size, random in phase alone, would
+    give every stretch the same mean square: too little scatter from one to the next, and a signal
+    that is Gaussian only in the limit of many lines within a resonance.
 
     Raises
     ------
@@ -64,7 +59,7 @@ def random_samples(
 
     References
     ----------
-    Shinozuka & Deodatis (1991), Applied Mechanics Reviews 44, equation (37).
+    Rice (1944), Bell System Technical Journal 23, section 2.8, the first of its two forms.
 
     """
     if oversampling < 4.0:
@@ -76,7 +71,7 @@ def random_samples(
     inside = (lines >= corners[0]) & (lines <= corners[-1])
     level = np.zeros(lines.size)
     level[inside] = spectral_level(lines[inside], corners, np.asarray(asd, dtype=np.float64))
-    size = np.sqrt(2.0 * level / duration) / np.sinc(lines * step) ** 2
-    phases = generator.uniform(0.0, 2.0 * np.pi, lines.size)
-    values = np.fft.irfft(0.5 * count * size * np.exp(1j * phases), count)
-    return RandomSamples(np.append(values, values[0]), step)
+    size = np.sqrt(level / duration) / np.sinc(lines * step) ** 2
+    drawn = generator.standard_normal((2, lines.size))
+    values = np.fft.irfft(0.5 * count * size * (drawn[0] - 1j * drawn[1]), count)
+    return Samples(np.append(values, values[0]), step)

@@ -13,8 +13,10 @@ from flexcli.mechanics.stopping.hertz_contact import HertzPass
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.mechanics.stopping.phases import Contact, Phase
 from flexcli.mechanics.stopping.result import History, Peaks
-from flexcli.numerics.linear_response import LinearResponse
+from flexcli.numerics.linear_response import LinearResponse, respond
 from flexcli.numerics.response_batch import ResponseBatch, greatest_values
+from flexcli.numerics.sampled_response import SampledResponse
+from flexcli.numerics.signal_pieces import Samples
 
 __all__ = ["Record"]
 
@@ -22,10 +24,24 @@ Floats = NDArray[np.float64]
 
 _BATCH = 512
 """Segments gathered before they are evaluated together."""
+_STEPS = 4096
+"""Steps between samples gathered before they are evaluated together."""
 _NODES_PER_RADIAN = 0.5
 _FEWEST_NODES, _MOST_NODES = 8, 256
 """Gauss points: exact to rounding for a product of motions that turn by one radian per 2 nodes."""
 _PEAKS = Peaks._fields
+_STEP_NODES = 6
+"""The same for a step between samples, which is short and many."""
+_PEAK_ROWS = (
+    ("tip_above", 0, 1.0),
+    ("tip_below", 0, -1.0),
+    ("at_stop", 1, 1.0),
+    ("at_stop", 1, -1.0),
+    ("base_moment", 2, 1.0),
+    ("base_moment", 2, -1.0),
+    ("force", 3, 1.0),
+)
+"""What peaks are of: its name, its row of the outputs, its sign."""
 _LEAST_SHARE = 0.8
 """A segment whose samples stay below that share of the greatest value can't exceed it."""
 
@@ -56,6 +72,16 @@ class _Segment(NamedTuple):
     response: LinearResponse
 
 
+class _Steps(NamedTuple):
+    """Steps between samples: y at the start of each, the signal's ends, the contact or −1."""
+
+    flow: SampledResponse
+    y: NDArray[np.complex128]
+    before: Floats
+    after: Floats
+    contacts: NDArray[np.int64]
+
+
 class Record:
     """Sums over the segments of a run.
 
@@ -68,8 +94,9 @@ class Record:
         """Start at zero."""
         self._blade = blade
         self._segments: dict[tuple[int, int], list[_Segment]] = defaultdict(list)
+        self._flights: dict[tuple[int, float], list[_Steps]] = defaultdict(list)
         self._phases: dict[int, Phase] = {}
-        self._waiting = 0
+        self._waiting = 0.0
         self._samples: list[tuple[Floats, ...]] | None = [] if keep_history else None
         self.work = self.damped = self.dashpots = 0.0
         self.base_integral = 0.0
@@ -77,6 +104,11 @@ class Record:
         self.q_integral = np.zeros(blade.angular.size)
         self.impulses: dict[int, float] = defaultdict(float)
         self._most = dict.fromkeys(_PEAKS, 0.0)
+
+    @property
+    def keeps_history(self) -> bool:
+        """Whether samples in time are kept."""
+        return self._samples is not None
 
     def add(
         self, phase: Phase, response: LinearResponse, start: float, length: float, contact: int
@@ -88,34 +120,122 @@ class Record:
         key = id(phase), min(count, _MOST_NODES)
         self._phases[id(phase)] = phase
         self._segments[key].append(_Segment(start, length, contact, response))
-        self._waiting += 1
-        if self._waiting >= _BATCH:
+        self._waiting += 1.0 / _BATCH
+        if self._waiting >= 1.0:
             self.flush()
 
     def flush(self) -> None:
         """Evaluate the segments that wait."""
         for (identity, count), segments in self._segments.items():
             self._evaluate(self._phases[identity], count, segments)
+        for (identity, step), flights in self._flights.items():
+            self._evaluate_steps(self._phases[identity], step, flights)
         self._segments.clear()
-        self._waiting = 0
+        self._flights.clear()
+        self._waiting = 0.0
 
     def _evaluate(self, phase: Phase, count: int, segments: list[_Segment]) -> None:
-        blade = self._blade
         batch = ResponseBatch([s.response for s in segments])
         lengths = np.array([s.length for s in segments])
         nodes, weights = _gauss(count)
-        inner = lengths[:, None] * nodes
-        times = np.concatenate([np.zeros((lengths.size, 1)), inner, lengths[:, None]], axis=1)
+        times = lengths[:, None] * np.concatenate([[0.0], nodes, [1.0]])
         y = batch.amplitudes(times)
         a = batch.signal(times)
-        shapes = phase.shapes
-        z = (shapes @ y).real
-        q = phase.origin[:, None] + z
+        impulses = self._add_integrals(phase, lengths, weights, y[..., 1:-1], a[..., 1:-1])
+        if phase.contact is not Contact.FREE:
+            for segment, impulse in zip(segments, impulses, strict=True):
+                self.impulses[segment.contact] += float(impulse)
+        self._see_peaks(phase, batch, times, y, a)
+        if self._samples is not None:
+            starts = np.array([s.start for s in segments])
+            tip, at_stop, _, force = self._outputs(phase, y, a)
+            self._samples.append(
+                tuple(v.ravel() for v in (starts[:, None] + times, tip, at_stop, force))
+            )
+
+    def add_flight(
+        self,
+        phase: Phase,
+        flow: SampledResponse,
+        y: NDArray[np.complex128],
+        base: Samples,
+        contact: int,
+    ) -> None:
+        """Take a phase over samples of the base, y at each of them; part of a contact or −1."""
+        a = base.values
+        self._phases[id(phase)] = phase
+        self._flights[id(phase), base.step].append(
+            _Steps(flow, y[:, :-1], a[:-1], a[1:], np.full(a.size - 1, contact))
+        )
+        self._waiting += (a.size - 1) / _STEPS
+        if self._waiting >= 1.0:
+            self.flush()
+
+    def _evaluate_steps(self, phase: Phase, step: float, flights: list[_Steps]) -> None:
+        """Take steps between samples, wherever each begins."""
+        flow = flights[0].flow
+        y = np.concatenate([f.y for f in flights], axis=1)
+        before, after, contacts = (
+            np.concatenate([getattr(f, name) for f in flights])
+            for name in ("before", "after", "contacts")
+        )
+        rates = float(np.abs(phase.system.roots).max(initial=0.0))
+        nodes, weights = _gauss(min(ceil(_STEP_NODES + rates * step), _MOST_NODES))
+        shares = np.concatenate([[0.0], nodes, [1.0]])
+        inner = flow.within(y, before, after, shares)
+        signal = before[:, None] + (after - before)[:, None] * shares
+        lengths = np.full(before.size, step)
+        pushed = self._add_integrals(phase, lengths, weights, inner[..., 1:-1], signal[..., 1:-1])
+        if phase.contact is not Contact.FREE:
+            for contact, impulse in zip(contacts.tolist(), pushed.tolist(), strict=True):
+                self.impulses[contact] += impulse
+        spacing = step * float(np.diff(shares).max())
+        samples = self._outputs(phase, inner, signal)
+        may_lead = np.zeros(before.size, dtype=np.bool_)
+        for index, row in enumerate(self._rows(phase)):
+            stray = flow.stray(row, y, before, after, spacing)
+            for name, of, sign in _PEAK_ROWS:
+                if of == index:
+                    tops = (sign * samples[index]).max(axis=1)
+                    may_lead |= tops + stray > max(self._most[name], float(tops.max()))
+        if may_lead.any():
+            chosen = np.flatnonzero(may_lead)
+            lines = [Samples(np.array([before[i], after[i]]), step).line(0) for i in chosen]
+            batch = ResponseBatch(
+                [
+                    respond(phase.system, phase.drive, y[:, i], line)
+                    for i, line in zip(chosen, lines, strict=True)
+                ]
+            )
+            times = np.tile(step * shares, (chosen.size, 1))
+            self._see_peaks(phase, batch, times, inner[chosen], signal[chosen])
+
+    def _rows(self, phase: Phase) -> tuple[NDArray[np.complex128], ...]:
+        """Return what takes amplitudes to tip, deflection at the stop, moment and push."""
+        blade, push = self._blade, phase.side * phase.force.on_y
+        return (
+            blade.tip @ phase.shapes - blade.tip_residual * push,
+            phase.deflection.on_y - blade.stop_residual * push,
+            blade.base_moment @ phase.shapes - blade.moment_residual * push,
+            phase.force.on_y,
+        )
+
+    def _add_integrals(
+        self,
+        phase: Phase,
+        lengths: Floats,
+        weights: Floats,
+        y: NDArray[np.complex128],
+        a: Floats,
+    ) -> Floats:
+        """Add work, losses and momentum of segments from Gauss points; return the impulses."""
+        blade, shapes = self._blade, phase.shapes
+        q = phase.origin[:, None] + (shapes @ y).real
         rate = (shapes @ (phase.system.roots[:, None] * y)).real
         push = phase.force.constant + (phase.force.on_y @ y).real + phase.force.direct * a
 
         def integral(values: Floats) -> Floats:
-            total: Floats = (values[..., 1:-1] * weights).sum(axis=-1) * (
+            total: Floats = (values * weights).sum(axis=-1) * (
                 lengths if values.ndim == 2 else lengths[:, None]
             )
             return total
@@ -130,16 +250,7 @@ class Record:
         self.q_integral += integral(q).sum(axis=0)
         impulses = integral(push)
         self.push_integral += phase.side * float(impulses.sum())
-        if phase.contact is not Contact.FREE:
-            for segment, impulse in zip(segments, impulses, strict=True):
-                self.impulses[segment.contact] += float(impulse)
-        self._see_peaks(phase, batch, times, y, a)
-        if self._samples is not None:
-            starts = np.array([s.start for s in segments])
-            tip, at_stop, _, force = self._outputs(phase, y, a)
-            self._samples.append(
-                tuple(v.ravel() for v in (starts[:, None] + times, tip, at_stop, force))
-            )
+        return impulses
 
     def _outputs(self, phase: Phase, y: NDArray[np.complex128], a: Floats) -> tuple[Floats, ...]:
         """Return tip, deflection at the stop, moment at the clamp and push."""
@@ -173,15 +284,7 @@ class Record:
 
             return float(greatest_values(function, times, sign * samples[index])[0].max())
 
-        for name, index, sign in (
-            ("tip_above", 0, 1.0),
-            ("tip_below", 0, -1.0),
-            ("at_stop", 1, 1.0),
-            ("at_stop", 1, -1.0),
-            ("base_moment", 2, 1.0),
-            ("base_moment", 2, -1.0),
-            ("force", 3, 1.0),
-        ):
+        for name, index, sign in _PEAK_ROWS:
             hopeless = _LEAST_SHARE * self._most[name]
             if float((sign * samples[index]).max()) > hopeless:
                 self._most[name] = max(self._most[name], refined(index, sign))

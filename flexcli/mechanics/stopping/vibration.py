@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from flexcli.mechanics.stopping.balance import MotionState, balance
 from flexcli.mechanics.stopping.contact_log import ContactLog
+from flexcli.mechanics.stopping.flight import Flight
 from flexcli.mechanics.stopping.heads import StopHeads
 from flexcli.mechanics.stopping.hertz_contact import HertzContact, HertzPass
 from flexcli.mechanics.stopping.laws import HertzStop, RigidStop, Stops, refuse_start
@@ -24,7 +25,7 @@ from flexcli.mechanics.stopping.result import (
 )
 from flexcli.numerics.first_crossing import first_crossing
 from flexcli.numerics.linear_response import LinearResponse, respond
-from flexcli.numerics.signal_pieces import Piece
+from flexcli.numerics.signal_pieces import Piece, Samples
 
 __all__ = ["StoppedVibration", "simulate"]
 
@@ -41,7 +42,8 @@ MOST_EVENTS = 20_000
 class StoppedVibration:
     """A run: iterate ``run(excitation)`` to advance, ask for ``result`` after any step of it.
 
-    Each step of the iteration is one piece of the excitation (a period of a sine, a sample).
+    Each step of the iteration is one piece of the excitation (a period of a sine), or a flight
+    over many samples without an event.
     """
 
     def __init__(
@@ -88,23 +90,58 @@ class StoppedVibration:
         self._seconds = 0.0
         self._outcome = StopOutcome.PARTIAL
 
-    def run(self, excitation: Iterable[Piece]) -> Iterator[Progress]:
-        """Advance over the pieces of the base's acceleration [m/s²], yielding after each."""
+    def run(self, excitation: Iterable[Piece | Samples]) -> Iterator[Progress]:
+        """Advance over the base's acceleration [m/s²], yielding after each piece or flight."""
         self._outcome = StopOutcome.PARTIAL
-        for piece in excitation:
-            begin = perf_counter()
-            events = self._events
-            rest = piece
-            while rest.duration > 0.0 and self._outcome is StopOutcome.PARTIAL:
-                passed = self._advance(rest)
-                rest = rest.after(passed) if passed < rest.duration else Piece(0.0, ())
-                if self._events - events > MOST_EVENTS:
-                    self._outcome = StopOutcome.TOO_MANY_EVENTS
-            self._seconds += perf_counter() - begin
-            if self._outcome is StopOutcome.TOO_MANY_EVENTS:
-                return
-            yield Progress(self._time, len(self._log))
+        for given in excitation:
+            for _ in self._over(given):
+                if self._outcome is StopOutcome.TOO_MANY_EVENTS:
+                    return
+                yield Progress(self._time, len(self._log))
         self._outcome = StopOutcome.COMPLETE
+
+    def _pass(self, piece: Piece) -> None:
+        """Advance over a piece, from event to event."""
+        begin = perf_counter()
+        events = self._events
+        rest = piece
+        while rest.duration > 0.0 and self._outcome is StopOutcome.PARTIAL:
+            passed = self._advance(rest)
+            rest = rest.after(passed) if passed < rest.duration else Piece(0.0, ())
+            if self._events - events > MOST_EVENTS:
+                self._outcome = StopOutcome.TOO_MANY_EVENTS
+        self._seconds += perf_counter() - begin
+
+    def _over(self, samples: Piece | Samples) -> Iterator[None]:
+        """Advance over a piece; over samples in flights where there is no event, else by line."""
+        if isinstance(samples, Piece):
+            self._pass(samples)
+            yield
+            return
+        flights: dict[int, Flight] = {}
+        done = 0
+        while done < samples.values.size - 1:
+            clear = 0
+            if not self._hertz_side and not self._record.keeps_history:
+                begin, phase = perf_counter(), self._phase
+                if id(phase) not in flights:
+                    flights[id(phase)] = Flight(phase, self._stops, samples.step)
+                flight = flights[id(phase)]
+                rest = samples.values[done:]
+                y, clear = flight.ahead(self._y, rest)
+                if clear:
+                    flown = Samples(rest[: clear + 1], samples.step)
+                    index = len(self._log) if phase.side else -1
+                    self._record.add_flight(phase, flight.sampled, y, flown, index)
+                    self._y = y[:, -1]
+                    self._time += clear * samples.step
+                    self._segments += clear
+                    done += clear
+                self._seconds += perf_counter() - begin
+            if not clear:
+                self._pass(samples.line(done))
+                done += 1
+            yield
 
     def _advance(self, piece: Piece) -> float:
         """Go to the next event or the end of a piece, and return the time that took."""
@@ -296,7 +333,7 @@ class StoppedVibration:
 def simulate(
     blade: ModalBlade,
     stops: Stops,
-    excitation: Iterable[Piece],
+    excitation: Iterable[Piece | Samples],
     *,
     q: ArrayLike | None = None,
     rate: ArrayLike | None = None,

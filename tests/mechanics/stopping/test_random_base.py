@@ -7,7 +7,7 @@ PROFILE = ([20.0, 60.0, 100.0], [0.5, 2.0, 2.0])
 
 
 def test_the_joined_lines_have_the_density_of_the_profile():
-    duration, finer = 4.0, 64
+    duration, finer = 40.0, 8
     found = random_samples(*PROFILE, duration=duration, generator=np.random.default_rng(3))
     count = found.values.size - 1
     t = np.arange(count * finer) / finer
@@ -15,10 +15,25 @@ def test_the_joined_lines_have_the_density_of_the_profile():
     density = 2 * np.abs(np.fft.rfft(joined) / joined.size) ** 2 * duration
     lines = np.arange(density.size) / duration
     inside = (lines >= 20.0) & (lines <= 100.0)
-    expected = np.exp(np.interp(np.log(lines[inside]), *np.log(PROFILE)))
-    np.testing.assert_allclose(density[inside], expected, rtol=1e-3)
+    share = density[inside] / np.exp(np.interp(np.log(lines[inside]), *np.log(PROFILE)))
+    # a squared Rayleigh size is exponential: mean 1, variance 1, of 3201 lines
+    assert share.mean() == pytest.approx(1.0, abs=4.0 / np.sqrt(share.size))
+    assert share.var() == pytest.approx(1.0, abs=4.0 * np.sqrt(8.0 / share.size))
     below = lines < 20.0
     assert density[below].max() < 1e-12
+
+
+def test_the_mean_square_of_a_stretch_scatters_as_that_of_a_gaussian_signal():
+    generator, duration = np.random.default_rng(8), 1.0
+    squares = [
+        np.mean(random_samples(*PROFILE, duration=duration, generator=generator).values[1:] ** 2)
+        for _ in range(400)
+    ]
+    # its variance is ∫ G² df / T, by each line's own (Bendat & Piersol, section 8.3)
+    f = np.linspace(20.0, 100.0, 4001)
+    level = np.exp(np.interp(np.log(f), *np.log(PROFILE)))
+    expected = np.trapezoid(level**2, f) / duration
+    assert np.var(squares) == pytest.approx(expected, rel=4.0 * np.sqrt(2.0 / 400))
 
 
 def test_the_same_seed_gives_the_same_signal_and_another_one_does_not():

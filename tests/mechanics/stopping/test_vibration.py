@@ -13,7 +13,7 @@ from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
 from flexcli.mechanics.stopping.laws import HertzStop, LinearStop, RigidStop, Stops
 from flexcli.mechanics.stopping.result import StopOutcome
 from flexcli.mechanics.stopping.vibration import StoppedVibration, simulate
-from flexcli.numerics.signal_pieces import linear_samples, polynomial, sine
+from flexcli.numerics.signal_pieces import Samples, polynomial, sine
 
 BALANCE = 1e-11
 """Energy and momentum unaccounted for, as a share of what moved: rounding of some 1e3 events."""
@@ -287,8 +287,8 @@ def test_pieces_of_a_signal_can_be_cut_anywhere():
     stops = Stops(LinearStop(100.0, 2.0), 0.5, 0.5)
     values = [0.0, 2.0, -1.0, 1.5, -2.0, 0.5, 0.0]
     fine = np.interp(np.arange(0, 6.001, 0.1), np.arange(7), values)
-    coarse = simulate(oscillator(damping=0.01), stops, linear_samples(values, 1.0))
-    cut = simulate(oscillator(damping=0.01), stops, linear_samples(fine.tolist(), 0.1))
+    coarse = simulate(oscillator(damping=0.01), stops, Samples(np.array(values), 1.0).lines())
+    cut = simulate(oscillator(damping=0.01), stops, Samples(fine, 0.1).lines())
     np.testing.assert_allclose(coarse.contacts.time, cut.contacts.time, rtol=1e-11)
     np.testing.assert_allclose(coarse.q, cut.q, rtol=1e-9)
 
@@ -333,3 +333,20 @@ def test_a_plastic_stop_lets_a_damped_blade_go_that_nothing_presses():
     since = 5.0 - result.contacts.time[0]
     back = gap * (4.0 * exp(-since / 2.0) - exp(-2.0 * since)) / 3.0
     assert result.q[0] == pytest.approx(back, rel=1e-9)
+
+
+@pytest.mark.parametrize("law", [LinearStop(50.0), LinearStop(50.0, 2.0), RigidStop(0.5)])
+def test_flights_over_samples_end_where_line_after_line_does(law):
+    blade, values = oscillator(damping=0.05), np.random.default_rng(2).normal(size=1201)
+    whole = Samples(values, 0.3)
+    at_once = simulate(blade, Stops(law, 2.0, inf), [whole])
+    one_by_one = simulate(blade, Stops(law, 2.0, inf), whole.lines())
+    assert at_once.contacts.time.size == one_by_one.contacts.time.size > 3
+    np.testing.assert_allclose(at_once.q, one_by_one.q, rtol=1e-9)
+    np.testing.assert_allclose(at_once.peaks, one_by_one.peaks, rtol=1e-9)
+    np.testing.assert_allclose(
+        at_once.contacts.impulse, one_by_one.contacts.impulse, rtol=1e-8, atol=1e-9
+    )
+    moved = at_once.balance.base_work
+    assert abs(at_once.balance.energy_residual) < 1e-12 * moved
+    assert at_once.balance.impulse_residual < 1e-12
