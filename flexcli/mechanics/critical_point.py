@@ -1,6 +1,6 @@
 """The first point of a path at which its energy loses a direction: a root along the arc length."""
 
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,7 @@ __all__ = [
     "CriticalPoint",
     "Point",
     "Search",
+    "Stretch",
     "crossing",
     "first_critical",
     "lost_path",
@@ -70,6 +71,23 @@ class CriticalPoint(NamedTuple):
     slope: float
 
 
+class Stretch(Protocol):
+    """A stretch of a path: planes at the distances s; ``length`` is the longest step on it."""
+
+    @property
+    def length(self) -> float:
+        """Return the longest step along the path."""
+
+    def at(self, s: float, low: Point, high: Point) -> Point:
+        """Return the equilibrium on the plane s, from the straight line through two points."""
+
+    def lifted(self, point: Point, fine: Self) -> Point:
+        """Return a point with its unknowns at the nodes of a finer stretch."""
+
+
+_Stretch = TypeVar("_Stretch", bound=Stretch)
+
+
 class Search(NamedTuple):
     """A stretch of a path: planes at the distances s from ``plane``, which is normal to it.
 
@@ -92,7 +110,7 @@ class Search(NamedTuple):
         at = self.assembly.linearise(x[None], np.array([parameter]), _ALONE, self.demand)
         unstable = int(inertia_count(self.assembly, self.counted, at, x[None], _ALONE)[0])
         S = closing_and_balance(self.assembly, self.counted, at)[0] * np.outer(self.unit, self.unit)
-        return Point(s, parameter, x, without_poles(S, self.assembly.blades), unstable)
+        return Point(s, parameter, x, without_poles(S, 3 * self.assembly.blades), unstable)
 
     def at(self, s: float, low: Point, high: Point) -> Point:
         """Return the equilibrium on the plane s, from the straight line through two points."""
@@ -106,16 +124,20 @@ class Search(NamedTuple):
             raise lost_path()
         return self.point(found[0], found[1], s)
 
+    def lifted(self, point: Point, fine: Self) -> Point:
+        """Return a point with its unknowns at the nodes of a finer assembly."""
+        return point._replace(x=finer(self.assembly, fine.assembly, point.x[None])[0])
 
-def without_poles(S: Floats, blades: int) -> Floats:
-    """Return ``P = (S⁻¹ + Z)⁻¹`` of matrices S of closing and balance, in units near one.
+
+def without_poles(S: Floats, forces: int) -> Floats:
+    """Return ``P = (S⁻¹ + Z)⁻¹`` of a matrix S of so many blade forces and of free motions.
 
     Z is a unit compliance of every body and a unit stiffness of every blade added: P is singular
     where S⁻¹ is infinite, and finite before, where S⁻¹ has the signs of Z. S itself has poles,
     where a blade with its ends free would buckle.
     """
     Z = np.ones(S.shape[-1])
-    Z[: 3 * blades] = -1.0
+    Z[:forces] = -1.0
     return np.asarray(np.linalg.solve(np.eye(Z.size) + S * Z, S))
 
 
@@ -128,7 +150,7 @@ def lost_path() -> SolveError:
     )
 
 
-def first_critical(search: Search, low: Point, high: Point) -> CriticalPoint:
+def first_critical(search: Stretch, low: Point, high: Point) -> CriticalPoint:
     """Return the first critical point between two points of a path, stable and unstable.
 
     Where ``P v = 0``: by the linear eigenvalue problem on the straight line through P at the two
@@ -137,7 +159,7 @@ def first_critical(search: Search, low: Point, high: Point) -> CriticalPoint:
 
     Parameters
     ----------
-    search : Search
+    search : Stretch
         The stretch of the path.
     low, high : Point
         Its ends.
@@ -180,12 +202,9 @@ def first_critical(search: Search, low: Point, high: Point) -> CriticalPoint:
     raise lost_path()
 
 
-def on_finer(search: Search, fine: Search, found: CriticalPoint) -> CriticalPoint:
+def on_finer(search: _Stretch, fine: _Stretch, found: CriticalPoint) -> CriticalPoint:
     """Return a critical point again, with more nodes."""
-    sides = [
-        side._replace(x=finer(search.assembly, fine.assembly, side.x[None])[0])
-        for side in (found.before, found.after)
-    ]
+    sides = [search.lifted(side, fine) for side in (found.before, found.after)]
     aside, reach = _ASIDE * search.length, 1.0
     while reach * aside < search.length:
         middle = (found.before.s + found.after.s) / 2.0

@@ -15,6 +15,7 @@ A second solution with more nodes gives the error, design by design, until it is
 
 from collections.abc import Sequence
 from time import perf_counter
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,23 +26,55 @@ from flexcli.mechanics.inertia_count import inertia_count
 from flexcli.mechanics.layout import Layout, Load, Number
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.prescribed_motion import demand_of, designs_of
-from flexcli.mechanics.state import Equilibrium, Outcome, Part
-from flexcli.numerics.continuation import TRUST, March, march
-from flexcli.numerics.newton import NewtonEnd, NewtonResult, newton
+from flexcli.mechanics.refinement import LEVELS, Outcome, Reached, refined
+from flexcli.mechanics.refinement import difference as relative_difference
+from flexcli.mechanics.state import Equilibrium, Part
 
 __all__ = ["LEVELS", "Equilibrium", "Outcome", "difference", "solve"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
-LEVELS = (8, 12, 18, 27, 40, 60, 90, 135)
-"""Gauss nodes on a piece, level by level; each level tells the error of the one before."""
 
-_NOTHING = 1e-280
-"""Size of the unknowns below which numbers have no digits left, and no error."""
+class _Planar(NamedTuple):
+    """Blades in the plane and what is asked of them (``Discretised``)."""
 
-_NEWTON = 1e-3
-"""Newton's tolerance over the tolerance asked."""
+    assembly: Assembly
+    demand: Demand
+
+    @property
+    def nodes(self) -> int:
+        """Return the Gauss nodes on a piece."""
+        return self.assembly.nodes
+
+    def step(self, x: Floats, share: Floats, rows: Integers) -> Floats:
+        """Return Newton's steps."""
+        return self.assembly.step(x, share, rows, self.demand)
+
+    def length_of(self, x: Floats, step: Floats) -> Floats:
+        """Return the lengths of steps [-]."""
+        return self.assembly.length_of(x, step)
+
+    def unstable(self, x: Floats, share: Floats, rows: Integers) -> Integers:
+        """Return in how many directions equilibria are unstable."""
+        at = self.assembly.linearise(x, share, rows, self.demand)
+        return inertia_count(self.assembly, self.demand, at, x, rows)
+
+    def at_nodes(self, nodes: int) -> "_Planar":
+        """Return the same at another number of nodes."""
+        return _Planar(at_nodes(self.assembly, nodes), self.demand)
+
+    def finer(self, fine: "_Planar", x: Floats) -> Floats:
+        """Return unknowns interpolated to the nodes of a finer one."""
+        return finer(self.assembly, fine.assembly, x)
+
+    def changed(self, fine: "_Planar", x: Floats, y: Floats, scale: Floats) -> Floats:
+        """Return by how much x differs from y, solved with finer nodes [-]."""
+        return difference(self.assembly, fine.assembly, x, y, scale)
+
+    def part(self, reached: Reached) -> Part:
+        """Return the designs of a level as a part of the answer."""
+        return Part(self.assembly, self.demand, reached.rows, reached.x, reached.share)
 
 
 def solve(
@@ -98,129 +131,22 @@ def solve(
     if start is not None:
         for part in start.parts:
             x[part.rows] = finer(part.assembly, coarse, part.x)
-    scale = coarse.length_of(x, x)
-    path = _march(coarse, demand, x, scale, tolerance)
-    iterations, error = path.iterations.copy(), np.full(designs, np.inf)
-    nodes = np.full(designs, levels[0], dtype=np.intp)
-    came = path.reached > 0.0
-    outcome = [_outcome(path, i) for i in range(designs)]
-    parts: list[Part] = []
-    before: list[Part] = []
-    _keep(parts, coarse, demand, ~came | (len(levels) == 1), path.x, path.reached)
-    rows, x, share = np.flatnonzero(came), path.x[came], path.reached[came]
-    for level in levels[1:]:
-        if rows.size == 0:
-            break
-        fine = at_nodes(coarse, level)
-        guess = finer(coarse, fine, x)
-        found = _newton(fine, demand, guess, share, rows, scale[rows], tolerance)
-        iterations[rows] += found.iterations
-        change = difference(coarse, fine, x, found.x, scale[rows])
-        # what Newton's method did not finish is no equilibrium: the coarser one stands in for it
-        kept = np.where(found.converged[:, None], found.x, guess)
-        error[rows] = np.where(found.converged, change, np.inf)
-        nodes[rows] = level
-        # a path that ended by turning ends where no digit is sure
-        done = (found.converged & (change <= tolerance)) | (share < 1.0)
-        last = level == levels[-1]
-        _keep(parts, fine, demand, done | last, kept, share, rows)
-        _keep(before, coarse, demand, done | last, x, share, rows)
-        for i in rows[~done & (share == 1.0)] if last else ():
-            outcome[i] = Outcome.INACCURATE
-        rows, x, share, coarse = rows[~done], kept[~done], share[~done], fine
-        if last:
-            break
+    found = refined(_Planar(coarse, demand), x, tolerance, levels)
     return Equilibrium(
         layout=layout,
         effects=effects,
-        outcome=tuple(outcome),
-        reached=path.reached,
-        iterations=iterations,
-        estimated_error=error,
-        nodes=nodes,
+        outcome=found.outcome,
+        reached=found.reached,
+        iterations=found.iterations,
+        estimated_error=found.error,
+        nodes=found.nodes,
         seconds=perf_counter() - begun,
-        parts=tuple(parts),
-        coarser_parts=tuple(before),
+        parts=tuple(reached.at.part(reached) for reached in found.parts),
+        coarser_parts=tuple(reached.at.part(reached) for reached in found.coarser),
     )
-
-
-def _newton(
-    assembly: Assembly,
-    demand: Demand,
-    x: Floats,
-    share: Floats,
-    rows: Integers,
-    scale: Floats,
-    tolerance: float,
-    trust: float = np.inf,
-) -> NewtonResult:
-    return newton(
-        lambda at, of: assembly.step(at, share[of], rows[of], demand),
-        assembly.length_of,
-        x,
-        tolerance=_NEWTON * tolerance,
-        scale=scale,
-        trust=trust,
-    )
-
-
-def _march(assembly: Assembly, demand: Demand, x: Floats, scale: Floats, tolerance: float) -> March:
-    """Return the path from x."""
-
-    def correct(at: Floats, share: Floats, rows: Integers) -> NewtonResult:
-        return _newton(assembly, demand, at, share, rows, scale[rows], tolerance, TRUST)
-
-    def step(at: Floats, share: Floats, rows: Integers) -> Floats:
-        return assembly.step(at, share, rows, demand)
-
-    def kind(at: Floats, share: Floats, rows: Integers) -> Integers:
-        return inertia_count(
-            assembly, demand, assembly.linearise(at, share, rows, demand), at, rows
-        )
-
-    return march(correct, step, assembly.length_of, kind, x)
-
-
-def _outcome(path: March, design: int) -> Outcome:
-    if path.reached[design] == 1.0:
-        return Outcome.CONVERGED
-    if path.reached[design] == 0.0 and path.end[design] is NewtonEnd.SINGULAR:
-        return Outcome.SINGULAR
-    return Outcome.TURNED
-
-
-def _keep(
-    parts: list[Part],
-    assembly: Assembly,
-    demand: Demand,
-    which: NDArray[np.bool_],
-    x: Floats,
-    share: Floats,
-    rows: Integers | None = None,
-) -> None:
-    if np.any(which):
-        index = np.flatnonzero(which) if rows is None else rows[which]
-        parts.append(Part(assembly, demand, index, x[which], share[which]))
 
 
 def difference(coarse: Assembly, fine: Assembly, x: Floats, y: Floats, scale: Floats) -> Floats:
-    """Return by how much forces and motions at two levels differ, over the largest of each.
-
-    What stands still under forces is measured by how much they stretch a blade, and what bears
-    nothing where it is by the forces that bend one as far: neither scale vanishes by itself.
-    """
-    (_, forces, motions), (_, fine_forces, fine_motions) = coarse.split(x), fine.split(y)
-    pulled, moved = (_largest(each) for each in (fine_forces, fine_motions))
+    """Return by how much forces and motions at two levels differ, over the largest of each."""
     stretch = min(float(np.min(mesh.thinnest / mesh.l)) for mesh in fine.meshes) ** 2 / 12.0
-    change = np.zeros(x.shape[0])
-    for a, b, size in (
-        (forces, fine_forces, np.maximum(pulled, moved)),
-        (motions, fine_motions, np.maximum(moved, stretch * pulled)),
-    ):
-        over = np.maximum(np.maximum(scale, size), _NOTHING)
-        change = np.maximum(change, _largest(b - a) / over)
-    return change
-
-
-def _largest(values: Floats) -> Floats:
-    return np.asarray(np.max(np.abs(values), axis=(1, 2), initial=0.0))
+    return relative_difference(coarse.split(x)[1:], fine.split(y)[1:], stretch, scale)

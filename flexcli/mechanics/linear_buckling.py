@@ -83,7 +83,7 @@ class _Straight(NamedTuple):
         at = self.assembly.linearise(x, factors, rows, self.demand)
         unstable = inertia_count(self.assembly, self.demand, at, x, rows)
         S = closing_and_balance(self.assembly, self.demand, at) * np.outer(self.unit, self.unit)
-        P = without_poles(S, self.assembly.blades)
+        P = without_poles(S, 3 * self.assembly.blades)
         return [
             Point(float(f), float(f), *rest)
             for f, *rest in zip(factors, x, P, unstable, strict=True)

@@ -10,7 +10,7 @@ from flexcli.mechanics.mesh import column
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.tangent import free_compliance
 
-__all__ = ["Vibration", "mass_matrix", "vibration"]
+__all__ = ["Vibration", "mass_matrix", "vibration", "vibration_of"]
 
 Floats = NDArray[np.float64]
 
@@ -67,9 +67,6 @@ def mass_matrix(state: Equilibrium) -> Floats:
 def vibration(state: Equilibrium) -> Vibration:
     """Return the small vibrations of the free coordinates about an equilibrium.
 
-    ``M φ = (1/ω²) M G M φ`` with the compliance G, so that coordinates without mass and
-    directions without compliance cost nothing.
-
     Parameters
     ----------
     state : Equilibrium
@@ -82,8 +79,26 @@ def vibration(state: Equilibrium) -> Vibration:
 
     """
     free = state.parts[0].demand.free
-    M = mass_matrix(state)[:, free[:, None], free]
-    G = free_compliance(state)
+    return vibration_of(mass_matrix(state)[:, free[:, None], free], free_compliance(state))
+
+
+def vibration_of(M: Floats, G: Floats) -> Vibration:
+    """Return the vibrations of coordinates with the mass M and the compliance G.
+
+    ``M φ = (1/ω²) M G M φ``, so that coordinates without mass and directions without compliance
+    cost nothing.
+
+    Parameters
+    ----------
+    M, G : array, shape (designs, n, n)
+        Mass and compliance, both symmetric; the compliance may be negative.
+
+    Returns
+    -------
+    Vibration
+        Frequencies and shapes.
+
+    """
     weight, axes = np.linalg.eigh(M)
     root = axes * np.sqrt(np.maximum(weight, 0.0))[:, None, :]
     compliance = np.swapaxes(root, -1, -2) @ G @ root

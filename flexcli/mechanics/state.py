@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from enum import Enum
 from functools import cached_property
 from typing import NamedTuple
 
@@ -15,30 +14,13 @@ from flexcli.mechanics.demand import Demand
 from flexcli.mechanics.inertia_count import inertia_count
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.refinement import Outcome
 from flexcli.mechanics.si import blade_forces, body_forces, body_motions
 
 __all__ = ["Equilibrium", "Outcome", "Part"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
-
-
-class Outcome(Enum):
-    """How the solution of one design ended, with the remedy."""
-
-    CONVERGED = "converged"
-    TURNED = (
-        "the path from rest turns or branches before the demand is met: "
-        "hold a motion in place of the load, or follow the path by arc length"
-    )
-    SINGULAR = (
-        "the mechanism at rest has no unique answer: hold or support every body, and let blades "
-        "extend where more of them than needed share a load"
-    )
-    INACCURATE = (
-        "the finest nodes do not reach the tolerance: ask for less, or take out what makes the "
-        "forces so large (blades held against stretching, boundary layers)"
-    )
 
 
 class Part(NamedTuple):

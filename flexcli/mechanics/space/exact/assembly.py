@@ -1,0 +1,377 @@
+"""A layout in space as equations for Newton's method: blades closed, bodies in equilibrium.
+
+One row of unknowns: rotations and twist rates at the nodes of all blades, force and end moment of
+each blade (along the axes of the drawing, scaled by the blade), shift and quaternion of each body.
+"""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.space.exact.blade import Condensed, condense
+from flexcli.mechanics.space.exact.demand import Demand, Frame
+from flexcli.mechanics.space.exact.mesh import Mesh, mesh_of
+from flexcli.mechanics.space.exact.outer_forces import apply_force, apply_spring
+from flexcli.mechanics.space.exact.rotation import (
+    conjugate,
+    cross,
+    matrix_of,
+    moved,
+    product,
+    skew,
+    spin_slope,
+    spin_tangent,
+    spun,
+    vector_of,
+)
+from flexcli.mechanics.space.exact.section import BeamEffects, section_of
+from flexcli.mechanics.space.layout import SpaceLayout
+from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
+from flexcli.numerics.stack import solve_stack
+
+__all__ = ["Assembly", "Linearised", "Unknowns", "assemble", "at_nodes", "finer"]
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.intp]
+
+_FORCE = 10.0
+"""Scaled force [EI/l²] that counts as one in the length of a step: that of an Euler column."""
+
+
+class Unknowns(NamedTuple):
+    """Nodes (blades, K, 5), blade forces (blades, 6), shifts (bodies, 3), quaternions (…, 4)."""
+
+    nodes: Floats
+    forces: Floats
+    shift: Floats
+    turn: Floats
+
+
+class Linearised(NamedTuple):
+    """The equations about a state, nodes eliminated: of forces and ends of blades, then of bodies.
+
+    The bodies' unknowns are changes of their coordinates. ``row_scale`` brings each row to order
+    one; ``basis`` (bodies, 6, 6) takes coordinates to shift and spin, ``axes`` (blades, 3, 3) are
+    those of the blades at their starts (rows), ``blades`` what they became.
+    """
+
+    residual: Floats
+    matrix: Floats
+    row_scale: Floats
+    basis: Floats
+    axes: Floats
+    blades: Condensed
+
+
+class Assembly(NamedTuple):
+    """A layout ready to be solved; ``length`` [m] and ``force`` [N] are its units.
+
+    ``points`` (bodies + 1, 3) and ``frames`` (bodies + 1, 3, 3) are those of the bodies, the last
+    being the ground; ``first`` and ``second`` the bodies of each blade, ``start`` and ``end`` the
+    ends from their points in lengths of the blade, ``axes`` those of the blades at rest,
+    ``scale`` the length over the blade's, ``weight`` its unit of energy over that of the whole.
+    """
+
+    layout: SpaceLayout
+    effects: BeamEffects
+    mesh: Mesh
+    points: Floats
+    frames: Floats
+    first: Integers
+    second: Integers
+    start: Floats
+    end: Floats
+    axes: Floats
+    scale: Floats
+    weight: Floats
+    length: float
+    force: float
+
+    @property
+    def bodies(self) -> int:
+        """Return the number of bodies that may move."""
+        return len(self.layout.bodies)
+
+    @property
+    def blades(self) -> int:
+        """Return the number of blades."""
+        return len(self.layout.blades)
+
+    @property
+    def turns(self) -> int:
+        """Return the number of unknowns at nodes."""
+        return 5 * self.blades * self.mesh.nodes
+
+    @property
+    def size(self) -> int:
+        """Return the number of unknowns."""
+        return self.turns + 6 * self.blades + 7 * self.bodies
+
+    def rest(self) -> Floats:
+        """Return the unknowns of the pose in which nothing is strained."""
+        x = np.zeros(self.size)
+        at = self.split(x)
+        at.nodes[..., 0] = 1.0
+        at.turn[:, 0] = 1.0
+        return x
+
+    def at(self, x: Floats) -> Unknowns:
+        """Return one row of unknowns with all rotations of unit length."""
+        found = self.split(x.copy())
+        for turns in (found.nodes[..., :4], found.turn):
+            turns[...] /= np.sqrt(np.sum(turns**2, axis=-1, keepdims=True))
+        return found
+
+    def split(self, x: Floats) -> Unknowns:
+        """Return views of one row of unknowns."""
+        forces = self.turns + 6 * self.blades
+        shifts = forces + 3 * self.bodies
+        return Unknowns(
+            x[: self.turns].reshape(self.blades, -1, 5),
+            x[self.turns : forces].reshape(-1, 6),
+            x[forces:shifts].reshape(-1, 3),
+            x[shifts:].reshape(-1, 4),
+        )
+
+    def coordinates(self, x: Floats) -> Floats:
+        """Return shift and rotation vector of the bodies along their axes (6 bodies,)."""
+        at, axes = self.split(x), self.frames[:-1]
+        shift = (axes @ at.shift[..., None])[..., 0]
+        turn = (axes @ vector_of(at.turn)[..., None])[..., 0]
+        return np.concatenate([shift, turn], axis=-1).ravel()
+
+    def linearise(self, x: Floats, share: float, demand: Demand) -> Linearised:
+        """Return the equations about x at the share λ of the way."""
+        at = self.at(x)
+        B, nb = self.blades, self.bodies
+        shift = np.concatenate([at.shift, np.zeros((1, 3))])
+        turn = np.concatenate([at.turn, [[1.0, 0.0, 0.0, 0.0]]])
+        q_i, q_j = turn[self.first], turn[self.second]
+        # rows of the blades' axes, turned with the bodies at their starts
+        S = self.axes @ np.swapaxes(matrix_of(q_i), -1, -2)
+        S_t = np.swapaxes(S, -1, -2)
+        n, m = at.forces[:, :3], at.forces[:, 3:]
+        local = np.concatenate([_times(S, n), _times(S, m)], axis=-1)
+        blade = condense(self.mesh, at.nodes, local)
+        F = np.zeros((B, 6, 6))
+        for a in (slice(0, 3), slice(3, 6)):
+            for b in (slice(0, 3), slice(3, 6)):
+                F[:, a, b] = S_t @ blade.F[:, a, b] @ S
+        # a turn of the start turns the forces in its frame by −θ × (n, m)
+        by_turn = F @ np.concatenate([skew(n), skew(m)], axis=1)
+        bent = _times(S_t, blade.motion)
+        straight = moved(q_i, self.axes[:, 0])
+        a_i, a_j = self.start + moved(q_i, self.start), self.end + moved(q_j, self.end)
+        lever = a_i + self.axes[:, 0] + straight + bent
+        gap = self.scale[:, None] * (shift[self.second] - shift[self.first])
+        gap += a_j - self.end - (a_i - self.start) - straight - bent
+        vector = _times(np.swapaxes(self.axes, -1, -2), blade.turn[:, 1:])
+        there = product(q_i, np.concatenate([blade.turn[:, :1], vector], axis=-1))
+        apart = product(q_j, conjugate(there))
+        apart = np.where(apart[:, :1] < 0.0, -apart, apart)
+        w, V = apart[:, :1, None] * np.eye(3), skew(apart[:, 1:])
+        near, far = w - V, w + V
+        N, scale = skew(n), self.scale[:, None, None] * np.eye(3)
+        H = np.zeros((B, 18, 18))
+        H[:, 0:3, 0:6] = -F[:, :3]
+        H[:, 3:6, 0:6] = -far @ F[:, 3:]
+        H[:, 0:3, 6:9], H[:, 0:3, 12:15] = -scale, scale
+        H[:, 0:3, 9:12] = skew(lever) - by_turn[:, :3]
+        H[:, 0:3, 15:18] = -skew(a_j)
+        H[:, 3:6, 9:12] = -far @ (np.eye(3) + by_turn[:, 3:])
+        H[:, 3:6, 15:18] = near
+        # the body at the start bears −n, −m − lever × n; that at the end n, m + a_j × n
+        H[:, 6:9, 0:3], H[:, 12:15, 0:3] = -scale, scale
+        H[:, 9:12, 0:6] = N @ F[:, :3]
+        H[:, 9:12, 0:3] -= skew(lever)
+        H[:, 9:12, 3:6] -= np.eye(3)
+        H[:, 9:12, 9:12] = N @ (by_turn[:, :3] - skew(lever))
+        H[:, 15:18, 0:3], H[:, 15:18, 3:6] = skew(a_j), np.eye(3)
+        H[:, 15:18, 15:18] = N @ skew(a_j)
+        gradient = np.concatenate(
+            [
+                gap,
+                2.0 * apart[:, 1:],
+                -self.scale[:, None] * n,
+                -m - cross(lever, n),
+                self.scale[:, None] * n,
+                m + cross(a_j, n),
+            ],
+            axis=-1,
+        )
+        k_f = 6 * B
+        total = k_f + 6 * nb + 6
+        residual, matrix = np.zeros(total), np.zeros((total, total))
+        row_scale = np.ones(total)
+        for i in range(B):
+            slot = np.concatenate(
+                [
+                    np.arange(6) + 6 * i,
+                    np.arange(6) + k_f + 6 * self.first[i],
+                    np.arange(6) + k_f + 6 * self.second[i],
+                ]
+            )
+            residual[slot] += self.weight[i] * gradient[i]
+            matrix[slot[:, None], slot] += self.weight[i] * H[i]
+            row_scale[slot[:6]] = 1.0 / self.weight[i]
+        body_r, body_m = residual[k_f:-6], matrix[k_f:-6, k_f:-6]
+        for force in demand.forces:
+            apply_force(force, at.turn, force.size(share), body_r, body_m)
+        for spring in demand.springs:
+            apply_spring(spring, at.shift, at.turn, body_r, body_m)
+        basis = self.basis(x, demand)
+        residual, matrix = residual[:-6], matrix[:-6, :-6]
+        for i in range(nb):
+            own = slice(k_f + 6 * i, k_f + 6 * i + 6)
+            matrix[:, own] = matrix[:, own] @ basis[i]
+            matrix[own] = basis[i].T @ matrix[own]
+            matrix[own, own] += self.coordinate_stiffness(i, at.turn[i], residual[own], demand)
+            residual[own] = basis[i].T @ residual[own]
+        return Linearised(residual, matrix, row_scale[:-6], basis, S, blade)
+
+    def basis(self, x: Floats, demand: Demand) -> Floats:
+        """Return the matrices (bodies, 6, 6) that take coordinates to shift and spin."""
+        basis = np.zeros((self.bodies, 6, 6))
+        back = np.swapaxes(self.frames[:-1], -1, -2)
+        basis[:, :3, :3] = back
+        T = spin_tangent(vector_of(self.split(x).turn))
+        basis[:, 3:, 3:] = np.where(demand.turned[:, None, None], T, np.eye(3)) @ back
+        return basis
+
+    def coordinate_stiffness(self, body: int, turn: Floats, load: Floats, demand: Demand) -> Floats:
+        """Return what a load on a body adds where its coordinates are a rotation vector (6, 6)."""
+        K = np.zeros((6, 6))
+        if demand.turned[body]:
+            E = self.frames[body]
+            K[3:, 3:] = E @ spin_slope(vector_of(turn), load[3:]) @ E.T
+        return K
+
+    def step(self, x: Floats, share: float, demand: Demand) -> Floats:
+        """Return Newton's step; the held coordinates go where they shall be."""
+        at = self.linearise(x, share, demand)
+        there = demand.before + share * (demand.after - demand.before)
+        drive = there - self.coordinates(x)[demand.held]
+        return self._change(x, at, -at.residual, drive, demand, settled=False)
+
+    def steps(self, x: Floats, share: float, demand: Demand) -> tuple[Floats, Floats]:
+        """Return Newton's step at constant share λ, and dx/dλ of the path."""
+        at = self.linearise(x, share, demand)
+        there = demand.before + share * (demand.after - demand.before)
+        drive = there - self.coordinates(x)[demand.held]
+        step = self._change(x, at, -at.residual, drive, demand, settled=False)
+        k_f = 6 * self.blades
+        pushed, unused = np.zeros(6 * self.bodies), np.zeros((6 * self.bodies,) * 2)
+        for force in demand.forces:
+            apply_force(force, self.at(x).turn, force.after - force.before, pushed, unused)
+        right = np.zeros_like(at.residual)
+        for i in range(self.bodies):
+            right[k_f + 6 * i : k_f + 6 * i + 6] = -at.basis[i].T @ pushed[6 * i : 6 * i + 6]
+        rate = self._change(x, at, right, demand.after - demand.before, demand, settled=True)
+        return step, rate
+
+    def _change(
+        self,
+        x: Floats,
+        at: Linearised,
+        right: Floats,
+        drive: Floats,
+        demand: Demand,
+        *,
+        settled: bool,
+    ) -> Floats:
+        """Return the change of all unknowns for right-hand sides and motions of the held."""
+        k_f = 6 * self.blades
+        change = np.zeros_like(right)
+        held, free = k_f + demand.held, np.concatenate([np.arange(k_f), k_f + demand.free])
+        change[held] = drive
+        load = right - at.matrix[:, held] @ drive
+        scale = at.row_scale[free]
+        square = at.matrix[free[:, None], free] * scale[:, None]
+        change[free] = solve_stack(square, (load[free] * scale)[:, None])[:, 0]
+        here, was = self.at(x), self.split(x)
+        body = (at.basis @ change[k_f:].reshape(-1, 6, 1))[..., 0]
+        d_turn = spun(here.turn, body[:, 3:])
+        forces = change[:k_f].reshape(-1, 6)
+        theta = np.concatenate([body[:, 3:], np.zeros((1, 3))])[self.first]
+        n, m = here.forces[:, :3], here.forces[:, 3:]
+        local = np.concatenate(
+            [
+                _times(at.axes, forces[:, :3] - cross(theta, n)),
+                _times(at.axes, forces[:, 3:] - cross(theta, m)),
+            ],
+            axis=-1,
+        )
+        nodes = (at.blades.follow @ local[:, None, :, None])[..., 0]
+        if not settled:
+            # and back to unit length
+            nodes += at.blades.free + here.nodes - was.nodes
+            d_turn += here.turn - was.turn
+        return np.concatenate([nodes.ravel(), forces.ravel(), body[:, :3].ravel(), d_turn.ravel()])
+
+    def length_of(self, x: Floats, step: Floats) -> Floats:
+        """Return the length of steps: rotations, motions, forces over those they add to."""
+        k_f = slice(self.turns, self.turns + 6 * self.blades)
+        forces = np.max(np.abs(x[:, k_f]), axis=1, initial=0.0)
+        size = np.abs(step)
+        size[:, k_f] /= (_FORCE + forces)[:, None]
+        return np.asarray(np.max(size, axis=1))
+
+
+def _times(A: Floats, x: Floats) -> Floats:
+    """Return the products of matrices and vectors of all blades."""
+    return np.asarray((A @ x[..., None])[..., 0])
+
+
+def assemble(
+    layout: SpaceLayout, effects: BeamEffects, nodes: int, frames: Mapping[str, Frame]
+) -> Assembly:
+    """Return the layout at ``nodes`` Gauss nodes on each segment of each blade.
+
+    ``frames`` are the points and axes by which the motion of some bodies is stated; that of the
+    others is stated at their own points, along the axes of the drawing.
+    """
+    sections = tuple(section_of(blade, effects) for blade in layout.blades)
+    names = {body.name: i for i, body in enumerate(layout.bodies)}
+    ground = len(names)
+    own = [frames.get(body.name, Frame(body.point, np.eye(3))) for body in layout.bodies]
+    points = np.array([*(frame.point for frame in own), (0.0, 0.0, 0.0)], dtype=np.float64)
+    first = np.array([names.get(blade.first, ground) for blade in layout.blades])
+    second = np.array([names.get(blade.second, ground) for blade in layout.blades])
+    l = np.array([section.l for section in sections])
+    EI = np.array([section.EI for section in sections])
+    length = float(np.mean(l))
+    force = float(np.mean(EI / l)) / length
+    starts, ends = (np.array([getattr(b, e) for b in layout.blades]) for e in ("start", "end"))
+    return Assembly(
+        layout=layout,
+        effects=effects,
+        mesh=mesh_of(sections, nodes),
+        points=points / length,
+        frames=np.array([*(frame.axes for frame in own), np.eye(3)], dtype=np.float64),
+        first=first,
+        second=second,
+        start=(starts - points[first]) / l[:, None],
+        end=(ends - points[second]) / l[:, None],
+        axes=np.array([blade.axes for blade in layout.blades]),
+        scale=length / l,
+        weight=EI / l / (force * length),
+        length=length,
+        force=force,
+    )
+
+
+def at_nodes(assembly: Assembly, nodes: int) -> Assembly:
+    """Return the same layout at another number of Gauss nodes on each segment."""
+    return assembly._replace(mesh=mesh_of(assembly.mesh.sections, nodes))
+
+
+def finer(coarse: Assembly, fine: Assembly, x: Floats) -> Floats:
+    """Return rows of unknowns of a coarse assembly interpolated to the nodes of a finer one."""
+    matrix = interpolation_matrix(coarse.mesh.per_segment, gauss_nodes(fine.mesh.per_segment)[0])
+    nodes = x[:, : coarse.turns].reshape(-1, coarse.mesh.per_segment, 5)
+    return np.concatenate(
+        [(matrix @ nodes).reshape(x.shape[0], -1), x[:, coarse.turns :]],
+        axis=1,
+    )

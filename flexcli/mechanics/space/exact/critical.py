@@ -1,0 +1,266 @@
+"""Critical loads of a mechanism in space: where on a load's path a first direction gets unstable.
+
+Unstable directions are counted in sections and bodies alike, so that blades which buckle between
+bodies that stand still are found as well.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.errors import SolveError
+from flexcli.mechanics.critical_point import (
+    CriticalPoint,
+    Point,
+    first_critical,
+    lost_path,
+    on_finer,
+    without_poles,
+)
+from flexcli.mechanics.refinement import LEVELS
+from flexcli.mechanics.space.exact.assembly import Assembly, at_nodes, finer
+from flexcli.mechanics.space.exact.demand import Demand, Frame, Held, demand_of
+from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve, started
+from flexcli.mechanics.space.exact.second_variation import inertia_count, second_variation
+from flexcli.mechanics.space.exact.section import BeamEffects
+from flexcli.mechanics.space.exact.support import unstable_when_free
+from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad
+from flexcli.numerics.arc_length import CLOSE, Hyperplane, Steps, correct_on, follow
+
+__all__ = ["SpaceCritical", "critical_load"]
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.intp]
+
+_FIRST, _LONGEST, _MOST = 0.02, 0.2, 300
+_CORRECTION = 1e-12
+
+_STILL = 1e-6
+"""Motion of the bodies in a mode, over the forces in it, below which only blades buckle."""
+
+_LEVEL = 1e-4
+"""Slope of the load over the arc length below which the load turns."""
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceCritical:
+    """The critical factor of a load pattern and how many modes meet there.
+
+    ``mode`` (bodies, 6) is the motion of the bodies in the unstable direction, in their frames,
+    with a largest entry (lengths in mean blade lengths) of one, zero when only blades buckle.
+    ``turns`` tells a limit point from a branching point; ``estimated_error`` is relative.
+    """
+
+    factor: float
+    multiplicity: int
+    mode: Floats
+    turns: bool
+    estimated_error: float
+
+
+class _Search(NamedTuple):
+    """A stretch of the path (``Stretch``); ``free`` are the coordinates free in the count."""
+
+    assembly: Assembly
+    demand: Demand
+    free: Integers
+    plane: Hyperplane
+    length: float
+    unit: Floats
+
+    def point(self, x: Floats, parameter: float, s: float) -> Point:
+        """Return an equilibrium on the plane s as a point of the path."""
+        S, unstable = _counted(self.assembly, self.demand, self.free, x, parameter)
+        P = without_poles(S * np.outer(self.unit, self.unit), 6 * self.assembly.blades)
+        return Point(s, parameter, x, P, unstable)
+
+    def at(self, s: float, low: Point, high: Point) -> Point:
+        """Return the equilibrium on the plane s, from the straight line through two points."""
+        share = (s - low.s) / (high.s - low.s)
+        foot = self.plane._replace(
+            x=low.x + share * (high.x - low.x),
+            parameter=low.parameter + share * (high.parameter - low.parameter),
+        )
+        found = correct_on(foot, _steps(self.assembly, self.demand), _CORRECTION)
+        if found is None:
+            raise lost_path()
+        return self.point(found[0], found[1], s)
+
+    def lifted(self, point: Point, fine: "_Search") -> Point:
+        """Return a point with its unknowns at the nodes of a finer assembly."""
+        return point._replace(x=finer(self.assembly, fine.assembly, point.x[None])[0])
+
+
+def critical_load(
+    layout: SpaceLayout,
+    held: Held | None,
+    pattern: Sequence[SpaceLoad],
+    *,
+    most: float,
+    released: Sequence[int] = (),
+    frames: Mapping[str, Frame] | None = None,
+    start: SpaceEquilibrium | None = None,
+    effects: BeamEffects | None = None,
+    tolerance: float = 1e-7,
+    levels: Sequence[int] = LEVELS,
+) -> SpaceCritical:
+    """Return the least factor in (0, most] on a load pattern at which an equilibrium is critical.
+
+    Parameters
+    ----------
+    layout : SpaceLayout
+        The mechanism.
+    held : mapping or None
+        Motions held while the loads grow, as in
+        :func:`flexcli.mechanics.space.exact.equilibrium.solve`.
+    pattern : sequence of SpaceLoad
+        The loads that grow together.
+    most : float
+        Largest factor of interest [-].
+    released : sequence of int
+        Coordinates (6 body + 0…5) of those held that are free to buckle: the drive, where it is
+        an effort that keeps its size.
+    frames, start, effects, tolerance, levels
+        As in :func:`flexcli.mechanics.space.exact.equilibrium.solve`; the tolerance is relative.
+
+    Returns
+    -------
+    SpaceCritical
+        Factor, multiplicity and mode.
+
+    Raises
+    ------
+    SolveError
+        ``unstable-start`` when it is unstable without the pattern, ``no-critical-load`` when
+        nothing is critical up to ``most``, ``lost-path`` when the path ends before, ``inaccurate``
+        when the finest nodes leave the factor unsure.
+
+    """
+    effects = BeamEffects() if effects is None else effects
+    frames = {} if frames is None else frames
+    rest = solve(layout, held, frames=frames, effects=effects, start=start, levels=levels).checked()
+    if unstable_when_free(rest, released):
+        raise SolveError(
+            "unstable-start",
+            "the mechanism is unstable before the load pattern acts",
+            "hold more of its motions, or lessen its own loads",
+        )
+    coarse = rest.part.assembly
+    demand = started(
+        rest,
+        demand_of(layout, held or {}, pattern, coarse.points, coarse.length, coarse.force, most),
+    )
+    free = np.union1d(demand.free, np.asarray(released, dtype=np.intp)).astype(np.intp)
+    search, low, high = _stretch(coarse, demand, free, rest.part.x, most)
+    found = first_critical(search, low, high)
+    for nodes in (level for level in levels if level > coarse.mesh.per_segment):
+        fine = at_nodes(coarse, nodes)
+        plane = search.plane._replace(
+            x=finer(search.assembly, fine, search.plane.x[None])[0],
+            tangent=finer(search.assembly, fine, search.plane.tangent[None])[0],
+            weight=_weight(fine),
+        )
+        again = search._replace(assembly=fine, plane=plane)
+        better = on_finer(search, again, found)
+        error = abs(better.parameter / found.parameter - 1.0)
+        search, found = again, better
+        if error <= tolerance:
+            return _critical(search, found, error, most)
+    raise SolveError(
+        "inaccurate",
+        "the finest nodes do not settle the critical load",
+        "the linear model tells the load at rest",
+    )
+
+
+def _counted(
+    assembly: Assembly, demand: Demand, free: Integers, x: Floats, share: float
+) -> tuple[Floats, int]:
+    """Return the matrix of blade forces and free coordinates, and the unstable directions."""
+    at = assembly.linearise(x, share, demand)
+    variation = second_variation(assembly, demand, at, x, share)
+    return (
+        variation.of(free, assembly.blades),
+        inertia_count(variation, free, assembly.blades),
+    )
+
+
+def _stretch(
+    assembly: Assembly, demand: Demand, free: Integers, x: Floats, most: float
+) -> tuple[_Search, Point, Point]:
+    """Return the first step of the path over which stability is lost, and its ends."""
+    known: list[tuple[Floats, int]] = []
+
+    def unstable(x: Floats, parameter: float) -> int:
+        if not (known and known[-1][0] is x):
+            known.append((x, _counted(assembly, demand, free, x, parameter)[1]))
+        return known[-1][1]
+
+    points = follow(
+        _steps(assembly, demand),
+        (x, 0.0),
+        _weight(assembly),
+        stride=_FIRST,
+        longest=_LONGEST,
+        goal=lambda x, parameter: parameter >= 1.0 or unstable(x, parameter) > 0,
+        kind=unstable,
+        tolerance=_CORRECTION,
+        most=_MOST,
+        close=CLOSE,
+    )
+    last = points[-1]
+    if unstable(last.x, last.parameter) == 0:
+        raise _none_up_to(most) if last.parameter >= 1.0 else lost_path()
+    before = points[-2]
+    s = float(before.tangent @ (before.weight * (last.x - before.x)))
+    s += before.slope * (last.parameter - before.parameter)
+    size = np.max(np.abs(_counted(assembly, demand, free, before.x, before.parameter)[0]), axis=-1)
+    unit = 1.0 / np.sqrt(np.where(size > 0.0, size, 1.0))
+    search = _Search(assembly, demand, free, before, _LONGEST, unit)
+    return (
+        search,
+        search.point(before.x, before.parameter, 0.0),
+        search.point(last.x, last.parameter, s),
+    )
+
+
+def _steps(assembly: Assembly, demand: Demand) -> Steps:
+    return lambda x, share: assembly.steps(x, share, demand)
+
+
+def _weight(assembly: Assembly) -> Floats:
+    """Return the weights in arc length: rotations in the mean, motions, no forces."""
+    weight = np.zeros(assembly.size)
+    parts = assembly.split(weight)
+    parts.nodes[..., :4] = 4.0 / (assembly.blades * assembly.mesh.nodes)
+    parts.shift[:] = 1.0
+    parts.turn[:] = 4.0
+    return weight
+
+
+def _critical(search: _Search, found: CriticalPoint, error: float, most: float) -> SpaceCritical:
+    if found.parameter > 1.0:
+        raise _none_up_to(most)
+    assembly, null = search.assembly, found.null * search.unit
+    forces, motions = null[: 6 * assembly.blades], null[6 * assembly.blades :]
+    mode = np.zeros(6 * assembly.bodies)
+    if np.max(np.abs(motions), initial=0.0) > _STILL * np.max(np.abs(forces)):
+        mode[search.free] = motions / motions[np.argmax(np.abs(motions))]
+    return SpaceCritical(
+        factor=found.parameter * most,
+        multiplicity=found.after.unstable,
+        mode=mode.reshape(-1, 6),
+        turns=bool(abs(found.slope) < _LEVEL * search.plane.slope),
+        estimated_error=error,
+    )
+
+
+def _none_up_to(most: float) -> SolveError:
+    return SolveError(
+        "no-critical-load",
+        f"no equilibrium up to {most:g} times the loads is critical",
+        "only the opposite direction of the loads may buckle it",
+    )

@@ -1,0 +1,233 @@
+"""Second variation of the energy about an equilibrium in space: stability and tangent stiffness.
+
+Sections and bodies turn on by rotation vectors about where they are, η along the axes of each
+section. With the complementary energy of forces and moments beside it,
+
+    ∫ M·δ²κ + 2 δM·(η' + κ × η) − δM·C δM − 2 δM_x δτ + GJ_t δτ² + EΓ δτ'² + 2 ρ² τ δτ δN_x ds
+    − ∫ δ²N·(e_x + Γ) + δN·C δN ds + n·δ²Δ + 2 δn·δΔ,
+
+    δ²κ = η × (η × κ) − η × η',  δN = N × η + Rᵀ δn,  δ²N = η × (η × N) − 2 η × Rᵀ δn,
+
+Δ being the vector between the ends. It is symmetric whatever the loads, and no stiffness ratio
+stands in it.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.space.exact.assembly import Assembly, Linearised
+from flexcli.mechanics.space.exact.blade import Along, along
+from flexcli.mechanics.space.exact.demand import Demand
+from flexcli.mechanics.space.exact.mesh import Mesh
+from flexcli.mechanics.space.exact.outer_forces import apply_force, apply_spring
+from flexcli.mechanics.space.exact.rotation import matrix_of, moved, skew
+
+__all__ = ["SecondVariation", "inertia_count", "second_variation", "swing"]
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.intp]
+
+
+class SecondVariation(NamedTuple):
+    """The matrix of blade forces and body coordinates, and what the blades are by themselves.
+
+    ``matrix`` is that of the forces (δn, and the moments that close the rotations) of all blades,
+    then of the bodies, sections eliminated. ``unstable`` counts the negative directions of the
+    blades with their ends free, at constant end forces.
+    """
+
+    matrix: Floats
+    unstable: int
+
+    def of(self, free: Integers, blades: int) -> Floats:
+        """Return the matrix of the blades' forces and the coordinates ``free`` of the bodies."""
+        rows = np.concatenate([np.arange(6 * blades), 6 * blades + free])
+        return np.asarray(self.matrix[rows[:, None], rows])
+
+
+class _Blade(NamedTuple):
+    """Second variation of a blade: its sections eliminated, and their negative directions."""
+
+    matrix: Floats
+    unstable: int
+
+
+def second_variation(
+    assembly: Assembly, demand: Demand, at: Linearised, x: Floats, share: float
+) -> SecondVariation:
+    """Return the second variation about an equilibrium x at the share λ."""
+    state = assembly.at(x)
+    blades, bodies = assembly.blades, assembly.bodies
+    k_f = 6 * blades
+    H = np.zeros((k_f + 6 * bodies + 6,) * 2)
+    turn = np.concatenate([state.turn, [[1.0, 0.0, 0.0, 0.0]]])
+    both = state.forces.reshape(-1, 2, 3) @ np.swapaxes(at.axes, -1, -2)
+    felt = along(assembly.mesh, state.nodes, both.reshape(-1, 6))
+    unstable = 0
+    for i in range(blades):
+        first, second = assembly.first[i], assembly.second[i]
+        S, n = at.axes[i], state.forces[i, :3]
+        blade = _blade(assembly.mesh, i, felt)
+        unstable += blade.unstable
+        # its unknowns: δn, the closing moments and the turn of its start, along its axes
+        own = np.zeros((18, 18))
+        rows = np.zeros((9, 18))
+        rows[0:3, 0:3], rows[3:6, 3:6], rows[6:9, 9:12] = S, np.eye(3), S
+        own += rows.T @ blade.matrix @ rows
+        a_i = assembly.start[i] + moved(turn[first], assembly.start[i])
+        a_j = assembly.end[i] + moved(turn[second], assembly.end[i])
+        scale = assembly.scale[i] * np.eye(3)
+        closing = np.zeros((6, 18))
+        closing[:3, 6:9], closing[:3, 9:12] = -scale, skew(a_i)
+        closing[:3, 12:15], closing[:3, 15:18] = scale, -skew(a_j)
+        closing[3:, 15:18] = matrix_of(at.blades.turn[i]).T @ S
+        own[:6] += closing
+        own[:, :6] += closing.T
+        own[9:12, 9:12] -= swing(n, a_i)
+        own[15:18, 15:18] += swing(n, a_j)
+        slot = np.concatenate(
+            [
+                np.arange(6) + 6 * i,
+                np.arange(6) + k_f + 6 * first,
+                np.arange(6) + k_f + 6 * second,
+            ]
+        )
+        H[slot[:, None], slot] += assembly.weight[i] * own
+    H = H[:-6, :-6]
+    loads, K = np.zeros(6 * bodies), np.zeros((6 * bodies, 6 * bodies))
+    for force in demand.forces:
+        apply_force(force, state.turn, force.size(share), loads, K)
+    for spring in demand.springs:
+        apply_spring(spring, state.shift, state.turn, loads, K)
+    H[k_f:, k_f:] += (K + K.T) / 2.0
+    for i in range(bodies):
+        own_rows = slice(k_f + 6 * i, k_f + 6 * i + 6)
+        basis = at.basis[i]
+        H[:, own_rows] = H[:, own_rows] @ basis
+        H[own_rows] = basis.T @ H[own_rows]
+        load = np.linalg.solve(basis.T, at.residual[own_rows])
+        curved = assembly.coordinate_stiffness(i, state.turn[i], load, demand)
+        H[own_rows, own_rows] += (curved + curved.T) / 2.0
+    return SecondVariation((H + H.T) / 2.0, unstable)
+
+
+def inertia_count(variation: SecondVariation, free: Integers, blades: int) -> int:
+    """Return in how many directions an equilibrium is unstable, sections and bodies alike.
+
+    ``Σ n(blade with its end free) + n(S) − 6 blades``, S the matrix of blade forces and free
+    coordinates: the inertia of a matrix is that of its Schur complements, so that blades that
+    buckle between bodies at rest are counted as well.
+
+    References
+    ----------
+    Haynsworth (1968), Determination of the inertia of a partitioned Hermitian matrix.
+
+    """
+    S = variation.of(free, blades)
+    size = np.max(np.abs(S), axis=-1)
+    unit = 1.0 / np.sqrt(np.where(size > 0.0, size, 1.0))
+    negative = int(np.sum(np.linalg.eigvalsh(S * np.outer(unit, unit)) < 0.0))
+    return negative - 6 * blades + variation.unstable
+
+
+def _blade(mesh: Mesh, i: int, at: Along) -> _Blade:
+    """Return the second variation of blade i by δn, closing moments and turn of the start.
+
+    Its own unknowns are η' (3), δM (3) and δτ', or δτ where it warps freely, at the nodes.
+    """
+    used = np.flatnonzero(mesh.w[i] > 0.0)
+    K = used.size
+    w, J = mesh.w[i, used], mesh.J[i][used[:, None], used]
+    R, N, kappa, M = (a[i, used] for a in (at.R, at.N, at.kappa, at.M))
+    G = np.array([1.0, 0.0, 0.0]) + at.strain[i, used]
+    C, bend = mesh.C[i, used], mesh.bend[i, used]
+    tau, polar = kappa[:, 0], float(mesh.polar[i, 0])
+    runs = [np.flatnonzero((used >= run.start) & (used < run.stop)) for run in mesh.runs[i]]
+    R_t = np.swapaxes(R, -1, -2)
+    # per unit length: η η, η η', η δn, and so on
+    M_k, NG = M[:, :, None] * kappa[:, None, :], N[:, :, None] * G[:, None, :]
+    N_s = skew(N)
+    CN = C[:, :, None] * N_s
+    turn_turn = _symmetric(M_k) - _trace(M_k) - _symmetric(NG) + _trace(NG)
+    turn_turn -= np.swapaxes(N_s, -1, -2) @ CN
+    turn_force = -skew(G) @ R_t - np.swapaxes(CN, -1, -2) @ R_t
+    force_force = -R @ (C[:, :, None] * R_t)
+    rate_turn = -skew(M) / 2.0
+    moment_turn = skew(kappa)
+    warped = float(mesh.warping[i, 0]) > 0.0
+    torsion = float(mesh.torsion[i, 0]) + polar * N[:, 0] + 3.0 * float(mesh.fibres[i, 0]) * tau**2
+    # δτ = J δτ' on each flexible piece; δN_x = (N × η)_x + (Rᵀ δn)_x
+    T = np.zeros((K, K))
+    for run in runs:
+        T[run[:, None], run] = J[run[:, None], run] if warped else np.eye(run.size)
+    size = 7 * K + len(runs) * warped
+    # columns: η', δM, δτ' (node by node), closing of δτ; then δn, closing moments, start's turn
+    H = np.zeros((size + 9, size + 9))
+    rate, moment, twist = (np.arange(3 * K) + 3 * K * k for k in range(3))
+    twist = twist[:K]
+    force, close, start = (np.arange(3) + size + 3 * k for k in range(3))
+    # η at the nodes by η' and by the turn of the start
+    turn = np.zeros((3 * K, size + 9))
+    turn[:, rate] = np.kron(J, np.eye(3))
+    turn[:, start] = np.kron(np.ones((K, 1)), np.eye(3))
+    spread = np.zeros((K, size + 9))
+    spread[:, twist] = T
+
+    def add(left: Floats, blocks: Floats, right: Floats) -> None:
+        """Add ``Σ w leftᵀ block right`` of the nodes, and its mirror image."""
+        a, b = blocks.shape[-2:]
+        weighted = (w[:, None, None] * blocks) @ right.reshape(K, b, -1)
+        part = left.reshape(K, a, -1)
+        sum_of = np.tensordot(part, weighted, axes=((0, 1), (0, 1))) / 2.0
+        H[...] += sum_of + sum_of.T
+
+    unit = np.eye(size + 9)
+    add(turn, turn_turn, turn)
+    add(turn, 2.0 * turn_force, np.broadcast_to(unit[force], (K, 3, size + 9)))
+    H[np.ix_(force, force)] += np.tensordot(w, force_force, axes=(0, 0))
+    add(unit[rate], 2.0 * rate_turn, turn)
+    add(unit[moment], 2.0 * moment_turn, turn)
+    add(unit[moment], 2.0 * np.broadcast_to(np.eye(3), (K, 3, 3)), unit[rate])
+    compliant = np.concatenate([np.zeros((K, 1)), bend], axis=1)
+    H[moment, moment] -= (w[:, None] * compliant).ravel()
+    add(unit[moment[::3]], np.full((K, 1, 1), -2.0), spread)
+    add(spread, torsion[:, None, None], spread)
+    pull = 2.0 * polar * tau[:, None, None]
+    add(spread, pull * N_s[:, :1], turn)
+    add(spread, pull * R_t[:, :1], np.broadcast_to(unit[force], (K, 3, size + 9)))
+    if warped:
+        H[twist, twist] += float(mesh.warping[i, 0]) * w
+        for k, run in enumerate(runs):
+            H[7 * K + k, twist[run]] = H[twist[run], 7 * K + k] = w[run]
+    # closing: η(1) − η(0) − ∫ η' = 0
+    H[close[:, None], rate.reshape(K, 3).T] -= w
+    H[rate.reshape(K, 3).T, close[:, None]] -= w
+    H[close, start] -= 1.0
+    H[start, close] -= 1.0
+    # a rigid stretch has no twist of its own
+    kept = np.ones(size, dtype=bool)
+    kept[twist] = False
+    for run in runs:
+        kept[twist[run]] = True
+    inner, outer = np.flatnonzero(kept), np.arange(size, size + 9)
+    A, B = H[np.ix_(inner, inner)], H[np.ix_(inner, outer)]
+    scale = np.sqrt(np.max(np.abs(A), axis=1))
+    A = A / np.outer(scale, scale)
+    B = B / scale[:, None]
+    negative = int(np.sum(np.linalg.eigvalsh(A) < 0.0)) - 3 * K - len(runs) * warped
+    return _Blade(H[np.ix_(outer, outer)] - B.T @ np.linalg.solve(A, B), negative)
+
+
+def _symmetric(a: Floats) -> Floats:
+    return np.asarray((a + np.swapaxes(a, -1, -2)) / 2.0)
+
+
+def _trace(a: Floats) -> Floats:
+    return np.asarray(np.trace(a, axis1=-2, axis2=-1)[:, None, None] * np.eye(3))
+
+
+def swing(n: Floats, a: Floats) -> Floats:
+    """Return the Hessian of ``n·(θ × (θ × a))``."""
+    return np.asarray((np.outer(n, a) + np.outer(a, n)) / 2.0 - (n @ a) * np.eye(3))

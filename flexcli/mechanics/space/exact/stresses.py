@@ -1,0 +1,133 @@
+"""Stress along the blades and rods of a mechanism in space at an equilibrium: that of the beams.
+
+``σ = N/A − M_z y/I_z + M_y z/I_y + E' y z τ' + ½ E τ² (y² + z² − I_p/A)`` at the corners, with
+E' = E/(1 − ν²) and τ the twist rate; the shear of Saint-Venant's torsion in the middle of the broad
+faces. At a clamp the stress is locally higher, since it keeps the section from narrowing
+(:mod:`flexcli.formulas.clamp_stress`); that is not in these numbers.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.formulas.torsion_section import shear_factor
+from flexcli.mechanics.space.exact.blade import along
+from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
+from flexcli.mechanics.space.exact.section import thickness
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
+from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
+
+__all__ = ["BladeStress", "blade_stresses"]
+
+Floats = NDArray[np.float64]
+
+_ENDS = np.array([-1.0, 1.0])
+
+
+class BladeStress(NamedTuple):
+    """Stresses along a blade at places s over its length, from its start (places,) [Pa].
+
+    ``axial`` is N/A, ``bend_thin`` and ``bend_wide`` are the largest of bending across the
+    thickness and across the width (for a rod, of both together in the first), ``warping`` that of
+    restrained warping and ``fibres`` that of the long fibres at the corners; ``corner``
+    (places, 4) is their sum, with its sign, at the corners (+y +z), (+y −z), (−y +z), (−y −z), for
+    a rod the two extremes. ``shear`` is that of torsion at the faces, clamps excepted.
+    """
+
+    name: str
+    s: Floats
+    axial: Floats
+    bend_thin: Floats
+    bend_wide: Floats
+    warping: Floats
+    fibres: Floats
+    corner: Floats
+    shear: Floats
+
+
+def blade_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
+    """Return the stresses of every blade and rod, at its nodes and the ends of its segments."""
+    part = state.part
+    assembly = part.assembly
+    mesh, found = assembly.mesh, assembly.at(part.x)
+    both = found.forces.reshape(-1, 2, 3) @ np.swapaxes(state.linearised.axes, -1, -2)
+    felt = along(mesh, found.nodes, both.reshape(-1, 6))
+    out = []
+    for i, (blade, section) in enumerate(zip(state.layout.blades, mesh.sections, strict=True)):
+        unit = section.EI / section.l**2
+        values = np.concatenate(
+            [
+                unit * felt.N[i, :, :1],
+                unit * section.l * felt.M[i],
+                felt.kappa[i, :, :1] / section.l,
+            ],
+            axis=-1,
+        )
+        s, at, slope = [], [], []
+        count = mesh.per_segment
+        for k in range(mesh.nodes // count):
+            own = slice(k * count, (k + 1) * count)
+            long = float(np.sum(mesh.w[i, own]))
+            if long == 0.0 or not np.any(mesh.bend[i, own]):
+                continue
+            start = float(np.sum(mesh.w[i, : k * count]))
+            u = np.concatenate([_ENDS[:1], gauss_nodes(count)[0], _ENDS[1:]])
+            s.append(start + long * (u + 1.0) / 2.0)
+            at.append(interpolation_matrix(count, u) @ values[own])
+            rise = np.polynomial.legendre.legder(
+                np.polynomial.legendre.legfit(gauss_nodes(count)[0], values[own, 4], count - 1)
+            )
+            rate = np.polynomial.legendre.legval(u, rise) * 2.0 / (long * section.l)
+            slope.append(rate)
+        rows, rates = np.concatenate(at), np.concatenate(slope)
+        out.append(_of_section(blade, section.l, np.concatenate(s), rows, rates, state))
+    return tuple(out)
+
+
+def _of_section(
+    blade: SpaceBlade | SpaceRod,
+    l: float,
+    s: Floats,
+    rows: Floats,
+    rates: Floats,
+    state: SpaceEquilibrium,
+) -> BladeStress:
+    N, M_y, M_z, tau = rows[:, 0], rows[:, 2], rows[:, 3], rows[:, 4]
+    E, G, nu = blade.material.E, blade.material.G, blade.material.nu
+    long_fibres = state.effects.long_fibres
+    if isinstance(blade, SpaceRod):
+        A, I = np.pi * blade.d**2 / 4.0, np.pi * blade.d**4 / 64.0
+        bent = np.hypot(M_y, M_z) * blade.d / 2.0 / I
+        fibres = long_fibres * E * tau**2 / 2.0 * blade.d**2 / 8.0
+        none = np.zeros_like(N)
+        return BladeStress(
+            name=blade.name,
+            s=s,
+            axial=N / A,
+            bend_thin=bent,
+            bend_wide=none,
+            warping=none,
+            fibres=fibres,
+            corner=(N / A + fibres)[:, None] + bent[:, None] * np.array([1.0, -1.0]),
+            shear=np.abs(G * tau) * blade.d / 2.0,
+        )
+    h, b = thickness(blade, l)[0], blade.b
+    thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
+    warping = state.effects.warping * E / (1.0 - nu**2) * h * b / 4.0 * rates
+    r2 = (h**2 + b**2) / 12.0
+    fibres = long_fibres * E * tau**2 / 2.0 * ((h**2 + b**2) / 4.0 - r2)
+    axial = N / (b * h)
+    y, z = np.array([1.0, 1.0, -1.0, -1.0]), np.array([1.0, -1.0, 1.0, -1.0])
+    corner = (axial + fibres)[:, None] - thin[:, None] * y + wide[:, None] * z
+    return BladeStress(
+        name=blade.name,
+        s=s,
+        axial=axial,
+        bend_thin=np.abs(thin),
+        bend_wide=np.abs(wide),
+        warping=np.abs(warping),
+        fibres=fibres,
+        corner=corner + warping[:, None] * y * z,
+        shear=np.abs(G * tau) * min(h, b) * float(shear_factor(h, b)),
+    )
