@@ -58,7 +58,28 @@ def values(
     found.update(_own_frequency(asks[0], stiffness, found))
     for ask in asks:
         found.update(_sag(ask))
+        found.update(_warm(ask))
     return found
+
+
+def _warm(ask: Ask) -> dict[str, Value]:
+    """Return how far the temperature of a case alone moves the joint."""
+    if ask.scene.temperature is None:
+        return {}
+    from flexcli.engine.joint_models.joint_states import at_temperature
+
+    moved = at_temperature(ask)
+    text, case = "by the temperature alone", ask.scene.case
+    return {
+        f"{name}_{case}": Value(value, unit, f"{what} {text}", "exact")
+        for name, value, unit, what in zip(
+            ("x", "y", "theta"),
+            moved,
+            ("m", "m", "rad"),
+            ("motion along x", "motion along y", "rotation"),
+            strict=True,
+        )
+    }
 
 
 def _own_frequency(ask: Ask, stiffness: float, found: Mapping[str, Value]) -> dict[str, Value]:

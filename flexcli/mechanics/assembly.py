@@ -121,6 +121,7 @@ class Assembly(NamedTuple):
             blade = condense(mesh, rows, rotations[k], local[k])
             condensed.append(blade)
             place = self.places[k].of(rows)
+            place = place._replace(misfit=demand.warmth(share)[:, None] * place.misfit)
             i, j = self.first[index], self.second[index]
             gradient, H = element(place, blade, forces[:, index], poses[:, i], poses[:, j])
             weight = np.broadcast_to(pick(self.weights[k], rows), gradient.shape[:2])
@@ -162,6 +163,13 @@ class Assembly(NamedTuple):
         for force in demand.forces:
             grows = pick(force.after, rows) - pick(force.before, rows)
             apply_force(force, motions, grows, rows, pushed[:, 3 * self.blades :], unused)
+        if not demand.grown:
+            for mesh, place, weights in zip(self.meshes, self.places, self.weights, strict=True):
+                misfit = pick(place.misfit, rows) * pick(weights, rows)
+                for a, b in enumerate(mesh.blades):
+                    opens = misfit[:, min(a, misfit.shape[1] - 1)]
+                    pushed[:, 3 * b] += opens.real
+                    pushed[:, 3 * b + 1] += opens.imag
         drive = np.broadcast_to(
             pick(demand.after, rows) - pick(demand.before, rows), (x.shape[0], demand.held.size)
         )
@@ -254,7 +262,7 @@ def assemble(layout: Layout, effects: Effects, nodes: int) -> Assembly:
         table = np.stack(np.broadcast_arrays(*rows), axis=1)
         scale = length[:, None] / mesh.l
         arms = table[..., ::2] + 1j * table[..., 1::2]
-        places.append(Attachment(arms[..., 0], arms[..., 1], arms[..., 2], scale))
+        places.append(_attached(arms, scale, layout, mesh))
         weights.append(mesh.EI / mesh.l / (force * length)[:, None])
     return Assembly(
         layout=layout,
@@ -268,6 +276,28 @@ def assemble(layout: Layout, effects: Effects, nodes: int) -> Assembly:
         slots=slots,
         length=length,
         force=force,
+    )
+
+
+def _attached(arms: Complexes, scale: Floats, layout: Layout, mesh: Mesh) -> Attachment:
+    """Return where blades sit, with bodies and blades grown by a temperature."""
+    start, end, along = arms[..., 0], arms[..., 1], arms[..., 2]
+    blades = [layout.blades[b] for b in mesh.blades]
+    growth = [
+        [layout.body_growth.get(blade.first, 0.0) for blade in blades],
+        [layout.body_growth.get(blade.second, 0.0) for blade in blades],
+        [layout.blade_growth.get(blade.name, 0.0) for blade in blades],
+    ]
+    first, second, own = (
+        np.stack(np.broadcast_arrays(*map(column, each)), axis=1) for each in growth
+    )
+    return Attachment(
+        start=start * (1.0 + first),
+        end=end * (1.0 + second),
+        along=along,
+        scale=scale,
+        reach=1.0 + own,
+        misfit=end * second - start * first - along * own,
     )
 
 

@@ -47,7 +47,8 @@ class Spring(NamedTuple):
 class Demand(NamedTuple):
     """Coordinates held (3 body + 0, 1, 2), their values before and after (designs, held), forces.
 
-    ``free`` are the other coordinates of the bodies.
+    ``free`` are the other coordinates of the bodies. ``grown`` says that bodies and blades have
+    their temperature from the start; else it comes on the way.
     """
 
     held: NDArray[np.intp]
@@ -56,6 +57,11 @@ class Demand(NamedTuple):
     after: Floats
     forces: tuple[Force, ...]
     springs: tuple[Spring, ...]
+    grown: bool = False
+
+    def warmth(self, share: Floats) -> Floats:
+        """Return the share of the temperature that is there at shares λ of the way."""
+        return np.ones_like(share) if self.grown else share
 
 
 def _arm(layout: Layout, body: int, point: tuple[Number, Number], length: Floats) -> Floats:

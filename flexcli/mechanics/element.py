@@ -30,12 +30,16 @@ class Attachment(NamedTuple):
 
     ``start`` and ``end`` are the ends x + iy from the reference points of their bodies, ``along``
     the direction, ``scale`` the unit of the bodies' positions over the length of the blade.
+    ``reach`` is the length of the blade over that at assembly, ``misfit`` how far bodies and blade,
+    grown by a temperature, do not meet at its end.
     """
 
     start: Complexes
     end: Complexes
     along: Complexes
     scale: Floats
+    reach: Floats
+    misfit: Complexes
 
     def of(self, rows: NDArray[np.intp]) -> "Attachment":
         """Return those of the designs ``rows``."""
@@ -44,6 +48,8 @@ class Attachment(NamedTuple):
             pick(self.end, rows),
             pick(self.along, rows),
             pick(self.scale, rows),
+            pick(self.reach, rows),
+            pick(self.misfit, rows),
         )
 
 
@@ -87,7 +93,7 @@ def element(
     along_moved, a_j_moved = at.along * turn_i, at.end * turn_j
     along = at.along + along_moved
     bent = along * _complex(blade.motion)
-    lever = at.start * (1.0 + turn_i) + along + bent
+    lever = at.start * (1.0 + turn_i) + at.reach * along + bent
     a_j = at.end + a_j_moved
     # flexibility in global axes
     T = np.zeros(blade.F.shape)
@@ -101,8 +107,8 @@ def element(
     deflection = (F @ p[..., None])[..., 0]
     pull, moment = at.scale * nu, np.conj(lever) * nu
     far = np.conj(a_j) * nu
-    gap = at.scale * (_complex(pose_j) - _complex(pose_i)) + a_j_moved - along_moved - bent
-    gap -= at.start * turn_i
+    gap = at.scale * (_complex(pose_j) - _complex(pose_i)) + at.misfit + a_j_moved - bent
+    gap -= at.start * turn_i + at.reach * along_moved
     gradient = np.empty((*m.shape, 9))
     gradient[..., 0], gradient[..., 1] = gap.real, gap.imag
     gradient[..., 2] = pose_j[..., 2] - pose_i[..., 2] - blade.motion[..., 2]

@@ -78,7 +78,9 @@ class Layout:
     ``E`` and ``G`` [Pa] are the blades' (no G where the material gives none: then nothing that
     shear takes part in can be asked); ``acceleration`` [m/s²] acts on every mass (gravity).
     ``guides`` are bodies on ideal joints to the ground: which of (x, y, φ) of their reference
-    points cannot move in the plane.
+    points cannot move in the plane. ``body_growth`` and ``blade_growth`` are the free strains that
+    a temperature gives bodies and blades by name [-]: a body grows about its reference point, the
+    ground about the origin, a blade along itself.
     """
 
     bodies: tuple[Body, ...]
@@ -89,6 +91,8 @@ class Layout:
     loads: tuple[Load, ...] = ()
     acceleration: Point = (0.0, 0.0)
     guides: Mapping[str, tuple[bool, bool, bool]] = field(default_factory=dict)
+    body_growth: Mapping[str, Number] = field(default_factory=dict)
+    blade_growth: Mapping[str, Number] = field(default_factory=dict)
 
     def index(self, name: str) -> int:
         """Return where a body stands among those that may move; it must be one of them."""

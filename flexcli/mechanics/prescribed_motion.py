@@ -29,6 +29,7 @@ def designs_of(assembly: Assembly, demand: Demand) -> int:
     arrays = [assembly.length, assembly.force, demand.after, demand.before]
     for place in assembly.places:
         arrays += [place.start.real, place.end.real, place.along.real, place.scale]
+        arrays += [place.reach, place.misfit.real]
     arrays += [a for mesh in assembly.meshes for a in mesh[2:]]
     for force in demand.forces:
         arrays += [force.arm, force.force, force.moment, force.before, force.after]
@@ -56,7 +57,8 @@ def demand_of(
         return Demand(index, free, np.zeros_like(after), after, forces, springs)
     flat = start.motions / np.stack([length, length, np.ones_like(length)], axis=-1)[:, None]
     before = flat.reshape(flat.shape[0], -1)[:, index]
-    return Demand(index, free, before, after, (*_released(assembly, start, free), *forces), springs)
+    forces = (*_released(assembly, start, free), *forces)
+    return Demand(index, free, before, after, forces, springs, grown=True)
 
 
 def _released(assembly: Assembly, start: Equilibrium, free: Integers) -> tuple[Force, ...]:

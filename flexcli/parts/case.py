@@ -13,11 +13,13 @@ if TYPE_CHECKING:
     from flexcli.parts.asd import RandomVibration
     from flexcli.parts.excitation import Sine, Sweep
     from flexcli.parts.shock import Shock
+    from flexcli.parts.temperature import Temperature
 else:
     RandomVibration = Annotated[Any, Named("flexcli.parts.asd:RandomVibration")]
     Sine = Annotated[Any, Named("flexcli.parts.excitation:Sine")]
     Sweep = Annotated[Any, Named("flexcli.parts.excitation:Sweep")]
     Shock = Annotated[Any, Named("flexcli.parts.shock:Shock")]
+    Temperature = Annotated[Any, Named("flexcli.parts.temperature:Temperature")]
 
 __all__ = ["Case", "EndCondition", "Load", "SteadyAcceleration"]
 
@@ -111,6 +113,8 @@ class Case(Part):
     """A sine of the base that goes through a range of frequencies,
     e.g. ``{from: 5 Hz, to: 100 Hz, rate: 2 oct/min, acceleration: 1 g}``.
     """
+    temperature: Temperature | None = None
+    """A change of temperature from assembly, e.g. ``{uniform: -60 K, bodies: {moving: 5 K}}``."""
     lock: str | None = None
     """Body of the mechanism that is held in this case,
     e.g. ``lock: solid-2, asd: {profile: gevs-qualification, q: 100}``.
@@ -132,11 +136,12 @@ class Case(Part):
 
     @model_validator(mode="after")
     def _asks_something(self) -> "Case":
-        loads = (self.stroke, self.load, self.wrench, self.acceleration, self._is_at_rest)
-        if not self.vibrates and not any(loads):
+        loads = (self.stroke, self.load, self.wrench, self.acceleration, self.temperature)
+        if not self._is_at_rest and not self.vibrates and not any(loads):
             raise spec_error(
                 "this case loads nothing",
-                "give it a stroke, a load, an acceleration, an asd, a shock, a sine or a sweep",
+                "give it a stroke, a load, an acceleration, an asd, a shock, a sine, a sweep or a "
+                "temperature",
             )
         return self
 

@@ -339,6 +339,9 @@ class DesignSpec(Part):
                 scenes.append(self.scene(name))
             except MechanismError as error:
                 found.append(Problem(("cases", name, error.at), str(error), error.hint))
+            if self.cases[name].temperature is not None and not self.material.thermal_expansion:
+                text, hint = "the material has no thermal_expansion", "give it, e.g. 8.6e-6 1/K"
+                found.append(Problem(("cases", name, "temperature"), text, hint))
         probe = self.geometry.probe()
         for path, requirement in self.requirements.each():
             found.extend(

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 from flexcli.parts.case import Case
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Geometry, NotAvailable
+from flexcli.parts.geometries.base import GROUND
 from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.results import Value
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from flexcli.parts.asd import RandomVibration
     from flexcli.parts.excitation import Sine, Sweep
     from flexcli.parts.shock import Shock
+    from flexcli.parts.temperature import Temperature
 
 __all__ = ["IN_PLANE", "LoadKind", "Push", "Scene", "Wrench", "largest_travel", "scene_of"]
 
@@ -46,6 +48,7 @@ class LoadKind(StrEnum):
     SHOCK = "shock"
     SINE = "sine"
     SWEEP = "sweep"
+    TEMPERATURE = "temperature"
 
 
 Wrench: TypeAlias = tuple[float, float, float, float, float, float]
@@ -96,6 +99,7 @@ class Scene(NamedTuple):
     values: Mapping[str, Value]
     sine: "Sine | None" = None
     sweep: "Sweep | None" = None
+    temperature: "Temperature | None" = None
     loads: frozenset[LoadKind] = frozenset()
     """What the case states; each has to be looked at by some requirement."""
     pushed_by: frozenset[LoadKind] = frozenset()
@@ -135,6 +139,8 @@ class Scene(NamedTuple):
     @property
     def is_loaded(self) -> bool:
         """Return whether anything in the joint's plane acts on it besides the stroke."""
+        if self.temperature is not None:
+            return True
         own = any(any(each[:2]) for each in self.accelerations)
         return own or any(each[i] for each in (self.stated, *self.inertial) for i in IN_PLANE)
 
@@ -199,6 +205,12 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         ends, why = "clamped-clamped", f"lock: {case.lock} keeps both ends from turning"
     steady = case.acceleration
     beyond, share = _closed_share(case, geometry, forces, lasting)
+    if case.temperature is not None:
+        if case.vibrates:
+            text = "a temperature beside a vibration is judged by nothing"
+            raise MechanismError("temperature", text, "give each a case of its own")
+        _refuse_unknown_bodies(case.temperature, mechanism, geometry)
+        beyond = "has no closed form for a temperature"
     if force > 0.0 and mechanism is not None and found.name:
         values |= _force_values(force, found, stated)
     return Scene(
@@ -218,6 +230,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         shock=case.shock,
         sine=case.sine,
         sweep=case.sweep,
+        temperature=case.temperature,
         lock=case.lock,
         wrench=case.wrench.components if case.wrench else None,
         forces=forces,
@@ -246,7 +259,26 @@ def _pushed_by(case: Case, inertial: frozenset[LoadKind]) -> frozenset[LoadKind]
         found.add(LoadKind.LOAD)
     if case.wrench is not None and not any(case.wrench.components[2:5]):
         found.add(LoadKind.WRENCH)
+    if case.temperature is not None:
+        found.add(LoadKind.TEMPERATURE)
     return frozenset(found)
+
+
+def _refuse_unknown_bodies(
+    temperature: "Temperature", mechanism: Mechanism | None, geometry: Geometry
+) -> None:
+    """Raise :class:`MechanismError` for a temperature of what the joint does not have."""
+    if mechanism is not None and mechanism.joints > 1:
+        text = "a temperature is judged on a joint, not on a mechanism of several"
+        raise MechanismError("temperature", text, "draw the mechanism as a layout")
+    try:
+        layout = geometry.layout(ANY, geometry.probe())
+    except NotAvailable:
+        return  # no model says anything of it, which its checks tell
+    known = [GROUND, *(body.name for body in layout.bodies)]
+    for name in sorted(temperature.names.difference(known)):
+        text = f"a {geometry.name} has no body '{name}'"
+        raise MechanismError("temperature", text, f"it has {', '.join(known)}")
 
 
 def _stated(case: Case, geometry: Geometry) -> Wrench:

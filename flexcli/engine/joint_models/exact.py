@@ -183,10 +183,14 @@ class ExactModel(JointModel):
                 coarse = blade_stress(before, blade.name, POINTS)
                 pairs = ((fine.left, coarse.left), (fine.right, coarse.right))
                 change = max(change, *(float(np.abs(a - b).max()) for a, b in pairs))
-        return found, inf if before is None or most == 0.0 else change / most + SAMPLED
+        if before is None or (most == 0.0 and change > 0.0):
+            return found, inf
+        return found, (change / most if most else 0.0) + SAMPLED
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the forces at which the joint buckles at any motion that the case holds."""
+        if ask.scene.temperature is not None:
+            raise NotAvailable("has no critical load at a temperature")
         return tuple(exact_critical(ask, self.effects, self.tolerance, self.levels))
 
 

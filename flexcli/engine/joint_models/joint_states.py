@@ -25,6 +25,7 @@ from flexcli.parts.scene import IN_PLANE, Scene
 
 __all__ = [
     "at_rest",
+    "at_temperature",
     "blades_of",
     "driven_axis",
     "layout_of",
@@ -105,7 +106,7 @@ def _signs(scene: Scene) -> Floats:
 
 def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floats) -> Found:
     """Return the states at travels, under loads with signs (states, groups)."""
-    scene, geometry, layout = ask.scene, ask.geometry, layout_of(ask)
+    scene, geometry, layout = ask.scene, ask.geometry, _warmed(ask)
     held: Held
     angle = _facing(scene)
     if travels is None:
@@ -123,6 +124,30 @@ def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floa
         return solver(layout, held, _loads(scene, layout, signs, -angle))
     held = {MOVING: held_by_stroke(scene, geometry, travels)}
     return solver(layout, held, _loads(scene, layout, signs, 0.0))
+
+
+def _warmed(ask: Ask) -> Layout:
+    """Return the joint as bodies and blades, grown by the temperature of the case."""
+    layout, temperature = layout_of(ask), ask.scene.temperature
+    if temperature is None:
+        return layout
+    expansion = ask.material.thermal_expansion
+    assert expansion is not None  # a spec without is refused
+    return temperature.warmed(layout, expansion.value, ask.geometry.axes)
+
+
+def at_temperature(ask: Ask) -> tuple[float, ...]:
+    """Return how far the temperature of a case alone moves its body (x, y, φ) [m, m, rad].
+
+    x and y are the axes of cases.
+    """
+    layout = _warmed(ask)
+    guided = 0.0 if ask.geometry.is_guided else None
+    held = {MOVING: (None, None, guided)}
+    found = solved(layout, held, effects=blades_of(layout, Effects()))
+    x, y, phi = found.motions[0, layout.index(MOVING)].tolist()
+    c, s = cos(ask.geometry.axes), sin(ask.geometry.axes)
+    return c * x + s * y, c * y - s * x, phi
 
 
 def _facing(scene: Scene) -> float:

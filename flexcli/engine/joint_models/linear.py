@@ -105,10 +105,12 @@ class LinearModel(JointModel):
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the forces at which the joint buckles at rest, its blades straight until then."""
+        _refuse_temperature(ask)
         return tuple(linear_critical_forces(ask, self.effects))
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""
+        _refuse_temperature(ask)
         return "stress at the faces, bending with the axial force", self._known.of(
             "stresses", ask, lambda: list(self._each(ask))
         )
@@ -143,6 +145,12 @@ class _State(NamedTuple):
     layout: Layout
     motions: Floats
     end_forces: Floats
+
+
+def _refuse_temperature(ask: Ask) -> None:
+    """Leave a temperature to the exact model: what it stretches stiffens and softens the rest."""
+    if ask.scene.temperature is not None:
+        raise NotAvailable("has no linear model of a temperature")
 
 
 def _refuse_several(found: LinearSolution) -> None:

@@ -39,6 +39,8 @@ class AsPrinted(JointModel):
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the signed shift at the end of the stroke [m]."""
         scene = ask.scene
+        if scene.temperature is not None:
+            raise NotAvailable(scene.beyond)
         return ask.geometry.parasitic_shift(ask.sizes, scene.travel + scene.mean_travel)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:

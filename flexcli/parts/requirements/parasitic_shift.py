@@ -29,8 +29,8 @@ class ParasiticShift(Bound):
         return scene.travel > 0.0
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the stroke."""
-        return frozenset({LoadKind.STROKE})
+        """Return the stroke, and the temperature that moves the joint besides."""
+        return frozenset({LoadKind.STROKE, LoadKind.TEMPERATURE})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the shift, with either sign, against its bound."""
