@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         sized,
         spec_text,
         stops,
+        tolerances,
         validate,
     )
 
@@ -57,6 +58,7 @@ __all__ = [
     "sized",
     "spec_text",
     "stops",
+    "tolerances",
     "validate",
 ]
 

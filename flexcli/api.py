@@ -16,11 +16,12 @@ SolveError
 
 """
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from os import PathLike, fspath
 from pathlib import Path
+from pickle import dumps, loads
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 
@@ -65,6 +66,7 @@ __all__ = [
     "sized",
     "spec_text",
     "stops",
+    "tolerances",
     "validate",
 ]
 
@@ -179,6 +181,59 @@ def simulate(source: Spec, *, points: int = 11, overrides: Overrides | None = No
         return swept(design, sizes, name, points)
 
     return _on_sizes("simulate", source, overrides, verb)
+
+
+def tolerances(
+    source: Spec,
+    *,
+    parts: int = 100_000,
+    seed: int = 0,
+    confidence: float = 0.95,
+    model: str | None = None,
+    over: Callable[[Callable[[Any], Any], Sequence[Any]], Iterable[Any]] = map,
+    overrides: Overrides | None = None,
+) -> Result:
+    """Say what share of the parts within the tolerances passes, the worst, and what it hangs on.
+
+    Parameters
+    ----------
+    source, overrides
+        The spec, as everywhere.
+    parts : int
+        How many parts are drawn.
+    seed : int
+        Of the parts: the same seed gives the same.
+    confidence : float
+        Of the intervals in which the yields lie.
+    model : str, optional
+        The model that alone judges, over that of the spec.
+    over : callable
+        Puts a question to many designs, in order, as ``map`` does.
+
+    """
+    from flexcli.engine.tolerances.study import tolerances as studied
+
+    changed = overrides or {}
+    if model is not None:
+        changed = {**changed, "model": _model(model)}
+
+    def verb(spec: Loaded) -> Result:
+        sizes = spec.part.fixed_sizes()
+        recipe = (_remade, spec.document.text, spec.document.file, dumps(spec.document.changed))
+        return studied(
+            spec.part, sizes, _name(spec), parts=parts, seed=seed, confidence=confidence,
+            over=over, recipe=recipe,
+        )  # fmt: skip
+
+    return _on_sized("tolerances", source, changed, verb)
+
+
+def _remade(text: str, file: str, changed: bytes) -> DesignSpec:
+    """Return a design that was read before, in another process."""
+    document = parse_document(text, file)
+    with from_anywhere():
+        part: DesignSpec = validated(document, Path(file).parent, loads(changed)).part
+    return part
 
 
 def plan(
@@ -460,15 +515,28 @@ def _on_sizes(
     model: str | None = None,
 ) -> Result:
     """Return what a verb says of a design with sizes, chosen first where the spec has none."""
+
+    def on(spec: Loaded) -> Result:
+        design: DesignSpec = spec.part
+        return verb(design, design.fixed_sizes(), _name(spec))
+
+    return _on_sized(command, source, overrides, on, model)
+
+
+def _on_sized(
+    command: str,
+    source: Spec,
+    overrides: Overrides | None,
+    verb: Callable[[Loaded], Result],
+    model: str | None = None,
+) -> Result:
+    """Return what a verb says of a spec with sizes, chosen first where it has none."""
     started = perf_counter()
     spec = _design(source, overrides)
     spec, notes, instead = _sized_first(command, spec, model)
     if instead is not None:
         return instead
-    design: DesignSpec = spec.part
-    sizes = design.fixed_sizes()
-    assert sizes is not None  # given, or chosen above
-    result = placed(verb(design, sizes, _name(spec)), spec.document)
+    result = placed(verb(spec), spec.document)
     if not notes:
         return result
     cost = result.cost

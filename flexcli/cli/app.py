@@ -27,6 +27,7 @@ from flexcli.cli import (
     size,
     stops,
     sweep,
+    tolerances,
     validate,
 )
 from flexcli.cli.common import with_common_options
@@ -62,6 +63,7 @@ for verb in (
     balance,
     stops,
     sweep,
+    tolerances,
     draw,
     plot,
     report,

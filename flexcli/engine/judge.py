@@ -32,11 +32,13 @@ from flexcli.results.activity import doing
 
 __all__ = [
     "FAR",
+    "SURE",
     "Interrupted",
     "Judgement",
     "Used",
     "finest",
     "judge",
+    "limits_by",
     "status_of",
     "stopped_result",
 ]
@@ -230,16 +232,23 @@ class _Series:
         yield from best.values()
 
     def _limits(self, requirement: Requirement, scene: Scene, model: NamedModel) -> Iterator[Limit]:
-        ask = self.design.ask(scene, self.sizes, model.joint_model)
-        errors: dict[QuantityKind, ErrorRange | None] = {}
-        for limit in requirement.limits(ask):
-            kind = limit.kind
-            if limit.error is not None or kind is None:
-                yield limit
-                continue
-            if kind not in errors:  # one for all places of a stress
-                errors[kind] = ask.joint_model.error(ask, kind)
-            yield replace(limit, error=errors[kind])
+        return limits_by(self.design, self.sizes, requirement, scene, model)
+
+
+def limits_by(
+    design: DesignSpec, sizes: Sizes, requirement: Requirement, scene: Scene, model: NamedModel
+) -> Iterator[Limit]:
+    """Yield the limits of a requirement in a case by one model, each with its error."""
+    ask = design.ask(scene, sizes, model.joint_model)
+    errors: dict[QuantityKind, ErrorRange | None] = {}
+    for limit in requirement.limits(ask):
+        kind = limit.kind
+        if limit.error is not None or kind is None:
+            yield limit
+            continue
+        if kind not in errors:  # one for all places of a stress
+            errors[kind] = ask.joint_model.error(ask, kind)
+        yield replace(limit, error=errors[kind])
 
 
 def _no_answer(

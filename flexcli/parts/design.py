@@ -36,10 +36,13 @@ if TYPE_CHECKING:
     from flexcli.parts.balancing import BalanceOptions
     from flexcli.parts.stops import Stops
     from flexcli.parts.study import Study
+    from flexcli.parts.tolerances import Robust, Tolerance
 else:
     BalanceOptions = Annotated[Any, Named("flexcli.parts.balancing:BalanceOptions")]
     Stops = Annotated[Any, Named("flexcli.parts.stops:Stops")]
     Study = Annotated[Any, Named("flexcli.parts.study:Study")]
+    Tolerance = Annotated[Any, Named("flexcli.parts.tolerances:Tolerance")]
+    Robust = Annotated[Any, Named("flexcli.parts.tolerances:Robust")]
 
 __all__ = ["DesignSpec", "ModelName", "Problem"]
 
@@ -95,6 +98,14 @@ class DesignSpec(Part):
     study: Study | None = None
     """What 'flexure sweep' varies, and what it does at each point,
     e.g. ``{vary: {geometry.p: {from: 1 mm, to: 3 mm, points: 5}}, each: check}``.
+    """
+    tolerances: dict[str, Tolerance] = Field({})
+    """By how much sizes, properties and other numbers of the spec differ from part to part,
+    e.g. ``{h: 5 um, youngs_modulus: 2 %}``.
+    """
+    robust: Robust | None = None
+    """What shall pass of all parts within the tolerances: a share, or the worst case,
+    e.g. ``{parts: 99.7 %}``.
     """
     accuracy: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] | None = None
     """Error that every reported number may have; effects are on where it needs them,
@@ -166,6 +177,14 @@ class DesignSpec(Part):
     def _stops_fit(self) -> "DesignSpec":
         if self.stops is not None:
             self.stops.refuse_misfit(self.material, self.geometry, self.mechanism)
+        return self
+
+    @model_validator(mode="after")
+    def _tolerances_fit(self) -> "DesignSpec":
+        if self.tolerances or self.robust is not None:
+            from flexcli.parts.tolerances import refuse_misfit
+
+            refuse_misfit(self)
         return self
 
     @model_validator(mode="after")

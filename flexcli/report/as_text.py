@@ -37,6 +37,7 @@ SECTIONS = {
     "plan": "plan_text",
     "audit": "plan_text",
     "study": "study_table",
+    "tolerances": "tolerances_text",
 }
 """The module whose ``section(result)`` yields each section of a result, in their order."""
 

@@ -24,6 +24,7 @@ from flexcli.results.vibration import (
 
 if TYPE_CHECKING:
     from flexcli.results.study import StudyResult
+    from flexcli.results.tolerances import TolerancesResult
 
 __all__ = ["Cost", "PassedOver", "Result", "Status"]
 
@@ -98,6 +99,7 @@ class Result:
     plan: Plan | None = None
     audit: tuple[AuditRow, ...] = ()
     study: "StudyResult | None" = None
+    tolerances: "TolerancesResult | None" = None
 
     @property
     def sections(self) -> dict[str, Any]:

@@ -1,0 +1,1 @@
+"""What becomes of a design whose numbers differ from part to part."""

@@ -1,0 +1,110 @@
+"""A tolerance run as tables: yields, worst cases, and what they hang on."""
+
+from collections.abc import Iterator
+from math import isnan
+
+from rich.console import RenderableType
+
+from flexcli.report.tables import Cell, Line, table
+from flexcli.results import Result
+from flexcli.results.tolerances import TolerancesResult, YieldRow
+from flexcli.units import show
+
+__all__ = ["section"]
+
+NEAR = 1.5
+"""Factor over the required one in the worst case below which it is told what a check hangs on."""
+
+STYLE = {"pass": "green", "fail": "red", "undecided": "yellow"}
+
+GAIN = 0.001
+"""Share of the parts that a narrower tolerance has to gain to be told."""
+
+
+def section(result: Result) -> Iterator[RenderableType]:
+    """Yield what a result has of it."""
+    found = result.tolerances
+    if found is None:
+        return
+    yield from _yields(found)
+    yield from _worst(found)
+    yield from _tolerances(found)
+    yield from _causes(found)
+    yield Line(("judged by ", "dim"), (found.method, "dim"), hang=2)
+
+
+def _yields(found: TolerancesResult) -> Iterator[RenderableType]:
+    sure = f"{100.0 * found.confidence:.4g} %"
+    rows = table("Yields", "", "pass", f"{sure} interval", "undecided", "first order",
+                 numbers=(1, 2, 3, 4))  # fmt: skip
+    for row in (*found.checks, found.together):
+        low, high = row.interval
+        name: Cell = ("all together", "bold") if row is found.together else row.name
+        rows.add_row(
+            name, _share(row.passed), f"{_share(low)} to {_share(high)}",
+            _share(row.undecided) if row.undecided else "",
+            "" if row.first_order is None else _share(row.first_order),
+        )  # fmt: skip
+    yield rows
+    asked = f"; {_share(found.asked)} are asked" if found.asked is not None else ""
+    yield Line(f"of {found.parts} parts of seed {found.seed}{asked}; undecided parts do not pass")
+
+
+def _worst(found: TolerancesResult) -> Iterator[RenderableType]:
+    units = {row.name: row.unit for row in found.tolerances}
+    rows = table("Worst case", "", "", "over required", "known by", "at", numbers=[2])
+    for row in found.checks:
+        if row.worst is None:
+            rows.add_row(row.name, ("undecided", "yellow"), "", "", "")
+            continue
+        at = ", ".join(f"{name} {show(x, units[name], 5)}" for name, x in row.worst.at.items())
+        mark = (row.worst.verdict, STYLE[row.worst.verdict])
+        rows.add_row(row.name, mark, f"{row.worst.share:.4g}", row.worst.by, at)
+    yield rows
+    if any(row.spread == "normal" for row in found.tolerances):
+        yield Line("of a normal spread, up to three standard deviations")
+
+
+def _tolerances(found: TolerancesResult) -> Iterator[RenderableType]:
+    rows = table("Tolerances", "", "nominal", "least", "most", "spread", "all pass if halved",
+                 numbers=(1, 2, 3, 5))  # fmt: skip
+    for row in found.tolerances:
+        ends = (show(x, row.unit, 5) for x in (row.nominal, row.low, row.high))
+        rows.add_row(row.name, *ends, row.spread, _share(row.halved))
+    yield rows
+    best = max(found.tolerances, key=lambda row: -1.0 if isnan(row.halved) else row.halved)
+    if best.halved > found.together.passed + GAIN:
+        yield Line(
+            ("narrow first: ", "bold"),
+            f"{best.name}; with half of it {_share(best.halved)} of the parts pass, not "
+            f"{_share(found.together.passed)}", hang=2,
+        )  # fmt: skip
+
+
+def _causes(found: TolerancesResult) -> Iterator[RenderableType]:
+    rows = table("What margins hang on", "", "number", "by 1 % more", "of the variance", "in all",
+                 numbers=(2, 3, 4))  # fmt: skip
+    near = [row for row in found.checks if row.slopes and _is_near(row)]
+    for row in near:
+        order = sorted(row.total, key=lambda name: -row.total[name])
+        for name in order:
+            told = row.name if name == order[0] else ""
+            shares = (max(each[name], 0.0) for each in (row.first, row.total))
+            slope = f"{row.slopes[name]:+.3g} %"
+            rows.add_row(told, name, slope, *(f"{100.0 * x:.1f} %" for x in shares))
+    if near:
+        yield rows
+
+
+def _is_near(row: YieldRow) -> bool:
+    return row.passed < 1.0 or row.worst is None or row.worst.share < NEAR
+
+
+def _share(share: float) -> str:
+    """Return a share in per cent, with the digits that tell it from all and from none."""
+    if isnan(share):
+        return ""
+    digits = 1
+    while digits < 5 and 0.0 < share < 1.0 and round(100.0 * share, digits) in (0.0, 100.0):
+        digits += 1
+    return f"{100.0 * share:.{digits}f} %"
