@@ -29,8 +29,6 @@ from flexcli.errors import Finding, NoSolution, SolveError, SpecError
 from flexcli.parts.design import DesignSpec, ModelName
 from flexcli.parts.geometries import Sizes
 from flexcli.results import Note, Result, Status
-from flexcli.results.dossier import Dossier
-from flexcli.results.drawing import Drawing
 from flexcli.results.shown import register
 from flexcli.spec.findings import nearest
 from flexcli.spec.load import Loaded, validated
@@ -42,6 +40,8 @@ from flexcli.spec.references import from_anywhere
 from flexcli.units import show, written
 
 if TYPE_CHECKING:
+    from flexcli.results.dossier import Dossier
+    from flexcli.results.drawing import Drawing
     from flexcli.spec.table_file import Columns
 
 __all__ = [
@@ -338,7 +338,7 @@ def stops(
 
 def drawing(
     source: Spec, *, case: str | None = None, overrides: Overrides | None = None
-) -> Drawing:
+) -> "Drawing":
     """Return the shape of a joint to scale, at rest and at the ends of the stroke of a case."""
     from flexcli.engine.draw import drawing as drawn
 
@@ -352,12 +352,13 @@ def drawing(
 
 def dossier(
     source: Spec, *, model: str | None = None, overrides: Overrides | None = None
-) -> Dossier:
+) -> "Dossier":
     """Gather what a design review reads: verdicts, drawing, stroke, spectra, equations.
 
     Free sizes are chosen first, and the verdicts are those of the sizing.
     """
     from flexcli.engine.dossier import dossier as gathered
+    from flexcli.results.dossier import Dossier
 
     spec = _design(source, overrides)
     found = (size if spec.part.geometry.free else check)(spec, model=model)
@@ -551,7 +552,7 @@ def _mapping(result: Result) -> dict[str, Any]:
     return contents(result)
 
 
-def _html(found: Result | Dossier) -> str | None:
+def _html(found: "Result | Dossier") -> str | None:
     """Return what a notebook shows of a result; nothing where the extra ``report`` is missing."""
     from flexcli.report.page import summary
 
@@ -561,7 +562,7 @@ def _html(found: Result | Dossier) -> str | None:
         return None
 
 
-def _svg(drawn: Drawing) -> str:
+def _svg(drawn: "Drawing") -> str:
     from flexcli.report.drawing_svg import drawing_svg
 
     return drawing_svg(drawn, drawn.kind)

@@ -93,8 +93,8 @@ def polynomial_fit(u: Floats, values: Floats, degree: int) -> PolynomialFit:
 
     """
     exponents = _exponents(u.shape[1], degree)
-    coefficients = np.linalg.lstsq(_monomials(u, exponents), values, rcond=None)[0]
-    return PolynomialFit(exponents, coefficients)
+    found = np.linalg.lstsq(_monomials(u, exponents), values, rcond=None)[0]
+    return PolynomialFit(exponents, np.asarray(found, dtype=np.float64))
 
 
 def _exponents(count: int, degree: int) -> NDArray[np.int64]:

@@ -95,7 +95,9 @@ class Tolerance(Part):
     e.g. ``nominal: 0.2 mm, measured: [0.198 mm, 0.203 mm]``.
     """
     each: Literal["part", "blade"] = "part"
-    """Whether all blades of a part are off alike, or each by itself, e.g. ``blade``."""
+    """Whether all blades of a part are off alike, or each by itself,
+    e.g. ``each: blade, normal: 3 um``.
+    """
 
     @model_validator(mode="before")
     @classmethod
@@ -116,8 +118,11 @@ class Tolerance(Part):
     def __get_pydantic_json_schema__(
         cls, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
+        from flexcli.unit_patterns import number_pattern  # loads Pint
+
         whole = handler.resolve_ref_schema(handler(schema))
-        one = {"anyOf": [{"type": "string", "maxLength": MAX_LENGTH}, {"type": "number"}]}
+        text = {"type": "string", "pattern": f"^{number_pattern('')}", "maxLength": MAX_LENGTH}
+        one = {"anyOf": [text, {"type": "number"}]}
         ends = {"type": "array", "items": one, "minItems": 1, "maxItems": 2}
         several = {"type": "array", "items": one, "minItems": MEASURED_LEAST}
         given: dict[str, dict[str, Any]] = {

@@ -60,6 +60,7 @@ def wholes(row: FieldRow) -> list[dict[str, Any]]:
     found = [{**whole, **piece} for whole in WHOLE]
     found += [{**whole, "requirements": {"yield": 1.5}, **piece} for whole in WHOLE]
     found += [{**WHOLE[0], "material": WORN, "cases": lasting, **piece}]
+    found += [{**WHOLE[0], "tolerances": {"youngs_modulus": "2 %"}, **piece}]
     for stroke in ({"rotation": "1 deg"}, {"translation": "10 um"}):
         found += [{**BARE, "requirements": {"mass": {"max": "1 kg"}}, "stroke": stroke, **piece}]
     for geometry, stroke in ((TURNS, "rotation"), (SLIDES, "translation")):

@@ -62,6 +62,8 @@ BEYOND = {
         "contact has no stress", "motion of this joint", "is moved, not turned",
         "two forces or of two moments", "no closed form for", "not made of straight blades",
         "needs spacing", "a total is for two",
+        "robust against what", "is not of a blade", "there is no number",
+        "^tolerances.*does not measure", "^tolerances.*has no unit", "as large as the number",
     ),
     "between bodies and blades of a layout": (
         "lies where blade", "not held to the ground", "is no body", "does not move this body",
