@@ -96,8 +96,6 @@ class Judged:
         """Judge the random parts, and as many more designs as a polynomial of a degree needs."""
         from scipy.stats import qmc
 
-        if not self.readings:
-            self._read(self.points, self.plan)
 
         count = len(self.each)
         wanted = int(1.5 * terms(count, degree)) + 2 * count + 1
@@ -105,7 +103,7 @@ class Judged:
         # denser towards the ends, where polynomials through even points go astray
         more = -np.cos(np.pi * shares[len(self.points) - self.held :])
         self.points = np.vstack([self.points, more])
-        self._read(more, self.plan)
+        self._read(self.points[len(self.readings) :], self.plan)
 
     def ask(self, plan: Plan) -> None:
         """Put questions again whose models have changed."""
