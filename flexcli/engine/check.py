@@ -14,9 +14,17 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import JointModel
-from flexcli.results import Cost, Note, Result, Value, Verdict
+from flexcli.results import Check, Cost, Note, QuantityKind, Result, Value, Verdict
 
 __all__ = ["check", "judged", "told_values"]
+
+REACH = 4.0
+"""Times h/l that clamps which give way change a number along the motion at most: 2.6, and room."""
+
+REACH_OFF = 60.0
+"""The same of a compliance off the motion, which grows with the bodies."""
+
+OFF = (QuantityKind.SUPPORT, QuantityKind.SAG, QuantityKind.RESPONSE)
 
 
 def check(design: DesignSpec, sizes: Sizes, spec: str, model: str | None = None) -> Result:
@@ -89,6 +97,7 @@ def judged(
             *beyond_elastic(design, sizes, joint_model, found.checks),
             *notes,
             *_open(design, sizes, found),
+            *_rigid_clamps(design, sizes, found, model),
         ),
         cost=Cost(0.0, found.deciding, max(errors, default=None), by_model=found.by_model),
     )
@@ -170,6 +179,30 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
             f"of the densest metal; giving it may decide {moving}"
         )
         yield Note("needs-density", text)
+
+
+def _rigid_clamps(
+    design: DesignSpec, sizes: Sizes, found: Judgement, model: str | None
+) -> Iterator[Note]:
+    """Yield which passes rest on clamps that nobody said are rigid."""
+    giving, slender = design.geometry.with_giving_clamps(), design.geometry.slenderness(sizes)
+    if giving is None or slender is None or design.stops is not None:
+        return
+    near = [check for check in found.checks if _is_near(check, slender)]
+    if near:
+        from flexcli.engine.rigid_clamps import rests_on_rigid_clamps
+
+        yield from rests_on_rigid_clamps(design, sizes, near, giving, model)
+
+
+def _is_near(check: Check, slender: float) -> bool:
+    """Return whether a pass may turn by what clamps give way."""
+    if check.verdict is not Verdict.PASS or check.kind is None or check.factor_range is None:
+        return False
+    if check.kind in (QuantityKind.STRESS, QuantityKind.SHIFT):
+        return False
+    reach = (REACH_OFF if check.kind in OFF else REACH) * slender
+    return check.factor_range[0] < check.required * (1.0 + reach)
 
 
 def _has_limbs(design: DesignSpec, sizes: Sizes) -> bool:

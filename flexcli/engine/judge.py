@@ -36,6 +36,7 @@ __all__ = [
     "Interrupted",
     "Judgement",
     "Used",
+    "again",
     "finest",
     "judge",
     "limits_by",
@@ -122,6 +123,21 @@ def judge(design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...]) -> J
     for scene in scenes:
         found.extend(_not_judged(scene, looked_at[scene.case]))
     return Judgement(assess.worst_of_each(found), series.seconds, models)
+
+
+def again(
+    design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...], checks: Iterable[Check]
+) -> tuple[Check, ...]:
+    """Return checks of a design that was judged before, judged anew as it is now."""
+    asked = {(check.path, check.case) for check in checks}
+    series = _Series(design, sizes, models)
+    found: list[Check] = []
+    paths = {id(each): ("requirements", *path) for path, each in design.requirements.each()}
+    for requirement, scene in design.questions(design.scenes()):
+        case = scene.case if requirement.per_case else ""
+        if (paths[id(requirement)], case) in asked:
+            found.extend(series.climbed(requirement, scene))
+    return assess.worst_of_each(found)
 
 
 def stopped_result(

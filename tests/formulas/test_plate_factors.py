@@ -9,7 +9,7 @@ from plates import clamped_block, notched_block
 from plates.clamped_strip import PURE, S_SHAPE, Strip
 from pydantic import TypeAdapter
 
-from flexcli.formulas import clamp_stress, plate_buckling, plate_shortening
+from flexcli.formulas import clamps, plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.profile import Constant
@@ -145,20 +145,20 @@ def test_clamp_stress_is_that_of_the_plate_in_mid_width(b, nu):
     plate = Strip(b, nu, bubbles=5)
     blade = {"b": b, "l": 1.0, "poisson_ratio": nu}
     for shape, formula in (
-        (PURE, clamp_stress.pure_bending_peak),
-        (S_SHAPE, clamp_stress.s_shape_peak),
+        (PURE, clamps.pure_bending_peak),
+        (S_SHAPE, clamps.s_shape_peak),
     ):
         beam = shape.deriv(2)(1.0)
         true = plate.curvature(shape, 1.0, 0.0)[0] / beam / (1.0 - nu**2)
-        assert formula(**blade) == pytest.approx(true, abs=clamp_stress.CLAMP_ERROR + 1e-3)
+        assert formula(**blade) == pytest.approx(true, abs=clamps.CLAMP_ERROR + 1e-3)
 
 
 def test_clamp_stress_is_a_sixth_to_a_quarter_above_the_beams_and_von_mises_a_tenth():
     b = np.linspace(0.01, 0.5, 50)
-    for formula in (clamp_stress.pure_bending_peak, clamp_stress.s_shape_peak):
+    for formula in (clamps.pure_bending_peak, clamps.s_shape_peak):
         peak = formula(b=b, l=1.0, poisson_ratio=0.3)
         assert ((peak > 1.15) & (peak < 1.26)).all()
-        equivalent = clamp_stress.at_clamp(peak=peak, poisson_ratio=0.3)
+        equivalent = clamps.at_clamp(peak=peak, poisson_ratio=0.3)
         assert ((equivalent > 1.02) & (equivalent < 1.12)).all()
 
 

@@ -22,7 +22,14 @@ from flexcli.parts.geometries import Geometry
 from flexcli.parts.requirements import AS_PRINTED, Ask, JointModel
 from flexcli.results import QuantityKind
 
-OUTER = {"plate widening", "anticlastic", "clamp stress", "thick notch", "blade mass"}
+OUTER = {
+    "plate widening",
+    "anticlastic",
+    "clamp stress",
+    "clamp compliance",
+    "thick notch",
+    "blade mass",
+}
 """What beams have no notion of: their own tests hold them."""
 
 EFFECTS = [effect for effect in MODEL_EFFECTS if effect.name not in OUTER]

@@ -36,6 +36,7 @@ OUTER = frozenset(
         EffectName.PLATE_WIDENING,
         EffectName.ANTICLASTIC,
         EffectName.CLAMP_STRESS,
+        EffectName.CLAMP_COMPLIANCE,
         EffectName.THICK_NOTCH,
         EffectName.BLADE_MASS,
     }

@@ -14,6 +14,7 @@ __all__ = [
     "Change",
     "Changes",
     "Factor",
+    "Giving",
     "Thick",
     "WideBlades",
     "together",
@@ -103,6 +104,22 @@ class WideBlades(NamedTuple):
     """Curvatures at both ends of a blade of constant thickness, over the travel [1/m or 1/m²]."""
     bent: tuple[float, float, float] | None = None
     """h, l and b of the blade that these are of, where the joint has more than one shape [m]."""
+
+
+class Giving(NamedTuple):
+    """What clamps that give way change in a joint, over rigid ones.
+
+    ``stress`` and ``shift`` are between which the change lies; ``softest`` is by how much any
+    compliance of the joint may rise, off its motion and out of its plane too.
+    """
+
+    ratio: float
+    """Largest h/l of a blade."""
+    stiffness: Factor
+    stress: tuple[float, float]
+    buckling: Factor
+    shift: tuple[float, float]
+    softest: float
 
 
 class Thick(NamedTuple):

@@ -13,7 +13,7 @@ from flexcli.formulas.card import Card, Range, outside
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Layout, Point
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, or_free, spec_error
-from flexcli.parts.bending import Bending, Thick, WideBlades
+from flexcli.parts.bending import Bending, Giving, Thick, WideBlades
 from flexcli.parts.bending.unknown import NotEstimated
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic, NotAvailable
@@ -174,6 +174,8 @@ class Geometry(Part):
     """What strains it when it moves."""
     sag_bends_width: ClassVar[bool] = False
     """Whether the sag bends the blades across their width."""
+    sag_axis: ClassVar[str] = ""
+    """Axis along which a weight bends it as its stroke does."""
     keeps_level: ClassVar[bool] = False
     """Whether its closed forms take the body as kept from turning, however far apart its blades
     stand."""
@@ -387,6 +389,14 @@ class Geometry(Part):
 
     def thick_notches(self, sizes: Sizes) -> Thick | None:
         """Return what plane elasticity changes in its notch hinges, nothing where it has none."""
+        return None
+
+    def giving_clamps(self, sizes: Sizes, nu: float) -> Giving | None:
+        """Return what its blades' roots change as they give way, nothing where none is told to."""
+        return None
+
+    def with_giving_clamps(self) -> "Geometry | None":
+        """Return it cut from one piece with its bodies where nothing says how its blades end."""
         return None
 
     def twisting_bars(self, sizes: Sizes) -> TwistingBars | None:

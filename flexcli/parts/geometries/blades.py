@@ -2,19 +2,62 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Literal, TypeAlias
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.card import SLENDER, Range
 from flexcli.formulas.quantity import Computed
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment
+from flexcli.parts.bending import Giving
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import ACROSS_WIDTH, Blade, Critical, Extent, Geometry
+from flexcli.parts.geometries.base import ACROSS_WIDTH, Blade, Critical, Extent, Geometry, Sizes
 
-__all__ = ["BladeGeometry"]
+__all__ = ["BladeGeometry", "ClampedBlades", "Clamps"]
+
+Clamps: TypeAlias = Literal["rigid", "monolithic", "monolithic-flush"]
 
 
-class BladeGeometry(Geometry):
+class ClampedBlades(Geometry):
+    """A joint or stage whose blades end in bodies, by clamps or cut from one piece with them."""
+
+    joined_in: ClassVar[frozenset[str]] = frozenset()
+    """Bodies of its layout that are but blades which meet."""
+
+    clamps: Clamps | None = None
+    """How the blades end: between rigid clamps, or cut from one piece with their bodies, which
+    give way at the roots; flush where a face is in line with a side of the body. Rigid where
+    nothing is said, e.g. ``monolithic``.
+    """
+
+    def giving_clamps(self, sizes: Sizes, nu: float) -> Giving | None:
+        """Return what roots in one piece with their bodies change."""
+        if self.clamps in (None, "rigid"):
+            return None
+        from flexcli.parts.bending.giving import giving_clamps
+
+        return giving_clamps(
+            self.blades_layout(Elastic(1.0, nu), sizes),
+            self.held(1.0),
+            nu,
+            flush=self.clamps == "monolithic-flush",
+            joined=self.joined_in,
+            shift=lambda pure, bent: self.shift_change(sizes, pure, bent),
+        )
+
+    def with_giving_clamps(self) -> Geometry | None:
+        """Return it cut from one piece where nothing is said of its clamps."""
+        return None if self.clamps else self.model_copy(update={"clamps": "monolithic"})
+
+    def shift_change(self, sizes: Sizes, pure: float, bent: float) -> float | None:
+        """Return the change of its shift, as a share, by how blades shorten.
+
+        ``pure`` and ``bent`` are how much more they do when bent to an arc and to an S, as shares
+        too. Nothing where it is not known.
+        """
+        return None
+
+
+class BladeGeometry(ClampedBlades):
     """A joint or stage made of equal blades of thickness h, length l and width b."""
 
     dimensions: ClassVar[type[Any]] = Blade

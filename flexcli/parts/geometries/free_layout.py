@@ -16,9 +16,10 @@ from flexcli.parts.bending import Thick, WideBlades
 from flexcli.parts.bending.thick import thick_linked
 from flexcli.parts.bending.wide import wide_by_shapes, wide_drawn
 from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Geometry, Sizes
+from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Sizes
 from flexcli.parts.geometries.base import Blade as WideBlade
 from flexcli.parts.geometries.blade_profile import ConstantProfile
+from flexcli.parts.geometries.blades import ClampedBlades
 from flexcli.parts.geometries.layout_faults import Drawing, faults
 from flexcli.parts.geometries.layout_parts import (
     DrawnBlade,
@@ -36,7 +37,7 @@ _NODES = 24
 """Gauss nodes on a piece of a blade for its volume: rounding for every profile."""
 
 
-class FreeLayout(Geometry):
+class FreeLayout(ClampedBlades):
     """Rigid bodies and the blades between them as the spec draws them; the stroke moves one.
 
     The spec draws it in coordinates of its own, which are those of its loads and requirements

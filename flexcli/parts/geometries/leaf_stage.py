@@ -64,6 +64,10 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         """Return the factors of guided blades."""
         return wide_guided(sizes, nu)
 
+    def shift_change(self, sizes: Blade, pure: float, bent: float) -> float:
+        """Return that of blades bent to an S."""
+        return bent
+
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in: shape and stroke."""
         return {**self.ratios(sizes), "x/l": travel / sizes.l}

@@ -21,6 +21,7 @@ from flexcli.parts.bending.wide import wide_necks
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical, Extent
+from flexcli.parts.geometries.blades import ClampedBlades
 from flexcli.parts.geometries.joint_buckling import CARRIED
 from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, is_push, lever, places
 from flexcli.results import ErrorRange, Value
@@ -44,7 +45,7 @@ class NeckedSizes(NamedTuple):
         return 2.0 * self.l_c / self.l
 
 
-class NeckedDownStage(SagsAlongStroke):
+class NeckedDownStage(SagsAlongStroke, ClampedBlades):
     """n parallel blades of length l, each flexible over l_c at both ends: ξ = 2 l_c/l ≤ 1."""
 
     motion: ClassVar[str] = "translation"

@@ -1,6 +1,7 @@
 """What blades or limbs that stand side by side share: places, axial force, sag along the stroke."""
 
 from math import cos, sin
+from typing import ClassVar
 
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.elastic import Elastic, NotAvailable
@@ -15,9 +16,11 @@ ROUNDING = 1e-9
 class SagsAlongStroke(Geometry):
     """A straight guide: a weight along its stroke x bends it as the stroke does."""
 
+    sag_axis: ClassVar[str] = "x"
+
     def sag_stiffness(self, elastic: Elastic, sizes: Sizes, axis: str) -> Computed:
         """Return the stiffness along the stroke x [N/m]."""
-        if axis != "x":
+        if axis != self.sag_axis:
             raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")
         return self.stiffness(elastic, sizes)
 

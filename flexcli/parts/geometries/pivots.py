@@ -172,6 +172,12 @@ class PairFormulas(PivotFormulas, BladePair):
         delta = float(self.offset(sizes)) / float(sizes.l)
         return wide_pivot(sizes, nu, delta=delta, pair=True)
 
+    def shift_change(self, sizes: Blade, pure: float, bent: float) -> float | None:
+        """Return that of 5 − 9γ², of which −5/2 and −9γ² are the shortenings of both shapes."""
+        square = (1.0 + 2.0 * float(self.offset(sizes)) / float(sizes.l)) ** 2
+        left = 5.0 - 9.0 * square
+        return -(2.5 * pure + 9.0 * square * bent) / left if left else None
+
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return δ and the shift across the bisector, which the shift along it leaves out."""
         found, (h, l, _), p = super().values(elastic, sizes, travel), sizes, self.offset(sizes)

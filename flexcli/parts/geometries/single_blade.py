@@ -125,6 +125,10 @@ class GuidedBlade(_SingleBlade):
         """Return the factors of a guided blade."""
         return wide_guided(sizes, nu)
 
+    def shift_change(self, sizes: Blade, pure: float, bent: float) -> float:
+        """Return that of a blade bent to an S."""
+        return bent
+
     def s_bending_share(self, sizes: Blade) -> float:
         """Return 1: the blade bends in an S alone."""
         return 1.0
@@ -162,6 +166,10 @@ class MomentBlade(_SingleBlade):
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
         """Return the factors of a blade that a moment bends."""
         return wide_moment(sizes, nu)
+
+    def shift_change(self, sizes: Blade, pure: float, bent: float) -> float:
+        """Return that of l/4 less the shortening l/6 of an arc that starts at the clamp."""
+        return -pure / 2.0
 
     def root(self, sizes: Blade) -> Computed:
         """Return that the centre, about which the tip turns, is the middle of the blade [m]."""

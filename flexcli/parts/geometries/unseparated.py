@@ -31,6 +31,8 @@ class UnseparatedPivot(BladePair):
         Range("part l/h", least=10.0, why="a part of a blade this short is no slender beam"),
     )
 
+    joined_in: ClassVar[frozenset[str]] = frozenset({CROSS})
+
     kind: Literal["unseparated-cross"]
     crossing: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] = 0.5
     """Share of the blades' length on the side of the base, e.g. ``0.5``."""

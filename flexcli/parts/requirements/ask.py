@@ -65,6 +65,13 @@ class Ask(NamedTuple):
     scene: Scene
     joint_model: "JointModel"
 
+    @property
+    def clamps_give(self) -> float:
+        """Return by how much its clamps may raise any compliance, off the motion too [-]."""
+        given = self.material.poisson_ratio
+        giving = self.geometry.giving_clamps(self.sizes, 0.5 if given is None else given.value)
+        return 0.0 if giving is None else giving.softest
+
 
 class JointModel(ABC):
     """A model of the joint: what requirements ask of it, for floats or signomials.

@@ -127,6 +127,6 @@ def across_width(ask: Ask) -> Iterator[Critical]:
         high = 0.0 if ENDS[scene.ends].hinged else least**2 - 1.0
         stress = scene.axial_share / (h * b)
         force = critical.force / scene.axial_share
-        yield Critical(
-            ACROSS_WIDTH, force, critical.source, stress, ErrorRange(-softer, max(high, 0.0))
-        )
+        low = (1.0 - softer) / (1.0 + ask.clamps_give) - 1.0
+        error = ErrorRange(low, max(high, 0.0))
+        yield Critical(ACROSS_WIDTH, force, critical.source, stress, error)

@@ -132,10 +132,16 @@ class DynamicYield(_Dynamic):
 
 
 def _of_plain_beams(error: ErrorRange | None, ask: Ask) -> ErrorRange | None:
-    """Return the error of a critical force of beams, which wide blades can only raise."""
+    """Return the error of a critical force of beams between rigid clamps.
+
+    Wide blades can only raise it, and clamps that give way only lower it.
+    """
+    if error is None:
+        return None
     nu = ask.material.elastic.nu
     wide = 0.5 if nu is None else nu
-    return None if error is None else ErrorRange(error.low, error.high + wide**2 / (1.0 - wide**2))
+    low = (1.0 + error.low) / (1.0 + ask.clamps_give) - 1.0
+    return ErrorRange(low, error.high + wide**2 / (1.0 - wide**2))
 
 
 class DynamicBuckling(_Dynamic):

@@ -111,7 +111,8 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
         return Uncertain(structure, None)
     ends = [factor * (1.0 + off.low), factor * (1.0 + off.high)]
     if _leaves_its_motion(ask):
-        ends.append(1.0)  # what stretches the blades is no softer or stiffer by their width
+        # what stretches the blades is no softer or stiffer by their width, but by their clamps
+        ends += [1.0, 1.0 / (1.0 + ask.clamps_give)]
     low, high = max(min(ends), 0.0), max(ends)
     if low <= 0.0:
         return Uncertain(structure, None)

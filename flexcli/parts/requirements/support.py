@@ -209,14 +209,17 @@ class Support(Bound):
     def _error(self, ask: Ask) -> ErrorRange | None:
         """Return how far real blades are off: of a ratio only in the plane, where no blade twists.
 
-        There each is stiffer than its beam by at most 1/(1 − ν²), and so is the joint.
+        There each is stiffer than its beam by at most 1/(1 − ν²), and so is the joint. Clamps
+        that give way make it softer, and a ratio anything between.
         """
+        softer = 1.0 / (1.0 + ask.clamps_give) - 1.0
         if self.over is None:
-            return STIFFER
+            return STIFFER + ErrorRange(softer, 0.0)
         nu = ask.material.elastic.nu
         if nu is None or not {self.direction, self.over} <= IN_PLANE:
             return None
-        return ErrorRange(-(nu**2), 1.0 / (1.0 - nu**2) - 1.0)
+        stiffer = (1.0 + ask.clamps_give) / (1.0 - nu**2) - 1.0
+        return ErrorRange(1.0 / (1.0 + stiffer) - 1.0, stiffer)
 
 
 class Deflection(Bound):
@@ -281,6 +284,6 @@ class Deflection(Bound):
                 unit=self.unit,
                 source=SOURCE,
                 kind=QuantityKind.SUPPORT,
-                error=SOFTER,
+                error=SOFTER + ErrorRange(0.0, ask.clamps_give),
             ):
                 yield replace(limit, requirement=f"{self.label} {self.direction}")

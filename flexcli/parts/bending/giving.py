@@ -1,0 +1,218 @@
+"""Giving clamps: what blades cut from one piece with their bodies are softer than clamped ones."""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.formulas.clamps import clamp_compliance
+from flexcli.formulas.notch_compliance import planar_compliance
+from flexcli.formulas.profile import Filleted, Notch
+from flexcli.mechanics.layout import Blade, Layout
+from flexcli.mechanics.linear import linear
+from flexcli.parts.bending.base import Factor, Giving
+from flexcli.parts.geometries.base import MOVING, PIECE, ROUNDING, Held
+
+__all__ = ["giving_clamps", "giving_linked"]
+
+Floats = NDArray[np.float64]
+
+CANCELS = 10.0
+"""Times that a joint's shift may be smaller than the shortening of a blade that makes it."""
+
+SHEARED = 2.4
+"""12 EI/(κ G A b²) at the least ν: share of shear in a blade's compliance across its width."""
+
+BENDS = slice(1, None)
+"""Force across a blade and moment, of the forces at its end; the first stretches it."""
+
+OF_NEXT = 0.2
+"""Share of the change of a shift that orders beyond the first may add."""
+
+ACROSS = 1.5
+"""Shift of a root across the width per shear force, over its stretch per axial force, at most."""
+
+
+class _Strip(NamedTuple):
+    """A blade's compliance at its end, least and most that its roots add, at E = 1 [1/m]."""
+
+    blade: Floats
+    least: Floats
+    most: Floats
+    slender: float
+    """h/l where it is thickest against its flexible length."""
+    out: float
+    """By how much any compliance across its width rises at most."""
+
+
+def giving_clamps(
+    layout: Layout,
+    held: Held,
+    nu: float,
+    *,
+    flush: bool,
+    joined: frozenset[str],
+    shift: Callable[[float, float], float | None],
+) -> Giving:
+    """Return what roots that give way change in a joint, by how the beams of its layout bend.
+
+    With the forces of rigid clamps the energy of the roots bounds the stiffness from below, with
+    their motions from above.
+
+    Parameters
+    ----------
+    layout : Layout
+        The joint.
+    held : tuple
+        Unit travel of its moving body.
+    nu : float
+        Poisson's ratio, or ½ [-].
+    flush : bool
+        Whether blades may stand at the sides of their bodies.
+    joined : frozenset of str
+        Bodies that are but blades which meet: they may hold each other as if rigid.
+    shift : callable
+        What the joint's shift changes when blades bent to an arc and to an S shorten otherwise, as
+        shares; nothing where nobody knows.
+
+    """
+    strips = [_strip(blade, nu, flush, joined) for blade in layout.blades]
+    softer = [_softer(strip, BENDS) for strip in strips]
+    # what one blade takes more of than another where bodies between them may follow
+    spread = max(softer) - min(softer) if len(layout.bodies) > 1 else 0.0
+    lowest = 1.0 / (1.0 + max(softer))
+    low, high = _bounds(layout, held, strips) or (lowest, 1.0)
+    least = min(_arc(strip.blade, strip.least) for strip in strips)
+    most = max(_arc(strip.blade, strip.most) for strip in strips)
+    return Giving(
+        max(strip.slender for strip in strips),
+        Factor((low + high) / 2.0, low, high),
+        (lowest - 1.0, spread),
+        Factor(max((1.0 + (least + most) / 2.0) ** -2, lowest), lowest, 1.0),
+        _shift(least, most, shift),
+        max(max(_softer(strip, slice(None)), strip.out) for strip in strips),
+    )
+
+
+def _bounds(layout: Layout, held: Held, strips: list[_Strip]) -> tuple[float, float] | None:
+    """Return between which the stiffness along the motion falls, nothing where it has none."""
+    solution = linear(layout, {MOVING: held})
+    axis = next(i for i in (2, 1) if held[i])
+    whole = float(solution.reactions[0, layout.index(MOVING), axis])
+    if not solution.unique.all() or not whole > 0.0:
+        return None
+    by_force, by_motion = 0.0, 0.0  # of twice the energy
+    for blade, strip, force in zip(layout.blades, strips, solution.end_forces[0], strict=True):
+        f = _along(blade, force)
+        by_force += float(f @ strip.most @ f)
+        q = strip.blade @ f
+        by_motion += float(q @ np.linalg.solve(strip.blade + strip.least, q) - f @ q)
+    return 1.0 / (1.0 + by_force / whole), 1.0 + by_motion / whole
+
+
+def giving_linked(each: Sequence[Giving | None]) -> Giving | None:
+    """Return the range of a linkage's joints, which reflect their stiffness to the input."""
+    found = [giving for giving in each if giving is not None]
+    if not found:
+        return None
+    high = 1.0 if len(found) < len(each) else max(g.stiffness.high for g in found)
+    low = min(g.stiffness.low for g in found)
+    held = min(g.buckling.low for g in found)
+    return Giving(
+        max(g.ratio for g in found),
+        Factor((low + high) / 2.0, low, high),
+        (low - 1.0, high - low),
+        Factor((held + 1.0) / 2.0, held, 1.0),
+        (min(g.shift[0] for g in found), max(g.shift[1] for g in found)),
+        max(g.softest for g in found),
+    )
+
+
+def _strip(blade: Blade, nu: float, flush: bool, joined: frozenset[str]) -> _Strip:
+    """Return the compliance of a blade and what its roots add."""
+    x, y = np.subtract(blade.end, blade.start)
+    l, b = float(np.hypot(x, y)), float(blade.b)
+    beam = planar_compliance(blade.profile, E=1.0, l=l, b=b, a=l, G=0.5 / (1.0 + nu))
+    roots = list(_roots(blade, l, joined))
+    least, most = np.zeros((3, 3)), np.zeros((3, 3))
+    out = 0.0
+    reach = sum(np.ptp(piece.position(PIECE)) for piece in blade.profile.pieces(l))
+    for s, inward, h, share in roots:
+        found = clamp_compliance(h=h, b=b, poisson_ratio=nu, flush=flush)
+        # moment, its slope into the blade and axial force at the root, per force at the end
+        at = np.array([[0.0, l - s, 1.0], [0.0, -inward, 0.0], [1.0, 0.0, 0.0]])
+        least += share * found.least / (b * h**2) * np.outer(at[0], at[0])
+        soft = np.diag([found.most / h**2, found.shift, found.stretch])
+        soft[0, 1] = soft[1, 0] = -found.mixed / h
+        most += at.T @ soft @ at / b
+        axial, wide = found.stretch * h / reach, (l / b) ** 2
+        sheared = 3.0 * axial * (wide + ACROSS / 3.0) / (wide + SHEARED)
+        out += max(axial, sheared)
+    thickest = max((root[2] for root in roots), default=0.0)
+    return _Strip(beam, least, most, thickest / float(reach), out)
+
+
+def _roots(
+    blade: Blade, l: float, joined: frozenset[str]
+) -> Iterator[tuple[float, float, float, float]]:
+    """Yield where a flexible part of a blade ends in something rigid.
+
+    Each with its place [m], the sense of the blade from there, the thickness [m], and the share of
+    the least compliance: none at a mouth, whose block the correction of the notch has, and none
+    where blades meet.
+    """
+    pieces = blade.profile.pieces(l)
+    ends = [np.ravel(piece.position(PIECE)) for piece in pieces]
+    open_ = not isinstance(blade.profile, Filleted | Notch)
+    for piece, own in zip(pieces, ends, strict=True):
+        thickness = np.ravel(np.broadcast_to(piece.thickness(PIECE), 2))
+        for index, inward in ((0, 1.0), (1, -1.0)):
+            beside = (other[1 - index] for other in ends)
+            if not np.isclose(list(beside), own[index], rtol=0.0, atol=ROUNDING * l).any():
+                body = blade.first if own[index] < l / 2.0 else blade.second
+                share = 1.0 if open_ and body not in joined else 0.0
+                yield float(own[index]), inward, float(thickness[index]), share
+
+
+def _along(blade: Blade, force: Floats) -> Floats:
+    """Return the force at a blade's end along it and across it, and the moment."""
+    x, y = np.subtract(blade.end, blade.start)
+    along = np.array([x, y]) / np.hypot(x, y)
+    return np.array([along @ force[:2], along[0] * force[1] - along[1] * force[0], force[2]])
+
+
+def _softer(strip: _Strip, which: slice) -> float:
+    """Return by how much any compliance of a blade in its plane, or in bending, rises at most."""
+    blade, most = strip.blade[which, which], strip.most[which, which]
+    return float(np.linalg.eigvals(np.linalg.solve(blade, most)).real.max())
+
+
+def _arc(blade: Floats, roots: Floats) -> float:
+    """Return by how much the rotation of a blade that a moment bends rises."""
+    return float(roots[2, 2] / blade[2, 2])
+
+
+def _shift(
+    least: float, most: float, shift: Callable[[float, float], float | None]
+) -> tuple[float, float]:
+    """Return between which the shift changes, for so much more rotation of an arc."""
+    found = []
+    for more in (least, most):
+        pure, bent = _shortening(more)
+        change = shift(pure, bent)
+        if change is None:
+            return CANCELS * pure, -CANCELS * pure
+        found += [change, change * (1.0 + OF_NEXT)]
+    return min(found), max(found)
+
+
+def _shortening(more: float) -> tuple[float, float]:
+    """Return how much less a blade shortens at a given motion, bent to an arc and to an S [-].
+
+    The roots take 2δ = ``more`` of the rotation of an arc: ``(1 + 2δ)⁻² − 1`` and
+    ``(1 + 10δ + 30δ²)/(1 + 6δ)² − 1``.
+    """
+    delta = more / 2.0
+    s_shape = (1.0 + 10.0 * delta + 30.0 * delta**2) / (1.0 + 6.0 * delta) ** 2
+    return (1.0 + more) ** -2 - 1.0, s_shape - 1.0

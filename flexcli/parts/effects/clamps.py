@@ -1,0 +1,135 @@
+"""Clamps: they keep a blade from narrowing, and those cut from one piece with it give way."""
+
+from typing import ClassVar
+
+from flexcli.formulas import clamps
+from flexcli.parts.bending import Change, Changes, Giving
+from flexcli.parts.effect_names import EffectName
+from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
+from flexcli.parts.effects.plate import wide_of
+
+__all__ = ["ClampCompliance", "ClampStress"]
+
+
+class ClampStress(ModelEffect):
+    """What the nominal stress, the mean over the width of the face, leaves out at a clamp.
+
+    It is told and changes no number: yield and fatigue take the nominal stress. A strength that
+    was measured on clamped blades and stated by their nominal stress has it already; one of free
+    specimens has not: von Mises' share for yield, that of σ_x for fatigue.
+    """
+
+    name: ClassVar[EffectName] = EffectName.CLAMP_STRESS
+    needs: ClassVar[str] = "poisson_ratio"
+    is_whole: ClassVar[bool] = True
+
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return σ_x in the mid-width of the clamp over the nominal stress, less one."""
+        wide, blade, nu = wide_of(setting), setting.blade, setting.poisson_bound
+        if wide is None or wide.bends is None or blade is None or not setting.largest_travel:
+            return None
+        h, l, b = (float(size) for size in blade)
+        if b < 3.0 * h:
+            return None
+        first, second = wide.bends
+        pure, bent = abs(first + second), abs(first - second)
+        at = {"b": b, "l": l, "poisson_ratio": nu}
+        peak = pure * float(clamps.pure_bending_peak(**at))
+        peak += bent * float(clamps.s_shape_peak(**at))
+        over = peak / (pure + bent) / wide.stress.value
+        equivalent = float(clamps.at_clamp(peak=over, poisson_ratio=nu))
+        text = (
+            f"in mid-width at the clamp σ_x is {over - 1.0:+.0%}, von Mises {equivalent - 1.0:+.0%}"
+            " against the nominal stress, which leaves it out"
+        )
+        return Indicator(over - 1.0, text)
+
+    def changes(self, setting: Setting) -> Changes:
+        """Return nothing: it is no part of the nominal stress."""
+        return {}
+
+
+class ClampCompliance(ModelEffect):
+    """What bodies that the blades are cut from give way at the roots, on top of any beam.
+
+    At a given travel the stress falls, which is not counted on; under loads it may rise as well.
+    """
+
+    name: ClassVar[EffectName] = EffectName.CLAMP_COMPLIANCE
+    is_whole: ClassVar[bool] = True
+
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return the largest h/l of a blade, and what rigid clamps leave out where none is told."""
+        giving, slender = giving_of(setting), setting.slenderness
+        if giving is not None:
+            return Indicator(giving.ratio, f"h/l = {giving.ratio:.2g}")
+        if slender is None or setting.geometry.with_giving_clamps() is None:
+            return None
+        softer = 6.0 * clamps.extra_length(h=slender)
+        text = (
+            f"h/l = {slender:.2g}; clamps are rigid: cut from one piece with its bodies "
+            f"(clamps: monolithic) a blade is up to {softer:.1%} softer"
+        )
+        return Indicator(slender, text)
+
+    def changes(self, setting: Setting) -> Changes:
+        """Return the softer stiffness, and between what all that follows from it lies."""
+        giving = giving_of(setting)
+        if giving is None:
+            return {}
+        found = {"stiffness": _within(*giving.stiffness[:3])}
+        if any(scene.blade_force for scene in setting.scenes):
+            found["buckling"] = _within(*giving.buckling[:3])
+        if setting.largest_travel:
+            least, most = giving.stress
+            if any(scene.is_loaded for scene in setting.scenes):
+                most = max(most, -least)
+            found["stress"] = _between(least, most)
+            found["shift"] = _between(*giving.shift)
+        if not _sags_along_stroke(setting):
+            found["sag"] = Change(None, giving.softest, 0.0, 1)
+        return found
+
+
+def giving_of(setting: Setting) -> Giving | None:
+    """Return what clamps that give way change in a design."""
+    return _LAST.of(setting)
+
+
+class _Last:
+    """The clamps that were asked last: every number of a design asks for the same."""
+
+    def __init__(self) -> None:
+        self.asked: tuple[object, ...] = ()
+        self.found: Giving | None = None
+
+    def of(self, setting: Setting) -> Giving | None:
+        """Return those of a setting."""
+        geometry, *rest = asked = setting.geometry, setting.sizes, setting.poisson_bound
+        if not self.asked or self.asked[0] is not geometry or list(self.asked[1:]) != rest:
+            self.found = geometry.giving_clamps(setting.sizes, setting.poisson_bound)
+            self.asked = asked
+        return self.found
+
+
+_LAST = _Last()
+
+
+def _sags_along_stroke(setting: Setting) -> bool:
+    """Return whether every acceleration bends the joint as its stroke does."""
+    along = setting.geometry.sag_axis
+    return all(s.acceleration == 0.0 or s.axis == along for s in setting.scenes)
+
+
+def _within(value: float, low: float, high: float) -> Change:
+    """Return the change to a factor that lies within a range."""
+    error = max(high - value, value - low) / value
+    return Change(value - 1.0, max(1.0 - low, high - 1.0), error)
+
+
+def _between(low: float, high: float) -> Change:
+    """Return a change of which but a range is known: as a number of no change where it has 0."""
+    if low <= 0.0 <= high:
+        size = max(-low, high)
+        return Change(0.0, size, size, -1 if high == 0.0 else 0)
+    return _within(1.0 + (low + high) / 2.0, 1.0 + low, 1.0 + high)
