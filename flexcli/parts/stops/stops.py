@@ -101,6 +101,12 @@ class Stops(Part):
                 "give mechanism: (kind: tip-mass, mass: …)",
                 at=("stops",),
             )
+        if geometry.giving_clamps(geometry.probe(), 0.5) is not None:
+            raise spec_error(
+                "blades at stops are taken as clamped rigidly",
+                "write clamps: rigid, or leave it out",
+                at=("geometry", "clamps"),
+            )
         for key, strength in (("bending", self.bending), ("shear", self.shear)):
             try:
                 if strength is not None:
