@@ -36,6 +36,7 @@ HOW: dict[str, str] = {
     EffectName.HINGE_LENGTH: "exact at a hundredth of the stroke over the closed form of pins",
     EffectName.PLATE_WIDENING: "exact with and without the correction of the plate",
     EffectName.ANTICLASTIC: "exact with and without the correction of the curved plate",
+    EffectName.CLAMP_COMPLIANCE: "exact with and without the correction of the roots",
     EffectName.THICK_NOTCH: "exact with and without the correction of the plane body",
     EffectName.BLADE_MASS: "modes with and without the blades' mass",
 }
@@ -43,6 +44,7 @@ HOW: dict[str, str] = {
 FORMULAS = (
     EffectName.PLATE_WIDENING,
     EffectName.ANTICLASTIC,
+    EffectName.CLAMP_COMPLIANCE,
     EffectName.THICK_NOTCH,
     EffectName.BLADE_MASS,
 )
