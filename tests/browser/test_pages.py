@@ -41,6 +41,41 @@ CUT = """() => [...document.querySelectorAll('.scroll, pre')]
 """What would be cut off on paper, where nothing scrolls."""
 
 
+GRID = """() => {
+    const box = e => e.getBoundingClientRect();
+    const seen = e => box(e).width > 0 && box(e).height > 0;
+    return [...document.querySelectorAll('main > section')].filter(seen).map(section => {
+        const head = section.querySelector(':scope > header');
+        const rest = [...section.children].filter(e => e !== head && seen(e));
+        return {
+            name: section.id, wide: section.classList.contains('wide'), top: box(section).top, left: box(section).left,
+            right: box(section).right, head: {...box(head).toJSON()},
+            rest: rest.map(e => box(e).toJSON()),
+        };
+    });
+}"""
+"""Where the sections of a page stand, their heads and what they have beside or below."""
+
+OVERLAPPING = """() => {
+    const blocks = [...document.querySelectorAll(
+        'h1, h2, h3, p, li, dt, dd, table, pre, figure > svg')]
+        .filter(e => !e.closest('.hidden, .vh, details:not([open])') && e.getClientRects().length)
+        .filter(e => !e.querySelector('p, table, pre, dl, ul'));
+    const boxes = blocks.map(e => e.getBoundingClientRect());
+    const found = [];
+    for (let i = 0; i < blocks.length; i++)
+        for (let j = i + 1; j < blocks.length; j++) {
+            const [a, b] = [boxes[i], boxes[j]];
+            const wide = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+            const high = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+            if (wide > 1 && high > 1 && !blocks[i].contains(blocks[j]))
+                found.push([i, j].map(k => blocks[k].textContent.slice(0, 30)).join(' | '));
+        }
+    return found;
+}"""
+"""Pairs of blocks of text, tables and figures that lie over each other."""
+
+
 def page_of(name):
     """Return the page of an example; free sizes are chosen by the formulas as printed."""
     spec = flexcli.load(ROOT / name / "flexure.yaml")
@@ -105,6 +140,39 @@ def test_nothing_is_cut_off_on_paper(page):
     assert page.evaluate(WIDER) == []
 
 
+@pytest.mark.parametrize(
+    ("media", "width", "head"),
+    [("screen", PHONE, None), ("screen", LAPTOP, 168.0), ("print", PAPER, 27.0 / 25.4 * 96.0)],
+)
+def test_has_heads_beside_the_text_where_there_is_room(page, media, width, head):
+    page.emulate_media(media=media)
+    page.set_viewport_size({"width": width, "height": 900})
+    sections = page.evaluate(GRID)
+    assert sections or page.url.endswith(f"{INDEX}.html")
+    tops = [section["top"] for section in sections]
+    assert tops == sorted(tops)
+    assert len({(section["left"], section["right"]) for section in sections}) <= 1
+    for section in sections:
+        title, rest = section["head"], section["rest"]
+        assert rest, f"{section['name']} is empty"
+        # a table too wide for the paper takes the column of the heads too
+        if head is None or (media == "print" and section["wide"]):
+            assert min(each["top"] for each in rest) >= title["bottom"]
+            assert all(each["left"] == pytest.approx(title["left"], abs=1) for each in rest)
+        else:
+            assert title["width"] == pytest.approx(head, abs=1)
+            assert min(each["left"] for each in rest) > title["right"]
+
+
+@pytest.mark.parametrize(
+    ("media", "width"), [("screen", PHONE), ("screen", LAPTOP), ("print", PAPER)]
+)
+def test_nothing_lies_over_anything_else(page, media, width):
+    page.emulate_media(media=media)
+    page.set_viewport_size({"width": width, "height": 900})
+    assert page.evaluate(OVERLAPPING) == []
+
+
 @pytest.mark.parametrize(("width", "scheme"), [(PHONE, "dark"), (LAPTOP, "light")])
 def test_has_no_barrier_that_axe_finds(page, width, scheme):
     page.emulate_media(media="screen", color_scheme=scheme)
@@ -117,11 +185,13 @@ def test_the_checks_find_what_they_look_for(chromium):
     opened = chromium.new_page(viewport={"width": PHONE, "height": 900})
     opened.set_content(
         "<main style='color:#ccc'>pale <img src='data:,'><p style='width:999px'>wide</p>"
-        "<div class='scroll' style='overflow:auto;width:9px'>cut</div></main>"
+        "<div class='scroll' style='overflow:auto;width:9px'>cut</div>"
+        "<p>under</p><p style='margin-top:-30px'>over</p></main>"
     )
     assert {"image-alt", "color-contrast"} <= {
         barrier["id"] for barrier in axe.Axe().run(opened).response["violations"]
     }
     assert any("wide" in found for found in opened.evaluate(WIDER))
     assert len(opened.evaluate(CUT)) == 1
+    assert opened.evaluate(OVERLAPPING) == ["under | over"]
     opened.close()
