@@ -48,7 +48,8 @@ GRID = """() => {
         const head = section.querySelector(':scope > header');
         const rest = [...section.children].filter(e => e !== head && seen(e));
         return {
-            name: section.id, wide: section.classList.contains('wide'), top: box(section).top, left: box(section).left,
+            name: section.id, wide: section.classList.contains('wide'),
+            top: box(section).top, left: box(section).left,
             right: box(section).right, head: {...box(head).toJSON()},
             rest: rest.map(e => box(e).toJSON()),
         };
