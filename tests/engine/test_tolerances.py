@@ -8,6 +8,7 @@ import pytest
 from scipy.integrate import quad
 
 import flexcli
+from flexcli.errors import SolveError
 
 STAGE = """\
 flexure: 1
@@ -197,3 +198,61 @@ def test_it_passes_where_the_stated_share_does(robust, status):
     )
     found = flexcli.tolerances(f"{text}robust: {robust}\n", parts=2000)
     assert found.status.value == status
+
+
+def test_blades_that_differ_share_the_stiffness():
+    k = stiffness()
+    asked = f"{{yield: 1, stiffness: {{max: {1.02 * k} N/m}}}}"
+    found = flexcli.tolerances(stage(asked, "{h: {normal: 3 um, each: blade}}"))
+    # of two blades, each h³
+    h = np.random.default_rng(5).normal(200.0, 3.0, (400_000, 2)) / 200.0
+    exact = ((h**3).mean(axis=1) < 1.02).mean()
+    row = row_of(found, "stiffness")
+    assert row.passed == pytest.approx(exact, abs=CHANCE + 2.0 * MODELS)
+    assert row.slopes == pytest.approx({"h of blade 1": -1.5, "h of blade 2": -1.5}, abs=2e-3)
+
+
+PIVOT = """\
+flexure: 1
+material: {youngs_modulus: 100 GPa, poisson_ratio: 0.3, yield_strength: 800 MPa}
+geometry: GEOMETRY
+stroke: {rotation: 1 deg}
+requirements: {yield: 1, parasitic_shift: {max: 4 um}}
+tolerances: {SIZE: {uniform: 5 um, each: blade}}
+"""
+
+RCC = "{kind: rcc, p: 2 mm, half_angle: 45 deg, h: 0.1 mm, l: 10 mm, b: 5 mm}"
+HINGED = (
+    "{kind: hinged-pivot, delta: 1, half_angle: 30 deg, e: 100 um, r: 4 mm, l: 50 mm, b: 10 mm}"
+)
+
+
+def pivot(geometry, size="h"):
+    return PIVOT.replace("GEOMETRY", geometry).replace("SIZE", size)
+
+
+def test_the_worst_pair_of_a_pivot_is_that_pair_drawn():
+    found = flexcli.tolerances(pivot(RCC), parts=1000)
+    worst = row_of(found, "parasitic shift").worst
+    h = [worst.at[f"h of blade {k}"] for k in (1, 2)]
+    assert sorted(h) == pytest.approx([95e-6, 105e-6])  # what differs most shifts most
+    blades = []
+    for sign, thickness in zip((1, -1), h, strict=True):
+        near, far = (f"[{r / sqrt(2.0)} mm, {sign * r / sqrt(2.0)} mm]" for r in (2.0, 12.0))
+        blades.append(
+            f"blade-{sign + 2}: {{between: [ground, body], from: {near}, to: {far}, "
+            f"h: {thickness} m, b: 5 mm}}"
+        )
+    drawn = (
+        "{kind: layout, moving: body, motion: rotation, bodies: {body: {at: [0 mm, 0 mm]}}, "
+        f"blades: {{{', '.join(blades)}}}}}"
+    )
+    text = pivot(drawn).partition("tolerances")[0]
+    checks = flexcli.check(text, model="exact").checks
+    (shift,) = (check for check in checks if check.name.startswith("parasitic"))
+    assert worst.share == pytest.approx(shift.factor_range[0] / shift.required, rel=1e-4)
+
+
+def test_blades_that_no_drawing_tells_apart_are_refused():
+    with pytest.raises(SolveError, match="not the same all along"):
+        flexcli.tolerances(pivot(HINGED, "e"))

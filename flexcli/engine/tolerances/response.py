@@ -96,7 +96,6 @@ class Judged:
         """Judge the random parts, and as many more designs as a polynomial of a degree needs."""
         from scipy.stats import qmc
 
-
         count = len(self.each)
         wanted = int(1.5 * terms(count, degree)) + 2 * count + 1
         shares = qmc.Sobol(d=count, seed=self.seed).random_base2(wanted.bit_length())[:wanted]

@@ -1,6 +1,6 @@
 """The verb tolerances: what share of the parts passes, the worst of them, and what it hangs on."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from math import exp, nan, sqrt
@@ -28,7 +28,7 @@ from flexcli.engine.tolerances.response import (
     states,
     verdicts_of,
 )
-from flexcli.engine.tolerances.variations import Variation, variations
+from flexcli.engine.tolerances.variations import Variation, as_made, variations
 from flexcli.engine.tolerances.worst import judged_at, worst_cases
 from flexcli.errors import SolveError
 from flexcli.numerics.polynomial_fit import terms
@@ -114,19 +114,24 @@ def tolerances(
     """
     started = perf_counter()
     _refuse(design)
-    found = judge(design, sizes, model_series(design))
-    nominal = judged_with_values("tolerances", design, sizes, spec, found)
+    drawn = nominal_of(design)
+    found = judge(drawn, sizes, model_series(drawn))
+    nominal = judged_with_values("tolerances", drawn, sizes, spec, found)
     run = _Run(Portable(design, recipe), found.checks, parts, seed, confidence, over)
-    notes: tuple[Note, ...] = ()
+    notes = tuple(_joints_alike(design))
     try:
         run.all()
     except KeyboardInterrupt:
-        notes = (Note("interrupted", f"the run was stopped: it had judged {run.judged} designs"),)
+        notes = (
+            *notes,
+            Note("interrupted", f"the run was stopped: it had judged {run.judged} designs"),
+        )
+    is_stopped = any(note.code == "interrupted" for note in notes)
     result = run.result()
     assert nominal.cost is not None  # a judgement has one
     return replace(
         nominal,
-        status=_status(result) if not notes else Status.UNDECIDED,
+        status=_status(result) if not is_stopped else Status.UNDECIDED,
         values={},
         effects=(),
         tolerances=result,
@@ -149,6 +154,7 @@ class _Run:
     ) -> None:
         self.portable, self.over = design, over
         self.design = design.design
+        self.drawn = nominal_of(self.design)
         self.seed, self.confidence = seed, confidence
         self.each = variations(self.design)
         self.names = tuple(check.full_name for check in checks)
@@ -163,7 +169,7 @@ class _Run:
     def all(self) -> None:
         """Do all of it, each step with what those before found."""
         judged = Judged(
-            self.portable, self.each, first_plan(self.design), np.clip(self.u[:HELD], -1.0, 1.0),
+            self.portable, self.each, first_plan(self.drawn), np.clip(self.u[:HELD], -1.0, 1.0),
             self.over, self.seed,
         )  # fmt: skip
         try:
@@ -345,6 +351,20 @@ def _status(found: TolerancesResult) -> Status:
     return Status.PASS if set(worst) <= {Verdict.PASS.value} else Status.UNDECIDED
 
 
+def _joints_alike(design: DesignSpec) -> Iterator[Note]:
+    """Yield what is not told of blades that differ in a mechanism of several joints."""
+    count = design.mechanism.joints if design.mechanism is not None else 1
+    if count > 1 and any(tolerance.each == "blade" for tolerance in design.tolerances.values()):
+        text = f"the blades of a joint differ, but the {count} joints of the mechanism are alike"
+        yield Note("joints-alike", text)
+
+
+def nominal_of(design: DesignSpec) -> DesignSpec:
+    """Return the part that is as drawn, by the models that all parts are judged by."""
+    each = variations(design)
+    return as_made(design, each, np.array([v.nominal for v in each]))
+
+
 def _refuse(design: DesignSpec) -> None:
     if not design.tolerances:
         text = "the design has no tolerances"
@@ -373,7 +393,7 @@ def respond(judged: Judged, names: Sequence[str], u: Floats) -> Response:
         while True:
             found = states(response, names, u)
             open_ = _open_questions(response, names, found)
-            plan: Plan = finer(judged.design.design, judged.plan, open_)
+            plan: Plan = finer(nominal_of(judged.design.design), judged.plan, open_)
             if plan == judged.plan:
                 break
             judged.ask(plan)

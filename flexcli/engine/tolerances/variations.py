@@ -2,12 +2,15 @@
 
 from collections.abc import Sequence
 from math import inf, log
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.own_blades import OwnBlades, blade_names
 from flexcli.parts.tolerances import Spread, place_of, with_number
 from flexcli.units import DIMENSIONS
 
@@ -21,6 +24,10 @@ beyond."""
 
 NEAREST = 0.05
 """Share of the nominal below which no part is judged."""
+
+
+DRAWN = ("layout", "linkage")
+"""Kinds of joints whose blades have sizes of their own in the spec."""
 
 
 class Variation(NamedTuple):
@@ -80,19 +87,57 @@ class Variation(NamedTuple):
 
 
 def variations(design: DesignSpec) -> tuple[Variation, ...]:
-    """Return what differs from part to part in a design whose sizes are given."""
-    found = []
+    """Return what differs from part to part in a design whose sizes are given.
+
+    Raises
+    ------
+    SolveError
+        Where blades shall differ that cannot be drawn each by itself.
+
+    """
+    found: list[Variation] = []
     for name, tolerance in design.tolerances.items():
         place = place_of(design, name)
         assert place.value is not None  # a design with sizes
         spread = tolerance.spread(place.dimension, place.value)
         unit = DIMENSIONS[place.dimension].si
-        found.append(Variation(name, name, place.path, unit, place.value, spread))
+        one = Variation(name, name, place.path, unit, place.value, spread)
+        blades = ("",) if tolerance.each == "part" else _blades(design, name)
+        found += [
+            one._replace(name=f"{name} of {blade}" if blade else name, blade=blade)
+            for blade in blades
+        ]
     return tuple(found)
+
+
+def _blades(design: DesignSpec, name: str) -> tuple[str, ...]:
+    geometry = design.geometry
+    try:
+        names = () if geometry.name in DRAWN else blade_names(geometry)
+        reason = "has blades with names of their own"
+    except NotAvailable as error:
+        names, reason = (), str(error)
+    if not names:
+        raise SolveError(
+            "no-blades-of-their-own",
+            f"{name} cannot differ from blade to blade: a {geometry.name} {reason}",
+            "leave each: blade out, or draw a layout and give each of its blades a tolerance",
+        )
+    return names
 
 
 def as_made(design: DesignSpec, each: Sequence[Variation], values: Floats) -> DesignSpec:
     """Return the design of a part whose numbers have these values [SI]."""
+    own = []
     for variation, value in zip(each, values.tolist(), strict=True):
-        design = with_number(design, variation.path, value)
-    return design
+        if variation.blade:
+            own.append((variation, value))
+        else:
+            design = with_number(design, variation.path, value)
+    if not own:
+        return design
+    joints: dict[str, Any] = {}
+    for (_, _, (_, *path), *_, blade), value in own:
+        joints[blade] = with_number(joints.get(blade, design.geometry), tuple(path), value)
+    drawn = OwnBlades.model_construct(whole=design.geometry, each=joints)
+    return design.model_copy(update={"geometry": drawn})
