@@ -4,7 +4,7 @@ Every requirement of every case is asked of the closed forms first. Where the ra
 reaches across the required one, the next model is asked, so that a wide margin costs nothing.
 """
 
-from collections.abc import Callable, Container, Iterable, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from dataclasses import replace
 from math import isfinite, nan
 from time import perf_counter
@@ -157,10 +157,15 @@ def stopped_result(
 
 
 class Used(NamedTuple):
-    """The share of what it allows that a check uses, and which question it answers."""
+    """The share of what it allows that a check uses, the question it answers, and by which model.
+
+    Question and model are told by their places.
+    """
 
     share: float
     question: int
+    model: int
+    is_target: bool
 
 
 def finest(
@@ -168,22 +173,28 @@ def finest(
     sizes: Sizes,
     models: tuple[NamedModel, ...],
     only: Container[int] | None = None,
-) -> dict[str, Used]:
-    """Return what each check uses, by a model that is sure of it where it is near its limit.
+    first: Mapping[int, int] | None = None,
+) -> tuple[dict[str, Used], frozenset[int]]:
+    """Return what each check uses, and the questions that are open: no model has their numbers.
 
-    The low end of the factor counts; of a target, its value. ``only`` are the questions to ask,
-    by their place; all if left out. What no model has an answer for is not there.
+    By a model that is sure of it where it is near its limit; the low end of the factor counts, of
+    a target its value. ``only`` are the questions to ask, by their place; all if left out.
+    ``first`` tells by question which model is asked first.
     """
+    names, open_ = [model.name for model in models], set()
     series, found = _Series(design, sizes, models), {}
     scenes = design.scenes()
     for index, (requirement, scene) in enumerate(design.questions(scenes)):
         if only is not None and index not in only:
             continue
-        for check in series.climbed(requirement, scene, _is_sure):
+        for check in series.climbed(requirement, scene, _is_sure, (first or {}).get(index, 0)):
             share = _share(check)
             if isfinite(share) and share > 0.0:
-                found[check.full_name] = Used(share, index)
-    return found
+                model = names.index(check.model)
+                found[check.full_name] = Used(share, index, model, check.is_target)
+            elif not isfinite(check.factor) or check.factor_range is None:
+                open_.add(index)
+    return found, frozenset(open_)
 
 
 def _is_sure(check: Check) -> bool:
@@ -215,11 +226,15 @@ class _Series:
         requirement: Requirement,
         scene: Scene,
         enough: Callable[[Check], bool] = lambda check: check.verdict is not Verdict.UNDECIDED,
+        first: int = 0,
     ) -> Iterator[Check]:
-        """Yield the checks of a requirement in a case, each by the first model that does."""
+        """Yield the checks of a requirement in a case, each by the first model that does.
+
+        Models before ``first`` are asked only where it and those after it have no answer.
+        """
         best: dict[str, Check] = {}
         spent, reason = 0.0, ""
-        for model in self.models:
+        for model in self.models[first:]:
             doing(f"{requirement.label}, {scene.case}, by the {model.name} model")
             started = perf_counter()
             buckled: Buckled | None = None
@@ -243,7 +258,9 @@ class _Series:
                         best[check.full_name] = fails._replace(model=model.name, seconds=spent)
             if best and all(enough(check) for check in best.values()):
                 break
-        if not best:
+        if not best and first > 0:
+            yield from self.climbed(requirement, scene, enough)
+        elif not best:
             yield _no_answer(requirement, scene, reason, self.models[-1].name, spent)
         yield from best.values()
 

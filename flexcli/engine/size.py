@@ -1,8 +1,7 @@
 """The verb size: choose the free dimensions, then judge the chosen design like any other."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from math import inf, isclose
 from time import perf_counter
 
 from flexcli.engine.check import judged
@@ -10,44 +9,41 @@ from flexcli.engine.judge import judge
 from flexcli.engine.models import NamedModel, model_series
 from flexcli.engine.sizing.balanced import Balanced, NotBalanced, balanced
 from flexcli.engine.sizing.conflict import explain_conflict
-from flexcli.engine.sizing.decided import corrections_at, difference
+from flexcli.engine.sizing.decided import judged_at
 from flexcli.engine.sizing.free_height import best_height, with_height
 from flexcli.engine.sizing.optimum import active_rows, certificate, optimum, refuse, sensitivities
 from flexcli.engine.sizing.program import SizingProgram, sizing_program
-from flexcli.engine.sizing.stock import StockChoice, from_stock
+from flexcli.engine.sizing.runaway import refuse_runaway
+from flexcli.engine.sizing.scouting import best_settled
+from flexcli.engine.sizing.stock import StockChoice, from_stock, points_about
+from flexcli.engine.sizing.trust_region import AGREED, Settled, least_eased
 from flexcli.errors import NoSolution, SolveError
 from flexcli.numerics.solution import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.sizing import Correction, Objective
+from flexcli.parts.sizing import Objective
 from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value, Verdict
 from flexcli.results.activity import doing
-from flexcli.units import show
 
 __all__ = ["size"]
 
 UNSETTLED = "not proved: the rounds settled on no choice, and a better one may exist"
 """How sure a choice is that the models that judge still move."""
 
-ROUNDS = 15
-SETTLED = 1e-7
-"""Change of every correction (relative) at which the rounds end; the rest is added to it, so that
-the models that judge find the requirement met."""
+ROUNDED = 1e-3
+"""Difference of a check by the models that judge and by the corrected formulas at which they agree
+enough where the sizes are rounded, and judged anew."""
 
-SLOW = 0.1
-"""Share of the last change that is too much to go on with the slopes of before."""
+REGION = 0.1
+"""Half-width, in logarithms, of the region about the place where the rounds ended in which the
+corrected formulas choose."""
 
-GRID_ROUNDS = 8
-"""Grid points that the models that judge may refuse before the last one is shown as it is."""
+GRID_ROUNDS = 6
+"""Grid points that the models that judge may refuse before those about the design without a grid
+are judged one by one."""
 
-EASING = (1.0, 1.1, 1.5, 3.0, 10.0, 100.0)
-"""By what the requirements are eased to find where a design that seems infeasible is judged."""
-
-SMALLEST = 1e-9
-"""A size [m] of a few atoms: a sizing that leads there is held by nothing."""
-
-THICKEST = 10.0
-"""Thickness over length of a blade that is none: a sizing that leads there has no end."""
+ON_GRID = "on the grid"
+"""What a design on the grid is called among those that are compared."""
 
 LARGE_SENSITIVITY = 3.0
 """Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
@@ -109,59 +105,111 @@ def _decided(
     design: DesignSpec, spec: str, series: tuple[NamedModel, ...], model: str | None
 ) -> Result:
     """Return the design sized by formulas that say at the choice what the models that judge do."""
-    corrections: dict[str, Correction] = {}
-    remarks: tuple[Note, ...] = (
-        Note(
-            "did-not-settle",
-            "the sizing did not settle: its choice is not the optimum",
-        ),
+    start = _first(design)
+    if start is None:
+        return _chosen_and_judged(design, spec, series, model)
+    is_gridded = set(design.geometry.free) <= design.size.rounding.keys()
+    found = best_settled(design, start, series, ROUNDED if is_gridded else AGREED)
+    if design.size.objective == "balanced" and not found.is_kept:
+        return _without_balance(design, found, spec, series, model)
+    result = _settled_and_judged(design, found, spec, series, model)
+    if design.size.rounding and result.status is not Status.PASS:
+        result = _rounded_anew(design, found, result, spec, series, model)
+    sizing = result.sizing
+    if not found.unsettled:
+        return result
+    if sizing is not None:
+        sizing = replace(sizing, certificate=UNSETTLED, sensitivities=())
+    text = f"the sizing did not settle in {found.unsettled[0]}: its choice may not be the optimum"
+    remark = Note("did-not-settle", text)
+    return replace(result, sizing=sizing, warnings=(remark, *result.warnings))
+
+
+def _without_balance(
+    design: DesignSpec,
+    found: Settled,
+    spec: str,
+    series: tuple[NamedModel, ...],
+    model: str | None,
+) -> Result:
+    """Return the least volume, where the models that judge know no balanced design."""
+    rest = ", ".join(found.unsettled[:1]) or "what is asked"
+    text = (
+        f"no balanced design by the models that judge: {rest} cannot be at its limit with the rest"
     )
-    change = inf
-    for rounds in range(ROUNDS):
-        doing(f"the optimum, round {rounds + 1}")
-        at = _continuous(design, corrections)
-        if at is None:
-            remarks = ()
-            break
-        # values alone at first, far from the choice; then slopes, as long as they do
-        found = corrections_at(design, at, series, None if rounds == 1 else corrections)
-        moved = difference(corrections, found, at)
-        if rounds > 1 and moved > SLOW * change:
-            found = corrections_at(design, at, series)
-        corrections, change = found, moved
-        if change <= SETTLED:
-            # slopes that are new may move the choice to where they do not hold
-            if rounds != 1 or _is_near(at, _continuous(design, corrections)):
-                remarks = ()
-            break
-    result = _chosen_and_judged(_tightened(design, corrections), spec, series, model)
-    spreads: dict[str, float] = {}
-    undecided: Result | None = None
+    options = design.size.model_copy(update={"objective": "least-volume"})
+    try:
+        result = _decided(design.model_copy(update={"size": options}), spec, series, model)
+    except NoSolution as error:
+        raise NoSolution(
+            error.code, f"{text}; of the least volume, {error.text}", error.remedy
+        ) from error
+    note = Note("no-balanced-design", f"{text}; sized for least volume instead")
+    return replace(result, warnings=(note, *result.warnings))
+
+
+def _rounded_anew(
+    design: DesignSpec,
+    found: Settled,
+    result: Result,
+    spec: str,
+    series: tuple[NamedModel, ...],
+    model: str | None,
+) -> Result:
+    """Return the best point of the grid that passes, where the first that was chosen does not.
+
+    The formulas are corrected at each point that does not and choose again; then the points
+    about the design without a grid are judged one by one.
+    """
+    first, spreads = result, dict[str, float]()
+    refused: set[Sizes] = set()
     for _ in range(GRID_ROUNDS):
-        if not design.size.rounding or result.status in (Status.PASS, Status.INFEASIBLE):
+        if result.status is Status.INFEASIBLE:
             break
-        if result.status is Status.UNDECIDED:
-            undecided = undecided or result
         spreads |= _spreads(result)
         at = design.geometry.sized({n: result.values[n].value for n in design.geometry.free})
-        corrections = {
-            name: found._replace(spread=spreads.get(name, 0.0))
-            for name, found in corrections_at(design, at, series).items()
+        if at in refused:
+            break
+        refused.add(at)
+        found = found.at(design, judged_at(design, at, series, found.place))
+        corrected = {
+            name: each._replace(spread=spreads.get(name, 0.0))
+            for name, each in found.corrections.items()
         }
-        result = _chosen_and_judged(_tightened(design, corrections), spec, series, model)
-    if undecided is not None and result.status is not Status.PASS:
-        result = undecided  # no point of the grid was found that passes
-    sizing = result.sizing
-    if remarks and sizing is not None:
-        sizing = replace(sizing, certificate=UNSETTLED, sensitivities=())
-    return replace(result, sizing=sizing, warnings=(*remarks, *result.warnings))
+        found = found._replace(corrections=corrected)
+        result = _settled_and_judged(design, found, spec, series, model)
+        if result.status is Status.PASS:
+            return result
+        if first.status in (Status.INFEASIBLE, Status.FAIL) and result.status is Status.UNDECIDED:
+            first = result
+    program = sizing_program(design.corrected(found.corrections))
+    for sizes in _beside(design, program, first):
+        if sizes not in refused and judge(design, sizes, series).status is Status.PASS:
+            sizing = first.sizing
+            assert sizing is not None  # a sizing has one
+            kept = tuple(each for each in sizing.designs if each.name != ON_GRID)
+            sizing = replace(
+                sizing,
+                designs=(*kept, _design(design, ON_GRID, sizes)),
+                remarks=(*sizing.remarks, "grid: a point beside the best one, which passes"),
+            )
+            ideal = sizes._replace(**{n: first.values[f"{n}_ideal"].value for n in program.names})
+            return _judged(design, spec, _Choice(sizes, sizing, ideal), series, model)
+    return first
 
 
-def _is_near(sizes: Sizes, others: Sizes | None) -> bool:
-    """Return whether two choices differ by no more than a tenth in any size."""
-    if others is None:
-        return False
-    return all(isclose(x, y, rel_tol=0.1) for x, y in zip(sizes, others, strict=True))
+def _beside(design: DesignSpec, program: SizingProgram, result: Result) -> Iterator[Sizes]:
+    """Yield the points of the grid about the design without one, the best first."""
+    grids = design.size.rounding
+    if set(program.names) != grids.keys() & set(program.names):
+        return
+    centre = {name: result.values[f"{name}_ideal"].value for name in program.names}
+    objective = design.size.objective
+    goals = None if objective == "balanced" else program.objectives(objective)
+    yield from (
+        program.complete(x)
+        for x in points_about(program, {n: grids[n] for n in program.names}, goals, centre)
+    )
 
 
 def _spreads(result: Result) -> dict[str, float]:
@@ -174,64 +222,38 @@ def _spreads(result: Result) -> dict[str, float]:
     }
 
 
-def _tightened(design: DesignSpec, corrections: Mapping[str, Correction]) -> DesignSpec:
-    """Return a corrected design with a hair more asked than the rounds may have left."""
-    hair = 1.0 + 2.0 * SETTLED
-    return design.corrected(
-        {name: each._replace(factor=each.factor * hair) for name, each in corrections.items()}
-    )
+def _first(design: DesignSpec) -> Sizes | None:
+    """Return the sizes that the formulas choose without a grid, or that miss what is asked least.
 
-
-def _continuous(design: DesignSpec, corrections: Mapping[str, Correction]) -> Sizes | None:
-    """Return the sizes chosen without a grid, else those that come nearest to what is asked.
-
-    Nothing where no easing of the requirements makes a design.
+    Nothing where not even the sizes' own bounds leave any.
     """
+    doing("the optimum by the formulas")
     free = design.model_copy(update={"size": design.size.model_copy(update={"rounding": {}})})
-    for ease in EASING:
-        corrected = free.corrected(corrections, ease)
-        chosen = _choose(corrected, sizing_program(corrected))
-        if chosen is not None:
-            _refuse_runaway(design, chosen.sizes)
-            return _ideal(chosen)
-    return None
+    program = sizing_program(free)
+    chosen = _choose(free, program)
+    if chosen is not None:
+        refuse_runaway(design, chosen.sizes)
+        return _ideal(chosen)
+    solution = least_eased(program, program.objectives("least-volume"))
+    if not solution.converged:
+        return None
+    sizes = program.complete(solution.x)
+    return sizes._make(float(x) for x in sizes)
 
 
-def _refuse_runaway(design: DesignSpec, sizes: Sizes) -> None:
-    """Raise where nothing holds a size above what anybody can make."""
-    for name in design.geometry.free:
-        x = float(getattr(sizes, name))
-        if design.geometry.extents[name].least is None and x < SMALLEST:
-            what = design.geometry.label(name)
-            raise NoSolution(
-                "nothing-holds-it",
-                f"nothing holds the {what} {name}: it would be {show(x, 'm')}",
-                f"bound {name} from below, e.g. {{free: [20 um, null]}}, or add a requirement "
-                "that a thinner blade fails: a stiffness, a frequency, a buckling factor",
-            )
-    _refuse_thick(design, sizes)
-
-
-def _refuse_thick(design: DesignSpec, sizes: Sizes) -> None:
-    """Raise where a thickness that has no upper bound makes a block of a blade."""
-    geometry = design.geometry
-    slender = geometry.slenderness(sizes)
-    unbounded = {
-        name: float(x)
-        for name, x in geometry.thicknesses(sizes).items()
-        if name in geometry.free and geometry.extents[name].most is None
-    }
-    if slender is None or slender < THICKEST or not unbounded:
-        return
-    name = max(unbounded, key=lambda each: unbounded[each])
-    goal = "balanced design" if design.size.objective == "balanced" else "optimum"
-    raise NoSolution(
-        "nothing-holds-it",
-        f"no {goal} by the models that judge: nothing holds the {geometry.label(name)} {name} from "
-        f"above, it grows to {show(unbounded[name], 'm')} and on",
-        f"give {name} or bound it from above, e.g. {{free: [null, 1 mm]}}, and each of the others "
-        "from below: the thicker it is, the more another part is bent in its place",
-    )
+def _settled_and_judged(
+    design: DesignSpec,
+    found: Settled,
+    spec: str,
+    series: tuple[NamedModel, ...],
+    model: str | None,
+) -> Result:
+    """Return the choice of the corrected formulas about the place where they hold, judged."""
+    corrected = design.corrected(found.corrections)
+    program = sizing_program(corrected)
+    if found.is_kept:
+        program = program.about(found.place.sizes, REGION)
+    return _chosen_and_judged(corrected, spec, series, model, program)
 
 
 def _ideal(chosen: "_Choice") -> Sizes:
@@ -244,15 +266,16 @@ def _chosen_and_judged(
     spec: str,
     series: tuple[NamedModel, ...],
     model: str | None,
+    program: SizingProgram | None = None,
 ) -> Result:
     given = design.fixed_sizes()
     if given is not None:
         return _judged(design, spec, _Choice(given, _nothing_free()), series, model)
-    program = sizing_program(design)
+    program = program or sizing_program(design)
     chosen = _choose(design, program)
     if chosen is None:
         return _infeasible(design, spec, program)
-    _refuse_runaway(design, chosen.sizes)
+    refuse_runaway(design, chosen.sizes)
     return _judged(design, spec, chosen, series, model)
 
 
@@ -394,7 +417,7 @@ def _on_grid(
     centre = {name: float(getattr(ideal, name)) for name in program.names}
     goals = None if objective is None else program.objectives(objective)
     doing("the best point of the grid")
-    point = from_stock(design, program, grids, goals, centre)
+    point = from_stock(design, replace(program, around=None), grids, goals, centre)
     if point.x is None:
         text = "the manufacturing grid has no feasible design"
         if not point.proved:
@@ -403,7 +426,7 @@ def _on_grid(
         designed = replace(sizing, designs=tuple(designs))
         return _Choice(ideal, designed, ideal, (note,), iterations, True)
     blade = program.complete(point.x)
-    designs.append(_design(design, "on the grid", blade))
+    designs.append(_design(design, ON_GRID, blade))
     return _Choice(
         blade,
         replace(

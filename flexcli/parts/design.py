@@ -121,7 +121,6 @@ class DesignSpec(Part):
     """
 
     _corrections: Mapping[str, Correction] = PrivateAttr(default_factory=dict)
-    _ease: float = PrivateAttr(1.0)
 
     @model_validator(mode="before")
     @classmethod
@@ -263,7 +262,7 @@ class DesignSpec(Part):
         among them.
         """
         limits = list(self._limits(sizes, AS_PRINTED, closed_form=True))
-        if not self._corrections and self._ease == 1.0:
+        if not self._corrections:
             return limits
         factors = {
             name: correction.at(sizes)
@@ -273,7 +272,7 @@ class DesignSpec(Part):
         spreads = {name: correction.spread for name, correction in self._corrections.items()}
         return [
             _narrowed(
-                _scaled(limit, factors.get(limit.name, 1.0) / self._ease),
+                _scaled(limit, factors.get(limit.name, 1.0)),
                 spreads.get(limit.name, 0.0),
             )
             if limit.kind is not None
@@ -284,7 +283,7 @@ class DesignSpec(Part):
                 name,
                 "",
                 "by value and slope",
-                correction.at(sizes) / self._ease,
+                correction.at(sizes),
                 1.0,
                 "",
                 "surrogate",
@@ -298,11 +297,10 @@ class DesignSpec(Part):
         """Return whether its closed limits say what the models that judge do, near a design."""
         return bool(self._corrections)
 
-    def corrected(self, corrections: Mapping[str, Correction], ease: float = 1.0) -> "DesignSpec":
-        """Return the design with its closed limits corrected, check by check, and eased."""
+    def corrected(self, corrections: Mapping[str, Correction]) -> "DesignSpec":
+        """Return the design with its closed limits corrected, check by check."""
         design = self.model_copy()
         design._corrections = dict(corrections)
-        design._ease = ease
         return design
 
     def _limits(

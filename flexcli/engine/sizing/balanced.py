@@ -1,7 +1,7 @@
 """The balanced design: every kind of load requirement exactly at its limit."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.sizing.program import BEYOND, SizingProgram
 from flexcli.engine.sizing.rows import Term
-from flexcli.numerics.log_stencil import differences
+from flexcli.numerics.log_stencil import Field, differences
 from flexcli.numerics.roots import roots
 from flexcli.parts.requirements import Limit
 from flexcli.results import Sensitivity
@@ -26,10 +26,11 @@ FROM = 24
 
 @dataclass(frozen=True)
 class Balanced:
-    """A balanced design, what makes it, and how it moves with each demand."""
+    """A balanced design, the rows and checks that make it, and how it moves with each demand."""
 
     x: dict[str, float]
     active: tuple[str, ...]
+    checks: tuple[str, ...]
     sensitivities: tuple[Sensitivity, ...]
     is_square: bool
     others: int = 0
@@ -69,7 +70,7 @@ def balanced(program: SizingProgram) -> Balanced | NotBalanced:
         broken = _violated(program, candidates[0].x)
         return NotBalanced(f"the balanced design violates {', '.join(broken)}")
     best = min(allowed, key=lambda found: float(program.at(["volume"], found.x)[0, 0]))
-    return Balanced(best.x, best.active, best.sensitivities, best.is_square, len(allowed) - 1)
+    return replace(best, others=len(allowed) - 1)
 
 
 def _load_rows(program: SizingProgram) -> dict[str, list[str]]:
@@ -101,13 +102,22 @@ def _violated(program: SizingProgram, x: dict[str, float]) -> list[str]:
 
 def _roots(program: SizingProgram, keys: tuple[str, ...]) -> Iterator[Balanced]:
     """Yield the designs at which as many rows as there are free dimensions are at their limit."""
-    rows, points = program.picked(keys), program.samples(BEYOND)
+    rows = program.picked(keys)
+    for root in roots(rows, _starts(program, rows)):
+        x = dict(zip(program.names, np.exp(root.y).tolist(), strict=True))
+        slopes = _sensitivities(program, keys, root.y, root.inverse)
+        yield Balanced(x, *_named(program, keys), slopes, is_square=True)
+
+
+def _starts(program: SizingProgram, rows: Field) -> Floats:
+    """Return where Newton's method starts: about a place there, else at the best of many points."""
+    if program.around is not None:
+        centre, _ = program.around
+        return np.log([[centre[name] for name in program.names]])
+    points = program.samples(BEYOND)
     with np.errstate(invalid="ignore"):
         order = np.argsort(np.abs(rows(points)).max(axis=0), kind="stable")[:FROM]
-    for root in roots(rows, points[:, order].T):
-        x = dict(zip(program.names, np.exp(root.y).tolist(), strict=True))
-        names = tuple(program.rows[key].name for key in keys)
-        yield Balanced(x, names, _sensitivities(program, keys, root.y, root.inverse), True)
+    return np.asarray(points[:, order].T)
 
 
 def _sensitivities(
@@ -131,5 +141,15 @@ def _least_volume(program: SizingProgram, keys: tuple[str, ...]) -> Iterator[Bal
     equal = [*program.equalities(), *(Term(key) for key in keys)]
     found = program.least([Term("volume")], limits, equal)
     if found.converged:
-        names = tuple(program.rows[key].name for key in keys)
-        yield Balanced({n: found.x[n] for n in program.names}, names, (), False)
+        yield Balanced(
+            {n: found.x[n] for n in program.names}, *_named(program, keys), (), is_square=False
+        )
+
+
+def _named(
+    program: SizingProgram, keys: tuple[str, ...]
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the names of rows, and of the checks that they belong to."""
+    limits = [program.rows[key].limit for key in keys]
+    names = tuple(program.rows[key].name for key in keys)
+    return names, tuple(limit.name for limit in limits if limit is not None)

@@ -1,4 +1,4 @@
-"""Formulas corrected to the models that judge: what a sizing chooses by.
+"""What the models that judge say of a design, and formulas corrected to say the same near it.
 
 A sizing needs thousands of designs judged, a fine model can judge a few. So the sources' formulas
 choose, the models that decide judge the choice, and each check is corrected by how far the two
@@ -8,16 +8,32 @@ corrected formulas is one of the models that judge (first-order model management
 """
 
 from collections.abc import Iterable, Mapping
-from math import inf, log
+from math import exp, log
+from typing import NamedTuple, TypeAlias
 
-from flexcli.engine.judge import FAR, finest
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.engine.judge import FAR, Used, finest
 from flexcli.engine.models import NamedModel
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Limit
 from flexcli.parts.sizing import Correction
 
-__all__ = ["corrections_at", "difference"]
+__all__ = [
+    "Place",
+    "Slopes",
+    "cheap_slopes_at",
+    "corrections",
+    "judged_at",
+    "shares",
+    "slopes_at",
+    "turned",
+]
+
+Slopes: TypeAlias = dict[str, NDArray[np.float64]]
+"""By check, what the logarithm of its correction changes per logarithm of each free size."""
 
 LARGEST = 1e3
 """A formula is corrected by no more than this factor."""
@@ -26,69 +42,131 @@ STEP = 1e-3
 """Change of a size (relative) over which slopes are taken: far above the models' tolerances, and
 small enough for the slope to be that of the place."""
 
-STEEPEST = 12.0
-"""A slope beyond any power law of a blade is noise, or a model that changed on the way."""
+STEEPEST = 1e3
+"""A slope beyond any cliff of a response is one of a model that changed on the way."""
 
 
-def corrections_at(
+class Place(NamedTuple):
+    """A design, what each check uses there by the models that judge, and by the formulas.
+
+    ``y`` are the logarithms of the free sizes, in the order of the geometry; ``open`` the questions
+    that no model has numbers for.
+    """
+
+    sizes: Sizes
+    y: NDArray[np.float64]
+    used: Mapping[str, Used]
+    plain: Mapping[str, float]
+    open: frozenset[int]
+
+    def correction(self, name: str) -> float:
+        """Return by what the formulas of a check are wrong, as a logarithm; all of it without."""
+        return log(self.used[name].share / self.plain.get(name, 1.0))
+
+    @property
+    def near(self) -> frozenset[str]:
+        """Return the checks that are near their limits."""
+        return frozenset(name for name, used in self.used.items() if used.share > 1.0 / FAR)
+
+    @property
+    def alone(self) -> frozenset[str]:
+        """Return the checks behind which no formula stands."""
+        return frozenset(self.used.keys() - self.plain.keys())
+
+
+def judged_at(
     design: DesignSpec,
     sizes: Sizes,
     models: tuple[NamedModel, ...],
-    known: Mapping[str, Correction] | None = None,
-) -> dict[str, Correction]:
-    """Return how the formulas of each check differ from the models that judge, at a design.
+    before: Place | None = None,
+    only: Iterable[int] | None = None,
+) -> Place:
+    """Return a design judged, each check by the model that was sure of it before.
 
     Parameters
     ----------
     design : DesignSpec
         The design, without corrections.
     sizes : named tuple
-        Sizes at which they are compared [m].
+        Sizes at which it is judged [m].
     models : tuple of NamedModel
         The models that judge, the cheapest first.
-    known : mapping, optional
-        Corrections near by whose slopes are kept; else slopes are taken of what is near its limit.
-
-    Returns
-    -------
-    dict of Correction
-        By the name of the check.
+    before : Place, optional
+        A design near by, whose models are asked first.
+    only : iterable of int, optional
+        The questions that are asked; all if left out.
 
     """
-    fine, plain = finest(design, sizes, models), _used(design.closed_limits(sizes))
-    ratios = {name: used.share / plain.get(name, 1.0) for name, used in fine.items()}
-    about = {name: float(getattr(sizes, name)) for name in design.geometry.free}
-    near = {name for name, used in fine.items() if used.share > 1.0 / FAR}
-    rises = {name: dict(known[name].slopes) if known and name in known else {} for name in fine}
-    questions = {fine[name].question for name in near}
-    for size, x in about.items() if known is None and near else ():
-        beside = sizes._replace(**{size: x * (1.0 + STEP)})
-        there = finest(design, beside, models, questions)
-        formulas = _used(design.closed_limits(beside))
-        for name in near & there.keys():
-            ratio = there[name].share / formulas.get(name, 1.0)
-            slope = log(ratio / ratios[name]) / log(1.0 + STEP)
+    hints: dict[int, int] = {}
+    for known in before.used.values() if before is not None else ():
+        hints[known.question] = max(known.model, hints.get(known.question, 0))
+    y = np.log([float(getattr(sizes, name)) for name in design.geometry.free])
+    used, open_ = finest(design, sizes, models, None if only is None else frozenset(only), hints)
+    return Place(sizes, y, used, shares(design.closed_limits(sizes)), open_)
+
+
+def slopes_at(design: DesignSpec, place: Place, models: tuple[NamedModel, ...]) -> Slopes:
+    """Return the slopes of the corrections of what is near its limit or has no formula."""
+    names = place.near | place.alone
+    questions = {place.used[name].question for name in names}
+    found = {name: np.zeros(place.y.size) for name in place.used}
+    for k, size in enumerate(design.geometry.free if names else ()):
+        x = float(getattr(place.sizes, size)) * (1.0 + STEP)
+        there = judged_at(design, place.sizes._replace(**{size: x}), models, place, questions)
+        for name in names & there.used.keys():
+            slope = (there.correction(name) - place.correction(name)) / log(1.0 + STEP)
             if abs(slope) <= STEEPEST:
-                rises[name][size] = slope
+                found[name][k] = slope
+    return found
+
+
+def cheap_slopes_at(design: DesignSpec, place: Place, models: tuple[NamedModel, ...]) -> Slopes:
+    """Return the slopes of what has no formula by the cheapest model alone."""
+    questions = {place.used[name].question for name in place.alone}
+    there = judged_at(design, place.sizes, models[:1], only=questions)
+    found = slopes_at(design, there, models[:1])
+    return {name: found[name] for name in place.alone & found.keys()}
+
+
+def turned(slopes: Slopes, place: Place, there: Place, names: Iterable[str]) -> Slopes:
+    """Return slopes with which the corrections of some checks at a place hold at another too.
+
+    References
+    ----------
+    C. G. Broyden (1965), A class of methods for solving nonlinear simultaneous equations,
+    Math. Comp. 19, 577-593.
+
+    """
+    step = there.y - place.y
+    new = dict(slopes)
+    for name in names:
+        old = slopes.get(name, np.zeros(step.size))
+        missed = there.correction(name) - place.correction(name) - float(old @ step)
+        new[name] = old + missed / float(step @ step) * step
+    return new
+
+
+def corrections(
+    design: DesignSpec, place: Place, slopes: Slopes, margin: float
+) -> dict[str, Correction]:
+    """Return by check what makes the formulas say at a place what the models that judge do.
+
+    ``margin`` is what is asked beside, as a share.
+    """
+    about = {name: float(getattr(place.sizes, name)) for name in design.geometry.free}
     return {
         name: Correction(
-            min(max(ratio, 1.0 / LARGEST), LARGEST), about, rises[name], name not in plain
+            min(max(exp(place.correction(name)), 1.0 / LARGEST), LARGEST)
+            * (1.0 + (0.0 if used.is_target else margin)),
+            about,
+            dict(zip(about, slopes[name].tolist(), strict=True)) if name in slopes else {},
+            name in place.alone,
         )
-        for name, ratio in ratios.items()
+        for name, used in place.used.items()
     }
 
 
-def difference(old: Mapping[str, Correction], new: Mapping[str, Correction], sizes: Sizes) -> float:
-    """Return the largest relative difference of two sets of corrections at a design."""
-    if not new:
-        return 0.0
-    return max(
-        abs(float(found.at(sizes)) / float(old[name].at(sizes)) - 1.0) if name in old else inf
-        for name, found in new.items()
-    )
-
-
-def _used(limits: Iterable[Limit]) -> dict[str, float]:
+def shares(limits: Iterable[Limit]) -> dict[str, float]:
     """Return the largest share of what each check allows that is used, by its formulas."""
     found: dict[str, float] = {}
     for limit in limits:

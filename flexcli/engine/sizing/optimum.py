@@ -89,7 +89,7 @@ def active_rows(program: SizingProgram, solution: Solution) -> tuple[str, ...]:
 
 
 def _active(program: SizingProgram, solution: Solution) -> tuple[str, ...]:
-    return (*(key for key in solution.active if key in program.rows), *program.targets)
+    return (*(key for key in solution.active if key in program.constraints), *program.targets)
 
 
 def certificate(program: SizingProgram, solution: Solution) -> str:

@@ -7,7 +7,7 @@ and local models of them, by value, slope and curvature, are renewed as the size
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp, log
 from typing import TypeAlias
 
@@ -61,6 +61,9 @@ TRIALS, ENOUGH = 500, 8
 class SizingProgram:
     """The rows of a design by their keys, over the logarithms of its free dimensions.
 
+    ``around`` are sizes and the half-width, in logarithms, of the region about them in which
+    alone a design is looked for.
+
     ``values`` gives ln(demand/capacity) of the rows at some places at many points, shape
     (n, points) to (rows, points), NaN outside the domain of the formulas. ``exact`` tells that the
     rows are signomials, which ``rows`` then holds.
@@ -73,6 +76,7 @@ class SizingProgram:
     targets: tuple[str, ...]
     values: Callable[[Floats, Sequence[int]], Floats]
     exact: bool
+    around: tuple[Mapping[str, float], float] | None = None
 
     @property
     def curved(self) -> tuple[str, ...]:
@@ -105,7 +109,23 @@ class SizingProgram:
 
     def limits(self) -> list[Term]:
         """Return the rows that must not exceed zero."""
-        return [Term(key) for key in self.constraints]
+        return [Term(key) for key in self.constraints] + self.region()
+
+    def about(self, sizes: Sizes, width: float) -> "SizingProgram":
+        """Return the program of a region of so many logarithms either way about sizes."""
+        centre = {name: float(getattr(sizes, name)) for name in self.names}
+        return replace(self, around=(centre, width))
+
+    def region(self) -> list[Term]:
+        """Return the rows that hold the sizes in the region in which a design is looked for."""
+        if self.around is None:
+            return []
+        centre, width = self.around
+        return [
+            Term(size_of(name), sign, -sign * log(centre[name]) - width)
+            for name in self.names
+            for sign in (1.0, -1.0)
+        ]
 
     def equalities(self) -> list[Term]:
         """Return the rows of the targets."""
@@ -156,8 +176,10 @@ class SizingProgram:
         """Make the first goal least subject to rows, ties broken by the next goals.
 
         ``near`` are sizes to start from, instead of a search for starts: between the bounds, or
-        ``beyond`` as well.
+        ``beyond`` as well. A program about a place starts there.
         """
+        if near is None and self.around is not None:
+            near = self.around[0]
         eases = [name for term in (*goals, *limits, *equal) for name, _ in term.eases]
         names = (*self.names, *dict.fromkeys(eases))
         world = [np.full(len(self.names), log(end)) for end in WORLD]

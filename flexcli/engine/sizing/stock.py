@@ -21,7 +21,7 @@ from flexcli.numerics.solution import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.sizing import Grid
 
-__all__ = ["StockChoice", "from_stock"]
+__all__ = ["StockChoice", "from_stock", "points_about"]
 
 Floats = NDArray[np.float64]
 
@@ -38,6 +38,12 @@ SAME = 1e-12
 
 HAIR = 1e-9
 """By how much a box is widened, so that rounding leaves no value of its rim out."""
+
+REACH, MOST_BESIDE = 3, 40
+"""Steps either way to points that are judged by themselves, and how many of these at the most."""
+
+NEARLY = 0.03
+"""Logarithm by which such a point may exceed a row of formulas corrected near by."""
 
 MOST_PROGRAMS, MOST_CURVED = 400, 40
 """Continuous programs solved at the most, and where signomial rows are not all convex: those
@@ -84,6 +90,42 @@ def from_stock(
     other = _branched(program, grids, goals, centre)
     x = other.x if other.x is not None else point.x
     return StockChoice(x, other.proved, point.judged + other.judged)
+
+
+def points_about(
+    program: SizingProgram,
+    grids: Mapping[str, Grid],
+    goals: Sequence[Term] | None,
+    centre: Mapping[str, float],
+) -> list[dict[str, float]]:
+    """Return the points of a grid about a design that all but keep the rows, the best first.
+
+    Without goals the nearest first.
+    """
+    axes = [_about(grids[name], centre[name]) for name in program.names]
+    points = np.stack([axis.ravel() for axis in np.meshgrid(*axes, indexing="ij")])
+    x = dict(zip(program.names, points, strict=True))
+    limits = [(term.key, term.sign, term.shift) for term in program.banded()]
+    rows = program.at([key for key, *_ in limits], x)
+    over = np.max(
+        [sign * row + shift for row, (_, sign, shift) in zip(rows, limits, strict=True)], axis=0
+    )
+    merit = (
+        np.abs(np.log(points / [[centre[name]] for name in program.names])).sum(axis=0)
+        if goals is None
+        else goals[0].sign * program.at([goals[0].key], x)[0]
+    )
+    order = [k for k in np.argsort(merit, kind="stable") if over[k] <= NEARLY]
+    return [{name: float(at[k]) for name, at in x.items()} for k in order[:MOST_BESIDE]]
+
+
+def _about(grid: Grid, size: float) -> Floats:
+    """Return the values of a grid nearest to a size."""
+    if grid.step is None:
+        stock = np.array(sorted(set(grid.stock)))
+        return stock[np.argsort(np.abs(np.log(stock / size)))[: 2 * REACH]]
+    step, first = Decimal(repr(grid.step)), floor(size / grid.step)
+    return np.array([float(step * k) for k in range(max(1, first - REACH), first + REACH + 2)])
 
 
 # -- point by point --------------------------------------------------------------------------
