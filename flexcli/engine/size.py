@@ -187,7 +187,7 @@ def _rounded_anew(
         if sizes not in refused and judge(design, sizes, series).status is Status.PASS:
             sizing = first.sizing
             assert sizing is not None  # a sizing has one
-            kept = tuple(each for each in sizing.designs if each.name != ON_GRID)
+            kept = tuple(each for each in sizing.designs if each.label != ON_GRID)
             sizing = replace(
                 sizing,
                 designs=(*kept, _design(design, ON_GRID, sizes)),
