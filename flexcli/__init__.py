@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         stops,
         tolerances,
         validate,
+        verify,
     )
 
 __version__ = "0.2.0"
@@ -60,6 +61,7 @@ __all__ = [
     "stops",
     "tolerances",
     "validate",
+    "verify",
 ]
 
 

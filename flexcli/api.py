@@ -16,7 +16,7 @@ SolveError
 
 """
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, MutableMapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from os import PathLike, fspath
@@ -68,6 +68,7 @@ __all__ = [
     "stops",
     "tolerances",
     "validate",
+    "verify",
 ]
 
 Spec: TypeAlias = str | PathLike[str] | Loaded
@@ -269,6 +270,31 @@ def accuracy(
         return compared(design, sizes, name, runs, asked)
 
     return _on_sizes("accuracy", source, overrides, verb)
+
+
+def verify(
+    source: Spec,
+    *,
+    model: str | None = None,
+    meshes: int = 2,
+    only: Sequence[str] = (),
+    run: bool = True,
+    files: MutableMapping[str, str] | None = None,
+    overrides: Overrides | None = None,
+) -> Result:
+    """Put a design's numbers beside those of solid elements, where CalculiX is installed.
+
+    ``meshes`` are solved, each finer than the one before; ``only`` names the numbers to
+    compare; ``files`` gets decks and what CalculiX printed, by name.
+    """
+    from flexcli.engine.verify import verify as verified
+
+    def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
+        return verified(
+            design, sizes, name, model=model, meshes=meshes, only=only, run=run, files=files
+        )
+
+    return _on_sizes("verify", source, overrides, verb, _model(model))
 
 
 def balance(source: Spec, *, overrides: Overrides | None = None) -> Result:

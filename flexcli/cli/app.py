@@ -29,6 +29,7 @@ from flexcli.cli import (
     sweep,
     tolerances,
     validate,
+    verify,
 )
 from flexcli.cli.common import with_common_options
 from flexcli.cli.output import Format, any_stream, asked_format, write_failure
@@ -60,6 +61,7 @@ for verb in (
     simulate,
     plan,
     accuracy,
+    verify,
     balance,
     stops,
     sweep,

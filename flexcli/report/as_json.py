@@ -11,7 +11,7 @@ from flexcli.report.balance_json import balance_document
 from flexcli.report.formats import Page, Report
 from flexcli.report.plan_json import plan_document
 from flexcli.report.stops_json import stops_document
-from flexcli.results import Cost, Result, SizingResult, Status
+from flexcli.results import Cost, Result, SizingResult, Status, Verification
 
 __all__ = ["FORMAT", "contents", "document", "dumps", "listing", "render", "summary"]
 
@@ -176,11 +176,17 @@ def _sizing(sizing: SizingResult) -> dict[str, Any]:
     }
 
 
+def _verification(found: Verification) -> dict[str, Any]:
+    rows = [{**n._asdict(), "apart": n.apart, "agrees": n.agrees} for n in found.numbers]
+    return {**found._asdict(), "numbers": rows}
+
+
 SECTIONS: Mapping[str, Callable[[Any], Any]] = {
     "sizing": _sizing,
     "balance": balance_document,
     "stops": stops_document,
     "plan": plan_document,
+    "verification": _verification,
 }
 """Sections that the contract has otherwise than their records are."""
 

@@ -26,6 +26,7 @@ __all__ = ["SECTIONS", "findings_text", "render"]
 SECTIONS = {
     "sizing": "sizing_text",
     "accuracy": "accuracy_text",
+    "verification": "verify_text",
     "balance": "balance_text",
     "stops": "stops_text",
     "profiles": "asd_text",

@@ -61,6 +61,7 @@ from flexcli.results.stops import (
     StopSweep,
     SweepStep,
 )
+from flexcli.results.verification import Verification, VerifiedNumber
 from flexcli.results.vibration import (
     BreakpointRow,
     CaseResponse,
@@ -127,5 +128,7 @@ __all__ = [
     "ValidityRow",
     "Value",
     "Verdict",
+    "Verification",
+    "VerifiedNumber",
     "WorstCaseRow",
 ]

@@ -14,6 +14,7 @@ from flexcli.results.shown import records, rendered, tables
 from flexcli.results.simulation import SweepResult
 from flexcli.results.sizing import SizingResult
 from flexcli.results.stops import StopsResult
+from flexcli.results.verification import Verification
 from flexcli.results.vibration import (
     BreakpointRow,
     CaseResponse,
@@ -98,6 +99,7 @@ class Result:
     accuracy: AccuracyResult | None = None
     plan: Plan | None = None
     audit: tuple[AuditRow, ...] = ()
+    verification: Verification | None = None
     study: "StudyResult | None" = None
     tolerances: "TolerancesResult | None" = None
 

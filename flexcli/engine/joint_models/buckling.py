@@ -24,7 +24,7 @@ from flexcli.parts.scene import Push
 from flexcli.results import ErrorRange
 from flexcli.units import show
 
-__all__ = ["exact_critical", "linear_critical_forces"]
+__all__ = ["PushScene", "ends_held", "exact_critical", "linear_critical_forces", "push_scene"]
 
 WAY = "in the plane"
 
@@ -55,7 +55,7 @@ QUARTER = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class _Scene:
+class PushScene:
     """A joint under one direction of its forces: the layout, the unit force, what holds."""
 
     layout: Layout
@@ -67,7 +67,7 @@ class _Scene:
 def linear_critical_forces(ask: Ask, effects: Effects) -> Iterator[Critical]:
     """Yield the critical forces of straight blades at rest, one for each sense they may have."""
     for push in ask.scene.pushes():
-        scene = _scene(ask, push)
+        scene = push_scene(ask, push)
         found = _straight(scene, effects)
         error = None if ask.scene.bends else _linear_error(scene, found)
         source = f"linear beams at rest, {scene.hold.spoken}"
@@ -84,7 +84,7 @@ def exact_critical(
     They are those of rest and of both ends of its stroke.
     """
     for push in ask.scene.pushes():
-        scene = _scene(ask, push)
+        scene = push_scene(ask, push)
         straight = _straight(scene, effects)
         least: Critical | None = None
         for travel in _travels(ask):
@@ -97,7 +97,7 @@ def exact_critical(
     yield from across_width(ask)
 
 
-def _scene(ask: Ask, push: Push) -> _Scene:
+def push_scene(ask: Ask, push: Push) -> PushScene:
     """Return the joint under a unit force, turned until an axis lies across what it must hold."""
     assert ask.scene.ends is not None  # the requirement asks for them
     hold, layout, angle = ENDS[ask.scene.ends], layout_of(ask), push.direction
@@ -109,10 +109,10 @@ def _scene(ask: Ask, push: Push) -> _Scene:
             )
         layout, angle = turned(layout, -angle), 0.0
     force = Load(MOVING, layout.body(MOVING).point, (cos(angle), sin(angle)))
-    return _Scene(layout, (force,), 1 if abs(cos(angle)) > 0.5 else 0, hold)
+    return PushScene(layout, (force,), 1 if abs(cos(angle)) > 0.5 else 0, hold)
 
 
-def _held(scene: _Scene, at: Sequence[float] = (0.0, 0.0, 0.0)) -> Held:
+def ends_held(scene: PushScene, at: Sequence[float] = (0.0, 0.0, 0.0)) -> Held:
     """Return what the ends hold of the body, where it is."""
     held: list[float | None] = [None, None, at[2] if scene.hold.turn else None]
     if scene.hold.across:
@@ -120,20 +120,20 @@ def _held(scene: _Scene, at: Sequence[float] = (0.0, 0.0, 0.0)) -> Held:
     return {MOVING: (held[0], held[1], held[2])}
 
 
-def _straight(scene: _Scene, effects: Effects) -> LinearCritical:
+def _straight(scene: PushScene, effects: Effects) -> LinearCritical:
     """Return the critical factor of straight blades at rest."""
     try:
         if scene.hold.hinged:
             return _hinged(scene, effects)
         layout = scene.layout
         return linear_critical(
-            layout, _held(scene), scene.pattern, effects=blades_of(layout, effects)
+            layout, ends_held(scene), scene.pattern, effects=blades_of(layout, effects)
         )
     except SolveError as error:
         raise NotAvailable(f"has no critical load: {error}") from error
 
 
-def _linear_error(scene: _Scene, found: LinearCritical) -> ErrorRange | None:
+def _linear_error(scene: PushScene, found: LinearCritical) -> ErrorRange | None:
     """Return what the bending before the blades buckle may change, where that is known.
 
     None where a body turns with the force from the start: it is no branching then.
@@ -149,12 +149,14 @@ def _linear_error(scene: _Scene, found: LinearCritical) -> ErrorRange | None:
     return ErrorRange(-change, change) if change < WIDE else None
 
 
-def _hinged(scene: _Scene, effects: Effects) -> LinearCritical:
+def _hinged(scene: PushScene, effects: Effects) -> LinearCritical:
     """Return the critical factor of blades hinged at both ends, one of which buckles alone."""
     layout = scene.layout
     if len(layout.bodies) > 1 or layout.supports:
         raise NotAvailable("would fall apart on hinges: its bodies are held by clamped blades")
-    whole = linear_critical(layout, _held(scene), scene.pattern, effects=blades_of(layout, effects))
+    whole = linear_critical(
+        layout, ends_held(scene), scene.pattern, effects=blades_of(layout, effects)
+    )
     least = inf
     for blade, tension in zip(layout.blades, whole.tensions, strict=True):
         if tension < 0.0:
@@ -191,7 +193,7 @@ class _Exact:
     """The exact model of a joint at one travel."""
 
     ask: Ask
-    scene: _Scene
+    scene: PushScene
     effects: Effects
     tolerance: float
     levels: Sequence[int]
@@ -250,9 +252,9 @@ class _Exact:
     def _kept(self, start: Equilibrium | None) -> Held:
         """Return what the ends of the case keep where the stroke has brought the body."""
         if start is None:
-            return _held(self.scene)
+            return ends_held(self.scene)
         at = start.motions[0, self.scene.layout.index(MOVING)]
-        return _held(self.scene, [float(x) for x in at])
+        return ends_held(self.scene, [float(x) for x in at])
 
     def _where_it_stands(
         self, start: Equilibrium | None, straight: LinearCritical, near: float

@@ -85,8 +85,8 @@ def of_case(ask: Ask, solver: Solver[Found]) -> Found:
     return _states(ask, solver, np.tile(ends, len(signs)), np.repeat(signs, 2, axis=0))
 
 
-def over_travels(ask: Ask, solver: Solver[Found], travels: Floats) -> Found:
-    """Return the states of a case at given travels, its loads as they are stated."""
+def over_travels(ask: Ask, solver: Solver[Found], travels: Floats | None) -> Found:
+    """Return the states of a case at given travels, if it has a stroke, its loads as stated."""
     return _states(ask, solver, travels, np.ones((1, 1 + len(ask.scene.inertial))))
 
 

@@ -1,0 +1,324 @@
+"""CalculiX decks of a solid model, in mm, N, MPa and t: its bodies as rigid, step by step."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.engine.solid.bricks import CORNERS
+from flexcli.engine.solid.model import SolidBody, SolidModel
+from flexcli.formulas.quantity import Quantity
+from flexcli.mechanics.layout import Load
+from flexcli.mechanics.mesh import column
+
+__all__ = ["MM", "Deck", "State", "buckling_deck", "compliance_deck", "modes_deck", "states_deck"]
+
+Integers = NDArray[np.intp]
+
+MM, MPA, TONNE_MM3 = 1e3, 1e-6, 1e-12
+"""Of SI in the deck's units: lengths, stresses, densities."""
+
+TONNE = 1e-3
+
+STUB = 0.01
+"""Side of the cube that holds a body from turning [m]."""
+
+A_LINE = 12
+"""Node numbers on a line of a set."""
+
+FIRST, NEXT = "0.5, 1., 1e-4, 1.", "1., 1., 1e-4, 1."
+"""First increment of a step, its length, the least and the largest increment: of the way from rest,
+and from one state to another near it."""
+
+CONTROLS = "*CONTROLS, PARAMETERS=FIELD\n1e-5, 1e-3, 1e-5, , 1e-5, 1e-5"
+"""Forces out of balance, and the last correction, over the mean and the increment: tighter than
+CalculiX's own ½ % and 1 %."""
+
+
+class State(NamedTuple):
+    """What is held of bodies (x, y [m], φ [rad]; nothing where free), and dead loads on them."""
+
+    held: Mapping[str, tuple[float | None, float | None, float | None]]
+    loads: Sequence[Load] = ()
+
+
+class Deck(NamedTuple):
+    """The text of a deck, and where to find each body in its results: the numbers of its nodes."""
+
+    text: str
+    bodies: Mapping[str, tuple[int, int]]
+
+
+def states_deck(model: SolidModel, states: Sequence[State], *, is_linear: bool = False) -> Deck:
+    """Return a deck that goes through states one after the other from rest.
+
+    They are as far from it as they are; ``is_linear``: small motions, each from rest.
+    """
+    numbers, points = _numbered(model), _load_points(states[0].loads)
+    head = _head(model, numbers, points)
+    steps = []
+    for index, state in enumerate(states):
+        held = list(_held(numbers, state))
+        loads = list(_loads(model, numbers, state.loads, points))
+        way = ["*STEP, NLGEOM, INC=1000", "*STATIC", NEXT if index else FIRST, CONTROLS]
+        steps += [
+            *(["*STEP", "*STATIC"] if is_linear else way),
+            *(["*BOUNDARY", *held] if held else []),
+            *(["*CLOAD, OP=NEW", *loads] if loads else []),
+            "*NODE PRINT, NSET=TIED, FREQUENCY=100000", "U, RF",
+            "*NODE FILE, NSET=FACES, FREQUENCY=100000", "U",
+            "*EL FILE, NSET=FACES, FREQUENCY=100000", "S",
+            "*END STEP",
+        ]  # fmt: skip
+    return Deck("\n".join([*head, *steps, ""]), numbers)
+
+
+def compliance_deck(model: SolidModel, body: str, guided: bool) -> Deck:
+    """Return a deck of six unit loads (N, N·mm) on the point of a body at rest, all others free.
+
+    ``guided``: the body is kept from turning in the plane.
+    """
+    numbers = _numbered(model)
+    ref, rot = numbers[body]
+    head = _head(model, numbers, {})
+    if guided:
+        head += ["*BOUNDARY", f"{rot}, 3, 3"]
+    steps = []
+    for index in range(6):
+        node, axis = (ref, index + 1) if index < 3 else (rot, index - 2)
+        # a guide takes the moment about z, and CalculiX no load where a motion is held
+        load = [] if guided and index == 5 else ["*CLOAD, OP=NEW", f"{node}, {axis}, 1."]
+        steps += [
+            "*STEP", "*STATIC", *load, "*NODE PRINT, NSET=BODIES", "U", "*END STEP",
+        ]  # fmt: skip
+    return Deck("\n".join([*head, *steps, ""]), numbers)
+
+
+def modes_deck(model: SolidModel, density: float, guided: Sequence[str], count: int = 6) -> Deck:
+    """Return a deck of the lowest modes at rest, bodies in ``guided`` kept from turning."""
+    numbers = _numbered(model)
+    head = _head(model, numbers, {}, density=density)
+    if guided:
+        head += ["*BOUNDARY", *(f"{numbers[name][1]}, 3, 3" for name in guided)]
+    step = [
+        "*STEP", "*FREQUENCY", f"{count}",
+        "*NODE PRINT, NSET=BODIES", "U", "*END STEP",
+    ]  # fmt: skip
+    return Deck("\n".join([*head, *step, ""]), numbers)
+
+
+def buckling_deck(
+    model: SolidModel,
+    state: State,
+    turning: Mapping[str, float] | None = None,
+    count: int = 4,
+) -> Deck:
+    """Return a deck of the lowest load factors of a state at rest.
+
+    ``turning`` [N·m/rad] holds bodies from turning: by it the caller gives back what rigid bodies
+    lack in CalculiX, the moment of their blades' forces as their arms turn.
+    """
+    numbers, points = _numbered(model), _load_points(state.loads)
+    head = _head(model, numbers, points)
+    held = list(_held(numbers, state))
+    node, element = 2 * len(model.bodies) + model.nodes + len(points), model.elements
+    for index, (name, stiffness) in enumerate((turning or {}).items()):
+        body = next(body for body in model.bodies if body.name == name)
+        head += _stub(index, body, numbers[name], stiffness * model.share, node, element + 1)
+        node, element = node + 22, element + 1
+    if held:
+        head += ["*BOUNDARY", *held]
+    step = [
+        "*STEP", "*BUCKLE", f"{count}, 1e-4",
+        "*CLOAD", *_loads(model, numbers, state.loads, points), "*END STEP",
+    ]  # fmt: skip
+    return Deck("\n".join([*head, *step, ""]), numbers)
+
+
+def _numbered(model: SolidModel) -> dict[str, tuple[int, int]]:
+    """Return the numbers of the two nodes that state the motion of each body."""
+    first = model.nodes + 1
+    return {body.name: (first + 2 * k, first + 2 * k + 1) for k, body in enumerate(model.bodies)}
+
+
+def _load_points(loads: Sequence[Load]) -> dict[tuple[str, float, float], int]:
+    """Return the places of loads, by their order."""
+    found: dict[tuple[str, float, float], int] = {}
+    for load in loads:
+        found.setdefault(_place_of(load), len(found))
+    return found
+
+
+def _place_of(load: Load) -> tuple[str, float, float]:
+    x, y = (float(column(c)[0]) for c in load.point)
+    return load.body, x, y
+
+
+def _head(
+    model: SolidModel,
+    numbers: Mapping[str, tuple[int, int]],
+    points: Mapping[tuple[str, float, float], int],
+    density: float | None = None,
+) -> list[str]:
+    """Return nodes, elements, material, rigid bodies and what never moves."""
+    E, G = (float(column(x)[0]) for x in (model.layout.E, model.layout.G))
+    lines = [
+        "** bricks between rigid bodies, in mm, N, MPa, t" + (
+            "; half of each blade, halves of forces and masses" if model.is_half else ""
+        ),
+        "*NODE, NSET=BLADES",
+    ]  # fmt: skip
+    for stretch in model.stretches:
+        for number, place in enumerate(stretch.places * MM, stretch.first_node + 1):
+            lines.append(f"{number}, " + ", ".join(f"{x:.14g}" for x in place))
+    element = 1
+    for stretch in model.stretches:
+        lines.append("*ELEMENT, TYPE=C3D20R, ELSET=BLADES")
+        for nodes in stretch.bricks.elements + stretch.first_node + 1:
+            row = [str(element), *map(str, nodes.tolist())]
+            lines += [", ".join(row[:15]) + ",", ", ".join(row[15:])]
+            element += 1
+    extra = 2 * len(model.bodies) + model.nodes + 1
+    lines.append("*NODE, NSET=BODIES")
+    for body in model.bodies:
+        lines += [_node(number, body.point) for number in numbers[body.name]]
+    of_loads: dict[str, list[int]] = {}
+    placed = []
+    for (name, x, y), index in points.items():
+        of_loads.setdefault(name, []).append(extra + index)
+        placed.append(_node(extra + index, (x, y)))
+    extra += len(points)
+    masses: list[tuple[int, float]] = []
+    for body in model.bodies if density is not None else ():
+        for place, mass in _point_masses(body):
+            of_loads.setdefault(body.name, []).append(extra)
+            placed.append(_node(extra, place))
+            masses.append((extra, mass * model.share))
+            extra += 1
+    if placed:
+        lines += ["*NODE", *placed]
+    for number, (node, mass) in enumerate(masses):
+        lines += [
+            f"*ELEMENT, TYPE=MASS, ELSET=MASS{number}", f"{element}, {node}",
+            f"*MASS, ELSET=MASS{number}", f"{mass * TONNE:.12g}",
+        ]  # fmt: skip
+        element += 1
+    lines += ["*MATERIAL, NAME=BLADES", "*ELASTIC", f"{E * MPA:.12g}, {E / (2.0 * G) - 1.0:.12g}"]
+    if density is not None:
+        lines += ["*DENSITY", f"{density * TONNE_MM3:.12g}"]
+    lines += ["*SOLID SECTION, ELSET=BLADES, MATERIAL=BLADES"]
+    for index, body in enumerate(model.bodies):
+        nodes = np.concatenate(
+            [body.nodes + 1, np.array(of_loads.get(body.name, []), dtype=np.intp)]
+        )
+        lines += [*_set(f"BODY{index}", nodes)]
+        lines += [_rigid(f"BODY{index}", numbers[body.name])]
+    tied = [body.nodes + 1 for body in model.bodies]
+    own = np.array([node for both in numbers.values() for node in both])
+    lines += [*_set("TIED", np.concatenate([own, *tied])), *_set("GROUND", model.fixed + 1)]
+    faces = [
+        stretch.bricks.face(side)[::2].ravel() + stretch.first_node + 1
+        for stretch in model.stretches
+        for side in (0, -1)
+    ]
+    lines += [*_set("FACES", np.concatenate(faces))]
+    middle = [s.bricks.middle() + s.first_node + 1 for s in model.stretches]
+    if model.is_half:
+        lines += [*_set("MIDDLE", np.concatenate(middle))]
+    lines += ["*BOUNDARY", "GROUND, 1, 3"]
+    if model.is_half:
+        lines += ["MIDDLE, 3, 3"]
+        for ref, rot in numbers.values():
+            lines += [f"{ref}, 3, 3", f"{rot}, 1, 2"]
+    for body_name, held in model.layout.guides.items():
+        lines += [_fixed(numbers[body_name], axis, 0.0) for axis in range(3) if held[axis]]
+    return lines
+
+
+def _rigid(name: str, nodes: tuple[int, int]) -> str:
+    return f"*RIGID BODY, NSET={name}, REF NODE={nodes[0]}, ROT NODE={nodes[1]}"
+
+
+def _node(number: int, place: tuple[float, float]) -> str:
+    return f"{number}, {place[0] * MM:.14g}, {place[1] * MM:.14g}, 0."
+
+
+def _point_masses(body: SolidBody) -> list[tuple[tuple[float, float], float]]:
+    """Return point masses with the mass and the inertia of a body in its plane."""
+    if body.mass == 0.0:
+        return []
+    arm = float(np.sqrt(body.inertia / body.mass))
+    if arm == 0.0:
+        return [(body.com, body.mass)]
+    x, y = body.com
+    return [((x - arm, y), body.mass / 2.0), ((x + arm, y), body.mass / 2.0)]
+
+
+def _stub(
+    index: int, body: SolidBody, nodes: tuple[int, int], stiffness: float, last: int, element: int
+) -> list[str]:
+    """Return a brick that holds a body from turning, its far end free to slide but not to turn.
+
+    It bends in pure bending, and pulls at nothing: E I/L is the stiffness [N·m/rad]. A spring on a
+    turn would count twice in a step *BUCKLE of CalculiX 2.20.
+    """
+    side = STUB * MM
+    E = stiffness * MM * side / (side**4 / 12.0)
+    x, y = (c * MM for c in body.point)
+    places = np.array([x, y, 0.0]) + (CORNERS / 2.0 - np.array([0.0, 0.5, 0.5])) * side
+    own = last + 1 + np.arange(20)
+    near, far = (own[CORNERS[:, 0] == end] for end in (0, 2))
+    ref, rot = last + 21, last + 22
+    return [
+        "*NODE",
+        *(f"{n}, {a:.14g}, {b:.14g}, {c:.14g}" for n, (a, b, c) in zip(own, places, strict=True)),
+        f"{ref}, {x + side:.14g}, {y:.14g}, 0.", f"{rot}, {x + side:.14g}, {y:.14g}, 0.",
+        f"*ELEMENT, TYPE=C3D20, ELSET=STUB{index}",
+        ", ".join(map(str, [element, *own[:14]])) + ",", ", ".join(map(str, own[14:])),
+        f"*MATERIAL, NAME=STUB{index}", "*ELASTIC", f"{E:.12g}, 0.",
+        f"*SOLID SECTION, ELSET=STUB{index}, MATERIAL=STUB{index}",
+        *_set(f"NEAR{index}", near), _rigid(f"NEAR{index}", nodes),
+        *_set(f"FAR{index}", far), _rigid(f"FAR{index}", (ref, rot)),
+        "*BOUNDARY", f"{ref}, 3, 3", f"{rot}, 1, 3",
+    ]  # fmt: skip
+
+
+def _set(name: str, nodes: Integers) -> Iterator[str]:
+    yield f"*NSET, NSET={name}"
+    for first in range(0, nodes.size, A_LINE):
+        row = nodes[first : first + A_LINE].tolist()
+        yield ", ".join(map(str, row)) + ("," if first + A_LINE < nodes.size else "")
+
+
+def _held(numbers: Mapping[str, tuple[int, int]], state: State) -> Iterator[str]:
+    for name, motion in state.held.items():
+        for axis, value in enumerate(motion):
+            if value is not None:
+                yield _fixed(numbers[name], axis, value)
+
+
+def _fixed(nodes: tuple[int, int], axis: int, value: float) -> str:
+    """Return the line that gives a body's coordinate (x, y [m] or φ) a value."""
+    if axis == 2:
+        return f"{nodes[1]}, 3, 3, {value:.14g}"
+    return f"{nodes[0]}, {axis + 1}, {axis + 1}, {value * MM:.14g}"
+
+
+def _loads(
+    model: SolidModel,
+    numbers: Mapping[str, tuple[int, int]],
+    loads: Sequence[Load],
+    points: Mapping[tuple[str, float, float], int],
+) -> Iterator[str]:
+    first = 2 * len(model.bodies) + model.nodes + 1
+    for load in loads:
+        node = first + points[_place_of(load)]
+        for axis, force in enumerate(load.force, 1):
+            yield f"{node}, {axis}, {_one(force) * model.share:.14g}"
+        if _one(load.moment):
+            yield f"{numbers[load.body][1]}, 3, {_one(load.moment) * MM * model.share:.14g}"
+
+
+def _one(number: Quantity) -> float:
+    return float(column(number)[0])

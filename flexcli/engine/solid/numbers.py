@@ -1,0 +1,275 @@
+"""What a joint is asked for, by solid elements: the same numbers as a model of it gives."""
+
+from dataclasses import dataclass
+from math import cos, inf, sin
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.engine.joint_models.buckling import PushScene, ends_held, push_scene
+from flexcli.engine.joint_models.holds import driven_axis
+from flexcli.engine.joint_models.joint_states import layout_of, over_travels
+from flexcli.engine.solid.deck import MM, State, buckling_deck, compliance_deck, modes_deck
+from flexcli.engine.solid.model import SolidModel, solid_model
+from flexcli.engine.solid.states import FaceStress, Runner, SolidStates, solid_states
+from flexcli.formulas.profile import Constant, NeckedDown, Tabulated
+from flexcli.mechanics.demand import Held
+from flexcli.mechanics.layout import Body, Layout, Load
+from flexcli.mechanics.mesh import column
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import MOVING
+from flexcli.parts.mechanisms.carried import is_guided
+from flexcli.parts.requirements import Ask
+from flexcli.parts.structure import joined
+
+__all__ = ["BESIDE", "Place", "SolidNumbers", "moving_masses"]
+
+Floats = NDArray[np.float64]
+
+SMALL = 1e-6
+"""Rotation, or travel over the blades' length, of the linear steps."""
+
+BESIDE = 0.01
+"""Of a stroke: to either side of its end lie the states whose forces give the stiffness there."""
+
+SETTLED = 1e-4
+"""Change of a load factor, relative, at which what a turning body adds to it is found."""
+
+TRIES = 8
+
+TAKES_PART = 0.01
+"""Share of the motion's compliance from which a mode is one of the motion's own."""
+
+STRAIGHT = (Constant, NeckedDown, Tabulated)
+"""Profiles that end in a corner at their clamps, where the stress of a solid has no bound."""
+
+
+class Place(NamedTuple):
+    """Where the stress of a stretch is compared: a face, and how far along its blade [m].
+
+    Without a distance it is the greatest along the face, which is on a curve and not in a corner.
+    """
+
+    stretch: str
+    face: str
+    s: float | None
+
+
+@dataclass(frozen=True, eq=False)
+class SolidNumbers:
+    """A joint in a case on one mesh; ``runner`` runs its decks."""
+
+    ask: Ask
+    runner: Runner
+    fineness: int
+
+    def stiffness(self) -> float:
+        """Return the stiffness along the motion at rest [N·m/rad or N/m]."""
+        layout = layout_of(self.ask)
+        axis = driven_axis(self.ask.geometry)
+        small = SMALL * (1.0 if axis == 2 else _longest(layout))
+        held: Held = {MOVING: self.ask.geometry.held(small)}
+        state = self._solve(layout, held, (), is_linear=True)
+        return float(state.reactions[0, layout.index(MOVING), axis]) / small
+
+    def compliance(self) -> Floats:
+        """Return the 6×6 compliance at the moving body's point, in the axes of cases."""
+        geometry = self.ask.geometry
+        layout = geometry.layout(self.ask.material.elastic, self.ask.sizes)
+        model = solid_model(layout, fineness=self.fineness)
+        guided = geometry.motion == "translation" and geometry.held(0.0)[2] is not None
+        deck = compliance_deck(model, MOVING, guided)
+        ref, rot = deck.bodies[MOVING]
+        columns = [
+            np.concatenate([moved[ref], moved[rot]])
+            for moved in self.runner(deck).tables("displacements")
+        ]
+        # N and N·mm give mm and rad
+        C = np.stack(columns, axis=-1) * np.repeat([1.0 / MM, 1.0], 3)[:, None]
+        C = C * np.repeat([1.0, MM], 3)[None, :]
+        c, s = cos(geometry.axes), sin(geometry.axes)
+        turn = np.kron(np.eye(2), np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]]))
+        return np.asarray(turn @ C @ turn.T)
+
+    def states(self) -> SolidStates:
+        """Return the states of the case: at the end of its stroke, and a little to either side."""
+        scene = self.ask.scene
+        travels = None
+        if scene.moves:
+            end = scene.middle + scene.travel
+            travels = end * np.array([1.0 - BESIDE, 1.0, 1.0 + BESIDE])
+        return over_travels(self.ask, self._solve, travels)
+
+    def stiffness_at_end(self) -> float:
+        """Return the tangent of the effort at the end of the stroke."""
+        state, axis = self.states(), driven_axis(self.ask.geometry)
+        body = state.model.layout.index(MOVING)
+        effort, travel = state.reactions[:, body, axis], state.motions[:, body, axis]
+        return float((effort[2] - effort[0]) / (travel[2] - travel[0]))
+
+    def shift(self) -> float:
+        """Return the shift at the end of the stroke, positive towards −x of the layout [m]."""
+        state = self.states()
+        body = state.model.layout.body(MOVING)
+        x, y, phi = state.motions[1, state.model.layout.index(MOVING)]
+        if self.ask.geometry.motion == "translation":
+            return -float(x)
+        # the centre is the layout's origin
+        a, b = (-float(column(c)[0]) for c in body.point)
+        x += (cos(phi) - 1.0) * a - sin(phi) * b
+        y += sin(phi) * a + (cos(phi) - 1.0) * b
+        return float(np.copysign(np.hypot(x, y), -x))
+
+    def across_at_end(self, force: float) -> float:
+        """Return the stiffness along the layout's x at the end of the stroke, the drive held."""
+        scene, layout = self.ask.scene, layout_of(self.ask)
+        held: Held = {MOVING: self.ask.geometry.held(scene.middle + scene.travel)}
+        point = layout.body(MOVING).point
+        loads = [Load(MOVING, point, (np.array([-force, force]), 0.0))]
+        state = self._solve(layout, held, loads)
+        x = state.motions[:, layout.index(MOVING), 0]
+        return float(2.0 * force / (x[1] - x[0]))
+
+    def stress(self, place: Place) -> float:
+        """Return the magnitude of the stress at a place at the end of the stroke [Pa]."""
+        states = self.states()
+        found = states.face_stresses(1 if self.ask.scene.moves else 0)
+        return _at(next(f for f in found if f.stretch.name == place.stretch), place)
+
+    def critical(self, near: float) -> float:
+        """Return the least force of the case at which the joint buckles at rest in its plane [N].
+
+        ``near`` is about where it is.
+        """
+        scene = self.ask.scene
+        found = [
+            self._critical(push_scene(self.ask, push), near * push.force / scene.force)
+            * scene.force / push.force
+            for push in scene.pushes()
+        ]  # fmt: skip
+        return min(found)
+
+    def frequency(self) -> float:
+        """Return the lowest frequency that the joint's own motion takes part in [Hz]."""
+        ask, density = self.ask, self.ask.material.density
+        if density is None:
+            raise NotAvailable("needs material.density for the mass of the blades")
+        layout = moving_masses(ask)
+        model = solid_model(layout, fineness=self.fineness, is_half=True)
+        guided = [MOVING] if is_guided(ask.geometry) else []
+        deck = modes_deck(model, float(density.value), guided)
+        printed = self.runner(deck)
+        ref, rot = deck.bodies[MOVING]
+        axis = driven_axis(ask.geometry)
+        squares = np.array(printed.squares())
+        moved = [
+            shape[rot][2] if axis == 2 else shape[ref][axis]
+            for shape in printed.tables("displacements")
+        ]
+        count = min(len(moved), squares.size)
+        taking = np.array(moved[:count]) ** 2 / squares[:count]
+        first = int(np.flatnonzero(taking > TAKES_PART * taking.sum())[0])
+        return float(np.sqrt(squares[first]) / (2.0 * np.pi))
+
+    def _solve(
+        self, layout: Layout, held: Held, loads: object, *, is_linear: bool = False
+    ) -> SolidStates:
+        return solid_states(
+            layout, held, loads, self.runner,  # type: ignore[arg-type]
+            fineness=self.fineness, is_linear=is_linear,
+        )  # fmt: skip
+
+    def _critical(self, scene: PushScene, near: float) -> float:
+        """Return the factor of the unit force at which the joint buckles.
+
+        CalculiX's rigid bodies lack what the forces of their blades do as the arms turn on which
+        they act. What holds the turn gives that back, as stiff as it is at the factor found.
+        """
+        if scene.hold.hinged:
+            raise NotAvailable("has hinged ends, which are no solid")
+        model = solid_model(scene.layout, fineness=self.fineness, is_half=True)
+        state = State({MOVING: ends_held(scene)[MOVING]}, scene.pattern)
+        turning = self._turning(model, scene)
+
+        def factor(at: float) -> float:
+            holding = {name: at * moment for name, moment in turning.items()}
+            found = self.runner(buckling_deck(model, state, holding)).buckling()
+            return min((f for f in found if f > 0.0), default=inf)
+
+        if not turning:
+            return factor(0.0)
+        one = near
+        f_one = factor(one)
+        other = f_one
+        for _ in range(TRIES):
+            f_other = factor(other)
+            if abs(f_other - other) <= SETTLED * abs(f_other):
+                return f_other
+            slope = (f_other - f_one) / (other - one)
+            one, f_one = other, f_other
+            other = (f_other - slope * other) / (1.0 - slope)
+        raise NotAvailable("has no settled critical load by solid elements")
+
+    def _turning(self, model: SolidModel, scene: PushScene) -> dict[str, float]:
+        """Return the moment per turn of the forces on each body that turns, under the unit force.
+
+        ``Σ f·r`` over the faces that are tied to it [N·m/rad].
+        """
+        held = ends_held(scene)[MOVING]
+        bodies = [b for b in model.bodies if b.name != MOVING or held[2] is None]
+        if not bodies:
+            return {}
+        states = solid_states(
+            scene.layout, ends_held(scene), scene.pattern, self.runner,
+            fineness=self.fineness, is_linear=True,
+        )  # fmt: skip
+        places = np.concatenate([stretch.places for stretch in model.stretches])
+        forces = next(states.printed.tables("forces"))
+        found = {}
+        for body in bodies:
+            arms = places[body.nodes, :2] - np.array(body.point)
+            on_blade = np.array([forces[n][:2] for n in body.nodes + 1])
+            moment = -float(np.sum(on_blade * arms)) / model.share
+            if abs(moment) > SETTLED * float(np.abs(on_blade * arms).sum()):
+                found[body.name] = moment
+        return found
+
+
+def moving_masses(ask: Ask) -> Layout:
+    """Return the layout with all that moves on its bodies: its own masses, and the mechanism's.
+
+    Raises
+    ------
+    NotAvailable
+        Where the mechanism is more than a body on one joint, or nothing has a mass.
+
+    """
+    layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
+    mechanism = ask.mechanism
+    if mechanism is None:
+        if not ask.geometry.has_masses:
+            raise NotAvailable("moves nothing that has a mass")
+        return layout
+    if mechanism.joints != 1:
+        raise NotAvailable("is one of several joints: the mechanism's frequency is not the joint's")
+    moving = layout.body(MOVING)
+    centre = ask.geometry.payload_point(moving.point)
+    com = (centre[0] + getattr(mechanism, "arm", 0.0), centre[1])
+    own = moving._replace(com=moving.com if moving.mass else com)
+    mass, inertia = mechanism.hanging_mass(), mechanism.turning_inertia or 0.0
+    both = joined(MOVING, moving.point, [own, Body("payload", centre, mass, inertia, com)])
+    bodies = tuple(both if body.name == MOVING else body for body in layout.bodies)
+    return Layout(bodies, layout.blades, layout.E, layout.G, layout.supports)
+
+
+def _longest(layout: Layout) -> float:
+    ends = [np.subtract(b.end, b.start).astype(np.float64) for b in layout.blades]
+    return max(float(np.hypot(*end)) for end in ends)
+
+
+def _at(found: FaceStress, place: Place) -> float:
+    face = found.left if place.face == "left" else found.right
+    if place.s is None:
+        return float(np.abs(face).max())
+    return abs(float(np.interp(place.s, found.s, face)))

@@ -1,0 +1,484 @@
+"""The verb verify: a model's numbers beside those of solid elements, each with its own error."""
+
+from collections.abc import Callable, Iterator, MutableMapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from math import isfinite
+from time import perf_counter
+from typing import NamedTuple
+
+import numpy as np
+
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.models import model_series
+from flexcli.engine.solid import calculix
+from flexcli.engine.solid.deck import Deck
+from flexcli.engine.solid.model import solid_model
+from flexcli.engine.solid.numbers import STRAIGHT, Place, SolidNumbers, moving_masses
+from flexcli.errors import NoSolution, SolveError
+from flexcli.mechanics.stresses import blade_stress
+from flexcli.mechanics.tangent import free_compliance
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries import Sizes
+from flexcli.parts.geometries.base import ACROSS_WIDTH, MOVING
+from flexcli.parts.mechanisms import MechanismError
+from flexcli.parts.own_motion import own_mode
+from flexcli.parts.requirements import Ask, JointModel
+from flexcli.parts.requirements.support import DIRECTIONS, STIFFER, compliance_of
+from flexcli.results import (
+    Cost,
+    ErrorRange,
+    Note,
+    QuantityKind,
+    Result,
+    Status,
+    Verification,
+    VerifiedNumber,
+)
+from flexcli.results.activity import doing
+
+__all__ = ["verify"]
+
+PRINTED = 2e-6
+"""Relative error of what CalculiX prints with seven digits."""
+
+TANGENT = 1e-4
+"""Relative error of a stiffness from forces a hundredth of the stroke to either side."""
+
+BESIDE_CLAMP = 2.0
+"""Thicknesses from a clamp to where stresses are compared: what its corner does fades by some
+e⁻⁴ a thickness."""
+
+Found = tuple[float, ErrorRange | None]
+
+
+class _NotRun(Exception):
+    """A deck was written and nothing runs it."""
+
+
+class _Question(NamedTuple):
+    """A number: its name, how a model and how solids give it, what its deck is of."""
+
+    name: str
+    label: str
+    unit: str
+    ask: Ask
+    ours: Callable[[], Found]
+    solid: Callable[[SolidNumbers], float]
+    deck: str
+    read: str
+    error: Callable[[], float] = lambda: PRINTED
+    case: str = ""
+
+
+def verify(
+    design: DesignSpec,
+    sizes: Sizes,
+    spec: str,
+    *,
+    model: str | None = None,
+    meshes: int = 2,
+    only: Sequence[str] = (),
+    run: bool = True,
+    files: MutableMapping[str, str] | None = None,
+) -> Result:
+    """Return a design's numbers by its finest model, or one named, beside CalculiX's.
+
+    Parameters
+    ----------
+    design, sizes, spec
+        The design, its sizes [m], and what it is called.
+    model : str, optional
+        The model that is verified.
+    meshes : int
+        Meshes, each edge of the coarsest cut in one, two, three: at least two for an error.
+    only : sequence of str
+        Names of the numbers to compare; all, if left out.
+    run : bool
+        Run CalculiX where it is installed; else the decks alone are made.
+    files : mapping, optional
+        Gets decks and what CalculiX printed, by the names of their files.
+
+    Raises
+    ------
+    SolveError
+        ``no-solid`` when the joint is no layout of blades in a plane, ``no-such-number`` when
+        it has none of a name.
+
+    """
+    begun = perf_counter()
+    named = model_series(design, model)[-1]
+    asks = design.asks(sizes, named.joint_model)
+    try:
+        whole = [
+            solid_model(design.geometry.layout(design.material.elastic, sizes), fineness=k + 1)
+            for k in range(meshes)
+        ]
+    except NotAvailable as error:
+        text = f"a {design.geometry.name} {error}: it has no solids to verify it by"
+        raise SolveError(
+            "no-solid", text, "give what is missing, or verify another joint"
+        ) from error
+    _refuse_crossing(design, sizes)
+    bench = _Bench(run and calculix.is_installed(), meshes, {} if files is None else files)
+    questions = _named(list(_questions(asks)), only)
+    rows = tuple(bench.row(question) for question in questions)
+    notes = []
+    if not bench.runs:
+        why = "ccx is not installed (Debian: apt install calculix-ccx)" if run else "not run"
+        text = f"{why}: decks and what to compare only; -o DIR writes the decks"
+        notes.append(Note("not-run", text))
+    done = [row for row in rows if row.solid is not None]
+    agreed = [row.agrees for row in done]
+    if any(agrees is False for agrees in agreed):
+        status = Status.FAIL
+    else:
+        status = Status.PASS if done and None not in agreed else Status.UNDECIDED
+    seconds = perf_counter() - begun
+    return Result(
+        command="verify",
+        spec=spec,
+        status=status,
+        title=design.title,
+        warnings=tuple(notes),
+        cost=Cost(seconds, named.name, None, by_model={
+            named.name: seconds - bench.seconds, "solid elements": bench.seconds,
+        }),
+        verification=Verification(
+            model=named.name,
+            program="CalculiX, C3D20R" if bench.runs else "",
+            meshes=tuple(model.elements for model in whole),
+            numbers=rows,
+            decks=tuple(bench.decks),
+        ),
+    )  # fmt: skip
+
+
+def _named(questions: list[_Question], only: Sequence[str]) -> list[_Question]:
+    """Return the questions of given names."""
+    names = [question.name for question in questions]
+    for name in only:
+        if name not in names:
+            text = f"there is no number '{name}' to compare"
+            raise SolveError("no-such-number", text, f"one of {', '.join(names)}")
+    return [question for question in questions if not only or question.name in only]
+
+
+def _refuse_crossing(design: DesignSpec, sizes: Sizes) -> None:
+    """Raise where parts of blades meet in a point: what is solid there is in no drawing of them."""
+    layout = design.geometry.layout(design.material.elastic, sizes)
+    for body in layout.bodies:
+        ends = [
+            np.array(place, dtype=np.float64)
+            for blade in layout.blades
+            for place, name in ((blade.start, blade.first), (blade.end, blade.second))
+            if name == body.name
+        ]
+        apart = [float(np.hypot(*(a - b))) for i, a in enumerate(ends) for b in ends[:i]]
+        heights = {float(np.ravel(blade.z)[0]) for blade in layout.blades}
+        if apart and max(apart) == 0.0 and len(heights) == 1 and len(ends) > 1:
+            text = f"the blades of a {design.geometry.name} meet in a point of '{body.name}'"
+            hint = "the solid of such a crossing is not drawn; separate the blades across the width"
+            raise SolveError("no-solid", text, hint)
+
+
+@dataclass(eq=False)
+class _Bench:
+    """Runs decks, each once, on every mesh."""
+
+    runs: bool
+    meshes: int
+    files: MutableMapping[str, str]
+    decks: dict[str, None] = field(default_factory=dict)
+    seconds: float = 0.0
+    known: dict[str, calculix.Printed] = field(default_factory=dict)
+
+    def row(self, question: _Question) -> VerifiedNumber:
+        """Return a number by the model and by solids."""
+        begun = perf_counter()
+        why, ours, error = "", None, None
+        try:
+            ours, error = question.ours()
+        except (NotAvailable, SolveError, MechanismError) as wrong:
+            why = f"the model: {wrong}"
+        found: list[float] = []
+        try:
+            for fineness in range(1, self.meshes + 1):
+                name = f"{question.deck}-mesh-{fineness}"
+                doing(f"{question.label}, mesh {fineness}")
+                numbers = SolidNumbers(question.ask, self._runner(name), fineness)
+                found.append(question.solid(numbers))
+        except _NotRun:
+            pass
+        except (NotAvailable, MechanismError) as wrong:
+            why = f"it {wrong}"
+        except NoSolution as wrong:
+            why = wrong.text
+        solid = found[-1] if len(found) == self.meshes else None
+        own = None
+        if solid is not None and self.meshes > 1 and solid != 0.0:
+            own = abs(found[-2] / solid - 1.0) + question.error()
+        return VerifiedNumber(
+            question.name, question.label, question.unit, question.case, ours, error,
+            solid, own, f"{question.deck}-mesh-{self.meshes}", question.read,
+            perf_counter() - begun, why,
+        )  # fmt: skip
+
+    def _runner(self, name: str) -> Callable[[Deck], calculix.Printed]:
+        def run(deck: Deck) -> calculix.Printed:
+            if deck.text in self.known:
+                return self.known[deck.text]
+            own = name if name not in self.decks else f"{name}-{len(self.decks) + 1}"
+            self.decks[own] = None
+            self.files[f"{own}.inp"] = deck.text
+            if not self.runs:
+                raise _NotRun
+            printed = calculix.run(deck.text, own)
+            self.seconds += printed.seconds
+            self.files[f"{own}.dat"] = printed.dat
+            if printed.frd:
+                self.files[f"{own}.frd"] = printed.frd
+            self.known[deck.text] = printed
+            return printed
+
+        return run
+
+
+def _questions(asks: list[Ask]) -> Iterator[_Question]:
+    """Yield what is compared: at rest once, then case by case."""
+    first = asks[0]
+    turns = first.geometry.motion == "rotation"
+    unit, effort = ("N*m/rad", "moment") if turns else ("N/m", "force")
+    model = _Model(first.joint_model)
+    yield _Question(
+        "k_pivot" if turns else "k_stage", "stiffness at rest", unit, first,
+        lambda: model.of(first, QuantityKind.STIFFNESS, first.joint_model.stiffness(first)),
+        lambda solid: solid.stiffness(), "rest", f"{effort} on the moving body over its motion",
+    )  # fmt: skip
+    yield from _supports(first)
+    if _has_mass(first):
+        yield _Question(
+            "f_0", "natural frequency", "Hz", first, lambda: model.frequency(first),
+            lambda solid: solid.frequency(), "modes", "lowest mode that moves the body",
+        )  # fmt: skip
+    for ask in asks:
+        yield from _case(ask, model, many=len(asks) > 1)
+
+
+def _supports(ask: Ask) -> Iterator[_Question]:
+    """Yield the stiffness in every direction, all others free."""
+    guided = ask.geometry.motion == "translation" and ask.geometry.held(0.0)[2] is not None
+    for index, direction in enumerate(DIRECTIONS):
+        if guided and index == 5:
+            continue
+        turns = direction.startswith("theta")
+
+        def ours(index: int = index) -> Found:
+            return float(1.0 / compliance_of(ask)[index, index]), STIFFER
+
+        def solid(numbers: SolidNumbers, index: int = index) -> float:
+            return float(1.0 / numbers.compliance()[index, index])
+
+        way = f"about {direction[-1]}" if turns else f"along {direction}"
+        yield _Question(
+            f"support_{direction}", f"support {way}", "N*m/rad" if turns else "N/m", ask,
+            ours, solid, "support", f"motion of the moving body in step {index + 1}, a unit load",
+        )  # fmt: skip
+
+
+def _has_mass(ask: Ask) -> bool:
+    try:
+        moving_masses(ask)
+    except NotAvailable:
+        return False
+    return True
+
+
+def _case(ask: Ask, model: "_Model", *, many: bool) -> Iterator[_Question]:
+    scene, end = ask.scene, f"_{ask.scene.case}" if many else ""
+    alone = ask._replace(scene=scene.without_loads())
+    turns = ask.geometry.motion == "rotation"
+    unit = "N*m/rad" if turns else "N/m"
+    if scene.moves:
+        deck = f"stroke-{scene.case}"
+        if isinstance(model.inner, ExactModel):
+            yield _Question(
+                f"k_end{end}", "stiffness at full stroke", unit, alone,
+                lambda: model.stiffness_at_end(alone), lambda solid: solid.stiffness_at_end(),
+                deck, "change of the effort over that of the motion, steps 1 and 3",
+                lambda: TANGENT, scene.case,
+            )  # fmt: skip
+        yield _Question(
+            f"shift{end}", "parasitic shift", "m", alone,
+            lambda: model.of(alone, QuantityKind.SHIFT, alone.joint_model.parasitic_shift(alone)),
+            lambda solid: solid.shift(), deck, "motion of the moving body, step 2",
+            lambda: model.law_in_shift(alone), scene.case,
+        )  # fmt: skip
+        if isinstance(model.inner, ExactModel):
+            yield _Question(
+                f"k_across{end}", "stiffness across it", "N/m", alone,
+                lambda: model.across_at_end(alone),
+                lambda solid: solid.across_at_end(model.across_force(alone)),
+                f"across-{scene.case}", "two forces along x over their motion",
+                lambda: TANGENT, scene.case,
+            )  # fmt: skip
+    if scene.moves or scene.is_loaded:
+        place = _Lazy(lambda: model.stress_place(ask))
+        yield _Question(
+            f"sigma{end}", "stress at a face", "Pa", ask, lambda: model.stress(ask, place.value),
+            lambda solid: solid.stress(place.value),
+            f"stress-{scene.case}" if scene.is_loaded else f"stroke-{scene.case}",
+            place.value_text, lambda: model.law_in_stress(ask), scene.case,
+        )  # fmt: skip
+    if scene.forces and scene.ends is not None:
+        rest = ask._replace(scene=scene._replace(travel=0.0, mean_travel=0.0, middle=0.0))
+        yield _Question(
+            f"F_cr{end}", "critical force at rest", "N", rest,
+            lambda: model.critical(rest), lambda solid: solid.critical(model.critical(rest)[0]),
+            f"buckling-{scene.case}", "buckling factor of a unit force, times the case's share",
+            lambda: PRINTED, scene.case,
+        )  # fmt: skip
+
+
+class _Lazy:
+    """A place that is looked for when it is first asked for."""
+
+    def __init__(self, find: Callable[[], Place]) -> None:
+        self._find = find
+
+    @cached_property
+    def value(self) -> Place:
+        return self._find()
+
+    @property
+    def value_text(self) -> str:
+        try:
+            place = self.value
+        except (NotAvailable, SolveError):
+            return "stress at a face, the mean over its width"
+        where = "greatest along it" if place.s is None else f"{place.s * 1e3:.4g} mm from its start"
+        return f"{place.face} face of {place.stretch}, mean over its width, {where}"
+
+
+class _Model:
+    """The numbers of a model with their errors."""
+
+    def __init__(self, joint_model: JointModel) -> None:
+        self.joint_model = joint_model
+        self.inner = getattr(joint_model, "inner", joint_model)
+        self.exact = self.inner if isinstance(self.inner, ExactModel) else ExactModel()
+
+    def of(self, ask: Ask, kind: QuantityKind, value: object) -> Found:
+        """Return a value with the model's error of its kind."""
+        return float(value), self.joint_model.error(ask, kind)  # type: ignore[arg-type]
+
+    def frequency(self, ask: Ask) -> Found:
+        """Return the frequency of the mechanism's own motion."""
+        stiffness = self.joint_model.stiffness(ask)
+        mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
+        found = float(mode.stiffness / mode.mass) ** 0.5 / (2.0 * np.pi)
+        return self.of(ask, QuantityKind.FREQUENCY, found * self.joint_model.frequency_factor(ask))
+
+    def stiffness_at_end(self, ask: Ask) -> Found:
+        """Return the tangent at the end of the stroke, for wide blades as far as is known.
+
+        Bent blades of some width lie between the beam and the plate that cannot narrow, which is
+        1/(1 − ν²) times as stiff: the range is all between, and the error at rest besides.
+        """
+        at_rest = float(self.joint_model.stiffness(ask) / self.inner.stiffness(ask))
+        found = self.exact.stiffness_at_end(ask)
+        own = self.joint_model.error(ask, QuantityKind.STIFFNESS)
+        if own is None:
+            return found * at_rest, None
+        return found * at_rest, own + _between_beam_and_plate(ask, at_rest)
+
+    def across_at_end(self, ask: Ask) -> Found:
+        """Return the stiffness along the layout's x at the end of the stroke, the drive held."""
+        state = self.exact.states(ask)
+        free = state.parts[0].demand.free.tolist()
+        index = free.index(3 * state.layout.index(MOVING))
+        return 1.0 / float(free_compliance(state)[0, index, index]), _between_beam_and_plate(
+            ask, 1.0
+        )
+
+    def across_force(self, ask: Ask) -> float:
+        """Return a force that moves the body across its stroke by a thousandth of the stroke."""
+        scene, length = ask.scene, 1.0
+        if ask.geometry.motion == "rotation":
+            blades = ask.geometry.layout(ask.material.elastic, ask.sizes).blades
+            length = max(float(np.hypot(*np.subtract(b.end, b.start))) for b in blades)
+        return self.across_at_end(ask)[0] * 1e-4 * (scene.travel + scene.mean_travel) * length
+
+    def critical(self, ask: Ask) -> Found:
+        """Return the least critical force in the plane."""
+        found = [c for c in self.joint_model.critical(ask) if c.way != ACROSS_WIDTH]
+        least = min(found, key=lambda c: float(c.force))
+        if not isfinite(float(least.force)):
+            raise NotAvailable("does not buckle under the forces of the case")
+        error = least.error or self.joint_model.error(ask, QuantityKind.BUCKLING)
+        return float(least.force), error
+
+    def stress(self, ask: Ask, place: Place) -> Found:
+        """Return the stress at a place, in proportion to the worst that the model knows."""
+        worst = max(abs(float(s.largest)) for s in self.joint_model.stresses(ask)[1])
+        exact = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
+        there = abs(self._along(ask, place))
+        return self.of(ask, QuantityKind.STRESS, worst * there / exact)
+
+    def law_in_stress(self, ask: Ask) -> float:
+        """Return what the law of finite strain of a solid may change in a stress: the strain."""
+        worst = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
+        return PRINTED + worst / ask.material.elastic.E
+
+    def law_in_shift(self, ask: Ask) -> float:
+        """Return what the law of finite strain of a solid may change in a shift, relative.
+
+        Between Green's strain and the beam's, a blade bent to ε at its faces differs in length by
+        ½ ∫ε² ds; no material states which law is its own.
+        """
+        state, E, found = self.exact.states(ask), ask.material.elastic.E, 0.0
+        for blade in state.layout.blades:
+            along = blade_stress(state, blade.name)
+            strain = along.bending[0] / E
+            found += 0.5 * float(np.trapezoid(strain**2, along.s[0]))
+        return PRINTED + found / abs(float(self.exact.parasitic_shift(ask)))
+
+    def _along(self, ask: Ask, place: Place) -> float:
+        state = self.exact.states(ask)
+        blade = place.stretch.partition(" hinge ")[0]
+        names = [b.name for b in state.layout.blades]
+        found = blade_stress(state, blade if blade in names else place.stretch, 257)
+        face = (found.left if place.face == "left" else found.right)[0]
+        if place.s is None:
+            return float(np.abs(face).max())
+        return float(np.interp(place.s, found.s[0], face))
+
+    def stress_place(self, ask: Ask) -> Place:
+        """Return where the stress of solids is compared: where it is greatest but in no corner.
+
+        On blades that end in a corner that is two thicknesses from a clamp, else along the face.
+        """
+        layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
+        found: dict[Place, float] = {}
+        for stretch in solid_model(layout).stretches:
+            blade = next(b for b in layout.blades if b.name == stretch.blade)
+            s = stretch.bricks.places[:, 0]
+            at: tuple[float | None, ...] = (None,)
+            if isinstance(blade.profile, STRAIGHT):
+                low, high = (
+                    float(2.0 * stretch.bricks.places[stretch.bricks.end(side), 1].max())
+                    for side in (0, -1)
+                )
+                at = (float(s.min()) + BESIDE_CLAMP * low, float(s.max()) - BESIDE_CLAMP * high)
+            for face in ("left", "right"):
+                for one in at:
+                    place = Place(stretch.name, face, one)
+                    found[place] = abs(self._along(ask, place))
+        return max(found, key=found.__getitem__)
+
+
+def _between_beam_and_plate(ask: Ask, factor: float) -> ErrorRange:
+    """Return how far blades between a beam and a plate are off a number that has a factor."""
+    nu = ask.material.elastic.nu or 0.0
+    return ErrorRange(1.0 / factor - 1.0, 1.0 / (factor * (1.0 - nu**2)) - 1.0)

@@ -1,0 +1,69 @@
+"""``flexure verify`` without ccx, and what it refuses."""
+
+import json
+
+import pytest
+
+SPEC = """\
+flexure: 1
+material: {name: ours, youngs_modulus: 114 GPa, poisson_ratio: 0.3}
+geometry: {kind: cantilever, h: 0.5 mm, l: 20 mm, b: 2 mm}
+cases:
+  a: {stroke: {translation: 1 mm}}
+requirements: {parasitic_shift: {max: 0.1 mm}}
+"""
+
+
+@pytest.fixture
+def no_ccx(tmp_path, monkeypatch):
+    """Have no program on the way."""
+    monkeypatch.setenv("PATH", str(tmp_path))
+    (tmp_path / "flexure.yaml").write_text(SPEC)
+
+
+@pytest.mark.usefixtures("no_ccx")
+def test_without_ccx_it_says_so_and_what_to_compare(inside, tmp_path):
+    told = inside("verify")
+    assert told.returncode == 1
+    assert "UNDECIDED" in told.stdout
+    assert "calculix-ccx" in told.stdout
+    assert "stiffness at rest" in told.stdout
+    assert [path.name for path in tmp_path.iterdir()] == ["flexure.yaml"]
+
+
+@pytest.mark.usefixtures("no_ccx")
+def test_its_decks_are_written_where_asked_and_nothing_is_replaced(inside, tmp_path):
+    told = inside("verify", "-o", "decks", "--format", "json")
+    content = json.loads(told.stdout)
+    rows = content["verification"]["numbers"]
+    assert content["status"] == "undecided"
+    assert all(row["solid"] is None and row["agrees"] is None for row in rows)
+    assert {row["name"] for row in rows} >= {"k_stage", "support_z", "k_end", "shift", "sigma"}
+    written = {path.name for path in (tmp_path / "decks").iterdir()}
+    assert "rest-mesh-1.inp" in written
+    assert all(name.endswith(".inp") for name in written)
+    again = inside("verify", "-o", "decks")
+    assert again.returncode == 2
+    assert "--force" in again.stderr
+
+
+@pytest.mark.usefixtures("no_ccx")
+def test_blades_that_meet_in_a_point_are_no_solid(inside, tmp_path):
+    crossed = SPEC.replace(
+        "{kind: cantilever, h: 0.5 mm, l: 20 mm, b: 2 mm}",
+        "{kind: unseparated-cross, half_angle: 45 deg, h: 0.5 mm, l: 20 mm, b: 2 mm}",
+    ).replace("translation: 1 mm", "rotation: 1 mrad")
+    (tmp_path / "crossed.yaml").write_text(crossed)
+    told = inside("verify", "crossed.yaml")
+    assert told.returncode == 2
+    assert "meet in a point" in told.stderr
+
+
+@pytest.mark.usefixtures("no_ccx")
+def test_what_draws_no_blades_says_so(inside, tmp_path):
+    bar = SPEC.replace("{kind: cantilever, h: 0.5 mm, l: 20 mm, b: 2 mm}",
+                       "{kind: torsion-bar, h: 1 mm, l: 20 mm, b: 2 mm}")  # fmt: skip
+    (tmp_path / "bar.yaml").write_text(bar.replace("translation: 1 mm", "rotation: 1 mrad"))
+    told = inside("verify", "bar.yaml")
+    assert told.returncode == 2
+    assert "not made of straight blades" in told.stderr

@@ -1,0 +1,106 @@
+"""Solid elements agree with the exact model where both are right, and say so where they do not."""
+
+import shutil
+
+import pytest
+
+import flexcli
+from flexcli.engine.solid.calculix import run
+from flexcli.errors import NoSolution
+
+pytestmark = [
+    pytest.mark.calculix,
+    pytest.mark.skipif(shutil.which("ccx") is None, reason="ccx is not installed"),
+]
+
+SPEC = """\
+flexure: 1
+material: {{name: ours, youngs_modulus: 114 GPa, poisson_ratio: {nu}, density: 4.43 g/cm^3}}
+geometry: {geometry}
+{mechanism}
+cases:
+  a: {case}
+requirements: {{stiffness: {{min: 1 {unit}}}}}
+"""
+
+MESH = 1e-3
+"""What a mesh of this fineness leaves at most, over all of these."""
+
+
+def numbers(geometry, case, nu=0.0, mechanism="", unit="N/m", **how):
+    text = SPEC.format(geometry=geometry, case=case, nu=nu, mechanism=mechanism, unit=unit)
+    result = flexcli.verify(text, **how)
+    return {number.name: number for number in result.verification.numbers}, result
+
+
+def test_without_poisson_s_ratio_a_blade_is_the_beam():
+    found, _ = numbers(
+        "{kind: cantilever, h: 0.5 mm, l: 20 mm, b: 2 mm}",
+        "{stroke: {translation: 1 mm}}",
+        mechanism="mechanism: {kind: tip-mass, mass: 5 g}",
+        only=("k_stage", "k_end", "shift", "k_across", "f_0", "sigma"),
+    )
+    for name in ("k_stage", "k_end", "shift", "k_across", "f_0"):
+        # the shift of finite strains is as unsure as the solid says
+        allowed = MESH + found[name].solid_error
+        assert found[name].apart == pytest.approx(0.0, abs=allowed), name
+        assert found[name].solid_error < 0.01
+    assert found["sigma"].apart == pytest.approx(0.0, abs=5e-3)
+
+
+@pytest.mark.parametrize("ends", ["clamped-free", "clamped-pinned", "clamped-clamped"])
+def test_a_pivot_buckles_where_the_exact_model_says(ends):
+    found, _ = numbers(
+        "{kind: rcc, p: 8 mm, half_angle: 30 deg, h: 0.4 mm, l: 20 mm, b: 2 mm}",
+        f"{{load: {{force: 10 N, direction: 180 deg}}, ends: {ends}}}",
+        unit="N*m/rad",
+        only=("F_cr",),
+    )
+    critical = found["F_cr"]
+    # a pivot that leans away gives the exact model a lower end alone
+    assert critical.agrees
+    assert critical.apart == pytest.approx(0.0, abs=3.0 * MESH)
+
+
+def test_a_wide_blade_is_stiffer_than_its_beam_by_what_the_plate_factor_says():
+    found, result = numbers(
+        "{kind: leaf-spring-stage, blades: 2, spacing: 20 mm, h: 0.3 mm, l: 20 mm, b: 15 mm}",
+        "{stroke: {translation: 0.5 mm}}",
+        nu=0.34,
+        model="closed-form",
+        only=("k_stage",),
+    )
+    assert found["k_stage"].agrees
+    beam = 24.0 * 114e9 * 15e-3 * 0.3e-3**3 / 12.0 / 20e-3**3
+    assert found["k_stage"].solid > 1.08 * beam
+    assert result.verification.model == "closed-form"
+
+
+def test_a_notch_hinge_bends_in_its_throat():
+    found, _ = numbers(
+        "{kind: notch-hinge, e: 0.2 mm, r: 2 mm, b: 1 mm}",
+        "{stroke: {rotation: 10 mrad}}",
+        nu=0.3,
+        unit="N*m/rad",
+        only=("k_pivot", "sigma"),
+    )
+    assert found["k_pivot"].agrees
+    # Neuber's peak is of the notch's curve; the mean over the width of the face has it too
+    assert found["sigma"].apart == pytest.approx(0.0, abs=0.03)
+
+
+def test_the_support_of_solids_is_that_of_linear_beams_in_space():
+    # ν = 0: neither plates nor clamps stiffen the blades, but clamps hold their warping
+    found, _ = numbers(
+        "{kind: leaf-spring-stage, blades: 2, spacing: 20 mm, h: 0.5 mm, l: 20 mm, b: 2 mm}",
+        "{stroke: {translation: 0.5 mm}}",
+        only=("support_y", "support_z", "support_theta_z"),
+    )
+    for number in found.values():
+        assert number.agrees
+        assert number.apart == pytest.approx(0.0, abs=5e-3), number.name
+
+
+def test_a_deck_that_ccx_cannot_read_says_why():
+    with pytest.raises(NoSolution, match="ERROR"):
+        run("*NODE\n1, 0., 0., 0.\n*STEP\n*STATIC\n*CLOAD\n7, 1, 1.\n*END STEP\n", "wrong")
