@@ -33,10 +33,9 @@ from flexcli.results import (
     QuantityKind,
     Result,
     Status,
-    Verification,
-    VerifiedNumber,
 )
 from flexcli.results.activity import doing
+from flexcli.results.verification import Verification, VerifiedNumber
 
 __all__ = ["verify"]
 

@@ -7,7 +7,8 @@ from rich.console import RenderableType
 
 from flexcli.report.numbers import error_text
 from flexcli.report.tables import Line, Rows, table
-from flexcli.results import ErrorRange, Result, Verification, VerifiedNumber
+from flexcli.results import ErrorRange, Result
+from flexcli.results.verification import Verification, VerifiedNumber
 from flexcli.units import show
 
 __all__ = ["section"]

@@ -61,7 +61,6 @@ from flexcli.results.stops import (
     StopSweep,
     SweepStep,
 )
-from flexcli.results.verification import Verification, VerifiedNumber
 from flexcli.results.vibration import (
     BreakpointRow,
     CaseResponse,
@@ -128,7 +127,5 @@ __all__ = [
     "ValidityRow",
     "Value",
     "Verdict",
-    "Verification",
-    "VerifiedNumber",
     "WorstCaseRow",
 ]

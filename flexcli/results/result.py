@@ -14,7 +14,6 @@ from flexcli.results.shown import records, rendered, tables
 from flexcli.results.simulation import SweepResult
 from flexcli.results.sizing import SizingResult
 from flexcli.results.stops import StopsResult
-from flexcli.results.verification import Verification
 from flexcli.results.vibration import (
     BreakpointRow,
     CaseResponse,
@@ -26,6 +25,7 @@ from flexcli.results.vibration import (
 if TYPE_CHECKING:
     from flexcli.results.study import StudyResult
     from flexcli.results.tolerances import TolerancesResult
+    from flexcli.results.verification import Verification
 
 __all__ = ["Cost", "PassedOver", "Result", "Status"]
 
@@ -99,7 +99,7 @@ class Result:
     accuracy: AccuracyResult | None = None
     plan: Plan | None = None
     audit: tuple[AuditRow, ...] = ()
-    verification: Verification | None = None
+    verification: "Verification | None" = None
     study: "StudyResult | None" = None
     tolerances: "TolerancesResult | None" = None
 
