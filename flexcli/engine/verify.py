@@ -107,6 +107,7 @@ def verify(
 
     """
     begun = perf_counter()
+    design, notes = _between_rigid_clamps(design, sizes)
     named = model_series(design, model)[-1]
     asks = design.asks(sizes, named.joint_model)
     try:
@@ -123,7 +124,6 @@ def verify(
     bench = _Bench(run and calculix.is_installed(), meshes, {} if files is None else files)
     questions = _named(list(_questions(asks)), only)
     rows = tuple(bench.row(question) for question in questions)
-    notes = []
     if not bench.runs:
         why = "ccx is not installed (Debian: apt install calculix-ccx)" if run else "not run"
         text = f"{why}: decks and what to compare only; -o DIR writes the decks"
@@ -152,6 +152,19 @@ def verify(
             decks=tuple(bench.decks),
         ),
     )  # fmt: skip
+
+
+def _between_rigid_clamps(design: DesignSpec, sizes: Sizes) -> tuple[DesignSpec, list[Note]]:
+    """Return a design whose clamps are rigid, as those of the solids, and what to say of it."""
+    geometry = design.geometry
+    if geometry.giving_clamps(sizes, design.material.elastic.nu or 0.0) is None:
+        return design, []
+    if "clamps" not in type(geometry).model_fields:
+        text = f"the clamps of this {geometry.name} give, those of its solids are rigid"
+        raise SolveError("no-solid", text, "leave 'clamps' out of its flexures to verify the rest")
+    text = "blades are compared between rigid clamps: what their bodies give is in no solid here"
+    rigid = geometry.model_copy(update={"clamps": "rigid"})
+    return design.model_copy(update={"geometry": rigid}), [Note("rigid-clamps", text)]
 
 
 def _named(questions: list[_Question], only: Sequence[str]) -> list[_Question]:

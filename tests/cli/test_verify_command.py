@@ -67,3 +67,16 @@ def test_what_draws_no_blades_says_so(inside, tmp_path):
     told = inside("verify", "bar.yaml")
     assert told.returncode == 2
     assert "not made of straight blades" in told.stderr
+
+
+@pytest.mark.usefixtures("no_ccx")
+def test_clamps_that_give_are_compared_as_rigid_ones(inside, tmp_path):
+    giving = SPEC.replace("b: 2 mm}", "b: 2 mm, clamps: monolithic}")
+    (tmp_path / "giving.yaml").write_text(giving)
+    rows = {}
+    for name in ("giving.yaml", "flexure.yaml"):
+        content = json.loads(inside("verify", name, "--only", "k_stage", "--format", "json").stdout)
+        rows[name] = content["verification"]["numbers"][0]["model"]
+        told = {note["code"] for note in content["warnings"]}
+        assert ("rigid-clamps" in told) == (name == "giving.yaml")
+    assert rows["giving.yaml"] == rows["flexure.yaml"]
