@@ -5,9 +5,11 @@ force n is constant, and its moment is that at the end, m, and ``(r(1) − r(s))
 rotation R of a section (quaternion q), the forces ``N = Rᵀ n`` and moments ``M = Rᵀ m(s)`` that it
 feels and its twist rate τ,
 
-    q' = ½ q ∘ κ,  κ = (τ, c_y M_y, c_z M_z),
+    q' = ½ q ∘ κ,  κ = (τ, c_y M_y, κ_z(M_z, τ)),
     r' = R (e_x + Γ),  Γ = (c_x N_x − ½ ρ² τ², c_sy N_y, c_sz N_z),
-    M_x = GJ τ + ρ² N_x τ + W τ³ − (EΓ τ')',  τ = 0 at clamps.
+    M_x = GJ τ + ρ² N_x τ + W τ³ + T(M_z, τ) − (EΓ τ')',  τ = 0 at clamps,
+
+with κ_z and T of a section that curls (:mod:`flexcli.mechanics.space.exact.section_law`).
 
 All is scaled as in :mod:`flexcli.mechanics.space.exact.section`; q and τ sit at Gauss nodes
 (collocation, order twice their number at the end). The compliances c stand on top of no fraction
@@ -21,6 +23,7 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.space.exact.mesh import Mesh
 from flexcli.mechanics.space.exact.rotation import conjugate, cross, matrix_of, moved, skew, spun
+from flexcli.mechanics.space.exact.section_law import Curled, curled
 from flexcli.numerics.stack import solve_stack
 
 __all__ = ["Along", "Condensed", "along", "condense", "moments"]
@@ -31,7 +34,7 @@ _E_X = np.array([1.0, 0.0, 0.0])
 
 
 class Along(NamedTuple):
-    """What the sections feel at the nodes (blades, K, …): R, N, Γ, m (global), M and κ."""
+    """What the sections feel at the nodes (blades, K, …): R, N, Γ, m, M, κ and how they curl."""
 
     R: Floats
     N: Floats
@@ -40,6 +43,7 @@ class Along(NamedTuple):
     m: Floats
     M: Floats
     kappa: Floats
+    law: Curled
 
 
 class Condensed(NamedTuple):
@@ -71,8 +75,10 @@ def along(mesh: Mesh, z: Floats, f: Floats) -> Along:
     rate = moved(q, _E_X) + (R @ strain[..., None])[..., 0]
     m = moments(mesh, rate, f)
     M = m + moved(conjugate(q), m)
-    kappa = np.concatenate([tau[..., None], mesh.bend * M[..., 1:]], axis=-1)
-    return Along(R, N, strain, rate, m, M, kappa)
+    law = curled(M[..., 2], tau, mesh.clamped, mesh.curl, mesh.nu)
+    law = Curled(*(np.where(mesh.flexible > 0.0, each, 0.0) for each in law))
+    kappa = np.stack([tau, mesh.bend_y * M[..., 1], law.kappa], axis=-1)
+    return Along(R, N, strain, rate, m, M, kappa, law)
 
 
 def moments(mesh: Mesh, rate: Floats, f: Floats) -> Floats:
@@ -120,13 +126,16 @@ def condense(mesh: Mesh, z: Floats, f: Floats) -> Condensed:
     P[..., 3] = -polar[..., None] * axis
     # Φ = (θ', T − M_x) by δm, by (θ, τ) and by n at the same node
     by_m = np.empty((B, K, 4, 3))
-    by_m[..., :3, :] = (at.R[..., 1:] * mesh.bend[..., None, :]) @ R_t[..., 1:, :]
-    by_m[..., 3, :] = -axis
+    across, law = at.R[..., 2], at.law
+    bend = np.stack([mesh.bend_y, law.compliance], axis=-1)
+    by_m[..., :3, :] = (at.R[..., 1:] * bend[..., None, :]) @ R_t[..., 1:, :]
+    by_m[..., 3, :] = -axis - law.coupling[..., None] * across
     by_z = np.empty((B, K, 4, 4))
     by_z[..., :3] = by_m @ skew(at.m)
     by_z[..., 3, :3] += polar[..., None] * (axis[..., None, :] @ n)[..., 0, :]
-    by_z[..., :3, 3] = axis
+    by_z[..., :3, 3] = axis + law.coupling[..., None] * across
     by_z[..., 3, 3] = mesh.torsion + mesh.polar * at.N[..., 0] + 3.0 * mesh.fibres * tau**2
+    by_z[..., 3, 3] += law.stiffness
     # m = m(1) + lever × n, the lever being what integrates r' to the end
     by_lever = -by_m @ n
     far = (mesh.back @ Q.reshape(B, K, 9)).reshape(B, K, 3, 3)
@@ -141,6 +150,7 @@ def condense(mesh: Mesh, z: Floats, f: Floats) -> Condensed:
     pushed = np.moveaxis(by_f, 2, 1)
     bent, end = mesh.kinematics(q, at.kappa)
     torque = (mesh.torsion + mesh.polar * at.N[..., 0] + mesh.fibres * tau**2) * tau - at.M[..., 0]
+    torque += law.torque
     matrix, right = np.empty((B, 4, K, 4 * K)), np.empty((B, 4, K, 7))
     matrix[:, :3], matrix[:, 3] = -(mesh.J[:, None] @ rows[:, :3]), mesh.twist @ rows[:, 3]
     right[:, :3, :, 1:] = mesh.J[:, None] @ pushed[:, :3]

@@ -7,7 +7,7 @@ refinement of the nodes are those of the planar solver.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from time import perf_counter
 from typing import NamedTuple
@@ -69,6 +69,17 @@ class SpaceEquilibrium:
     nodes: int
     seconds: float
     part: SpacePart
+    coarser_part: SpacePart | None = None
+
+    @property
+    def coarser(self) -> "SpaceEquilibrium | None":
+        """Return the same equilibrium on the level of nodes before, where there is one.
+
+        What is read off both tells by how much it is off itself.
+        """
+        if self.coarser_part is None:
+            return None
+        return replace(self, part=self.coarser_part, coarser_part=None)
 
     def checked(self) -> "SpaceEquilibrium":
         """Return this when it converged.
@@ -269,6 +280,7 @@ def solve(
         nodes=int(found.nodes[0]),
         seconds=perf_counter() - begun,
         part=last.at.part(last),
+        coarser_part=found.coarser[0].at.part(found.coarser[0]) if found.coarser else None,
     )
 
 

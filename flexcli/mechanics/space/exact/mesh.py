@@ -26,8 +26,9 @@ class Mesh(NamedTuple):
     """All blades at the nodes of equally many segments; arrays (blades, K), matrices (…, K, K).
 
     ``w`` are the weights ds, ``J`` integrates from the start to the nodes, ``back`` from the nodes
-    to the end. ``C`` (blades, K, 3) are the compliances of stretch and shear, ``bend`` (blades,
-    K, 2) those of bending about y and z, zero where rigid. The twist rate τ obeys
+    to the end. ``C`` (blades, K, 3) are the compliances of stretch and shear, ``bend_y`` that of
+    bending about y, zero where rigid (``flexible`` 0); ``clamped`` and ``curl`` are what
+    :func:`flexcli.mechanics.space.exact.section_law.curled` takes. The twist rate τ obeys
     ``hold τ + twist (T − M_x) = 0`` at the nodes, with T the torque without that of warping.
     """
 
@@ -38,7 +39,11 @@ class Mesh(NamedTuple):
     J: Floats
     back: Floats
     C: Floats
-    bend: Floats
+    flexible: Floats
+    bend_y: Floats
+    clamped: Floats
+    curl: Floats
+    nu: Floats
     hold: Floats
     twist: Floats
     torsion: Floats
@@ -116,7 +121,6 @@ def mesh_of(sections: tuple[Section, ...], count: int) -> Mesh:
         name: np.array([[getattr(section, name)] for section in sections]) for name in _NUMBERS
     }
     bend_z = numbers["bend_z"] + numbers["bend_z_edge"] * 12.0 * (t - 0.5) ** 2
-    bend_y = np.broadcast_to(numbers["bend_y"], t.shape)
     C = np.stack([numbers["axial"], numbers["shear_y"], numbers["shear_z"]], axis=-1)
     runs = tuple(_runs(row, count) for row in filled)
     hold, twist = _twist(numbers["warping"][:, 0], numbers["torsion"][:, 0], J, w, runs)
@@ -128,7 +132,11 @@ def mesh_of(sections: tuple[Section, ...], count: int) -> Mesh:
         J=J,
         back=w[:, None, :] - J,
         C=C * flexible[..., None],
-        bend=np.stack([bend_y, bend_z], axis=-1) * flexible[..., None],
+        flexible=flexible.astype(np.float64),
+        bend_y=numbers["bend_y"] * flexible,
+        clamped=np.where(flexible, 1.0 / bend_z - 1.0, 0.0),
+        curl=numbers["curl"],
+        nu=numbers["nu"],
         hold=hold,
         twist=twist,
         torsion=numbers["torsion"],
@@ -147,6 +155,8 @@ _NUMBERS = (
     "bend_y",
     "bend_z",
     "bend_z_edge",
+    "curl",
+    "nu",
     "torsion",
     "warping",
     "polar",

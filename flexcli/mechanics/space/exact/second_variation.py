@@ -3,7 +3,8 @@
 Sections and bodies turn on by rotation vectors about where they are, η along the axes of each
 section. With the complementary energy of forces and moments beside it,
 
-    ∫ M·δ²κ + 2 δM·(η' + κ × η) − δM·C δM − 2 δM_x δτ + GJ_t δτ² + EΓ δτ'² + 2 ρ² τ δτ δN_x ds
+    ∫ M·δ²κ + 2 δM·(η' + κ × η) − δM·C δM − 2 δM_x δτ − 2 κ_τ δM_z δτ + T_τ δτ² + EΓ δτ'²
+    + 2 ρ² τ δτ δN_x ds
     − ∫ δ²N·(e_x + Γ) + δN·C δN ds + n·δ²Δ + 2 δn·δΔ,
 
     δ²κ = η × (η × κ) − η × η',  δN = N × η + Rᵀ δn,  δ²N = η × (η × N) − 2 η × Rᵀ δn,
@@ -23,6 +24,7 @@ from flexcli.mechanics.space.exact.demand import Demand
 from flexcli.mechanics.space.exact.mesh import Mesh
 from flexcli.mechanics.space.exact.outer_forces import apply_force, apply_spring
 from flexcli.mechanics.space.exact.rotation import matrix_of, moved, skew
+from flexcli.mechanics.space.exact.section_law import Curled
 
 __all__ = ["SecondVariation", "inertia_count", "second_variation", "swing"]
 
@@ -142,7 +144,7 @@ def _blade(mesh: Mesh, i: int, at: Along) -> _Blade:
     w, J = mesh.w[i, used], mesh.J[i][used[:, None], used]
     R, N, kappa, M = (a[i, used] for a in (at.R, at.N, at.kappa, at.M))
     G = np.array([1.0, 0.0, 0.0]) + at.strain[i, used]
-    C, bend = mesh.C[i, used], mesh.bend[i, used]
+    C, law = mesh.C[i, used], Curled(*(each[i, used] for each in at.law))
     tau, polar = kappa[:, 0], float(mesh.polar[i, 0])
     runs = [np.flatnonzero((used >= run.start) & (used < run.stop)) for run in mesh.runs[i]]
     R_t = np.swapaxes(R, -1, -2)
@@ -158,6 +160,7 @@ def _blade(mesh: Mesh, i: int, at: Along) -> _Blade:
     moment_turn = skew(kappa)
     warped = float(mesh.warping[i, 0]) > 0.0
     torsion = float(mesh.torsion[i, 0]) + polar * N[:, 0] + 3.0 * float(mesh.fibres[i, 0]) * tau**2
+    torsion += law.stiffness
     # δτ = J δτ' on each flexible piece; δN_x = (N × η)_x + (Rᵀ δn)_x
     T = np.zeros((K, K))
     for run in runs:
@@ -190,9 +193,10 @@ def _blade(mesh: Mesh, i: int, at: Along) -> _Blade:
     add(unit[rate], 2.0 * rate_turn, turn)
     add(unit[moment], 2.0 * moment_turn, turn)
     add(unit[moment], 2.0 * np.broadcast_to(np.eye(3), (K, 3, 3)), unit[rate])
-    compliant = np.concatenate([np.zeros((K, 1)), bend], axis=1)
+    compliant = np.stack([np.zeros(K), mesh.bend_y[i, used], law.compliance], axis=-1)
     H[moment, moment] -= (w[:, None] * compliant).ravel()
     add(unit[moment[::3]], np.full((K, 1, 1), -2.0), spread)
+    add(unit[moment[2::3]], -2.0 * law.coupling[:, None, None], spread)
     add(spread, torsion[:, None, None], spread)
     pull = 2.0 * polar * tau[:, None, None]
     add(spread, pull * N_s[:, :1], turn)
@@ -216,7 +220,9 @@ def _blade(mesh: Mesh, i: int, at: Along) -> _Blade:
     scale = np.sqrt(np.max(np.abs(A), axis=1))
     A = A / np.outer(scale, scale)
     B = B / scale[:, None]
-    negative = int(np.sum(np.linalg.eigvalsh(A) < 0.0)) - 3 * K - len(runs) * warped
+    # the moments take part with minus their compliance, the closing of δτ with none
+    concave = 3 * K - int(np.sum(law.compliance < 0.0)) + len(runs) * warped
+    negative = int(np.sum(np.linalg.eigvalsh(A) < 0.0)) - concave
     return _Blade(H[np.ix_(outer, outer)] - B.T @ np.linalg.solve(A, B), negative)
 
 

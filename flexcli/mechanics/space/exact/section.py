@@ -31,7 +31,9 @@ class BeamEffects(NamedTuple):
 
     ``plate`` multiplies bending, stretching and shear by what rigid clamps do to a wide blade;
     ``warping`` keeps clamped ends from warping, ``long_fibres`` is the stretch of the fibres that
-    twist makes into helices (Wagner's term).
+    twist makes into helices (Wagner's term). ``curling`` joins it with the flattening of a curved
+    section (:mod:`flexcli.mechanics.space.exact.section_law`); where a blade bends to and fro, it
+    costs more nodes.
     """
 
     extension: bool = True
@@ -39,6 +41,7 @@ class BeamEffects(NamedTuple):
     plate: bool = True
     warping: bool = True
     long_fibres: bool = True
+    curling: bool = True
 
 
 class Section(NamedTuple):
@@ -47,9 +50,10 @@ class Section(NamedTuple):
     ``stretches`` are starts and ends of flexible pieces over the length. ``axial``, ``shear_y``,
     ``shear_z`` are EI/(l² EA), EI/(l² κGA). Bending about y is ``bend_y`` everywhere, about z
     ``bend_z + bend_z_edge · 12 (t − ½)²`` at the share t of a piece: its clamps keep a wide
-    blade flat, its middle narrows. ``torsion`` is GJ/EI, ``warping`` EΓ/(EI l²), ``polar``
-    I_p/(A l²), ``fibres`` ½E(∫r⁴ − I_p²/A)/(EI l²), so that the torque of a twist rate τ is
-    ``torsion τ + polar N τ + fibres τ³ − (warping τ')'``.
+    blade flat, its middle narrows; ``curl`` is the ``width`` by which curvature and twist flatten
+    it besides. ``torsion`` is GJ/EI, ``warping`` EΓ/(EI l²), ``polar`` I_p/(A l²), ``fibres``
+    ½E(∫r⁴ − I_p²/A)/(EI l²) without what curling has of it, so that the torque of a twist rate τ
+    is ``torsion τ + polar N τ + fibres τ³ − (warping τ')'`` and that of curling.
     """
 
     EI: float
@@ -61,6 +65,8 @@ class Section(NamedTuple):
     bend_y: float
     bend_z: float
     bend_z_edge: float
+    curl: float
+    nu: float
     torsion: float
     warping: float
     polar: float
@@ -95,6 +101,8 @@ def _rod(rod: SpaceRod, l: float, effects: BeamEffects) -> Section:
         bend_y=1.0,
         bend_z=1.0,
         bend_z_edge=0.0,
+        curl=0.0,
+        nu=rod.material.nu,
         torsion=G * circle_torsion_constant(rod.d) / EI,
         warping=0.0,
         polar=effects.long_fibres * 2.0 * I / (A * l**2),
@@ -145,7 +153,8 @@ def _strip(blade: SpaceBlade, l: float, effects: BeamEffects) -> Section:
     edge = (1.0 / guided - 1.0 / pure) / 0.8
     shear = effects.shear * EI / (SHEAR_FACTOR * G * A * l**2)
     I_p = second_moment(b, h) + second_moment(h, b)
-    fourth = rectangle_fourth_moment(h, b) - I_p**2 / A
+    curls = effects.plate and effects.long_fibres and effects.curling and b > h
+    fourth = rectangle_fourth_moment(h, b) - I_p**2 / A - curls * h * b**5 / 180.0
     thin, wide = min(h, b), max(h, b)
     return Section(
         EI=EI,
@@ -157,6 +166,8 @@ def _strip(blade: SpaceBlade, l: float, effects: BeamEffects) -> Section:
         bend_y=EI / EI_wide / flat,
         bend_z=1.0 / pure - edge,
         bend_z_edge=edge,
+        curl=curls * 3.0 * (1.0 - nu**2) * (b**2 / (h * l)) ** 2,
+        nu=nu,
         torsion=G * float(torsion_constant(h, b)) / EI,
         warping=effects.warping * E / (1.0 - nu**2) * warping_constant(thin, wide) / (EI * l**2),
         polar=effects.long_fibres * I_p / (A * l**2),

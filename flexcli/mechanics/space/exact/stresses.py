@@ -69,7 +69,7 @@ def blade_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
         for k in range(mesh.nodes // count):
             own = slice(k * count, (k + 1) * count)
             long = float(np.sum(mesh.w[i, own]))
-            if long == 0.0 or not np.any(mesh.bend[i, own]):
+            if long == 0.0 or not np.any(mesh.flexible[i, own]):
                 continue
             start = float(np.sum(mesh.w[i, : k * count]))
             u = np.concatenate([_ENDS[:1], gauss_nodes(count)[0], _ENDS[1:]])
