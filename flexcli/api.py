@@ -47,12 +47,18 @@ if TYPE_CHECKING:
 __all__ = [
     "Loaded",
     "accuracy",
+    "asd_combine",
     "asd_envelope",
+    "asd_equal_damage",
+    "asd_fds",
     "asd_grms",
     "asd_list",
+    "asd_notch",
     "asd_response",
     "asd_scale",
     "asd_show",
+    "asd_srs",
+    "asd_tolerance",
     "asd_worst_case",
     "balance",
     "check",
@@ -486,6 +492,136 @@ def asd_scale(name: str, db: float, *, columns: "Columns | None" = None) -> Resu
     from flexcli.spec.profiles import load_profile
 
     return describe("asd scale", name, scaled(name, load_profile(name, columns), db))
+
+
+def asd_combine(
+    names: Sequence[str],
+    *,
+    rule: Literal["sum", "envelope"] = "sum",
+    columns: "Columns | None" = None,
+) -> Result:
+    """Describe profiles that act at once, as the sum of their powers, or their envelope."""
+    from flexcli.engine.asd import describe, enveloped, summed
+    from flexcli.spec.profiles import load_profiles
+
+    together = summed if rule == "sum" else enveloped
+    return describe("asd combine", ", ".join(names), together(load_profiles(names, columns)))
+
+
+def asd_tolerance(
+    measured: str,
+    limit: str,
+    *,
+    above: float | None = None,
+    below: float | None = None,
+    rms: float | None = None,
+    band: tuple[float | None, float | None] = (None, None),
+    columns: "Columns | None" = None,
+) -> Result:
+    """Judge a measured run by the limits around the profile of a test.
+
+    ``above`` and ``below`` [dB] are those of the profile where left out, ``rms`` is a share of its
+    rms either way, ``band`` [Hz] the part that counts.
+    """
+    from flexcli.engine.asd_tolerance import Limits, tolerance
+    from flexcli.spec.profiles import load_profiles
+
+    found = load_profiles([measured, limit], columns)
+    asked = Limits(above, below, rms, band)
+    return tolerance(found[measured], found[limit], (measured, limit), asked)
+
+
+def asd_srs(
+    name: str,
+    *,
+    q: float = 10.0,
+    low: float | None = None,
+    high: float | None = None,
+    per_octave: int = 12,
+    duration: float | None = None,
+    columns: "Columns | None" = None,
+) -> Result:
+    """Compute the shock response spectrum of a record, or the extreme one of a profile.
+
+    ``low`` and ``high`` [Hz] end the natural frequencies; ``duration`` [s] is that of a profile.
+    """
+    from flexcli.engine.asd_damage import Environment, Grid, shock_response
+    from flexcli.spec.records import load_environment
+
+    environment = Environment(name, load_environment(name, columns), duration)
+    return shock_response(environment, q, Grid(low, high, per_octave))
+
+
+def asd_fds(
+    name: str,
+    *,
+    exponent: float,
+    q: float = 10.0,
+    low: float | None = None,
+    high: float | None = None,
+    per_octave: int = 12,
+    duration: float | None = None,
+    columns: "Columns | None" = None,
+) -> Result:
+    """Compute the fatigue damage spectrum of a record or of a profile.
+
+    ``exponent`` is that of the life curve, N ∝ amplitude^(−exponent).
+    """
+    from flexcli.engine.asd_damage import Environment, Grid, fatigue_damage
+    from flexcli.spec.records import load_environment
+
+    environment = Environment(name, load_environment(name, columns), duration)
+    return fatigue_damage(environment, q, exponent, Grid(low, high, per_octave))
+
+
+def asd_equal_damage(
+    environments: Sequence[tuple[str, float | None]],
+    *,
+    duration: float,
+    exponent: float,
+    q: float = 10.0,
+    to: str | None = None,
+    low: float | None = None,
+    high: float | None = None,
+    columns: "Columns | None" = None,
+) -> Result:
+    """Describe a profile of a duration [s] that does the damage of environments.
+
+    Each is the name of a profile or a record, and how long it lasts [s] where it does not say.
+    ``to`` names the profile whose shape is taken, that of the first environment where left out.
+    """
+    from flexcli.engine.asd_damage import Environment, Grid, equal_damage
+    from flexcli.spec.profiles import load_profile
+    from flexcli.spec.records import load_environment
+
+    found = [Environment(n, load_environment(n, columns), time) for n, time in environments]
+    shape = Environment(to, load_profile(to, columns)) if to is not None else None
+    return equal_damage(found, shape, duration, q, exponent, Grid(low, high))
+
+
+def asd_notch(
+    source: Spec,
+    *,
+    constant: float,
+    knee: float | None = None,
+    exponent: float = 2.0,
+    fixed_mass: float = 0.0,
+    case: str | None = None,
+    axis: str | None = None,
+    overrides: Overrides | None = None,
+) -> Result:
+    """Describe the profile of a case, notched to a semi-empirical limit on the force at the base.
+
+    The limit is C² M₀² S_AA, with ``constant`` C, up to ``knee`` [Hz] and falls with ``exponent``
+    beyond; ``fixed_mass`` [kg] stands on the shaker beside what the design moves.
+    """
+    from flexcli.engine.asd_notch import ForceLimit, notch
+
+    def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
+        limit = ForceLimit(constant, knee, exponent, fixed_mass)
+        return notch(design, sizes, name, limit, case, axis)
+
+    return _on_sizes("asd notch", source, overrides, verb)
 
 
 def _again(spec: Loaded, overrides: Mapping[Any, Any]) -> Loaded:

@@ -11,7 +11,7 @@ import typer
 from flexcli import __version__
 from flexcli.cli import (
     accuracy,
-    asd,
+    asd_environment,
     balance,
     check,
     draw,
@@ -76,9 +76,9 @@ for verb in (
 ):
     reads_no_spec = verb in (init, explain, materials, schema)
     app.command(name=verb.NAME)(verb.run if reads_no_spec else with_common_options(verb.run))
-app.add_typer(asd.app)
+app.add_typer(asd_environment.app)
 app.add_typer(examples.app)
-for group in (app, asd.app, examples.app):
+for group in (app, asd_environment.app, examples.app):
     for command in group.registered_commands:
         command.epilog = EXIT_CODES
 

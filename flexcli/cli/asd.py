@@ -33,7 +33,21 @@ if TYPE_CHECKING:
     from flexcli.api import Loaded
     from flexcli.spec.table_file import Columns
 
-__all__ = ["NAME", "app"]
+__all__ = [
+    "NAME",
+    "ColumnOption",
+    "ProfilesArgument",
+    "UnitsOption",
+    "WriteOption",
+    "app",
+    "columns_of",
+    "finish_made",
+    "finish_one",
+    "quantity",
+    "refuse_no_quality",
+    "refuse_no_table",
+    "saved_spectra",
+]
 
 NAME = "asd"
 
@@ -119,7 +133,7 @@ def list_(style: FormatOption = Format.TEXT) -> None:
     """
     from flexcli import api
 
-    _finish("list", "", api.asd_list, style)
+    finish_one("list", "", api.asd_list, style)
 
 
 @app.command()
@@ -136,7 +150,7 @@ def show(
     """
     from flexcli import api
 
-    _finish("show", name, partial(api.asd_show, name, columns=columns_of(units, column)), style)
+    finish_one("show", name, partial(api.asd_show, name, columns=columns_of(units, column)), style)
 
 
 @app.command()
@@ -151,7 +165,7 @@ def grms(
     from flexcli import api
 
     verb = partial(api.asd_grms, names, columns=columns_of(units, column))
-    _finish("grms", ", ".join(names), verb, style)
+    finish_one("grms", ", ".join(names), verb, style)
 
 
 @app.command()
@@ -195,7 +209,7 @@ def envelope(
     from flexcli import api
 
     verb = partial(api.asd_envelope, names, columns=columns_of(units, column))
-    _finish_made("envelope", ", ".join(names), verb, write, style, force=force)
+    finish_made("envelope", ", ".join(names), verb, write, style, force=force)
 
 
 @app.command()
@@ -215,7 +229,7 @@ def scale(
     if not abs(db) <= _MOST_DB:
         raise typer.BadParameter(f"give decibels from -{_MOST_DB:g} to {_MOST_DB:g}")
     verb = partial(api.asd_scale, name, db, columns=columns_of(units, column))
-    _finish_made("scale", name, verb, write, style, force=force)
+    finish_made("scale", name, verb, write, style, force=force)
 
 
 @app.command("worst-case")
@@ -244,25 +258,26 @@ def worst_case(
     def verb() -> Result:
         from flexcli import api
 
-        _refuse_no_quality(qualities or [])
+        refuse_no_quality(qualities or [])
         source = spec if spec != STDIN else read(Path(spec), None)
         return api.asd_worst_case(
             source,
             qualities=qualities or (),
-            duration=_seconds(duration),
+            duration=quantity("--duration", duration, "time"),
             columns=columns_of(units, column),
             overrides=overrides_of(stated),
         )
 
-    _finish("worst-case", spec, verb, style)
+    finish_one("worst-case", spec, verb, style)
 
 
-def _finish(verb: str, spec: str, run: Callable[[], Result], style: Format) -> None:
+def finish_one(verb: str, spec: str, run: Callable[[], Result], style: Format) -> None:
+    """Show what a verb found of one spec."""
     command = f"{NAME} {verb}"
     finish(command, [attempt(command, Path(spec), run)], style, many=False)
 
 
-def _finish_made(
+def finish_made(
     verb: str,
     spec: str,
     run: Callable[[], Result],
@@ -273,13 +288,13 @@ def _finish_made(
 ) -> None:
     """Show a profile that was made, and save it where that is wished."""
 
-    def made() -> Result:
+    def checked() -> Result:
         if write is not None and write.suffix not in (".yaml", ".yml", ".csv"):
             hint = "end it in .yaml, or in .csv for a table"
             raise SpecError([Finding(str(write), "is no name of a spec", hint)])
         made = run()
         if write is not None and write.suffix == ".csv":
-            refuse_linear(write, made)
+            _refuse_linear(write, made)
         return made
 
     def text() -> str | None:
@@ -289,12 +304,12 @@ def _finish_made(
         return profile_text(result, as_table=as_table) if result.breakpoints else None
 
     command = f"{NAME} {verb}"
-    result = attempt(command, Path(spec), made)
+    result = attempt(command, Path(spec), checked)
     with saved(write, text, force=force, nothing="there is no profile"):
         finish(command, [result], style, many=False)
 
 
-def refuse_linear(path: Path, made: Result) -> None:
+def _refuse_linear(path: Path, made: Result) -> None:
     """Refuse to write as a table what one would be read as otherwise than it is."""
     if any(profile.interpolation == "linear" for profile in made.profiles):
         text = "a table is straight on log-log axes, and this profile on linear ones"
@@ -328,22 +343,25 @@ def saved_spectra(
     return saved(path, content, force=force, nothing="there is no spectrum")
 
 
-def _refuse_no_quality(qualities: list[float]) -> None:
+def refuse_no_quality(qualities: list[float]) -> None:
+    """Refuse what is no quality factor."""
     wrong = [q for q in qualities if not (isfinite(q) and q > 0.0)]
     if wrong:
         findings = [Finding("--q", f"{q:g} is no quality factor", "give e.g. 100") for q in wrong]
         raise SpecError(findings)
 
 
-def _seconds(duration: str | None) -> float | None:
-    from flexcli.units import QuantityError, parse_quantity
+def quantity(option: str, text: str | None, dimension: str, *, least: float = 0.0) -> float | None:
+    """Return what an option says in SI, above a least value; raise SpecError."""
+    from flexcli.units import DIMENSIONS, QuantityError, parse_quantity
 
-    if duration is None:
+    if text is None:
         return None
     try:
-        time = parse_quantity(duration, "time")
+        value = parse_quantity(text, dimension)
     except QuantityError as error:
-        raise SpecError([Finding("--duration", str(error), error.hint)]) from error
-    if time <= 0.0:
-        raise SpecError([Finding("--duration", f"{duration} must be above 0", "give e.g. '2 min'")])
-    return time
+        raise SpecError([Finding(option, str(error), error.hint)]) from error
+    if value <= least:
+        hint = f"give e.g. '{DIMENSIONS[dimension].example}'"
+        raise SpecError([Finding(option, f"{text} must be above {least:g}", hint)])
+    return value

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from math import sqrt
 from time import perf_counter
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +13,12 @@ from flexcli.formulas.decibels import db_per_octave_from_slope, scale_level
 from flexcli.formulas.envelope import envelope
 from flexcli.formulas.spectrum import segment_slopes
 from flexcli.formulas.spectrum_integrals import rms_displacement, rms_velocity, spectral_moment
+from flexcli.formulas.straight_spectrum import power_sum
 from flexcli.parts.asd import ASDProfile, Breakpoint
 from flexcli.results import BreakpointRow, Cost, Note, ProfileRow, Result, Status, Value
 from flexcli.units import LARGEST, SMALLEST, STANDARD_GRAVITY
 
-__all__ = ["catalogue", "describe", "enveloped", "scaled"]
+__all__ = ["catalogue", "describe", "enveloped", "made", "profile_row", "scaled", "summed"]
 
 Floats = NDArray[np.float64]
 
@@ -32,7 +34,7 @@ ROUNDING = 0.01
 def catalogue(command: str, profiles: Mapping[str, ASDProfile]) -> Result:
     """Return one row per profile: its rms beside the published one."""
     started = perf_counter()
-    rows = tuple(_row(name, profile) for name, profile in profiles.items())
+    rows = tuple(profile_row(name, profile) for name, profile in profiles.items())
     notes = [note for name, profile in profiles.items() for note in _notes(name, profile)]
     return Result(
         command=command,
@@ -54,7 +56,7 @@ def describe(command: str, name: str, profile: ASDProfile) -> Result:
         title=profile.name,
         values=_values(profile),
         warnings=tuple(_notes(name, profile)),
-        profiles=(_row(name, profile),),
+        profiles=(profile_row(name, profile),),
         breakpoints=_breakpoints(profile),
         cost=Cost(perf_counter() - started, MODEL, None),
     )
@@ -69,7 +71,7 @@ def scaled(name: str, profile: ASDProfile, db: float) -> ASDProfile:
     levels = scale_level(profile.levels, db)
     if not (levels.min() > SMALLEST and levels.max() < LARGEST):
         raise SolveError("beyond", f"{db:+g} dB leads beyond any physical level", "take fewer dB")
-    return _made(title, note, profile.frequencies, levels, [profile])
+    return made(title, note, profile.frequencies, levels, [profile])
 
 
 def enveloped(profiles: Mapping[str, ASDProfile]) -> ASDProfile:
@@ -86,30 +88,48 @@ def enveloped(profiles: Mapping[str, ASDProfile]) -> ASDProfile:
     except ValueError as error:
         raise SolveError("gap", str(error), "add a profile that covers the gap") from error
     title = f"Envelope of {', '.join(profiles)}"
-    return _made(title, f"{title}.", f, g, list(profiles.values()))
+    return made(title, f"{title}.", f, g, list(profiles.values()))
 
 
-def _made(title: str, note: str, f: Floats, g: Floats, sources: Sequence[ASDProfile]) -> ASDProfile:
-    """Return a profile of these breakpoints.
+def summed(profiles: Mapping[str, ASDProfile]) -> ASDProfile:
+    """Return the sum of several profiles that act at once, or raise SolveError."""
+    try:
+        f, g = power_sum([(p.frequencies, p.levels, p.scale) for p in profiles.values()])
+    except ValueError as error:
+        raise SolveError("gap", str(error), "add a profile that covers the gap") from error
+    title = f"Sum of {', '.join(profiles)}"
+    return made(title, f"{title}.", f, g, list(profiles.values()), "log-log")
+
+
+def made(
+    title: str,
+    note: str,
+    f: Floats,
+    g: Floats,
+    sources: Sequence[ASDProfile],
+    scale: Literal["log-log", "linear"] | None = None,
+) -> ASDProfile:
+    """Return a profile of these breakpoints, straight as its sources are or as is said.
 
     It keeps the longest duration of its sources, and their axis when all agree.
     """
     steps = np.diff(f, prepend=-1.0) == 0.0
-    made = ASDProfile(
+    found = ASDProfile(
         name=title,
         note=note,
         points=tuple(
             Breakpoint.model_construct(frequency=at, level=level, step=step)
             for at, level, step in zip(f.tolist(), g.tolist(), steps.tolist(), strict=True)
         ),
-        interpolation=sources[0].interpolation,
+        interpolation=sources[0].interpolation if scale is None else scale,
         axis=sources[0].axis if len({source.axis for source in sources}) == 1 else "",
     )
     durations = [source.duration for source in sources if source.duration is not None]
-    return made.model_copy(update={"duration": max(durations, default=None)})
+    return found.model_copy(update={"duration": max(durations, default=None)})
 
 
-def _row(name: str, profile: ASDProfile) -> ProfileRow:
+def profile_row(name: str, profile: ASDProfile) -> ProfileRow:
+    """Return what a list of profiles says of one."""
     tolerance = profile.tolerance
     return ProfileRow(
         name=name,

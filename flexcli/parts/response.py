@@ -19,6 +19,7 @@ __all__ = [
     "REACH",
     "Output",
     "RandomResponse",
+    "apparent_mass",
     "random_outputs",
     "random_response",
     "response_density",
@@ -220,6 +221,16 @@ def transfer_functions(
     base = np.tile([float(axis == "x"), float(axis == "y"), 0.0], len(structure.bodies))
     absolute = base - (2.0 * pi * f[:, None]) ** 2 * relative
     return dict(zip(structure.bodies, np.split(absolute, len(structure.bodies), -1), strict=True))
+
+
+def apparent_mass(structure: Structure, Q: float, axis: str, f: Floats) -> NDArray[np.complex128]:
+    """Return force over acceleration at the base along an axis [kg], shape of f.
+
+    At rest it is all the mass that the base moves, at a resonance some Q times that of the mode.
+    """
+    modes, pull = natural_modes(structure.stiffness, structure.mass), structure.pull[axis]
+    gain = _gain(structure, modes, pull[None, :], axis, Q, f)[:, 0]
+    return np.asarray(structure.moved[axis] - (2.0 * pi * f) ** 2 * gain)
 
 
 def response_density(

@@ -20,7 +20,7 @@ from flexcli.spec.document import MAX_FINDINGS, Position
 from flexcli.spec.findings import nearest
 from flexcli.units import DIMENSIONS, QuantityError, parse_quantity
 
-__all__ = ["TABLES", "Columns", "TableFile", "named_table", "read_table"]
+__all__ = ["TABLES", "Columns", "TableFile", "is_over_time", "named_table", "read_table"]
 
 MAX_BYTES = 500_000_000
 """Of a record, some twenty million samples."""
@@ -157,6 +157,13 @@ def read_table(path: Path, kind: str, told: Columns = Columns()) -> TableFile:  
     return _Reader(str(path), _text(path), kind, told).table()
 
 
+def is_over_time(path: Path, told: Columns) -> bool:
+    """Return whether the first column of a table is a time, as its heading or its units tell."""
+    if told.units:
+        return _measures(told.units[0], "time")
+    return _Reader(str(path), _text(path), "record", told).is_over_time()
+
+
 def _text(path: Path) -> str:
     name = str(path)
     try:
@@ -225,6 +232,15 @@ class _Reader:
         units = self._units(heads, (0, column), first)
         numbers, places, steps = self._numbers(first, column, step)
         return TableFile(self.file, self.keys, numbers, units, places, steps, self.lines)
+
+    def is_over_time(self) -> bool:
+        """Return whether the heading says that the first column is a time."""
+        heads = []
+        for row in self._rows():
+            if self._is_numeric(row):
+                break
+            heads.append(row)
+        return bool(self._unit_of(heads[-2:], 0, "time")[0])
 
     def _separator(self) -> str | None:
         """Return what parts the columns, by the lines of numbers; nothing stands for blanks."""
