@@ -13,6 +13,7 @@ from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.mechanisms.carried import carried
 from flexcli.parts.own_motion import DENSEST, structure_of
 from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.structure import Structure
 from flexcli.results import ErrorRange, QuantityKind
 
@@ -104,7 +105,8 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
         joint = carried(geometry, elastic, sizes).motion_stiffness
     except (MechanismError, NotAvailable) as error:
         raise RequirementError(str(error), getattr(error, "hint", "")) from error
-    factor = float(ask.joint_model.stiffness(ask)) / joint
+    stands_in = ask.joint_model is STAND_IN  # its stiffness is a number, no joint's
+    factor = 1.0 if stands_in else float(ask.joint_model.stiffness(ask)) / joint
     structure = plain.stiffened(factor)
     off = ask.joint_model.error(ask, QuantityKind.STIFFNESS)
     if off is None or geometry.has_limbs(elastic, sizes):
