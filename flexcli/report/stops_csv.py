@@ -8,7 +8,7 @@ __all__ = ["history_csv", "sweep_csv"]
 HISTORY = ("case", "time_s", "tip_m", "at_stop_m", "force_N")
 RESPONSE = (
     "case", "direction", "frequency_Hz", "tip_m", "force_N", "contacts_per_period", "settled",
-    "periods", "multiplier", "least_tip_m",
+    "periods", "multiplier", "least_tip_m", "outcome", "response",
 )  # fmt: skip
 
 
@@ -40,6 +40,8 @@ def sweep_csv(stops: StopsResult) -> str:
                 step.periods if step.settled else None,
                 step.multiplier,
                 step.least,
+                step.outcome,
+                sweep.how,
             )
             for sweep in stops.sweeps
             for step in sweep.steps

@@ -5,7 +5,15 @@ from collections.abc import Iterator
 from rich.console import RenderableType
 
 from flexcli.report.tables import Line, Rows, table
-from flexcli.results import Result, StopPlace, StopSimulation, StopsResult, StopSweep, SweepStep
+from flexcli.results import (
+    Result,
+    StopKick,
+    StopPlace,
+    StopSimulation,
+    StopsResult,
+    StopSweep,
+    SweepStep,
+)
 from flexcli.units import show
 
 __all__ = ["section", "stops_tables"]
@@ -108,6 +116,10 @@ def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
             yield Line(f"  going {way} it touches from {_band(band)}")
     if sweep.metastable is not None:
         yield Line(f"  metastable: {_band(sweep.metastable)} (two motions are possible)")
+    for end in sweep.ends:
+        way = "up" if end.up else "down"
+        at = f"  going {way} a motion ends at {show(end.frequency, 'Hz', 6)}"
+        yield Line(f"{at}: {end.why}", hang=4)
     heads = ("frequency", "tip, up", "tip, down", "force, up", "force, down")
     rows = table("", *heads, numbers=range(5))
     pairs = _by_frequency(sweep.steps)
@@ -120,10 +132,27 @@ def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
             *("" if step is None else show(step.force, "N", 3) for step in steps),
         )
     yield rows
-    if not all(step.settled for step in sweep.steps):
-        yield Line(("* unsettled: no periodic motion found; the range that a run shows", "dim"))
+    for outcome in dict.fromkeys(step.outcome for step in sweep.steps if not step.settled):
+        yield Line((f"* unsettled: {outcome}; the range that a run shows", "dim"))
     if every > 1:
         yield Line((f"every {every}. of {len(pairs)} steps; --csv and JSON have all", "dim"))
+    if sweep.kicks:
+        yield _kicks(sweep.kicks)
+
+
+def _kicks(kicks: tuple[StopKick, ...]) -> Rows:
+    heads = ("frequency", "reaches no stop", "enough", "jump of its speed")
+    title = "Blow at the tip, from the motion without contact to the one with it"
+    rows = table(title, *heads, numbers=range(4))
+    for kick in kicks:
+        found = kick.enough is not None and kick.speed_enough is not None
+        rows.add_row(
+            show(kick.frequency, "Hz", 5),
+            f"{kick.none * 1e3:.3g} mN·s",
+            f"{(kick.enough or 0.0) * 1e3:.3g} mN·s" if found else "not found",
+            show(kick.speed_enough or 0.0, "m/s", 3) if found else "",
+        )
+    return rows
 
 
 def _settled(step: SweepStep) -> str:

@@ -53,8 +53,10 @@ from flexcli.results.sizing import (
     SizingResult,
 )
 from flexcli.results.stops import (
+    StopEnd,
     StopHistory,
     StopHold,
+    StopKick,
     StopPlace,
     StopSimulation,
     StopsResult,
@@ -110,8 +112,10 @@ __all__ = [
     "Spectrum",
     "SpectrumColumn",
     "Status",
+    "StopEnd",
     "StopHistory",
     "StopHold",
+    "StopKick",
     "StopPlace",
     "StopSimulation",
     "StopSweep",

@@ -99,7 +99,7 @@ class SweepStep(NamedTuple):
 
     A settled motion repeats after ``periods`` of the base, and a disturbance of it shrinks by
     ``multiplier`` in that time; one that did not settle has ``least``, the smallest of the tip's
-    peaks that were seen while ``travel`` was the largest.
+    peaks that were seen while ``travel`` was the largest. ``outcome`` says what it came to.
     """
 
     up: bool
@@ -111,6 +111,30 @@ class SweepStep(NamedTuple):
     periods: int = 1
     multiplier: float | None = None
     least: float | None = None
+    outcome: str = ""
+
+
+class StopEnd(NamedTuple):
+    """A frequency [Hz] at which a steady motion ends on the way up or down, and why."""
+
+    frequency: float
+    up: bool
+    why: str
+
+
+class StopKick(NamedTuple):
+    """The blow at the tip that brings a blade from the motion without contact to one with it.
+
+    At a frequency [Hz] where both are possible: a blow of ``none`` [N·s] can't reach a stop,
+    ``enough`` is the smallest that was found to lead there, at the worst phase tried. Beside them
+    the jumps of the tip's speed [m/s] that they make.
+    """
+
+    frequency: float
+    none: float
+    enough: float | None
+    speed_none: float
+    speed_enough: float | None
 
 
 class StopSweep(NamedTuple):
@@ -118,7 +142,8 @@ class StopSweep(NamedTuple):
 
     ``contact_up`` and ``contact_down`` are the lowest and highest frequency of contact each way;
     between the ends of ``metastable`` the blade touches or not, depending on where it came from.
-    ``law`` says how the stop pushes back, ``is_complete`` that nobody ended it before its end.
+    ``law`` says how the stop pushes back, ``is_complete`` that nobody ended it before its end;
+    ``ends`` are where steady motions end, ``kicks`` what takes the blade from one to the other.
     """
 
     case: str
@@ -130,6 +155,8 @@ class StopSweep(NamedTuple):
     law: str = ""
     seconds: float = 0.0
     is_complete: bool = True
+    ends: tuple[StopEnd, ...] = ()
+    kicks: tuple[StopKick, ...] = ()
 
 
 class StopHistory(NamedTuple):

@@ -17,6 +17,7 @@ SWEEP = {"from": "160 Hz", "to": "230 Hz", "rate": "100 Hz/s", "acceleration": "
 @pytest.fixture(autouse=True)
 def _few_steps(monkeypatch):
     monkeypatch.setattr(module, "STEPS", 15)
+    monkeypatch.setattr(module, "KICKS", 1)
 
 
 def whole(cases, stops_=PLACE, watch=lambda *_: True, **changes):
@@ -69,24 +70,27 @@ def test_contact_is_followed_beyond_the_response_to_where_it_ends():
 
 @pytest.mark.parametrize("rate", ["100 Hz/s", "40 oct/min"])
 def test_a_sweep_runs_at_its_own_rate_both_ways(rate):
-    (sweep,) = run({"climb": {"sweep": {**SWEEP, "rate": rate}}})
+    sweep, steady = run({"climb": {"sweep": {**SWEEP, "rate": rate}}})
     frequencies = [[s.frequency for s in sweep.steps if s.up is way] for way in (True, False)]
     assert frequencies[0] == frequencies[1][::-1] == sorted(frequencies[0])
     assert len(frequencies[0]) == 15
     assert sweep.metastable is not None
+    # beside it what it would be at no rate: a resonance takes time to build up
+    assert steady.how == "from one steady motion to the next"
+    assert steady.contact_up[0] < sweep.contact_up[0] * (1.0 + 0.5 / 15)
 
 
 def test_a_sweep_that_falls_comes_back_up():
     falling = {**SWEEP, "from": "230 Hz", "to": "160 Hz"}
-    (sweep,) = run({"fall": {"sweep": falling}})
+    sweep, _ = run({"fall": {"sweep": falling}})
     assert not sweep.steps[0].up
     assert sweep.metastable is not None
 
 
 def test_an_interrupted_response_keeps_its_steps():
     (sweep,) = run(SINE, watch=lambda case, share: share < 0.2)
-    assert len(sweep.steps) == 6
-    assert "interrupted after 6 of 30 steps" in sweep.how
+    assert len(sweep.steps) == 7
+    assert "interrupted after 7 of 31 steps" in sweep.how
     assert sweep.metastable is None
     assert not sweep.is_complete
 
@@ -98,6 +102,34 @@ def test_an_interrupted_response_is_no_pass_and_its_time_is_in_the_cost():
     (sweep,) = cut.stops.sweeps
     assert cut.cost.by_model["periodic motions"] == sweep.seconds > 0.0
     assert cut.cost.seconds >= sweep.seconds
+
+
+def test_the_range_of_two_motions_goes_from_touch_to_fold_with_the_blow_between_them():
+    (sweep,) = run(SINE)
+    low, high = sweep.metastable
+    ends = {end.why: end.frequency for end in sweep.ends}
+    assert ends["it folds back, no such motion lies beyond"] == high
+    touches = [end.frequency for end in sweep.ends if end.why == "it reaches the stop"]
+    assert touches == pytest.approx([sweep.contact_up[0], low])
+    # where the motion without contact goes as far as the gap, by its closed form
+    own = sqrt(3 * E * I / LENGTH**3 / MASS)
+    at_tip = 36e-6 * 2 / (17 / 28.5) ** 2 / (3 - 17 / 28.5)
+    for frequency in touches:
+        omega = 2 * pi * frequency
+        reach = 1.5 * 9.80665 / hypot(own**2 - omega**2, omega * own / 30)
+        assert reach == pytest.approx(at_tip, rel=1e-9)
+    (kick,) = sweep.kicks
+    assert low < kick.frequency < high
+    assert 0.0 < kick.none < kick.enough
+    assert kick.speed_enough == pytest.approx(kick.enough / MASS)
+
+
+def test_an_interruption_within_a_part_of_a_sweep_is_heard():
+    slow = {"climb": {"sweep": {**SWEEP, "rate": "0.1 Hz/s"}}}
+    asked = []
+    sweeps = run(slow, watch=lambda *_: asked.append(1) or len(asked) < 3)
+    assert not any(sweep.is_complete for sweep in sweeps)
+    assert sweeps[0].steps == ()
 
 
 def test_without_a_sine_there_is_no_response():

@@ -10,8 +10,10 @@ from flexcli.report.stops_csv import history_csv, sweep_csv
 from flexcli.report.stops_json import stops_document
 from flexcli.report.stops_text import stops_tables
 from flexcli.results import (
+    StopEnd,
     StopHistory,
     StopHold,
+    StopKick,
     StopPlace,
     StopSimulation,
     StopsResult,
@@ -79,6 +81,12 @@ def test_a_response_tells_its_bands_and_shows_both_ways_beside_each_other():
     assert "going up it touches from 100 Hz to 110 Hz" in text
     assert "going down the blade does not touch" in text
     assert "* unsettled" in text
+    end, kick = StopEnd(110.0, True, "it folds back"), StopKick(105.0, 1e-4, 2e-3, 0.02, 0.4)
+    told_more = told(result(sweeps=(sweep._replace(ends=(end,), kicks=(kick,)),)))
+    assert "going up a motion ends at 110 Hz: it folds back" in told_more
+    assert all(words in told_more for words in ("0.1 mN·s", "2 mN·s", "0.4 m/s"))
+    unknown = kick._replace(enough=None, speed_enough=None)
+    assert "not found" in told(result(sweeps=(sweep._replace(kicks=(unknown,)),)))
     twice = sweep._replace(contact_down=(100.0, 104.0), metastable=(104.0, 110.0))
     assert "metastable: 104 Hz to 110 Hz" in told(result(sweeps=(twice,)))
 
@@ -97,7 +105,7 @@ def test_csv_keeps_every_digit():
     sweep = StopSweep("s", "", (step(False, 1 / 7, settled=False),), None, None, None)
     row = sweep_csv(result(sweeps=(sweep,))).splitlines()[1].split(",")
     assert float(row[2]) == 1 / 7
-    assert row[6:] == ["false", "", "", ""]
+    assert row[6:] == ["false", "", "", "", "", ""]
 
 
 def test_any_name_of_a_case_keeps_to_its_cell():
@@ -113,11 +121,11 @@ def test_any_name_of_a_case_keeps_to_its_cell():
 def test_a_range_and_the_periods_of_a_motion_are_told():
     odd = step(True, 100.0, settled=False)._replace(least=5e-5)
     double = step(True, 110.0)._replace(periods=2, multiplier=0.5)
-    told_sweep = StopSweep("s", "", (odd, double), None, None, None)
+    told_sweep = StopSweep("s", "stepped", (odd, double), None, None, None)
     text = told(result(sweeps=(told_sweep,)))
     assert "50 µm to 100 µm *" in text
     assert "(2 periods)" in text
-    assert sweep_csv(result(sweeps=(told_sweep,))).splitlines()[2].endswith("true,2,0.5,")
+    assert sweep_csv(result(sweeps=(told_sweep,))).splitlines()[2].endswith("true,2,0.5,,,stepped")
 
 
 def test_json_leaves_histories_to_the_csv_file():

@@ -1,27 +1,30 @@
 """The frequency response of a blade between stops: up and down, where it touches, what jumps."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from math import pi
 from time import perf_counter
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexcli.engine.stopping.excitation import sweep_pieces
 from flexcli.engine.stopping.scene import is_round, stop_scene
 from flexcli.engine.stopping.simulation import Watch, with_time
 from flexcli.engine.stopping.statics import task_of
 from flexcli.errors import SolveError
+from flexcli.mechanics.stopping.kick import least_kick
 from flexcli.mechanics.stopping.laws import Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
+from flexcli.mechanics.stopping.periodic import PeriodicMotion
 from flexcli.mechanics.stopping.response import Step, SteppedMotion, stepped_motion
 from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.excitation import Sine, Sweep
+from flexcli.parts.excitation import Sweep
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.mechanisms.tip_mass import TipMass
-from flexcli.results import Note, Result, Status, StopSweep, SweepStep
+from flexcli.results import Note, Result, Status, StopEnd, StopKick, StopSweep, SweepStep
 
 __all__ = ["swept"]
 
@@ -30,6 +33,10 @@ ABOUT = (0.9, 1.3)
 """Ends of the response to a sine case, over the blade's own frequency."""
 BEYOND = 1.05
 """Ratio of the frequencies at which contact is followed past the end of the response."""
+LOOK_UP = 32
+"""Pieces of a sweep between two reports on how far it is."""
+KICKS = 5
+"""Frequencies in the range of two motions at which the blow from one to the other is sought."""
 FARTHEST = 4.0
 """Where it is left, over the blade's own frequency: the base has long left the first mode."""
 PERIODIC = "periodic motions"
@@ -39,8 +46,8 @@ RUN = "event-driven simulation"
 def swept(result: Result, design: DesignSpec, sizes: Sizes, watch: Watch) -> Result:
     """Return a sized stop with the frequency response of every sine or sweep.
 
-    A sine is stepped from one steady motion to the next; a sweep runs at its own rate. A response
-    that was interrupted keeps its steps, and the status cannot be a pass.
+    A sine is stepped from one steady motion to the next; a sweep runs at its own rate, then so, to
+    show what its rate does. One that was interrupted keeps its steps; the status is then no pass.
 
     Raises
     ------
@@ -52,36 +59,41 @@ def swept(result: Result, design: DesignSpec, sizes: Sizes, watch: Watch) -> Res
     mechanism = design.mechanism
     assert isinstance(mechanism, TipMass)  # the design refuses others
     task = task_of(design, design.stops, sizes)
-    found = []
+    found: list[StopSweep] = []
+    cost = result.cost
+    interrupted = False
     for name, case in design.cases.items():
         if case.sine is None and case.sweep is None:
             continue
-        begun = perf_counter()
         place = result.stops.chosen
         blade, stops, law = stop_scene(design, mechanism, task, sizes, place, name, rigid=True)
         if is_round(task.stops.contact):
             law += " (a ball gives too: stops --simulate shows what that changes)"
-        way = _ways(case, blade, stops)
-        complete = True
-        for count, _ in enumerate(way.steps(), 1):
-            if not watch(name, min(count / way.planned, 1.0)):
-                way.how += f", interrupted after {count} of {way.planned} steps"
-                complete = False
-                break
-        told = way.told(name, law)
-        found.append(told._replace(seconds=perf_counter() - begun, is_complete=complete))
+        for way in _ways(case, blade, stops):
+            begun = perf_counter()
+            pace = _Pace(name, way.planned, watch)
+            for _ in way.steps(pace.goes_on):
+                pace.count += 1
+                if not pace.goes_on():
+                    break
+            if pace.is_stopped:
+                way.how += f", interrupted after {pace.count} of {way.planned} steps"
+            interrupted = interrupted or pace.is_stopped
+            told = way.told(name, law)
+            seconds = perf_counter() - begun
+            found.append(told._replace(seconds=seconds, is_complete=not pace.is_stopped))
+            cost = with_time(cost, seconds, PERIODIC if isinstance(way, _Stepped) else RUN)
     if not found:
         raise SolveError(
             "no-sine", "no case has a sine or a sweep", "add sine: or sweep: to a case"
         )
-    interrupted = [sweep.case for sweep in found if not sweep.is_complete]
     notes = tuple(
-        Note("interrupted", f"case '{case}': the response was interrupted; its steps are kept")
-        for case in interrupted
+        Note(
+            "interrupted", f"case '{sweep.case}': the response was interrupted; its steps are kept"
+        )
+        for sweep in found
+        if not sweep.is_complete
     )
-    cost = result.cost
-    for sweep in found:
-        cost = with_time(cost, sweep.seconds, PERIODIC if design.cases[sweep.case].sine else RUN)
     status = result.status
     if interrupted and status is Status.PASS:
         status = Status.UNDECIDED
@@ -94,52 +106,121 @@ def swept(result: Result, design: DesignSpec, sizes: Sizes, watch: Watch) -> Res
     )
 
 
-def _ways(case: Case, blade: ModalBlade, stops: Stops) -> "_Stepped | _Running":
+@dataclass
+class _Pace:
+    """How far a response is, and whether it has been told to end."""
+
+    case: str
+    planned: int
+    watch: Watch
+    count: int = 0
+    is_stopped: bool = False
+
+    def goes_on(self) -> bool:
+        share = min(self.count / self.planned, 1.0)
+        self.is_stopped = self.is_stopped or not self.watch(self.case, share)
+        return not self.is_stopped
+
+
+def _ways(case: Case, blade: ModalBlade, stops: Stops) -> "Iterator[_Stepped | _Running]":
+    """Yield the response to a sine, or to a sweep at its own rate and at none."""
     if case.sweep is not None:
-        rate = case.sweep.rate
+        sweep, rate = case.sweep, case.sweep.rate
         speed = f"{rate.speed:g} Hz/s" if rate.is_linear else f"{rate.speed * 60.0:g} oct/min"
-        return _Running(case.sweep, blade, stops, f"sweeping at {speed}")
-    assert case.sine is not None  # the caller's case
-    return _Stepped(case.sine, blade, stops)
+        yield _Running(sweep, blade, stops, f"sweeping at {speed}")
+        low, high = sorted((2.0 * pi * sweep.start, 2.0 * pi * sweep.end))
+        yield _Stepped(sweep.acceleration, np.linspace(low, high, STEPS), blade, stops, high)
+    if case.sine is not None:
+        own = float(blade.angular[0])
+        angular = own * np.linspace(*ABOUT, STEPS)
+        yield _Stepped(case.sine.acceleration, angular, blade, stops, FARTHEST * own)
 
 
 class _Stepped:
     """From one steady motion to the next, up and down; contact is followed to where it ends."""
 
-    def __init__(self, sine: Sine, blade: ModalBlade, stops: Stops) -> None:
-        self.motion = stepped_motion(blade, stops, sine.acceleration)
-        self.angular = float(blade.angular[0]) * np.linspace(*ABOUT, STEPS)
-        self.planned, self.how = 2 * STEPS, "from one steady motion to the next"
+    def __init__(
+        self,
+        acceleration: float,
+        angular: NDArray[np.float64],
+        blade: ModalBlade,
+        stops: Stops,
+        farthest: float,
+    ) -> None:
+        self.motion = stepped_motion(blade, stops, acceleration)
+        self.angular, self.farthest = angular, farthest
+        self.planned = 2 * angular.size + KICKS
+        self.how = "from one steady motion to the next"
         self.taken: list[SweepStep] = []
-        self.edges: dict[bool, list[float]] = {True: [], False: []}
+        self.ends: list[StopEnd] = []
+        self.kicks: list[StopKick] = []
 
-    def steps(self) -> Iterator[SweepStep]:
-        """Yield every step, and keep it with the frequencies at which a motion gave way."""
+    def steps(self, goes_on: Callable[[], bool]) -> Iterator[SweepStep | StopKick]:
+        """Yield every step and kick, and keep it with the frequencies at which a motion ends."""
+        self.motion.goes_on = goes_on
         for angular in self.angular:
             yield self._step(self.motion, float(angular), up=True)
-        angular, most = float(self.angular[-1]), FARTHEST * float(self.angular[0]) / ABOUT[0]
-        while self.motion.touches and angular < most:
-            angular *= BEYOND
+        angular = float(self.angular[-1])
+        while self.motion.touches and angular < self.farthest:
+            angular = min(angular * BEYOND, self.farthest)
             yield self._step(self.motion, angular, up=True)
+        if self.motion.touches:
+            self.ends.append(StopEnd(angular / (2.0 * pi), True, "followed no farther"))
         down = self.motion.again()
         for angular in self.angular[::-1]:
             yield self._step(down, float(angular), up=False)
+        yield from self._kicked(down, goes_on)
 
     def _step(self, motion: SteppedMotion, angular: float, *, up: bool) -> SweepStep:
         found = motion.follow(angular)
-        if motion.ends is not None:
-            self.edges[up].append(motion.ends / (2.0 * pi))
+        if motion.end is not None:
+            self.ends.append(StopEnd(motion.end.angular / (2.0 * pi), up, motion.end.kind.value))
         self.taken.append(_told_step(found, up=up))
         return self.taken[-1]
+
+    def _kicked(self, motion: SteppedMotion, goes_on: Callable[[], bool]) -> Iterator[StopKick]:
+        """Yield what takes the blade from one motion to the other, across the range with both."""
+        band = self.told("", "").metastable
+        if band is None:
+            return
+        low, high = (2.0 * pi * end for end in band)
+        known = [m for m in motion.known if low < m.angular < high and m.periods == 1]
+        wanted = low + (high - low) * (np.arange(KICKS) + 0.5) / KICKS
+        chosen = {id(m): m for w in wanted for m in [_nearest(known, w)] if m is not None}
+        tip = motion.driven.blade.tip
+        for contact in chosen.values():
+            kick = least_kick(motion.driven, contact, goes_on)
+            if kick is not None:
+                speed = float(tip @ tip)
+                self.kicks.append(
+                    StopKick(
+                        kick.angular / (2.0 * pi),
+                        kick.none,
+                        kick.enough,
+                        speed * kick.none,
+                        None if kick.enough is None else speed * kick.enough,
+                    )
+                )
+                yield self.kicks[-1]
 
     def told(self, case: str, law: str) -> StopSweep:
         """Return the response with its contact bands, to where the motions gave way."""
         found = _told(case, self.how, self.taken, law)
         up, down = (
-            _widened(band, self.edges[way])
+            _widened(band, [end.frequency for end in self.ends if end.up is way])
             for way, band in ((True, found.contact_up), (False, found.contact_down))
         )
-        return found._replace(contact_up=up, contact_down=down, metastable=_between(up, down))
+        return found._replace(
+            contact_up=up,
+            contact_down=down,
+            metastable=_between(up, down),
+            ends=tuple(self.ends),
+            kicks=tuple(self.kicks),
+        )
+
+
+def _nearest(known: list[PeriodicMotion], angular: float) -> PeriodicMotion | None:
+    return min(known, key=lambda m: abs(m.angular - angular), default=None)
 
 
 def _told_step(found: Step, *, up: bool) -> SweepStep:
@@ -153,6 +234,7 @@ def _told_step(found: Step, *, up: bool) -> SweepStep:
         found.periods,
         found.multiplier,
         found.least,
+        found.outcome.value,
     )
 
 
@@ -180,14 +262,16 @@ class _Running:
         """Return the response with its contact bands."""
         return _told(case, self.how, self.taken, law)
 
-    def steps(self) -> Iterator[SweepStep]:
+    def steps(self, goes_on: Callable[[], bool]) -> Iterator[SweepStep]:
         """Yield every part, and keep it."""
-        for step in _running(self.sweep, self.blade, self.stops):
+        for step in _running(self.sweep, self.blade, self.stops, goes_on):
             self.taken.append(step)
             yield step
 
 
-def _running(sweep: Sweep, blade: ModalBlade, stops: Stops) -> Iterator[SweepStep]:
+def _running(
+    sweep: Sweep, blade: ModalBlade, stops: Stops, goes_on: Callable[[], bool]
+) -> Iterator[SweepStep]:
     """Yield the peaks in equal parts of the time of a sweep and of its way back."""
     low, high = sorted((sweep.start, sweep.end))
     share = (np.arange(STEPS) + 0.5) / STEPS
@@ -197,7 +281,9 @@ def _running(sweep: Sweep, blade: ModalBlade, stops: Stops) -> Iterator[SweepSte
         up = (sweep.start < sweep.end) is not backwards
         on_way = middles if up else middles[::-1]
         part, seen = 0, 0
-        for progress in run.run(sweep_pieces(sweep, backwards=backwards)):
+        for count, progress in enumerate(run.run(sweep_pieces(sweep, backwards=backwards))):
+            if count % LOOK_UP == 0 and not goes_on():
+                return
             done = progress.time / sweep.duration * STEPS
             if done < part + 1.0 - 1e-9:
                 continue

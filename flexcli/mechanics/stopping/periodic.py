@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import inf, pi
+from math import exp, inf, pi
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
 from flexcli.errors import SolveError
 from flexcli.mechanics.stopping.laws import Stops
@@ -122,6 +123,32 @@ class DrivenBlade:
         """Return whether the linear motion meets no stop."""
         return self.linear(angular).at_stop < self.gap
 
+    def grazing(self, one: float, other: float) -> float | None:
+        """Return the frequency between two at which the linear motion just touches, if any."""
+
+        def over(omega: float) -> float:
+            return self.linear(omega).at_stop / self.gap - 1.0
+
+        if over(one) * over(other) > 0.0:
+            return None
+        return float(brentq(over, one, other, xtol=1e-12 * other, rtol=1e-14))
+
+    def steady(self, angular: float, phase: float) -> MotionPoint:
+        """Return the linear motion's state at a phase of the base."""
+        start = self.linear(angular).start
+        turned = (start.rate / angular + 1j * start.q) * np.exp(1j * phase)
+        return MotionPoint(turned.imag, angular * turned.real, phase)
+
+    def dies_free(self, angular: float, point: MotionPoint) -> bool:
+        """Return whether what is not steady yet dies without ever reaching a stop."""
+        blade, linear = self.blade, self.linear(angular)
+        steady = self.steady(angular, point.phase)
+        q, rate = steady.q, steady.rate
+        own, zeta = blade.angular, blade.damping
+        damped = own * np.sqrt(np.maximum(1.0 - zeta**2, 1e-12))
+        off = np.hypot(point.q - q, (point.rate - rate + zeta * own * (point.q - q)) / damped)
+        return bool(linear.at_stop + np.abs(blade.stop) @ off < self.gap)
+
     def run(
         self, angular: float, start: MotionPoint, periods: float, *, keep_history: bool = False
     ) -> StoppedVibration:
@@ -156,9 +183,9 @@ class DrivenBlade:
         Newton's method on ``P(x) − x``; P, the map over the periods, is exact between contacts,
         its derivative by central differences is that of contacts and flight alike.
         """
-        x, phase = self._scaled(guess), guess.phase
+        x, phase = self.scaled(guess), guess.phase
         derivative = None
-        mapped = self._map(angular, x, phase, periods)
+        mapped = self.mapped(angular, x, phase, periods)
         if mapped is None:
             return None
         missed = float(np.abs(mapped - x).max())
@@ -173,7 +200,7 @@ class DrivenBlade:
             before = missed
             step = np.linalg.lstsq(np.eye(x.size) - derivative, mapped - x, rcond=None)[0]
             for _ in range(HALVINGS):
-                tried = self._map(angular, x + step, phase, periods)
+                tried = self.mapped(angular, x + step, phase, periods)
                 if tried is not None and np.abs(tried - x - step).max() < 2.0 * missed:
                     break
                 step = step / 2.0
@@ -186,7 +213,7 @@ class DrivenBlade:
         derivative = self._derivative(angular, x, phase, periods)
         if derivative is None:
             return None
-        point = self._point(x, phase)
+        point = self.point(x, phase)
         return PeriodicMotion(
             angular=angular,
             start=point,
@@ -210,31 +237,44 @@ class DrivenBlade:
         turns = time * motion.angular / (2.0 * pi)
         return replace(motion, start=self.after(motion.angular, motion.start, turns))
 
-    def _scaled(self, point: MotionPoint) -> Floats:
+    def scaled(self, point: MotionPoint) -> Floats:
         """Return (ω_r q_r, q_r') over the speed that fits the gap."""
         return np.concatenate([self.blade.angular * point.q, point.rate]) / self.speed
 
-    def _point(self, x: Floats, phase: float) -> MotionPoint:
+    def point(self, x: Floats, phase: float) -> MotionPoint:
+        """Return the point that ``scaled`` gives, at a phase."""
         n = self.blade.angular.size
         return MotionPoint(x[:n] * self.speed / self.blade.angular, x[n:] * self.speed, phase)
 
-    def _map(self, angular: float, x: Floats, phase: float, periods: int) -> Floats | None:
+    def mapped(self, angular: float, x: Floats, phase: float, periods: int) -> Floats | None:
         """Return where a period leads, nothing from inside a stop or where contacts never end."""
         if not np.isfinite(x).all():
             return None
         try:
-            run = self.run(angular, self._point(x, phase), periods)
+            run = self.run(angular, self.point(x, phase), periods)
         except SolveError:
             return None
         if run.outcome is StopOutcome.TOO_MANY_EVENTS:
             return None
-        return self._scaled(MotionPoint(*run.state))
+        return self.scaled(MotionPoint(*run.state))
+
+    def slope(self, angular: float, start: MotionPoint, periods: int) -> Floats | None:
+        """Return the derivative of the map over (x, ln ω), x scaled, shape (2n, 2n + 1)."""
+        x, phase = self.scaled(start), start.phase
+        over_x = self._derivative(angular, x, phase, periods)
+        ends = [
+            self.mapped(angular * exp(sign * DIFFERENCE), x, phase, periods) for sign in (1.0, -1.0)
+        ]
+        ahead, behind = ends
+        if over_x is None or ahead is None or behind is None:
+            return None
+        return np.column_stack([over_x, (ahead - behind) / (2.0 * DIFFERENCE)])
 
     def _derivative(self, angular: float, x: Floats, phase: float, periods: int) -> Floats | None:
         columns = []
         for direction in np.eye(x.size) * DIFFERENCE:
             ends = [
-                self._map(angular, x + sign * direction, phase, periods) for sign in (1.0, -1.0)
+                self.mapped(angular, x + sign * direction, phase, periods) for sign in (1.0, -1.0)
             ]
             ahead, behind = ends
             if ahead is None or behind is None:

@@ -1,14 +1,14 @@
 """Steady motions of a blade between stops, one frequency after another from the last motion."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from math import pi
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import brentq
 
+from flexcli.mechanics.stopping.branch import BranchEnd, EndKind, branch_end
 from flexcli.mechanics.stopping.laws import Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.mechanics.stopping.periodic import (
@@ -17,7 +17,7 @@ from flexcli.mechanics.stopping.periodic import (
     MotionPoint,
     PeriodicMotion,
 )
-from flexcli.mechanics.stopping.result import Peaks, StopOutcome
+from flexcli.mechanics.stopping.result import Peaks, StepOutcome, StopOutcome
 from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.numerics.signal_pieces import sine
 
@@ -34,6 +34,10 @@ BURST = 10
 """Periods between two trials for a periodic motion while the blade settles."""
 BURSTS = 30
 """Bursts after which a frequency is left unsettled; of the last third the range is told."""
+MOST_BURSTS = 300
+"""The same for a motion that dies away, which takes some three thousand periods at Q = 1000."""
+DYING = 0.995
+"""Peaks of the last third over those of the third before, below which a motion dies away."""
 ORDERS = (1, 2, 3)
 """Periods of the base after which a motion is sought to repeat."""
 HIGHER_FROM = 10
@@ -47,7 +51,7 @@ PARTS = 16
 
 
 class Step(NamedTuple):
-    """The motion at one frequency: peaks, contacts per period, whether it is steady.
+    """The motion at one frequency: peaks, contacts per period, what it came to.
 
     ``periods`` of the base after which it repeats and the largest Floquet multiplier; of what did
     not settle neither, but ``least``, the smallest peak of the tip in the bursts that ``peaks``
@@ -57,10 +61,15 @@ class Step(NamedTuple):
     angular: float
     peaks: Peaks
     contacts: float
-    settled: bool
+    outcome: StepOutcome = StepOutcome.PERIODIC
     periods: int = 1
     multiplier: float | None = None
     least: float | None = None
+
+    @property
+    def settled(self) -> bool:
+        """Whether the motion is steady."""
+        return self.outcome in (StepOutcome.PERIODIC, StepOutcome.SUBHARMONIC)
 
 
 @dataclass(eq=False)
@@ -69,7 +78,8 @@ class SteppedMotion:
 
     The first is the motion without contact where there is one; a blade that was kicked, or has
     none, is run. ``known`` are periodic motions with contact, found on any way through the
-    frequencies; ``ends`` is the angular frequency at which the last step's motion gave way.
+    frequencies; ``end`` is where the motion of the step before gave way. ``goes_on`` is asked in
+    the middle of a long run.
     """
 
     driven: DrivenBlade
@@ -77,8 +87,9 @@ class SteppedMotion:
     point: MotionPoint
     motion: LinearMotion | PeriodicMotion | None = None
     angular: float = 0.0
-    ends: float | None = None
+    end: BranchEnd | None = None
     kicked: bool = False
+    goes_on: Callable[[], bool] = lambda: True
 
     @property
     def touches(self) -> bool:
@@ -87,19 +98,20 @@ class SteppedMotion:
 
     def follow(self, angular: float) -> Step:
         """Return the motion at a frequency that the one before leads to."""
-        self.ends = None
+        self.end = None
         before, self.angular = self.angular, angular
         if isinstance(self.motion, PeriodicMotion):
             last, arrived = self._continued(self.motion, angular)
             if arrived:
                 return self._contact(last)
-            self.ends = last.angular
+            self.end = self._end(last, angular)
             self.point = last.start
         elif isinstance(self.motion, LinearMotion):
             if self.driven.is_free(angular):
                 return self._linear(angular)
             if before:
-                self.ends = self._grazing(before, angular)
+                touch = self.driven.grazing(before, angular)
+                self.end = BranchEnd(touch or angular, EndKind.TOUCH)
             if (found := self._known_at(angular)) is not None:
                 return self._contact(found)
         elif not before and not self.kicked and self.driven.is_free(angular):
@@ -116,9 +128,7 @@ class SteppedMotion:
         peaks = Peaks(found.tip, found.tip, found.at_stop, found.base_moment, 0.0, 0.0)
         blade = self.driven.blade
         slowest = float((blade.damping * blade.angular).min())
-        return Step(
-            angular, peaks, 0.0, True, multiplier=float(np.exp(-slowest * 2.0 * pi / angular))
-        )
+        return Step(angular, peaks, 0.0, multiplier=float(np.exp(-slowest * 2.0 * pi / angular)))
 
     def _contact(self, found: PeriodicMotion) -> Step:
         self.motion = found = self.driven.begun_free(found)
@@ -128,7 +138,7 @@ class SteppedMotion:
             found.angular,
             self.driven.peaks(found),
             found.contacts / found.periods,
-            True,
+            StepOutcome.PERIODIC if found.periods == 1 else StepOutcome.SUBHARMONIC,
             found.periods,
             found.largest,
         )
@@ -170,13 +180,13 @@ class SteppedMotion:
         found, arrived = self._continued(near, angular)
         return found if arrived else None
 
-    def _grazing(self, before: float, angular: float) -> float:
-        """Return the frequency at which the linear motion just touches."""
-
-        def over(omega: float) -> float:
-            return self.driven.linear(omega).at_stop / self.driven.gap - 1.0
-
-        return float(brentq(over, before, angular, xtol=1e-12 * angular, rtol=1e-14))
+    def _end(self, last: PeriodicMotion, angular: float) -> BranchEnd:
+        """Return where a motion ends on the way to a frequency that it doesn't reach."""
+        found = branch_end(self.driven, last, rising=angular > last.angular)
+        low, high = sorted((last.angular, angular))
+        if not low <= found.angular <= high:
+            return BranchEnd(last.angular, EndKind.LOST)
+        return found
 
     def _settled(self, angular: float) -> Step:
         """Return what the blade comes to from where it is, by running it."""
@@ -185,23 +195,30 @@ class SteppedMotion:
         phase, free = start.phase, driven.is_free(angular)
         seen: list[Peaks] = []
         touched = 0
-        for burst in range(BURSTS):
+        outcome = StepOutcome.APERIODIC
+        while len(seen) < BURSTS or (free and len(seen) < MOST_BURSTS and _dies(seen)):
             touched = engine.contact_count
             phase = self._run(engine, angular, phase, BURST)
             seen.append(engine.take_peaks())
             touched = engine.contact_count - touched
             phase = self._away(engine, angular, phase)
             if engine.outcome is StopOutcome.TOO_MANY_EVENTS:
+                outcome = StepOutcome.CHATTER
+                break
+            if not self.goes_on():
+                outcome = StepOutcome.ENDED
                 break
             point = MotionPoint(*engine.state, phase)
-            if free and self._dies_free(angular, point):
+            if free and self.driven.dies_free(angular, point):
                 return self._linear(angular)
-            for order in ORDERS[: len(ORDERS) if burst >= HIGHER_FROM else 1]:
-                if touched and (found := self._accepted(angular, point, order)) is not None:
+            burst = len(seen)
+            if not touched or burst > BURSTS:
+                continue
+            for order in ORDERS[: len(ORDERS) if burst > HIGHER_FROM else 1]:
+                if (found := self._accepted(angular, point, order)) is not None:
                     return self._contact(found)
-        # away from the stops for a whole burst where the linear motion is free as well
-        if free and not touched and float(driven.blade.damping.min()) > 0.0:
-            return self._linear(angular)
+        if free and outcome is StepOutcome.APERIODIC and _dies(seen):
+            outcome = StepOutcome.DYING
         self.motion = None
         self.point = MotionPoint(*engine.state, phase)
         told = seen[-max(len(seen) // 3, 1) :]
@@ -209,7 +226,7 @@ class SteppedMotion:
             angular,
             Peaks(*map(max, *told)) if len(told) > 1 else told[0],
             touched / BURST,
-            False,
+            outcome,
             least=min(peaks.travel for peaks in told),
         )
 
@@ -233,18 +250,13 @@ class SteppedMotion:
             phase = self._run(engine, angular, phase, 1.0 / PARTS)
         return phase
 
-    def _dies_free(self, angular: float, point: MotionPoint) -> bool:
-        """Return whether what is not steady yet dies without ever reaching a stop."""
-        blade, linear = self.driven.blade, self.driven.linear(angular)
-        turn, tip = np.exp(1j * point.phase), linear.start
-        # the steady motion at that phase, from its state at phase zero
-        steady = tip.rate / angular + 1j * tip.q
-        q = (steady * turn).imag
-        rate = angular * (steady * turn).real
-        own, zeta = blade.angular, blade.damping
-        damped = own * np.sqrt(np.maximum(1.0 - zeta**2, 1e-12))
-        off = np.hypot(point.q - q, (point.rate - rate + zeta * own * (point.q - q)) / damped)
-        return bool(linear.at_stop + np.abs(blade.stop) @ off < self.driven.gap)
+
+def _dies(seen: list[Peaks]) -> bool:
+    """Return whether the peaks of the last bursts lie below those of as many before them."""
+    third = max(len(seen) // 3, 1)
+    ends = seen[-third:], seen[-2 * third : -third]
+    late, early = (sum(peaks.travel for peaks in part) for part in ends)
+    return late < DYING * early
 
 
 def stepped_motion(

@@ -14,6 +14,7 @@ __all__ = [
     "Peaks",
     "Progress",
     "RunCost",
+    "StepOutcome",
     "StopOutcome",
     "StopResult",
 ]
@@ -43,6 +44,17 @@ class StopOutcome(Enum):
     def remedy(self) -> str:
         """What to do about it."""
         return self.value[1]
+
+
+class StepOutcome(Enum):
+    """What the motion at one frequency came to."""
+
+    PERIODIC = "repeats every period of the base"
+    SUBHARMONIC = "repeats after several periods of the base"
+    APERIODIC = "no periodic motion of one to three periods of the base was found"
+    DYING = "still dying away to the motion without contact when its run ended"
+    CHATTER = "contacts follow each other without the motion going on"
+    ENDED = "ended before it settled"
 
 
 class Progress(NamedTuple):
