@@ -1,6 +1,6 @@
 """Sections in torsion in powers of their dimensions: strip, star of strips, circle; warping."""
 
-from math import pi
+from math import exp, inf, pi, tan
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed, Quantity
@@ -8,10 +8,12 @@ from flexcli.results import QuantityKind
 
 __all__ = [
     "CIRCLE_CARDS",
+    "SHORT_ARM",
     "STAR_CARDS",
-    "STAR_ERROR",
     "STRIP_CARDS",
     "circle_torsion_constant",
+    "star_arm",
+    "star_core_error",
     "star_torsion_constant",
     "strip_torsion_constant",
     "warping_constant",
@@ -52,9 +54,9 @@ def strip_torsion_constant(h: Quantity, b: Quantity) -> Computed:
     return b * h**3 / 3.0 - 0.210083 * h**4 + 0.0175 * h**7.5 / b**3.5
 
 
-_CORE = {2: -0.085, 3: 1.2, 4: 4.1, 5: 14.0, 6: 27.0}
-STAR_ERROR = {2: 0.02, 3: 0.2, 4: 0.8, 5: 4.0, 6: 6.0}
-"""Of the torsion constant of crossing strips, by their number, over h⁴; unknown beyond."""
+_CORE = {2: -0.0845, 3: 1.302, 4: 5.17, 5: 13.12, 6: 27.1}
+_CORE_ERROR = {2: 0.001, 3: 0.005, 4: 0.02, 5: 0.05, 6: 0.15}
+_SHORT_ARMS = {2: 1.1, 3: 2.8, 4: 4.4, 5: 7.7, 6: 7.9}
 
 
 def star_torsion_constant(h: Quantity, b: Quantity, strips: int) -> Computed:
@@ -77,14 +79,16 @@ def star_torsion_constant(h: Quantity, b: Quantity, strips: int) -> Computed:
 
     Notes
     -----
-    Thin strips, b ≥ 6 h. c_2 = −0.085 (the edges take 0.42, the junction adds 0.335); the more
-    strips cross, the thicker is the core: c_3 = 1.2, c_4 = 4.1, c_5 = 14, c_6 = 27, by finite
-    differences of the Poisson equation to ``STAR_ERROR``. Of more than six the core is left out.
+    Arms of at least one thickness beyond the core (``star_arm``). c_2 = −0.0845 (the edges take
+    0.42, the junction adds 0.336); the more strips cross, the thicker is the core: c_3 = 1.302,
+    c_4 = 5.17, c_5 = 13.1, c_6 = 27.1, from the Poisson equation on half an arm, solved by
+    harmonic functions with the singularity of the re-entrant corner; what core and edge change of
+    each other fades with the arm (``star_core_error``). Of more than six the core is left out.
 
     Examples
     --------
     >>> round(star_torsion_constant(1.0, 6.0, strips=2), 9)
-    3.915
+    3.9155
 
     References
     ----------
@@ -92,6 +96,78 @@ def star_torsion_constant(h: Quantity, b: Quantity, strips: int) -> Computed:
 
     """
     return strips * b * h**3 / 3.0 + _CORE.get(strips, 0.0) * h**4
+
+
+def star_arm(h: float, b: float, strips: int) -> float:
+    """Return the length of an arm of crossing strips beyond their core, over the thickness.
+
+    ``a = b/2h − ½ cot(π/2n)``: from the corner that two arms make to the edge.
+
+    Parameters
+    ----------
+    h, b : float
+        Thickness and full width of a strip, edge to edge [m].
+    strips : int
+        Number n of strips.
+
+    Returns
+    -------
+    a : float
+        Free length of an arm over its thickness [-].
+
+    Notes
+    -----
+    Exact.
+
+    Examples
+    --------
+    >>> round(star_arm(1.0, 6.0, strips=2), 9)
+    2.5
+
+    References
+    ----------
+    Geometry of the section.
+
+    """
+    return float(b / h) / 2.0 - 0.5 / tan(pi / (2.0 * strips))
+
+
+def star_core_error(arm: float, strips: int) -> float:
+    """Return by how much the torsion constant of crossing strips may be off, over h⁴.
+
+    ``e_n + A_n exp(−π a)`` with the free length a of an arm over its thickness: the slowest way
+    in which core and edge feel each other fades so.
+
+    Parameters
+    ----------
+    arm : float
+        Free length of an arm over its thickness, from ``star_arm`` [-].
+    strips : int
+        Number n of strips.
+
+    Returns
+    -------
+    error : float
+        Bound over h⁴ [-], infinite for more than six strips and for arms shorter than h.
+
+    Notes
+    -----
+    A_n bounds the same solutions at a = 1 to 3.
+
+    Examples
+    --------
+    >>> round(star_core_error(2.5, strips=2), 5)
+    0.00143
+
+    References
+    ----------
+    Saint-Venant's principle for strips with free faces: Timoshenko & Goodier (1970), Theory of
+    Elasticity, chapter 10.
+
+    """
+    if arm < 1.0 or strips not in _CORE:
+        return inf
+    return _CORE_ERROR[strips] + _SHORT_ARMS[strips] * exp(-pi * arm)
 
 
 def circle_torsion_constant(d: Quantity) -> Computed:
@@ -173,12 +249,14 @@ STRIP_CARDS: tuple[Card, ...] = (
     ),
 )
 
+SHORT_ARM = Range("arm/h", least=1.0, why="the strips' ends and their crossing feel each other")
+
 STAR_CARDS: tuple[Card, ...] = (
     Card(
         name="star-torsion-constant",
         function=star_torsion_constant,
         example={"h": 0.5e-3, "b": 10e-3, "strips": 2},
-        validity=(Range("b/h", least=6.0, why="core and free edges count"),),
+        validity=(SHORT_ARM,),
         kind=QuantityKind.STIFFNESS,
     ),
 )

@@ -7,9 +7,10 @@ from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.formulas.torsion_shapes import (
     CIRCLE_CARDS,
     STAR_CARDS,
-    STAR_ERROR,
     STRIP_CARDS,
     circle_torsion_constant,
+    star_arm,
+    star_core_error,
     star_torsion_constant,
     strip_torsion_constant,
     warping_constant,
@@ -37,34 +38,80 @@ def test_powers_take_signomials():
     assert pytest.approx(strip_torsion_constant(at["h"], at["b"]), rel=1e-12) == J
 
 
-def plus_by_finite_differences(width, cells):
-    """J of a plus of two strips of thickness 1: −∇²ψ = 2 on a quarter, zero on its edge."""
-    step = 0.5 / cells
-    far = round(width / 2.0 / step)
-    i, j = np.meshgrid(range(far + 1), range(far + 1), indexing="ij")
-    inside = ((i < cells) & (j < far)) | ((j < cells) & (i < far))
-    number = np.where(inside, np.cumsum(inside).reshape(inside.shape) - 1, -1)
-    i, j, own = i[inside], j[inside], number[inside]
-    rows, columns, values = [own], [own], [np.full(own.size, 4.0)]
-    for di, dj in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-        other = number[np.abs(i + di), np.abs(j + dj)]
-        near = other >= 0
-        rows.append(own[near])
-        columns.append(other[near])
-        values.append(np.full(near.sum(), -1.0))
-    entries = np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))
-    psi = spsolve(csc_matrix(entries), np.full(own.size, 2.0 * step**2))
-    weight = np.where(i == 0, 0.5, 1.0) * np.where(j == 0, 0.5, 1.0)
-    return 8.0 * step**2 * float(weight @ psi)
+def star_by_harmonic_functions(strips, arm, order):
+    """Return core and side stress of crossing strips of thickness 1, from half of one arm.
+
+    −∇²ψ = 2 on the triangle of the core and the rectangle of the arm: the thin strip's ¼ − y²
+    and harmonic functions, those of the corner that two arms make among them, fitted to what the
+    edges and the lines of symmetry ask. Core: J − n b/3; side: the shear stress in the middle of
+    an arm's side over that of a thin strip.
+    """
+    half = np.pi / (2.0 * strips)
+    root = 0.5 / np.tan(half)
+    end, corner = root + arm, root + 0.5j
+    powers = (np.arange(order) + 0.5) * np.pi / (np.pi - half)
+    rates = (2.0 * np.arange(order) + 1.0) * np.pi
+
+    def basis(z):
+        """Return the functions and their slopes along x and y, each (points, functions)."""
+        w = np.conj(z - corner)
+        turn = np.where(np.angle(w) < -1e-9, np.angle(w) + 2.0 * np.pi, np.angle(w))
+        found = []
+        for p in powers:
+            slope = p * np.abs(w) ** (p - 1.0) * np.exp(1j * (p - 1.0) * turn)
+            found.append((np.abs(w) ** p * np.sin(p * turn), slope.imag, -slope.real))
+        for k in rates:
+            for at, sign in ((np.exp(-k * z.real), -1.0), (np.exp(k * (z.real - end)), 1.0)):
+                wave = np.cos(k * z.imag)
+                found.append((wave * at, sign * k * wave * at, -k * np.sin(k * z.imag) * at))
+        for j in range(order - 4):
+            slope = j * (z / end) ** max(j - 1, 0) / end
+            found.append((((z / end) ** j).real, slope.real, -slope.imag))
+        return np.moveaxis(np.array(found), 0, -1)
+
+    t = 0.5 * (1.0 - np.cos(np.pi * (np.arange(240) + 0.5) / 240))
+    axis, side, edge, middle = t * end + 0j, root + t * arm + 0.5j, end + 0.5j * t, t * corner
+    _, dx, dy = basis(middle)
+    rows = np.vstack(
+        [basis(axis)[2], basis(side)[0], basis(edge)[0], np.cos(half) * dy - np.sin(half) * dx]
+    )
+    asked = np.concatenate(
+        [0.0 * t, 0.0 * t, edge.imag**2 - 0.25, 2.0 * np.cos(half) * middle.imag]
+    )
+    size = np.linalg.norm(rows, axis=0)
+    shares = np.linalg.lstsq(rows / size, asked, rcond=1e-13)[0] / size
+    x, w = np.polynomial.legendre.leggauss(60)
+    x, w = (x + 1.0) / 2.0, w / 2.0
+    X, Y = (part.ravel() for part in np.meshgrid(x, x, indexing="ij"))
+    weight = np.outer(w, w).ravel()
+    volume = 0.0
+    for z, area in (
+        (root + arm * X + 0.5j * Y, 0.5 * arm * weight),
+        (X * (root + 0.5j * Y), 0.5 * root * X * weight),
+    ):
+        volume += area @ (0.25 - z.imag**2 + basis(z)[0] @ shares)
+    sheared = 1.0 - basis(np.array([root + arm / 2.0 + 0.5j]))[2] @ shares
+    return 8.0 * strips * volume - strips * 2.0 * end / 3.0, float(sheared[0])
 
 
-def test_plus_section_is_that_of_thin_strips_with_its_core():
+@pytest.mark.parametrize("arm", [1.0, 1.5, 2.2])
+@pytest.mark.parametrize("strips", [2, 3, 4, 5, 6])
+def test_the_core_of_crossing_strips_is_known_to_its_error(strips, arm):
+    width = 2.0 * arm + 1.0 / np.tan(np.pi / (2.0 * strips))
+    assert star_arm(1.0, width, strips) == pytest.approx(arm, rel=1e-12)
+    core, sheared = star_by_harmonic_functions(strips, arm, 18)
+    found = star_torsion_constant(1.0, width, strips) - strips * width / 3.0
+    assert found == pytest.approx(core, abs=star_core_error(arm, strips))
+    if strips <= 3:  # what the joint says of its stress
+        assert sheared == pytest.approx(1.0, abs=0.5 * np.exp(-np.pi * arm / 2.0))
+
+
+def test_the_core_of_four_strips_is_that_of_finite_differences():
+    """Edges at an angle are rough in a grid: first order in the step."""
     width = 6.0
-    coarse, fine = (plus_by_finite_differences(width, cells) for cells in (8, 16))
-    # the re-entrant corner makes the error fall with step^(4/3)
-    exact = fine + (fine - coarse) / (2.0 ** (4.0 / 3.0) - 1.0)
-    assert star_torsion_constant(1.0, width, strips=2) == pytest.approx(exact, abs=STAR_ERROR[2])
-    assert 2.0 * torsion_constant(1.0, width) / exact - 1.0 == pytest.approx(-0.5 / width, abs=0.01)
+    coarse, fine = (star_by_finite_differences(4, width, cells) for cells in (20, 40))
+    # cells that an edge cuts count whole or not at all: of some 500 on the rim half a cell each
+    assert star_torsion_constant(1.0, width, 4) == pytest.approx(2.0 * fine - coarse, abs=0.3)
 
 
 def star_by_finite_differences(strips, width, cells):
@@ -90,15 +137,6 @@ def star_by_finite_differences(strips, width, cells):
         values.append(np.full(near.sum(), -1.0))
     entries = np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))
     return 2.0 * step**2 * float(spsolve(csc_matrix(entries), np.full(own.size, 2 * step**2)).sum())
-
-
-@pytest.mark.parametrize("strips", [3, 4, 5, 6])
-def test_the_core_of_crossing_strips_is_known_to_its_error(strips):
-    """Edges at an angle are rough in a grid: first order in the step."""
-    width = 10.0
-    coarse, fine = (star_by_finite_differences(strips, width, cells) for cells in (12, 24))
-    found = star_torsion_constant(1.0, width, strips=strips)
-    assert found == pytest.approx(2.0 * fine - coarse, abs=STAR_ERROR[strips])
 
 
 def test_circle_has_its_polar_second_moment():

@@ -32,6 +32,9 @@ class TwistedBars(Protocol):
     def core_error(self, sizes: Any) -> float:
         """Return how far off what strips that cross add to their stiffness may be [-]."""
 
+    def side_error(self, sizes: Any) -> float:
+        """Return how far off the stress in the middle of its sides may be [-]."""
+
     def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Any]:
         """Return the stress at each place [Pa]."""
 
@@ -94,7 +97,8 @@ class Twist(Bending):
         low, high = (max(end(ends), plain) / plain for end in (min, max))
         value = (low + high) / 2.0 - 1.0
         error = (high - low) / (high + low) + self.ratio + RESTRAINED_STRESS * restrained
-        found["stress"] = Change(value, value, error, 1)
+        error += self.bars.side_error(self.sizes)
+        found["stress"] = Change(value, value, error, 1) if isfinite(error) else UNKNOWN
         return found
 
     def tension(self) -> Changes:

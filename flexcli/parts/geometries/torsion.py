@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from math import inf, pi, sqrt
+from math import exp, inf, pi, sqrt
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
@@ -32,6 +32,9 @@ Bars = Annotated[int, Field(strict=True, ge=1, le=1000)]
 NARROW_SIDE = 0.743
 """Shear stress in the middle of a thin strip's narrow sides over that of the broad ones: 8/π²
 times Catalan's constant, Saint-Venant's series there."""
+
+WIDE = 10.0
+"""Width of strips over their thickness from which on the stress of more than three is known."""
 
 
 class Section(NamedTuple):
@@ -91,6 +94,10 @@ class TorsionGeometry(Geometry):
 
     def core_error(self, sizes: Any) -> float:
         """Return 0: one section has no core where others cross [-]."""
+        return 0.0
+
+    def side_error(self, sizes: Any) -> float:
+        """Return 0: the stress is that of the section [-]."""
         return 0.0
 
     def wide_blades(self, sizes: Any, nu: float) -> WideBlades | None:
@@ -354,7 +361,7 @@ class TorsionStar(TorsionGeometry):
     )
     validity: ClassVar[tuple[Range, ...]] = (
         torsion_bar.THIN_TWIST,
-        Range("b/h", least=10.0, why="the strips' ends and their crossing count"),
+        torsion_shapes.SHORT_ARM,
     )
 
     kind: Literal["torsion-star"]
@@ -384,8 +391,22 @@ class TorsionStar(TorsionGeometry):
 
     def core_error(self, sizes: Blade) -> float:
         """Return the error of the core over n b h³/3, endless where nobody knows it [-]."""
-        error = torsion_shapes.STAR_ERROR.get(self.strips, inf)
+        error = torsion_shapes.star_core_error(self._arm(sizes), self.strips)
         return 3.0 * error * float(sizes.h / sizes.b) / self.strips
+
+    def side_error(self, sizes: Blade) -> float:
+        """Return the error of the stress in the middle of an arm's sides, endless if unknown [-].
+
+        Core and edge change it by a share of what fades on the way from either; the roots, whose
+        stress is that of their fillet, are left out.
+        """
+        if self.strips <= 3:
+            return 0.5 * exp(-pi * self._arm(sizes) / 2.0)
+        wide = float(sizes.b) >= WIDE * float(sizes.h)
+        return 8.0 * exp(-pi * self._arm(sizes) / 2.0) if wide else inf
+
+    def _arm(self, sizes: Blade) -> float:
+        return torsion_shapes.star_arm(float(sizes.h), float(sizes.b), self.strips)
 
     def shear(self, elastic: Elastic, sizes: Blade, twist: float) -> Computed:
         """Return the shear stress of the thin strips [Pa]."""
@@ -403,3 +424,7 @@ class TorsionStar(TorsionGeometry):
     def ratios(self, sizes: Blade) -> dict[str, Computed]:
         """Return l/h and b/h."""
         return {"l/h": sizes.l / sizes.h, "b/h": sizes.b / sizes.h}
+
+    def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
+        """Return what its closed forms are valid in; the free length of an arm as well."""
+        return {**super().indicators(sizes, travel), "arm/h": self._arm(sizes)}
