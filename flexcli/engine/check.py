@@ -8,7 +8,7 @@ from flexcli.engine import omitted_effects
 from flexcli.engine import values as design_values
 from flexcli.engine.beyond_elastic import beyond_elastic
 from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
-from flexcli.engine.models import MODEL_SERIES, NamedModel, model_series
+from flexcli.engine.models import NamedModel, model_series, series_of
 from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
@@ -127,9 +127,7 @@ def _values_of_any(
         return told_values(design, sizes, joint_model), ()
     except SolveError as error:
         reason = error
-    for name in MODEL_SERIES:
-        if name == "closed-form" and not design.geometry.closed_forms:
-            continue
+    for name in series_of(design):
         try:
             found = told_values(design, sizes, NamedModel(design, name).joint_model)
         except SolveError:
@@ -148,7 +146,8 @@ def _judging(design: DesignSpec, found: Judgement, model: str) -> JointModel:
 
 
 def _cheapest(design: DesignSpec) -> str:
-    return "closed-form" if design.geometry.closed_forms else "exact"
+    series = series_of(design)
+    return series[0] if series[0] == "closed-form" else series[-1]
 
 
 def _has_something_to_judge(design: DesignSpec) -> bool:

@@ -9,7 +9,7 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import MODEL_EFFECTS
 from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, JointModel
 
-__all__ = ["MODEL_SERIES", "NamedModel", "model_series"]
+__all__ = ["MODEL_SERIES", "NamedModel", "model_series", "series_of"]
 
 MODEL_SERIES = ("closed-form", "linear", "exact")
 """What judges, the cheapest first."""
@@ -40,8 +40,14 @@ def model_series(design: DesignSpec, model: str | None = None) -> tuple[NamedMod
     asked = model or design.model
     if asked is not None:
         return (NamedModel(design, asked),)
-    names = MODEL_SERIES if design.geometry.closed_forms else MODEL_SERIES[1:]
-    return tuple(NamedModel(design, name) for name in names)
+    return tuple(NamedModel(design, name) for name in series_of(design))
+
+
+def series_of(design: DesignSpec) -> tuple[str, ...]:
+    """Return the names of the models that a design's geometry has, the cheapest first."""
+    if design.geometry.in_space:
+        return ("linear",)
+    return MODEL_SERIES if design.geometry.closed_forms else MODEL_SERIES[1:]
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:
@@ -53,11 +59,18 @@ def _joint_model(design: DesignSpec, model: str) -> JointModel:
     if model in ("source", "closed-form") and not design.geometry.closed_forms:
         text = f"a {design.geometry.name} has no closed forms"
         raise SolveError("no-closed-forms", text, "take model linear or exact, or name none")
+    if model not in ("source", *series_of(design)):
+        text = f"a {design.geometry.name} has no {model} model"
+        raise SolveError("no-such-model", text, f"take model {', '.join(series_of(design))}")
     heard = tuple(e for e in MODEL_EFFECTS if not design.is_off(e.name))
     if model == "source":
         return Corrected(AS_PRINTED, (), model, omitted=heard)
     if model == "closed-form":
         return Corrected(CLOSED_FORM, heard, model)
+    if design.geometry.in_space:
+        from flexcli.engine.joint_models.space_linear import SpaceLinearModel
+
+        return SpaceLinearModel()
     from flexcli.mechanics.mesh import Effects
 
     blades = Effects(

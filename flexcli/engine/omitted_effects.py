@@ -45,7 +45,12 @@ def reported(design: DesignSpec, given: Setting) -> tuple[str, ...]:
 def effects(
     design: DesignSpec, sizes: Sizes, joint_model: JointModel = AS_PRINTED
 ) -> tuple[EffectRow, ...]:
-    """Return the effects that this design can have, and which of them the model leaves out."""
+    """Return the effects that this design can have, and which of them the model leaves out.
+
+    Those of a mechanism that is drawn in space are in its springs, or in the errors of its model.
+    """
+    if design.geometry.in_space:
+        return ()
     given = setting(design, sizes)
     names = reported(design, given)
     carries = joint_model.carried(given)

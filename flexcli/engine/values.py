@@ -1,7 +1,7 @@
 """The named numbers of a design by a model, each with its estimated error."""
 
 from collections.abc import Iterable, Mapping
-from math import pi, sqrt
+from math import sqrt
 
 from flexcli.engine.admissible_stroke import admissible_stroke
 from flexcli.parts.design import DesignSpec
@@ -55,7 +55,7 @@ def values(
         found |= _shift(ask, found)
     if design.mechanism is not None:
         found.update(design.mechanism.values(stiffness, geometry))
-    found.update(_own_frequency(asks[0], stiffness, found))
+    found.update(_own_frequency(asks[0], found))
     for ask in asks:
         found.update(_sag(ask))
         found.update(_warm(ask))
@@ -82,15 +82,12 @@ def _warm(ask: Ask) -> dict[str, Value]:
     }
 
 
-def _own_frequency(ask: Ask, stiffness: float, found: Mapping[str, Value]) -> dict[str, Value]:
+def _own_frequency(ask: Ask, found: Mapping[str, Value]) -> dict[str, Value]:
     """Return the natural frequency, of all that a layout draws with a mass, by the model."""
     factor = ask.joint_model.frequency_factor(ask)
     if not ask.geometry.has_masses:
         return _corrected_frequencies(found, factor, ask.joint_model.name)
-    from flexcli.parts.own_motion import own_mode
-
-    mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
-    value = factor * sqrt(stiffness / mode.mass) / (2.0 * pi)
+    value = sqrt(ask.joint_model.frequency_squared(ask))
     source = "lowest mode of all bodies that the motion takes part in"
     return {
         "f_0": Value(
@@ -179,6 +176,8 @@ def _shift(ask: Ask, known: Mapping[str, Value]) -> dict[str, Value]:
         return {}
     name = "shift" if "shift" not in known else f"shift_{ask.scene.case}"
     label = "parasitic shift at full stroke, positive towards the base"
+    if ask.geometry.in_space:
+        label = "how far it leaves its path at full stroke"
     return {
         name: Value(
             shift, "m", label, ask.joint_model.name, ask.geometry.source, kind=QuantityKind.SHIFT
@@ -191,13 +190,9 @@ def _sag(ask: Ask) -> dict[str, Value]:
     scene = ask.scene
     if scene.acceleration == 0.0:
         return {}
-    from flexcli.parts.own_motion import hanging_mass
-
     try:
         stiffness = float(ask.joint_model.sag_stiffness(ask))
-        weight = scene.acceleration * hanging_mass(
-            ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes, scene.axis
-        )
+        sag = float(ask.joint_model.sag(ask))
     except (NotAvailable, MechanismError):
         return {}
     source, axis, model = ask.geometry.source, scene.axis, ask.joint_model.name
@@ -206,6 +201,6 @@ def _sag(ask: Ask) -> dict[str, Value]:
             stiffness, "N/m", f"stiffness along {axis}", model, source, kind=QuantityKind.SAG
         ),
         f"sag_{axis}": Value(
-            weight / stiffness, "m", f"sag along {axis}", model, "m a / K", kind=QuantityKind.SAG
+            sag, "m", f"sag along {axis}", model, "m a / K", kind=QuantityKind.SAG
         ),
     }

@@ -16,6 +16,7 @@ from flexcli.engine.solid.deck import Deck
 from flexcli.engine.solid.model import solid_model
 from flexcli.engine.solid.numbers import STRAIGHT, Place, SolidNumbers, moving_masses
 from flexcli.errors import NoSolution, SolveError
+from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import free_compliance
 from flexcli.parts.design import DesignSpec
@@ -25,7 +26,8 @@ from flexcli.parts.geometries.base import ACROSS_WIDTH, MOVING
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask, JointModel
-from flexcli.parts.requirements.support import DIRECTIONS, STIFFER, compliance_of
+from flexcli.parts.requirements.support import DIRECTIONS, compliance_of
+from flexcli.parts.space_joint import joint_in_space
 from flexcli.results import (
     Cost,
     ErrorRange,
@@ -287,7 +289,11 @@ def _supports(ask: Ask) -> Iterator[_Question]:
         turns = direction.startswith("theta")
 
         def ours(index: int = index) -> Found:
-            return float(1.0 / compliance_of(ask)[index, index]), STIFFER
+            def stiffness(assembly: SpaceAssembly) -> float:
+                return float(1.0 / compliance_of(ask, assembly=assembly)[index, index])
+
+            joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+            return stiffness(joint.assembly), joint.error(stiffness)
 
         def solid(numbers: SolidNumbers, index: int = index) -> float:
             return float(1.0 / numbers.compliance()[index, index])

@@ -7,7 +7,7 @@ deformation: nothing is added up, so that soft directions next to stiff ones kee
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Singular", "condensed", "inverse"]
+__all__ = ["Singular", "condensed", "inverse", "triangle"]
 
 Floats = NDArray[np.float64]
 
@@ -65,6 +65,48 @@ def condensed(A: Floats, kept: int) -> Floats:
     R = np.asarray(np.linalg.qr(rows, mode="r"))
     _require_pivots(R[..., : n - kept, : n - kept])
     return np.asarray(R[..., n - kept :, n - kept :] * scale[..., n - kept :])
+
+
+def triangle(A: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return Q, R and the scale of the columns with A = Q R diag(scale).
+
+    Parameters
+    ----------
+    A : array, shape (rows, n)
+        Factor of the form AᵀA.
+
+    Returns
+    -------
+    Q, R : array, shape (rows, n) and (n, n)
+        Orthonormal columns, upper triangle.
+    scale : array, shape (n,)
+        Length of each column of A.
+
+    Raises
+    ------
+    Singular
+        When the form has no resistance along some combination of coordinates.
+
+    Examples
+    --------
+    >>> Q, R, scale = triangle(np.array([[3.0], [4.0]]))
+    >>> float(scale[0]), round(abs(float(R[0, 0])), 12)
+    (5.0, 1.0)
+
+    References
+    ----------
+    As of :func:`condensed`.
+
+    """
+    scale = np.sqrt(np.sum(A**2, axis=0))
+    if A.shape[0] < A.shape[1] or not (scale > 0.0).all():
+        raise Singular("a coordinate without any resistance")
+    order = np.argsort(-np.abs(A / scale).max(axis=1))
+    Q, R = np.linalg.qr((A / scale)[order])
+    _require_pivots(R)
+    back = np.empty_like(Q)
+    back[order] = Q
+    return back, R, scale
 
 
 def inverse(R: Floats) -> Floats:

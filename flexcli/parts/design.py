@@ -163,6 +163,12 @@ class DesignSpec(Part):
                 f"take kind: {kind}, or another mechanism",
                 at=("geometry", "kind"),
             )
+        if self.mechanism is not None and self.geometry.in_space:
+            raise spec_error(
+                f"a {self.geometry.name} carries no mechanism",
+                "give its bodies their masses, and take this out",
+                at=("mechanism",),
+            )
         wanted = self.mechanism.joint_motion if self.mechanism else None
         if wanted is not None and wanted != self.geometry.motion:
             raise spec_error(

@@ -15,7 +15,15 @@ from flexcli.parts.mechanisms import Mechanism, MechanismError, Mode
 from flexcli.parts.mechanisms.carried import carried, is_guided
 from flexcli.parts.structure import Structure, joined
 
-__all__ = ["DENSEST", "hanging_mass", "hanging_on", "own_angular", "own_mode", "structure_of"]
+__all__ = [
+    "DENSEST",
+    "TAKES_PART",
+    "hanging_mass",
+    "hanging_on",
+    "own_angular",
+    "own_mode",
+    "structure_of",
+]
 
 DENSEST = 22_600.0
 """Density of osmium [kg/m³]: what blades of unknown material weigh at most."""

@@ -111,6 +111,8 @@ class Scene(NamedTuple):
     """Which component of a wrench drives the stroke: the moment about z, or the force along y."""
     beyond: str = ""
     """Why the closed forms do not have its loads, where that is so."""
+    in_space: bool = False
+    """Whether the joint is drawn in space, where everything acts on it."""
     directed: bool = False
     """Whether the first of ``forces`` acts in the sense that it is stated in, not either way."""
 
@@ -138,11 +140,13 @@ class Scene(NamedTuple):
 
     @property
     def is_loaded(self) -> bool:
-        """Return whether anything in the joint's plane acts on it besides the stroke."""
+        """Return whether anything in the joint's plane, or space, acts besides the stroke."""
         if self.temperature is not None:
             return True
         own = any(any(each[:2]) for each in self.accelerations)
-        return own or any(each[i] for each in (self.stated, *self.inertial) for i in IN_PLANE)
+        acts = range(6) if self.in_space else IN_PLANE
+        own = own or (self.in_space and any(any(each) for each in self.accelerations))
+        return own or any(each[i] for each in (self.stated, *self.inertial) for i in acts)
 
     def without_loads(self) -> "Scene":
         """Return the same case with its stroke alone."""
@@ -186,6 +190,8 @@ def largest_travel(scenes: Iterable[Scene]) -> float:
 
 def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geometry) -> Scene:
     """Return a case in the terms of each joint, or raise :class:`MechanismError`."""
+    if geometry.in_space:
+        _refuse_in_space(case)
     if case.lock is not None:
         if mechanism is None:
             raise MechanismError("lock", "there is no body to lock", "state ends: instead")
@@ -236,14 +242,28 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         forces=forces,
         values=values,
         loads=frozenset(kind for kind in LoadKind if getattr(case, kind.value) is not None),
-        pushed_by=_pushed_by(case, found.kinds),
+        pushed_by=_pushed_by(case, found.kinds, in_space=geometry.in_space),
         stated=stated,
         inertial=found.wrenches,
         accelerations=found.accelerations,
         drive=drive,
         beyond=beyond,
+        in_space=geometry.in_space,
         directed=_is_more(stated, drive) and (case.load is None or case.load.is_directed),
     )
+
+
+def _refuse_in_space(case: Case) -> None:
+    """Refuse what no model in space judges."""
+    if case.load is not None:
+        raise MechanismError("load", "a load is one in a plane", "write it as a wrench: {x: 10 N}")
+    if case.temperature is not None:
+        hint = "take it out, or draw the mechanism in its plane: kind: layout"
+        raise MechanismError("temperature", "no model warms a mechanism drawn in space", hint)
+    for key in ("asd", "shock", "sine", "sweep"):
+        if getattr(case, key) is not None:
+            hint = "take it out; acceleration: {level: 30 g, axis: x} acts quasi-statically"
+            raise MechanismError(key, "no model shakes a mechanism that is drawn in space", hint)
 
 
 def _is_more(wrench: Wrench, drive: int) -> bool:
@@ -252,9 +272,12 @@ def _is_more(wrench: Wrench, drive: int) -> bool:
     return hypot(x, y) > ROUNDING * hypot(*wrench[:2])
 
 
-def _pushed_by(case: Case, inertial: frozenset[LoadKind]) -> frozenset[LoadKind]:
-    """Return the loads of a case of which all acts in the joint's plane."""
+def _pushed_by(case: Case, inertial: frozenset[LoadKind], *, in_space: bool) -> frozenset[LoadKind]:
+    """Return the loads of a case of which all is in the stresses of the joint."""
     found = set(inertial)
+    if in_space:
+        given = {LoadKind.WRENCH: case.wrench, LoadKind.ACCELERATION: case.acceleration}
+        return frozenset(found | {kind for kind, load in given.items() if load is not None})
     if case.load is not None:
         found.add(LoadKind.LOAD)
     if case.wrench is not None and not any(case.wrench.components[2:5]):

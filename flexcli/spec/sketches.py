@@ -49,6 +49,14 @@ _DRAWN = r"""
       O----- x               directions are angles from x, turning towards y
 """
 
+_IN_SPACE = r"""
+      z
+      |                x, y and z are those of your drawing, with any origin;
+      O----- y         loads and requirements are along them, and theta_x turns
+     /                 about x as a right-handed screw
+    x
+"""
+
 AXES = {
     **dict.fromkeys(
         ("rcc", "cross-spring", "unseparated-cross", "three-blade", "star", "hinged-pivot"), _PIVOT
@@ -58,5 +66,6 @@ AXES = {
     **dict.fromkeys(("torsion-bar", "round-torsion-bar", "torsion-star"), _TORSION),
     **dict.fromkeys(("notch-hinge", "elliptic-hinge", "filleted-hinge"), _HINGE),
     **dict.fromkeys(("linkage", "layout"), _DRAWN),
+    "space-layout": _IN_SPACE,
 }
 """The sketch of each kind of geometry."""

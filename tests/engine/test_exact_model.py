@@ -6,11 +6,11 @@ from strategies import crossed, design, rcc, stage
 
 from flexcli.engine import assess
 from flexcli.engine.check import check
+from flexcli.engine.joint_models.beam_compliance import beam_compliance
 from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.engine.joint_models.linear import LinearModel
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import AS_PRINTED, Ask
-from flexcli.parts.requirements.support import compliance_of
 from flexcli.results import Status
 
 WITHOUT_LAYOUT = {"torsion-bar", "round-torsion-bar", "torsion-star"}
@@ -61,7 +61,7 @@ def test_the_stiffness_along_the_motion_is_that_of_the_support(kind):
     """k_pivot is the support stiffness about z, k_stage that along x, k_z that along z."""
     joint_model = ExactModel()
     ask = ask_of(kind, joint_model)
-    C = compliance_of(ask)
+    C = beam_compliance(ask)
     index = 5 if ask.geometry.motion == "rotation" else 0
     # blades one above the other let a pivot rock a little as it turns
     rocks = 2e-4 if kind == "cross-spring" else 1e-6

@@ -25,6 +25,7 @@ WHOLE = [
         ROOT / "examples" / "rocket-parallel-stage" / "flexure.yaml",
         ROOT / "examples" / "boundary-control" / "flexure.yaml",
         ROOT / "examples" / "force-balanced-stage" / "flexure.yaml",
+        ROOT / "examples" / "folded-stage" / "flexure.yaml",
     )
 ]
 """Specs whose sections the manual's take the place of."""

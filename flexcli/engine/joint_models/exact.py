@@ -6,6 +6,7 @@ from math import cos, inf, isfinite, nan, pi
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.beam_compliance import beam_compliance
 from flexcli.engine.joint_models.buckling import exact_critical
 from flexcli.engine.joint_models.face_stress import POINTS, worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis
@@ -28,7 +29,6 @@ from flexcli.mechanics.tangent import held_stiffness
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import Ask, EndStress, JointModel
-from flexcli.parts.requirements.support import compliance_of
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["ExactModel", "driven_stiffness"]
@@ -127,7 +127,7 @@ class ExactModel(JointModel):
         if _is_along_stroke(ask):
             return self.stiffness(ask)
         index = {"x": 0, "y": 1, "z": 2}[ask.scene.axis]
-        C = compliance_of(ask)
+        C = beam_compliance(ask)
         return float(1.0 / C[index, index])
 
     def _sag_error(self, ask: Ask) -> float:

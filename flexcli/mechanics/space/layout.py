@@ -69,7 +69,9 @@ class SpaceBlade:
     """A straight blade of rectangular section from body ``first`` to body ``second``.
 
     ``profile`` is the thickness from ``start`` to ``end`` [m], ``b`` the width [m] in the
-    direction ``width`` (of any length; what it has along the blade plays no part).
+    direction ``width`` (of any length; what it has along the blade plays no part). ``peak`` are
+    the factors by which its shape raises the stress of a section: in bending across the
+    thickness, and along the blade.
     """
 
     name: str
@@ -81,6 +83,7 @@ class SpaceBlade:
     profile: Profile
     b: float
     material: Isotropic
+    peak: tuple[float, float] = (1.0, 1.0)
 
     @property
     def axes(self) -> Floats:

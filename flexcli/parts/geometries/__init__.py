@@ -24,6 +24,7 @@ GEOMETRIES = Kinds(
         **FLEXURES.paths,
         "linkage": "flexcli.parts.geometries.linkage:LinkageGeometry",
         "layout": "flexcli.parts.geometries.free_layout:FreeLayout",
+        "space-layout": "flexcli.parts.geometries.space_layout:SpaceDrawing",
     }
 )
 

@@ -3,7 +3,7 @@
 from abc import abstractmethod
 from collections.abc import Mapping
 from math import hypot, inf, pi
-from typing import Any, ClassVar, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
 from pydantic import AliasPath, Field, GetJsonSchemaHandler, model_validator
@@ -18,6 +18,9 @@ from flexcli.parts.bending.unknown import NotEstimated
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.results import ErrorRange, QuantityKind, Value
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.layout import SpaceLayout
 
 THICKNESSES = ("h", "e", "d")
 """Symbols of sizes that are the thickness of what flexes."""
@@ -176,6 +179,8 @@ class Geometry(Part):
     """Whether the sag bends the blades across their width."""
     sag_axis: ClassVar[str] = ""
     """Axis along which a weight bends it as its stroke does."""
+    in_space: ClassVar[bool] = False
+    """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
     keeps_level: ClassVar[bool] = False
     """Whether its closed forms take the body as kept from turning, however far apart its blades
     stand."""
@@ -471,6 +476,19 @@ class Geometry(Part):
     def blades_layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
         """Return the layout for what the distance between guiding blades plays no part in."""
         return self.layout(elastic, sizes)
+
+    def space_layout(self, elastic: Elastic, sizes: Sizes, density: float = 0.0) -> "SpaceLayout":
+        """Return the joint as bodies and blades in space, its plane being z = 0.
+
+        Its base is the ground; the drive tells its moving body and its motion. ``density`` is that
+        of the blades [kg/m³].
+        """
+        from flexcli.mechanics.space.planar import from_plane
+
+        layout = self.layout(elastic, sizes)
+        if layout.G is None:
+            raise NotAvailable("needs material.poisson_ratio for its shear and torsion")
+        return from_plane(layout, MOVING, turns=self.motion == "rotation", density=density)
 
     def has_limbs(self, elastic: Elastic, sizes: Sizes) -> bool:
         """Return whether rigid parts between hinges move that have no stated mass."""

@@ -51,6 +51,13 @@ Mass: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.mass:Mass")]
 ParasiticShift: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.parasitic_shift:ParasiticShift")]
 Support: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.support:Support")]
 Deflection: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.support:Deflection")]
+ParasiticMotion: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.parasitic:ParasiticMotion")]
+ParasiticFrequency: TypeAlias = Annotated[
+    Requirement, Named(f"{_HERE}.parasitic:ParasiticFrequency")
+]
+MisalignmentStress: TypeAlias = Annotated[
+    Requirement, Named(f"{_HERE}.misalignment:MisalignmentStress")
+]
 Slenderness: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.shape:Slenderness")]
 WidthRatio: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.shape:WidthRatio")]
 
@@ -95,6 +102,18 @@ class Requirements(Part):
     """
     deflection: Several[Deflection] | None = None
     """Bound on how far a case's wrench moves a point, e.g. ``{direction: z, max: 5 um}``."""
+    parasitic_motion: Several[ParasiticMotion] | None = None
+    """Bound on what a mechanism in space moves or turns beside its stroke,
+    e.g. ``{direction: z, max: 5 um}``.
+    """
+    parasitic_frequency: Several[ParasiticFrequency] | None = None
+    """Bounds on the lowest frequency of a mechanism in space with its drive locked,
+    e.g. ``{min: 150 Hz}``.
+    """
+    misalignment_stress: Several[MisalignmentStress] | None = None
+    """Factor on the stress where the end of a blade misses its seat by so much,
+    e.g. ``{of: outer-1, rotation: {about: x, by: 1 mrad}, factor: 3}``.
+    """
     slenderness: Several[Slenderness] | None = Field(None, alias="l/h")
     """Bounds on length over thickness of a blade, e.g. ``{min: 20}``."""
     width_ratio: Several[WidthRatio] | None = Field(None, alias="b/h")

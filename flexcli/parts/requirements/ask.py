@@ -1,6 +1,7 @@
 """What a requirement is judged on: the design, the case, and the model that answers."""
 
 from abc import ABC, abstractmethod
+from math import pi
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from flexcli.formulas.quantity import Computed
@@ -104,6 +105,25 @@ class JointModel(ABC):
     @abstractmethod
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
+
+    def sag(self, ask: Ask) -> Computed:
+        """Return how far the moving body sags along the case's acceleration [m]."""
+        from flexcli.parts.own_motion import hanging_mass
+
+        scene = ask.scene
+        mass = hanging_mass(
+            ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes, scene.axis
+        )
+        return scene.acceleration * mass / self.sag_stiffness(ask)
+
+    def frequency_squared(self, ask: Ask) -> Computed:
+        """Return the square of the natural frequency of the mechanism's own motion [Hz²]."""
+        from flexcli.parts.own_motion import own_mode
+
+        elastic = ask.material.elastic
+        mode = own_mode(ask.mechanism, self.stiffness(ask), ask.geometry, elastic, ask.sizes)
+        factor = self.frequency_factor(ask)
+        return mode.stiffness * (factor**2 / (mode.mass * (2.0 * pi) ** 2))
 
     @abstractmethod
     def parasitic_shift(self, ask: Ask) -> Computed:

@@ -5,7 +5,6 @@ from typing import Annotated, ClassVar
 
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.own_motion import hanging_mass
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import LoadKind, Scene
@@ -38,14 +37,11 @@ class Sag(Bound):
         """Yield the bounds on the sag."""
         scene = ask.scene
         try:
-            weight = scene.acceleration * hanging_mass(
-                ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes, scene.axis
-            )
+            sag = ask.joint_model.sag(ask)
         except MechanismError as error:
             raise RequirementError(str(error), error.hint) from error
-        stiffness = ask.joint_model.sag_stiffness(ask)
         yield from self.bounds(
-            weight / stiffness,
+            sag,
             case=scene.case,
             quantity=f"sag along {scene.axis}",
             unit="m",

@@ -20,6 +20,15 @@ class _StandIn(JointModel):
         """Return 1."""
         return 1.0
 
+    def sag(self, ask: Ask) -> Computed:
+        """Return 1 where a model in space finds it; what says that nothing hangs, says it."""
+        return 1.0 if ask.geometry.in_space and ask.geometry.has_masses else super().sag(ask)
+
+    def frequency_squared(self, ask: Ask) -> Computed:
+        """Return 1 where a model in space finds it; what says that nothing moves, says it."""
+        known = ask.geometry.in_space and ask.geometry.has_masses
+        return 1.0 if known else super().frequency_squared(ask)
+
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return 1."""
         return 1.0

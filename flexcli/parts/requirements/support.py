@@ -1,20 +1,18 @@
 """Support: how stiff a joint is against loads off its motion, from its 6×6 compliance at rest.
 
-They judge a given design; a 6×6 compliance is no posynomial, so they cannot size one. What
-assembles it is imported where it is called: few designs ask, and all would wait for it.
+They judge a given design; a 6×6 compliance is no posynomial, so they cannot size one.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
-from math import cos, inf, sin
-from typing import Annotated, Any, ClassVar, Literal, get_args
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import field_validator, model_validator
 
 from flexcli.errors import SolveError
-from flexcli.formulas.rigid_motion import motion_at
+from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
 from flexcli.parts.base import (
     Length,
     PositiveLength,
@@ -26,13 +24,26 @@ from flexcli.parts.base import (
     spec_error,
 )
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import LoadKind, Scene
+from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["Deflection", "Direction", "Support", "compliance_of"]
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.linear import SpaceAssembly
+
+__all__ = [
+    "CENTRE",
+    "DIRECTIONS",
+    "Deflection",
+    "Direction",
+    "LengthOrAngle",
+    "Place",
+    "Support",
+    "compliance_of",
+    "turns",
+]
 
 Direction = Literal["x", "y", "z", "theta_x", "theta_y", "theta_z"]
 """Of a motion or a load: x along the stroke of a stage, or the bisector of a pivot; z along the
@@ -44,23 +55,25 @@ DIRECTIONS = get_args(Direction)
 Place = tuple[Length, Length, Length]
 
 _Given = Ratio | Stiffness | RotationalStiffness
-_Moved = PositiveLength | Annotated[float, QuantityOf("angle", above=0.0)]
+LengthOrAngle: TypeAlias = PositiveLength | Annotated[float, QuantityOf("angle", above=0.0)]
 
 CENTRE = (0.0, 0.0, 0.0)
 """The moving body's point in the layout of its joint."""
 
-STIFFER, SOFTER = ErrorRange(0.0, inf), ErrorRange(-1.0, 0.0)
-"""Clamps keep a wide blade from narrowing and from warping, so that it is stiffer than the beams
-here and moves less, by how much they do not tell."""
+HELD = 1e-14
+"""Share of the compliance below which a direction is one that a guide or the drive holds."""
 
-IN_PLANE = {"x", "y", "theta_z"}
-"""Directions in which the blades bend and stretch, and do not twist."""
-
-SOURCE = "linear beams with shear, assembled in space at rest"
+SOURCE = "linear blades between rigid clamps, assembled in space at rest"
 
 
-def compliance_of(ask: Ask, point: tuple[float, float, float] = CENTRE) -> NDArray[np.float64]:
-    """Return the 6×6 compliance of the joint, free but for its guide, along the axes of cases.
+def compliance_of(
+    ask: Ask,
+    point: Place = CENTRE,
+    *,
+    assembly: "SpaceAssembly | None" = None,
+    locked: bool = False,
+) -> NDArray[np.float64]:
+    """Return the 6×6 compliance of the joint at rest, along the axes of cases.
 
     Parameters
     ----------
@@ -68,6 +81,10 @@ def compliance_of(ask: Ask, point: tuple[float, float, float] = CENTRE) -> NDArr
         The joint with its sizes.
     point : tuple of float
         Where, from the moving body's point, along the same axes [m].
+    assembly : SpaceAssembly, optional
+        The joint with other springs than its best ones.
+    locked : bool
+        Whether the drive holds its motion; else all is free but for a guide.
 
     Raises
     ------
@@ -75,55 +92,71 @@ def compliance_of(ask: Ask, point: tuple[float, float, float] = CENTRE) -> NDArr
         When the joint has no layout, no shear modulus, or a freedom without any spring.
 
     """
-    from flexcli.mechanics.support import support_compliance
-
-    layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
-    if layout.G is None:
-        raise NotAvailable("needs material.poisson_ratio for its shear and torsion")
-    c, s = cos(ask.geometry.axes), sin(ask.geometry.axes)
-    axes = ((c, s, 0.0), (-s, c, 0.0), (0.0, 0.0, 1.0))
-    (x, y), (p, q, z) = layout.body(MOVING).point, point
-    place = (x + c * p - s * q, y + s * p + c * q, z)
+    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    drive = joint.layout.drive
+    axes = axes_about_z(ask.geometry.axes)
+    place = _at(joint.layout.body(drive.body).point + axes.T @ np.array(point))
     try:
-        C = support_compliance(layout, MOVING, place, axes)
+        found = (assembly or joint.assembly).compliance(drive.body, place, locked=locked)
     except SolveError as error:
         raise NotAvailable(f"has no stiffness: {error}") from error
-    if ask.geometry.motion == "translation" and ask.geometry.held(0.0)[2] is not None:
+    turned = motion_along(axes)
+    C = turned @ found @ turned.T
+    if ask.geometry.is_guided:
         # what guides it keeps it from turning about z
         C = C - np.outer(C[:, 5], C[5]) / C[5, 5]
         C[5], C[:, 5] = 0.0, 0.0
-    return C
+    return np.asarray(C)
 
 
-def compliance(ask: Ask, point: tuple[float, float, float]) -> NDArray[np.float64]:
+def _at(place: NDArray[np.float64]) -> Place:
+    x, y, z = map(float, place)
+    return x, y, z
+
+
+def space_joint(ask: Ask) -> SpaceJoint:
+    """Return the joint that is asked of, in space, or raise why there is none."""
+    try:
+        return joint_in_space(ask.geometry, ask.material, ask.sizes)
+    except NotAvailable as error:
+        raise _refused(ask, error) from error
+
+
+def compliance(ask: Ask, point: Place, **how: Any) -> NDArray[np.float64]:
     """Return the 6×6 compliance of the joint at a point, or raise why there is none."""
     try:
-        return compliance_of(ask, point)
+        return compliance_of(ask, point, **how)
     except NotAvailable as error:
-        hint = "complete the design, or leave this requirement out"
-        raise RequirementError(f"a {ask.geometry.name} {error}", hint) from error
+        raise _refused(ask, error) from error
 
 
-def _index(direction: Direction) -> int:
-    return DIRECTIONS.index(direction)
+def _refused(ask: Ask, error: NotAvailable) -> RequirementError:
+    hint = "complete the design, or leave this requirement out"
+    return RequirementError(f"a {ask.geometry.name} {error}", hint)
 
 
-def _turns(direction: Direction) -> bool:
+def turns(direction: Direction) -> bool:
+    """Return whether a direction is one of turning."""
     return direction.startswith("theta")
 
 
 def _along(direction: Direction) -> str:
-    return f"about {direction[-1]}" if _turns(direction) else f"along {direction}"
+    return f"about {direction[-1]}" if turns(direction) else f"along {direction}"
 
 
 class Support(Bound):
-    """Bounds on the stiffness in a direction, all others free; or on its ratio to another's."""
+    """Bounds on the stiffness in a direction, all others free; or on its ratio to another's.
+
+    That is at rest; the drive is free as well unless it is said to be locked.
+    """
 
     label: ClassVar[str] = "support"
     closed_form: ClassVar[bool] = False
 
     direction: Direction
     """Direction of the force or moment, e.g. ``direction: z, min: 1 N/um``."""
+    drive: Literal["free", "locked"] = "free"
+    """Whether the drive holds the motion of the stroke meanwhile, e.g. ``locked``."""
     over: Direction | None = None
     """Direction whose stiffness it is compared with; the bounds are then plain ratios,
     e.g. ``over: x, direction: y, min: 100``.
@@ -143,7 +176,7 @@ class Support(Bound):
 
     @model_validator(mode="after")
     def _in_its_unit(self) -> "Support":
-        if self.over is not None and _turns(self.over) != _turns(self.direction):
+        if self.over is not None and turns(self.over) != turns(self.direction):
             raise spec_error(
                 "a ratio is of two forces or of two moments", "e.g. theta_x over theta_z",
                 at=("over",),
@@ -164,7 +197,7 @@ class Support(Bound):
         """Return the SI unit of what is bounded."""
         if self.over is not None:
             return ""
-        return "N*m/rad" if _turns(self.direction) else "N/m"
+        return "N*m/rad" if turns(self.direction) else "N/m"
 
     @property
     def example(self) -> str:
@@ -179,47 +212,67 @@ class Support(Bound):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the stiffness or on the ratio."""
-        C = compliance(ask, self.point)
-        for each in (self.direction, self.over):
-            if each is not None and C[_index(each), _index(each)] == 0.0:
-                raise RequirementError(
-                    f"the guide of a {ask.geometry.name} lets it not move {_along(each)}",
-                    "ask for another direction",
-                )
-        value = 1.0 / C[_index(self.direction), _index(self.direction)]
+        joint = space_joint(ask)
+        value = self._stiffness(ask, self.direction)(joint.assembly)
+        error = _with_clamps(ask, joint.error(self._stiffness(ask, self.direction)))
         if self.over is not None:
-            value *= C[_index(self.over), _index(self.over)]
+            stiffness = self._stiffness(ask, self.over)
+            value /= stiffness(joint.assembly)
+            error = _of_ratio(error, _with_clamps(ask, joint.error(stiffness)))
         plain = {
             name: given[0]
             for name in ("min", "max", "equals")
             if (given := getattr(self, name)) is not None
         }
         name = f"{self.label} {self.direction}" + (f"/{self.over}" if self.over else "")
+        locked = " locked" if self.drive == "locked" else ""
         for limit in self.model_copy(update=plain).bounds(
-            float(value),
+            value,
             case="",
-            quantity=self.spoken,
+            quantity=f"{self.spoken}, drive {self.drive}",
             unit=self.unit,
             source=SOURCE,
             kind=QuantityKind.SUPPORT,
-            error=self._error(ask),
+            error=error,
         ):
-            yield replace(limit, requirement=name)
+            yield replace(limit, requirement=f"{name}{locked}")
 
-    def _error(self, ask: Ask) -> ErrorRange | None:
-        """Return how far real blades are off: of a ratio only in the plane, where no blade twists.
+    def _stiffness(self, ask: Ask, direction: Direction) -> Callable[["SpaceAssembly"], float]:
+        """Return the stiffness in a direction as a function of the springs."""
+        index = DIRECTIONS.index(direction)
 
-        There each is stiffer than its beam by at most 1/(1 − ν²), and so is the joint. Clamps
-        that give way make it softer, and a ratio anything between.
-        """
-        softer = 1.0 / (1.0 + ask.clamps_give) - 1.0
-        if self.over is None:
-            return STIFFER + ErrorRange(softer, 0.0)
-        nu = ask.material.elastic.nu
-        if nu is None or not {self.direction, self.over} <= IN_PLANE:
-            return None
-        stiffer = (1.0 + ask.clamps_give) / (1.0 - nu**2) - 1.0
-        return ErrorRange(1.0 / (1.0 + stiffer) - 1.0, stiffer)
+        def stiffness(assembly: "SpaceAssembly") -> float:
+            C = compliance(ask, self.point, assembly=assembly, locked=self.drive == "locked")
+            if C[index, index] <= HELD * np.trace(np.abs(C)[_kind(index)]):
+                raise RequirementError(
+                    f"the guide or drive of a {ask.geometry.name} lets it not move "
+                    f"{_along(direction)}",
+                    "ask for another direction",
+                )
+            return float(1.0 / C[index, index])
+
+        return stiffness
+
+
+def _kind(index: int) -> tuple[slice, slice]:
+    """Return the block of the compliance that has the unit of an entry on its diagonal."""
+    block = slice(0, 3) if index < 3 else slice(3, 6)
+    return block, block
+
+
+def _with_clamps(ask: Ask, error: ErrorRange | None) -> ErrorRange | None:
+    """Return the error of a stiffness with what clamps that give way may take from it."""
+    if error is None:
+        return None
+    return error._replace(low=(1.0 + error.low) / (1.0 + ask.clamps_give) - 1.0)
+
+
+def _of_ratio(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | None:
+    """Return the error of a quotient of two numbers with errors."""
+    if one is None or other is None:
+        return None
+    low = (1.0 + one.low) / (1.0 + other.high)
+    return ErrorRange(low - 1.0, (1.0 + one.high) / (1.0 + other.low) - 1.0)
 
 
 class Deflection(Bound):
@@ -241,7 +294,7 @@ class Deflection(Bound):
     e.g. ``[0 mm, 5 mm, 0 mm]``.
     """
 
-    @field_validator("max", mode="before", json_schema_input_type=_Moved)
+    @field_validator("max", mode="before", json_schema_input_type=LengthOrAngle)
     @classmethod
     def _length_or_angle(cls, data: Any) -> Any:
         """Return value and SI unit, of whichever it is."""
@@ -260,7 +313,7 @@ class Deflection(Bound):
     @property
     def unit(self) -> str:
         """Return the SI unit of the deflection."""
-        return "rad" if _turns(self.direction) else "m"
+        return "rad" if turns(self.direction) else "m"
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case has a wrench."""
@@ -273,17 +326,23 @@ class Deflection(Bound):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the deflection, with either sign, against its bound."""
         assert ask.scene.wrench is not None  # it applies
-        centre = compliance(ask, CENTRE) @ np.array(ask.scene.wrench)
-        moved = float(motion_at(self.point)[_index(self.direction)] @ centre)
+        C, load = compliance(ask, CENTRE), np.array(ask.scene.wrench)
+        sought = motion_at(self.point)[DIRECTIONS.index(self.direction)]
+        moved = float(sought @ C @ load)
+        error = None
+        if not ask.scene.moves:
+            # over a stroke the stiffness falls, by nobody here knows how much
+            work = float(np.sqrt((sought @ C @ sought) * (load @ C @ load)))
+            error = space_joint(ask).form_error(moved, work, ask.clamps_give)
         plain = self.model_copy(update={"max": self.max[0]})
         for sign in (1.0, -1.0):
             for limit in plain.bounds(
                 sign * moved,
                 case=ask.scene.case,
-                quantity=f"deflection {_along(self.direction)} under the wrench",
+                quantity=f"deflection {_along(self.direction)} under the wrench, drive free",
                 unit=self.unit,
                 source=SOURCE,
                 kind=QuantityKind.SUPPORT,
-                error=SOFTER + ErrorRange(0.0, ask.clamps_give),
+                error=error,
             ):
                 yield replace(limit, requirement=f"{self.label} {self.direction}")

@@ -1,0 +1,216 @@
+"""What a small motion leaves out in space: shortening, turned levers, twist beside bending.
+
+The energy of the springs is expanded one order beyond the linear model: each blade is bent and
+twisted as the linear solution says, but between ends that move as finite rotations move them.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.formulas.blade_spring import deformation_rows
+from flexcli.formulas.profile import Constant
+from flexcli.formulas.rigid_motion import motion_along, motion_at
+from flexcli.mechanics.space.layout import SpaceLoad, SpaceRod
+from flexcli.mechanics.space.linear import Moved, SpaceAssembly
+from flexcli.numerics.quadrature import gauss_rule
+
+__all__ = ["SecondOrder", "second_order"]
+
+Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
+
+NODES, WEIGHTS = gauss_rule(6)
+"""On the whole blade: exact for products of cubics and their slopes."""
+
+EPSILON = 1e-30
+"""Step of the complex derivative of a quadratic form."""
+
+
+class SecondOrder(NamedTuple):
+    """What one order more adds to a linear state: to its coordinates, forces and the drive.
+
+    ``rotation`` is the largest angle between the two ends of a blade, or of its chord against
+    either [rad]; ``axial`` the largest axial force of either order over EI/l² of its blade [-].
+    """
+
+    coordinates: Floats
+    forces: Floats
+    drive: float
+    rotation: float
+    axial: float
+
+
+def second_order(
+    assembly: SpaceAssembly, found: Moved, loads: tuple[SpaceLoad, ...], *, locked: bool
+) -> SecondOrder:
+    """Return what the second order adds to a linear state (of one column).
+
+    ``K d_2 = −∇V_3(d_1)`` with the cubic energy ``V_3 = Σ s·e_2(d)`` of the springs' forces s and
+    second-order deformations e_2, and of the loads.
+
+    Parameters
+    ----------
+    assembly : SpaceAssembly
+        The mechanism.
+    found : Moved
+        The linear state.
+    loads : tuple of SpaceLoad
+        The loads that it is under; forces and moments keep their directions.
+    locked : bool
+        Whether the drive holds its one motion.
+
+    Returns
+    -------
+    SecondOrder
+        Changes of second order.
+
+    Notes
+    -----
+    Of blades of constant thickness. Leading terms: a share e of the linear result is followed by
+    terms of e², and by those of the square of the rotation. The bodies turn by rotation vectors.
+
+    """
+    q = found.coordinates[:, 0]
+    misfits = np.zeros((len(assembly.rows), 1))
+    gradient = np.zeros(assembly.size)
+    most = 0.0
+    motions = [_of_body(assembly, q, i) for i in range(len(assembly.layout.bodies))]
+    for k in range(len(assembly.members)):
+        rows = slice(6 * k, 6 * k + 6)
+        quadratic = _Quadratic(assembly, k, motions)
+        misfits[rows, 0] = quadratic.value
+        slope = quadratic.slope.T @ found.forces[rows, 0]
+        for end, i in enumerate(quadratic.bodies):
+            if i is not None:
+                gradient[6 * i : 6 * i + 6] += slope[6 * end : 6 * end + 6]
+        most = max(most, quadratic.rotation)
+    for load in loads:
+        i = assembly.layout.index(load.body)
+        motion = motions[i]
+        arm = np.subtract(load.point, _point(assembly, i))
+        # work of ½ θ × (θ × a) by the force; spin is θ' + ½ θ × θ'
+        force, moment = np.asarray(load.force), np.asarray(load.moment)
+        theta = motion[3:]
+        turned = np.cross(np.cross(arm, theta), force) + np.cross(arm, np.cross(force, theta))
+        gradient[6 * i + 3 : 6 * i + 6] -= (turned - np.cross(theta, moment)) / 2.0
+    at = assembly.moving
+    gradient[at] = _turn(assembly).T @ gradient[at]
+    travel = np.zeros(1) if locked else None
+    added = assembly.moved(-gradient[:, None], misfits=misfits, travel=travel)
+    axial = 0.0
+    for k, member in enumerate(assembly.members):
+        bent = float(member.springs.stiffness[4:].min())  # EI/l
+        N = abs(found.forces[6 * k, 0]) + abs(added.forces[6 * k, 0])
+        axial = max(axial, float(N) * member.l / bent)
+    return SecondOrder(
+        added.coordinates[:, 0], added.forces[:, 0], float(added.drive[0]), most, axial
+    )
+
+
+def _point(assembly: SpaceAssembly, body: int) -> Floats:
+    """Return the point of a body whose motion its coordinates are: that of the drive."""
+    drive = assembly.layout.drive
+    bodies = assembly.layout.bodies
+    return np.asarray(drive.point if bodies[body].name == drive.body else bodies[body].point)
+
+
+def _turn(assembly: SpaceAssembly) -> Floats:
+    """Return the matrix from the moving body's coordinates to its motion along the drawing."""
+    found = np.zeros((6, 6))
+    found[:3, :3] = found[3:, 3:] = assembly.to_body[:3, :3]
+    return found
+
+
+def _of_body(assembly: SpaceAssembly, q: Floats, body: int) -> Floats:
+    """Return the motion of a body's point along the axes of the drawing."""
+    own = q[6 * body : 6 * body + 6]
+    moving = 6 * body == assembly.moving.start
+    return np.asarray(_turn(assembly) @ own if moving else own)
+
+
+class _Quadratic:
+    """The second-order deformation of a blade's springs, and its slope in its ends' motions."""
+
+    def __init__(self, assembly: SpaceAssembly, k: int, motions: list[Floats]) -> None:
+        blade, member = assembly.layout.blades[k], assembly.members[k]
+        names = [body.name for body in assembly.layout.bodies]
+        self.l = member.l
+        if isinstance(blade, SpaceRod):
+            self.gyration = blade.d**2 / 8.0
+        else:
+            h = float(blade.profile.h) if isinstance(blade.profile, Constant) else 0.0
+            self.gyration = (blade.b**2 + h**2) / 12.0
+        self.bodies: list[int | None] = []
+        self.arms: list[Complexes] = []
+        d = np.zeros(12)
+        turn = motion_along(member.axes)
+        place = np.zeros((12, 12))
+        for end, (name, point) in enumerate(
+            ((blade.first, blade.start), (blade.second, blade.end))
+        ):
+            i = names.index(name) if name in names else None
+            self.bodies.append(i)
+            at = slice(6 * end, 6 * end + 6)
+            arm = np.subtract(point, _point(assembly, i)) if i is not None else np.zeros(3)
+            self.arms.append((member.axes @ arm)[:, None].astype(np.complex128))
+            place[at, at] = turn @ motion_at(arm)
+            if i is not None:
+                d[at] = place[at, at] @ motions[i]
+        self.to_springs = deformation_rows(member.springs, np.array([self.l, 0.0, 0.0]))
+        self.value = self._of(d[:, None].astype(np.complex128))[:, 0].real
+        steps = d[:, None] + 1j * EPSILON * np.eye(12)
+        self.slope = self._of(steps).imag / EPSILON @ place
+        chord = (d[7:9] - d[1:3]) / self.l
+        against = [np.array([chord[0] - t[2], chord[1] + t[1]]) for t in (d[3:6], d[9:12])]
+        each = [d[9:12] - d[3:6], *against]
+        self.rotation = max(float(np.linalg.norm(angle)) for angle in each)
+
+    def _of(self, d: Complexes) -> Complexes:
+        """Return the second-order deformations (6, columns) of ends' motions (12, columns)."""
+        l = self.l
+        u_i, t_i, u_j, t_j = (d[3 * n : 3 * n + 3] for n in range(4))
+        along: Complexes = np.array([[l], [0.0], [0.0]], dtype=np.complex128)
+        apart = u_j - u_i
+        first = apart - _cross(t_i, along)
+        turned = t_j - t_i
+        # what finite rotations of the bodies add, in the frame of the blade's start
+        shift = (
+            _cross(t_j, _cross(t_j, self.arms[1])) - _cross(t_i, _cross(t_i, self.arms[0]))
+        ) / 2.0
+        shift = shift - _cross(t_i, apart) + _cross(t_i, _cross(t_i, along)) / 2.0
+        turn = -_cross(t_i, t_j) / 2.0
+        # the blade's own rotations (6 nodes) as the linear solution bends it
+        xi = NODES[:, None]
+        rise, sink = (6.0 * xi - 6.0 * xi**2) / l, 3.0 * xi**2 - 2.0 * xi
+        rise_, sink_ = (6.0 - 12.0 * xi) / l**2, (6.0 * xi - 2.0) / l
+        theta = np.stack(
+            [
+                xi * turned[0],
+                -(rise * first[2] - sink * turned[1]),
+                rise * first[1] + sink * turned[2],
+            ]
+        )
+        rate = np.stack(
+            [
+                np.ones_like(xi) * turned[0] / l,
+                -(rise_ * first[2] - sink_ * turned[1]),
+                rise_ * first[1] + sink_ * turned[2],
+            ]
+        )
+        w = (WEIGHTS * l)[:, None]
+        spin = _cross(theta, rate) / 2.0
+        # ∫₀ˡ∫₀ˢ f = ∫ (l − s) f
+        twice = (l * (1.0 - xi)) * w * spin
+        turn = turn - (w * spin).sum(axis=1)
+        stretch = (w * (theta[1] ** 2 + theta[2] ** 2)).sum(axis=0) / 2.0
+        stretch = stretch + self.gyration * (w * rate[0] ** 2).sum(axis=0) / 2.0
+        across = -twice[2].sum(axis=0) - (w * theta[0] * theta[1]).sum(axis=0) / 2.0
+        aside = twice[1].sum(axis=0) - (w * theta[0] * theta[2]).sum(axis=0) / 2.0
+        shift = shift + np.stack([stretch, across, aside])
+        return np.asarray(self.to_springs @ np.concatenate([shift, turn]))
+
+
+def _cross(a: Complexes, b: Complexes) -> Complexes:
+    return np.asarray(np.cross(a, b, axis=0))

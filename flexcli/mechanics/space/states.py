@@ -1,0 +1,135 @@
+"""States of a mechanism in space under its stroke and its loads, and the stress in them."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.space.inertia import blade_masses, mass_matrix, weight_along
+from flexcli.mechanics.space.layout import SpaceLoad, Vector
+from flexcli.mechanics.space.linear import Moved, SpaceAssembly
+from flexcli.mechanics.space.second_order import SecondOrder, second_order
+from flexcli.mechanics.space.stresses import StressRows, stress_rows
+
+__all__ = ["Acting", "BladeStress", "SpaceState", "Stresses", "action", "combined", "misfitted"]
+
+Floats = NDArray[np.float64]
+
+
+class Acting(NamedTuple):
+    """What acts on a mechanism at once.
+
+    ``wrench`` [N, N·m] acts on the moving body at ``point``, ``acceleration`` [m/s²] on all masses.
+    """
+
+    travel: float
+    wrench: Floats
+    point: Vector
+    acceleration: Floats
+
+
+class BladeStress(NamedTuple):
+    """Normal and shear stress at the places of a blade [Pa], and where they are."""
+
+    name: str
+    normal: Floats
+    shear: Floats
+    warping: Floats
+    where: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceState:
+    """A linear state: coordinates, deformations and forces, and the weight on each blade [N/m].
+
+    ``loads`` are those that it is under, ``locked`` says whether the drive holds it.
+    """
+
+    assembly: SpaceAssembly
+    moved: Moved
+    weights: Floats
+    loads: tuple[SpaceLoad, ...]
+    locked: bool
+
+    def following(self) -> SecondOrder:
+        """Return what the second order adds."""
+        return second_order(self.assembly, self.moved, self.loads, locked=self.locked)
+
+
+class Stresses:
+    """The stresses of an assembly's blades per force, found once for many states."""
+
+    def __init__(self, assembly: SpaceAssembly) -> None:
+        each = zip(assembly.layout.blades, assembly.members, strict=True)
+        self.names = [blade.name for blade in assembly.layout.blades]
+        self.rows: list[StressRows] = [stress_rows(blade, found) for blade, found in each]
+
+    def of(self, forces: Floats, weights: Floats) -> list[BladeStress]:
+        """Return the stresses by the springs' forces (rows,) and weights (blades, 3)."""
+        found = []
+        for k, (name, rows) in enumerate(zip(self.names, self.rows, strict=True)):
+            acting = np.concatenate([forces[6 * k : 6 * k + 6], weights[k]])
+            found.append(
+                BladeStress(
+                    name, rows.normal @ acting, rows.shear @ acting, rows.warping @ acting,
+                    rows.where,
+                )
+            )  # fmt: skip
+        return found
+
+
+def action(assembly: SpaceAssembly, acting: Acting) -> SpaceState:
+    """Return the linear state under a travel, at which the drive holds it, or under loads alone.
+
+    Loads act with the drive free: a stroke is from where they leave the mechanism.
+    """
+    locked = acting.travel != 0.0
+    body = assembly.layout.drive.body
+    load = SpaceLoad(body, acting.point, _vector(acting.wrench[:3]), _vector(acting.wrench[3:]))
+    pull = assembly.load(load)
+    weights = np.zeros((len(assembly.members), 3))
+    loads = [load] if np.any(acting.wrench) else []
+    if np.any(acting.acceleration):
+        pull = pull + weight_along(assembly, mass_matrix(assembly), acting.acceleration)
+        masses = blade_masses(assembly)
+        for k, member in enumerate(assembly.members):
+            weights[k] = member.axes @ acting.acceleration * masses[k] / member.l
+        loads += [
+            SpaceLoad(each.name, each.com, _vector(each.mass * acting.acceleration))
+            for each in assembly.layout.bodies
+            if each.mass
+        ]
+    travel = np.array([acting.travel]) if locked else None
+    moved = assembly.moved(pull[:, None], travel=travel)
+    return SpaceState(assembly, moved, weights, tuple(loads), locked)
+
+
+def misfitted(assembly: SpaceAssembly, misfits: Floats) -> SpaceState:
+    """Return the state that one column of misfits leaves, the drive free."""
+    moved = assembly.moved(misfits=misfits)
+    weights = np.zeros((len(assembly.members), 3))
+    return SpaceState(assembly, moved, weights, (), locked=False)
+
+
+def combined(states: list[SpaceState], shares: list[float]) -> SpaceState:
+    """Return a sum of states, each times its share."""
+    first = states[0]
+    each = list(zip(states, shares, strict=True))
+    columns = zip(*(state.moved for state in states), strict=True)
+    moved = Moved(*(np.tensordot(shares, parts, axes=1) for parts in columns))
+    loads = tuple(
+        load._replace(
+            force=_vector(s * np.asarray(load.force)), moment=_vector(s * np.asarray(load.moment))
+        )
+        for state, s in each
+        for load in state.loads
+    )
+    weights = np.asarray(sum(s * state.weights for state, s in each))
+    locked = any(state.locked for state in states)
+    return SpaceState(first.assembly, moved, weights, loads, locked)
+
+
+def _vector(values: Floats) -> Vector:
+    x, y, z = map(float, values)
+    return x, y, z

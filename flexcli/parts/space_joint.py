@@ -1,0 +1,115 @@
+"""A joint in space with its springs' errors: what support, stress and modes are asked of."""
+
+from collections.abc import Callable
+from functools import cached_property
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.errors import SolveError
+from flexcli.mechanics.space.layout import SpaceLayout
+from flexcli.mechanics.space.linear import SpaceAssembly, assemble
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import Geometry, Sizes
+from flexcli.parts.material import Material
+from flexcli.results import ErrorRange
+
+__all__ = ["SpaceJoint", "joint_in_space"]
+
+Floats = NDArray[np.float64]
+
+RIGID = 1e8
+"""Factor on a spring that nobody knows the stiffness of: as good as rigid."""
+
+UNKNOWN = 1e3
+"""Relative error from which there is no telling."""
+
+
+class SpaceJoint:
+    """The assembly of a joint, and how far its springs may be off.
+
+    ``low`` and ``high`` are the least and the largest relative error of every spring; a high of
+    infinity says that nobody knows how much stiffer than a beam one is.
+    """
+
+    def __init__(self, layout: SpaceLayout) -> None:
+        self.layout = layout
+        self.assembly = assemble(layout)
+        exact = np.zeros(len(self.assembly.stiffness) - 6 * len(self.assembly.members))
+        members = self.assembly.members
+        self.low = np.concatenate([*(m.low for m in members), exact])
+        self.high = np.concatenate([*(m.high for m in members), exact])
+
+    @property
+    def is_known(self) -> bool:
+        """Return whether the proportions of all blades are those for which the errors hold."""
+        return all(member.is_known for member in self.assembly.members)
+
+    @cached_property
+    def softest(self) -> SpaceAssembly:
+        """Return the assembly with every spring as soft as it may be."""
+        return self.assembly.scaled(1.0 + self.low)
+
+    @cached_property
+    def stiffest(self) -> SpaceAssembly:
+        """Return that with every spring as stiff as it may be; all but rigid where nobody knows."""
+        return self.assembly.scaled(np.minimum(1.0 + self.high, RIGID))
+
+    def error(self, value: Callable[[SpaceAssembly], float]) -> ErrorRange | None:
+        """Return between what relative errors a number lies that grows with every spring."""
+        if not self.is_known:
+            return None
+        best = value(self.assembly)
+        high = value(self.stiffest) / best - 1.0
+        return ErrorRange(value(self.softest) / best - 1.0, high if high < UNKNOWN else inf)
+
+    def form_error(self, found: float, work: float, softer: float = 0.0) -> ErrorRange | None:
+        """Return the error of a motion under a load, ``g·C f``.
+
+        ``work`` is √(g·C g · f·C f). The compliance lies between multiples of itself, so do forms
+        of it with the same load on both sides, and mixed ones as Schwarz has it. ``softer`` is by
+        what share clamps may give way besides.
+        """
+        if not self.is_known or found == 0.0:
+            return None
+        up = float(np.max(1.0 / (1.0 + self.low))) * (1.0 + softer) - 1.0
+        down = 1.0 - float(np.min(1.0 / (1.0 + self.high)))
+        middle, half = (up - down) / 2.0, (up + down) / 2.0 * work / abs(found)
+        return ErrorRange(middle - half, middle + half)
+
+
+class _Last:
+    """The joint that was asked last: all requirements of a design ask for the same."""
+
+    def __init__(self) -> None:
+        self.asked: tuple[Geometry, Material, Sizes] | None = None
+        self.found: SpaceJoint | None = None
+
+    def of(self, geometry: Geometry, material: Material, sizes: Sizes) -> SpaceJoint:
+        """Return the joint of a design, found once."""
+        last = self.asked
+        same = last is not None and last[0] is geometry and last[1] is material
+        if not same or last is None or last[2] != sizes or self.found is None:
+            density = material.density.value if material.density is not None else 0.0
+            self.found = SpaceJoint(geometry.space_layout(material.elastic, sizes, density))
+            self.asked = geometry, material, sizes
+        return self.found
+
+
+_LAST = _Last()
+
+
+def joint_in_space(geometry: Geometry, material: Material, sizes: Sizes) -> SpaceJoint:
+    """Return a joint in space.
+
+    Raises
+    ------
+    NotAvailable
+        When it is not made of blades, or the material has no shear modulus.
+
+    """
+    try:
+        return _LAST.of(geometry, material, sizes)
+    except SolveError as error:
+        raise NotAvailable(f"has no stiffness: {error}") from error

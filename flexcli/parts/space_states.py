@@ -1,0 +1,364 @@
+"""Motion, stress and frequency of a joint in space, each with its error.
+
+The springs' errors are those of :mod:`flexcli.formulas.clamped_blade`. What a stroke leaves out of
+small motion is told by its second order; where that is not small beside the first, the error is
+unknown.
+"""
+
+from collections.abc import Iterable, Iterator
+from itertools import product
+from math import inf, isfinite, pi, sqrt
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
+from flexcli.mechanics.space.freedoms import misfit
+from flexcli.mechanics.space.layout import SpaceRod, Vector
+from flexcli.mechanics.space.linear import SpaceAssembly, assemble
+from flexcli.mechanics.space.modes import SpaceModes, natural_modes, own_blade_frequency
+from flexcli.mechanics.space.second_order import SecondOrder
+from flexcli.mechanics.space.states import (
+    Acting,
+    BladeStress,
+    SpaceState,
+    Stresses,
+    action,
+    combined,
+    misfitted,
+)
+from flexcli.mechanics.space.stresses import equivalent
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import Geometry, Sizes
+from flexcli.parts.material import Material
+from flexcli.parts.own_motion import DENSEST, TAKES_PART
+from flexcli.parts.scene import Scene
+from flexcli.parts.space_joint import SpaceJoint, joint_in_space
+from flexcli.results import ErrorRange
+
+__all__ = [
+    "Motion",
+    "Place",
+    "Told",
+    "acting_groups",
+    "largest_misfit_stress",
+    "motions",
+    "own_frequency",
+    "parasitic_frequency",
+    "sag",
+    "stress_places",
+]
+
+Floats = NDArray[np.float64]
+
+WARPING_ERROR = 0.2
+"""Error of the normal stress of restrained warping, against clamped plates twisted by Ritz's
+method, up to a thickness from the corner [-]."""
+
+AROUND_ERROR = 5e-3
+"""What a round section's stress is taken too large by at most [-]."""
+
+KNOWN = 0.3
+"""Share of the linear result that further orders may change it by and still be told."""
+
+STIFFENS = 12.0
+"""Axial force [EI/l²] that would change the bending of a blade by as much as it is."""
+
+THIRD = 0.4
+"""Of l θ³ for the largest rotation θ of a blade: what the third order may move off the path."""
+
+TURNS = 2.0
+"""Times the square of a blade's rotation that the third order may add."""
+
+INNER = 0.8
+"""Frequency over that of a blade between held ends up to which blades follow their ends."""
+
+WEIGHTS = (0.0, 0.25, 0.5, 0.75, 1.0, 2.0, 4.0)
+"""Of the mean stress beside the amplitude, among which a place is the worst for some method."""
+
+
+class Told(NamedTuple):
+    """A number and its error, nothing where nobody knows it."""
+
+    value: float
+    error: ErrorRange | None
+
+
+class Motion(NamedTuple):
+    """Motion of the moving body's point at an end of a stroke, along the axes of cases.
+
+    ``first`` and ``second`` are its orders (6,) [m, rad], ``doubt`` the share of each that may be
+    missing, ``floor`` what may be there besides of a translation [m] and of a rotation [rad].
+    """
+
+    first: Floats
+    second: Floats
+    doubt: float
+    floor: tuple[float, float]
+
+    def at(self, point: Vector, rows: Floats) -> tuple[Floats, Floats]:
+        """Return components of the motion of another point of the body, and how far they are off.
+
+        ``rows`` (n, 6) pick the components, which are all lengths or all angles.
+        """
+        to, theta = motion_at(point), self.first[3:]
+        arc = np.concatenate([np.cross(theta, np.cross(theta, point)) / 2.0, np.zeros(3)])
+        one, two = rows @ (to @ self.first), rows @ (to @ self.second + arc)
+        besides = self.floor[0] if np.any(rows[:, :3]) else self.floor[1]
+        return one + two, self.doubt * (np.abs(one) + np.abs(two)) + besides
+
+
+class Place(NamedTuple):
+    """Amplitude of a stroke and what stands beside it at a place of a blade [Pa], signed."""
+
+    where: str
+    amplitude: float
+    mean: float
+
+
+def acting_groups(joint: SpaceJoint, scene: Scene) -> list[Acting]:
+    """Return what a case states and each of its accelerations, each acting by itself."""
+    point = joint.layout.body(joint.layout.drive.body).point
+    fields = ((0.0, 0.0, 0.0), *scene.accelerations)
+    return [
+        Acting(0.0, np.array(wrench), point, np.array(field))
+        for wrench, field in zip((scene.stated, *scene.inertial), fields, strict=True)
+        if any(wrench) or any(field)
+    ]
+
+
+def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[Motion, ...]:
+    """Return the motion at both ends of a stroke, the drive locked there; loads play no part.
+
+    ``turn`` is the angle from the layout's x to that of cases [rad].
+    """
+    axes = motion_along(axes_about_z(turn))
+    body = joint.layout.body(joint.layout.drive.body)
+    to_point = axes @ joint.assembly.motion(body.name, body.point)
+    found = []
+    for travel in (scene.middle + scene.travel, scene.middle - scene.travel):
+        state = action(joint.assembly, Acting(travel, np.zeros(6), body.point, np.zeros(3)))
+        after = state.following()
+        one, two = to_point @ state.moved.coordinates[:, 0], to_point @ after.coordinates
+        # the drive's point turns as well, where it is not the body's
+        arm = axes[:3, :3] @ np.subtract(body.point, joint.layout.drive.point)
+        two[:3] += np.cross(one[3:], np.cross(one[3:], arm)) / 2.0
+        share = _springs(joint, state) + _third_order(after)
+        share = share if share <= KNOWN else inf
+        length = max(member.l for member in joint.assembly.members)
+        floor = THIRD * after.rotation**3
+        found.append(Motion(one, two, share, (length * floor, floor)))
+    return tuple(found)
+
+
+def sag(joint: SpaceJoint, scene: Scene) -> Told:
+    """Return how far the moving body's point sags along a steady acceleration [m]."""
+    body = joint.layout.body(joint.layout.drive.body)
+    along = np.array([float(axis == scene.axis) for axis in "xyz"])
+    state = action(joint.assembly, Acting(0.0, np.zeros(6), body.point, scene.acceleration * along))
+    row = along @ joint.assembly.motion(body.name, body.point)[:3]
+    found = float(row @ state.moved.coordinates[:, 0])
+    if found == 0.0:
+        return Told(found, None)
+    after = state.following()
+    more = _third_order(after) + abs(float(row @ after.coordinates) / found)
+    if more > KNOWN:
+        return Told(found, None)
+    energy = float(state.moved.forces[:, 0] @ state.moved.deformations[:, 0])
+    work = sqrt(float(row @ _answer(joint, row)) * energy)
+    error = joint.form_error(found, work)
+    return Told(found, None if error is None else error + ErrorRange(-more, more))
+
+
+def _answer(joint: SpaceJoint, load: Floats) -> Floats:
+    """Return the coordinates under a load, the drive free."""
+    return np.asarray(joint.assembly.moved(load[:, None]).coordinates[:, 0])
+
+
+def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRange | None]:
+    """Return the stresses of a case where they may be the worst, and their error.
+
+    The stroke is held by the drive, the loads act with the drive free, each either way save a
+    stated load that has a direction. Amplitude and mean are von Mises' of their own normal and
+    shear stress; a mean in compression without shear is negative.
+    """
+    stresses = Stresses(joint.assembly)
+    groups = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
+    body = joint.layout.body(joint.layout.drive.body)
+    found: list[Place] = []
+    errors: list[ErrorRange | None] = []
+    if scene.moves:
+        unit = action(joint.assembly, Acting(1.0, np.zeros(6), body.point, np.zeros(3)))
+        strokes = [unit]
+    else:
+        unit, strokes = None, []
+    for signs in product(*((1.0, -1.0) for _ in groups)):
+        if not groups and unit is None:
+            break
+        parts, loads = [*strokes, *groups], list(signs)
+        still = combined(parts, [*[scene.middle] * len(strokes), *loads])
+        means = stresses.of(still.moved.forces[:, 0], still.weights)
+        if unit is None:
+            found += [p for m in means for p in _places(None, m)]
+            errors.append(_error(joint, [still], stresses))
+            continue
+        swing = combined([unit], [scene.travel])
+        swings = stresses.of(swing.moved.forces[:, 0], swing.weights)
+        found += [p for s, m in zip(swings, means, strict=True) for p in _places(s, m)]
+        ends = [scene.middle + scene.travel, scene.middle - scene.travel]
+        states = [combined(parts, [end, *loads]) for end in ends]
+        errors.append(_error(joint, states, stresses))
+    return found, _hull(errors)
+
+
+def _places(swing: BladeStress | None, still: BladeStress) -> Iterator[Place]:
+    """Yield the places of a blade that may be the worst for some method of the mean stress."""
+    sheared = np.abs(still.shear) > 1e-9 * np.abs(still.normal).max(initial=0.0)
+    mean = equivalent(still.normal, still.shear)
+    mean = np.where((still.normal < 0.0) & ~sheared, -mean, mean)
+    amplitude = np.zeros_like(mean) if swing is None else equivalent(swing.normal, swing.shear)
+    # the two ends of a stroke see the mean with either sign of the amplitude
+    sought = [amplitude + np.abs(mean)]
+    sought += [amplitude + weight * np.maximum(mean, 0.0) for weight in WEIGHTS]
+    for place in dict.fromkeys(int(np.argmax(each)) for each in sought):
+        yield Place(
+            f"{still.name}, {still.where[place]}", float(amplitude[place]), float(mean[place])
+        )
+
+
+def _error(joint: SpaceJoint, states: list[SpaceState], stresses: Stresses) -> ErrorRange | None:
+    """Return the error of the largest stress in states, the worst of them."""
+    if not joint.is_known:
+        return None
+    each = [_of_state(joint, state, stresses) for state in states]
+    return _hull(each)
+
+
+def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> ErrorRange | None:
+    """Return the error of the largest stress in a state."""
+    forces = state.moved.forces[:, 0]
+    here = stresses.of(forces, state.weights)
+    most = max(_largest(each) for each in here)
+    if most == 0.0:
+        return ErrorRange(0.0, 0.0)
+    after = state.following()
+    added = stresses.of(forces + after.forces, state.weights)
+    second = max(
+        float(np.max(np.abs(equivalent(a.normal, a.shear) - equivalent(b.normal, b.shear))))
+        for a, b in zip(added, here, strict=True)
+    )
+    more = second / most + _third_order(after)
+    if more > KNOWN:
+        return None
+    more = more / (1.0 - more) + _springs(joint, state)
+    warped = max(float(np.max(np.abs(each.warping), initial=0.0)) for each in here) / most
+    warped = WARPING_ERROR * min(warped, 1.0)
+    around = AROUND_ERROR if any(isinstance(x, SpaceRod) for x in joint.layout.blades) else 0.0
+    return ErrorRange(-more - warped - around, more + warped)
+
+
+def _largest(stress: BladeStress) -> float:
+    return float(np.max(equivalent(stress.normal, stress.shear), initial=0.0))
+
+
+def _third_order(after: SecondOrder) -> float:
+    """Return the share of a linear result that orders beyond the second may change."""
+    return TURNS * after.rotation**2 + after.axial / STIFFENS
+
+
+def _springs(joint: SpaceJoint, state: SpaceState) -> float:
+    """Return by what share the springs' errors may change the forces of a state.
+
+    To first order an error e of a spring changes the forces by no more than e √(its share of the
+    energy) in the norm of the energy; its own force besides.
+    """
+    energy = state.moved.forces[:, 0] * state.moved.deformations[:, 0]
+    whole = float(energy.sum())
+    if whole <= 0.0:
+        return 0.0
+    error = np.maximum(-joint.low, joint.high)
+    used = energy > 1e-12 * whole
+    return 2.0 * float(np.sqrt(np.sum(error[used] ** 2 * energy[used] / whole)))
+
+
+def _hull(errors: Iterable[ErrorRange | None]) -> ErrorRange | None:
+    """Return the range that holds all others; nothing where one is unknown."""
+    low, high = 0.0, 0.0
+    for error in errors:
+        if error is None or not isfinite(error.largest):
+            return None
+        low, high = min(low, error.low), max(high, error.high)
+    return ErrorRange(low, high)
+
+
+def largest_misfit_stress(
+    joint: SpaceJoint, blades: Iterable[int], motion: tuple[float, ...]
+) -> tuple[Told, str]:
+    """Return the largest stress where one of some blades misses its seat, and where it is.
+
+    ``motion`` is how far the seat on its second body is off at its end, along the axes of the
+    layout [m, rad]; the drive is free.
+    """
+    stresses, found, where, errors = Stresses(joint.assembly), 0.0, "", list[ErrorRange | None]()
+    for blade in blades:
+        state = misfitted(
+            joint.assembly, misfit(joint.assembly, blade, np.array(motion)[:, np.newaxis])
+        )
+        here = max(stresses.of(state.moved.forces[:, 0], state.weights), key=_largest)
+        errors.append(_error(joint, [state], stresses))
+        if _largest(here) > found:
+            found = _largest(here)
+            place = here.where[int(np.argmax(equivalent(here.normal, here.shear)))]
+            where = f"{here.name}, {place}, {stresses.names[blade]} being off"
+    return Told(found, _hull(errors)), where
+
+
+def own_frequency(geometry: Geometry, material: Material, sizes: Sizes) -> Told:
+    """Return the lowest frequency that the drive's own motion takes part in, it being free [Hz]."""
+    return _frequency(geometry, material, sizes, locked=False)
+
+
+def parasitic_frequency(geometry: Geometry, material: Material, sizes: Sizes) -> Told:
+    """Return the lowest frequency of all with the drive locked at rest [Hz]."""
+    return _frequency(geometry, material, sizes, locked=True)
+
+
+def _frequency(geometry: Geometry, material: Material, sizes: Sizes, *, locked: bool) -> Told:
+    joint = joint_in_space(geometry, material, sizes)
+    if not any(body.mass for body in joint.layout.bodies):
+        raise NotAvailable("has no body with a mass: give its bodies theirs")
+
+    def angular(assembly: SpaceAssembly) -> float:
+        return _angular(assembly, natural_modes(assembly, locked=locked), locked=locked)
+
+    best = angular(joint.assembly)
+    error = joint.error(angular)
+    # blades of a material without a density may be as heavy as any
+    weighs = material.density.value if material.density is not None else DENSEST
+    bare, loaded = (
+        assemble(geometry.space_layout(material.elastic, sizes, density))
+        for density in (0.0, weighs)
+    )
+    heavy = angular(loaded)
+    ratio = heavy / own_blade_frequency(loaded)
+    if error is None or ratio > INNER:
+        return Told(best / (2.0 * pi), None)
+    # what blades vibrate beside their ends is missing: that of their share of the mass
+    share = max(1.0 - (heavy / angular(bare)) ** 2, 0.0)
+    low = (1.0 + error.low) * (heavy / best) * (1.0 - share * ratio**2 / (1.0 - ratio**2)) - 1.0
+    return Told(best / (2.0 * pi), ErrorRange(low, error.high))
+
+
+def _angular(assembly: SpaceAssembly, modes: SpaceModes, *, locked: bool) -> float:
+    """Return the lowest frequency of the modes that are asked of [rad/s]."""
+    if not len(modes.angular):
+        raise NotAvailable("has no mass that moves")
+    if locked:
+        return float(modes.angular[0])
+    row = modes.shapes[assembly.driven]
+    compliance = (row / modes.angular) ** 2
+    taking = np.flatnonzero(compliance > TAKES_PART * compliance.sum())
+    if not taking.size:
+        raise NotAvailable("has no mass or inertia on the body that moves")
+    return float(modes.angular[taking[0]])

@@ -1,0 +1,161 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from geometries_for_tests import geometry
+from space_mechanisms import STEEL, blade, guide, random_mechanism, rod
+
+from flexcli.mechanics.equilibrium import solve
+from flexcli.mechanics.space.layout import Drive, SpaceBody, SpaceLayout
+from flexcli.mechanics.space.planar import from_plane
+from flexcli.mechanics.stresses import blade_stress
+from flexcli.parts.elastic import Elastic
+from flexcli.parts.scene import NO_WRENCH, Scene
+from flexcli.parts.space_joint import SpaceJoint
+from flexcli.parts.space_states import largest_misfit_stress, motions, sag, stress_places
+
+FLAT = Elastic(114e9, 0.0)
+SCENE = Scene(
+    case="", travel=0.0, mean_travel=0.0, middle=0.0, cycles=None, force=0.0, force_name="",
+    axial_share=0.0, ends=None, ends_why="", acceleration=0.0, axis="", vibration=None,
+    shock=None, lock=None, wrench=None, forces=(), values={}, in_space=True,
+)  # fmt: skip
+
+
+def moved(travel, **given):
+    return SCENE._replace(travel=travel, **given)
+
+
+def largest(joint, scene):
+    places, error = stress_places(joint, scene)
+    return max(place.amplitude + abs(place.mean) for place in places), error
+
+
+def test_a_guide_bends_by_three_times_its_plate_modulus_h_over_l_squared():
+    l, h, x = 0.1, 0.2e-3, 1e-3
+    flat = STEEL._replace(G=STEEL.E / 2.0)  # ν = 0: no plate, and no shear to speak of
+    found, error = largest(SpaceJoint(guide(l=l, h=h, material=flat)), moved(x))
+    bending = 3.0 * flat.E * h * x / l**2
+    # the moment at the blades' ends pulls and pushes them besides
+    axial = flat.E * h**3 / l**2 * x / l / (0.1 * h) * l
+    assert found == pytest.approx(bending + axial, rel=1e-3)
+    assert error is not None
+    assert error.largest < 0.02
+
+
+def test_a_weight_bends_a_blade_as_a_beam_between_clamps():
+    # held all around by stiff rods, so that nothing but the blade's own weight bends it
+    l, h, b = 0.1, 0.2e-3, 0.01
+    one = blade("b", "ground", "body", (0, 0, 0), (l, 0, 0), width=(0, 0, 1.0), h=h, b=b)
+    ends = [((l, 0, 0), (l, 0.01 * s, 0.01 * c)) for s, c in ((1, 1), (-1, 1), (1, -1), (-1, -1))]
+    rods = [
+        rod(f"r{i}", "ground", "body", end, start, d=4e-3, material=STEEL._replace(density=0.0))
+        for i, (start, end) in enumerate(ends)
+    ]
+    body = SpaceBody("body", (l, 0.0, 0.0), (l, 0.0, 0.0))
+    layout = SpaceLayout((body,), (one, *rods), Drive("body", False, (1.0, 0, 0), body.point))
+    scene = SCENE._replace(inertial=(NO_WRENCH,), accelerations=((0.0, 98.1, 0.0),))
+    places, _ = stress_places(SpaceJoint(layout), scene)
+    worst = max(abs(p.mean) for p in places if p.where.startswith("b,"))
+    # w l²/12 over b h²/6
+    assert worst == pytest.approx(7800.0 * h * 98.1 * l**2 / 12.0 * 6.0 / h**2, rel=1e-3)
+
+
+JOINTS = {
+    "rcc": 0.08, "cross-spring": 0.15, "three-blade": 0.05, "unseparated-cross": 0.1, "star": 0.05,
+    "leaf-spring-stage": 2e-3, "cantilever": 3e-3, "guided-blade": 2e-3,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", JOINTS)
+def test_the_error_of_a_stress_holds_against_the_exact_model_of_the_plane(kind):
+    # without Poisson's ratio the exact planar model is the truth
+    joint = geometry(kind)
+    layout, turns = joint.layout(FLAT, joint.probe()), joint.motion == "rotation"
+    layout = replace(layout, blades=tuple(replace(blade, z=0.0) for blade in layout.blades))
+    known = 0
+    for share in (0.05, 0.2, 0.5, 1.0):
+        travel = share * JOINTS[kind]
+        there = SpaceJoint(from_plane(layout, "moving", turns=turns))
+        found, error = largest(there, moved(travel))
+        exact = 0.0
+        for end in (travel, -travel):
+            state = solve(layout, {"moving": (None, None, end) if turns else (None, end, None)})
+            for each in layout.blades:
+                stress = blade_stress(state, each.name, 65)
+                exact = max(exact, *(float(np.abs(f).max()) for f in (stress.left, stress.right)))
+        if error is not None:
+            known += 1
+            assert error.low <= exact / found - 1.0 <= error.high
+    assert known >= 1  # an estimate that nobody ever has is none
+
+
+@pytest.mark.parametrize("kind", JOINTS)
+def test_the_error_of_a_motion_holds_against_the_exact_model_of_the_plane(kind):
+    joint = geometry(kind)
+    layout, turns = joint.layout(FLAT, joint.probe()), joint.motion == "rotation"
+    layout = replace(layout, blades=tuple(replace(blade, z=0.0) for blade in layout.blades))
+    rows = np.eye(6)[[0, 1]]
+    for share in (0.1, 0.4):
+        travel = share * JOINTS[kind]
+        there = SpaceJoint(from_plane(layout, "moving", turns=turns))
+        for motion, end in zip(motions(there, moved(travel), 0.0), (travel, -travel), strict=True):
+            state = solve(layout, {"moving": (None, None, end) if turns else (None, end, None)})
+            exact = state.motions[0, layout.index("moving"), :2]
+            value, off = motion.at((0.0, 0.0, 0.0), rows)
+            assert np.all(np.abs(value - exact) <= off + 1e-15)
+
+
+def test_far_out_nobody_knows_the_stress():
+    joint = geometry("leaf-spring-stage")
+    layout = joint.layout(FLAT, joint.probe())
+    there = SpaceJoint(from_plane(layout, "moving", turns=False))
+    assert largest(there, moved(10e-3))[1] is None
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_loads_either_way_and_a_stroke_add_up_at_their_worst(seed):
+    rng = np.random.default_rng(seed)
+    joint = SpaceJoint(random_mechanism(rng))
+    wrench = tuple(float(w) for w in rng.normal(size=6) * [1, 1, 1, 0.01, 0.01, 0.01])
+    one, _ = largest(joint, moved(1e-5))
+    other, _ = largest(joint, SCENE._replace(stated=wrench))
+    both, _ = largest(joint, moved(1e-5, stated=wrench))
+    assert max(one, other) <= both * (1.0 + 1e-12)
+    assert both <= (one + other) * (1.0 + 1e-12)
+
+
+def test_a_misfit_along_a_blade_pulls_it_and_pushes_what_stands_against_it():
+    # two rods in a row with a rigid body between, one of them too long by δ: σ = E δ/2l
+    a = rod("a", "ground", "body", (0, 0, 0), (0.05, 0, 0), d=1e-3)
+    b = rod("b", "body", "ground", (0.05, 0, 0), (0.1, 0, 0), d=1e-3)
+    body = SpaceBody("body", (0.05, 0.0, 0.0), (0.05, 0.0, 0.0))
+    layout = SpaceLayout((body,), (a, b), Drive("body", False, (0, 0, 1.0), body.point))
+    found, where = largest_misfit_stress(SpaceJoint(layout), [0], (1e-6, 0.0, 0.0, 0.0, 0.0, 0.0))
+    assert found.value == pytest.approx(STEEL.E * 1e-6 / 0.1, rel=1e-9)
+    assert "a being off" in where
+
+
+def test_a_free_misfit_costs_nothing_but_the_bending_of_the_free_motions():
+    # a single blade holds its body whatever its seat is
+    one = blade("b", "ground", "body", (0, 0, 0), (0.05, 0, 0))
+    body = SpaceBody("body", (0.05, 0.0, 0.0), (0.05, 0.0, 0.0))
+    layout = SpaceLayout((body,), (one,), Drive("body", False, (0, 1.0, 0), body.point))
+    off = (1e-5, 1e-5, 1e-5, 1e-3, 1e-3, 1e-3)
+    found, _ = largest_misfit_stress(SpaceJoint(layout), [0], off)
+    assert found.value < 1e-6 * STEEL.E
+
+
+def test_a_body_sags_by_its_weight_over_the_stiffness_and_half_that_of_its_blades():
+    scene = SCENE._replace(
+        acceleration=9.81, axis="z", inertial=(NO_WRENCH,), accelerations=((0.0, 0.0, 9.81),)
+    )
+    light = guide(material=STEEL._replace(density=0.0))
+    joint = SpaceJoint(light)
+    body = light.bodies[0]
+    C = joint.assembly.compliance("stage", body.point, locked=False)
+    found = sag(joint, scene)
+    assert found.value == pytest.approx(9.81 * C[2, 2], rel=1e-9)
+    assert found.error is not None
+    heavy = sag(SpaceJoint(guide()), scene).value
+    assert 1.0 < heavy / found.value < 1.0 + 2.0 * 7800 * 0.5e-3 * 0.05 * 0.1
