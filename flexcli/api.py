@@ -120,10 +120,17 @@ def validate(source: Spec, *, overrides: Overrides | None = None) -> Result:
 
 
 def size(source: Spec, *, model: str | None = None, overrides: Overrides | None = None) -> Result:
-    """Choose the free sizes of a design; ``model`` alone judges, over that of the spec."""
+    """Choose the free sizes of a design; ``model`` alone judges, over that of the spec.
+
+    With ``robust:`` they are those at which enough of the parts within the tolerances pass.
+    """
+    spec = _design(source, overrides)
+    if spec.part.robust is not None and spec.part.geometry.free:
+        from flexcli.engine.tolerances.robust import robust_size
+
+        return placed(robust_size(spec.part, _name(spec), _model(model)), spec.document)
     from flexcli.engine.size import size as chosen
 
-    spec = _design(source, overrides)
     return placed(chosen(spec.part, _name(spec), _model(model)), spec.document)
 
 

@@ -25,7 +25,7 @@ from flexcli.parts.sizing import Objective
 from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value, Verdict
 from flexcli.results.activity import doing
 
-__all__ = ["size"]
+__all__ = ["UNSETTLED", "size"]
 
 UNSETTLED = "not proved: the rounds settled on no choice, and a better one may exist"
 """How sure a choice is that the models that judge still move."""

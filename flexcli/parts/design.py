@@ -121,6 +121,7 @@ class DesignSpec(Part):
     """
 
     _corrections: Mapping[str, Correction] = PrivateAttr(default_factory=dict)
+    _losses: Mapping[str, Correction] = PrivateAttr(default_factory=dict)
 
     @model_validator(mode="before")
     @classmethod
@@ -277,26 +278,47 @@ class DesignSpec(Part):
         }
         spreads = {name: correction.spread for name, correction in self._corrections.items()}
         return [
-            _narrowed(
-                _scaled(limit, factors.get(limit.name, 1.0)),
-                spreads.get(limit.name, 0.0),
+            self._less(
+                _narrowed(
+                    _scaled(limit, factors.get(limit.name, 1.0)),
+                    spreads.get(limit.name, 0.0),
+                )
+                if limit.kind is not None
+                else limit,
+                sizes,
             )
-            if limit.kind is not None
-            else limit
             for limit in limits
         ] + [
-            Limit(
-                name,
-                "",
-                "by value and slope",
-                correction.at(sizes),
-                1.0,
-                "",
-                "surrogate",
+            self._less(
+                Limit(
+                    name,
+                    "",
+                    "by value and slope",
+                    correction.at(sizes),
+                    1.0,
+                    "",
+                    "surrogate",
+                ),
+                sizes,
             )
             for name, correction in self._corrections.items()
             if correction.alone
         ]
+
+    def _less(self, limit: Limit, sizes: Sizes) -> Limit:
+        """Return a limit less what the tolerances take of it; a target is as much narrower."""
+        loss = self._losses.get(limit.name)
+        if loss is None:
+            return limit
+        if limit.tolerance is None:
+            return _scaled(limit, loss.at(sizes))
+        return _narrowed(limit, loss.factor - 1.0)
+
+    def with_losses(self, losses: Mapping[str, Correction]) -> "DesignSpec":
+        """Return the design with what tolerances take of each check, near a design."""
+        design = self.model_copy()
+        design._losses = dict(losses)
+        return design
 
     @property
     def is_corrected(self) -> bool:

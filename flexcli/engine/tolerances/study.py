@@ -67,6 +67,9 @@ OPEN = 0.05
 DIRECT = 300
 """Parts that are judged each, then."""
 
+FEW = 1e-4
+"""Share of the parts that a model may leave open before a finer one is asked."""
+
 SOBOL = 4096
 """Base of the samples that Sobol's indices are estimated from."""
 
@@ -412,7 +415,7 @@ def _open_questions(response: Response, names: Sequence[str], found: States) -> 
     """Return which questions a model leaves open of parts that would not fail otherwise."""
     open_ = set()
     for k, check in enumerate(names):
-        if found.undecided[:, k].any():
+        if int(found.undecided[:, k].sum()) > FEW * len(found.undecided):
             open_ |= {row.question for row in response.rows if row.check == check}
     return open_ - {-1}
 

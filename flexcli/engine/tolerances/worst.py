@@ -18,7 +18,7 @@ from flexcli.results import Check, Verdict
 from flexcli.results.activity import doing
 from flexcli.results.tolerances import WorstCase
 
-__all__ = ["Least", "box", "judged_at", "least_of", "worst_cases"]
+__all__ = ["Least", "judged_at", "least_of", "worst_cases"]
 
 Floats = NDArray[np.float64]
 
@@ -42,21 +42,20 @@ class Least(NamedTuple):
     is_corner: bool
 
 
-def box(each: Sequence[Variation]) -> tuple[Floats, Floats]:
+def _box(each: Sequence[Variation]) -> tuple[Floats, Floats]:
     """Return the ends of the tolerances as scaled variables."""
     ends = [v.scale(v.nominal + np.array([v.spread.low, v.spread.high])) for v in each]
     low, high = np.array(ends).T
     return low, high
 
 
-def least_of(response: Response, each: Sequence[Variation]) -> list[Least]:
-    """Return where the margin of each row is least within the tolerances.
+def least_of(response: Response, low: Floats, high: Floats) -> list[Least]:
+    """Return where the margin of each row is least in a box of the scaled variables.
 
     A margin that falls or rises along every number, wherever the others are, is least at a
     corner; its slopes are bounded over the box, to within the error of the fit.
     """
-    low, high = box(each)
-    slopes = [response.low.slope(i).bounds(low, high) for i in range(len(each))]
+    slopes = [response.low.slope(i).bounds(low, high) for i in range(len(low))]
     falls = np.array([most * (h - l) for (_, most), l, h in zip(slopes, low, high, strict=True)])
     rises = np.array([least * (h - l) for (least, _), l, h in zip(slopes, low, high, strict=True)])
     level = np.maximum(response.error_low, LEVEL)
@@ -91,7 +90,7 @@ def worst_cases(
     response: Response, each: Sequence[Variation], design: DesignSpec
 ) -> dict[str, WorstCase]:
     """Return the worst case of each check, judged by the models where the fit says that it is."""
-    least = least_of(response, each)
+    least = least_of(response, *_box(each))
     known: dict[tuple[float, ...], Mapping[str, Check]] = {}
     found = {}
     for check in response.checks:
