@@ -10,6 +10,7 @@ import flexcli
 STAGE = """\
 flexure: 1
 title: guide
+model: closed-form
 material: {youngs_modulus: 100 GPa, poisson_ratio: 0, yield_strength: 800 MPa}
 geometry:
   kind: leaf-spring-stage
