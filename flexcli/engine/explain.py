@@ -42,7 +42,14 @@ from flexcli.formulas import (
 )
 from flexcli.formulas.card import Card, Range, Symbol, Table, sheet
 from flexcli.parts.geometries import GEOMETRIES
-from flexcli.results import Explanation, FieldRow, FormulaRow, SymbolRow, TableRow, ValidityRow
+from flexcli.results.explanation import (
+    Explanation,
+    FieldRow,
+    FormulaRow,
+    SymbolRow,
+    TableRow,
+    ValidityRow,
+)
 
 __all__ = ["explain", "topics"]
 

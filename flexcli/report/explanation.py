@@ -6,7 +6,14 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from flexcli.results import Explanation, FieldRow, FormulaRow, KeyRow, SymbolRow, TableRow
+from flexcli.results.explanation import (
+    Explanation,
+    FieldRow,
+    FormulaRow,
+    KeyRow,
+    SymbolRow,
+    TableRow,
+)
 from flexcli.units import show
 
 GAP = 2

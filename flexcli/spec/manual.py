@@ -8,7 +8,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from flexcli.parts.effects import EFFECTS, Effect, ModelEffect
-from flexcli.results import FieldRow, KeyRow
+from flexcli.results.explanation import FieldRow, KeyRow
 from flexcli.spec.as_yaml import as_yaml
 from flexcli.spec.schema import BESIDE, json_schema
 from flexcli.spec.sketches import AXES

@@ -10,7 +10,7 @@ import pytest
 
 from flexcli.errors import SpecError
 from flexcli.parts.effects import EFFECTS
-from flexcli.results import FieldRow
+from flexcli.results.explanation import FieldRow
 from flexcli.spec.load import load
 from flexcli.spec.manual import entries, names
 from flexcli.spec.parse import parse_document
