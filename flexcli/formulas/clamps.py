@@ -18,6 +18,7 @@ __all__ = [
     "at_clamp",
     "clamp_compliance",
     "extra_length",
+    "fillet_compliance",
     "pure_bending_peak",
     "s_shape_peak",
 ]
@@ -36,6 +37,12 @@ LEAST_TURN = 4.75
 
 MOST_TURN, MOST_FLUSH = 5.25, 8.3
 """The most for a body that reaches h beyond both faces, and for a face in line with its side."""
+
+LEAST_FILLETED, MOST_FILLETED = 0.92, 1.11
+"""Turn of a root with fillets on such bodies over its fit, at least and at most."""
+
+OF_FILLET = 0.2
+"""Error of the turn of fillets whose body is rigid [-]."""
 
 NARROW = 0.2
 """Share of the turn that a body much wider than a blade takes, where that is as thick as wide."""
@@ -166,12 +173,13 @@ def at_clamp(*, peak: ArrayLike, poisson_ratio: ArrayLike) -> Floats:
 
 
 def clamp_compliance(
-    *, h: float, b: float, poisson_ratio: float, flush: bool = False
+    *, h: float, b: float, poisson_ratio: float, r: float = 0.0, flush: bool = False
 ) -> ClampCompliance:
     """Return between what the root of a blade cut from one piece with its body gives way.
 
     ``θ = c M/(E b h²)``, c = 5.0 on a half-plane, 7.7 where a face of the blade is in line with a
-    side of the body; 1 − ν² of it where the blade is wide.
+    side of the body; 1 − ν² of it where the blade is wide. With fillets, on top of the beam of
+    their profile, c = 5.0 (h + 0.1 r)/(h + 1.1 r).
 
     Parameters
     ----------
@@ -179,6 +187,8 @@ def clamp_compliance(
         Thickness and width [m].
     poisson_ratio : float
         ν [-].
+    r : float
+        Radius of the fillets at the root; 0 for sharp corners [m].
     flush : bool
         Whether a face of the blade may be in line with a side of its body.
 
@@ -192,10 +202,10 @@ def clamp_compliance(
     Notes
     -----
     Bodies that reach at least h beyond both faces (or, flush, beyond one) and 2 h behind the
-    root, at most 100 h, and are stiff themselves: what a slender body bends is no part of it. Sharp
-    corners; h ≤ b. Plane stress is the most, by complementary energy; plane strain and a body
-    wider than the blade are the least. Rotation is settled within 5 h; the shifts grow with the
-    logarithm of the body's size, which is why they have bounds alone.
+    root, at most 100 h, and are stiff themselves: what a slender body bends is no part of it.
+    Fillets of h/r from 0.2 on; h ≤ b. Plane stress is the most, by complementary energy; plane
+    strain and a body wider than the blade are the least. Rotation is settled within 5 h; the shifts
+    grow with the logarithm of the body's size, which is why they have bounds alone.
 
     O'Donnell takes the stress at the root as linear and so 16.67/π = 5.31 for c.
 
@@ -212,11 +222,52 @@ def clamp_compliance(
     Journal of Applied Mechanics 27, 461–464.
 
     """
-    narrow = 1.0 - NARROW * min(1.0, h / b)
-    least = LEAST_TURN * (1.0 - poisson_ratio**2) * narrow
+    held = (1.0 - poisson_ratio**2) * (1.0 - NARROW * min(1.0, h / b))
+    least, most = LEAST_TURN, MOST_TURN
+    if r > 0.0:
+        turn = TURN * (h + 0.1 * r) / (h + 1.1 * r)
+        least = min(least, LEAST_FILLETED * turn)
+        most = min(most, MOST_FILLETED * turn)
     if flush:
-        return ClampCompliance(least, MOST_FLUSH, shift=40.0, mixed=3.0, stretch=32.0)
-    return ClampCompliance(least, MOST_TURN, shift=15.0, mixed=1.7, stretch=8.0)
+        return ClampCompliance(least * held, MOST_FLUSH, shift=40.0, mixed=3.0, stretch=32.0)
+    return ClampCompliance(least * held, most, shift=15.0, mixed=1.7, stretch=8.0)
+
+
+def fillet_compliance(*, h: float, r: float) -> ClampCompliance:
+    """Return between what the fillets of a root on a rigid body give way beyond their beam.
+
+    ``θ = c M/(E b h²)``, ``c = 1.3/(1 + 0.3 (h/r)²)``: the beam of their profile takes sections for
+    plane that are not.
+
+    Parameters
+    ----------
+    h, r : float
+        Thickness of the blade and radius of its fillets [m].
+
+    Returns
+    -------
+    least, most : float
+        Rotation per moment, θ E b h²/M, between which it lies [-].
+    shift, mixed, stretch : float
+        Of forces, nothing [-].
+
+    Notes
+    -----
+    Quarter circles that meet the body at right angles; h/r from 0.2 to 20, plane stress.
+
+    Examples
+    --------
+    >>> found = fillet_compliance(h=1.0, r=1.0)
+    >>> round(found.least, 2), round(found.most, 2)
+    (0.8, 1.2)
+
+    References
+    ----------
+    Fitted here to finite elements of high order for plane bodies.
+
+    """
+    turn = 1.3 / (1.0 + 0.3 * (h / r) ** 2)
+    return ClampCompliance(max(turn - OF_FILLET, 0.0), turn + OF_FILLET, 0.0, 0.0, 0.0)
 
 
 def extra_length(*, h: float, turn: float = TURN) -> float:
@@ -255,7 +306,7 @@ def extra_length(*, h: float, turn: float = TURN) -> float:
 
 
 _BLADE = {"b": 10e-3, "l": 20e-3, "poisson_ratio": 0.3}
-_ROOT = {"h": 0.2e-3, "b": 10e-3, "poisson_ratio": 0.3, "flush": False}
+_ROOT = {"h": 0.2e-3, "b": 10e-3, "poisson_ratio": 0.3, "r": 0.0, "flush": False}
 _THIN = (Range("b/h", least=3.0, why="a thick blade is no plate where it is clamped"),)
 
 CARDS = (
@@ -263,5 +314,6 @@ CARDS = (
     Card("clamp-stress-guided", s_shape_peak, _BLADE, _THIN),
     Card("clamp-stress-equivalent", at_clamp, {"peak": 1.2, "poisson_ratio": 0.3}),
     Card("clamp-compliance", clamp_compliance, _ROOT),
+    Card("fillet-compliance", fillet_compliance, {"h": 0.2e-3, "r": 0.15e-3}),
     Card("extra-length", extra_length, {"h": 0.2e-3}),
 )

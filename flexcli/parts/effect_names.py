@@ -17,6 +17,7 @@ class EffectName(StrEnum):
     PLATE_WIDENING = "plate widening"
     ANTICLASTIC = "anticlastic"
     CLAMP_STRESS = "clamp stress"
+    ROOT_RADIUS = "root radius"
     CLAMP_COMPLIANCE = "clamp compliance"
     THICK_NOTCH = "thick notch"
     BLADE_MASS = "blade mass"

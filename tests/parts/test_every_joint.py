@@ -29,7 +29,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries import Geometry
 from flexcli.parts.geometries.base import ACROSS_WIDTH, GROUND, MOVING, PIECE, Critical
-from flexcli.parts.geometries.pivots import BladePair, PairFormulas, centred_strip
+from flexcli.parts.geometries.pivots import BladePair, PairFormulas, on_ray
 from flexcli.parts.geometries.rcc import RCCPivot
 from flexcli.results import QuantityKind, Value
 
@@ -526,7 +526,7 @@ class Butterfly(BladePair):
         reach = (self.p, self.p + sizes.l)
         far = (-self.p, -self.p - sizes.l)
         strips = [
-            centred_strip(f"{side} {i}", bodies, angle, ends, sizes)
+            self.strip(f"{side} {i}", bodies, on_ray(angle, ends), sizes)
             for side, bodies, ends in (
                 ("base", (GROUND, "middle"), reach),
                 ("stage", ("middle", MOVING), far),

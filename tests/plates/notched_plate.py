@@ -11,7 +11,7 @@ from numpy.polynomial import legendre
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 
-__all__ = ["elliptic", "filleted", "solid_over_beam"]
+__all__ = ["elliptic", "filleted", "peaks_over_nominal", "solid_over_beam", "turn_beyond_beam"]
 
 DEGREE, ALONG, ACROSS = 5, 8, 2
 
@@ -44,15 +44,33 @@ def solid_over_beam(edges, *, block, rise=0.0, nu=0.3):
     ``block`` is the length of a block over the height of the mouth, ``rise`` by how much of that
     it is higher at its end, on either side. Also the peak at the throat over its nominal stress.
     """
-    K, throat_stress = _solid(edges, block, rise, nu)
+    K, throat_stress, _ = _solid(edges, block, rise, nu)
+    nominal = 6 * 2 * K / (2 * edges[0](0.0)[1]) ** 2
+    return K * _flexible(edges), throat_stress / nominal
+
+
+def turn_beyond_beam(edges, *, block, rise=0.0, nu=0.3):
+    """Return the rotation of one end per moment beyond that of the beam."""
+    beam, K = _flexible(edges) / 2, _solid(edges, block, rise, nu)[0]
+    return 1 / (2 * K) - beam
+
+
+def peaks_over_nominal(edges, *, block, rise=0.0):
+    """Return the largest stress along the edge over that in the throat: in bending, stretched."""
+    h = 2 * edges[0](0.0)[1]
+    bent, stretched = (_solid(edges, block, rise, 0.3, stretch)[::2] for stretch in (False, True))
+    return bent[1] / (6 * 2 * bent[0] / h**2), stretched[1] / (2 * stretched[0] / h)
+
+
+def _flexible(edges):
+    """Return twice the rotation of half the beam per moment."""
     g, w = legendre.leggauss(200)
     flexible = 0.0
     for edge in edges:
         _, z = edge((g + 1) / 2)
         slope = (edge((g + 1) / 2 + 1e-6)[0] - edge((g + 1) / 2 - 1e-6)[0]) / 2e-6
         flexible += w @ (slope * 12 / (2 * z) ** 3)
-    nominal = 6 * 2 * K / (2 * edges[0](0.0)[1]) ** 2
-    return K * flexible, throat_stress / nominal
+    return flexible
 
 
 def _columns(edges, block, rise):
@@ -77,7 +95,7 @@ def _columns(edges, block, rise):
         yield body, a, b
 
 
-def _solid(edges, block, rise, nu):
+def _solid(edges, block, rise, nu, stretch=False):
     p, columns = DEGREE, list(_columns(edges, block, rise))
     inner = legendre.legroots(legendre.legder([0] * p + [1]))
     t = np.concatenate([[-1], inner, [1]])
@@ -132,13 +150,19 @@ def _solid(edges, block, rise, nu):
         entries.append(k.ravel())
     found = (np.concatenate(rows), np.concatenate(cols))
     K = coo_matrix((np.concatenate(entries), found), (2 * X.size, 2 * X.size)).tocsc()
-    # u is odd in x and in z; the far end turns by −1
+    # u is odd in x and in z; the far end turns by −1, or u is even in z and the end moves by 1
     u = np.zeros(2 * X.size)
-    u[number[-1]] = -Z[-1]
-    held = np.concatenate([number[0], number[:, 0], number[-1], number[-1] + X.size])
+    u[number[-1]] = 1.0 if stretch else -Z[-1]
+    middle = number[:, 0] + (X.size if stretch else 0)
+    held = np.concatenate([number[0], middle, number[-1], number[-1] + X.size])
     free = np.setdiff1d(np.arange(2 * X.size), held)
     u[free] = spsolve(K[free][:, free], -(K @ u)[free])
-    ids = number[: p + 1, -p - 1 :].ravel()
-    B, _ = strain(ids, (np.array([-1.0]), np.array([1.0])))
-    stress = elastic @ B[0] @ np.concatenate([u[ids], u[ids + X.size]])
-    return u @ (K @ u), abs(stress[0])
+    peaks = []
+    for i in range(len(columns)):
+        ids = number[i * p : i * p + p + 1, -p - 1 :].ravel()
+        B, _ = strain(ids, (np.linspace(-1.0, 1.0, 25), np.array([1.0])))
+        x, z, shear = (elastic @ B @ np.concatenate([u[ids], u[ids + X.size]])).T
+        peaks.append(np.abs(x + z) / 2 + np.hypot((x - z) / 2, shear))
+        if i == 0:
+            throat = abs(x[0])
+    return u @ (K @ u), throat, np.max(peaks)

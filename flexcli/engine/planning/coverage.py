@@ -21,7 +21,7 @@ class Coverage(NamedTuple):
 
 
 _SWITCHED = frozenset({EffectName.SHEAR, EffectName.AXIAL_EXTENSION})
-_OF_BEAMS = frozenset({EffectName.BLADE_TENSION, EffectName.HINGE_LENGTH})
+_OF_BEAMS = frozenset({EffectName.BLADE_TENSION, EffectName.HINGE_LENGTH, EffectName.ROOT_RADIUS})
 _AT_TRAVEL = frozenset({EffectName.LARGE_ROTATION, EffectName.AXIAL_LOAD})
 
 COVERAGE = {

@@ -14,6 +14,7 @@ __all__ = [
     "Change",
     "Changes",
     "Factor",
+    "FilletedRoots",
     "Giving",
     "Thick",
     "WideBlades",
@@ -104,6 +105,21 @@ class WideBlades(NamedTuple):
     """Curvatures at both ends of a blade of constant thickness, over the travel [1/m or 1/m²]."""
     bent: tuple[float, float, float] | None = None
     """h, l and b of the blade that these are of, where the joint has more than one shape [m]."""
+
+
+class FilletedRoots(NamedTuple):
+    """What fillets at the roots of its blades change in a joint's closed forms.
+
+    ``stiffness`` and ``stress`` are of small motions, with the peak of the stress; ``shift`` is
+    between which the change lies, ``arc`` how much less a blade turns that a moment bends.
+    """
+
+    ratio: float
+    """Largest r/l of a blade."""
+    stiffness: float
+    stress: float
+    shift: tuple[float, float]
+    arc: float
 
 
 class Giving(NamedTuple):

@@ -1,12 +1,12 @@
 """Giving clamps: what blades cut from one piece with their bodies are softer than clamped ones."""
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.clamps import clamp_compliance
+from flexcli.formulas.clamps import ClampCompliance, clamp_compliance, fillet_compliance
 from flexcli.formulas.notch_compliance import planar_compliance
 from flexcli.formulas.profile import Filleted, Notch
 from flexcli.mechanics.layout import Blade, Layout
@@ -14,9 +14,12 @@ from flexcli.mechanics.linear import linear
 from flexcli.parts.bending.base import Factor, Giving
 from flexcli.parts.geometries.base import MOVING, PIECE, ROUNDING, Held
 
-__all__ = ["giving_clamps", "giving_linked"]
+__all__ = ["Roots", "Shift", "giving_clamps", "giving_linked", "shift_within"]
 
 Floats = NDArray[np.float64]
+
+Shift: TypeAlias = Callable[[float, float], float | None]
+"""What a shift changes when blades bent to an arc and to an S shorten otherwise, as shares."""
 
 CANCELS = 10.0
 """Times that a joint's shift may be smaller than the shortening of a blade that makes it."""
@@ -34,6 +37,27 @@ ACROSS = 1.5
 """Shift of a root across the width per shear force, over its stretch per axial force, at most."""
 
 
+class Roots(NamedTuple):
+    """How the blades of a joint end: ν, whether in rigid clamps, or at the side of a body.
+
+    ``fillet`` is the radius of their fillets, 0 for sharp corners; ``joined`` are bodies that are
+    but blades which meet, and may hold each other as if rigid.
+    """
+
+    nu: float
+    is_rigid: bool
+    flush: bool
+    fillet: float
+    joined: frozenset[str]
+
+    def compliance(self, h: float, b: float) -> ClampCompliance:
+        """Return what the root of a blade gives way."""
+        if self.is_rigid:
+            return fillet_compliance(h=h, r=self.fillet)
+        at = {"h": h, "b": b, "poisson_ratio": self.nu, "r": self.fillet}
+        return clamp_compliance(**at, flush=self.flush)
+
+
 class _Strip(NamedTuple):
     """A blade's compliance at its end, least and most that its roots add, at E = 1 [1/m]."""
 
@@ -49,11 +73,8 @@ class _Strip(NamedTuple):
 def giving_clamps(
     layout: Layout,
     held: Held,
-    nu: float,
-    *,
-    flush: bool,
-    joined: frozenset[str],
-    shift: Callable[[float, float], float | None],
+    roots: Roots,
+    shift: Shift,
 ) -> Giving:
     """Return what roots that give way change in a joint, by how the beams of its layout bend.
 
@@ -66,18 +87,14 @@ def giving_clamps(
         The joint.
     held : tuple
         Unit travel of its moving body.
-    nu : float
-        Poisson's ratio, or ½ [-].
-    flush : bool
-        Whether blades may stand at the sides of their bodies.
-    joined : frozenset of str
-        Bodies that are but blades which meet: they may hold each other as if rigid.
+    roots : Roots
+        How its blades end.
     shift : callable
         What the joint's shift changes when blades bent to an arc and to an S shorten otherwise, as
         shares; nothing where nobody knows.
 
     """
-    strips = [_strip(blade, nu, flush, joined) for blade in layout.blades]
+    strips = [_strip(blade, roots) for blade in layout.blades]
     softer = [_softer(strip, BENDS) for strip in strips]
     # what one blade takes more of than another where bodies between them may follow
     spread = max(softer) - min(softer) if len(layout.bodies) > 1 else 0.0
@@ -90,7 +107,7 @@ def giving_clamps(
         Factor((low + high) / 2.0, low, high),
         (lowest - 1.0, spread),
         Factor(max((1.0 + (least + most) / 2.0) ** -2, lowest), lowest, 1.0),
-        _shift(least, most, shift),
+        shift_within(least, most, shift),
         max(max(_softer(strip, slice(None)), strip.out) for strip in strips),
     )
 
@@ -129,17 +146,17 @@ def giving_linked(each: Sequence[Giving | None]) -> Giving | None:
     )
 
 
-def _strip(blade: Blade, nu: float, flush: bool, joined: frozenset[str]) -> _Strip:
+def _strip(blade: Blade, roots: Roots) -> _Strip:
     """Return the compliance of a blade and what its roots add."""
     x, y = np.subtract(blade.end, blade.start)
     l, b = float(np.hypot(x, y)), float(blade.b)
-    beam = planar_compliance(blade.profile, E=1.0, l=l, b=b, a=l, G=0.5 / (1.0 + nu))
-    roots = list(_roots(blade, l, joined))
+    beam = planar_compliance(blade.profile, E=1.0, l=l, b=b, a=l, G=0.5 / (1.0 + roots.nu))
+    places = list(_places(blade, l, roots))
     least, most = np.zeros((3, 3)), np.zeros((3, 3))
     out = 0.0
     reach = sum(np.ptp(piece.position(PIECE)) for piece in blade.profile.pieces(l))
-    for s, inward, h, share in roots:
-        found = clamp_compliance(h=h, b=b, poisson_ratio=nu, flush=flush)
+    for s, inward, h, share in places:
+        found = roots.compliance(h, b)
         # moment, its slope into the blade and axial force at the root, per force at the end
         at = np.array([[0.0, l - s, 1.0], [0.0, -inward, 0.0], [1.0, 0.0, 0.0]])
         least += share * found.least / (b * h**2) * np.outer(at[0], at[0])
@@ -149,19 +166,21 @@ def _strip(blade: Blade, nu: float, flush: bool, joined: frozenset[str]) -> _Str
         axial, wide = found.stretch * h / reach, (l / b) ** 2
         sheared = 3.0 * axial * (wide + ACROSS / 3.0) / (wide + SHEARED)
         out += max(axial, sheared)
-    thickest = max((root[2] for root in roots), default=0.0)
+    thickest = max((place[2] for place in places), default=0.0)
     return _Strip(beam, least, most, thickest / float(reach), out)
 
 
-def _roots(
-    blade: Blade, l: float, joined: frozenset[str]
-) -> Iterator[tuple[float, float, float, float]]:
+def _places(blade: Blade, l: float, roots: Roots) -> Iterator[tuple[float, float, float, float]]:
     """Yield where a flexible part of a blade ends in something rigid.
 
     Each with its place [m], the sense of the blade from there, the thickness [m], and the share of
     the least compliance: none at a mouth, whose block the correction of the notch has, and none
     where blades meet.
     """
+    if roots.fillet:
+        h = float(blade.profile.pieces(l)[1].thickness(PIECE)[0])
+        yield from ((0.0, 1.0, h, 1.0), (l, -1.0, h, 1.0))
+        return
     pieces = blade.profile.pieces(l)
     ends = [np.ravel(piece.position(PIECE)) for piece in pieces]
     open_ = not isinstance(blade.profile, Filleted | Notch)
@@ -171,7 +190,7 @@ def _roots(
             beside = (other[1 - index] for other in ends)
             if not np.isclose(list(beside), own[index], rtol=0.0, atol=ROUNDING * l).any():
                 body = blade.first if own[index] < l / 2.0 else blade.second
-                share = 1.0 if open_ and body not in joined else 0.0
+                share = 1.0 if open_ and body not in roots.joined else 0.0
                 yield float(own[index]), inward, float(thickness[index]), share
 
 
@@ -193,16 +212,14 @@ def _arc(blade: Floats, roots: Floats) -> float:
     return float(roots[2, 2] / blade[2, 2])
 
 
-def _shift(
-    least: float, most: float, shift: Callable[[float, float], float | None]
-) -> tuple[float, float]:
+def shift_within(least: float, most: float, shift: Shift) -> tuple[float, float]:
     """Return between which the shift changes, for so much more rotation of an arc."""
     found = []
     for more in (least, most):
         pure, bent = _shortening(more)
         change = shift(pure, bent)
         if change is None:
-            return CANCELS * pure, -CANCELS * pure
+            return -CANCELS * abs(pure), CANCELS * abs(pure)
         found += [change, change * (1.0 + OF_NEXT)]
     return min(found), max(found)
 

@@ -7,7 +7,7 @@ from flexcli.parts.effects.axial_load import AxialLoad
 from flexcli.parts.effects.base import Effect, Indicator, ModelEffect, SceneEffect, Setting
 from flexcli.parts.effects.blade_mass import BladeMass
 from flexcli.parts.effects.blade_tension import BladeTension
-from flexcli.parts.effects.clamps import ClampCompliance, ClampStress
+from flexcli.parts.effects.clamps import ClampCompliance, ClampStress, RootRadius
 from flexcli.parts.effects.damping import DampedMotion
 from flexcli.parts.effects.end_stops import EndStops
 from flexcli.parts.effects.estimate import Estimate, estimate, left_by
@@ -44,6 +44,7 @@ MODEL_EFFECTS: tuple[ModelEffect, ...] = (
     PlateWidening(),
     Anticlastic(),
     ClampStress(),
+    RootRadius(),
     ClampCompliance(),
     ThickNotch(),
     BladeMass(),

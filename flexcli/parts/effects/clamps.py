@@ -1,14 +1,20 @@
 """Clamps: they keep a blade from narrowing, and those cut from one piece with it give way."""
 
-from typing import ClassVar
+from collections.abc import Callable
+from typing import ClassVar, Generic, TypeVar
 
 from flexcli.formulas import clamps
-from flexcli.parts.bending import Change, Changes, Giving
+from flexcli.parts.bending import UNKNOWN, Change, Changes, FilletedRoots, Giving, whole
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.effects.plate import wide_of
+from flexcli.parts.geometries import Geometry, Sizes
 
-__all__ = ["ClampCompliance", "ClampStress"]
+__all__ = ["ClampCompliance", "ClampStress", "RootRadius"]
+
+
+OF_LINEAR, OF_CREST = 1e-6, 1e-4
+"""Errors of what linear beams of a profile are solved with, and of a crest between places."""
 
 
 class ClampStress(ModelEffect):
@@ -60,7 +66,7 @@ class ClampCompliance(ModelEffect):
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return the largest h/l of a blade, and what rigid clamps leave out where none is told."""
-        giving, slender = giving_of(setting), setting.slenderness
+        giving, slender = _GIVING.of(setting), setting.slenderness
         if giving is not None:
             return Indicator(giving.ratio, f"h/l = {giving.ratio:.2g}")
         if slender is None or setting.geometry.with_giving_clamps() is None:
@@ -74,7 +80,7 @@ class ClampCompliance(ModelEffect):
 
     def changes(self, setting: Setting) -> Changes:
         """Return the softer stiffness, and between what all that follows from it lies."""
-        giving = giving_of(setting)
+        giving = _GIVING.of(setting)
         if giving is None:
             return {}
         found = {"stiffness": _within(*giving.stiffness[:3])}
@@ -91,28 +97,60 @@ class ClampCompliance(ModelEffect):
         return found
 
 
-def giving_of(setting: Setting) -> Giving | None:
-    """Return what clamps that give way change in a design."""
-    return _LAST.of(setting)
+class RootRadius(ModelEffect):
+    """What fillets at the roots change in closed forms, which take blades as sharp.
+
+    Other models have the thickness of the blade as it is, and all count the peak of the stress.
+    """
+
+    name: ClassVar[EffectName] = EffectName.ROOT_RADIUS
+
+    def indicator(self, setting: Setting) -> Indicator | None:
+        """Return r/l of the blades."""
+        found = _FILLETED.of(setting)
+        return None if found is None else Indicator(found.ratio, f"r/l = {found.ratio:.2g}")
+
+    def changes(self, setting: Setting) -> Changes:
+        """Return the stiffer blades, their stress at a given travel, and what follows from them."""
+        found = _FILLETED.of(setting)
+        if found is None:
+            return {}
+        changes = {"stiffness": whole(found.stiffness - 1.0, OF_LINEAR)}
+        if any(scene.blade_force for scene in setting.scenes):
+            more = (1.0 + found.arc) ** -2 - 1.0
+            changes["buckling"] = Change(0.0, more, more, 1)
+        if setting.largest_travel:
+            loaded = any(scene.is_loaded for scene in setting.scenes)
+            changes["stress"] = UNKNOWN if loaded else whole(found.stress - 1.0, OF_CREST)
+            changes["shift"] = _between(*found.shift)
+        if not _sags_along_stroke(setting):
+            changes["sag"] = UNKNOWN
+        return changes
 
 
-class _Last:
-    """The clamps that were asked last: every number of a design asks for the same."""
+Found = TypeVar("Found")
 
-    def __init__(self) -> None:
-        self.asked: tuple[object, ...] = ()
-        self.found: Giving | None = None
 
-    def of(self, setting: Setting) -> Giving | None:
-        """Return those of a setting."""
-        geometry, *rest = asked = setting.geometry, setting.sizes, setting.poisson_bound
-        if not self.asked or self.asked[0] is not geometry or list(self.asked[1:]) != rest:
-            self.found = geometry.giving_clamps(setting.sizes, setting.poisson_bound)
-            self.asked = asked
+class _Last(Generic[Found]):
+    """What was asked last of a geometry: every number of a design asks for the same."""
+
+    def __init__(self, find: Callable[[Geometry, Sizes, float], Found | None]) -> None:
+        self.find = find
+        self.asked: tuple[Geometry, Sizes, float] | None = None
+        self.found: Found | None = None
+
+    def of(self, setting: Setting) -> Found | None:
+        """Return that of a setting, for ν = ½ where it is not given."""
+        geometry, sizes, nu = setting.geometry, setting.sizes, setting.poisson_bound
+        last = self.asked
+        if last is None or last[0] is not geometry or last[1:] != (sizes, nu):
+            self.found = self.find(geometry, sizes, nu)
+            self.asked = geometry, sizes, nu
         return self.found
 
 
-_LAST = _Last()
+_GIVING: _Last[Giving] = _Last(lambda geometry, sizes, nu: geometry.giving_clamps(sizes, nu))
+_FILLETED: _Last[FilletedRoots] = _Last(lambda geometry, sizes, nu: geometry.filleted(sizes, nu))
 
 
 def _sags_along_stroke(setting: Setting) -> bool:

@@ -2,7 +2,7 @@
 
 from typing import ClassVar
 
-from flexcli.parts.bending import Change, Changes, WideBlades
+from flexcli.parts.bending import Change, Changes, Factor, WideBlades
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.geometries import Geometry, Sizes
@@ -57,6 +57,28 @@ def wide_of(setting: Setting) -> WideBlades | None:
     return _LAST.of(setting)
 
 
+def _without_fillets(geometry: Geometry, sizes: Sizes, nu: float) -> WideBlades | None:
+    """Return the factors of blades that may be shorter by the fillets at their roots."""
+    found = geometry.wide_blades(sizes, nu)
+    if found is None or not geometry.fillet:
+        return found
+    short = geometry.wide_blades(sizes._replace(l=sizes.l - 2.0 * geometry.fillet), nu)
+    if short is None:
+        return found
+    return found._replace(
+        stiffness=_either(found.stiffness, short.stiffness),
+        stress=_either(found.stress, short.stress),
+        buckling={
+            ends: _either(factor, short.buckling[ends]) for ends, factor in found.buckling.items()
+        },
+    )
+
+
+def _either(one: Factor, other: Factor) -> Factor:
+    """Return the first factor, which may be the second."""
+    return one._replace(low=min(one.low, other.low), high=max(one.high, other.high))
+
+
 class _Last:
     """The factors that were asked last: every effect of wide blades asks for the same."""
 
@@ -69,7 +91,7 @@ class _Last:
         geometry, sizes, nu = setting.geometry, setting.sizes, setting.poisson_bound
         last = self.asked
         if last is None or last[0] is not geometry or last[1:] != (sizes, nu):
-            self.found = geometry.wide_blades(sizes, nu)
+            self.found = _without_fillets(geometry, sizes, nu)
             self.asked = geometry, sizes, nu
         return self.found
 

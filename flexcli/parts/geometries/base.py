@@ -13,7 +13,7 @@ from flexcli.formulas.card import Card, Range, outside
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Layout, Point
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, or_free, spec_error
-from flexcli.parts.bending import Bending, Giving, Thick, WideBlades
+from flexcli.parts.bending import Bending, FilletedRoots, Giving, Thick, WideBlades
 from flexcli.parts.bending.unknown import NotEstimated
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic, NotAvailable
@@ -398,6 +398,15 @@ class Geometry(Part):
 
     def giving_clamps(self, sizes: Sizes, nu: float) -> Giving | None:
         """Return what its blades' roots change as they give way, nothing where none is told to."""
+        return None
+
+    @property
+    def fillet(self) -> float:
+        """Return the radius of the fillets at the roots of all its blades, 0 for none [m]."""
+        return 0.0
+
+    def filleted(self, sizes: Sizes, nu: float) -> FilletedRoots | None:
+        """Return what fillets change in its closed forms, nothing where they know of none."""
         return None
 
     def with_giving_clamps(self) -> "Geometry | None":

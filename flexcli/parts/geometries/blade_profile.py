@@ -6,6 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
 from pydantic import Field, model_validator
 
+from flexcli.formulas import fillet, notch
 from flexcli.formulas import profile as shapes
 from flexcli.formulas.notch_compliance import planar_compliance
 from flexcli.formulas.quantity import Computed, Numbers, Quantity
@@ -38,9 +39,9 @@ class BladeProfile(Part):
         """Return the least thickness [m]."""
         return size
 
-    def notch(self, size: Quantity, l: float) -> tuple[Computed, Computed] | None:
-        """Return thickness and radius of curvature where the shape raises the stress [m]."""
-        return None
+    def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
+        """Return by what the shape raises the stress in bending and along the blade."""
+        return 1.0, 1.0
 
     def thick(self, size: Numbers, l: float) -> Thick | None:
         """Return what plane elasticity changes in it, where it is a notch or has fillets."""
@@ -101,9 +102,10 @@ class NotchProfile(BladeProfile):
         """Return the two half-ellipses."""
         return shapes.Notch(size, self.depth)
 
-    def notch(self, size: Quantity, l: float) -> tuple[Computed, Computed]:
-        """Return the throat and the radius of curvature (l/2)²/depth."""
-        return size, l**2 / (4.0 * self.depth)
+    def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
+        """Return those of a deep notch, whose radius of curvature is (l/2)²/depth."""
+        at = {"e": size, "r": l**2 / (4.0 * self.depth)}
+        return notch.bending_factor(**at), notch.axial_factor(**at)
 
     def thick(self, size: Numbers, l: float) -> Thick:
         """Return the factor of the throat."""
@@ -123,9 +125,10 @@ class FilletedProfile(BladeProfile):
         """Return the blade with its fillets."""
         return shapes.Filleted(size, self.r)
 
-    def notch(self, size: Quantity, l: float) -> tuple[Computed, Computed]:
-        """Return h and r, at the start of a fillet."""
-        return size, self.r
+    def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
+        """Return those of its fillets."""
+        at = {"h": size, "l": l, "r": self.r}
+        return fillet.bending_factor(**at), fillet.axial_factor(**at)
 
     def thick(self, size: Numbers, l: float) -> Thick:
         """Return the factor of the fillets."""

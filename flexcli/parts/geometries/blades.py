@@ -2,13 +2,21 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
+from math import pi
 from typing import Any, ClassVar, Literal, TypeAlias
+
+import numpy as np
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.card import SLENDER, Range
+from flexcli.formulas.profile import Constant, Filleted, per_design
 from flexcli.formulas.quantity import Computed
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment
-from flexcli.parts.bending import Giving
+from flexcli.mechanics.layout import Blade as Strip
+from flexcli.mechanics.layout import Number, Point
+from flexcli.numerics.signomial import Signomial
+from flexcli.parts.base import PositiveLength
+from flexcli.parts.bending import FilletedRoots, Giving
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Blade, Critical, Extent, Geometry, Sizes
 
@@ -30,18 +38,17 @@ class ClampedBlades(Geometry):
     """
 
     def giving_clamps(self, sizes: Sizes, nu: float) -> Giving | None:
-        """Return what roots in one piece with their bodies change."""
-        if self.clamps in (None, "rigid"):
+        """Return what roots in one piece with bodies change, and fillets beyond their beam."""
+        is_rigid, radius = self.clamps in (None, "rigid"), self.fillet
+        if is_rigid and not radius:
             return None
-        from flexcli.parts.bending.giving import giving_clamps
+        from flexcli.parts.bending.giving import Roots, giving_clamps
 
         return giving_clamps(
             self.blades_layout(Elastic(1.0, nu), sizes),
             self.held(1.0),
-            nu,
-            flush=self.clamps == "monolithic-flush",
-            joined=self.joined_in,
-            shift=lambda pure, bent: self.shift_change(sizes, pure, bent),
+            Roots(nu, is_rigid, self.clamps == "monolithic-flush", radius, self.joined_in),
+            lambda pure, bent: self.shift_change(sizes, pure, bent),
         )
 
     def with_giving_clamps(self) -> Geometry | None:
@@ -74,23 +81,87 @@ class BladeGeometry(ClampedBlades):
     """Free length, along the blade from end to end, e.g. ``20 mm``."""
     b: Extent
     """Width, across the plane of the motion, e.g. ``10 mm``."""
+    root_radius: PositiveLength | None = None
+    """Radius of the fillets at both ends of a blade, within its length; left out, sharp corners
+    whose peak of stress nobody counts, e.g. ``0.2 mm``.
+    """
 
     @property
     @abstractmethod
     def blade_count(self) -> int:
         """Return the number of blades."""
 
+    @property
+    def fillet(self) -> float:
+        """Return the radius of the fillets, 0 for sharp corners [m]."""
+        return self.root_radius or 0.0
+
+    def sharp(self) -> "BladeGeometry":
+        """Return it without fillets, as closed forms take it."""
+        return self.model_copy(update={"root_radius": None})
+
+    def strip(
+        self,
+        name: str,
+        bodies: tuple[str, str],
+        ends: tuple[Point, Point],
+        sizes: Blade,
+        z: Number = 0.0,
+    ) -> Strip:
+        """Return a blade of a layout from one place to another, with its fillets."""
+        h, l, b = sizes
+        if not self.fillet:
+            return Strip(name, *bodies, *ends, Constant(per_design(h)), b, z)
+        radius = np.minimum(self.fillet, per_design(l) / 2.0)
+        return Strip(name, *bodies, *ends, Filleted(per_design(h), radius), b, z, self.peaks(sizes))
+
+    def peaks(self, sizes: Blade) -> tuple[Computed, Computed]:
+        """Return by what its fillets raise the stress in bending and along a blade.
+
+        A choice of sizes takes the nominal stress, and is corrected to it by slope and value.
+        """
+        if not self.fillet or isinstance(sizes.h, Signomial) or isinstance(sizes.l, Signomial):
+            return 1.0, 1.0
+        from flexcli.formulas.fillet import axial_factor, bending_factor
+
+        at = {"h": sizes.h, "l": sizes.l, "r": self.fillet}
+        return bending_factor(**at), axial_factor(**at)
+
+    def filleted(self, sizes: Blade, nu: float) -> FilletedRoots | None:
+        """Return what its fillets change in its closed forms."""
+        if not self.fillet:
+            return None
+        from flexcli.parts.bending.filleted import filleted_roots
+
+        elastic, plain = Elastic(1.0, nu), self.sharp()
+        return filleted_roots(
+            plain.blades_layout(elastic, sizes),
+            self.blades_layout(elastic, sizes),
+            self.held(1.0),
+            lambda pure, bent: self.shift_change(sizes, pure, bent),
+        )
+
+    def fits(self, sizes: Blade) -> tuple[tuple[str, Computed, Computed], ...]:
+        """Return that the fillets fit in a blade."""
+        if not self.fillet:
+            return ()
+        return (("two fillets in a blade, 2 root_radius ≤ l", 2.0 * self.fillet, sizes.l),)
+
     def volume(self, sizes: Blade) -> Computed:
-        """Return the volume of all blades [m³]."""
-        return blade_volume(self.blade_count, sizes.h, sizes.l, sizes.b)
+        """Return the volume of all blades with their fillets [m³]."""
+        plain = blade_volume(self.blade_count, sizes.h, sizes.l, sizes.b)
+        if not self.fillet:
+            return plain
+        return plain + self.blade_count * 4.0 * (1.0 - pi / 4.0) * self.fillet**2 * sizes.b
 
     def ratios(self, sizes: Blade) -> dict[str, Computed]:
         """Return l/h and b/h."""
         return {"l/h": sizes.l / sizes.h, "b/h": sizes.b / sizes.h}
 
     def axial_stress(self, force: float, sizes: Blade) -> Computed:
-        """Return N/(h b) [Pa]."""
-        return axial_stress(force, sizes.h, sizes.b)
+        """Return N/(h b), with the peak where its fillets begin [Pa]."""
+        plain = axial_stress(force, sizes.h, sizes.b)
+        return plain * self.peaks(sizes)[1] if self.fillet else plain
 
     def critical(self, elastic: Elastic, sizes: Blade, ends: str) -> tuple[Critical, ...]:
         """Return Euler's loads of one blade about both axes of its section [N]."""

@@ -29,7 +29,7 @@ from flexcli.parts.geometries.layout_parts import (
     Name,
     Place,
 )
-from flexcli.parts.geometries.notch import CONCENTRATION, Concentration, throat_peaks
+from flexcli.parts.geometries.notch import CONCENTRATION, Concentration
 
 __all__ = ["FreeLayout"]
 
@@ -76,8 +76,8 @@ class FreeLayout(ClampedBlades):
     e.g. ``[{body: stage, at: [0 mm, 20 mm], x: 1 N/mm, y: 1 N/mm}]``.
     """
     concentration: Concentration = Field(CONCENTRATION, alias="stress-concentration")
-    """How the peak of the stress in a notch counts: Neuber's deep notch, or not at all,
-    e.g. ``none``.
+    """How the peak of the stress in a notch counts: by Neuber's deep notch, of fillets by their
+    own factor, or not at all, e.g. ``none``.
     """
 
     @model_validator(mode="after")
@@ -242,8 +242,9 @@ class FreeLayout(ClampedBlades):
     def _peak(self, name: str, sizes: Sizes) -> tuple[Computed, Computed]:
         """Return by what the shape of a blade raises its stress."""
         blade = self.blades[name]
-        notch = blade.thickness.notch(self.size_of(name, sizes), blade.length)
-        return (1.0, 1.0) if notch is None else throat_peaks(self.concentration, *notch)
+        if self.concentration == "none":
+            return 1.0, 1.0
+        return blade.thickness.peaks(self.size_of(name, sizes), blade.length)
 
     def _body(self, name: str, body: DrawnBody) -> Body:
         at = self._centre if name == self.moving and self.motion == "rotation" else body.at

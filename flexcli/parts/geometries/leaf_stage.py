@@ -6,9 +6,7 @@ from pydantic import Field
 
 from flexcli.formulas import stage
 from flexcli.formulas.card import Card
-from flexcli.formulas.profile import Constant, per_design
 from flexcli.formulas.quantity import Computed
-from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import Length, PositiveLength
 from flexcli.parts.bending import Bending, WideBlades
@@ -104,9 +102,9 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
 
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
         """Return the blades along x; the stage's point is at half their height."""
-        h, l, b = sizes
+        l = sizes.l
         blades = tuple(
-            Strip(f"blade {index}", GROUND, MOVING, (0.0, y), (l, y), Constant(per_design(h)), b)
+            self.strip(f"blade {index}", (GROUND, MOVING), ((0.0, y), (l, y)), sizes)
             for index, y in enumerate(self.places(), 1)
         )
         return Layout((Body(MOVING, (l / 2.0, 0.0)),), blades, elastic.E, elastic.shear)

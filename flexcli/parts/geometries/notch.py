@@ -7,10 +7,10 @@ from typing import Any, ClassVar, Literal, NamedTuple
 import numpy as np
 from pydantic import Field, model_validator
 
-from flexcli.formulas import hinge_shift, notch, notch_compliance
+from flexcli.formulas import fillet, hinge_shift, notch, notch_compliance
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import Filleted, Notch, Profile, per_design
-from flexcli.formulas.quantity import Computed, Quantity
+from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import spec_error
@@ -29,12 +29,13 @@ __all__ = [
     "EllipticHinge",
     "FilletedHinge",
     "NotchGeometry",
+    "fillet_peaks",
     "throat_factor",
     "throat_peaks",
 ]
 
 Concentration = Literal["deep-notch", "none"]
-"""How the peak of the stress in a throat over the nominal 6M/(b e²) is counted."""
+"""How the peak of the stress in a throat over the nominal 6M/(b e²) is counted, if it is."""
 
 CONCENTRATION: Concentration = "deep-notch"
 
@@ -52,6 +53,15 @@ def throat_peaks(way: Concentration, e: Quantity, r: Quantity) -> tuple[Computed
     return throat_factor(way, e, r), along
 
 
+def fillet_peaks(
+    way: Concentration, *, h: Numbers, l: Numbers, r: Numbers
+) -> tuple[Computed, Computed]:
+    """Return the factors where fillets begin, or 1 for the nominal stress."""
+    if way == "none":
+        return 1.0, 1.0
+    return fillet.bending_factor(h=h, l=l, r=r), fillet.axial_factor(h=h, l=l, r=r)
+
+
 class NotchGeometry(Geometry):
     """One hinge between the base and a body that turns about its throat."""
 
@@ -60,8 +70,8 @@ class NotchGeometry(Geometry):
     posynomial: ClassVar[bool] = False
 
     concentration: Concentration = Field(CONCENTRATION, alias="stress-concentration")
-    """How the peak of the stress in a throat counts: Neuber's deep notch, or not at all,
-    e.g. ``none``.
+    """How the peak of the stress in a throat counts: by Neuber's deep notch, of fillets by their
+    own factor, or not at all, e.g. ``none``.
     """
 
     @abstractmethod
@@ -92,12 +102,16 @@ class NotchGeometry(Geometry):
 
     def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Computed]:
         """Return the bending stress in the throat [Pa]."""
-        e, r = self.throat(sizes)
+        e, _ = self.throat(sizes)
         stress = notch.throat_stress(
             K=self.stiffness(elastic, sizes), b=sizes.b, e=e, theta=travel,
-            factor=throat_factor(self.concentration, e, r),
+            factor=self.peaks(sizes)[0],
         )  # fmt: skip
         return {"throat": stress}
+
+    def peaks(self, sizes: Any) -> tuple[Computed, Computed]:
+        """Return by what its shape raises the stress in bending and along it."""
+        return throat_peaks(self.concentration, *self.throat(sizes))
 
     def bending(self, elastic: Elastic, sizes: Any, travel: float) -> Bending:
         """Return that of an arc: the moment is the same all along."""
@@ -119,8 +133,7 @@ class NotchGeometry(Geometry):
 
     def axial_stress(self, force: float, sizes: Any) -> Computed:
         """Return N/(e b) in the throat, with the peak beside the notches [Pa]."""
-        e, r = self.throat(sizes)
-        return force / (e * sizes.b) * throat_peaks(self.concentration, e, r)[1]
+        return force / (self.throat(sizes)[0] * sizes.b) * self.peaks(sizes)[1]
 
     def indicators(self, sizes: Any, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in: shape and rotation."""
@@ -145,7 +158,7 @@ class NotchGeometry(Geometry):
         _, l = self.profile(sizes)
         strip = Strip(
             "hinge", GROUND, MOVING, (-l / 2.0, 0.0), (l / 2.0, 0.0), profile, sizes.b,
-            peak=throat_peaks(self.concentration, *self.throat(sizes)),
+            peak=self.peaks(sizes),
         )  # fmt: skip
         return Layout((Body(MOVING, (0.0, 0.0)),), (strip,), elastic.E, elastic.shear)
 
@@ -335,6 +348,10 @@ class FilletedHinge(NotchGeometry):
     def throat(self, sizes: FilletedSizes) -> tuple[Computed, Computed]:
         """Return h and r, at the start of a fillet."""
         return sizes.h, sizes.r
+
+    def peaks(self, sizes: FilletedSizes) -> tuple[Computed, Computed]:
+        """Return those of its fillets."""
+        return fillet_peaks(self.concentration, h=sizes.h, l=sizes.l, r=sizes.r)
 
     def thick_notches(self, sizes: FilletedSizes) -> Thick | None:
         """Return the factor of its fillets."""

@@ -7,11 +7,9 @@ from typing import Annotated, ClassVar
 
 from flexcli.formulas import pivot, pivot_next_order, thick_blades
 from flexcli.formulas.card import Card
-from flexcli.formulas.profile import Constant, per_design
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.thick_blades import s_bending_share
-from flexcli.mechanics.layout import Blade as Strip
-from flexcli.mechanics.layout import Body, Layout
+from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.pair import Pair
@@ -28,8 +26,8 @@ __all__ = [
     "CentredBlades",
     "PairFormulas",
     "PivotFormulas",
-    "centred_strip",
     "largest_share",
+    "on_ray",
 ]
 
 
@@ -69,7 +67,9 @@ class BladePivot(CentredBlades):
         """Return the blades from their inner ends on the ground to the moving body."""
         p = self.offset(sizes)
         blades = [
-            centred_strip(f"blade {index}", (GROUND, MOVING), angle, (p, p + sizes.l), sizes, z)
+            self.strip(
+                f"blade {index}", (GROUND, MOVING), on_ray(angle, (p, p + sizes.l)), sizes, z
+            )
             for index, (angle, z) in enumerate(
                 zip(self.blade_angles, self.heights(sizes), strict=True), 1
             )
@@ -190,17 +190,10 @@ class PairFormulas(PivotFormulas, BladePair):
         return {**found, "shift_across": Value(abs(float(across)), "m", text)}
 
 
-def centred_strip(
-    name: str,
-    bodies: tuple[str, str],
-    angle: float,
-    reach: tuple[Quantity, Quantity],
-    sizes: Blade,
-    z: Quantity = 0.0,
-) -> Strip:
-    """Return a blade along a ray from the centre, between two distances from it [m]."""
+def on_ray(angle: float, reach: tuple[Quantity, Quantity]) -> tuple[Point, Point]:
+    """Return two places on a ray from the centre, at two distances from it [m]."""
     start, end = ((r * cos(angle), r * sin(angle)) for r in reach)
-    return Strip(name, *bodies, start, end, Constant(per_design(sizes.h)), sizes.b, z)
+    return start, end
 
 
 def largest_share(angles: tuple[float, ...], direction: float) -> float:

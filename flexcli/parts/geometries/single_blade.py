@@ -5,10 +5,8 @@ from typing import ClassVar, Literal
 from flexcli.formulas import single_blade as blade
 from flexcli.formulas.card import Card
 from flexcli.formulas.hinge_shift import BLADE_CARDS, blade_shift
-from flexcli.formulas.profile import Constant, per_design
 from flexcli.formulas.quantity import Computed
 from flexcli.formulas.stage import shortening
-from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.arc import Arc
@@ -53,9 +51,8 @@ class _SingleBlade(BladeGeometry):
 
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
         """Return the blade along x; the moving body's point is its tip."""
-        h, l, b = sizes
-        root, tip = (self.root(sizes), 0.0), (self.root(sizes) + l, 0.0)
-        strip = Strip("blade", GROUND, MOVING, root, tip, Constant(per_design(h)), b)
+        root, tip = (self.root(sizes), 0.0), (self.root(sizes) + sizes.l, 0.0)
+        strip = self.strip("blade", (GROUND, MOVING), (root, tip), sizes)
         return Layout((Body(MOVING, tip),), (strip,), elastic.E, elastic.shear)
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:

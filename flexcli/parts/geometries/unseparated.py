@@ -2,18 +2,20 @@
 
 from typing import Annotated, ClassVar, Literal
 
+from pydantic import model_validator
+
 from flexcli.formulas import pivot
 from flexcli.formulas import unseparated as joined
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.layout import Body, Layout
-from flexcli.parts.base import QuantityOf
+from flexcli.parts.base import QuantityOf, spec_error
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.joined import Joined
 from flexcli.parts.bending.wide import wide_halves
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade
-from flexcli.parts.geometries.pivots import BladePair, centred_strip, largest_share
+from flexcli.parts.geometries.pivots import BladePair, largest_share, on_ray
 from flexcli.results import Value
 
 __all__ = ["UnseparatedPivot"]
@@ -36,6 +38,16 @@ class UnseparatedPivot(BladePair):
     kind: Literal["unseparated-cross"]
     crossing: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] = 0.5
     """Share of the blades' length on the side of the base, e.g. ``0.5``."""
+
+    @model_validator(mode="after")
+    def _has_sharp_roots(self) -> "UnseparatedPivot":
+        if self.root_radius is not None:
+            raise spec_error(
+                "root_radius is of blades that end in two bodies, not where they cross",
+                "leave it out, or draw a layout",
+                at=("root_radius",),
+            )
+        return self
 
     def offset(self, sizes: Blade) -> Computed:
         """Return minus the length on the side of the base [m]."""
@@ -86,8 +98,12 @@ class UnseparatedPivot(BladePair):
         for index, angle in enumerate(self.blade_angles, 1):
             near, far = self.crossing * sizes.l, (1.0 - self.crossing) * sizes.l
             blades += [
-                centred_strip(f"blade {index} base", (GROUND, CROSS), angle, (-near, 0.0), sizes),
-                centred_strip(f"blade {index} stage", (CROSS, MOVING), angle, (0.0, far), sizes),
+                self.strip(
+                    f"blade {index} base", (GROUND, CROSS), on_ray(angle, (-near, 0.0)), sizes
+                ),
+                self.strip(
+                    f"blade {index} stage", (CROSS, MOVING), on_ray(angle, (0.0, far)), sizes
+                ),
             ]
         bodies = (Body(CROSS, (0.0, 0.0)), Body(MOVING, (0.0, 0.0)))
         return Layout(bodies, tuple(blades), elastic.E, elastic.shear)

@@ -103,9 +103,9 @@ class Stops(Part):
             )
         if geometry.giving_clamps(geometry.probe(), 0.5) is not None:
             raise spec_error(
-                "blades at stops are taken as clamped rigidly",
-                "write clamps: rigid, or leave it out",
-                at=("geometry", "clamps"),
+                "blades at stops end in rigid clamps, without fillets",
+                "write clamps: rigid, and leave root_radius out",
+                at=("geometry",),
             )
         for key, strength in (("bending", self.bending), ("shear", self.shear)):
             try:

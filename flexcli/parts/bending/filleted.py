@@ -1,0 +1,72 @@
+"""Filleted roots: what fillets change in a joint of blades whose closed forms know of none."""
+
+import numpy as np
+
+from flexcli.formulas.notch_compliance import planar_compliance
+from flexcli.mechanics.layout import Blade, Layout
+from flexcli.mechanics.linear import LinearSolution, linear
+from flexcli.parts.bending.base import FilletedRoots
+from flexcli.parts.bending.giving import Shift, shift_within
+from flexcli.parts.geometries.base import MOVING, Held
+
+__all__ = ["filleted_roots"]
+
+PLACES = np.linspace(-1.0, 1.0, 201)
+"""Where the stress is taken on every piece of a blade: its crest is smooth."""
+
+
+def filleted_roots(
+    plain: Layout, filleted: Layout, held: Held, shift: Shift
+) -> FilletedRoots | None:
+    """Return the change from blades of constant thickness to those with fillets, at small motions.
+
+    ``held`` is a unit travel of the moving body. Nothing where the joint has no unique motion.
+    """
+    axis = next(i for i in (2, 1) if held[i])
+    numbers = []
+    for layout in (plain, filleted):
+        solution = linear(layout, {MOVING: held})
+        if not solution.unique.all():
+            return None
+        drive = float(solution.reactions[0, layout.index(MOVING), axis])
+        numbers.append((drive, _largest_stress(layout, solution)))
+    (drive, stress), (stiffer, peak) = numbers
+    arcs = [_turn(new) / _turn(old) - 1.0 for old, new in _pairs(plain, filleted)]
+    ratio = max(_radius_share(blade) for blade in filleted.blades)
+    return FilletedRoots(
+        ratio, stiffer / drive, peak / stress, shift_within(min(arcs), max(arcs), shift), min(arcs)
+    )
+
+
+def _pairs(plain: Layout, filleted: Layout) -> list[tuple[Blade, Blade]]:
+    return list(zip(plain.blades, filleted.blades, strict=True))
+
+
+def _length(blade: Blade) -> float:
+    return float(np.hypot(*np.subtract(blade.end, blade.start)))
+
+
+def _radius_share(blade: Blade) -> float:
+    """Return r/l."""
+    l = _length(blade)
+    return float(blade.profile.pieces(l)[1].position(np.array(-1.0))) / l
+
+
+def _turn(blade: Blade) -> float:
+    """Return the rotation of a blade per moment at its end, at E b = 1 [1/m²]."""
+    l = _length(blade)
+    return float(planar_compliance(blade.profile, E=1.0, l=l, b=1.0, a=l)[2, 2])
+
+
+def _largest_stress(layout: Layout, solution: LinearSolution) -> float:
+    """Return the largest bending stress in any blade, with its peak."""
+    found = 0.0
+    for blade, force in zip(layout.blades, solution.end_forces[0], strict=True):
+        x, y = np.subtract(blade.end, blade.start)
+        l = _length(blade)
+        across = (x * force[1] - y * force[0]) / l
+        for piece in blade.profile.pieces(l):
+            moment = force[2] + across * (l - piece.position(PLACES))
+            stress = 6.0 * np.abs(moment) / (blade.b * piece.thickness(PLACES) ** 2)
+            found = max(found, float(blade.peak[0]) * float(stress.max()))
+    return found

@@ -1,0 +1,152 @@
+"""Fillets at the roots of blades: stress and stiffness of plane bodies, the same in all models."""
+
+import pytest
+import yaml
+from plates import notched_plate
+from pydantic import TypeAdapter
+
+import flexcli
+from flexcli.formulas import fillet, notch
+from flexcli.formulas.clamps import TURN, clamp_compliance, fillet_compliance
+from flexcli.parts.geometries import AnyGeometry
+from flexcli.results import Status
+
+SHARPNESS = [0.5, 2.0, 7.0]
+"""h/r between those that the fits have seen."""
+LARGE = {"block": 2.0, "rise": 2.0}
+ELEMENTS = 1e-3
+"""Error of the finite elements of a body so large against its fillets."""
+
+
+def edges(x, straight=4.0):
+    """Return a blade of h = 1 with fillets of h/r = x, so much of it straight."""
+    return notched_plate.filleted(h=1.0, r=1.0 / x, l=straight + 2.0 / x)
+
+
+@pytest.mark.parametrize("straight", [0.5, 4.0])
+@pytest.mark.parametrize("x", SHARPNESS)
+def test_the_peak_of_the_stress_is_that_of_a_plane_body_and_never_below_it(x, straight):
+    bent, stretched = notched_plate.peaks_over_nominal(edges(x, straight), **LARGE)
+    at = {"h": 1.0, "l": straight + 2.0 / x, "r": 1.0 / x}
+    assert fillet.bending_factor(**at) == pytest.approx(bent, rel=0.01)  # of the elements too
+    assert fillet.bending_factor(**at) >= bent * (1.0 - ELEMENTS)
+    if straight == 4.0:
+        assert fillet.axial_factor(**at) == pytest.approx(stretched, rel=0.03)
+        assert fillet.axial_factor(**at) >= stretched * (1.0 - ELEMENTS)
+
+
+@pytest.mark.parametrize("x", [0.01, 1.0, 19.0, 21.0, 1e4])
+def test_a_deep_notch_has_a_higher_peak_and_bounds_sharper_fillets(x):
+    at, deep = {"h": x, "l": 1e6 * x, "r": 1.0}, {"e": x, "r": 1.0}
+    for own, other in (
+        (fillet.bending_factor(**at), notch.bending_factor(**deep)),
+        (fillet.axial_factor(**at), notch.axial_factor(**deep)),
+    ):
+        assert 1.0 < own <= other
+        assert bool(own == other) is (x > 20.0)
+
+
+@pytest.mark.parametrize("x", [0.3, *SHARPNESS])
+def test_fillets_turn_beyond_their_beam_as_plane_bodies_do(x):
+    rigid = notched_plate.turn_beyond_beam(edges(x), block=0.004)
+    large = notched_plate.turn_beyond_beam(edges(x), **LARGE)
+    found = fillet_compliance(h=1.0, r=1.0 / x)
+    assert found.least <= rigid <= found.most
+    plane = {"h": 1.0, "b": 1e4, "poisson_ratio": 0.3}
+    cut = clamp_compliance(**plane, r=1.0 / x)
+    assert (
+        cut.least <= (1.0 - 0.3**2) * large <= large <= cut.most <= clamp_compliance(**plane).most
+    )
+    assert large < TURN
+
+
+BLADE = {"h": "0.3 mm", "l": "12 mm", "b": "6 mm"}
+JOINTS = {
+    "cantilever": {},
+    "moment-blade": {},
+    "leaf-spring-stage": {"spacing": "20 mm"},
+    "rcc": {"p": "3 mm", "half_angle": "40 deg"},
+    "cross-spring": {"delta": -0.3, "half_angle": "45 deg"},
+}
+MODELS = ("closed-form", "linear", "exact")
+
+
+def design(geometry, requirements, **more):
+    turns = geometry["kind"] in ("moment-blade", "rcc", "cross-spring")
+    stroke = {"rotation": "1.5 deg"} if turns else {"translation": "0.2 mm"}
+    return yaml.safe_dump(
+        {
+            "flexure": 1,
+            "title": "fillets",
+            "material": {
+                "name": "steel", "youngs_modulus": "200 GPa", "poisson_ratio": 0.3,
+                "density": "8 g/cm^3", "yield_strength": "1 GPa",
+            },
+            "geometry": {"clamps": "rigid", **geometry},
+            "cases": {"use": {"stroke": stroke}},
+            "requirements": requirements,
+            **more,
+        }
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", JOINTS)
+def test_closed_forms_say_of_fillets_what_exact_blades_with_them_do(kind):
+    unit = "N/m" if kind in ("cantilever", "leaf-spring-stage") else "N*m/rad"
+    asked = {"yield": 1.0, "stiffness": {"min": f"1e-9 {unit}"}}
+    said = {"kind": kind, **BLADE, **JOINTS[kind], "root_radius": "0.4 mm"}
+    by_model = [flexcli.check(design(said, asked), model=model).checks for model in MODELS]
+    for name in ("yield", "stiffness"):
+        closed, linear, exact = (row(checks, name).factor_range for checks in by_model)
+        for other in (linear, exact):  # each holds the truth
+            assert max(closed[0], other[0]) <= min(closed[1], other[1])
+        assert closed[1] / closed[0] < 1.15
+    sharp = flexcli.check(design({**said, "root_radius": "0.02 mm"}, asked), model="linear").checks
+    assert row(sharp, "stiffness").factor < row(by_model[1], "stiffness").factor
+    assert row(sharp, "yield").factor < row(by_model[1], "yield").factor
+
+
+def row(checks, name):
+    (found,) = (check for check in checks if check.name.startswith(name))
+    return found
+
+
+def test_a_stage_with_fillets_is_the_layout_of_such_blades():
+    blade = {"between": ["ground", "stage"], "b": "6 mm"}
+    profile = {"kind": "filleted", "h": "0.3 mm", "r": "0.4 mm"}
+    drawn = {
+        "kind": "layout",
+        "bodies": {"stage": {"at": ["0 mm", "6 mm"]}},
+        "blades": {
+            name: {**blade, "profile": profile, "from": [x, "0 mm"], "to": [x, "12 mm"]}
+            for name, x in (("left", "-10 mm"), ("right", "10 mm"))
+        },
+        "moving": "stage",
+        "motion": {"translation": "0 deg"},
+    }
+    stage = {"kind": "leaf-spring-stage", **BLADE, "spacing": "20 mm", "root_radius": "0.4 mm"}
+    off = dict.fromkeys(("plate-widening", "anticlastic", "thick-notch", "clamp-compliance"), "off")
+    asked = {"yield": 1.0, "stiffness": {"min": "1 N/m"}}
+    one, other = (
+        flexcli.check(design(said, asked, effects=off), model="exact").checks
+        for said in (stage, drawn)
+    )
+    for name in ("yield", "stiffness"):
+        assert row(one, name).factor == pytest.approx(row(other, name).factor, rel=1e-6)
+
+
+def test_fillets_count_in_sizing_and_volume_and_must_fit():
+    said = {"kind": "leaf-spring-stage", "spacing": "20 mm", **BLADE, "root_radius": "0.4 mm"}
+    asked = {"yield": 1.5, "stiffness": {"min": "20 N/mm"}}
+    free = {**said, "h": "free", "l": "free"}
+    found = flexcli.size(design(free, asked))
+    assert found.status is Status.PASS
+    assert min(check.factor / check.required for check in found.checks) < 1.02
+    joint = TypeAdapter(AnyGeometry).validate_python(said)
+    plain = TypeAdapter(AnyGeometry).validate_python({**said, "root_radius": None})
+    corner = (1.0 - 3.141592653589793 / 4.0) * 0.4e-3**2 * 6e-3
+    grown = joint.volume(joint.sized({})) - plain.volume(plain.sized({}))
+    assert grown == pytest.approx(2 * 4 * corner, rel=1e-6)  # what is left of 72 mm³ times 1e-16
+    long = flexcli.check(design({**said, "root_radius": "6.1 mm"}, asked))
+    assert long.status is Status.FAIL
+    assert not row(long.checks, "geometry").passed
