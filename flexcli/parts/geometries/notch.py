@@ -165,8 +165,7 @@ class NotchGeometry(Geometry):
     def values(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Value]:
         """Return the stiffness along the hinge and the stress concentration factor."""
         C = self.compliance(elastic, sizes)
-        e, r = self.throat(sizes)
-        factor = throat_factor(self.concentration, e, r)
+        factor, _ = self.peaks(sizes)
         return {
             "k_along": Value(float(1.0 / C[..., 0, 0]), "N/m", "stiffness along the hinge"),
             "K_t": Value(float(factor), "", "stress concentration factor in the throat"),
