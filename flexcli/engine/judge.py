@@ -134,7 +134,7 @@ def again(
     found: list[Check] = []
     paths = {id(each): ("requirements", *path) for path, each in design.requirements.each()}
     for requirement, scene in design.questions(design.scenes()):
-        case = scene.case if requirement.per_case else ""
+        case = scene.case if requirement.is_of_a_case else ""
         if (paths[id(requirement)], case) in asked:
             found.extend(series.climbed(requirement, scene))
     return assess.worst_of_each(found)
@@ -297,7 +297,7 @@ def _not_done(requirement: Requirement, scene: Scene) -> Check:
 
 
 def _open_row(requirement: Requirement, scene: Scene, text: str) -> Check:
-    case = scene.case if requirement.per_case else ""
+    case = scene.case if requirement.is_of_a_case else ""
     return Check(requirement.label, case, text, nan, nan, "", nan, nan, Verdict.UNDECIDED, "")
 
 

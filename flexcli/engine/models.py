@@ -46,7 +46,7 @@ def model_series(design: DesignSpec, model: str | None = None) -> tuple[NamedMod
 def series_of(design: DesignSpec) -> tuple[str, ...]:
     """Return the names of the models that a design's geometry has, the cheapest first."""
     if design.geometry.in_space:
-        return ("linear",)
+        return MODEL_SERIES[1:]
     return MODEL_SERIES if design.geometry.closed_forms else MODEL_SERIES[1:]
 
 
@@ -68,9 +68,13 @@ def _joint_model(design: DesignSpec, model: str) -> JointModel:
     if model == "closed-form":
         return Corrected(CLOSED_FORM, heard, model)
     if design.geometry.in_space:
-        from flexcli.engine.joint_models.space_linear import SpaceLinearModel
+        if model == "linear":
+            from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 
-        return SpaceLinearModel()
+            return SpaceLinearModel()
+        from flexcli.engine.joint_models.space_exact import SpaceExactModel
+
+        return SpaceExactModel()
     from flexcli.mechanics.mesh import Effects
 
     blades = Effects(

@@ -347,7 +347,7 @@ class DesignSpec(Part):
         """Yield every requirement with each case that it is asked of; once where it is of none."""
         for _, requirement in self.requirements.each():
             relevant = [scene for scene in scenes if requirement.applies(scene)]
-            for scene in relevant if requirement.per_case else scenes[:1]:
+            for scene in relevant if requirement.is_of_a_case else scenes[:1]:
                 yield requirement, scene
 
     def own_limits(self, sizes: Sizes) -> Iterator[Limit]:
@@ -412,7 +412,7 @@ class DesignSpec(Part):
                 f"no case has what '{requirement.label}' is about",
                 "add a case that loads it, or take the requirement out",
             )
-        for scene in relevant if requirement.per_case else relevant[:1]:
+        for scene in relevant if requirement.is_of_a_case else relevant[:1]:
             try:
                 list(requirement.judged(self.ask(scene, probe, STAND_IN)))
             except RequirementError as error:

@@ -71,6 +71,12 @@ class Corrected(JointModel):
             s._replace(amplitude=s.amplitude * factor, mean=s.mean * factor) for s in found
         ]
 
+    def support_at_stroke(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return the support stiffness at both ends of the stroke, which needs no correction."""
+        return self.inner.support_at_stroke(ask, index, point, locked=locked)
+
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the critical forces, those in the plane corrected by what they do not carry."""
         return tuple(self._corrected(ask, c) for c in self.inner.critical(ask))

@@ -135,6 +135,14 @@ class ExactModel(JointModel):
             return self._stiffness(ask)[1]
         return BLADE_SPRINGS if ask.scene.axis else inf
 
+    def support_at_stroke(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return the support stiffness at both ends of the stroke, by the joint in space."""
+        from flexcli.engine.joint_models.space_stroke import support_at_stroke
+
+        return support_at_stroke(ask, index, point, locked=locked)
+
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the shift at the end of the stroke alone, positive towards −x of the layout."""
         return self._shift(ask)[0]

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.effect_names import EffectName
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
@@ -124,6 +125,17 @@ class JointModel(ABC):
         mode = own_mode(ask.mechanism, self.stiffness(ask), ask.geometry, elastic, ask.sizes)
         factor = self.frequency_factor(ask)
         return mode.stiffness * (factor**2 / (mode.mass * (2.0 * pi) ** 2))
+
+    def support_at_stroke(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return the support stiffness at both ends of the case's stroke, and their errors.
+
+        ``index`` is the direction, of x, y, z and about them along the axes of cases; ``point``
+        is from the moving body's, which it moved with [m]. All other motions are free, but that
+        of the drive where it is ``locked`` [N/m or N·m/rad].
+        """
+        raise NotAvailable("has no support stiffness at stroke by this model: take --model exact")
 
     @abstractmethod
     def parasitic_shift(self, ask: Ask) -> Computed:

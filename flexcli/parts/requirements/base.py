@@ -75,6 +75,11 @@ class Requirement(Part):
     """Whether it can be written on signomials; else it judges a design but cannot size one."""
     label: ClassVar[str]
 
+    @property
+    def is_of_a_case(self) -> bool:
+        """Return whether it is asked of each case that it applies to, or once of the joint."""
+        return self.per_case
+
     def applies(self, scene: Scene) -> bool:
         """Return whether this case has what the requirement is about."""
         return True

@@ -3,6 +3,7 @@
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements.ask import Ask, EndStress, JointModel
+from flexcli.results import ErrorRange
 
 __all__ = ["STAND_IN"]
 
@@ -28,6 +29,12 @@ class _StandIn(JointModel):
         """Return 1 where a model in space finds it; what says that nothing moves, says it."""
         known = ask.geometry.in_space and ask.geometry.has_masses
         return 1.0 if known else super().frequency_squared(ask)
+
+    def support_at_stroke(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return 1."""
+        return ((1.0, None),)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return 1."""

@@ -63,6 +63,7 @@ CENTRE = (0.0, 0.0, 0.0)
 HELD = 1e-14
 """Share of the compliance below which a direction is one that a guide or the drive holds."""
 
+SOURCE_AT_STROKE = "tangent of exact beams in space, sections that curl and warp"
 SOURCE = "linear blades between rigid clamps, assembled in space at rest"
 
 
@@ -147,7 +148,8 @@ def _along(direction: Direction) -> str:
 class Support(Bound):
     """Bounds on the stiffness in a direction, all others free; or on its ratio to another's.
 
-    That is at rest; the drive is free as well unless it is said to be locked.
+    That is at rest, or at both ends of each case's stroke; the drive is free as well unless it is
+    said to be locked.
     """
 
     label: ClassVar[str] = "support"
@@ -157,6 +159,10 @@ class Support(Bound):
     """Direction of the force or moment, e.g. ``direction: z, min: 1 N/um``."""
     drive: Literal["free", "locked"] = "free"
     """Whether the drive holds the motion of the stroke meanwhile, e.g. ``locked``."""
+    at: Literal["rest", "full-stroke"] = "rest"
+    """Where it is asked: at rest, or at both ends of each stroke, without the other loads of the
+    case, e.g. ``full-stroke``.
+    """
     over: Direction | None = None
     """Direction whose stiffness it is compared with; the bounds are then plain ratios,
     e.g. ``over: x, direction: y, min: 100``.
@@ -179,6 +185,11 @@ class Support(Bound):
         if self.over is not None and turns(self.over) != turns(self.direction):
             raise spec_error(
                 "a ratio is of two forces or of two moments", "e.g. theta_x over theta_z",
+                at=("over",),
+            )  # fmt: skip
+        if self.over is not None and self.at == "full-stroke":
+            raise spec_error(
+                "a ratio is asked at rest alone", "ask for both stiffnesses at stroke",
                 at=("over",),
             )  # fmt: skip
         for name in ("min", "max", "equals"):
@@ -210,8 +221,24 @@ class Support(Bound):
         over = f" over that {_along(self.over)}" if self.over is not None else ""
         return f"stiffness {_along(self.direction)}{over}"
 
+    @property
+    def is_of_a_case(self) -> bool:
+        """Return whether it is asked at the ends of each stroke."""
+        return self.at == "full-stroke"
+
+    def applies(self, scene: Scene) -> bool:
+        """Return whether the case has a stroke, where that is asked about."""
+        return self.at == "rest" or scene.moves
+
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return the stroke, where it is asked there."""
+        return frozenset() if self.at == "rest" else frozenset({LoadKind.STROKE})
+
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the stiffness or on the ratio."""
+        if self.at == "full-stroke":
+            yield from self._limits_at_stroke(ask)
+            return
         joint = space_joint(ask)
         value = self._stiffness(ask, self.direction)(joint.assembly)
         error = _with_clamps(ask, joint.error(self._stiffness(ask, self.direction)))
@@ -219,6 +246,24 @@ class Support(Bound):
             stiffness = self._stiffness(ask, self.over)
             value /= stiffness(joint.assembly)
             error = _of_ratio(error, _with_clamps(ask, joint.error(stiffness)))
+        quantity = f"{self.spoken}, drive {self.drive}"
+        yield from self._bounds(value, error, "", quantity, SOURCE)
+
+    def _limits_at_stroke(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the bounds on the stiffness at both ends of the case's stroke."""
+        index = DIRECTIONS.index(self.direction)
+        locked = self.drive == "locked"
+        quantity = f"{self.spoken} at full stroke, drive {self.drive}"
+        for value, error in ask.joint_model.support_at_stroke(
+            ask, index, self.point, locked=locked
+        ):
+            told = _with_clamps(ask, error)
+            yield from self._bounds(value, told, ask.scene.case, quantity, SOURCE_AT_STROKE)
+
+    def _bounds(
+        self, value: float, error: ErrorRange | None, case: str, quantity: str, source: str
+    ) -> Iterator[Limit]:
+        """Yield the bounds on a stiffness or ratio."""
         plain = {
             name: given[0]
             for name in ("min", "max", "equals")
@@ -226,16 +271,17 @@ class Support(Bound):
         }
         name = f"{self.label} {self.direction}" + (f"/{self.over}" if self.over else "")
         locked = " locked" if self.drive == "locked" else ""
+        there = " at stroke" if case else ""
         for limit in self.model_copy(update=plain).bounds(
             value,
-            case="",
-            quantity=f"{self.spoken}, drive {self.drive}",
+            case=case,
+            quantity=quantity,
             unit=self.unit,
-            source=SOURCE,
+            source=source,
             kind=QuantityKind.SUPPORT,
             error=error,
         ):
-            yield replace(limit, requirement=f"{name}{locked}")
+            yield replace(limit, requirement=f"{name}{there}{locked}")
 
     def _stiffness(self, ask: Ask, direction: Direction) -> Callable[["SpaceAssembly"], float]:
         """Return the stiffness in a direction as a function of the springs."""

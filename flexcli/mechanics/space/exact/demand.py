@@ -23,6 +23,10 @@ Held: TypeAlias = Mapping[str, Sequence[float | None]]
 """Shift [m] and rotation vector [rad] of bodies along the axes of their frames; None is free."""
 
 
+_ALONG_Z = 0.9
+"""Component of a direction above which it counts as one along z."""
+
+
 @dataclass(frozen=True, eq=False)
 class Frame:
     """The point of a body at rest [m] and the axes (rows) that its motion is stated by."""
@@ -71,10 +75,14 @@ class Demand(NamedTuple):
 
 
 def drive_frame(drive: Drive) -> dict[str, Frame]:
-    """Return the frame of the driven body: its point, the drive's direction as first axis."""
+    """Return the frame of the driven body: its point, the drive's direction as first axis.
+
+    Its third axis is z where the drive is across z.
+    """
     x = np.asarray(drive.direction, dtype=np.float64)
     x = x / np.linalg.norm(x)
-    z = np.cross(x, np.eye(3)[int(np.argmin(np.abs(x)))])
+    other = np.eye(3)[2 if abs(x[2]) < _ALONG_Z else 0]
+    z = other - (other @ x) * x
     z /= np.linalg.norm(z)
     return {drive.body: Frame(drive.point, np.stack([x, np.cross(z, x), z]))}
 

@@ -1,0 +1,140 @@
+"""Support stiffness, shift and stress at stroke by exact beams in space, from a spec."""
+
+import pytest
+
+import flexcli
+from flexcli.errors import SpecError
+
+GUIDE = """
+flexure: 1
+material: {{youngs_modulus: 200 GPa, yield_strength: 1800 MPa, poisson_ratio: 0.3}}
+geometry:
+  kind: space-layout
+  bodies:
+    stage: {{at: [0 mm, 50 mm, 0 mm]}}
+  blades:
+    leaf: {{between: [ground, stage], from: [100 mm, 0 mm, 0 mm], to: [100 mm, 100 mm, 0 mm],
+           h: 0.5 mm, b: {b}, width: z, mirror: [x]}}
+  moving: stage
+  motion: {{translation: x}}
+cases:
+  operation: {{stroke: {{translation: 20 mm}}}}
+requirements:
+{requirements}
+"""
+
+PIVOT = """
+flexure: 1
+material: {youngs_modulus: 200 GPa, yield_strength: 1800 MPa, poisson_ratio: 0.3}
+geometry: {kind: cross-spring, delta: -0.5, half_angle: 45 deg, h: 0.2 mm, l: 20 mm, b: 8 mm}
+cases: {operation: {stroke: {rotation: 15 deg}}}
+requirements:
+  support: {direction: x, min: 0.4 N/um, at: full-stroke, drive: locked}
+"""
+
+
+def checked(text, tmp_path, **how):
+    spec = tmp_path / "flexure.yaml"
+    spec.write_text(text, encoding="utf-8")
+    return flexcli.check(spec, **how)
+
+
+def guide(requirements, b="50 mm"):
+    return GUIDE.format(b=b, requirements=requirements)
+
+
+def only(result):
+    (check,) = result.checks
+    return check
+
+
+@pytest.mark.parametrize(
+    ("direction", "drive", "solid", "unit"),
+    [
+        ("z", "locked", 9.173e5, "N/m"),
+        ("y", "locked", 3.561e6, "N/m"),
+        ("theta_x", "locked", 1311.4, "N*m/rad"),
+        ("theta_z", "locked", 35809.0, "N*m/rad"),
+    ],
+)
+def test_support_at_stroke_is_that_of_solids_within_its_error(
+    tmp_path, direction, drive, solid, unit
+):
+    """CalculiX 2.20, C3D20R, at the middle of the blades; 20 mm of stroke."""
+    wanted = (
+        f"  support: {{direction: {direction}, min: 1 {unit}, at: full-stroke, drive: {drive}}}"
+    )
+    check = only(checked(guide(wanted), tmp_path))
+    assert check.model == "exact"
+    assert check.unit == unit
+    low, high = check.factor_range
+    assert low <= solid <= high
+    assert check.factor == pytest.approx(solid, rel=0.05)
+
+
+def test_a_free_drive_makes_the_guide_seventy_times_softer_along_its_blades(tmp_path):
+    found = [
+        only(
+            checked(
+                guide(f"  support: {{direction: y, min: 1 N/mm, at: full-stroke, drive: {drive}}}"),
+                tmp_path,
+            )
+        )
+        for drive in ("locked", "free")
+    ]
+    assert 60.0 < found[0].factor / found[1].factor < 80.0
+    assert found[0].full_name != found[1].full_name
+
+
+def test_what_is_stiff_at_rest_fails_at_stroke_and_says_so(tmp_path):
+    wanted = (
+        "  support: [{direction: z, min: 5 N/um}, {direction: z, min: 5 N/um, at: full-stroke}]"
+    )
+    result = checked(guide(wanted), tmp_path)
+    assert [(check.verdict.value, check.model) for check in result.checks] == [
+        ("pass", "linear"),
+        ("fail", "exact"),
+    ]
+    assert result.status.value == "fail"
+
+
+def test_blades_wider_than_those_compared_decide_nothing(tmp_path):
+    wanted = "  support: {direction: z, min: 1 N/m, at: full-stroke}"
+    assert only(checked(guide(wanted, b="60 mm"), tmp_path)).verdict.value == "undecided"
+
+
+def test_a_ratio_and_a_design_without_stroke_are_findings(tmp_path):
+    wanted = "  support: {direction: y, over: z, min: 1, at: full-stroke}"
+    with pytest.raises(SpecError, match="a ratio is asked at rest alone"):
+        checked(guide(wanted), tmp_path)
+    still = guide("  support: {direction: y, min: 1 N/um, at: full-stroke}")
+    still = still.replace("{stroke: {translation: 20 mm}}", "{wrench: {z: 1 N}}")
+    with pytest.raises(SpecError, match="no case has what 'support' is about"):
+        checked(still, tmp_path)
+
+
+def test_a_joint_of_the_plane_is_judged_in_space_at_its_stroke(tmp_path):
+    """A crossed pivot at 15° by CalculiX's solids: 1.3615 and 0.51703 N/µm, 0 and 10 mm apart.
+
+    Its blades lie side by side, 8 mm apart; the compliance grows with the square of that.
+    """
+    check = only(checked(PIVOT, tmp_path))
+    assert check.model == "exact"
+    assert check.verdict.value == "pass"
+    together, apart = 1.0 / 1.3615e6, 1.0 / 0.51703e6
+    solid = 1.0 / (together + 0.8**2 * (apart - together))
+    assert check.factor * 0.4e6 == pytest.approx(solid, rel=0.03)
+
+
+def test_a_stroke_beyond_the_linear_model_is_judged_by_exact_beams(tmp_path):
+    """3 E h s/l² times the plate's 1.08 of a solid: what the linear model cannot tell at l/5."""
+    result = checked(
+        guide("  yield: 2.5\n  parasitic_shift: {max: 2.6 mm}"), tmp_path, model="exact"
+    )
+    by_name = {check.name: check for check in result.checks}
+    stress = by_name["yield (yield-strength)"]
+    assert stress.model == "exact"
+    assert stress.verdict.value == "pass"
+    assert stress.demand == pytest.approx(3 * 200e9 * 0.5e-3 * 20e-3 / 0.01 * 1.07, rel=0.06)
+    # the solids' 2.4417 mm
+    assert by_name["parasitic shift (max)"].demand == pytest.approx(2.4417e-3, rel=0.01)
