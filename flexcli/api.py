@@ -64,6 +64,7 @@ __all__ = [
     "check",
     "dossier",
     "drawing",
+    "exported",
     "is_sized",
     "load",
     "plan",
@@ -387,6 +388,26 @@ def drawing(
         raise NoSolution("not-sized", text, "see flexure size")
     design: DesignSpec = spec.part
     return drawn(design, design.geometry.sized({}), case)
+
+
+def exported(
+    source: Spec, to: str, *, overrides: Overrides | None = None
+) -> tuple[bytes, tuple[str, ...]]:
+    """Return a joint at rest as a file for CAD, ``step``, ``dxf`` or ``stl``, and what to know.
+
+    Blades are exact, bodies plain blocks; lengths are in mm. It needs the extra ``cad``.
+    """
+    if to == "dxf":
+        from flexcli.report.export_dxf import dxf as written_as
+    elif to == "step":
+        from flexcli.report.export_solid import step as written_as
+    elif to == "stl":
+        from flexcli.report.export_solid import stl as written_as
+    else:
+        hint = nearest(to, ("step", "dxf", "stl"))
+        raise SpecError([Finding("to", f"there is no format '{to}'", hint)])
+    drawn = drawing(source, overrides=overrides)
+    return written_as(drawn), drawn.notes
 
 
 def dossier(

@@ -11,6 +11,7 @@ from flexcli.engine.joint_models.exact import TOLERANCE, ExactModel
 from flexcli.engine.joint_models.joint_states import blades_of, over_travels
 from flexcli.engine.values import stated_strength
 from flexcli.errors import SolveError
+from flexcli.formulas.profile import Edge
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Blade, Layout, Load
@@ -29,6 +30,7 @@ from flexcli.results.drawing import (
     DrawnAngle,
     DrawnBlade,
     DrawnBody,
+    DrawnEdge,
     DrawnForce,
     DrawnState,
 )
@@ -150,9 +152,29 @@ def _blade(blade: Blade, turn: Turn) -> DrawnBlade:
         s, h = s[1:], h[1:]
     axis = start + (np.array(s) / l)[:, None] * (end - start)
     width, height = float(column(blade.b)[0]), float(column(blade.z)[0])
+    outlines = tuple(_outline(face, start, end, turn) for face in blade.profile.faces(l))
     return DrawnBlade(
-        blade.name, blade.first, blade.second, _line(turn(axis)), tuple(h), width, height
+        blade.name, blade.first, blade.second, _line(turn(axis)), tuple(h), width, height, outlines
     )
+
+
+def _outline(face: Sequence[Edge], start: Floats, end: Floats, turn: Turn) -> tuple[DrawnEdge, ...]:
+    """Return the outline of a stretch between its left face and the mirror of it, on the right."""
+    along = (end - start) / np.hypot(*(end - start))
+    across = np.array([-along[1], along[0]])
+
+    def drawn(edge: Edge, side: float) -> DrawnEdge:
+        def place(at: XY) -> XY:
+            return _place(turn(start + at[0] * along + side * at[1] * across))
+
+        centre = None if edge.centre is None else place(edge.centre)
+        return DrawnEdge(place(edge.start), place(edge.end), centre)
+
+    right = [drawn(edge, -1.0) for edge in face]
+    left = [edge._replace(start=edge.end, end=edge.start) for edge in reversed(face)]
+    whole = [right, [drawn(edge, 1.0) for edge in left]]
+    closed = [DrawnEdge(a[-1].end, b[0].start) for a, b in (whole, whole[::-1])]
+    return (*whole[0], closed[0], *whole[1], closed[1])
 
 
 def _bodies(layout: Layout, turn: Turn, moving: str) -> tuple[DrawnBody, ...]:
@@ -271,7 +293,15 @@ def _bar(geometry: Geometry, sizes: Any) -> tuple[tuple[DrawnBlade, ...], tuple[
     blades, ground, moving = [], [], []
     for name, start, end in spans:
         axis = ((start, 0.0), (end, 0.0))
-        blades.append(DrawnBlade(name, GROUND, MOVING, axis, (deep, deep), across))
+        low, high = sorted((start, end))
+        ends = ((low, -1.0), (high, -1.0), (high, 1.0), (low, 1.0))
+        corners = [(x, side * deep / 2.0) for x, side in ends]
+        around = zip(corners, [*corners[1:], corners[0]], strict=True)
+        outline = tuple(DrawnEdge(a, b) for a, b in around)
+        outlines = () if hasattr(sizes, "d") else (outline,)  # a round bar is no prism across it
+        blades.append(
+            DrawnBlade(name, GROUND, MOVING, axis, (deep, deep), across, outlines=outlines)
+        )
         way = 1.0 if end > start else -1.0
         ground.append(((start, 0.0), (-way, 0.0)))
         moving.append(((end, 0.0), (way, 0.0)))

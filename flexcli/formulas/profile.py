@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 __all__ = [
     "Constant",
+    "Edge",
     "Filleted",
     "NeckedDown",
     "Notch",
@@ -43,8 +44,43 @@ class Piece(NamedTuple):
     thickness: Callable[[Floats], Floats]
 
 
+class Edge(NamedTuple):
+    """Part of a face: straight from a place to another, or a quarter of an ellipse about a centre.
+
+    Places are (s, t) [m]: along the blade from its start, across it from the centre line. The
+    half-axes of an ellipse lie along s and t.
+    """
+
+    start: tuple[float, float]
+    end: tuple[float, float]
+    centre: tuple[float, float] | None = None
+
+
+_GAP = 1e-9
+"""Share of the length by which a piece begins later than the one before it ends, if it is rigid
+between them."""
+
+
 class Profile(ABC):
     """A thickness profile, symmetric about the centre line of the blade."""
+
+    def faces(self, l: float) -> tuple[tuple[Edge, ...], ...]:
+        """Return the face on the left (t > 0) of each flexible stretch of one blade, exactly."""
+        found: list[list[Edge]] = []
+        ends, last = np.array([[-1.0, 1.0]]), -np.inf
+        for piece, centre in zip(self.pieces(l), self._centres(l), strict=True):
+            s_0, s_1 = (float(s) for s in np.ravel(piece.position(ends)))
+            h_0, h_1 = (float(h) for h in np.broadcast_to(piece.thickness(ends), (1, 2))[0])
+            if s_0 > last + _GAP * l:
+                found.append([])
+            if s_1 > s_0 + _GAP * l:
+                found[-1].append(Edge((s_0, h_0 / 2.0), (s_1, h_1 / 2.0), centre))
+            last = s_1
+        return tuple(tuple(edges) for edges in found)
+
+    def _centres(self, l: float) -> tuple[tuple[float, float] | None, ...]:
+        """Return the centre of each piece's curve on the left, nothing where it is straight."""
+        return (None,) * len(self.pieces(l))
 
     @abstractmethod
     def pieces(self, l: Number) -> tuple[Piece, ...]:
@@ -132,6 +168,10 @@ class Notch(Profile):
 
         return half(-1.0), half(1.0)
 
+    def _centres(self, l: float) -> tuple[tuple[float, float] | None, ...]:
+        centre = l / 2.0, float(self.e) / 2.0 + float(self.depth)
+        return centre, centre
+
 
 @dataclass(frozen=True, eq=False)
 class Filleted(Profile):
@@ -154,6 +194,10 @@ class Filleted(Profile):
 
         middle = _straight(self.r, l - 2.0 * self.r, self.h, self.h)
         return fillet(-1.0), middle, fillet(1.0)
+
+    def _centres(self, l: float) -> tuple[tuple[float, float] | None, ...]:
+        r, t = float(self.r), float(self.h) / 2.0 + float(self.r)
+        return (r, t), None, (l - r, t)
 
 
 @dataclass(frozen=True, eq=False)

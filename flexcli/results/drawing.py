@@ -2,21 +2,43 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from flexcli.results.shown import rendered
 
-__all__ = ["XY", "Drawing", "DrawnAngle", "DrawnBlade", "DrawnBody", "DrawnForce", "DrawnState"]
+__all__ = [
+    "XY",
+    "Drawing",
+    "DrawnAngle",
+    "DrawnBlade",
+    "DrawnBody",
+    "DrawnEdge",
+    "DrawnForce",
+    "DrawnState",
+]
 
 XY = tuple[float, float]
 """A place [m] in the plane."""
+
+
+class DrawnEdge(NamedTuple):
+    """Part of an outline: straight, or a quarter of an ellipse about a centre.
+
+    Its half-axes are those from the centre to the start and to the end.
+    """
+
+    start: XY
+    end: XY
+    centre: XY | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class DrawnBlade:
     """A blade at rest: its axis from end to end, the thickness at each place of it.
 
-    Where ``thickness`` is zero the blade is rigid, and the spec does not say how thick. ``width``
-    is that across the plane, ``height`` that of its middle over the plane [m].
+    ``outlines`` are closed, anticlockwise, one of each stretch that flexes, exactly. Where
+    ``thickness`` is zero the blade is rigid, and the spec does not say how thick. ``width`` is that
+    across the plane, ``height`` that of its middle over the plane [m].
     """
 
     name: str
@@ -26,6 +48,7 @@ class DrawnBlade:
     thickness: tuple[float, ...]
     width: float
     height: float = 0.0
+    outlines: tuple[tuple[DrawnEdge, ...], ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

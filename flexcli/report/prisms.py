@@ -1,0 +1,94 @@
+"""What of a drawing can be cut: outlines with a depth, of blades and of the blocks beside them."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+from flexcli.errors import SolveError
+from flexcli.report.drawing_svg import blocks
+from flexcli.results.drawing import XY, Drawing, DrawnBlade, DrawnEdge
+
+__all__ = ["BLADES", "BODIES", "GROUND", "MM", "Prism", "prisms"]
+
+BLADES, BODIES, GROUND = "BLADES", "BODIES", "GROUND"
+"""Layers."""
+
+MM = 1e3
+"""Of a metre: the unit of all files."""
+
+THICKER = 4.0
+"""Thickness of the rigid middle of a blade, which no spec states, over that of its hinges."""
+
+
+class Prism(NamedTuple):
+    """A closed outline [m], from a depth to another across the plane, with a name and a layer."""
+
+    name: str
+    layer: str
+    edges: tuple[DrawnEdge, ...]
+    low: float
+    high: float
+
+
+def prisms(drawing: Drawing) -> tuple[Prism, ...]:
+    """Return blades, exactly, and plain blocks for bodies, at rest.
+
+    Raises
+    ------
+    SolveError
+        When nothing of the drawing is a blade with an outline.
+
+    """
+    found = [
+        Prism(name if len(blade.outlines) == 1 else f"{name} hinge {k}", BLADES, edges, *span)
+        for blade, name, span in ((blade, blade.name, _span(blade)) for blade in drawing.blades)
+        for k, edges in enumerate(blade.outlines, 1)
+    ]
+    if not found:
+        text = f"a {drawing.kind} draws no blades that are prisms across its plane"
+        raise SolveError("no-prisms", text, "see flexure draw for what it draws")
+    middles = [
+        Prism(f"{blade.name} middle", BODIES, _block(corners), *_span(blade))
+        for blade in drawing.blades
+        for corners in _middles(blade)
+    ]
+    low, high = min(prism.low for prism in found), max(prism.high for prism in found)
+    bodies = [
+        Prism(body.name, GROUND if body.is_ground else BODIES, _block(corners), low, high)
+        for body in drawing.bodies
+        for corners in blocks(drawing, body)
+    ]
+    return (*found, *middles, *bodies)
+
+
+def _span(blade: DrawnBlade) -> tuple[float, float]:
+    return blade.height - 0.5 * blade.width, blade.height + 0.5 * blade.width
+
+
+def _block(corners: Sequence[XY]) -> tuple[DrawnEdge, ...]:
+    """Return the outline of a block, anticlockwise."""
+    ends = [*corners[1:], corners[0]]
+    area = sum(x * v - u * y for (x, y), (u, v) in zip(corners, ends, strict=True))
+    ordered = list(corners) if area > 0.0 else list(corners)[::-1]
+    around = zip(ordered, [*ordered[1:], ordered[0]], strict=True)
+    return tuple(DrawnEdge(a, b) for a, b in around)
+
+
+def _middles(blade: DrawnBlade) -> list[list[XY]]:
+    """Return the corners of what is rigid between the hinges of a blade."""
+    found = []
+    for one, other in pairwise(blade.outlines):
+        # an outline goes along its right face, across its end, and back
+        near, far = one[len(one) // 2 - 1], other[-1]
+        corners = [
+            (
+                (edge.start[0] + edge.end[0] + side * THICKER * (edge.end[0] - edge.start[0]))
+                / 2.0,
+                (edge.start[1] + edge.end[1] + side * THICKER * (edge.end[1] - edge.start[1]))
+                / 2.0,
+            )
+            for edge in (near, far)
+            for side in (-1.0, 1.0)
+        ]
+        found.append(corners)
+    return found
