@@ -19,10 +19,11 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.scene import largest_travel
-from flexcli.results import Result, SweepResult
+from flexcli.results import Result
 from flexcli.results.dossier import Dossier, Equation, Region, Spectrum
 from flexcli.results.drawing import Drawing
 from flexcli.results.explanation import SymbolRow
+from flexcli.results.simulation import SweepResult
 
 __all__ = ["dossier"]
 

@@ -33,8 +33,9 @@ from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask
-from flexcli.results import Cost, QuantityKind, Result, Status, SweepPoint, SweepResult, Value
+from flexcli.results import Cost, QuantityKind, Result, Status, Value
 from flexcli.results.activity import doing
+from flexcli.results.simulation import SweepPoint, SweepResult
 
 __all__ = ["simulate", "strokes"]
 

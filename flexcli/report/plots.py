@@ -21,11 +21,11 @@ from flexcli.results import (
     SizingResult,
     StopsResult,
     StopSweep,
-    SweepResult,
     Verdict,
 )
 from flexcli.results.dossier import Dossier, Region, Spectrum
 from flexcli.results.drawing import Drawing
+from flexcli.results.simulation import SweepResult
 from flexcli.units import STANDARD_GRAVITY, shown_unit
 
 __all__ = [

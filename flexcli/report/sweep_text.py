@@ -6,7 +6,8 @@ from rich.console import RenderableType
 
 from flexcli.report.rows_csv import rows_csv
 from flexcli.report.tables import Line, table
-from flexcli.results import Result, SweepPoint, SweepResult
+from flexcli.results import Result
+from flexcli.results.simulation import SweepPoint, SweepResult
 from flexcli.units import shown_unit
 
 __all__ = ["section", "sweep_csv", "sweep_table"]

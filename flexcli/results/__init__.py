@@ -36,7 +36,6 @@ from flexcli.results.result import (
     Result,
     Status,
 )
-from flexcli.results.simulation import SweepPoint, SweepResult
 from flexcli.results.sizing import (
     Design,
     Relaxation,
@@ -108,8 +107,6 @@ __all__ = [
     "StopSweep",
     "StopsResult",
     "StrokeRow",
-    "SweepPoint",
-    "SweepResult",
     "SweepStep",
     "TransferRow",
     "UnknownResult",

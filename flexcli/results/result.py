@@ -11,7 +11,6 @@ from flexcli.results.balance import BalanceResult
 from flexcli.results.judgement import Check, EffectRow, Note, Value
 from flexcli.results.plan import AuditRow, Plan
 from flexcli.results.shown import records, rendered, tables
-from flexcli.results.simulation import SweepResult
 from flexcli.results.sizing import SizingResult
 from flexcli.results.stops import StopsResult
 from flexcli.results.vibration import (
@@ -23,6 +22,7 @@ from flexcli.results.vibration import (
 )
 
 if TYPE_CHECKING:
+    from flexcli.results.simulation import SweepResult
     from flexcli.results.study import StudyResult
     from flexcli.results.tolerances import TolerancesResult
     from flexcli.results.verification import Verification
@@ -93,7 +93,7 @@ class Result:
     breakpoints: tuple[BreakpointRow, ...] = ()
     worst_cases: tuple[WorstCaseRow, ...] = ()
     spectra: tuple[Spectrum, ...] = ()
-    sweeps: tuple[SweepResult, ...] = ()
+    sweeps: tuple["SweepResult", ...] = ()
     balance: BalanceResult | None = None
     stops: StopsResult | None = None
     accuracy: AccuracyResult | None = None

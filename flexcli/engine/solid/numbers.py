@@ -78,7 +78,7 @@ class SolidNumbers:
         geometry = self.ask.geometry
         layout = geometry.layout(self.ask.material.elastic, self.ask.sizes)
         model = solid_model(layout, fineness=self.fineness)
-        guided = geometry.motion == "translation" and geometry.held(0.0)[2] is not None
+        guided = geometry.is_guided
         deck = compliance_deck(model, MOVING, guided)
         ref, rot = deck.bodies[MOVING]
         columns = [
