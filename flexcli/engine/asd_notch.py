@@ -18,7 +18,7 @@ from flexcli.numerics.modes import natural_modes
 from flexcli.parts.asd import AppliedASD, RandomVibration
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.response import apparent_mass, sweep_points
+from flexcli.parts.response import apparent_mass, mode_qualities, sweep_points
 from flexcli.parts.structure import Structure
 from flexcli.results import Cost, Note, Result, Spectrum, SpectrumColumn, Status, Value
 
@@ -68,10 +68,12 @@ def notch(
     applied = vibration.applied()
     total = structure.moved[along] + limit.fixed_mass
     knee = _primary(structure, along) if limit.knee is None else limit.knee
-    resonances = natural_modes(structure.stiffness, structure.mass).angular / (2.0 * np.pi)
+    modes = natural_modes(structure.stiffness, structure.mass)
+    resonances = modes.angular / (2.0 * np.pi)
+    Q = mode_qualities(structure, vibration, modes)
 
     def factor(f: Floats) -> Floats:
-        mass = apparent_mass(structure, vibration.q, along, f) + limit.fixed_mass
+        mass = apparent_mass(structure, Q, along, f) + limit.fixed_mass
         return notch_factor(f, mass, limit.C, total, knee, limit.exponent)
 
     def level(f: Floats, side: Side) -> Floats:
@@ -79,7 +81,7 @@ def notch(
 
     corners = applied.frequency
     cuts = np.union1d(corners, _inside([knee], corners))
-    dense = sweep_points((float(corners[0]), float(corners[-1])), resonances, vibration.q)
+    dense = sweep_points((float(corners[0]), float(corners[-1])), resonances, Q)
     lowered = factor(dense) < 1.0
     edges = dense[np.flatnonzero(np.diff(lowered))] if lowered.any() else np.zeros(0)
     cuts = np.union1d(cuts, edges)
@@ -88,7 +90,7 @@ def notch(
     title = f"{profile.name or name}, force limited, C = {limit.C:g}"
     note = (
         f"Notched for case {name} along {along}: C = {limit.C:g}, M0 = {total:.4g} kg, "
-        f"f0 = {knee:.4g} Hz, n = {limit.exponent:g}, Q = {vibration.q:g}."
+        f"f0 = {knee:.4g} Hz, n = {limit.exponent:g}, {vibration.told_q}."
     )
     new = made(title, note, f, g, [profile], "log-log")
     new = new.model_copy(update={"duration": applied.duration})
@@ -96,8 +98,7 @@ def notch(
     depth = 10.0 * np.log10(factor(dense))
     deepest = int(np.argmin(depth))
     force, held = (
-        (np.abs(apparent_mass(structure, vibration.q, along, dense) + limit.fixed_mass) ** 2)
-        * spectrum
+        (np.abs(apparent_mass(structure, Q, along, dense) + limit.fixed_mass) ** 2) * spectrum
         for spectrum in (_level(applied, dense, "right"), level(dense, "right"))
     )
     values = {

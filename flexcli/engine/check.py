@@ -1,6 +1,7 @@
 """The verb check: judge the sizes that the spec gives."""
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from time import perf_counter
 
@@ -98,6 +99,7 @@ def judged(
             *notes,
             *_open(design, sizes, found),
             *_rigid_clamps(design, sizes, found, model),
+            *_shaken(design, sizes, joint_model, found),
         ),
         cost=Cost(0.0, found.deciding, max(errors, default=None), by_model=found.by_model),
     )
@@ -106,6 +108,18 @@ def judged(
     from flexcli.engine.planning.by_plan import with_planned_values
 
     return with_planned_values(result, design, sizes, model or design.model)
+
+
+def _shaken(
+    design: DesignSpec, sizes: Sizes, joint_model: JointModel, found: Judgement
+) -> Iterator[Note]:
+    """Yield what to know of the cases of which the response was judged."""
+    cases = dict.fromkeys(c.case for c in found.checks if c.kind is QuantityKind.RESPONSE)
+    for case in cases:
+        from flexcli.engine.vibration_notes import vibration_notes
+
+        with suppress(SolveError):  # said where the response is judged
+            yield from vibration_notes(design.ask(design.scene(case), sizes, joint_model))
 
 
 def told_values(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> dict[str, Value]:

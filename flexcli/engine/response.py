@@ -7,6 +7,7 @@ from typing import Literal, TypeAlias
 from flexcli.engine.judge import judge, status_of
 from flexcli.engine.models import model_series
 from flexcli.engine.response_spectra import UNITS, densities, structure_of_case, transfers
+from flexcli.engine.vibration_notes import vibration_notes
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.parts.asd import RandomVibration
@@ -15,7 +16,7 @@ from flexcli.parts.geometries import Sizes
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements import Ask, RequirementError, Requirements
 from flexcli.parts.requirements.response_range import uncertain_structure
-from flexcli.parts.requirements.shaking import SHAKES, shakings
+from flexcli.parts.requirements.shaking import SHAKES, shakings, together
 from flexcli.parts.response import REACH, Output, random_response
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import Structure
@@ -75,6 +76,7 @@ def respond(
                 notes += _without_life(ask, response)
                 rows.append(_higher_modes(scene, response))
         responses += found
+        notes += vibration_notes(ask)
         spectra += densities(ask) if "density" in kinds else ()
         spectra += transfers(ask) if "transfer" in kinds else ()
         values |= _worst_values(ask)
@@ -163,7 +165,7 @@ def _random(ask: Ask, structure: Structure, vibration: RandomVibration) -> CaseR
             for name, output in response.outputs.items()
             if name.startswith("stress")
         }
-    kind = f"random, Q = {vibration.q:g}, along {', '.join(vibration.axes)}"
+    kind = f"random, {vibration.told_q}, along {', '.join(vibration.axes)}"
     told = tuple(m for m in response.modes if m.dynamic or m.mass_share > TELLING)
     return CaseResponse(ask.scene.case, kind, told, outputs, lives, duration)
 
@@ -212,8 +214,8 @@ def _mode_values(response: CaseResponse) -> dict[str, Value]:
 def _worst_values(ask: Ask) -> dict[str, Value]:
     """Return the largest stress and force of a case, each with what its peak may be off by."""
     found: dict[str, Value] = {}
-    case = ask.scene.case
-    for shaking in shakings(ask, _by_sigma):
+    case, each = ask.scene.case, list(shakings(ask, _by_sigma))
+    for shaking in (*each, *(together(each) if len(each) > 1 else ())):
         over = uncertain_structure(ask, shaking.changes_at).of(shaking.peaks)
         for word, label in (("stress", "stress at a blade's end"), ("force", "force on a joint")):
             at = max((n for n in over if n.startswith(word)), key=lambda name: over[name][0])

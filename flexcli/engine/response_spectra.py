@@ -10,7 +10,12 @@ from flexcli.numerics.modes import natural_modes
 from flexcli.parts.requirements import Ask, RequirementError
 from flexcli.parts.requirements.response_range import uncertain_structure
 from flexcli.parts.requirements.shaking import quality_of
-from flexcli.parts.response import response_density, sweep_points, transfer_functions
+from flexcli.parts.response import (
+    mode_qualities,
+    response_density,
+    sweep_points,
+    transfer_functions,
+)
 from flexcli.parts.structure import Structure
 from flexcli.results import Spectrum, SpectrumColumn
 
@@ -60,27 +65,30 @@ def densities(ask: Ask) -> Iterator[Spectrum]:
 def transfers(ask: Ask) -> Iterator[Spectrum]:
     """Yield the transfer functions from the base to every body, along each axis that is shaken."""
     scene, structure = ask.scene, structure_of_case(ask)
-    axes: dict[str, tuple[float, tuple[float, float]]] = {}
-    if scene.vibration is not None:
-        ends = scene.vibration.applied().frequency[[0, -1]].tolist()
-        axes |= dict.fromkeys(scene.vibration.axes, (scene.vibration.q, (ends[0], ends[1])))
-    modes = natural_modes(structure.stiffness, structure.mass).angular / (2.0 * np.pi)
-    around = float(modes[0]) / 10.0, 10.0 * float(modes[0])
+    axes: dict[str, tuple[str, float | Floats, tuple[float, float]]] = {}
+    modes = natural_modes(structure.stiffness, structure.mass)
+    resonances = modes.angular / (2.0 * np.pi)
+    vibration = scene.vibration
+    if vibration is not None:
+        Q = mode_qualities(structure, vibration, modes)
+        ends = vibration.applied().frequency[[0, -1]].tolist()
+        axes |= dict.fromkeys(vibration.axes, (vibration.told_q, Q, (ends[0], ends[1])))
+    around = float(resonances[0]) / 10.0, 10.0 * float(resonances[0])
     if scene.shock is not None:
-        axes.setdefault(scene.shock.axis, (scene.shock.q, around))
-    for sweep in (scene.sweep, scene.sine):
-        if sweep is not None:
-            axes.setdefault("x", (quality_of(ask.mechanism, scene), around))
-    for axis, (Q, band) in axes.items():
-        f = sweep_points(band, modes, Q)
+        axes.setdefault(scene.shock.axis, (f"Q = {scene.shock.q:g}", scene.shock.q, around))
+    if scene.sweep is not None or scene.sine is not None:
+        quality = quality_of(ask.mechanism, scene)
+        axes.setdefault("x", (f"Q = {quality:g}", quality, around))
+    for axis, (told, each, band) in axes.items():
+        f = sweep_points(band, resonances, each)
         columns = [_column("frequency", "Hz", "", f)]
-        for body, gains in transfer_functions(structure, Q, axis, f).items():
+        for body, gains in transfer_functions(structure, each, axis, f).items():
             for (direction, unit), gain in zip(DIRECTIONS, gains.T, strict=True):
                 name = f"{body} {direction}"
                 label = "over the base's"
                 columns.append(_column(name, unit, label, np.abs(gain)))
                 columns.append(_column(f"{name} phase", "rad", "", np.angle(gain)))
-        name = f"transfer functions, base along {axis}, Q = {Q:g}"
+        name = f"transfer functions, base along {axis}, {told}"
         yield Spectrum("transfer", name, f"{scene.case}, along {axis}", tuple(columns))
 
 

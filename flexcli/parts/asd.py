@@ -14,6 +14,7 @@ from pydantic import (
     field_validator,
     model_validator,
 )
+from pydantic.json_schema import SkipJsonSchema
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError
 
 from flexcli.formulas.decibels import levels_from_slopes, scale_level
@@ -49,6 +50,7 @@ Floats = NDArray[np.float64]
 
 Gain = Annotated[float, QuantityOf("decibel", above=-100.0, below=100.0)]
 Margin = Annotated[float, QuantityOf("decibel", at_least=0.0, below=100.0)]
+Quality = Annotated[float, QuantityOf("ratio", at_least=0.5)]
 Slope = Annotated[float, QuantityOf("slope", above=-1000.0, below=1000.0)]
 ItemMass = Annotated[float, QuantityOf("mass", above=0.0)]
 
@@ -347,6 +349,46 @@ class AppliedASD:
         return miles_worst_case(self.frequency, self.level, q, scale=self.scale)
 
 
+class OrByMode:
+    """A type marker of Q: in a spec ``{all: 50, modes: {1: 80}}`` gives some modes their own."""
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        plain = handler(schema)
+        modes = {
+            "type": "object",
+            "patternProperties": {r"^[1-9][0-9]*$": plain},
+            "additionalProperties": False,
+            "description": "Q of modes by their number, as asd response counts them",
+            "examples": [{"1": 80}],
+        }
+        each = {
+            "type": "object",
+            "properties": {
+                "all": {**plain, "description": "Q of all the other modes", "examples": [50]},
+                "modes": modes,
+            },
+            "required": ["all", "modes"],
+            "additionalProperties": False,
+        }
+        return {"anyOf": [plain, each]}
+
+
+def _by_mode(given: dict[str, Any]) -> dict[str, Any]:
+    """Return what a Q by modes says, as the fields of a vibration."""
+    for key in given:
+        if key not in ("all", "modes"):
+            raise spec_error(f"unknown key '{key}'", "write {all: 50, modes: {1: 80}}", at=("q",))
+    for key in ("all", "modes"):
+        if key not in given:
+            raise spec_error(f"'{key}' is missing", "write {all: 50, modes: {1: 80}}", at=("q",))
+    modes = given["modes"]
+    if not isinstance(modes, dict) or not all(str(key).isdigit() for key in modes):
+        raise spec_error("modes are numbers from 1 on", "write modes: {1: 80}", at=("q", "modes"))
+    return {"q": given["all"], "q_of_modes": {int(key): value for key, value in modes.items()}}
+
+
 class RandomVibration(Part):
     """A profile as a case uses it, the quality factor of the response, and the sigma of design.
 
@@ -356,8 +398,13 @@ class RandomVibration(Part):
 
     profile: ASDProfile
     """The profile: inline, the name of a shipped one, or a path, e.g. ``gevs-qualification``."""
-    q: Annotated[float, QuantityOf("ratio", at_least=0.5)]
-    """Quality factor Q of the response, e.g. ``100``."""
+    q: Annotated[float, QuantityOf("ratio", at_least=0.5), OrByMode()]
+    """Quality factor Q of the response, or of its modes by their number, the others' beside,
+    e.g. ``100``.
+    """
+    q_of_modes: SkipJsonSchema[dict[Annotated[int, Field(ge=1)], Quality]] = Field(
+        default_factory=dict, repr=False
+    )
     sigma: Ratio = 3.0
     """Peak that is designed for, in root mean squares, e.g. ``3``."""
     scale: Gain = 0.0
@@ -397,6 +444,8 @@ class RandomVibration(Part):
             raise spec_error(
                 "a vibration case needs its profile and Q", "write {profile: my.yaml, q: 100}"
             )
+        if isinstance(data.get("q"), dict):
+            data = {**data, **_by_mode(data["q"])}
         if "points" not in data:
             return data
         if "profile" in data:
@@ -422,6 +471,17 @@ class RandomVibration(Part):
                 at=("mass",),
             )
         return self
+
+    @property
+    def largest_q(self) -> float:
+        """Return the largest quality factor of any mode."""
+        return max(self.q, *self.q_of_modes.values()) if self.q_of_modes else self.q
+
+    @property
+    def told_q(self) -> str:
+        """Return its quality factors in words."""
+        own = ", ".join(f"{q:g} of mode {n}" for n, q in sorted(self.q_of_modes.items()))
+        return f"Q = {self.q:g}" + (f" ({own})" if own else "")
 
     @property
     def axes(self) -> tuple[Literal["x", "y"], ...]:

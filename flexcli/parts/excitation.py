@@ -1,15 +1,24 @@
 """A sinusoidal motion of the base: at one frequency, or sweeping from one to another."""
 
 import re
-from math import log2
+from itertools import combinations, pairwise
+from math import log2, pi
 from typing import Annotated, Any, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import BeforeValidator, Field, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
+from flexcli.errors import SolveError
 from flexcli.parts.base import Frequency, Part, QuantityOf, spec_error
+from flexcli.units import STANDARD_GRAVITY, show
 
 __all__ = ["Sine", "Sweep", "SweepRate"]
+
+Floats = NDArray[np.float64]
+
+LEVELS = ("acceleration", "velocity", "displacement")
 
 Amplitude = Annotated[float, QuantityOf("acceleration", above=0.0)]
 
@@ -19,13 +28,73 @@ LONGEST_SWEEP = 1e6
 """Time [s] beyond which a sweep rate is hardly meant."""
 
 
-class Sine(Part):
-    """A sine of the base's acceleration along x, its amplitude and frequency."""
+class _Levels(Part):
+    """Amplitudes of a sine: of acceleration, velocity or displacement.
 
-    acceleration: Amplitude
+    Of several the least counts at each frequency, as tests are specified: the displacement at low
+    frequencies, the acceleration beyond the crossover.
+    """
+
+    given_acceleration: Amplitude | None = Field(None, alias="acceleration")
     """Amplitude of the acceleration, e.g. ``2 g``."""
+    velocity: Annotated[float, QuantityOf("velocity", above=0.0)] | None = None
+    """Amplitude of the velocity, e.g. ``0.5 m/s``."""
+    displacement: Annotated[float, QuantityOf("length", above=0.0)] | None = None
+    """Amplitude of the displacement, half of peak to peak, e.g. ``10 mm``."""
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        whole = handler.resolve_ref_schema(handler(schema))
+        return {**whole, "anyOf": [{"required": [key]} for key in LEVELS]}
+
+    @model_validator(mode="after")
+    def _has_a_level(self) -> "_Levels":
+        if not any(self._given):
+            raise spec_error(
+                "nothing says how strong the sine is",
+                f"give {' or '.join(LEVELS)}, e.g. acceleration: 2 g",
+            )
+        return self
+
+    @property
+    def _given(self) -> tuple[float | None, ...]:
+        return self.given_acceleration, self.velocity, self.displacement
+
+    def level(self, f: Floats) -> Floats:
+        """Return the amplitude of the acceleration [m/s²] at frequencies [Hz], shape of f."""
+        omega = 2.0 * np.pi * f
+        each = [a * omega**n for n, a in enumerate(self._given) if a is not None]
+        return np.asarray(np.minimum.reduce(each))
+
+    def crossovers(self, low: float, high: float) -> tuple[float, ...]:
+        """Return the frequencies between two at which another level takes over [Hz]."""
+        given = [(n, a) for n, a in enumerate(self._given) if a is not None]
+        found = []
+        for (n, a), (m, b) in combinations(given, 2):
+            f = (a / b) ** (1.0 / (m - n)) / (2.0 * pi)
+            is_least = abs(float(self.level(np.array(f))) / (a * (2.0 * pi * f) ** n) - 1.0) < 1e-9
+            if low < f < high and is_least:
+                found.append(f)
+        return tuple(sorted(found))
+
+
+class Sine(_Levels):
+    """A sine of the base along x: its amplitude and frequency."""
+
     frequency: Frequency
     """Frequency of the sine, e.g. ``60 Hz``."""
+
+    @property
+    def acceleration(self) -> float:
+        """Return the amplitude of the acceleration [m/s²]."""
+        return float(self.level(np.array(self.frequency)))
+
+    @property
+    def told(self) -> str:
+        """Return the sine in words."""
+        return f"sine of {show(self.acceleration / STANDARD_GRAVITY, 'g')} at {self.frequency:g} Hz"
 
 
 class SweepRate(NamedTuple):
@@ -54,8 +123,8 @@ def _rate(value: Any) -> SweepRate:
     return SweepRate(number / 60.0, is_linear=False)
 
 
-class Sweep(Part):
-    """A sine of constant acceleration whose frequency goes from one value to another."""
+class Sweep(_Levels):
+    """A sine of the base along x whose frequency goes from one value to another."""
 
     start: Frequency = Field(alias="from")
     """Frequency where the sweep starts, e.g. ``5 Hz``."""
@@ -65,8 +134,6 @@ class Sweep(Part):
     """How fast the frequency goes: in Hz/s, or oct/min for equal ratios in equal times,
     e.g. ``2 oct/min``.
     """
-    acceleration: Amplitude
-    """Amplitude of the acceleration, e.g. ``1 g``."""
 
     @model_validator(mode="after")
     def _goes_somewhere(self) -> "Sweep":
@@ -77,6 +144,39 @@ class Sweep(Part):
                 f"this sweep takes {self.duration:.3g} s", "check the rate's unit", at=("rate",)
             )
         return self
+
+    @property
+    def acceleration(self) -> float:
+        """Return the amplitude of the acceleration, where it is constant [m/s²]."""
+        if self.velocity is not None or self.displacement is not None:
+            raise SolveError(
+                "no-constant-level",
+                "this runs sweeps of constant acceleration alone, and the sweep has a displacement "
+                "or a velocity",
+                "split the case: a sweep of acceleration, and sines at its lower frequencies",
+            )
+        assert self.given_acceleration is not None  # one of the three is given
+        return self.given_acceleration
+
+    @property
+    def told(self) -> str:
+        """Return the sweep in words, with its crossovers."""
+        low, high = sorted((self.start, self.end))
+        edges = [low, *self.crossovers(low, high), high]
+        parts = []
+        for a, b in pairwise(edges):
+            middle = np.array((a * b) ** 0.5)
+            at, omega = float(self.level(middle)), 2.0 * pi * float(middle)
+            units = ((0, "m/s^2"), (1, "m/s"), (2, "m"))
+            given = zip(self._given, units, strict=True)
+            n, size, unit = next(
+                (n, x, unit)
+                for x, (n, unit) in given
+                if x is not None and abs(x * omega**n / at - 1.0) < 1e-9
+            )
+            shown = show(size / STANDARD_GRAVITY, "g") if n == 0 else show(size, unit)
+            parts.append(f"{shown} to {b:.4g} Hz")
+        return f"sweep from {low:g} Hz, {', '.join(parts)}"
 
     @property
     def duration(self) -> float:

@@ -1,6 +1,6 @@
 """The response of the mechanism's own modes to a vibration or a shock of its base."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from math import pi, sqrt
 
@@ -20,6 +20,7 @@ __all__ = [
     "Output",
     "RandomResponse",
     "apparent_mass",
+    "mode_qualities",
     "random_outputs",
     "random_response",
     "response_density",
@@ -103,13 +104,15 @@ def _moments(
 ) -> Iterator[tuple[str, Floats]]:
     """Yield the spectral moments (4, rows) of every output, all modes and axes together."""
     rows = _Rows(structure)
+    qualities = mode_qualities(structure, vibration, modes)
     total = np.zeros((4, rows.matrix.shape[0]))
     for axis in vibration.axes:
         participation, share, static = _excitation(structure, modes, rows.matrix, axis)
         excited = _excited(modes, share, vibration)
         per_mode = (-(rows.matrix @ modes.shapes) * participation)[:, excited]
         static_part = (per_mode / modes.angular[excited] ** 2).sum(axis=1)
-        total += _response(vibration, modes.angular[excited], per_mode, static - static_part)
+        angular, Q = modes.angular[excited], qualities[excited]
+        total += _response(vibration, angular, Q, per_mode, static - static_part)
     yield from rows.by_name(total)
 
 
@@ -118,6 +121,7 @@ def _each_mode(
 ) -> tuple[Floats, list[dict[str, float]]]:
     """Return the mass share of each mode and its own rms responses, none where not excited."""
     rows = _Rows(structure)
+    qualities = mode_qualities(structure, vibration, modes)
     squares = np.zeros((modes.angular.size, rows.matrix.shape[0]))
     shares, dynamic = np.zeros(modes.angular.size), np.zeros(modes.angular.size, dtype=bool)
     for axis in vibration.axes:
@@ -127,7 +131,8 @@ def _each_mode(
         per_mode = -(rows.matrix @ modes.shapes) * participation
         for i in np.flatnonzero(excited):
             nothing = np.zeros(rows.matrix.shape[0])
-            found = _response(vibration, modes.angular[[i]], per_mode[:, [i]], nothing)
+            angular, Q = modes.angular[[i]], qualities[[i]]
+            found = _response(vibration, angular, Q, per_mode[:, [i]], nothing)
             squares[i] += found[0]
     alone = [
         {name: sqrt(_mean_square(name, block)) for name, block in rows.by_name(squares[i])}
@@ -144,8 +149,25 @@ def _excited(modes: Modes, share: Floats, vibration: RandomVibration) -> NDArray
     return np.asarray((modes.angular < reach) & (share > PARTICIPATES))
 
 
+def mode_qualities(structure: Structure, vibration: RandomVibration, modes: Modes) -> Floats:
+    """Return Q of every mode.
+
+    They are counted as the base moves them along any axis of the vibration, the lowest first.
+    """
+    found = np.full(modes.angular.size, vibration.q)
+    if vibration.q_of_modes:
+        moved = np.zeros(modes.angular.size, dtype=bool)
+        for axis in vibration.axes:
+            share = (modes.shapes.T @ structure.pull[axis]) ** 2 / structure.moved[axis]
+            moved |= share > PARTICIPATES
+        order = np.flatnonzero(moved)
+        for number, q in vibration.q_of_modes.items():
+            found[order[number - 1 : number]] = q
+    return found
+
+
 def _response(
-    vibration: RandomVibration, angular: Floats, per_mode: Floats, residual: Floats
+    vibration: RandomVibration, angular: Floats, Q: Floats, per_mode: Floats, residual: Floats
 ) -> Floats:
     applied = vibration.applied()
     return response_moments(
@@ -153,14 +175,17 @@ def _response(
         level=applied.level,
         scale=applied.scale,
         angular=angular,
-        Q=vibration.q,
+        Q=Q,
         coefficients=per_mode,
         residual=residual,
     )
 
 
 def sine_peaks(
-    structure: Structure, acceleration: float, Q: float, frequencies: tuple[float, float]
+    structure: Structure,
+    level: Callable[[Floats], Floats],
+    Q: float | Floats,
+    frequencies: tuple[float, ...],
 ) -> dict[str, float]:
     """Return the largest steady amplitude of every output under a sine of the base along x.
 
@@ -168,12 +193,12 @@ def sine_peaks(
     ----------
     structure : Structure
         The structure.
-    acceleration : float
-        Amplitude of the base's acceleration [m/s²].
-    Q : float
-        Quality factor of every mode.
+    level : callable
+        Amplitude of the base's acceleration [m/s²] at frequencies [Hz].
+    Q : float or array
+        Quality factor of every mode, or of each.
     frequencies : tuple of float
-        Lowest and highest frequency [Hz], equal for one sine.
+        Lowest and highest frequency [Hz], equal for one sine, and crossovers of the level.
 
     Returns
     -------
@@ -182,8 +207,9 @@ def sine_peaks(
 
     """
     modes, rows = natural_modes(structure.stiffness, structure.mass), _Rows(structure)
-    f = sweep_points(frequencies, modes.angular / (2.0 * pi), Q)
-    gain = acceleration * _gain(structure, modes, rows.matrix, "x", Q, f)
+    ends = min(frequencies), max(frequencies)
+    f = np.union1d(sweep_points(ends, modes.angular / (2.0 * pi), Q), frequencies)
+    gain = level(f)[:, None] * _gain(structure, modes, rows.matrix, "x", Q, f)
     found = {}
     for name, block in rows.by_name(np.abs(gain)):
         at_each = (
@@ -194,7 +220,7 @@ def sine_peaks(
 
 
 def transfer_functions(
-    structure: Structure, Q: float, axis: str, f: Floats
+    structure: Structure, Q: float | Floats, axis: str, f: Floats
 ) -> dict[str, NDArray[np.complex128]]:
     """Return the acceleration of every body per acceleration of the base along an axis.
 
@@ -202,8 +228,8 @@ def transfer_functions(
     ----------
     structure : Structure
         The structure.
-    Q : float
-        Quality factor of every mode.
+    Q : float or array
+        Quality factor of every mode, or of each.
     axis : str
         Axis of the base's motion.
     f : array, shape (n,)
@@ -223,7 +249,9 @@ def transfer_functions(
     return dict(zip(structure.bodies, np.split(absolute, len(structure.bodies), -1), strict=True))
 
 
-def apparent_mass(structure: Structure, Q: float, axis: str, f: Floats) -> NDArray[np.complex128]:
+def apparent_mass(
+    structure: Structure, Q: float | Floats, axis: str, f: Floats
+) -> NDArray[np.complex128]:
     """Return force over acceleration at the base along an axis [kg], shape of f.
 
     At rest it is all the mass that the base moves, at a resonance some Q times that of the mode.
@@ -249,12 +277,13 @@ def response_density(
     """
     applied, rows = vibration.applied(), _Rows(structure)
     modes = natural_modes(structure.stiffness, structure.mass)
-    f, level = _density_points(applied, modes.angular / (2.0 * pi), vibration.q)
+    Q = mode_qualities(structure, vibration, modes)
+    f, level = _density_points(applied, modes.angular / (2.0 * pi), Q)
     squares = np.zeros((f.size, rows.matrix.shape[0]))
     found: dict[str, Floats] = {}
     for axis in vibration.axes:
-        squares += np.abs(_gain(structure, modes, rows.matrix, axis, vibration.q, f)) ** 2
-        for name, gains in transfer_functions(structure, vibration.q, axis, f).items():
+        squares += np.abs(_gain(structure, modes, rows.matrix, axis, Q, f)) ** 2
+        for name, gains in transfer_functions(structure, Q, axis, f).items():
             for n, direction in enumerate("xy"):
                 key = f"acceleration {name} {direction}"
                 before = found.get(key, np.zeros(f.size))
@@ -274,7 +303,7 @@ def _worst_rows(
 
 
 def _gain(
-    structure: Structure, modes: Modes, rows: Floats, axis: str, Q: float, f: Floats
+    structure: Structure, modes: Modes, rows: Floats, axis: str, Q: float | Floats, f: Floats
 ) -> NDArray[np.complex128]:
     """Return the complex amplitude of rows per acceleration of the base, by all modes."""
     participation, _, static = _excitation(structure, modes, rows, axis)
@@ -283,7 +312,7 @@ def _gain(
     return harmonic_gain(f, modes.angular, Q, per_mode, residual)
 
 
-def _density_points(applied: AppliedASD, resonances: Floats, Q: float) -> tuple[Floats, Floats]:
+def _density_points(applied: AppliedASD, resonances: Floats, Q: Floats) -> tuple[Floats, Floats]:
     """Return frequencies that show every resonance and corner, and the level there."""
     corners = applied.frequency
     inner = sweep_points((float(corners[0]), float(corners[-1])), resonances, Q)
@@ -297,13 +326,14 @@ def _density_points(applied: AppliedASD, resonances: Floats, Q: float) -> tuple[
     return f, np.where(after, right, left)
 
 
-def sweep_points(frequencies: tuple[float, float], resonances: Floats, Q: float) -> Floats:
+def sweep_points(frequencies: tuple[float, float], resonances: Floats, Q: float | Floats) -> Floats:
     """Return frequencies [Hz] that miss no resonance: crowded at each by its bandwidth."""
     low, high = sorted(frequencies)
     if low == high:
         return np.array([low])
-    width = 0.5 / Q * np.concatenate([-CROWD[::-1], [0.0], CROWD])
-    around = (resonances[:, None] * (1.0 + width)).ravel()
+    width = 0.5 / np.broadcast_to(Q, resonances.shape)
+    crowd = np.concatenate([-CROWD[::-1], [0.0], CROWD])
+    around = (resonances[:, None] * (1.0 + width[:, None] * crowd)).ravel()
     regular = np.geomspace(low, high, PER_SWEEP)
     inside = around[(around > low) & (around < high)]
     return np.unique(np.concatenate([regular, inside]))

@@ -501,13 +501,13 @@ def _accelerations(
         load(LoadKind.ACCELERATION, steady.level, (steady.axis,), "F_steady")
     if asd is not None:
         applied = asd.applied()
-        worst = applied.worst_case(asd.q)
+        worst = applied.worst_case(asd.largest_q)
         rms = float(worst.response)
         values["f_worst"] = Value(worst.frequency, "Hz", "frequency of the worst case")
         values["g_rms_worst"] = Value(
             rms,
             "m/s^2",
-            f"worst rms acceleration, Q = {asd.q:g}, profile {applied.text}",
+            f"worst rms acceleration, {asd.told_q}, profile {applied.text}",
             source="Miles, √(π/2 f Q ASD), over all frequencies",
         )
         load(LoadKind.ASD, asd.sigma * rms, asd.axes, f"F_{asd.sigma:g}sigma")

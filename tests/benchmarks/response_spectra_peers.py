@@ -1,4 +1,4 @@
-"""Compare shock and vibration response spectra with pyYeti: values to their own resolution, times as ratios.
+"""Compare shock and vibration response spectra with pyYeti: values, and times as ratios.
 
 Run by hand, in an environment of its own: pip install pyyeti, then
 python tests/benchmarks/response_spectra_peers.py

@@ -16,5 +16,5 @@ class RandomVibration(SceneEffect):
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return the largest Q at which the base shakes the joint."""
-        found = [s.vibration.q for s in setting.scenes if s.vibration is not None]
+        found = [s.vibration.largest_q for s in setting.scenes if s.vibration is not None]
         return Indicator(max(found), f"Q = {max(found):.3g}") if found else None

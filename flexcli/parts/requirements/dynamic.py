@@ -24,7 +24,7 @@ from flexcli.parts.requirements.response_range import (
     over,
     uncertain_structure,
 )
-from flexcli.parts.requirements.shaking import SHAKES, corners_of, shakings
+from flexcli.parts.requirements.shaking import SHAKES, corners_of, shakings, together
 from flexcli.parts.requirements.yielding import Allowable
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import MOTIONS, Structure
@@ -65,7 +65,7 @@ class _Dynamic(FactorRequirement):
         A peak beyond what is ``bearable`` is on its way past it: how far off the stress may be
         counts at the motion at which it gets there, not at one that is never reached so.
         """
-        for shaking in shakings(ask, self._peak_factor):
+        for shaking in together(list(shakings(ask, self._peak_factor))):
             found = uncertain_structure(ask, shaking.changes_at)
             try:
                 ranges = found.of(shaking.peaks)
@@ -194,10 +194,20 @@ class DynamicLife(_Dynamic):
         """Return whether the case vibrates at random."""
         return self.covers(scene) and scene.vibration is not None
 
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return the random vibration alone."""
+        return scene.loads & {LoadKind.ASD}
+
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the duration of the vibration against the life of every joint."""
         vibration = ask.scene.vibration
         assert vibration is not None  # it applies
+        if beside := sorted(ask.scene.loads & SHAKES - {LoadKind.ASD}):
+            raise RequirementError(
+                f"a life under random vibration with a {' and a '.join(beside)} in one case is "
+                "not computed",
+                f"give the {' and the '.join(beside)} a case of its own, or judge another case",
+            )
         duration = _duration(ask.scene, vibration)
         found = uncertain_structure(ask, corners_of(vibration))
         travels = found.of(lambda structure: _rms(structure, vibration, MOTIONS))
@@ -213,7 +223,7 @@ class DynamicLife(_Dynamic):
                 life,
                 "s",
                 f"{self.method}, S-N amplitudes at R = −1, {mean}, modal response, "
-                f"Q = {vibration.q:g}",
+                f"{vibration.told_q}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
                 in_capacity=True,

@@ -1,7 +1,7 @@
 """What shakes the base in a case, each as the peaks that a structure answers with."""
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -12,7 +12,10 @@ from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.shock import Shock
 from flexcli.parts.structure import Structure
 
-__all__ = ["SHAKES", "PeakFactor", "Shaking", "corners_of", "quality_of", "shakings"]
+if TYPE_CHECKING:
+    from flexcli.parts.excitation import Sine, Sweep
+
+__all__ = ["SHAKES", "PeakFactor", "Shaking", "corners_of", "quality_of", "shakings", "together"]
 
 SHAKES = frozenset({LoadKind.ASD, LoadKind.SHOCK, LoadKind.SINE, LoadKind.SWEEP})
 """Loads of a case that the modes answer."""
@@ -53,11 +56,34 @@ def shakings(ask: Ask, factor: PeakFactor) -> Iterator[Shaking]:
     if scene.shock is not None:
         yield _shock(scene.shock)
     if scene.sine is not None:
-        Q, frequency = quality_of(ask.mechanism, scene), scene.sine.frequency
-        yield _sine(LoadKind.SINE, scene.sine.acceleration, Q, (frequency, frequency))
+        Q = quality_of(ask.mechanism, scene)
+        yield _sine(LoadKind.SINE, scene.sine, Q, (scene.sine.frequency,))
     if scene.sweep is not None:
-        Q, ends = quality_of(ask.mechanism, scene), (scene.sweep.start, scene.sweep.end)
-        yield _sine(LoadKind.SWEEP, scene.sweep.acceleration, Q, ends)
+        low, high = sorted((scene.sweep.start, scene.sweep.end))
+        corners = (low, *scene.sweep.crossovers(low, high), high)
+        yield _sine(LoadKind.SWEEP, scene.sweep, quality_of(ask.mechanism, scene), corners)
+
+
+def together(found: Sequence[Shaking]) -> Sequence[Shaking]:
+    """Return what a case's excitations do at once: their peaks may meet, and add up."""
+    if len(found) < 2:
+        return found
+    kinds = [each.kind for each in found if each.kind is not LoadKind.ASD]
+
+    def peaks(structure: Structure) -> dict[str, float]:
+        each = [shaking.peaks(structure) for shaking in found]
+        return {name: sum(one[name] for one in each) for name in each[0]}
+
+    return [
+        Shaking(
+            kinds[0],
+            peaks,
+            tuple(sorted({at for each in found for at in each.changes_at})),
+            " and ".join(each.source for each in found),
+            lambda _structure, _name: f"{' and '.join(each.kind for each in found)} at once,",
+            next((each.hint for each in found if each.hint), ""),
+        )
+    ]
 
 
 def quality_of(mechanism: Mechanism | None, scene: Scene) -> float:
@@ -87,7 +113,7 @@ def _random(scene: Scene, vibration: RandomVibration, factor: PeakFactor) -> Sha
         return f"{factor(scene, vibration, rate):.3g}σ"
 
     return Shaking(
-        LoadKind.ASD, peaks, corners_of(vibration), f"modal response, Q = {vibration.q:g}", named
+        LoadKind.ASD, peaks, corners_of(vibration), f"modal response, {vibration.told_q}", named
     )
 
 
@@ -101,7 +127,7 @@ def corners_of(vibration: RandomVibration) -> tuple[float, ...]:
     f, g = applied.frequency, applied.level
     if f.size <= FEW:
         return tuple(f.tolist())
-    quarter = np.floor(4.0 * vibration.q * np.log(f))
+    quarter = np.floor(4.0 * vibration.largest_q * np.log(f))
     highest = np.lexsort((g, quarter))  # within each quarter by rising level
     ends = np.diff(quarter[highest]) > 0.0
     chosen = np.concatenate([highest[np.append(ends, True)], highest[np.insert(ends, 0, True)]])
@@ -121,13 +147,15 @@ def _shock(shock: Shock) -> Shaking:
     )
 
 
-def _sine(kind: LoadKind, acceleration: float, Q: float, ends: tuple[float, float]) -> Shaking:
+def _sine(
+    kind: LoadKind, sine: "Sine | Sweep", Q: float, frequencies: tuple[float, ...]
+) -> Shaking:
     from flexcli.parts.response import sine_peaks
 
     return Shaking(
         kind,
-        lambda structure: sine_peaks(structure, acceleration, Q, ends),
-        ends,
-        f"steady modal response to the {kind}, Q = {Q:g}",
+        lambda structure: sine_peaks(structure, sine.level, Q, frequencies),
+        frequencies,
+        f"steady modal response to the {sine.told}, Q = {Q:g}",
         lambda _structure, _name: "amplitude of",
     )

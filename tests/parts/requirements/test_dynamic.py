@@ -125,7 +125,7 @@ def _with_stiffness(case, factor):
     if scene.vibration is not None:
         return 3.0 * random_outputs(structure, scene.vibration)["stress joint"].rms
     ends = (scene.sine.frequency, scene.sine.frequency)
-    return sine_peaks(structure, scene.sine.acceleration, Q, ends)["stress joint"]
+    return sine_peaks(structure, scene.sine.level, Q, ends)["stress joint"]
 
 
 def test_an_unknown_stiffness_leaves_the_response_unknown():

@@ -1,0 +1,123 @@
+"""What to know of a vibration's response besides its numbers: modes beside the band, travel."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from flexcli.engine.response_spectra import structure_of_case
+from flexcli.numerics.modes import natural_modes
+from flexcli.parts.asd import RandomVibration
+from flexcli.parts.geometries import NotAvailable
+from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements.shaking import shakings, together
+from flexcli.parts.response import mode_qualities, random_outputs
+from flexcli.parts.scene import Scene
+from flexcli.parts.structure import MOTIONS, Structure
+from flexcli.results import Note
+from flexcli.units import show
+
+__all__ = ["vibration_notes"]
+
+NEAR = 0.25
+"""Change of a stiffness within which a mode beside the band is told."""
+GROWS = 1.1
+"""Growth of an output from which such a mode is told."""
+SHARE = 0.05
+"""Share of the mass that it moves, at least."""
+LARGE_ROTATION = np.radians(10.0)
+LARGE_STROKE = 0.1
+"""Travel over the length of a blade, or rotation, from which the modes' linearity is told."""
+
+
+def vibration_notes(ask: Ask) -> Iterator[Note]:
+    """Yield warnings about the response of a case whose base is shaken."""
+    scene, structure = ask.scene, structure_of_case(ask)
+    if scene.vibration is not None:
+        yield from _missing_modes(scene, structure, scene.vibration)
+        yield from dict.fromkeys(_beside_the_band(scene, structure, scene.vibration))
+    yield from _large_travel(ask, structure)
+
+
+def _missing_modes(
+    scene: Scene, structure: Structure, vibration: RandomVibration
+) -> Iterator[Note]:
+    """Yield which modes have a Q of their own and are not there."""
+    modes = natural_modes(structure.stiffness, structure.mass)
+    marked = vibration.model_copy(
+        update={"q": 1.0, "q_of_modes": dict.fromkeys(range(1, modes.angular.size + 1), 2.0)}
+    )
+    count = int((mode_qualities(structure, marked, modes) == 2.0).sum())
+    for number in sorted(vibration.q_of_modes):
+        if number > count:
+            text = f"case '{scene.case}': q names mode {number}, and the base moves {count} modes"
+            yield Note("no-such-mode", text)
+
+
+def _beside_the_band(
+    scene: Scene, structure: Structure, vibration: RandomVibration
+) -> Iterator[Note]:
+    """Yield modes just outside the band, and what happens when they are in it."""
+    applied = vibration.applied()
+    low, high = float(applied.frequency[0]), float(applied.frequency[-1])
+    modes = natural_modes(structure.stiffness, structure.mass)
+    own = random_outputs(structure, vibration)
+    qualities = mode_qualities(structure, vibration, modes)
+    for n, (frequency, Q) in enumerate(zip(modes.angular / (2.0 * np.pi), qualities, strict=True)):
+        share = max(
+            float(modes.shapes[:, n] @ structure.pull[axis]) ** 2 / structure.moved[axis]
+            for axis in vibration.axes
+        )
+        if low <= frequency <= high or share < SHARE:
+            continue
+        edge, place = (high, "above the end") if frequency > high else (low, "below the start")
+        # a bandwidth inside, where the whole resonance is in the band
+        inside = edge * (1.0 - 1.0 / Q) if frequency > high else edge * (1.0 + 1.0 / Q)
+        change = (inside / frequency) ** 2 - 1.0
+        if abs(change) > NEAR:
+            continue
+        moved = random_outputs(structure.stiffened(1.0 + change), vibration)
+        growth = {
+            name: moved[name].rms / output.rms for name, output in own.items() if output.rms > 0.0
+        }
+        forces = [name for name in growth if name.startswith("force")] or list(growth)
+        most = max(forces, key=lambda name: growth[name])
+        if growth[most] < GROWS:
+            continue
+        sizes = [vibration.sigma * found[most].rms for found in (own, moved)]
+        unit = "N" if most.startswith("force") else "Pa"
+        before, after = (show(size, unit) for size in sizes)
+        word = "less" if change < 0.0 else "more"
+        text = (
+            f"case '{scene.case}': a mode at {frequency:.5g} Hz lies "
+            f"{abs(frequency / edge - 1.0):.1%} {place} of the band, {edge:g} Hz; with "
+            f"{abs(change):.1%} {word} stiffness it is inside, and {vibration.sigma:g}σ of {most} "
+            f"goes from {before} to {after}"
+        )
+        yield Note("mode-beside-band", text)
+
+
+def _large_travel(ask: Ask, structure: Structure) -> Iterator[Note]:
+    """Yield that the own motion is large for linear modes."""
+    found = list(shakings(ask, lambda _scene, vibration, _rate: vibration.sigma))
+    for shaking in together(found):
+        try:
+            peaks = shaking.peaks(structure)
+        except ValueError:
+            return  # said where the response is judged
+        travel = next((peaks[name] for name in MOTIONS if name in peaks), 0.0)
+        mechanism = ask.mechanism
+        travel *= mechanism.joint_travel_per_motion if mechanism is not None else 1.0
+        turns = ask.geometry.motion == "rotation"
+        try:
+            ratio = travel if turns else travel / ask.geometry.length(ask.sizes)
+        except NotAvailable:
+            return
+        if ratio > (LARGE_ROTATION if turns else LARGE_STROKE):
+            part = "" if turns else f", {ratio:.0%} of a blade's length"
+            shown = show(travel, ask.geometry.travel_unit)
+            text = (
+                f"case '{ask.scene.case}': the peak takes the joint {shown} far{part}: "
+                f"the modes are those of small motion, and no model here has the change "
+                "of stiffness on the way"
+            )
+            yield Note("large-travel", text)

@@ -1,0 +1,158 @@
+"""Scenes of vibration as tests are written: crossovers, Q by modes, loads at once, near modes."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+
+STAGE = """\
+flexure: 1
+material: {youngs_modulus: 71 GPa, yield_strength: 500 MPa, poisson_ratio: 0.33, density: 1 kg/m^3}
+geometry: {kind: leaf-spring-stage, h: 1 mm, l: 40 mm, b: 15 mm}
+mechanism: {kind: payload, mass: 0.5 kg, damping: {q: 20}}
+cases:
+  shake: {CASE}
+requirements:
+  dynamic-yield: 1e-3
+"""
+FLAT = "{points: [{frequency: LOW, level: 0.01 g^2/Hz}, {frequency: HIGH, level: 0.01 g^2/Hz}]}"
+
+
+@pytest.fixture
+def respond(inside, tmp_path):
+    """Return the JSON of asd response for a case, with values put over the design's."""
+
+    def run(case, *stated, command=("asd", "response")):
+        (tmp_path / "flexure.yaml").write_text(STAGE.replace("CASE", case))
+        puts = [word for each in stated for word in ("--set", each)]
+        told = inside(*command, *puts, "--format", "json")
+        assert told.returncode in (0, 1), told.stdout
+        return json.loads(told.stdout)
+
+    return run
+
+
+def peaks(found):
+    outputs = (row for response in found["responses"] for row in response["outputs"])
+    return {row["name"]: row["peak"] for row in outputs}
+
+
+def flat(low, high):
+    return FLAT.replace("LOW", f"{low} Hz").replace("HIGH", f"{high} Hz")
+
+
+def test_a_sine_of_displacement_moves_the_stage_as_its_acceleration_does(respond):
+    level = 1e-4 * (2.0 * np.pi * 30.0) ** 2
+    one = peaks(respond("sine: {displacement: 0.1 mm, frequency: 30 Hz}"))
+    other = peaks(respond(f"sine: {{acceleration: {level!r} m/s^2, frequency: 30 Hz}}"))
+    assert one == pytest.approx(other, rel=1e-9)
+
+
+def test_a_sweep_peaks_at_its_resonance_with_the_level_there(respond):
+    plain = respond("asd: {profile: " + flat(20, 2000) + ", q: 20}")
+    f_1 = plain["values"]["f_1_shake"]["value"]
+    rate = "from: 5 Hz, to: 200 Hz, rate: 2 oct/min"
+    found = peaks(respond(f"sweep: {{displacement: 0.1 mm, acceleration: 100 g, {rate}}}"))
+    # displacement governs below 500 Hz: z = Q times it at the resonance, to 1/Q² in all
+    assert found["travel"] == pytest.approx(20.0 * 1e-4, rel=3.0 / 20.0**2)
+    capped = peaks(respond(f"sweep: {{displacement: 0.1 mm, acceleration: 0.1 g, {rate}}}"))
+    angular = 2.0 * np.pi * f_1
+    assert capped["travel"] == pytest.approx(20.0 * 0.980665 / angular**2, rel=3.0 / 20.0**2)
+
+
+def test_crossovers_are_told(respond):
+    case = "sweep: {displacement: 10 mm, acceleration: 15 g, from: 5 Hz, to: 99 Hz, rate: 1 Hz/s}"
+    found = respond(case)
+    assert "10 mm to 19.3 Hz, 15 g to 99 Hz" in found["responses"][0]["kind"]
+
+
+def test_stops_say_that_they_run_no_sweep_of_displacement(respond):
+    from flexcli.errors import SolveError
+    from flexcli.parts.excitation import Sweep
+
+    sweep = Sweep(**{"from": "5 Hz", "to": "9 Hz"}, rate="1 Hz/s", displacement="1 mm")
+    with pytest.raises(SolveError, match="constant acceleration"):
+        assert sweep.acceleration
+
+
+def test_a_mode_s_own_q_counts_for_it_alone(respond):
+    profile = flat(20, 2000)
+    plain = peaks(respond(f"asd: {{profile: {profile}, q: 80}}"))
+    own = peaks(respond(f"asd: {{profile: {profile}, q: {{all: 5, modes: {{1: 80}}}}}}"))
+    assert own["travel"] == pytest.approx(plain["travel"], rel=1e-3)
+    low = peaks(respond(f"asd: {{profile: {profile}, q: 5}}"))
+    assert own["travel"] > 2.0 * low["travel"]
+
+
+def test_miles_takes_the_largest_q_of_any_mode(respond):
+    profile = flat(20, 2000)
+    found = [
+        respond(f"asd: {{profile: {profile}, q: {q}}}", command=("check",))["values"]
+        for q in ("80", "{all: 5, modes: {2: 80}}")
+    ]
+    assert found[0]["g_rms_worst"]["value"] == found[1]["g_rms_worst"]["value"]
+
+
+def test_a_mode_that_is_not_there_is_told(respond):
+    case = f"asd: {{profile: {flat(20, 2000)}, q: {{all: 5, modes: {{77: 80}}}}}}"
+    assert "no-such-mode" in [note["code"] for note in respond(case)["warnings"]]
+
+
+@pytest.mark.parametrize("q", ["{all: 5}", "{modes: {1: 80}}", "{all: 5, modes: {0: 80}}",
+                               "{all: 5, modes: {1: 0.1}}", "{all: 5, modes: 3}"])  # fmt: skip
+def test_a_wrong_q_is_a_finding(inside, tmp_path, q):
+    case = f"asd: {{profile: {flat(20, 2000)}, q: {q}}}"
+    (tmp_path / "flexure.yaml").write_text(STAGE.replace("CASE", case))
+    told = inside("check")
+    assert told.returncode == 2
+    assert "flexure.yaml:6" in told.stderr
+
+
+def test_loads_that_shake_at_once_add_up(respond):
+    sine = "sine: {acceleration: 0.5 g, frequency: 30 Hz}"
+    asd = f"asd: {{profile: {flat(20, 2000)}, q: 20}}"
+    each = [respond(case)["checks"][0]["demand"] for case in (sine, asd)]
+    both = respond(f"{sine}, {asd}")["checks"]
+    assert [check["name"] for check in both] == ["dynamic yield"]
+    assert both[0]["demand"] == pytest.approx(sum(each), rel=1e-9)
+
+
+def test_a_life_under_sine_on_random_is_refused(inside, tmp_path):
+    case = f"sine: {{acceleration: 1 g, frequency: 9 Hz}}, asd: {{profile: {flat(20, 99)}, q: 20}}"
+    spec = STAGE.replace("CASE", case).replace("dynamic-yield: 1e-3", "dynamic-life: 4")
+    (tmp_path / "flexure.yaml").write_text(spec)
+    told = inside("check")
+    assert told.returncode == 2
+    assert "a case of its own" in told.stderr
+
+
+@pytest.mark.parametrize("command", [("asd", "response"), ("check",)])
+def test_a_mode_just_above_the_band_is_told_with_what_it_would_do(respond, command):
+    f_1 = respond(f"asd: {{profile: {flat(20, 2000)}, q: 20}}")["values"]["f_1_shake"]["value"]
+    case = f"asd: {{profile: {flat(20, 0.99 * f_1)}, q: 20}}"
+    found = respond(case, command=command)
+    (note,) = (n for n in found["warnings"] if n["code"] == "mode-beside-band")
+    less = float(re.search(r"with ([\d.]+)% less stiffness", note["text"])[1]) / 100.0
+    before, after = map(float, re.search(r"from ([\d.]+) N to ([\d.]+) N", note["text"]).groups())
+    if command == ("check",):
+        return
+    force = peaks(found)["force joint"]
+    assert before == pytest.approx(force, rel=1e-3)
+    softer = f"material.youngs_modulus={71.0 * (1.0 - less)!r} GPa"
+    # less is rounded to 0.1 %, which moves the mode by a hundredth of its bandwidth
+    assert after == pytest.approx(peaks(respond(case, softer))["force joint"], rel=2e-2)
+
+
+def test_a_mode_far_from_the_band_is_not_told(respond):
+    found = respond(f"asd: {{profile: {flat(500, 2000)}, q: 20}}")
+    assert "mode-beside-band" not in [note["code"] for note in found["warnings"]]
+
+
+def test_a_large_travel_is_told(respond):
+    case = "sine: {displacement: 0.5 mm, frequency: FREQUENCY}"
+    f_1 = respond(f"asd: {{profile: {flat(20, 2000)}, q: 20}}")["values"]["f_1_shake"]["value"]
+    for frequency, is_told in ((f_1, True), (f_1 / 9.0, False)):  # 10 mm, and far less
+        for command in (("asd", "response"), ("check",)):
+            found = respond(case.replace("FREQUENCY", f"{frequency!r} Hz"), command=command)
+            assert ("large-travel" in [n["code"] for n in found["warnings"]]) == is_told
