@@ -14,7 +14,6 @@ from pydantic import (
     field_validator,
     model_validator,
 )
-from pydantic.json_schema import SkipJsonSchema
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError
 
 from flexcli.formulas.decibels import levels_from_slopes, scale_level
@@ -366,7 +365,11 @@ class OrByMode:
         each = {
             "type": "object",
             "properties": {
-                "all": {**plain, "description": "Q of all the other modes", "examples": [50]},
+                "all": {
+                    "allOf": [plain],
+                    "description": "Q of all the other modes",
+                    "examples": [50],
+                },
                 "modes": modes,
             },
             "required": ["all", "modes"],
@@ -402,9 +405,7 @@ class RandomVibration(Part):
     """Quality factor Q of the response, or of its modes by their number, the others' beside,
     e.g. ``100``.
     """
-    q_of_modes: SkipJsonSchema[dict[Annotated[int, Field(ge=1)], Quality]] = Field(
-        default_factory=dict, repr=False
-    )
+    q_of_modes: dict[Annotated[int, Field(ge=1)], Quality] = Field(default_factory=dict)
     sigma: Ratio = 3.0
     """Peak that is designed for, in root mean squares, e.g. ``3``."""
     scale: Gain = 0.0
@@ -432,7 +433,8 @@ class RandomVibration(Part):
             "description": "A table of the points of a profile, in its place",
             "examples": ["psd.csv"],
         }
-        whole["properties"] = {**whole["properties"], "points": points}
+        kept = {k: v for k, v in whole["properties"].items() if k != "q_of_modes"}
+        whole["properties"] = {**kept, "points": points}
         whole["required"] = [key for key in whole["required"] if key != "profile"]
         either = [{"required": ["profile"]}, {"required": ["points"]}]
         return {**whole, "oneOf": either}
