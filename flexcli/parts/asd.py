@@ -432,6 +432,7 @@ class RandomVibration(Part):
             "anyOf": [OrTable.schema()],
             "description": "A table of the points of a profile, in its place",
             "examples": ["psd.csv"],
+            "beside": {"q": 100},  # not the profile of the example around it
         }
         kept = {k: v for k, v in whole["properties"].items() if k != "q_of_modes"}
         whole["properties"] = {**kept, "points": points}

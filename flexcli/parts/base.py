@@ -134,7 +134,7 @@ class OrTable:
             "required": ["file"],
             "additionalProperties": False,
         }
-        return {"title": "table", "anyOf": [path, told]}
+        return {"anyOf": [path, told]}
 
 
 class QuantityOf:

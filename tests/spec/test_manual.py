@@ -82,6 +82,8 @@ def test_each_piece_of_yaml_is_taken_by_a_whole_spec(
     manual: list[FieldRow], tmp_path: Path
 ) -> None:
     refused = []
+    table = "frequency [Hz],level [g^2/Hz]\n20,0.01\n2000,0.01\n"
+    (tmp_path / "psd.csv").write_text(table, encoding="utf-8")
     for row in filter(lambda row: row.example, manual):
         for spec in wholes(row):
             path = tmp_path / "spec.yaml"
