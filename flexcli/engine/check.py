@@ -186,6 +186,14 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
             f"giving it may decide {names}"
         )
         yield Note("needs-poisson-ratio", text)
+    if undecided and design.geometry.unstated:
+        keys = ", ".join(f"geometry.{key}" for key in design.geometry.unstated)
+        names = ", ".join(dict.fromkeys(check.name for check in undecided))
+        text = (
+            f"{keys} is not given, without which the linear and the exact model have no answer; "
+            f"giving it may decide {names}"
+        )
+        yield Note("needs-spacing", text)
     if moving and design.material.density is None:
         text = (
             "material.density is not given and the blades' mass was taken as anything up to that "

@@ -179,3 +179,19 @@ def test_across_the_width_a_blade_bears_engesser_s_load_at_least_and_that_of_two
     low, high = (float(found.force) * (1.0 + end) for end in found.error)
     assert low == pytest.approx(2.0 / (1.0 / euler + 1.0 / sheared), rel=1e-12)
     assert high == pytest.approx(2.0 * euler * (2.0 * length) ** 2, rel=1e-12)
+
+
+def test_a_side_force_on_a_blade_at_a_stroke_has_an_outcome():
+    """At rest it pushes no blade, so that nothing tells how far the search would have to go."""
+    from flexcli import api
+
+    found = api.check("""\
+flexure: 1
+material: ti-6al-4v
+geometry: {kind: moment-blade, h: 0.1 mm, l: 74 mm, b: 2.4 mm}
+stroke: {rotation: 0.02 mrad}
+wrench: {y: -0.2 mN}
+ends: clamped-pinned
+requirements: {buckling: 2}
+""")
+    assert {check.verdict.value for check in found.checks} <= {"pass", "undecided", "not judged"}

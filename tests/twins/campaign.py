@@ -334,8 +334,9 @@ LACKS = "lacks a property"
 NOT_ASKED = "nothing to ask"
 OPEN = {
     "needs-poisson-ratio": "poisson_ratio", "needs-density": "density", "limbs-without-mass": None,
+    "needs-spacing": "spacing",
 }  # fmt: skip
-"""Notes on what the spec does not give, and the property of the material that it is."""
+"""Notes on what the spec does not give: a property of the material, or the blades' distance."""
 
 
 def tried(seed, kinds=KINDS, finest=True):
@@ -382,8 +383,11 @@ def _lacks(said, spec, name):
     if not missing or None in missing:
         return bool(missing)
     given = {"poisson_ratio": 0.3, "density": "4430 kg/m^3"}
-    material = {**{each: given[each] for each in missing}, **spec["material"]}
-    return checked({**spec, "material": material}, name).verdict != UNDECIDED
+    material = {**{each: given[each] for each in missing if each in given}, **spec["material"]}
+    spec = {**spec, "material": material}
+    if "spacing" in missing:
+        spec["geometry"] = {**spec["geometry"], "spacing": spec["geometry"]["l"]}
+    return checked(spec, name).verdict != UNDECIDED
 
 
 def _key(name, easy):

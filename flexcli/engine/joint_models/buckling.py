@@ -208,8 +208,10 @@ class _Exact:
             return self._told(straight.factor, straight.stress, error)
         if not self.travel and not isfinite(straight.factor):
             return self._told(inf, straight.stress, ErrorRange(0.0, 0.0))
-        start = self._start()
         near = straight.factor if isfinite(straight.factor) else straight.most / BEYOND
+        if not isfinite(near):
+            raise NotAvailable("has no critical load to look for: at rest its loads push no blade")
+        start = self._start()
         most = min(BEYOND * near, least)
         try:
             reached = critical_load(

@@ -146,6 +146,10 @@ class Extent(Part):
         return self
 
 
+LAYOUT_KEYS = ("spacing",)
+"""Keys that a closed form does without, but no layout."""
+
+
 class Geometry(Part):
     """A joint or stage whose sizes may be given or free.
 
@@ -412,6 +416,11 @@ class Geometry(Part):
     def with_giving_clamps(self) -> "Geometry | None":
         """Return it cut from one piece with its bodies where nothing says how its blades end."""
         return None
+
+    @property
+    def unstated(self) -> tuple[str, ...]:
+        """Return the optional keys that a layout of its blades needs and the spec does not give."""
+        return tuple(key for key in LAYOUT_KEYS if getattr(self, key, "") is None)
 
     def twisting_bars(self, sizes: Sizes) -> TwistingBars | None:
         """Return the bars whose twist is its motion, where it has no other blades."""
