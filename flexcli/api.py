@@ -187,6 +187,10 @@ def simulate(source: Spec, *, points: int = 11, overrides: Overrides | None = No
     """
 
     def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
+        if design.geometry.in_space:
+            from flexcli.engine.simulate_space import simulate_in_space
+
+            return simulate_in_space(design, sizes, name, points)
         if design.accuracy is not None:
             from flexcli.engine.planning.by_plan import simulate_by_plan
 

@@ -22,7 +22,7 @@ from flexcli.results.vibration import (
 )
 
 if TYPE_CHECKING:
-    from flexcli.results.simulation import SweepResult
+    from flexcli.results.simulation import SpaceSweep, SweepResult
     from flexcli.results.study import StudyResult
     from flexcli.results.tolerances import TolerancesResult
     from flexcli.results.verification import Verification
@@ -94,6 +94,7 @@ class Result:
     worst_cases: tuple[WorstCaseRow, ...] = ()
     spectra: tuple[Spectrum, ...] = ()
     sweeps: tuple["SweepResult", ...] = ()
+    space_sweeps: tuple["SpaceSweep", ...] = ()
     balance: BalanceResult | None = None
     stops: StopsResult | None = None
     accuracy: AccuracyResult | None = None

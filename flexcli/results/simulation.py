@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-__all__ = ["SweepPoint", "SweepResult"]
+__all__ = ["SpacePoint", "SpaceSweep", "SweepPoint", "SweepResult"]
 
 
 class SweepPoint(NamedTuple):
@@ -34,6 +34,48 @@ class SweepPoint(NamedTuple):
     stable: bool
     outcome: str
     estimated_error: float
+
+
+class SpacePoint(NamedTuple):
+    """A joint in space at one travel, its drive held there.
+
+    ``effort`` is the force or moment of the drive, ``stiffness`` its tangent with all else free;
+    ``shift_x`` … ``turn_z`` are the motion of the moving body's point along the axes of cases and
+    its rotation vector. ``k_x`` … ``k_theta_z`` are the support stiffness of that point, the drive
+    locked and all else free, infinite along the drive itself. ``frequency`` is the lowest of the
+    bodies with the drive locked, blades without mass; ``stress`` the largest of the blades' von
+    Mises' stresses, as beams bear it, with the blade that has it. ``error`` is that of the support
+    stiffness, where it is known.
+    """
+
+    travel: float
+    effort: float
+    stiffness: float
+    shift_x: float
+    shift_y: float
+    shift_z: float
+    turn_x: float
+    turn_y: float
+    turn_z: float
+    k_x: float
+    k_y: float
+    k_z: float
+    k_theta_x: float
+    k_theta_y: float
+    k_theta_z: float
+    frequency: float | None
+    stress: float
+    blade: str
+    error: float | None
+
+
+class SpaceSweep(NamedTuple):
+    """The sweep of one case in space; ``missed`` says which travels were not reached, and why."""
+
+    case: str
+    motion: str
+    points: tuple[SpacePoint, ...]
+    missed: str = ""
 
 
 class SweepResult(NamedTuple):

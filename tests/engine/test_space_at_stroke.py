@@ -138,3 +138,22 @@ def test_a_stroke_beyond_the_linear_model_is_judged_by_exact_beams(tmp_path):
     assert stress.demand == pytest.approx(3 * 200e9 * 0.5e-3 * 20e-3 / 0.01 * 1.07, rel=0.06)
     # the solids' 2.4417 mm
     assert by_name["parasitic shift (max)"].demand == pytest.approx(2.4417e-3, rel=0.01)
+
+
+def test_a_sweep_in_space_has_the_support_stiffness_of_every_travel(tmp_path):
+    """Springs in parallel at rest, by the solids at the end, symmetrical between."""
+    spec = tmp_path / "flexure.yaml"
+    spec.write_text(guide("  yield: 1.5"), encoding="utf-8")
+    result = flexcli.simulate(spec, points=3)
+    (sweep,) = result.space_sweeps
+    back, rest, there = sweep.points
+    assert (back.travel, rest.travel, there.travel) == pytest.approx((-20e-3, 0.0, 20e-3))
+    assert there.effort == pytest.approx(56.87, rel=0.01)
+    assert back.effort == pytest.approx(-there.effort, rel=1e-6)
+    assert there.shift_y == pytest.approx(-2.4417e-3, rel=0.01)
+    assert there.k_z == pytest.approx(9.173e5, rel=0.05)
+    assert there.k_z == pytest.approx(back.k_z, rel=1e-6)
+    # E b h/l of both blades, times the sheet's 1.012
+    assert rest.k_y == pytest.approx(2 * 200e9 * 50e-3 * 0.5e-3 / 0.1 * 1.012, rel=1e-3)
+    assert rest.frequency is None
+    assert there.blade in {"leaf-1", "leaf-2"}

@@ -21,7 +21,7 @@ from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_states import acting_groups
 from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["SpaceExactModel"]
+__all__ = ["SpaceExactModel", "blade_peaks"]
 
 Floats = NDArray[np.float64]
 
@@ -110,8 +110,13 @@ def _shift(state: SpaceEquilibrium) -> float:
     return float(np.linalg.norm(moved))
 
 
+def blade_peaks(state: SpaceEquilibrium) -> tuple[float, str]:
+    """Return the largest stress of the blades [Pa], and the blade that has it."""
+    return max((float(np.max(np.abs(each))), name) for name, each in _stresses(state).items())
+
+
 def _largest(state: SpaceEquilibrium) -> float:
-    return max(float(np.max(np.abs(each))) for each in _stresses(state).values())
+    return blade_peaks(state)[0]
 
 
 def _stresses(state: SpaceEquilibrium) -> dict[str, Floats]:

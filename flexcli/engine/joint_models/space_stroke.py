@@ -15,7 +15,15 @@ from flexcli.parts.requirements import Ask
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.results import ErrorRange
 
-__all__ = ["at_travel", "driven_coordinate", "is_compared", "support_at_stroke"]
+__all__ = [
+    "along_cases",
+    "at_travel",
+    "compliance_along_cases",
+    "driven_coordinate",
+    "is_compared",
+    "support_at_stroke",
+    "support_error",
+]
 
 Floats = NDArray[np.float64]
 
@@ -99,6 +107,16 @@ def support_at_stroke(
     return tuple(found)
 
 
+def support_error(state: SpaceEquilibrium) -> float | None:
+    """Return the error of a support stiffness by beams, nothing where it is not known [-]."""
+    return BEAM_ERROR if is_compared(state) else None
+
+
+def along_cases(ask: Ask) -> Floats:
+    """Return the matrix that takes motions along the layout's axes to those of cases (6, 6)."""
+    return motion_along(axes_about_z(ask.geometry.axes))
+
+
 def compliance_along_cases(
     ask: Ask, state: SpaceEquilibrium, point: tuple[float, float, float], *, locked: bool
 ) -> Floats:
@@ -108,7 +126,7 @@ def compliance_along_cases(
     axes = axes_about_z(ask.geometry.axes)
     x, y, z = (float(c) for c in body.point + axes.T @ np.array(point))
     free = () if locked else (driven_coordinate(layout),)
-    turned = motion_along(axes)
+    turned = along_cases(ask)
     return turned @ support_compliance(state, body.name, (x, y, z), free=free) @ turned.T
 
 

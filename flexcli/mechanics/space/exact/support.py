@@ -18,7 +18,13 @@ from flexcli.mechanics.space.exact.second_variation import inertia_count, swing
 from flexcli.mechanics.space.layout import Vector
 from flexcli.numerics.stack import solve_stack
 
-__all__ = ["body_stiffness", "support_compliance", "unstable_when_free", "vibration"]
+__all__ = [
+    "body_stiffness",
+    "driven_stiffness",
+    "support_compliance",
+    "unstable_when_free",
+    "vibration",
+]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -107,6 +113,19 @@ def body_stiffness(state: SpaceEquilibrium, body: str, point: Vector) -> Floats:
     K[3:, 3:] -= swing(load[:3], arm)
     unit = np.repeat([assembly.length, 1.0], 3)
     return np.asarray(K / np.outer(unit, unit) * (assembly.force * assembly.length))
+
+
+def driven_stiffness(state: SpaceEquilibrium, coordinate: int) -> float:
+    """Return the tangent of the effort in a coordinate that is held, all others free as they are.
+
+    ``coordinate`` is 6 body + 0…5; the stiffness is in N/m or N·m/rad.
+    """
+    assembly = state.part.assembly
+    follow = _with(state.part.demand.free, (coordinate,))
+    own = int(np.searchsorted(follow, coordinate))
+    unit = assembly.length if coordinate % 6 < 3 else 1.0
+    stiffness = 1.0 / _compliance(state, follow)[own, own]
+    return float(stiffness * assembly.force * assembly.length / unit**2)
 
 
 def unstable_when_free(state: SpaceEquilibrium, free: Sequence[int]) -> int:

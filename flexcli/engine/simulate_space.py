@@ -1,0 +1,120 @@
+"""The verb simulate in space: support stiffness in six axes at every travel of a stroke."""
+
+from dataclasses import replace
+from math import inf
+from time import perf_counter
+
+import numpy as np
+
+from flexcli.engine import omitted_effects
+from flexcli.engine import values as design_values
+from flexcli.engine.joint_models.space_exact import SpaceExactModel, blade_peaks
+from flexcli.engine.joint_models.space_stroke import (
+    along_cases,
+    at_travel,
+    compliance_along_cases,
+    driven_coordinate,
+    support_error,
+)
+from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
+from flexcli.engine.models import model_series
+from flexcli.errors import SolveError
+from flexcli.mechanics.space.exact.support import driven_stiffness, vibration
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries import Sizes
+from flexcli.parts.requirements import Ask
+from flexcli.results import Cost, Result, Status
+from flexcli.results.activity import doing
+from flexcli.results.simulation import SpacePoint, SpaceSweep
+
+__all__ = ["simulate_in_space"]
+
+CENTRE = (0.0, 0.0, 0.0)
+
+
+def simulate_in_space(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result:
+    """Return the sweep of every case that has a stroke, and the margins by the exact model.
+
+    Raises
+    ------
+    SolveError
+        When no case has a stroke.
+
+    """
+    started = perf_counter()
+    joint_model = SpaceExactModel()
+    moving = [ask for ask in design.asks(sizes, joint_model) if ask.scene.moves]
+    if not moving:
+        raise SolveError(
+            "no-stroke", "no case moves the joint",
+            "add stroke: to a case, e.g. {translation: 1 mm}",
+        )  # fmt: skip
+    models = model_series(design, joint_model.name)
+    sweeps: tuple[SpaceSweep, ...] = ()
+    try:
+        for ask in moving:
+            sweeps += (_sweep(ask, points),)
+        values = design_values.values(design, sizes, joint_model)
+        found = judge(design, sizes, models)
+    except KeyboardInterrupt as stopped:
+        if not sweeps:
+            raise
+        so_far = stopped.so_far if isinstance(stopped, Interrupted) else Judgement((), {}, models)
+        result = stopped_result("simulate", design, spec, so_far, perf_counter() - started)
+        return replace(result, space_sweeps=sweeps)
+    reached = not any(sweep.missed for sweep in sweeps)
+    return Result(
+        command="simulate",
+        spec=spec,
+        status=found.status if reached or found.status is not Status.PASS else Status.FAIL,
+        title=design.title,
+        values=design_values.with_errors(
+            values, omitted_effects.errors_of(design, sizes, models[0].joint_model)
+        ),
+        checks=found.checks,
+        space_sweeps=sweeps,
+        cost=Cost(perf_counter() - started, joint_model.name, None, by_model=found.by_model),
+    )
+
+
+def _sweep(ask: Ask, points: int) -> SpaceSweep:
+    scene = ask.scene
+    doing(f"the stroke of {scene.case}")
+    found, missed, why = [], 0, ""
+    for travel in np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points):
+        try:
+            found.append(_point(ask, float(travel)))
+        except (NotAvailable, SolveError) as error:
+            missed, why = missed + 1, str(error)
+    told = f"{missed} of {points} travels were not reached: {why}" if missed else ""
+    return SpaceSweep(scene.case, ask.geometry.motion, tuple(found), told)
+
+
+def _point(ask: Ask, travel: float) -> SpacePoint:
+    state = at_travel(ask, travel)
+    layout = state.layout
+    body = layout.body(layout.drive.body)
+    motion = along_cases(ask) @ state.motion_of(body.name, body.point)
+    locked = compliance_along_cases(ask, state, CENTRE, locked=True)
+    own = driven_coordinate(layout)
+    names = [f"k_{axis}" for axis in ("x", "y", "z", "theta_x", "theta_y", "theta_z")]
+    stiffness = {}
+    for i, name in enumerate(names):
+        block = slice(0, 3) if i < 3 else slice(3, 6)
+        held = locked[i, i] <= 1e-12 * np.trace(np.abs(locked)[block, block])
+        stiffness[name] = inf if held else float(1.0 / locked[i, i])
+    mass = any(each.mass > 0.0 for each in layout.bodies)
+    stress, blade = blade_peaks(state)
+    moved = ("shift_x", "shift_y", "shift_z", "turn_x", "turn_y", "turn_z")
+    return SpacePoint(
+        travel=travel,
+        effort=float(state.reactions.ravel()[own]),
+        stiffness=driven_stiffness(state, own),
+        **dict(zip(moved, map(float, motion), strict=True)),
+        **stiffness,
+        frequency=float(vibration(state).frequency[0, 0]) if mass else None,
+        stress=stress,
+        blade=blade,
+        error=support_error(state),
+    )
