@@ -166,7 +166,8 @@ def _cheapest(design: DesignSpec) -> str:
 
 def _has_something_to_judge(design: DesignSpec) -> bool:
     coupled = any(True for _ in design.coupling_limits())
-    return coupled or design.stops is not None or any(True for _ in design.requirements.each())
+    stated = coupled or design.stops is not None or design.manufacturing is not None
+    return stated or any(True for _ in design.requirements.each())
 
 
 def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:

@@ -34,11 +34,13 @@ from flexcli.results import EXACT
 
 if TYPE_CHECKING:
     from flexcli.parts.balancing import BalanceOptions
+    from flexcli.parts.manufacturing import Manufacturing
     from flexcli.parts.stops import Stops
     from flexcli.parts.study import Study
     from flexcli.parts.tolerances import Robust, Tolerance
 else:
     BalanceOptions = Annotated[Any, Named("flexcli.parts.balancing:BalanceOptions")]
+    Manufacturing = Annotated[Any, Named("flexcli.parts.manufacturing:Manufacturing")]
     Stops = Annotated[Any, Named("flexcli.parts.stops:Stops")]
     Study = Annotated[Any, Named("flexcli.parts.study:Study")]
     Tolerance = Annotated[Any, Named("flexcli.parts.tolerances:Tolerance")]
@@ -94,6 +96,10 @@ class DesignSpec(Part):
     stops: Stops | None = None
     """End stops along a blade with a tip mass,
     e.g. ``{height: 10 mm, gap: 0.2 mm, bending: 1.5, simulation: {modes: 3}}``.
+    """
+    manufacturing: Manufacturing | None = None
+    """What the process can make: a design beyond it fails,
+    e.g. ``{process: wire-edm, least_thickness: 60 um, least_radius: 0.15 mm}``.
     """
     study: Study | None = None
     """What 'flexure sweep' varies, and what it does at each point,
@@ -351,8 +357,10 @@ class DesignSpec(Part):
                 yield requirement, scene
 
     def own_limits(self, sizes: Sizes) -> Iterator[Limit]:
-        """Yield what the mechanism and the joint's own shape ask, whatever is required."""
+        """Yield what mechanism, process and the joint's own shape ask, whatever is required."""
         yield from self.coupling_limits()
+        if self.manufacturing is not None:
+            yield from self.manufacturing.limits(self.geometry, sizes)
         for text, small, large in self.geometry.fits(sizes):
             shape = "the joint's own shape"
             yield Limit(

@@ -325,6 +325,10 @@ class Geometry(Part):
             return ()
         return tuple(("", float(h), float(width)) for h in self.thicknesses(sizes).values())
 
+    def radii(self, sizes: Sizes) -> dict[str, Computed]:
+        """Return the inner radii of its outline by name, 0 for a sharp corner [m]."""
+        return {}
+
     def clearances(self, sizes: Sizes) -> tuple[tuple[str, float], ...]:
         """Return what stands between blades, in words, and how much room is left there [m]."""
         return ()

@@ -39,6 +39,10 @@ class BladeProfile(Part):
         """Return the least thickness [m]."""
         return size
 
+    def radius(self, l: float) -> float:
+        """Return the radius where the shape ends in a body, or of its throat; 0 if sharp [m]."""
+        return 0.0
+
     def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
         """Return by what the shape raises the stress in bending and along the blade."""
         return 1.0, 1.0
@@ -102,9 +106,13 @@ class NotchProfile(BladeProfile):
         """Return the two half-ellipses."""
         return shapes.Notch(size, self.depth)
 
+    def radius(self, l: float) -> float:
+        """Return that of its throat, (l/2)²/depth."""
+        return l**2 / (4.0 * self.depth)
+
     def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
-        """Return those of a deep notch, whose radius of curvature is (l/2)²/depth."""
-        at = {"e": size, "r": l**2 / (4.0 * self.depth)}
+        """Return those of a deep notch."""
+        at = {"e": size, "r": self.radius(l)}
         return notch.bending_factor(**at), notch.axial_factor(**at)
 
     def thick(self, size: Numbers, l: float) -> Thick:
@@ -124,6 +132,10 @@ class FilletedProfile(BladeProfile):
     def shape(self, size: Any) -> shapes.Profile:
         """Return the blade with its fillets."""
         return shapes.Filleted(size, self.r)
+
+    def radius(self, l: float) -> float:
+        """Return that of its fillets."""
+        return self.r
 
     def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
         """Return those of its fillets."""

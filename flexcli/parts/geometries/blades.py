@@ -55,6 +55,11 @@ class ClampedBlades(Geometry):
         """Return it cut from one piece where nothing is said of its clamps."""
         return None if self.clamps else self.model_copy(update={"clamps": "monolithic"})
 
+    def radii(self, sizes: Sizes) -> dict[str, Computed]:
+        """Return that of its roots where they are cut from one piece, or have fillets."""
+        is_cut = self.clamps not in (None, "rigid")
+        return {"the roots": self.fillet} if is_cut or self.fillet else {}
+
     def shift_change(self, sizes: Sizes, pure: float, bent: float) -> float | None:
         """Return the change of its shift, as a share, by how blades shorten.
 

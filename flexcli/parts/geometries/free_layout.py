@@ -205,6 +205,12 @@ class FreeLayout(ClampedBlades):
             for name, blade in self.blades.items()
         )
 
+    def radii(self, sizes: Sizes) -> dict[str, Computed]:
+        """Return those of its shaped blades, and of the others where they are cut in one piece."""
+        is_cut = self.clamps not in (None, "rigid")
+        each = {name: blade.thickness.radius(blade.length) for name, blade in self.blades.items()}
+        return {name: radius for name, radius in each.items() if radius or is_cut}
+
     def slenderness(self, sizes: Sizes) -> float | None:
         """Return thickness over length of the blade that is thickest against its own [-]."""
         return max(

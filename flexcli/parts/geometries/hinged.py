@@ -104,6 +104,10 @@ class _Hinged(Geometry):
         at = {"throat": e, "length": 2.0 * r, "b": b, "turn": turn, "uneven": 4.0 * reach**2}
         return wide_notch(nu, Notch(e, r), **at)
 
+    def radii(self, sizes: LimbSizes) -> dict[str, Computed]:
+        """Return that of its notches."""
+        return {"the notches": sizes.r}
+
     def thick_notches(self, sizes: LimbSizes) -> Thick | None:
         """Return the factor of the hinges, which turn the limbs by moments that are not even."""
         e, r, l, b = map(float, sizes)

@@ -269,6 +269,14 @@ class LinkageGeometry(Geometry):
             for ratio, value in flexure.ratios(self.sizes_of(name, sizes)).items()
         }
 
+    def radii(self, sizes: Sizes) -> dict[str, Computed]:
+        """Return those of all flexures, by joint."""
+        return {
+            f"{name}: {where}": radius
+            for name, flexure in self.flexures()
+            for where, radius in flexure.radii(self.sizes_of(name, sizes)).items()
+        }
+
     def sections(self, sizes: Sizes) -> tuple[tuple[str, float, float], ...]:
         """Return those of all flexures: name of the joint, thickness and width [m]."""
         return tuple(

@@ -113,6 +113,10 @@ class NotchGeometry(Geometry):
         """Return by what its shape raises the stress in bending and along it."""
         return throat_peaks(self.concentration, *self.throat(sizes))
 
+    def radii(self, sizes: Any) -> dict[str, Computed]:
+        """Return that of its throat, or of its fillets."""
+        return {"the throat": self.throat(sizes)[1]}
+
     def bending(self, elastic: Elastic, sizes: Any, travel: float) -> Bending:
         """Return that of an arc: the moment is the same all along."""
         return Arc(theta=travel)
