@@ -29,6 +29,7 @@ ASKED = {
     "accuracy": "Error against time of every model; takes a while.",
     "transfer": "Motion of the base that a mechanism passes on, before and after balancing.",
     "stops": "Response with end stops, up and down; takes a while.",
+    "line": "Range of the tip over the gap by the stop's height, measured and simulated.",
 }
 """Plots that need a verb of their own, made when they are asked for."""
 
@@ -93,7 +94,7 @@ def _plots(path: Path, stated: list[str] | None, what: str | None) -> "list[Plot
     if what == "transfer":
         balanced = api.balance(spec).balance
         return [] if balanced is None or not balanced.transfer else [transfer_plot(balanced)]
-    if what == "stops":
+    if what in ("stops", "line"):
         stopped = api.stops(spec, simulate=False, sweep=True).stops
         return [] if stopped is None else list(stops_plots(stopped))
     gathered = api.dossier(spec)

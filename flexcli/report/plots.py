@@ -431,7 +431,7 @@ def stops_plots(found: StopsResult) -> Iterator[Plot]:
             if sweep.metastable is not None:
                 axes.axvspan(*sweep.metastable, color=COLOURS["hair"])
             axes.set_xlabel("frequency, Hz")
-            axes.set_ylabel("largest travel at the stop, mm")
+            axes.set_ylabel("largest travel of the tip, mm")
             axes.legend()
 
         yield Plot(
@@ -440,6 +440,32 @@ def stops_plots(found: StopsResult) -> Iterator[Plot]:
             "came from; rings did not settle.",
             _figure(draw, f"stops-{sweep.case}"),
         )  # fmt: skip
+        if sweep.ratios:
+            yield _line(sweep)
+
+
+def _line(sweep: StopSweep) -> Plot:
+    """Return the range of the tip over the gap along the operating line."""
+    pi_1 = [ratio.pi_1 for ratio in sweep.ratios]
+    touching = [ratio for ratio in sweep.ratios if ratio.simulated is not None]
+
+    def draw(axes: Any) -> None:
+        line, threshold = ([getattr(r, n) for r in sweep.ratios] for n in ("line", "threshold"))
+        axes.loglog(pi_1, line, color=COLOURS["ink"], ls="--", label="measured (Monti 2014)")
+        axes.loglog(pi_1, threshold, color=COLOURS["ink3"], ls=":", label="threshold, tip load")
+        axes.loglog([r.pi_1 for r in touching], [r.simulated for r in touching], "o-",
+                    color=COLOURS["ink"], ms=4, label="simulated")  # fmt: skip
+        axes.set_xlabel("stiffness at the stop over that of the free tip, π1")
+        axes.set_ylabel("range over gap, π5")
+        axes.legend()
+
+    return Plot(
+        "line", f"Operating line, {sweep.case}",
+        "Whole range of the tip over the gap against how much a stop stiffens the blade: the "
+        "measured line, what a tip-loaded blade needs to touch, and this blade once steady at its "
+        "own frequency between rigid stops on the line.",
+        _figure(draw, f"line-{sweep.case}"),
+    )  # fmt: skip
 
 
 def accuracy_plot(found: AccuracyResult) -> Plot:

@@ -9,6 +9,7 @@ from flexcli.results import (
     Result,
     StopKick,
     StopPlace,
+    StopRatio,
     StopSimulation,
     StopsResult,
     StopSweep,
@@ -138,6 +139,22 @@ def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
         yield Line((f"every {every}. of {len(pairs)} steps; --csv and JSON have all", "dim"))
     if sweep.kicks:
         yield _kicks(sweep.kicks)
+    if sweep.ratios:
+        yield _ratios(sweep.ratios)
+
+
+def _ratios(ratios: tuple[StopRatio, ...]) -> Rows:
+    heads = ("height", "gap", "π1", "π5, line", "π5, threshold", "π5, simulated")
+    title = "Range of the tip over the gap on the operating line, at the blade's frequency"
+    rows = table(title, *heads, numbers=range(6))
+    for ratio in ratios:
+        rows.add_row(
+            show(ratio.L_a, "m", 4),
+            show(ratio.delta_G, "m", 3),
+            *(f"{number:.3g}" for number in (ratio.pi_1, ratio.line, ratio.threshold)),
+            "no contact" if ratio.simulated is None else f"{ratio.simulated:.3g}",
+        )
+    return rows
 
 
 def _kicks(kicks: tuple[StopKick, ...]) -> Rows:

@@ -137,13 +137,29 @@ class StopKick(NamedTuple):
     speed_enough: float | None
 
 
+class StopRatio(NamedTuple):
+    """A stop on the operating line, height and gap [m], with the tip's range over the gap.
+
+    ``line`` as the source measured it, ``threshold`` that below which a tip-loaded blade does not
+    touch, ``simulated`` once steady at the free blade's frequency; none where it does not touch.
+    """
+
+    L_a: float
+    delta_G: float  # noqa: N815 - the source's symbol
+    pi_1: float
+    line: float
+    threshold: float
+    simulated: float | None
+
+
 class StopSweep(NamedTuple):
     """The frequency response with stops, up and down.
 
     ``contact_up`` and ``contact_down`` are the lowest and highest frequency of contact each way;
     between the ends of ``metastable`` the blade touches or not, depending on where it came from.
     ``law`` says how the stop pushes back, ``is_complete`` that nobody ended it before its end;
-    ``ends`` are where steady motions end, ``kicks`` what takes the blade from one to the other.
+    ``ends`` are where steady motions end, ``kicks`` what takes the blade from one to the other,
+    ``ratios`` the tip's range over the gap for other stops on the operating line.
     """
 
     case: str
@@ -157,6 +173,7 @@ class StopSweep(NamedTuple):
     is_complete: bool = True
     ends: tuple[StopEnd, ...] = ()
     kicks: tuple[StopKick, ...] = ()
+    ratios: tuple[StopRatio, ...] = ()
 
 
 class StopHistory(NamedTuple):

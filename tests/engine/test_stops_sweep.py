@@ -5,11 +5,16 @@ from math import exp, hypot, pi, sqrt
 import pytest
 from stop_designs import LENGTH, MASS, SINE, E, I, stopped
 
+from flexcli.engine.stopping import ratios as along_the_line
 from flexcli.engine.stopping import sweep as module
+from flexcli.engine.stopping.ratios import ratios
+from flexcli.engine.stopping.simulation import simulated
+from flexcli.engine.stopping.statics import task_of
 from flexcli.engine.stopping.sweep import swept
 from flexcli.engine.stops import stops
 from flexcli.errors import SolveError
 
+OWN = f"{sqrt(3 * E * I / LENGTH**3 / MASS) / (2 * pi)} Hz"
 PLACE = {"height": "17 mm", "gap": "36 um"}
 SWEEP = {"from": "160 Hz", "to": "230 Hz", "rate": "100 Hz/s", "acceleration": "2 g"}
 
@@ -18,6 +23,7 @@ SWEEP = {"from": "160 Hz", "to": "230 Hz", "rate": "100 Hz/s", "acceleration": "
 def _few_steps(monkeypatch):
     monkeypatch.setattr(module, "STEPS", 15)
     monkeypatch.setattr(module, "KICKS", 1)
+    monkeypatch.setattr(along_the_line, "COUNT", 2)
 
 
 def whole(cases, stops_=PLACE, watch=lambda *_: True, **changes):
@@ -122,6 +128,22 @@ def test_the_range_of_two_motions_goes_from_touch_to_fold_with_the_blow_between_
     assert low < kick.frequency < high
     assert 0.0 < kick.none < kick.enough
     assert kick.speed_enough == pytest.approx(kick.enough / MASS)
+
+
+def test_along_the_line_the_range_over_the_gap_is_that_of_a_run_once_steady():
+    design = stopped(PLACE, cases={"at": {"sine": {"acceleration": "1.5 g", "frequency": OWN}}})
+    sizes = design.fixed_sizes()
+    task = task_of(design, design.stops, sizes)
+    found = list(ratios(design, task, sizes, "at", 1.5 * 9.80665, lambda: True))
+    for row in found:
+        # the tip goes farther than where it touches when held, and the line lies not far off
+        assert row.threshold < row.simulated < 1.1 * row.line
+    place = {"height": f"{found[0].L_a} m", "gap": f"{found[0].delta_G} m"}
+    design = stopped(place, cases={"at": {"sine": {"acceleration": "1.5 g", "frequency": OWN}}})
+    run_ = simulated(stops(design, sizes, ""), design, sizes, lambda *_: True)
+    (steady,) = run_.stops.simulations
+    # a run counts as steady where a thousandth of its first swing is left
+    assert steady.pi_5 == pytest.approx(found[0].simulated, rel=2e-3)
 
 
 def test_an_interruption_within_a_part_of_a_sweep_is_heard():

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.stopping.excitation import sweep_pieces
+from flexcli.engine.stopping.ratios import ratios
 from flexcli.engine.stopping.scene import is_round, stop_scene
 from flexcli.engine.stopping.simulation import Watch, with_time
 from flexcli.engine.stopping.statics import task_of
@@ -78,8 +79,11 @@ def swept(result: Result, design: DesignSpec, sizes: Sizes, watch: Watch) -> Res
                     break
             if pace.is_stopped:
                 way.how += f", interrupted after {pace.count} of {way.planned} steps"
-            interrupted = interrupted or pace.is_stopped
             told = way.told(name, law)
+            if isinstance(way, _Stepped) and not pace.is_stopped:
+                found_there = ratios(design, task, sizes, name, way.acceleration, pace.goes_on)
+                told = told._replace(ratios=tuple(found_there))
+            interrupted = interrupted or pace.is_stopped
             seconds = perf_counter() - begun
             found.append(told._replace(seconds=seconds, is_complete=not pace.is_stopped))
             cost = with_time(cost, seconds, PERIODIC if isinstance(way, _Stepped) else RUN)
@@ -147,6 +151,7 @@ class _Stepped:
         stops: Stops,
         farthest: float,
     ) -> None:
+        self.acceleration = acceleration
         self.motion = stepped_motion(blade, stops, acceleration)
         self.angular, self.farthest = angular, farthest
         self.planned = 2 * angular.size + KICKS
