@@ -76,6 +76,12 @@ class DesignSpec(Part):
     path,
     e.g. ``{kind: rcc, p: 2 mm, half_angle: 45 deg, h: free, l: free, b: 10 mm}``.
     """
+    parameters: dict[str, str | float] = Field({})
+    """Numbers by names of your own, of which sums and products stand for sizes of a drawing,
+    e.g. ``parameters: {l: 20 mm}, geometry: {kind: layout, bodies: {tip: {at: [l, 0 mm]}},
+    blades: {only: {between: [ground, tip], from: [0 mm, 0 mm], to: [l, 0 mm], h: l/100, b: 5 mm}},
+    moving: tip, motion: {translation: 90 deg}}``.
+    """
     mechanism: AnyMechanism | None = None
     """Bodies that the joints carry, e.g. ``{kind: payload, mass: 20 g, inertia: 5e-6 kg*m^2}``."""
     cases: dict[str, Case] = Field(min_length=1)

@@ -58,6 +58,10 @@ def validated(
     document, unresolved = resolved(document, folder, kind)
     document = refuse_waiting(*overridden(document, waiting))
     if own is None:
+        if "parameters" in document.value:
+            from flexcli.spec.parameters import with_parameters
+
+            document = with_parameters(document)
         part, findings = _validated(kind, document.value, document)
     else:
         part, findings = _validated(kind, document.value[own], document, (own,))

@@ -12,6 +12,7 @@ from flexcli.parts.base import QuantityOf
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.fields import key_of, note
 from flexcli.spec.load import KINDS as PARTS
+from flexcli.spec.parameters import DRAWN, NAMES
 from flexcli.spec.parse import parse_document
 from flexcli.spec.references import EXTENDS, FORMAT, REFERENCES
 from flexcli.spec.shipped import shipped_names
@@ -22,6 +23,8 @@ __all__ = ["BESIDE", "KINDS", "json_schema"]
 KINDS = ("design", *PARTS)
 BESIDE = "beside"
 """Keyword of the keys without which an example would not stand, for those who write it out."""
+EXTENT = "#/$defs/Extent"
+"""A size that may be free, in any geometry."""
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
@@ -39,6 +42,7 @@ def json_schema(kind: str) -> dict[str, Any]:
             part["properties"][EXTENDS] = _or_named(part["properties"][EXTENDS], "material")
     if kind == "design":
         schema = _referring(schema, definitions)
+        _let_parameters_in(schema["properties"]["geometry"], definitions)
     else:
         schema = {
             "type": "object",
@@ -151,6 +155,32 @@ def _referring(schema: dict[str, Any], definitions: dict[str, Any]) -> dict[str,
     for path, kind in REFERENCES.items():
         put(schema, path, kind)
     return schema
+
+
+def _let_parameters_in(geometry: dict[str, Any], definitions: dict[str, Any]) -> None:
+    """Let sums and products of parameters stand for the sizes of what is drawn."""
+    for drawn in _alternatives(geometry, definitions):
+        (kind,) = drawn["properties"]["kind"]["allOf"]
+        if kind.get("const") in DRAWN:
+            _let_expressions_in(drawn, definitions, set())
+
+
+def _let_expressions_in(node: Any, definitions: dict[str, Any], done: set[str]) -> None:
+    """Let expressions stand for every quantity below a node; what others share stays as it is."""
+    expression = {"type": "string", "pattern": NAMES}
+    for key, inner in list(node.items() if isinstance(node, dict) else enumerate(node)):
+        if key == "$ref" and inner == EXTENT:
+            node["anyOf"] = [{"$ref": node.pop("$ref")}, expression]
+        elif key == "$ref" and inner not in done:
+            done.add(inner)
+            _let_expressions_in(definitions[inner.rpartition("/")[2]], definitions, done)
+        elif isinstance(inner, dict) and "patternErrorMessage" in inner:
+            about = {k: inner.pop(k) for k in ("description", "title") if k in inner}
+            if "title" in about:
+                about["title"] += ", or of parameters"
+            node[key] = {**about, "anyOf": [inner, expression]}
+        elif isinstance(inner, dict | list):
+            _let_expressions_in(inner, definitions, done)
 
 
 _NAMED = {"type": "string", "pattern": r"\S"}
