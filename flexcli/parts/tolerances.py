@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from math import isfinite, sqrt
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple, get_args
+from typing import Annotated, Any, Literal, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,8 +81,6 @@ class Tolerance(Part):
 
     A plain quantity is the most that it is off by either way, all between as likely.
     """
-
-    is_plain: ClassVar[bool] = True
 
     uniform: tuple[str, ...] = ()
     """Most that it is off by, or least and most, all between as likely, e.g. ``[-2 um, 5 um]``."""
@@ -211,8 +209,6 @@ def _read(text: str, dimension: str, nominal: float) -> float:
 
 class Robust(Part):
     """What share of the parts shall pass, or all of them up to the ends of their tolerances."""
-
-    is_plain: ClassVar[bool] = True
 
     parts: Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)] | None = None
     """Share of the parts, made within the tolerances, that shall pass, e.g. ``99.7 %``."""

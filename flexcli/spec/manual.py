@@ -288,6 +288,8 @@ def _titled(title: str) -> str:
     """Return how a quantity is written, with its units, or that a shipped spec is named."""
     if title.startswith("shipped "):
         return f"the name of a {title}, or a path"
+    if title == "table":
+        return "the path of a table, or one with its units and column"
     named = max((d for d in DIMENSIONS if title.startswith(d)), key=len)
     units = ", ".join(filter(None, DIMENSIONS[named].units))
     return f"{title} (in {units})" if units else title

@@ -175,7 +175,8 @@ def _let_expressions_in(node: Any, definitions: dict[str, Any], done: set[str]) 
             done.add(inner)
             _let_expressions_in(definitions[inner.rpartition("/")[2]], definitions, done)
         elif isinstance(inner, dict) and "patternErrorMessage" in inner:
-            about = {k: inner.pop(k) for k in ("description", "title") if k in inner}
+            about = {k: inner[k] for k in ("description", "title", "examples") if k in inner}
+            inner.pop("title", None)
             if "title" in about:
                 about["title"] += ", or of parameters"
             node[key] = {**about, "anyOf": [inner, expression]}
