@@ -17,7 +17,7 @@ from typing import Any
 from mkdocs.exceptions import PluginError
 from typer.testing import CliRunner
 
-from flexcli.cli.app import app
+from flexcli.cli.app import command_line
 
 ROOT = Path(__file__).parents[2]
 
@@ -61,7 +61,7 @@ def _shown(kind: str, text: str, where: str) -> str:
     for line in text.splitlines():
         command, _, code = line.removeprefix("$ ").partition("  # exit ")
         _, *arguments = shlex.split(command)
-        done = CliRunner(env={"COLUMNS": "88"}).invoke(app, arguments)
+        done = CliRunner(env={"COLUMNS": "88"}).invoke(command_line(), arguments)
         if done.exit_code != int(code or 0):
             raise PluginError(f"{where}: '{command}' exits {done.exit_code}\n{done.output}")
         lines += [f"$ {command}", done.output.rstrip(), ""]

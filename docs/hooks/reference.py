@@ -7,7 +7,7 @@ import typer
 from mkdocs.structure.files import File, Files
 from typer.testing import CliRunner
 
-from flexcli.cli.app import app
+from flexcli.cli.app import command_line
 from flexcli.engine.explain import topics
 from flexcli.results import Explanation, FieldRow, FormulaRow, SymbolRow
 from flexcli.spec.load import load_shipped
@@ -57,11 +57,13 @@ def _table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> Iterator[str]
 
 
 def _commands() -> Iterator[str]:
-    group: Any = typer.main.get_command(app)
+    group: Any = typer.main.get_command(command_line())
     for name, command in group.commands.items():
         for words in [[name], *([name, sub] for sub in getattr(command, "commands", ()))]:
             yield f"\n## flexure {' '.join(words)}\n"
-            told = CliRunner(env={"COLUMNS": "88"}).invoke(app, [*words, "--help"]).output
+            told = (
+                CliRunner(env={"COLUMNS": "88"}).invoke(command_line(), [*words, "--help"]).output
+            )
             yield f"```text\n{told.strip()}\n```"
 
 

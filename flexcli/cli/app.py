@@ -4,38 +4,18 @@ import gc
 import os
 import sys
 import traceback
+from collections.abc import Sequence
+from functools import cache
+from importlib import import_module
 from typing import Any
 
 import typer
 
 from flexcli import __version__
-from flexcli.cli import (
-    accuracy,
-    asd_environment,
-    balance,
-    check,
-    draw,
-    examples,
-    explain,
-    export,
-    init,
-    materials,
-    plan,
-    plot,
-    report,
-    schema,
-    simulate,
-    size,
-    stops,
-    sweep,
-    tolerances,
-    validate,
-    verify,
-)
 from flexcli.cli.common import with_common_options
 from flexcli.cli.output import Format, any_stream, asked_format, write_failure
 
-__all__ = ["app", "main"]
+__all__ = ["command_line", "main"]
 
 EXIT_BUG = 101
 
@@ -47,42 +27,53 @@ EXIT_CODES = (
     "stopped; 2 bad input or usage; 101 a bug of ours."
 )
 
-app = typer.Typer(
-    name="flexure",
-    epilog=EXIT_CODES,
-    no_args_is_help=True,
-    context_settings={"help_option_names": ["-h", "--help"]},
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,
-)
-for verb in (
-    init,
-    size,
-    check,
-    simulate,
-    plan,
-    accuracy,
-    verify,
-    balance,
-    stops,
-    sweep,
-    tolerances,
-    draw,
-    export,
-    plot,
-    report,
-    explain,
-    validate,
-    materials,
-    schema,
-):
-    reads_no_spec = verb in (init, explain, materials, schema)
-    app.command(name=verb.NAME)(verb.run if reads_no_spec else with_common_options(verb.run))
-app.add_typer(asd_environment.app)
-app.add_typer(examples.app)
-for group in (app, asd_environment.app, examples.app):
-    for command in group.registered_commands:
-        command.epilog = EXIT_CODES
+READING = (
+    "size", "check", "simulate", "plan", "accuracy", "verify", "balance", "stops", "sweep",
+    "tolerances", "draw", "export", "plot", "report", "validate",
+)  # fmt: skip
+"""Verbs that read specs, by their modules."""
+
+VERBS = ("init", *READING[:-1], "explain", "validate", "materials", "schema")
+"""Commands of one verb, in the order of the help."""
+
+GROUPS = {"asd": "asd_environment", "examples": "examples"}
+"""Commands of several verbs, and their modules."""
+
+
+@cache
+def command_line(only: str | None = None) -> typer.Typer:
+    """Return the command line, of one command alone where it is named: others are not imported."""
+    app = typer.Typer(
+        name="flexure",
+        epilog=EXIT_CODES,
+        no_args_is_help=True,
+        context_settings={"help_option_names": ["-h", "--help"]},
+        pretty_exceptions_enable=False,
+        rich_markup_mode=None,
+        callback=root,
+    )
+    for verb in VERBS:
+        if only in (None, verb):
+            run = import_module(f"flexcli.cli.{verb}").run
+            app.command(name=verb)(with_common_options(run) if verb in READING else run)
+    groups = [
+        import_module(f"flexcli.cli.{module}").app
+        for name, module in GROUPS.items()
+        if only in (None, name)
+    ]
+    for group in groups:
+        app.add_typer(group)
+    for each in (app, *groups):
+        for command in each.registered_commands:
+            command.epilog = EXIT_CODES
+    return app
+
+
+def _named(arguments: Sequence[str]) -> str | None:
+    """Return the command that a line names; nothing where all have to be known, as for help."""
+    word = next((word for word in arguments if not word.startswith("-")), None)
+    completing = any(name.endswith("_COMPLETE") for name in os.environ)
+    return word if word in (*VERBS, *GROUPS) and not completing else None
 
 
 UsageError: Any = typer.BadParameter.__base__
@@ -95,7 +86,6 @@ def _version(wanted: bool) -> None:
         raise typer.Exit
 
 
-@app.callback()
 def root(
     version: bool = typer.Option(
         False, "--version", callback=_version, is_eager=True, help="Print the version and exit."
@@ -104,7 +94,7 @@ def root(
     """Size, check and simulate flexures from a YAML spec."""
 
 
-def _for_machines(style: Format) -> int:
+def _for_machines(app: typer.Typer, style: Format) -> int:
     """Run the command line and return its exit code; wrong usage is told in the asked format."""
     try:
         return app(standalone_mode=False) or 0
@@ -125,10 +115,11 @@ def main() -> None:
     any_stream()
     style = asked_format(sys.argv[1:])
     try:
+        app = command_line(_named(sys.argv[1:]))
         if style is Format.TEXT:
             app()
         else:
-            sys.exit(_for_machines(style))
+            sys.exit(_for_machines(app, style))
     except Exception as error:
         traceback.print_exc()
         sys.stderr.write("flexure: this is a bug of ours; please report it with the spec\n")

@@ -192,7 +192,7 @@ def fds(
     column: ColumnOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Compute the fatigue damage spectrum of a record or a profile.
+    """Compute the fatigue damage of a record or profile, by frequency.
 
     Cycles of a record are counted by rainflow (extra vibration); a profile's are narrow-band.
     """
@@ -293,7 +293,7 @@ def notch(
     stated: SetOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Notch the profile of a case to a limit on the force at the base.
+    """Notch the profile of a case to limit the force at the base.
 
     The limit is semi-empirical: C² M₀² times the profile, falling beyond the knee.
     """

@@ -50,9 +50,9 @@ def run(
     force: ForceOption = False,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Put a design's numbers beside those of CalculiX's solid elements.
+    """Put a design's numbers beside those of solid elements.
 
-    Blades are meshed between rigid bodies, twice, and solved by ccx where it is installed.
+    Blades are meshed between rigid bodies, twice, and solved by CalculiX (ccx) where it is installed.
 
     Exits 1 when two numbers are apart by more than both their errors, or nothing was compared.
     """

@@ -15,7 +15,7 @@ import pytest
 import yaml
 from typer.testing import CliRunner
 
-from flexcli.cli.app import app
+from flexcli.cli.app import command_line
 
 HERE = Path(__file__).parent
 PRINTED = 5e-3
@@ -57,7 +57,7 @@ def ran(path, words):
     if verb == "asd":
         verb, options = f"asd {options[0]}", options[1:]
     line = [*verb.split(), path, *options, "--format", "json"]
-    result = CliRunner().invoke(app, line, catch_exceptions=False)
+    result = CliRunner().invoke(command_line(), line, catch_exceptions=False)
     return Said(result.exit_code, json.loads(result.stdout))
 
 

@@ -48,12 +48,14 @@ def inside(tmp_path, monkeypatch):
     """Run the command in an empty folder in this process, which need not import it anew."""
     from typer.testing import CliRunner
 
-    from flexcli.cli.app import app
+    from flexcli.cli.app import command_line
 
     def run(*arguments, stdin=None):
         with monkeypatch.context() as at:
             at.chdir(tmp_path)
-            told = CliRunner().invoke(app, arguments, input=stdin, env={"COLUMNS": "100"})
+            told = CliRunner().invoke(
+                command_line(), arguments, input=stdin, env={"COLUMNS": "100"}
+            )
         if told.exception is not None and not isinstance(told.exception, SystemExit):
             raise told.exception
         return SimpleNamespace(returncode=told.exit_code, stdout=told.stdout, stderr=told.stderr)

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from flexcli.cli.app import app
+from flexcli.cli.app import command_line
 from flexcli.engine.comparing import time_accuracy
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "boundary-control" / "flexure.yaml"
@@ -16,7 +16,7 @@ def told():
     with pytest.MonkeyPatch.context() as patch:
         # the slow end of the series takes most of the time and shows nothing more here
         patch.setattr(time_accuracy, "TOLERANCES", (1e-4, 1e-6))
-        yield CliRunner().invoke(app, ["accuracy", str(EXAMPLE)], env={"COLUMNS": "120"})
+        yield CliRunner().invoke(command_line(), ["accuracy", str(EXAMPLE)], env={"COLUMNS": "120"})
 
 
 def test_the_example_shows_its_peaks_by_each_method(told):

@@ -65,7 +65,7 @@ def test_a_bug_exits_101_with_its_traceback(monkeypatch, capsys):
     def broken():
         raise RuntimeError("not foreseen")
 
-    monkeypatch.setattr(app, "app", broken)
+    monkeypatch.setattr(app, "command_line", lambda *_: broken)
     with pytest.raises(SystemExit) as ended:
         app.main()
     assert ended.value.code == app.EXIT_BUG == 101

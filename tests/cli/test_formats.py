@@ -170,7 +170,7 @@ def test_a_bug_is_told_in_the_asked_format(monkeypatch, capsys):
     def broken(**_):
         raise RuntimeError("not foreseen")
 
-    monkeypatch.setattr(command, "app", broken)
+    monkeypatch.setattr(command, "command_line", lambda *_: broken)
     monkeypatch.setattr(sys, "argv", ["flexure", "check", "--format", "json"])
     with pytest.raises(SystemExit) as ended:
         command.main()
@@ -185,7 +185,7 @@ VERBS = ("size", "check", "simulate", "plan", "accuracy", "balance", "stops", "e
 @pytest.mark.parametrize("verb", VERBS)
 @pytest.mark.parametrize("option", ["-h", "--help"])
 def test_the_help_of_every_command_has_its_exit_codes(verb, option):
-    told = typer.testing.CliRunner().invoke(command.app, [*verb.split(), option])
+    told = typer.testing.CliRunner().invoke(command.command_line(), [*verb.split(), option])
     assert told.exit_code == 0
     words = " ".join(told.stdout.split())
     for code in ("0 passed", "1 the design fails", "2 bad input", "101 a bug"):
@@ -195,14 +195,14 @@ def test_the_help_of_every_command_has_its_exit_codes(verb, option):
 @pytest.mark.parametrize("arguments", [("-h",), ("asd", "-h")])
 def test_the_list_of_commands_has_whole_sentences(arguments, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
-    told = typer.testing.CliRunner().invoke(command.app, arguments).stdout
+    told = typer.testing.CliRunner().invoke(command.command_line(), arguments).stdout
     rows = told.split("Commands:")[1].split("\n\n")[0].strip().splitlines()
     assert len(rows) > 5
     assert all(row.endswith(".") and not row.endswith("...") for row in rows)
 
 
 def test_the_shell_can_complete():
-    told = typer.testing.CliRunner().invoke(command.app, ["--help"]).stdout
+    told = typer.testing.CliRunner().invoke(command.command_line(), ["--help"]).stdout
     assert "--install-completion" in told
 
 
@@ -265,7 +265,9 @@ def test_the_hooks_of_pre_commit_run_commands_that_there_are():
     for hook in hooks:
         program, *verb = hook["entry"].split()
         assert program == "flexure"
-        assert typer.testing.CliRunner().invoke(command.app, [*verb, "-h"]).exit_code == 0
+        assert (
+            typer.testing.CliRunner().invoke(command.command_line(), [*verb, "-h"]).exit_code == 0
+        )
 
 
 def test_the_workflow_of_the_guide_is_one_and_uses_formats_that_there_are():

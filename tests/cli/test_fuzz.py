@@ -23,7 +23,7 @@ import yaml
 from typer.testing import CliRunner
 
 import flexcli
-from flexcli.cli.app import app
+from flexcli.cli.app import command_line
 
 ROOT = Path(__file__).parents[2]
 SOURCES = sorted(
@@ -220,7 +220,7 @@ def faults(given: Mutant, folder: Path) -> Iterator[Fault]:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            told = CliRunner().invoke(app, [*arguments, "--time-limit", str(LIMIT)])
+            told = CliRunner().invoke(command_line(), [*arguments, "--time-limit", str(LIMIT)])
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
         signal.signal(signal.SIGALRM, previous)

@@ -5,10 +5,10 @@ import json
 import pytest
 from typer.testing import CliRunner
 
-from flexcli.cli.app import app
+from flexcli.cli.app import command_line
 
 
 @pytest.fixture
 def inside_root():
     """Run a command and return the JSON document that it prints."""
-    return lambda *arguments: json.loads(CliRunner().invoke(app, arguments).stdout)
+    return lambda *arguments: json.loads(CliRunner().invoke(command_line(), arguments).stdout)

@@ -7,7 +7,7 @@ import pytest
 import typer
 
 import flexcli
-from flexcli.cli.app import app
+from flexcli.cli.app import command_line
 from flexcli.report.drawing_svg import drawing_svg
 
 ROOT = Path(__file__).parents[2]
@@ -44,7 +44,7 @@ def test_its_spec_is_one():
 
 def test_its_table_has_every_command():
     told = README.split("## Commands")[1].split("\n### ")[0]
-    for name in typer.main.get_command(app).commands:
+    for name in typer.main.get_command(command_line()).commands:
         assert re.search(rf"`flexure {name}[ `]", told), name
 
 

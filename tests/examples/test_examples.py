@@ -8,7 +8,7 @@ import pytest
 import yaml
 from typer.testing import CliRunner
 
-from flexcli.cli.app import app
+from flexcli.cli.app import command_line
 from flexcli.units import DIMENSIONS, parse_quantity
 
 ROOT = Path(__file__).parents[2] / "examples"
@@ -29,7 +29,7 @@ DIMENSION_OF = {
 
 def run(folder, expected):
     arguments = [*expected["command"].split(), str(folder / "flexure.yaml"), "--format", "json"]
-    result = CliRunner().invoke(app, arguments)
+    result = CliRunner().invoke(command_line(), arguments)
     assert result.exit_code == expected.get("exit_code", 0), result.output
     return json.loads(result.stdout)
 
@@ -73,7 +73,7 @@ def defaults():
 @pytest.mark.parametrize(("folder", "verb", "verdict"), list(defaults()))
 def test_ends_with_its_verdict(folder, verb, verdict):
     arguments = [verb, str(folder / "flexure.yaml"), "--format", "json"]
-    result = CliRunner().invoke(app, arguments)
+    result = CliRunner().invoke(command_line(), arguments)
     document = json.loads(result.stdout)
     assert document["status"] == verdict
     assert result.exit_code == (0 if verdict == "pass" else 1)
@@ -88,7 +88,9 @@ def test_ends_with_its_verdict(folder, verb, verdict):
 
 @pytest.mark.slow
 def test_a_linkage_without_a_balanced_design_says_so_and_names_what_is_missing():
-    result = CliRunner().invoke(app, ["size", str(ROOT / "crank-linear-stage" / "flexure.yaml")])
+    result = CliRunner().invoke(
+        command_line(), ["size", str(ROOT / "crank-linear-stage" / "flexure.yaml")]
+    )
     assert result.exit_code == 1
     said = " ".join(result.output.split())
     assert "no balanced design by the models that judge" in said

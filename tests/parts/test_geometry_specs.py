@@ -9,7 +9,7 @@ from judging import size_as_printed
 from strategies import TITANIUM, design
 from typer.testing import CliRunner
 
-from flexcli.cli.app import app
+from flexcli.cli.app import command_line
 from flexcli.parts.elastic import Elastic
 from flexcli.results import Status
 from flexcli.spec.schema import json_schema
@@ -43,7 +43,9 @@ def test_a_spec_of_it_is_checked_from_the_command_line(kind, tmp_path):
             "requirements": {"fatigue": 1.0, "yield": 1.0},
         },
     )
-    told = CliRunner().invoke(app, ["check", path, "--model", "source", "--format", "json"])
+    told = CliRunner().invoke(
+        command_line(), ["check", path, "--model", "source", "--format", "json"]
+    )
     assert told.exit_code in (0, 1), told.output
     document = json.loads(told.stdout)
     asked = [check["name"] for check in document["checks"] if check["name"] != "geometry"]
@@ -56,10 +58,10 @@ def test_a_spec_of_it_is_checked_from_the_command_line(kind, tmp_path):
 
 @every_kind
 def test_it_is_explained_under_its_name(kind):
-    told = CliRunner().invoke(app, ["explain", kind, "--format", "json"])
+    told = CliRunner().invoke(command_line(), ["explain", kind, "--format", "json"])
     assert told.exit_code == 0, told.output
     assert kind in told.stdout
-    assert CliRunner().invoke(app, ["explain", kind]).exit_code == 0
+    assert CliRunner().invoke(command_line(), ["explain", kind]).exit_code == 0
 
 
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if kinds()[kind].posynomial])

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import yaml
 from typer.testing import CliRunner
 
-from flexcli.cli.app import app
+from flexcli.cli.app import command_line
 
 RIGHT, UNSAFE, FALSE_FAIL, UNDECIDED, ERROR = (
     "right", "unsafe pass", "false fail", "undecided", "error",
@@ -42,7 +42,7 @@ def checked(spec, name, model=None):
         path.write_text(yaml.safe_dump(spec, sort_keys=False, width=10_000))
         words = ["check", str(path), "--format", "json"]
         started = perf_counter()
-        result = CliRunner().invoke(app, words + (["--model", model] if model else []))
+        result = CliRunner().invoke(command_line(), words + (["--model", model] if model else []))
         seconds = perf_counter() - started
     bug = result.exception is not None and not isinstance(result.exception, SystemExit)
     if bug:
