@@ -192,7 +192,7 @@ def fds(
     column: ColumnOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Compute the fatigue damage of a record or profile, by frequency.
+    """Compute the fatigue damage spectrum of an environment.
 
     Cycles of a record are counted by rainflow (extra vibration); a profile's are narrow-band.
     """
@@ -241,7 +241,7 @@ def equal_damage(
     column: ColumnOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Turn environments into a test of equal damage and another duration.
+    """Turn environments into a test of equal damage.
 
     It has the shape of the first, or of another profile, and no less damage at any frequency.
     """

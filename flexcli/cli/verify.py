@@ -52,7 +52,7 @@ def run(
 ) -> None:
     """Put a design's numbers beside those of solid elements.
 
-    Blades are meshed between rigid bodies, twice, and solved by CalculiX (ccx) where it is installed.
+    Blades are meshed between rigid bodies, twice, and solved by CalculiX where ccx is installed.
 
     Exits 1 when two numbers are apart by more than both their errors, or nothing was compared.
     """
