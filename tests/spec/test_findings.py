@@ -132,12 +132,12 @@ def test_a_key_in_the_wrong_place_is_told_where_it_belongs() -> None:
 
 def test_a_key_of_another_kind_lists_the_keys_of_this_one() -> None:
     found = finding(changed("p: 2 mm", "p: 2 mm, blades: 4"))
-    assert found.hint == "one of: b, clamps, h, half_angle, kind, l, p"
+    assert found.hint == "one of: b, clamps, h, half_angle, kind, l, p, root_radius"
 
 
 def test_names_inside_the_program_are_not_offered() -> None:
     hints = {f.hint for f in findings(changed("p: 2 mm", "p: 2 mm, least: 4, most: 3"))}
-    assert hints == {"one of: b, clamps, h, half_angle, kind, l, p"}
+    assert hints == {"one of: b, clamps, h, half_angle, kind, l, p, root_radius"}
 
 
 def test_every_mistake_is_found_in_one_pass() -> None:
