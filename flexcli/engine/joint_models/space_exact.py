@@ -3,20 +3,31 @@
 About rest it is the linear model; so it is under other loads than a stroke.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from itertools import product
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
-from flexcli.engine.joint_models.space_stroke import at_travel, is_compared, support_at_stroke
+from flexcli.engine.joint_models.space_stroke import (
+    at_travel,
+    driven_coordinate,
+    is_compared,
+    support_at_stroke,
+)
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
+from flexcli.mechanics.space.exact.critical import critical_load
+from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.stresses import blade_stresses
+from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector
+from flexcli.mechanics.space.states import Acting
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements import Ask, EndStress
+from flexcli.parts.requirements import Ask, CriticalShare, EndStress
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_states import acting_groups
 from flexcli.results import ErrorRange, QuantityKind
@@ -24,6 +35,16 @@ from flexcli.results import ErrorRange, QuantityKind
 __all__ = ["SpaceExactModel", "blade_peaks"]
 
 Floats = NDArray[np.float64]
+
+BUCKLING_ERROR = 0.1
+"""Error of a critical share by beams: of their support stiffness at stroke, and of the mass of
+blades, which is not among their loads."""
+
+MOST_SHARE = 5.0
+"""Largest share of its loads at which a mechanism is looked at."""
+
+CRITICAL_LEVELS, CRITICAL_TOLERANCE = (12, 18, 27, 40), 1e-3
+"""Nodes and accuracy of critical loads, far below the error of beams."""
 
 SHIFT_ERROR = 0.02
 """Error of the motion beside a stroke, against the solids of ``BEAM_ERROR``: within 0.7 %."""
@@ -70,6 +91,67 @@ class SpaceExactModel(SpaceLinearModel):
                 for i in dict.fromkeys(int(np.argmax(each)) for each in sought)
             )
         return "nominal stress in space, von Mises", found
+
+    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
+        """Return the shares of the loads that buckle it: drive locked at a stroke, else free."""
+        return tuple(_critical_shares(ask))
+
+
+def _critical_shares(ask: Ask) -> Iterator[CriticalShare]:
+    """Yield what buckles it at both ends of a stroke; what is no wrench acts either way."""
+    scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
+    layout, drive = joint.layout, joint.layout.drive
+    groups = [_loads(layout, each) for each in acting_groups(joint, scene)]
+    senses: list[tuple[float, ...]] = [(1.0, -1.0)] * len(groups)
+    if any(scene.stated):
+        senses[0] = (1.0,)
+    travels = dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel))
+    for travel in travels:
+        start = at_travel(ask, travel) if scene.moves else None
+        own = driven_coordinate(layout) % 6
+        held = {drive.body: [travel if i == own else None for i in range(6)]} if start else None
+        for signs in product(*senses):
+            pattern = [
+                load._replace(force=_times(sign, load.force), moment=_times(sign, load.moment))
+                for sign, group in zip(signs, groups, strict=True)
+                for load in group
+            ]
+            spoken = "drive locked at its stroke" if start else "drive free"
+            try:
+                found = critical_load(
+                    layout, held, pattern, most=MOST_SHARE, frames=drive_frame(drive), start=start,
+                    levels=CRITICAL_LEVELS, tolerance=CRITICAL_TOLERANCE,
+                )  # fmt: skip
+            except SolveError as error:
+                if error.code != "no-critical-load":
+                    raise NotAvailable(f"has no buckling load: {error}") from error
+                known = start is None or is_compared(start)
+                error_range = ErrorRange(-BUCKLING_ERROR, inf) if known else None
+                yield CriticalShare(MOST_SHARE, f"{spoken}: none up to that", error_range)
+                continue
+            known = start is None or is_compared(start)
+            off = BUCKLING_ERROR + found.estimated_error
+            yield CriticalShare(found.factor, spoken, ErrorRange(-off, off) if known else None)
+
+
+def _loads(layout: SpaceLayout, acting: Acting) -> list[SpaceLoad]:
+    """Return a wrench on the moving body and an acceleration of the bodies as loads."""
+    found = []
+    if np.any(acting.wrench):
+        force, moment = _times(1.0, acting.wrench[:3]), _times(1.0, acting.wrench[3:])
+        found.append(SpaceLoad(layout.drive.body, acting.point, force, moment))
+    if np.any(acting.acceleration):
+        found += [
+            SpaceLoad(body.name, body.com, _times(body.mass, acting.acceleration))
+            for body in layout.bodies
+            if body.mass > 0.0
+        ]
+    return found
+
+
+def _times(factor: float, vector: Sequence[float] | Floats) -> Vector:
+    x, y, z = (factor * float(each) for each in vector)
+    return x, y, z
 
 
 def _is_stroke_alone(ask: Ask) -> bool:

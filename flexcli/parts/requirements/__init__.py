@@ -8,7 +8,13 @@ from pydantic import BeforeValidator, Field
 from flexcli.parts.base import OneOrMore, Part
 from flexcli.parts.named import Named
 from flexcli.parts.requirements.as_printed import AS_PRINTED
-from flexcli.parts.requirements.ask import Ask, EndStress, JointModel, RequirementError
+from flexcli.parts.requirements.ask import (
+    Ask,
+    CriticalShare,
+    EndStress,
+    JointModel,
+    RequirementError,
+)
 from flexcli.parts.requirements.base import Bound, Limit, Requirement
 from flexcli.parts.requirements.closed_form import CLOSED_FORM
 
@@ -17,6 +23,7 @@ __all__ = [
     "CLOSED_FORM",
     "Ask",
     "Bound",
+    "CriticalShare",
     "EndStress",
     "JointModel",
     "Limit",

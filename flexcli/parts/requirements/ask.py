@@ -16,7 +16,7 @@ from flexcli.results import ErrorRange, QuantityKind
 if TYPE_CHECKING:
     from flexcli.parts.effects import Setting
 
-__all__ = ["Ask", "EndStress", "JointModel", "RequirementError"]
+__all__ = ["Ask", "CriticalShare", "EndStress", "JointModel", "RequirementError"]
 
 
 class RequirementError(ValueError):
@@ -55,6 +55,17 @@ class EndStress(NamedTuple):
         if self.is_at_face:
             return abs(self.amplitude) + abs(self.mean + self.axial)
         return self.amplitude + self.mean + self.axial
+
+
+class CriticalShare(NamedTuple):
+    """The share of the loads of a case that buckles a mechanism in space [-], and how it is held.
+
+    ``error`` is relative; its high end is infinite where nothing buckles up to that share.
+    """
+
+    share: float
+    held: str
+    error: ErrorRange | None
 
 
 class Ask(NamedTuple):
@@ -136,6 +147,10 @@ class JointModel(ABC):
         of the drive where it is ``locked`` [N/m or N·m/rad].
         """
         raise NotAvailable("has no support stiffness at stroke by this model: take --model exact")
+
+    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
+        """Return the shares of the loads of a case that buckle a mechanism in space."""
+        raise NotAvailable("has no buckling load in space by this model: take --model exact")
 
     @abstractmethod
     def parasitic_shift(self, ask: Ask) -> Computed:

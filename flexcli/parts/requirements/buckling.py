@@ -28,8 +28,9 @@ class Buckling(FactorRequirement):
     label: ClassVar[str] = "buckling"
 
     def applies(self, scene: Scene) -> bool:
-        """Return whether the case puts a force along the blades."""
-        return self.covers(scene) and scene.blade_force > 0.0
+        """Return whether the case puts a force along the blades, or any load in space."""
+        loaded = scene.is_loaded if scene.in_space else scene.blade_force > 0.0
+        return self.covers(scene) and loaded
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return what pushes the joint."""
@@ -38,6 +39,9 @@ class Buckling(FactorRequirement):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield force against what is borne, in the plane and across the blades' width."""
         scene = ask.scene
+        if scene.in_space:
+            yield from self._in_space(ask)
+            return
         if scene.ends is None:
             raise RequirementError(
                 f"nothing says what holds the blades' ends in case '{scene.case}'",
@@ -59,6 +63,23 @@ class Buckling(FactorRequirement):
                 kind=QuantityKind.BUCKLING,
                 in_capacity=True,
                 error=_error(critical, ask.material),
+            )
+
+    def _in_space(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the loads of a case against the share of them that buckles blades or bodies."""
+        for found in ask.joint_model.critical_shares(ask):
+            yield Limit(
+                self.label,
+                ask.scene.case,
+                f"share of the loads of the case that buckles it, {found.held}",
+                1.0,
+                found.share,
+                "",
+                "where a direction of blades and bodies gets unstable, exact beams in space",
+                required=self.factor,
+                kind=QuantityKind.BUCKLING,
+                in_capacity=True,
+                error=found.error,
             )
 
 

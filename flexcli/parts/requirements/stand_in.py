@@ -2,7 +2,7 @@
 
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.geometries.base import Critical
-from flexcli.parts.requirements.ask import Ask, EndStress, JointModel
+from flexcli.parts.requirements.ask import Ask, CriticalShare, EndStress, JointModel
 from flexcli.results import ErrorRange
 
 __all__ = ["STAND_IN"]
@@ -35,6 +35,10 @@ class _StandIn(JointModel):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return 1."""
         return ((1.0, None),)
+
+    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
+        """Return 1."""
+        return (CriticalShare(1.0, "stand-in", None),)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return 1."""

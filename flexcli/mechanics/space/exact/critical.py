@@ -35,7 +35,7 @@ __all__ = ["SpaceCritical", "critical_load"]
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
-_FIRST, _LONGEST, _MOST = 0.02, 0.2, 300
+_FIRST, _LONGEST, _MOST = 0.02, 0.2, 100
 _CORRECTION = 1e-12
 
 _STILL = 1e-6

@@ -1,0 +1,52 @@
+"""Buckling of mechanisms in space from a spec, against plates between guided ends."""
+
+from math import pi
+
+import pytest
+
+import flexcli
+from flexcli.formulas.plate_buckling import buckling_factor
+
+SPEC = """
+flexure: 1
+material: {{youngs_modulus: 200 GPa, yield_strength: 1800 MPa, poisson_ratio: 0.3}}
+geometry:
+  kind: space-layout
+  bodies:
+    stage: {{at: [0 mm, 50 mm, 0 mm]}}
+  blades:
+    leaf: {{between: [ground, stage], from: [100 mm, 0 mm, 0 mm], to: [100 mm, 100 mm, 0 mm],
+           h: 0.5 mm, b: 20 mm, width: z, mirror: [x]}}
+  moving: stage
+  motion: {{translation: x}}
+cases:
+  push: {{wrench: {{y: {force} N}}}}
+requirements:
+  buckling: 2
+"""
+
+
+def checked(tmp_path, force):
+    spec = tmp_path / "flexure.yaml"
+    spec.write_text(SPEC.format(force=force), encoding="utf-8")
+    (check,) = flexcli.check(spec).checks
+    return check
+
+
+def test_a_guide_pushed_down_its_blades_sways_at_the_load_of_its_plates(tmp_path):
+    """2 π² E I/l² of both blades times the plate's factor, the drive free."""
+    EI = 200e9 * 20e-3 * 0.5e-3**3 / 12.0
+    plate = float(
+        buckling_factor(b=20e-3, l=0.1, h=0.5e-3, ends="clamped-guided", poisson_ratio=0.3)
+    )
+    check = checked(tmp_path, -50)
+    assert check.model == "exact"
+    assert check.verdict.value == "fail"
+    assert check.factor == pytest.approx(2 * pi**2 * EI / 0.1**2 * plate / 50.0, rel=0.01)
+
+
+def test_a_guide_that_is_pulled_does_not_buckle(tmp_path):
+    check = checked(tmp_path, 50)
+    assert check.verdict.value == "pass"
+    assert check.factor_range[0] > 4.0
+    assert check.factor_range[1] == float("inf")
