@@ -47,8 +47,8 @@ __all__ = [
 WOULD_LOOK = {
     LoadKind.STROKE: "yield, fatigue or parasitic_shift",
     LoadKind.LOAD: "yield, or buckling with ends: in the case",
-    LoadKind.WRENCH: "deflection",
-    LoadKind.ACCELERATION: "sag, or yield where the mechanism is locked",
+    LoadKind.WRENCH: "yield or deflection",
+    LoadKind.ACCELERATION: "sag or yield",
     LoadKind.ASD: "dynamic-yield or dynamic-buckling",
     LoadKind.SHOCK: "dynamic-yield or dynamic-buckling",
     LoadKind.SINE: "dynamic-yield or dynamic-buckling",

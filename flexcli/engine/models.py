@@ -25,7 +25,12 @@ class NamedModel:
     @cached_property
     def joint_model(self) -> JointModel:
         """Return the model itself."""
-        return _joint_model(self.design, self.name)
+        planar = _joint_model(self.design, self.name)
+        if not any(scene.across_by for scene in self.design.scenes()):
+            return planar
+        from flexcli.engine.joint_models.out_of_plane import OutOfPlane
+
+        return OutOfPlane(planar)
 
 
 def model_series(design: DesignSpec, model: str | None = None) -> tuple[NamedModel, ...]:

@@ -104,6 +104,8 @@ class Scene(NamedTuple):
     """What the case states; each has to be looked at by some requirement."""
     pushed_by: frozenset[LoadKind] = frozenset()
     """Those of them of which all is in the stresses of the joint's plane."""
+    across_by: frozenset[LoadKind] = frozenset()
+    """Those that act out of the plane, too, on a joint whose blades are judged in space."""
     stated: Wrench = NO_WRENCH
     inertial: tuple[Wrench, ...] = ()
     accelerations: tuple[tuple[float, float, float], ...] = ()
@@ -140,6 +142,11 @@ class Scene(NamedTuple):
 
     @property
     def is_loaded(self) -> bool:
+        """Return whether anything acts on the joint besides the stroke that stresses it."""
+        return bool(self.across_by) or self.is_pushed
+
+    @property
+    def is_pushed(self) -> bool:
         """Return whether anything in the joint's plane, or space, acts besides the stroke."""
         if self.temperature is not None:
             return True
@@ -249,6 +256,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         drive=drive,
         beyond=beyond,
         in_space=geometry.in_space,
+        across_by=_across_by(case, geometry, lasting),
         directed=_is_more(stated, drive) and (case.load is None or case.load.is_directed),
     )
 
@@ -270,6 +278,24 @@ def _is_more(wrench: Wrench, drive: int) -> bool:
     """Return whether a wrench has a force in the plane that does not only drive the stroke."""
     x, y = wrench[0], 0.0 if drive == 1 else wrench[1]
     return hypot(x, y) > ROUNDING * hypot(*wrench[:2])
+
+
+def _across_by(case: Case, geometry: Geometry, wrenches: tuple[Wrench, ...]) -> frozenset[LoadKind]:
+    """Return the loads out of the plane of a joint that stands free on blades alone."""
+    found = set()
+    if case.wrench is not None and any(case.wrench.components[2:5]):
+        found.add(LoadKind.WRENCH)
+    steady = case.acceleration
+    if steady is not None and steady.axis == "z":
+        acts = any(each[2] for each in wrenches[1:]) or geometry.own_mass > 0.0
+        found |= {LoadKind.ACCELERATION} if acts else set()
+    if not found or geometry.in_space or geometry.is_guided or case.lock is not None:
+        return frozenset()
+    try:
+        layout = geometry.layout(ANY, geometry.probe())
+    except NotAvailable:
+        return frozenset()
+    return frozenset() if layout.guides else frozenset(found)
 
 
 def _pushed_by(case: Case, inertial: frozenset[LoadKind], *, in_space: bool) -> frozenset[LoadKind]:

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.space.layout import SpaceLayout
+from flexcli.formulas.profile import Constant
+from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
@@ -45,6 +46,14 @@ class SpaceJoint:
     def is_known(self) -> bool:
         """Return whether the proportions of all blades are those for which the errors hold."""
         return all(member.is_known for member in self.assembly.members)
+
+    @property
+    def is_uniform(self) -> bool:
+        """Return whether every blade is of constant thickness, as the second order takes them."""
+        return all(
+            isinstance(blade, SpaceRod) or isinstance(blade.profile, Constant)
+            for blade in self.layout.blades
+        )
 
     @cached_property
     def softest(self) -> SpaceAssembly:

@@ -41,6 +41,7 @@ __all__ = [
     "Motion",
     "Place",
     "Told",
+    "across_stress",
     "acting_groups",
     "largest_misfit_stress",
     "motions",
@@ -212,6 +213,73 @@ def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRa
     return found, _hull(errors)
 
 
+def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
+    """Return the largest stress of a case's loads out of the plane of a joint, and its error.
+
+    Each load acts either way, the drive free, in the pose at rest. The error counts what the
+    stroke and these loads do together to second order.
+    """
+    stresses = Stresses(joint.assembly)
+    groups = []
+    for each in acting_groups(joint, scene):
+        z = np.array([0.0, 0.0, 1.0])
+        apart = each._replace(
+            wrench=each.wrench * np.array([0.0, 0.0, 1.0, 1.0, 1.0, 0.0]),
+            acceleration=each.acceleration * z,
+        )
+        if apart.wrench.any() or apart.acceleration.any():
+            groups.append(action(joint.assembly, apart))
+    if not groups:
+        return Told(0.0, ErrorRange(0.0, 0.0))
+    each_by_blade = zip(
+        *(stresses.of(g.moved.forces[:, 0], g.weights) for g in groups), strict=True
+    )
+    rest = max(
+        float(np.max(sum(equivalent(s.normal, s.shear) for s in each))) for each in each_by_blade
+    )
+    if not joint.is_known or (scene.moves and not joint.is_uniform):
+        return Told(rest, None)
+    if not joint.is_uniform:
+        return Told(rest, _hull(_within(_springs(joint, group)) for group in groups))
+    found = list(_beside(joint, scene, groups, stresses))
+    most = max(more for more, _ in found)
+    error = max(each for _, each in found)
+    if error > KNOWN:
+        return Told(rest + most, None)
+    # what the stroke adds was taken as if largest at one place
+    return Told(rest + most, ErrorRange(-error - most / (rest + most), error))
+
+
+def _beside(
+    joint: SpaceJoint, scene: Scene, groups: list[SpaceState], stresses: Stresses
+) -> Iterator[tuple[float, float]]:
+    """Yield what a stroke makes more of the stress of loads [Pa], and the error of both.
+
+    That is at each end of the stroke, and whichever way the loads act.
+    """
+    body = joint.layout.body(joint.layout.drive.body)
+    ends = [scene.middle + scene.travel, scene.middle - scene.travel] if scene.moves else [0.0]
+    for end, signs in product(ends, product(*((1.0, -1.0) for _ in groups))):
+        loads = combined(groups, list(signs))
+        stroke = action(joint.assembly, Acting(end, np.zeros(6), body.point, np.zeros(3)))
+        both = combined([stroke, loads], [1.0, 1.0]) if end else loads
+        after, alone = both.following(), stroke.following()
+        own = alone.forces if end else 0.0 * alone.forces
+        inside = after.inside - (alone.inside if end else 0.0 * alone.inside)
+        added = stresses.of(after.forces - own, np.zeros_like(loads.weights))
+        more = max(
+            _largest(each) + more
+            for each, more in zip(added, stresses.of_moments(inside), strict=True)
+        )
+        here = stresses.of(loads.moved.forces[:, 0], loads.weights)
+        warped = _warped(here, max(_largest(each) for each in here) + more)
+        yield more, _third_order(after) + _springs(joint, loads) + warped
+
+
+def _within(error: float) -> ErrorRange | None:
+    return ErrorRange(-error, error) if isfinite(error) else None
+
+
 def _places(swing: BladeStress | None, still: BladeStress) -> Iterator[Place]:
     """Yield the places of a blade that may be the worst for some method of the mean stress."""
     sheared = np.abs(still.shear) > 1e-9 * np.abs(still.normal).max(initial=0.0)
@@ -248,14 +316,20 @@ def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> Error
         float(np.max(np.abs(equivalent(a.normal, a.shear) - equivalent(b.normal, b.shear))))
         for a, b in zip(added, here, strict=True)
     )
-    more = second / most + _third_order(after)
+    inside = float(stresses.of_moments(after.inside).max())
+    more = (second + inside) / most + _third_order(after)
     if more > KNOWN:
         return None
     more = more / (1.0 - more) + _springs(joint, state)
-    warped = max(float(np.max(np.abs(each.warping), initial=0.0)) for each in here) / most
-    warped = WARPING_ERROR * min(warped, 1.0)
+    warped = _warped(here, most)
     around = AROUND_ERROR if any(isinstance(x, SpaceRod) for x in joint.layout.blades) else 0.0
     return ErrorRange(-more - warped - around, more + warped)
+
+
+def _warped(stresses: list[BladeStress], most: float) -> float:
+    """Return the share of the largest stress that restrained warping may be off by."""
+    warping = max(float(np.max(np.abs(each.warping), initial=0.0)) for each in stresses)
+    return WARPING_ERROR * min(warping / most, 1.0)
 
 
 def _largest(stress: BladeStress) -> float:

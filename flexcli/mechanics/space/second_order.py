@@ -24,6 +24,9 @@ Complexes = NDArray[np.complex128]
 NODES, WEIGHTS = gauss_rule(6)
 """On the whole blade: exact for products of cubics and their slopes."""
 
+PLACES = np.linspace(0.0, 1.0, 9)
+"""Along a blade, where its inner moments are looked at."""
+
 EPSILON = 1e-30
 """Step of the complex derivative of a quadratic form."""
 
@@ -31,12 +34,14 @@ EPSILON = 1e-30
 class SecondOrder(NamedTuple):
     """What one order more adds to a linear state: to its coordinates, forces and the drive.
 
-    ``rotation`` is the largest angle between the two ends of a blade, or of its chord against
+    ``inside`` are the moments about x, y, z of each blade (blades, 3, places) that its ends do not
+    feel: what its own deflection makes of their forces. ``rotation`` is the largest angle between the two ends of a blade, or of its chord against
     either [rad]; ``axial`` the largest axial force of either order over EI/l² of its blade [-].
     """
 
     coordinates: Floats
     forces: Floats
+    inside: Floats
     drive: float
     rotation: float
     axial: float
@@ -75,7 +80,7 @@ def second_order(
     q = found.coordinates[:, 0]
     misfits = np.zeros((len(assembly.rows), 1))
     gradient = np.zeros(assembly.size)
-    most = 0.0
+    most, inside = 0.0, []
     motions = [_of_body(assembly, q, i) for i in range(len(assembly.layout.bodies))]
     for k in range(len(assembly.members)):
         rows = slice(6 * k, 6 * k + 6)
@@ -86,6 +91,7 @@ def second_order(
             if i is not None:
                 gradient[6 * i : 6 * i + 6] += slope[6 * end : 6 * end + 6]
         most = max(most, quadratic.rotation)
+        inside.append(quadratic.inside(found.forces[rows, 0]))
     for load in loads:
         i = assembly.layout.index(load.body)
         motion = motions[i]
@@ -105,7 +111,12 @@ def second_order(
         N = abs(found.forces[6 * k, 0]) + abs(added.forces[6 * k, 0])
         axial = max(axial, float(N) * member.l / bent)
     return SecondOrder(
-        added.coordinates[:, 0], added.forces[:, 0], float(added.drive[0]), most, axial
+        added.coordinates[:, 0],
+        added.forces[:, 0],
+        np.array(inside),
+        float(added.drive[0]),
+        most,
+        axial,
     )
 
 
@@ -162,10 +173,43 @@ class _Quadratic:
         self.value = self._of(d[:, None].astype(np.complex128))[:, 0].real
         steps = d[:, None] + 1j * EPSILON * np.eye(12)
         self.slope = self._of(steps).imag / EPSILON @ place
+        along = np.cross(d[3:6], [self.l, 0.0, 0.0])
+        self.local = np.concatenate([d[6:9] - d[:3] - along, d[9:12] - d[3:6]])
         chord = (d[7:9] - d[1:3]) / self.l
         against = [np.array([chord[0] - t[2], chord[1] + t[1]]) for t in (d[3:6], d[9:12])]
         each = [d[9:12] - d[3:6], *against]
         self.rotation = max(float(np.linalg.norm(angle)) for angle in each)
+
+    def inside(self, forces: Floats) -> Floats:
+        """Return the moments along the blade that its ends do not feel (3, places) [N·m].
+
+        ``ΔM = (r_end − r) × n − θ × M``, without its mean, and in bending without what is linear
+        along the blade: those are in the springs' forces.
+        """
+        l, n = self.l, forces[:3, None]
+        xi = PLACES
+        first, turned = self.local[:3], self.local[3:]
+        rise, sink = 3.0 * xi**2 - 2.0 * xi**3, (xi**3 - xi**2) * l
+        rise_, sink_ = (6.0 * xi - 6.0 * xi**2) / l, 3.0 * xi**2 - 2.0 * xi
+        r = np.stack(
+            [first[0] * xi, rise * first[1] + sink * turned[2], rise * first[2] - sink * turned[1]]
+        )
+        theta = np.stack(
+            [
+                xi * turned[0],
+                -(rise_ * first[2] - sink_ * turned[1]),
+                rise_ * first[1] + sink_ * turned[2],
+            ]
+        )
+        arm = (0.5 - xi) * l
+        M = np.stack(
+            [forces[3] + 0.0 * xi, forces[4] - forces[2] * arm, forces[5] + forces[1] * arm]
+        )
+        found = np.cross(r[:, -1:] - r, n, axis=0) - np.cross(theta, M, axis=0)
+        found[0] -= found[0].mean()
+        slopes = np.polynomial.polynomial.polyfit(xi, found[1:].T, 1)
+        found[1:] -= np.polynomial.polynomial.polyval(xi, slopes)
+        return np.asarray(found)
 
     def _of(self, d: Complexes) -> Complexes:
         """Return the second-order deformations (6, columns) of ends' motions (12, columns)."""

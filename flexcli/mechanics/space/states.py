@@ -10,7 +10,7 @@ from flexcli.mechanics.space.inertia import blade_masses, mass_matrix, weight_al
 from flexcli.mechanics.space.layout import SpaceLoad, Vector
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.mechanics.space.second_order import SecondOrder, second_order
-from flexcli.mechanics.space.stresses import StressRows, stress_rows
+from flexcli.mechanics.space.stresses import StressRows, equivalent, stress_rows
 
 __all__ = ["Acting", "BladeStress", "SpaceState", "Stresses", "action", "combined", "misfitted"]
 
@@ -77,6 +77,18 @@ class Stresses:
                 )
             )  # fmt: skip
         return found
+
+    def of_moments(self, moments: Floats) -> Floats:
+        """Return bounds of the stress of moments (blades, 3, places) along each blade [Pa].
+
+        Each moment counts with its largest, as if it were so at every place; a torque as if it
+        twisted the whole blade.
+        """
+        most = np.abs(moments).max(axis=-1)
+        worst = [
+            equivalent(rows.normal[:, 3:6], rows.shear[:, 3:6]).max(axis=0) for rows in self.rows
+        ]
+        return np.asarray(np.sum(most * np.array(worst), axis=-1))
 
 
 def action(assembly: SpaceAssembly, acting: Acting) -> SpaceState:

@@ -34,8 +34,9 @@ class Fatigue(FactorRequirement):
         return self.covers(scene) and scene.travel > 0.0
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the stroke, and as its mean what pushes the joint in its plane."""
-        steady = frozenset() if self.mean_stress == "none" else scene.pushed_by
+        """Return the stroke, and as its mean what pushes the joint in its plane or out of it."""
+        pushed = scene.pushed_by | scene.across_by
+        steady = frozenset() if self.mean_stress == "none" else pushed
         return steady | {LoadKind.STROKE}
 
     def limits(self, ask: Ask) -> Iterator[Limit]:

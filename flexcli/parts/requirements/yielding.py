@@ -39,8 +39,8 @@ class Yield(FactorRequirement):
         return self.covers(scene) and (scene.moves or scene.is_loaded)
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the stroke and what pushes the joint in its plane."""
-        return scene.pushed_by | {LoadKind.STROKE}
+        """Return the stroke, and what pushes the joint in its plane or out of it."""
+        return scene.pushed_by | scene.across_by | {LoadKind.STROKE}
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the largest stress at each end against each allowable."""

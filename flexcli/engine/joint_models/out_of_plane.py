@@ -1,0 +1,109 @@
+"""Loads out of a joint's plane: their stress by linear blades in space, on top of a planar model.
+
+The stress of such a load is that at rest, added to the planar one as if both were largest at the
+same place; the true one is no less than either. What the stroke changes in it is estimated by
+the second order of both together.
+"""
+
+from typing import NamedTuple
+
+from flexcli.engine.joint_models.remembered import Remembered
+from flexcli.formulas.quantity import Computed
+from flexcli.parts.effect_names import EffectName
+from flexcli.parts.effects import Setting
+from flexcli.parts.geometries.base import Critical
+from flexcli.parts.requirements import Ask, EndStress, JointModel
+from flexcli.parts.space_joint import joint_in_space
+from flexcli.parts.space_states import Told, across_stress
+from flexcli.results import ErrorRange, QuantityKind
+
+__all__ = ["OutOfPlane"]
+
+
+class _Parts(NamedTuple):
+    """The planar stresses of a case, and what the loads out of the plane add to the largest."""
+
+    name: str
+    planar: list[EndStress]
+    across: Told
+
+    @property
+    def largest(self) -> float:
+        """Return the largest planar stress [Pa]."""
+        return max((abs(float(s.largest)) for s in self.planar), default=0.0)
+
+
+class OutOfPlane(JointModel):
+    """A planar model with the stress of the loads out of the plane added."""
+
+    def __init__(self, inner: JointModel) -> None:
+        self.inner = inner
+        self.name = inner.name
+        self._known: Remembered[_Parts] = Remembered()
+
+    def carried(self, setting: Setting) -> frozenset[EffectName]:
+        """Return the effects of the planar model."""
+        return self.inner.carried(setting)
+
+    def frequency_factor(self, ask: Ask) -> float:
+        """Return the planar model's."""
+        return self.inner.frequency_factor(ask)
+
+    def stiffness(self, ask: Ask) -> Computed:
+        """Return the planar model's."""
+        return self.inner.stiffness(ask)
+
+    def sag_stiffness(self, ask: Ask) -> Computed:
+        """Return the planar model's, which has that along z."""
+        return self.inner.sag_stiffness(ask)
+
+    def parasitic_shift(self, ask: Ask) -> Computed:
+        """Return the planar model's."""
+        return self.inner.parasitic_shift(ask)
+
+    def critical(self, ask: Ask) -> tuple[Critical, ...]:
+        """Return the planar model's: of forces in the plane."""
+        return self.inner.critical(ask)
+
+    def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
+        """Return the planar stresses, that of the loads out of the plane on top of each.
+
+        These act either way, so that they make more of a mean in tension and in compression.
+        """
+        if not ask.scene.across_by:
+            return self.inner.stresses(ask)
+        parts = self._parts(ask)
+        across, found = parts.across.value, list[EndStress]()
+        for stress in parts.planar or [EndStress("blade", 0.0, 0.0, 0.0)]:
+            found.append(stress._replace(axial=stress.axial + across))
+            if stress.is_at_face and float(stress.mean + stress.axial) < 0.0:
+                found.append(stress._replace(axial=stress.axial - across))
+        return f"{parts.name}, with that of the loads out of the plane", found
+
+    def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
+        """Return the planar model's error; of a stress, with that of what was added.
+
+        Both are added as if largest at one place: together they are no less than either.
+        """
+        planar = self.inner.error(ask, kind)
+        if kind is not QuantityKind.STRESS or not ask.scene.across_by or planar is None:
+            return planar
+        parts = self._parts(ask)
+        across, error = parts.across
+        if error is None:
+            return None
+        a, b = parts.largest, across
+        if a + b == 0.0:
+            return planar
+        low = max(a * (1.0 + planar.low), b * (1.0 + error.low)) / (a + b) - 1.0
+        return ErrorRange(low, (a * (1.0 + planar.high) + b * (1.0 + error.high)) / (a + b) - 1.0)
+
+    def _parts(self, ask: Ask) -> _Parts:
+        return self._known.of("parts", ask, lambda: self._find(ask))
+
+    def _find(self, ask: Ask) -> _Parts:
+        name, planar = "stress", list[EndStress]()
+        if ask.scene.moves or ask.scene.is_pushed:
+            name, planar = self.inner.stresses(ask)
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        return _Parts(name, planar, across_stress(joint, ask.scene))
