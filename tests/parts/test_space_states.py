@@ -6,13 +6,23 @@ from geometries_for_tests import geometry
 from space_mechanisms import STEEL, blade, guide, random_mechanism, rod
 
 from flexcli.mechanics.equilibrium import solve
-from flexcli.mechanics.space.layout import Drive, SpaceBody, SpaceLayout
+from flexcli.mechanics.space.exact.demand import drive_frame
+from flexcli.mechanics.space.exact.equilibrium import solve as solve_in_space
+from flexcli.mechanics.space.exact.section import BeamEffects
+from flexcli.mechanics.space.exact.stresses import blade_stresses
+from flexcli.mechanics.space.layout import Drive, SpaceBody, SpaceLayout, SpaceLoad
 from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.scene import NO_WRENCH, Scene
+from flexcli.parts.scene import NO_WRENCH, LoadKind, Scene
 from flexcli.parts.space_joint import SpaceJoint
-from flexcli.parts.space_states import largest_misfit_stress, motions, sag, stress_places
+from flexcli.parts.space_states import (
+    across_stress,
+    largest_misfit_stress,
+    motions,
+    sag,
+    stress_places,
+)
 
 FLAT = Elastic(114e9, 0.0)
 SCENE = Scene(
@@ -159,3 +169,77 @@ def test_a_body_sags_by_its_weight_over_the_stiffness_and_half_that_of_its_blade
     assert found.error is not None
     heavy = sag(SpaceJoint(guide()), scene).value
     assert 1.0 < heavy / found.value < 1.0 + 2.0 * 7800 * 0.5e-3 * 0.05 * 0.1
+
+
+def exact_largest(layout, travel, loads=()):
+    """Return the largest stress of exact beams in space, the drive at a travel."""
+    held = [None] * 6
+    held[3 if layout.drive.turns else 0] = travel
+    state = solve_in_space(
+        layout,
+        {layout.drive.body: tuple(held)},
+        frames=drive_frame(layout.drive),
+        loads=loads,
+        effects=BeamEffects(curling=False),  # blades here bend too little to curl
+        tolerance=1e-6,
+    ).checked()
+    found = 0.0
+    for blade in blade_stresses(state):
+        direct = np.abs(blade.axial) + np.abs(blade.bend_thin)
+        face = np.hypot(direct, np.sqrt(3.0) * blade.shear)
+        found = max(found, float(np.abs(blade.corner).max()), float(face.max()))
+    return found
+
+
+@pytest.mark.parametrize(("seed", "travel"), [(1, 1e-4), (1, 5e-4), (6, 2e-3), (7, 1e-4)])
+def test_the_error_of_a_stress_holds_against_exact_beams_in_space(seed, travel):
+    layout = random_mechanism(np.random.default_rng(seed))
+    found, error = largest(SpaceJoint(layout), moved(travel))
+    exact = max(exact_largest(layout, end) for end in (travel, -travel))
+    assert error is not None
+    assert error.low <= exact / found - 1.0 <= error.high
+
+
+ACROSS = {
+    "force": (0.0, 0.0, 1.0, 0.0, 0.0, 0.0),
+    "tilt": (0.0, 0.0, 0.0, 5e-3, 0.0, 0.0),
+    "both": (0.0, 0.0, 0.5, 0.0, 5e-3, 0.0),
+}
+
+
+@pytest.mark.parametrize("load", ACROSS)
+@pytest.mark.parametrize(
+    ("kind", "travel"), [("leaf-spring-stage", 5e-4), ("rcc", 0.03), ("cross-spring", 0.06)]
+)
+def test_loads_out_of_the_plane_add_no_more_than_exact_beams_say(kind, travel, load):
+    joint = geometry(kind)
+    flat = joint.layout(Elastic(114e9, 0.3), joint.probe())
+    layout = from_plane(flat, "moving", turns=joint.motion == "rotation")
+    there, point = SpaceJoint(layout), layout.body("moving").point
+    across = frozenset({LoadKind.WRENCH})
+    scale = 50e6 / across_stress(there, SCENE._replace(stated=ACROSS[load])).value
+    wrench = tuple(scale * component for component in ACROSS[load])
+    found = across_stress(there, moved(travel, stated=wrench, across_by=across))
+    planar = exact_largest(layout, travel)
+    exact = max(
+        exact_largest(
+            layout,
+            travel,
+            (SpaceLoad("moving", point, tuple(s * w for w in wrench[:3]),
+                       tuple(s * w for w in wrench[3:])),),
+        )
+        for s in (1.0, -1.0)
+    )  # fmt: skip
+    assert found.error is not None
+    lower = max(planar, found.value * (1.0 + found.error.low))
+    # a corner's stress and the equivalent one of faces differ by little in the sum
+    assert 0.99 * lower <= exact <= planar + found.value * (1.0 + found.error.high)
+
+
+def test_at_rest_a_force_out_of_the_plane_bends_the_widths():
+    # three blades between bodies that do not turn: F l/2 on each, over h b²/6
+    joint = geometry("leaf-spring-stage")
+    layout = from_plane(joint.layout(Elastic(114e9, 0.3), joint.probe()), "moving", turns=False)
+    found = across_stress(SpaceJoint(layout), SCENE._replace(stated=ACROSS["force"]))
+    assert found.value == pytest.approx(1.0 / 3.0 * 10e-3 / (0.1e-3 * 5e-3**2 / 6.0), rel=1e-9)
+    assert found.error.largest < 0.05
