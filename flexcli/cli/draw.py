@@ -80,6 +80,9 @@ def _drawn(spec: "Loaded", view: View, case: str | None, *, stress: bool) -> str
     title = spec.part.title or found.kind
     if view is View.FRONT:
         return drawing_svg(found, title, stress=stress)
+    if found.is_a_view:
+        hint = "leave --view out"
+        raise SpecError([Finding(NAME, "a mechanism in space is drawn from one side", hint)])
     from flexcli.report.drawing_views import view_svg
 
     return view_svg(found, title, view.value)

@@ -82,6 +82,8 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         notes.append("the joint alone, without the bodies of its mechanism")
     given = tuple((name, float(size)) for name, size in sizes._asdict().items())
     strength = stated_strength(design.material)
+    if geometry.in_space:
+        return _in_space(ask, given, tuple(notes))
     try:
         layout = geometry.layout(design.material.elastic, sizes)
     except NotAvailable:
@@ -111,6 +113,34 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         missed=missed,
         strength=strength[1] if strength is not None else None,
         notes=tuple(notes),
+    )
+
+
+def _in_space(ask: Ask, given: tuple[tuple[str, float], ...], notes: tuple[str, ...]) -> Drawing:
+    """Return a mechanism in space at rest, seen along one axis."""
+    from flexcli.engine.draw_in_space import VIEWS, seen, view_of
+
+    space = ask.geometry.space_layout(ask.material.elastic, ask.sizes)
+    view = view_of(space)
+    layout, hidden = seen(space, view)
+    right, up = VIEWS[view]
+    notes = (*notes, f"seen along {view}: {right} to the right, {up} upwards; lengths as they look")
+    if hidden:
+        notes = (*notes, f"{hidden} blades are seen end on, and left out")
+    turn = _turning(0.0)
+    drive = space.drive.body
+    return Drawing(
+        kind=ask.geometry.name,
+        motion=ask.geometry.motion,
+        blades=tuple(_blade(blade, turn) for blade in layout.blades),
+        bodies=_bodies(layout, turn, drive),
+        sizes=given,
+        centre=_place(np.array(layout.body(drive).point)),
+        case=ask.scene.case,
+        unit=ask.geometry.travel_unit,
+        axes=VIEWS[view],
+        is_a_view=True,
+        notes=notes,
     )
 
 

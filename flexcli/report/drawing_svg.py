@@ -549,7 +549,8 @@ class _Sheet:
         )
         self.page.text(show(length, "m"), (24.0 + wide, y + 1.0), "start", "s")
         x = 190.0
-        for name, way in (("x", (1.0, 0.0)), ("y", (0.0, -1.0))):
+        right, up = self.drawing.axes
+        for name, way in ((right, (1.0, 0.0)), (up, (0.0, -1.0))):
             end = (x + 24.0 * way[0], y + 24.0 * way[1])
             self.page.arrow((x, y), end, "thin", "head")
             self.page.text(name, (end[0] + 5.0, end[1] + 4.0), "start", "s")

@@ -108,7 +108,8 @@ class Drawing:
     ``sizes`` are (symbol, value [m]) as the spec names them; ``states`` are in the order + end, −
     end of the stroke, ``path`` is where the centre or moving point goes between them; ``unit`` is
     that of the travel, ``missed`` why a case has no states. A bar that twists is a blade on its
-    axis; ``twists`` says so.
+    axis; ``twists`` says so. ``axes`` are those to the right and up;
+    ``is_a_view`` says that it is of a mechanism in space, seen along the third.
     """
 
     kind: str
@@ -124,6 +125,8 @@ class Drawing:
     forces: tuple[DrawnForce, ...] = ()
     angles: tuple[DrawnAngle, ...] = ()
     missed: str = ""
+    axes: tuple[str, str] = ("x", "y")
+    is_a_view: bool = False
     twists: bool = False
     strength: float | None = None
     notes: tuple[str, ...] = ()

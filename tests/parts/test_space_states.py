@@ -184,10 +184,10 @@ def exact_largest(layout, travel, loads=()):
         tolerance=1e-6,
     ).checked()
     found = 0.0
-    for blade in blade_stresses(state):
-        direct = np.abs(blade.axial) + np.abs(blade.bend_thin)
-        face = np.hypot(direct, np.sqrt(3.0) * blade.shear)
-        found = max(found, float(np.abs(blade.corner).max()), float(face.max()))
+    for stress in blade_stresses(state):
+        direct = np.abs(stress.axial) + np.abs(stress.bend_thin)
+        face = np.hypot(direct, np.sqrt(3.0) * stress.shear)
+        found = max(found, float(np.abs(stress.corner).max()), float(face.max()))
     return found
 
 

@@ -11,6 +11,7 @@ from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Setting
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements import Ask, EndStress, JointModel
 from flexcli.parts.space_joint import joint_in_space
@@ -88,7 +89,10 @@ class OutOfPlane(JointModel):
         planar = self.inner.error(ask, kind)
         if kind is not QuantityKind.STRESS or not ask.scene.across_by or planar is None:
             return planar
-        parts = self._parts(ask)
+        try:
+            parts = self._parts(ask)
+        except NotAvailable:
+            return None
         across, error = parts.across
         if error is None:
             return None

@@ -35,8 +35,9 @@ class SecondOrder(NamedTuple):
     """What one order more adds to a linear state: to its coordinates, forces and the drive.
 
     ``inside`` are the moments about x, y, z of each blade (blades, 3, places) that its ends do not
-    feel: what its own deflection makes of their forces. ``rotation`` is the largest angle between the two ends of a blade, or of its chord against
-    either [rad]; ``axial`` the largest axial force of either order over EI/l² of its blade [-].
+    feel: what its own deflection makes of their forces. ``rotation`` is the largest angle between
+    the two ends of a blade, or of its chord against either [rad]; ``axial`` the largest axial
+    force of either order over EI/l² of its blade [-].
     """
 
     coordinates: Floats

@@ -1,0 +1,85 @@
+"""Mechanisms in space, and loads out of a joint's plane, as a user asks for them."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+STAGE = """
+flexure: 1
+material: ti-6al-4v
+geometry: {kind: leaf-spring-stage, h: 0.3 mm, l: 50 mm, b: 20 mm, spacing: 50 mm}
+cases:
+  push: {wrench: {z: 5 N, theta_x: 100 N*mm}, ends: clamped-guided}
+requirements: REQUIREMENTS
+"""
+
+
+@pytest.fixture
+def checked(tmp_path, inside):
+    def check(requirements, text=STAGE):
+        path = tmp_path / "flexure.yaml"
+        path.write_text(text.replace("REQUIREMENTS", requirements), encoding="utf-8")
+        told = inside("check", str(path), "--format", "json")
+        return told.returncode, json.loads(told.stdout)
+
+    return check
+
+
+def test_a_wrench_out_of_the_plane_is_judged_by_yield(checked):
+    code, found = checked("{yield: 1.5}")
+    assert code == 0
+    (check,) = found["checks"]
+    # two blades bend across their widths: F l/4 over h b²/6 each; the tilt bends and twists them
+    bending = 5.0 * 50e-3 / 4.0 / (0.3e-3 * 20e-3**2 / 6.0)
+    assert check["demand"] > bending
+    assert check["factor_range"][1] < 1.1 * check["factor_range"][0]
+
+
+def test_nothing_else_says_that_it_has_looked_at_it(checked):
+    code, found = checked("{stiffness: {max: 1 N/um}}")
+    assert code == 1
+    assert "not judged" in {check["verdict"] for check in found["checks"]}
+
+
+def test_without_a_shear_modulus_nobody_knows(checked):
+    text = STAGE.replace("ti-6al-4v", "{youngs_modulus: 114 GPa, yield_strength: 800 MPa}")
+    code, found = checked("{yield: 1.5}", text)
+    assert code == 1
+    assert {check["verdict"] for check in found["checks"]} == {"undecided"}
+
+
+def test_a_joint_of_no_blades_leaves_it_unjudged(checked):
+    bar = "{kind: torsion-bar, h: 0.5 mm, l: 20 mm, b: 4 mm, bars: 2}"
+    text = STAGE.replace(STAGE.split("geometry: ")[1].split("\n")[0], bar)
+    text = text.replace("push: {", "push: {stroke: {rotation: 1 deg}, ")
+    code, found = checked("{yield: 1.5}", text)
+    assert code == 1
+    assert "not judged" in {check["verdict"] for check in found["checks"]}
+
+
+def test_a_far_stroke_in_space_is_undecided_and_never_passes(tmp_path, inside):
+    text = (EXAMPLES / "folded-stage" / "flexure.yaml").read_text(encoding="utf-8")
+    path = tmp_path / "flexure.yaml"
+    path.write_text(text.replace("translation: 2 mm", "translation: 12 mm"), encoding="utf-8")
+    told = inside("check", str(path), "--format", "json")
+    assert told.returncode == 1
+    found = {(c["name"], c["case"]): c["verdict"] for c in json.loads(told.stdout)["checks"]}
+    assert found["fatigue", "operation"] == "undecided"
+
+
+@pytest.mark.parametrize("command", ["plan", "size", "simulate", "accuracy", "verify"])
+def test_a_verb_that_has_no_model_in_space_says_so(command, inside):
+    told = inside(command, str(EXAMPLES / "folded-stage" / "flexure.yaml"))
+    assert told.returncode == 2
+    assert "space-layout" in told.stderr
+
+
+def test_a_mechanism_in_space_is_drawn_from_one_side(inside):
+    path = str(EXAMPLES / "tripod-mount" / "flexure.yaml")
+    told = inside("draw", path)
+    assert told.returncode == 0
+    assert told.stdout.count("2 mm") >= 1
+    assert inside("draw", path, "--view", "isometric").returncode == 2
