@@ -123,16 +123,58 @@ def validate(source: Spec, *, overrides: Overrides | None = None) -> Result:
 def size(source: Spec, *, model: str | None = None, overrides: Overrides | None = None) -> Result:
     """Choose the free sizes of a design; ``model`` alone judges, over that of the spec.
 
-    With ``robust:`` they are those at which enough of the parts within the tolerances pass.
+    With ``robust:`` they are those at which enough of the parts within the tolerances pass, with
+    options of the spec those of the best, with two objectives those at the knee of their front.
     """
     spec = _design(source, overrides)
+    name = _model(model)
+    design: DesignSpec = spec.part
+    if design.size.against is None or not design.geometry.free:
+        return _sized_of_options(spec, name)
+    from flexcli.engine.trade_off import front_of
+    from flexcli.parts.trade_off import moving_bound
+
+    moving = moving_bound(design)
+
+    def at(bound: str | None) -> Result:
+        return _sized_of_options(
+            spec if bound is None else _again(spec, {moving.path: bound}), name
+        )
+
+    return front_of(design, moving, at, design.size.points)
+
+
+def _sized_of_options(spec: Loaded, model: str | None) -> Result:
+    """Return the sizing of the best of the options of a spec."""
+    among = spec.part.size.among
+    if not among or not spec.part.geometry.free:
+        return _sized_once(spec, model)
+    from flexcli.engine.trade_off import best_option
+
+    def sized(option: Mapping[str, Any]) -> tuple[DesignSpec | None, Result]:
+        try:
+            chosen = _again(spec, option)
+        except SpecError as error:
+            findings = tuple(error.findings)
+            return None, Result("size", _name(spec), Status.ERROR, findings=findings)
+        try:
+            return chosen.part, _sized_once(chosen, model)
+        except NoSolution as error:
+            finding = Finding(_name(spec), error.text, error.remedy)
+            return None, Result("size", _name(spec), Status.UNDECIDED, findings=(finding,))
+
+    return best_option(among, sized)
+
+
+def _sized_once(spec: Loaded, model: str | None) -> Result:
+    """Return the sizing of a design as it stands."""
     if spec.part.robust is not None and spec.part.geometry.free:
         from flexcli.engine.tolerances.robust import robust_size
 
-        return placed(robust_size(spec.part, _name(spec), _model(model)), spec.document)
+        return placed(robust_size(spec.part, _name(spec), model), spec.document)
     from flexcli.engine.size import size as chosen
 
-    return placed(chosen(spec.part, _name(spec), _model(model)), spec.document)
+    return placed(chosen(spec.part, _name(spec), model), spec.document)
 
 
 def sized(source: Spec, sizing: Result) -> Loaded:
@@ -151,7 +193,8 @@ def sized(source: Spec, sizing: Result) -> Loaded:
     }
     if height is not None and height.model == "sized":
         lengths["mechanism", "height"] = height.value
-    return _again(spec, {place: written(x, "length") for place, x in lengths.items()})
+    chosen = sizing.choices.chosen if sizing.choices is not None else {}
+    return _again(spec, {**chosen, **{at: written(x, "length") for at, x in lengths.items()}})
 
 
 def is_sized(source: Spec, sizing: Result) -> bool:

@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 from flexcli.cli.app import command_line
 from flexcli.engine.explain import topics
-from flexcli.results import Explanation, FieldRow, FormulaRow, SymbolRow
+from flexcli.results.explanation import Explanation, FieldRow, FormulaRow, SymbolRow
 from flexcli.spec.load import load_shipped
 from flexcli.spec.manual import entries, names
 from flexcli.spec.shipped import shipped_names

@@ -222,7 +222,16 @@ class DesignSpec(Part):
             place = ("size", "objective", "minimize")
             _refuse_unknown(objective.minimize, (*sizes, *QUANTITIES), place)
         if objective.maximize is not None:
-            _refuse_unknown(objective.maximize, sizes, ("size", "objective", "maximize"))
+            place = ("size", "objective", "maximize")
+            _refuse_unknown(objective.maximize, (*sizes, *QUANTITIES), place)
+        return self
+
+    @model_validator(mode="after")
+    def _second_objective_is_asked(self) -> "DesignSpec":
+        if self.size.against is not None:
+            from flexcli.parts.trade_off import moving_bound
+
+            moving_bound(self)
         return self
 
     @model_validator(mode="after")

@@ -3,7 +3,14 @@
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, TypeAlias
 
-from pydantic import Discriminator, Field, GetJsonSchemaHandler, Tag, model_validator
+from pydantic import (
+    BeforeValidator,
+    Discriminator,
+    Field,
+    GetJsonSchemaHandler,
+    Tag,
+    model_validator,
+)
 from pydantic_core import CoreSchema
 
 from flexcli.formulas.quantity import Computed, Quantity
@@ -73,13 +80,33 @@ class Minimize(Part):
     minimize: str | None = None
     """A size, or volume, mass or k_pivot, that shall be least, e.g. ``k_pivot``."""
     maximize: str | None = None
-    """A size that shall be largest, e.g. ``maximize: h``."""
+    """A size, or volume, mass or k_pivot, that shall be largest, e.g. ``maximize: h``."""
 
     @model_validator(mode="after")
     def _one(self) -> "Minimize":
         if (self.minimize is None) == (self.maximize is None):
             raise spec_error("an objective names one quantity", "write {minimize: k_pivot}")
         return self
+
+
+def _listed(data: Any) -> Any:
+    if not isinstance(data, list) or len(data) < 2:
+        raise spec_error("a choice is among two or more", "write [ti-6al-4v, maraging-300]")
+    return tuple(data)
+
+
+class _AnyValues:
+    """A type marker of lists of what may stand at any place of a spec."""
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        items = {"anyOf": [{"type": kind} for kind in ("string", "number", "object")]}
+        return {"type": "array", "items": items, "minItems": 2}
+
+
+Options: TypeAlias = Annotated[tuple[Any, ...], BeforeValidator(_listed), _AnyValues()]
+"""What may stand at a place of the spec."""
 
 
 def _way(data: Any) -> str:
@@ -92,6 +119,9 @@ Objective: TypeAlias = Annotated[
 """Named, or by a quantity; the discriminator keeps the findings to the way that was taken."""
 
 
+AS_QUANTITIES = {"least-volume": "volume", "least-stiffness": "k_pivot", "shortest": "l"}
+
+
 class SizeOptions(Part):
     """How ``flexure size`` chooses the sizes.
 
@@ -100,7 +130,45 @@ class SizeOptions(Part):
 
     objective: Objective = "least-volume"
     """What the free sizes are chosen for, e.g. ``{minimize: k_pivot}``."""
+    against: Minimize | None = None
+    """Second objective, a requirement whose own bound is the loosest: the designs that are best in
+    both make a Pareto front, e.g. ``{minimize: parasitic_shift}``.
+    """
+    points: Annotated[int, Field(strict=True, ge=3, le=200)] = 9
+    """How many designs of a front there are, e.g. ``15``."""
+    among: dict[str, Options] = Field({})
+    """Places of the spec and what may stand there: every combination is sized, the best is taken,
+    e.g. ``{material: [ti-6al-4v, maraging-300]}``.
+    """
     rounding: dict[str, Grid] = Field({}, alias="round")
     """Grid of each size: a step, or the sizes in stock; continuous where left out,
     e.g. ``{h: [0.1 mm, 0.2 mm, 0.3 mm]}``.
     """
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        whole = handler.resolve_ref_schema(handler(schema))
+        given = whole["properties"]["objective"]
+        rest = {key: form for key, form in given.items() if key not in ("allOf", "oneOf")}
+        forms = given.get("allOf", [given])[0]["oneOf"]
+        one = {"anyOf": [{"type": "string"}, forms[-1]]}
+        both = {"type": "array", "items": one, "minItems": 2, "maxItems": 2}
+        properties = {**whole["properties"], "objective": {**rest, "anyOf": [*forms, both]}}
+        return {**whole, "properties": properties}
+
+    @model_validator(mode="before")
+    @classmethod
+    def _two_objectives(cls, data: Any) -> Any:
+        if not isinstance(data, dict) or not isinstance(data.get("objective"), list):
+            return data
+        both = data["objective"]
+        if len(both) != 2 or "against" in data:
+            hint = "write [volume, parasitic_shift]"
+            raise spec_error("a list of objectives has two", hint, at=("objective",))
+        first, second = (
+            {"minimize": AS_QUANTITIES.get(goal, goal)} if isinstance(goal, str) else goal
+            for goal in both
+        )
+        return {**data, "objective": first, "against": second}

@@ -40,6 +40,8 @@ SECTIONS = {
     "audit": "plan_text",
     "study": "study_table",
     "tolerances": "tolerances_text",
+    "front": "trade_off_text",
+    "choices": "trade_off_text",
 }
 """The module whose ``section(result)`` yields each section of a result, in their order."""
 

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from flexcli.results.simulation import SpaceSweep, SweepResult
     from flexcli.results.study import StudyResult
     from flexcli.results.tolerances import TolerancesResult
+    from flexcli.results.trade_off import Choices, Front
     from flexcli.results.verification import Verification
 
 __all__ = ["Cost", "PassedOver", "Result", "Status"]
@@ -103,6 +104,8 @@ class Result:
     verification: "Verification | None" = None
     study: "StudyResult | None" = None
     tolerances: "TolerancesResult | None" = None
+    front: "Front | None" = None
+    choices: "Choices | None" = None
 
     @property
     def sections(self) -> dict[str, Any]:

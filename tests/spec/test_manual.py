@@ -62,6 +62,8 @@ def wholes(row: FieldRow) -> list[dict[str, Any]]:
     found += [{**whole, "requirements": {"yield": 1.5}, **piece} for whole in WHOLE]
     found += [{**WHOLE[0], "material": WORN, "cases": lasting, **piece}]
     found += [{**WHOLE[0], "tolerances": {"youngs_modulus": "2 %"}, **piece}]
+    shift = {"yield": 1.5, "parasitic_shift": {"max": "1 mm"}}
+    found += [{**WHOLE[0], "requirements": shift, **piece}]
     for stroke in ({"rotation": "1 deg"}, {"translation": "10 um"}):
         found += [{**BARE, "requirements": {"mass": {"max": "1 kg"}}, "stroke": stroke, **piece}]
     for geometry, stroke in ((TURNS, "rotation"), (SLIDES, "translation")):

@@ -64,6 +64,7 @@ BEYOND = {
         "needs spacing", "a total is for two",
         "robust against what", "is not of a blade", "there is no number",
         "^tolerances.*does not measure", "^tolerances.*has no unit", "as large as the number",
+        "nothing is asked of",
     ),
     "between bodies and blades of a layout": (
         "lies where blade", "not held to the ground", "is no body", "does not move this body",

@@ -1,6 +1,7 @@
 """Why there is no design: requirements that disagree, and how far each must give way."""
 
 from collections.abc import Sequence
+from math import inf
 
 from flexcli.engine.sizing.program import SizingProgram
 from flexcli.engine.sizing.rows import ONE, Term
@@ -10,6 +11,10 @@ __all__ = ["explain_conflict"]
 
 EASE = (("ease", 1.0),)
 """The unknown by which rows are eased: the factor by which a demand may exceed its capacity."""
+
+
+MOST = 1e6
+"""Factor beyond which a requirement that gives way is none any more."""
 
 
 def explain_conflict(program: SizingProgram) -> tuple[tuple[Relaxation, ...], str]:
@@ -75,12 +80,13 @@ def _nearest(
     least_ease = [Term(ONE, 1.0, 0.0, (("ease", -1.0),))]
     if key not in program.targets:
         found = program.least(least_ease, limits, equal, beyond=True)
-        return (found.x["ease"], True) if found.converged else None
+        ease = found.x["ease"] if found.converged else inf
+        return (ease, True) if ease <= MOST else None
     outward = Term(ONE, 1.0, 0.0, EASE)
     ends = []
     for sense in (1.0, -1.0):
         target = Term(key, sense, 0.0, EASE)
         found = program.least(least_ease, [*limits, outward], [*equal, target], beyond=True)
-        if found.converged:
+        if found.converged and found.x["ease"] <= MOST:
             ends.append((found.x["ease"], sense > 0.0))
     return min(ends, default=None)

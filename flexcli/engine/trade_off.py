@@ -1,0 +1,270 @@
+"""Pareto fronts by bounds on the second objective, and the best of several options."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise, product
+from math import hypot, isfinite, log, sqrt
+from typing import Any
+
+import numpy as np
+
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.trade_off import MovingBound
+from flexcli.results import Note, Result, Status
+from flexcli.results.activity import doing
+from flexcli.results.trade_off import ChoiceRow, Choices, Front, FrontPoint
+
+__all__ = ["best_option", "front_of"]
+
+DECADES = 2.0
+"""How far the second objective is followed from where the first is best."""
+
+HALVINGS = 7
+"""Steps to where no design is left: the end is known to 100^(1/128), 4 %."""
+
+CLOSE = 0.4
+"""Share of an even step below which a design is left out for its neighbour."""
+
+BULGE = 0.03
+"""Distance from the line between the ends, over its own length, below which there is no knee."""
+
+
+def objective_of(design: DesignSpec, result: Result) -> tuple[str, str, float]:
+    """Return name, unit and value of what a sizing made least or largest."""
+    goal = design.size.objective
+    named = {"least-stiffness": "k_pivot", "shortest": "l"}
+    name = (
+        named.get(goal, "volume") if isinstance(goal, str) else goal.minimize or goal.maximize or ""
+    )
+    if name == "mass":
+        density = design.material.density
+        value = result.values["volume"].value
+        return name, "kg", value * (density.value if density is not None else float("nan"))
+    stiffness = "k_pivot" if "k_pivot" in result.values else "k_stage"
+    found = result.values[stiffness if name == "k_pivot" else name]
+    return name, found.unit, found.value
+
+
+def _is_most(design: DesignSpec) -> bool:
+    goal = design.size.objective
+    return not isinstance(goal, str) and goal.maximize is not None
+
+
+def best_option(
+    among: Mapping[str, Sequence[Any]],
+    sized: Callable[[Mapping[str, Any]], tuple[DesignSpec | None, Result]],
+) -> Result:
+    """Return the sizing of the best of all combinations of options.
+
+    Parameters
+    ----------
+    among : mapping
+        By places of the spec, what may stand there.
+    sized : callable
+        Sizes the design with such values put in; no design where the spec does not take them.
+
+    """
+    rows: list[ChoiceRow] = []
+    best: tuple[float, Result, Mapping[str, Any]] | None = None
+    told = ("", "")
+    last: Result | None = None
+    for values in product(*among.values()):
+        option = dict(zip(among, values, strict=True))
+        doing(", ".join(map(str, values)))
+        design, result = sized(option)
+        last = last or result
+        objective, reason = None, "; ".join(found.text for found in result.findings)
+        if design is not None and all(n in result.values for n in design.geometry.free):
+            name, unit, objective = objective_of(design, result)
+            told = (name, unit)
+            worth = -objective if _is_most(design) else objective
+            if (
+                result.status is Status.PASS
+                and isfinite(worth)
+                and (best is None or worth < best[0])
+            ):
+                best = (worth, result, option)
+        if result.sizing is not None and result.sizing.conflict:
+            reason = "in conflict: " + ", ".join(row.name for row in result.sizing.conflict)
+        rows.append(ChoiceRow(option, result.status.value, objective, reason))
+    assert last is not None  # of two options at least
+    choices = Choices(*told, tuple(rows), best[2] if best is not None else {})
+    if best is None:
+        note = Note("no-option", "none of the options has a design that passes")
+        return replace(last, choices=choices, warnings=(*last.warnings, note))
+    return replace(best[1], choices=choices)
+
+
+def front_of(
+    design: DesignSpec,
+    moving: MovingBound,
+    sized: Callable[[str | None], Result],
+    count: int,
+) -> Result:
+    """Return the front of a design, and the sizing at its knee.
+
+    Parameters
+    ----------
+    design : DesignSpec
+        The design with two objectives.
+    moving : MovingBound
+        The requirement that is the second.
+    sized : callable
+        Sizes the design for the first objective with a bound on the second as the spec writes it.
+    count : int
+        How many designs the front has.
+
+    """
+    run = _Run(design, moving, sized)
+    start = run.at(None)
+    if start is None:
+        return run.last
+    remarks, notes = [], []
+    try:
+        remarks.append(run.end())
+        run.fill(count)
+    except KeyboardInterrupt:
+        notes.append(Note("interrupted", "the run was stopped: the front has what was done"))
+    points = run.even(count)
+    knee = _knee(points)
+    shown = run.results[points[knee if knee is not None else len(points) // 2].bound]
+    name, unit, _ = objective_of(design, shown)
+    front = Front(
+        first=name,
+        first_unit=unit,
+        second=moving.key,
+        second_unit=run.unit,
+        points=tuple(points),
+        knee=knee,
+        proved=all(point.certificate.startswith("global") for point in points),
+        remarks=tuple(remarks),
+    )
+    status = Status.UNDECIDED if notes else shown.status
+    return replace(shown, status=status, front=front, warnings=(*shown.warnings, *notes))
+
+
+class _Run:
+    """A front on its way: its designs by the bound that led to them."""
+
+    def __init__(
+        self, design: DesignSpec, moving: MovingBound, sized: Callable[[str | None], Result]
+    ) -> None:
+        self.design, self.moving, self.sized = design, moving, sized
+        self.found: list[FrontPoint] = []
+        self.results: dict[float | None, Result] = {}
+        self.last: Result
+        self.unit = ""
+
+    @property
+    def points(self) -> list[FrontPoint]:
+        """Return the designs, the loosest second objective first."""
+        sign = 1.0 if self.moving.rises else -1.0
+        return sorted(self.found, key=lambda point: sign * point.second)
+
+    def at(self, bound: float | None) -> FrontPoint | None:
+        """Return the design at a bound on the second objective, if one passes."""
+        text = None if bound is None else f"{bound!r} {self.unit}".strip()
+        doing(f"{self.moving.key} at {text or 'its loosest'}")
+        self.last = result = self.sized(text)
+        free = self.design.geometry.free
+        if result.status is not Status.PASS or any(n not in result.values for n in free):
+            return None
+        _, _, first = objective_of(self.design, result)
+        second = self._second(result)
+        point = FrontPoint(
+            first, second, bound, {n: result.values[n].value for n in free},
+            result.sizing.certificate if result.sizing is not None else "",
+            result.choices.chosen if result.choices is not None else {},
+        )  # fmt: skip
+        self.found.append(point)
+        self.results[bound] = result
+        return point
+
+    def _second(self, result: Result) -> float:
+        """Return the worst value of the second objective over the cases."""
+        rises = self.moving.rises
+        own = [
+            check
+            for check in result.checks
+            if check.path[:2] == ("requirements", self.moving.key)
+            and (len(self.moving.path) < 3 or check.name.endswith(f"({self.moving.path[2]})"))
+        ]
+        self.unit = own[0].unit if len(self.moving.path) == 3 else ""
+        if len(self.moving.path) < 3:
+            return min(check.factor for check in own)
+        return min(check.capacity for check in own) if rises else max(c.demand for c in own)
+
+    def end(self) -> str:
+        """Follow the second objective to where no design is left, and say where that is."""
+        (start,) = self.points
+        far = DECADES * log(10.0) * (1.0 if self.moving.rises else -1.0)
+        if self.at(start.second * float(np.exp(far))) is not None:
+            return f"{self.moving.key} goes on beyond the last: it was followed for two decades"
+        low, high = 0.0, far
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2.0
+            found = self.at(start.second * float(np.exp(middle)))
+            low, high = (low, middle) if found is None else (middle, high)
+        return f"beyond the last, to within {abs(high - low):.1%} of {self.moving.key}, none passes"
+
+    def fill(self, count: int) -> None:
+        """Put designs between those that are farthest apart, in logarithms."""
+        stuck: set[tuple[float | None, float | None]] = set()
+        while len(self.even(count)) < count:
+            points, at = self.points, list(_logs(self.points))
+            gaps = [
+                (_distance(at[k], at[k + 1]), k)
+                for k in range(len(points) - 1)
+                if (points[k].bound, points[k + 1].bound) not in stuck
+            ]
+            if not gaps:
+                return
+            _, k = max(gaps)
+            one, other = points[k : k + 2]
+            found = self.at(sqrt(one.second * other.second))
+            if found is None or found.second in (one.second, other.second):
+                stuck.add((one.bound, other.bound))
+
+    def even(self, count: int) -> list[FrontPoint]:
+        """Return the designs that are best in both, without those too near another."""
+        sign = 1.0 if not _is_most(self.design) else -1.0
+        kept: list[FrontPoint] = []
+        for point in reversed(self.points):  # none after it has as tight a second objective
+            if not kept or sign * point.first < sign * kept[-1].first * (1.0 - sign * 1e-9):
+                kept.append(point)
+        kept.reverse()
+        if len(kept) < 3:
+            return kept
+        at = list(_logs(kept))
+        whole = sum(_distance(one, other) for one, other in pairwise(at))
+        step, taken = CLOSE * whole / (count - 1), [0]
+        for k in range(1, len(kept) - 1):
+            if min(_distance(at[taken[-1]], at[k]), _distance(at[k], at[-1])) >= step:
+                taken.append(k)
+        return [*(kept[k] for k in taken), kept[-1]]
+
+
+def _logs(points: Sequence[FrontPoint]) -> Iterator[tuple[float, float]]:
+    """Yield the logarithms of both objectives, each over its range."""
+    first, second = (
+        np.log([getattr(point, name) for point in points]) for name in ("first", "second")
+    )
+    spans = [float(np.ptp(x)) or 1.0 for x in (first, second)]
+    for x, y in zip(first, second, strict=True):
+        yield float(x - first[0]) / spans[0], float(y - second[0]) / spans[1]
+
+
+def _distance(one: tuple[float, float], other: tuple[float, float]) -> float:
+    return hypot(one[0] - other[0], one[1] - other[1])
+
+
+def _knee(points: Sequence[FrontPoint]) -> int | None:
+    """Return the place of the design farthest from the line between the ends."""
+    if len(points) < 3:
+        return None
+    at = np.array(list(_logs(points)))
+    along = at[-1] - at[0]
+    off = at - at[0]
+    distances = np.abs(off[:, 0] * along[1] - off[:, 1] * along[0]) / float(np.hypot(*along))
+    knee = int(np.argmax(distances))
+    return knee if distances[knee] > BULGE else None
