@@ -8,7 +8,8 @@ from flexcli.engine.response_spectra import structure_of_case
 from flexcli.numerics.modes import natural_modes
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.geometries import NotAvailable
-from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements import Ask, RequirementError
+from flexcli.parts.requirements.closed_form import least_blade_force
 from flexcli.parts.requirements.shaking import shakings, together
 from flexcli.parts.response import mode_qualities, random_outputs
 from flexcli.parts.scene import Scene
@@ -16,7 +17,7 @@ from flexcli.parts.structure import MOTIONS, Structure
 from flexcli.results import Note
 from flexcli.units import show
 
-__all__ = ["vibration_notes"]
+__all__ = ["axial_share", "vibration_notes"]
 
 NEAR = 0.25
 """Change of a stiffness within which a mode beside the band is told."""
@@ -25,6 +26,8 @@ GROWS = 1.1
 SHARE = 0.05
 """Share of the mass that it moves, at least."""
 LARGE_ROTATION = np.radians(10.0)
+LARGE_FORCE = 0.2
+"""Axial force over the critical one from which the same is told: 10 % of a frequency."""
 LARGE_STROKE = 0.1
 """Travel over the length of a blade, or rotation, from which the modes' linearity is told."""
 
@@ -36,6 +39,7 @@ def vibration_notes(ask: Ask) -> Iterator[Note]:
         yield from _missing_modes(scene, structure, scene.vibration)
         yield from dict.fromkeys(_beside_the_band(scene, structure, scene.vibration))
     yield from _large_travel(ask, structure)
+    yield from _large_axial_force(ask, structure)
 
 
 def _missing_modes(
@@ -121,3 +125,30 @@ def _large_travel(ask: Ask, structure: Structure) -> Iterator[Note]:
                 "of stiffness on the way"
             )
             yield Note("large-travel", text)
+
+
+def axial_share(ask: Ask, structure: Structure) -> float | None:
+    """Return the peak axial force in a blade over its critical one, where the ends are known."""
+    if ask.scene.ends is None:
+        return None
+    found = list(shakings(ask, lambda _scene, vibration, _rate: vibration.sigma))
+    try:
+        (shaking,) = together(found)
+        peaks = shaking.peaks(structure)
+        axial = max((peaks[name] for name in peaks if name.startswith("axial")), default=0.0)
+        force = axial / float(ask.geometry.axial_stress(1.0, ask.sizes))
+        return force / float(least_blade_force(ask).force)
+    except (NotAvailable, RequirementError, ValueError):
+        return None
+
+
+def _large_axial_force(ask: Ask, structure: Structure) -> Iterator[Note]:
+    """Yield that the axial force of the peak changes the stiffness on the way."""
+    share = axial_share(ask, structure)
+    if share is not None and share > LARGE_FORCE:
+        text = (
+            f"case '{ask.scene.case}': the peak puts {share:.2g} of the critical force into a "
+            "blade: it softens and stiffens on the way, which the modes do not have; ask for "
+            "dynamic-buckling"
+        )
+        yield Note("axial-force-in-modes", text)

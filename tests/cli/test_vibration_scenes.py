@@ -156,3 +156,49 @@ def test_a_large_travel_is_told(respond):
         for command in (("asd", "response"), ("check",)):
             found = respond(case.replace("FREQUENCY", f"{frequency!r} Hz"), command=command)
             assert ("large-travel" in [n["code"] for n in found["warnings"]]) == is_told
+
+
+ROWS = ("Miles for modes", "duration in the peak", "large rotation", "stress stiffening")
+
+
+def test_a_plan_tells_what_a_vibration_calls_for(respond):
+    """Blades of 40 × 15 × 1 mm that 0.5 kg shakes along them: half of P/P_cr in the frequency."""
+    stiff = f"asd: {{profile: {flat(20, 2000)}, q: 20, duration: 2 min, axis: x and y}}"
+    case = f"{stiff}, ends: clamped-guided"
+    found = respond(case, command=("plan",))
+    rows = {row["name"]: row for row in found["effects"]}
+    assert {f"{name}, shake" for name in ROWS} <= set(rows)
+    outputs = {row["name"]: row for row in respond(case)["responses"][0]["outputs"]}
+    axial = outputs["axial stress joint"]["peak"]
+    critical = np.pi**2 * 71e9 * 1e-3**2 / 12.0 / 0.04**2  # guided: σ_cr = π² E h²/(12 l²)
+    stiffening = rows["stress stiffening, shake"]
+    assert stiffening["indicator"] == pytest.approx(axial / critical, rel=0.02)
+    assert stiffening["estimate"] == pytest.approx(0.5 * stiffening["indicator"], rel=1e-12)
+    peak = rows["duration in the peak, shake"]
+    cycles = outputs["stress joint"]["crossing_rate"] * 120.0
+    assert peak["indicator"] == pytest.approx(np.sqrt(2.0 * np.log(cycles)), rel=1e-3)
+    turned = rows["large rotation, shake"]["indicator"]
+    assert turned == pytest.approx(outputs["travel"]["peak"] / 0.04, rel=1e-3)
+    force = max(row["peak"] for name, row in outputs.items() if name.startswith("force"))
+    miles = rows["Miles for modes, shake"]["indicator"]
+    assert miles == pytest.approx(found_force(respond, case) / force, rel=1e-3)
+
+
+def found_force(respond, case):
+    return respond(case, command=("check",))["values"]["F"]["value"]
+
+
+def test_a_plan_without_vibration_has_none_of_them(inside, tmp_path):
+    spec = STAGE.replace("CASE", "{stroke: {translation: 1 mm}}")
+    spec = spec.replace("dynamic-yield: 1e-3", "yield: 1.1")
+    (tmp_path / "flexure.yaml").write_text(spec.replace("{{", "{").replace("}}}", "}}"))
+    found = json.loads(inside("plan", "--format", "json").stdout)
+    assert found["effects"]
+    assert not [row for row in found["effects"] if row["name"].endswith(", shake")]
+
+
+def test_an_axial_force_near_the_critical_one_is_told(respond):
+    loud = flat(20, 2000).replace("0.01", "1")
+    case = f"asd: {{profile: {loud}, q: 20, axis: y}}, ends: clamped-guided"
+    codes = [note["code"] for note in respond(case)["warnings"]]
+    assert "axial-force-in-modes" in codes

@@ -5,6 +5,7 @@ from time import perf_counter
 from flexcli.engine.plan import ACCURACY, plan
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
+from flexcli.parts.requirements.shaking import SHAKES
 from flexcli.results import AuditRow, Cost, Note, Result, Status, Value
 
 __all__ = ["planned"]
@@ -25,6 +26,10 @@ def planned(
         from flexcli.engine.planning.audit import audit as audited
 
         rows = audited(design, sizes, found)
+    if any(design.scene(name).loads & SHAKES for name in design.cases):
+        from flexcli.engine.planning.vibration_effects import vibration_effects
+
+        found = found._replace(effects=(*found.effects, *vibration_effects(design, sizes)))
     wrong = any(row.right is False for row in rows)
     return Result(
         command="plan",
