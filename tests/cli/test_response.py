@@ -58,7 +58,9 @@ def test_checks_decide_the_exit_code_and_stand_in_check_too(flexure, spec):
 def test_the_real_modes_are_told_against_miles(flexure, tmp_path, sizing):
     (tmp_path / "flexure.yaml").write_text(sizing.design)
     told = json.loads(flexure("asd", "response", "--format", "json").stdout)
-    assert [note["code"] for note in told["warnings"]] == ["miles-conservative", "no-life"]
+    codes = [note["code"] for note in told["warnings"]]
+    # a little less stiffness would bring the levers' mode into the band
+    assert codes == ["miles-conservative", "no-life", "mode-beside-band"]
     (response,) = told["responses"]
     assert told["values"]["f_1_take-off"]["value"] == response["modes"][0]["frequency"]
 
