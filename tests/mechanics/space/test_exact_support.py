@@ -25,14 +25,13 @@ from flexcli.mechanics.space.layout import SpaceLoad
 
 E, G, nu = STEEL.E, STEEL.G, STEEL.nu
 HELD = {"two": (None, None, None, 0.01, -0.02, 0.1)}
-LEVELS = (27, 40)
 SMOOTH = BeamEffects(curling=False)
 
 
 def test_the_tangent_is_the_difference_of_reactions_and_symmetric():
     """Central differences of the reactions at a loaded pose without symmetry, springs and all."""
     loads = [load._replace(moment=(0.0, 0.0, 0.0)) for load in LOADS]
-    how = {"loads": loads, "levels": LEVELS, "effects": SMOOTH}
+    how = {"loads": loads, "levels": (24,), "effects": SMOOTH}
     state = solve(askew(), HELD, **how).checked()
     point = (66e-3, 40e-3, 5e-3)
     K = body_stiffness(state, "two", point)
@@ -56,7 +55,7 @@ def test_the_tangent_is_the_difference_of_reactions_and_symmetric():
     assert pytest.approx(K.T, rel=1e-12) == K
 
 
-@pytest.mark.parametrize(("effects", "nodes", "error"), [(SMOOTH, 40, 1e-8), (None, 60, 1e-4)])
+@pytest.mark.parametrize(("effects", "nodes", "error"), [(SMOOTH, 40, 1e-8), (None, 40, 1e-3)])
 def test_newtons_matrix_has_the_second_variation_as_its_symmetric_part(effects, nodes, error):
     """Two derivations: sections eliminated from their equations, and from the energy.
 
