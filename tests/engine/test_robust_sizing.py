@@ -6,6 +6,7 @@ import pytest
 from scipy.optimize import fsolve
 
 import flexcli
+from flexcli.errors import NoSolution
 
 STAGE = """\
 flexure: 1
@@ -77,3 +78,9 @@ def test_where_no_sizes_leave_room_for_the_tolerances_it_says_so():
     found = flexcli.size(text)
     assert found.status.value == "infeasible"
     assert "tolerances-too-wide" in [note.code for note in found.warnings]
+
+
+def test_a_tolerance_as_large_as_the_size_that_is_chosen_has_no_answer():
+    text = STAGE.replace("h: 20 um", "h: 300 um") + "robust: worst-case\n"
+    with pytest.raises(NoSolution, match="as large as the number"):
+        flexcli.size(text)

@@ -144,3 +144,10 @@ def test_a_choice_without_any_design_that_passes_says_why_of_each():
     found = front_of(size)
     assert found.status.value == "infeasible"
     assert all(row.reason.startswith("in conflict") for row in found.choices.rows)
+
+
+def test_a_shift_far_below_what_any_blade_has_is_a_conflict():
+    asked = {"requirements.parasitic_shift.max": "0.15 um"}  # no bound of h alone would end it
+    found = front_of("{}", **asked)
+    assert found.status.value == "infeasible"
+    assert any("0.15" in row.text or "150 nm" in row.text for row in found.sizing.conflict)

@@ -183,6 +183,7 @@ class _Run:
             self._take([verdicts_of(one) for one in judged.readings[: judged.held]])
             raise
         self.judged = len(judged.points)
+        self.names = tuple(dict.fromkeys((*self.names, *response.checks)))
         self.method = (
             f"polynomials of degree {response.degree} in the logarithms through "
             f"{self.judged - judged.held} designs that were judged; their errors by "

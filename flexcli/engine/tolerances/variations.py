@@ -6,8 +6,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic_core import PydanticCustomError
 
-from flexcli.errors import SolveError
+from flexcli.errors import NoSolution, SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.own_blades import OwnBlades, blade_names
@@ -99,7 +100,16 @@ def variations(design: DesignSpec) -> tuple[Variation, ...]:
     for name, tolerance in design.tolerances.items():
         place = place_of(design, name)
         assert place.value is not None  # a design with sizes
-        spread = tolerance.spread(place.dimension, place.value)
+        try:
+            spread = tolerance.spread(place.dimension, place.value)
+        except PydanticCustomError as error:  # of a size that was chosen since the spec was read
+            context = error.context or {}
+            raise NoSolution(
+                "tolerance-too-wide",
+                f"{name} is {place.value:.3g} {DIMENSIONS[place.dimension].si} as chosen: "
+                f"{context.get('text', error)}",
+                f"narrow the tolerance of {name}, or bound it from below",
+            ) from None
         unit = DIMENSIONS[place.dimension].si
         one = Variation(name, name, place.path, unit, place.value, spread)
         blades = ("",) if tolerance.each == "part" else _blades(design, name)
