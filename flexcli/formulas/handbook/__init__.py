@@ -1,6 +1,7 @@
 """Formulas for calculation by hand: explain prints them, no verdict rests on them."""
 
 from flexcli.formulas.handbook import (
+    actuator,
     contact_load,
     impact,
     large_stroke,
@@ -13,6 +14,7 @@ from flexcli.formulas.handbook import (
 __all__ = ["CARDS"]
 
 CARDS = (
+    *actuator.CARDS,
     *contact_load.CARDS,
     *impact.CARDS,
     *large_stroke.CARDS,
