@@ -70,7 +70,7 @@ def test_a_far_stroke_in_space_is_undecided_and_never_passes(tmp_path, inside):
     assert found["fatigue", "operation"] == "undecided"
 
 
-@pytest.mark.parametrize("command", ["plan", "size", "simulate", "accuracy", "verify"])
+@pytest.mark.parametrize("command", ["plan", "size", "accuracy", "verify"])
 def test_a_verb_that_has_no_model_in_space_says_so(command, inside):
     told = inside(command, str(EXAMPLES / "folded-stage" / "flexure.yaml"))
     assert told.returncode == 2
