@@ -133,6 +133,8 @@ class Giving(NamedTuple):
     """Largest h/l of a blade."""
     stiffness: Factor
     stress: tuple[float, float]
+    loaded: float
+    """By how much the stress may rise under loads beside the travel."""
     buckling: Factor
     shift: tuple[float, float]
     softest: float

@@ -96,8 +96,9 @@ def giving_clamps(
     """
     strips = [_strip(blade, roots) for blade in layout.blades]
     softer = [_softer(strip, BENDS) for strip in strips]
-    # what one blade takes more of than another where bodies between them may follow
-    spread = max(softer) - min(softer) if len(layout.bodies) > 1 else 0.0
+    whole = [_softer(strip, slice(None)) for strip in strips]
+    # what one blade takes more of than another under loads, or where bodies between them follow
+    spread = max(whole) - min(whole)
     lowest = 1.0 / (1.0 + max(softer))
     low, high = _bounds(layout, held, strips) or (lowest, 1.0)
     least = min(_arc(strip.blade, strip.least) for strip in strips)
@@ -105,10 +106,11 @@ def giving_clamps(
     return Giving(
         max(strip.slender for strip in strips),
         Factor((low + high) / 2.0, low, high),
-        (lowest - 1.0, spread),
+        (lowest - 1.0, spread if len(layout.bodies) > 1 else 0.0),
+        spread + max(softer),
         Factor(max((1.0 + (least + most) / 2.0) ** -2, lowest), lowest, 1.0),
         shift_within(least, most, shift),
-        max(max(_softer(strip, slice(None)), strip.out) for strip in strips),
+        max(*whole, *(strip.out for strip in strips)),
     )
 
 
@@ -140,6 +142,7 @@ def giving_linked(each: Sequence[Giving | None]) -> Giving | None:
         max(g.ratio for g in found),
         Factor((low + high) / 2.0, low, high),
         (low - 1.0, high - low),
+        max(g.loaded for g in found) + high - low,
         Factor((held + 1.0) / 2.0, held, 1.0),
         (min(g.shift[0] for g in found), max(g.shift[1] for g in found)),
         max(g.softest for g in found),

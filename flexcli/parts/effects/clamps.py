@@ -89,7 +89,7 @@ class ClampCompliance(ModelEffect):
         if setting.largest_travel:
             least, most = giving.stress
             if any(scene.is_loaded for scene in setting.scenes):
-                most = max(most, -least)
+                most = giving.loaded
             found["stress"] = _between(least, most)
             found["shift"] = _between(*giving.shift)
         if not _sags_along_stroke(setting):
