@@ -179,7 +179,7 @@ def _symbol(symbol: Symbol, value: Any) -> SymbolRow:
         numbers = {f.name: getattr(value, f.name) for f in fields(value)}
         spoken = ", ".join(f"{name} {float(each):.4g}" for name, each in numbers.items())
     elif np.ndim(value):
-        spoken = ", ".join(f"{float(each):.4g}" for each in value)
+        spoken = ", ".join(f"{float(each):.4g}" for each in np.ravel(value))
     else:
         spoken = float(value)
     return SymbolRow(symbol.name, symbol.unit, symbol.meaning, spoken)
