@@ -103,6 +103,15 @@ def test_blades_wider_than_those_compared_decide_nothing(tmp_path):
     assert only(checked(guide(wanted, b="60 mm"), tmp_path)).verdict.value == "undecided"
 
 
+def test_hinges_of_necked_blades_were_not_compared_and_decide_nothing(tmp_path):
+    text = PIVOT.replace(
+        "{kind: cross-spring, delta: -0.5, half_angle: 45 deg, h: 0.2 mm, l: 20 mm, b: 8 mm}",
+        "{kind: necked-down-stage, h: 0.1 mm, l: 40 mm, l_c: 5 mm, b: 5 mm, spacing: 30 mm}",
+    ).replace("rotation: 15 deg", "translation: 1 mm")
+    (support,) = (c for c in checked(text, tmp_path).checks if c.name.startswith("support"))
+    assert support.verdict.value == "undecided"
+
+
 def test_a_ratio_and_a_design_without_stroke_are_findings(tmp_path):
     wanted = "  support: {direction: y, over: z, min: 1, at: full-stroke}"
     with pytest.raises(SpecError, match="a ratio is asked at rest alone"):

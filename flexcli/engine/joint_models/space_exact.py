@@ -107,7 +107,8 @@ def _critical_shares(ask: Ask) -> Iterator[CriticalShare]:
         senses[0] = (1.0,)
     travels = dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel))
     for travel in travels:
-        start = at_travel(ask, travel) if scene.moves else None
+        state = at_travel(ask, travel)
+        known, start = is_compared(state), state if scene.moves else None
         own = driven_coordinate(layout) % 6
         held = {drive.body: [travel if i == own else None for i in range(6)]} if start else None
         for signs in product(*senses):
@@ -125,11 +126,9 @@ def _critical_shares(ask: Ask) -> Iterator[CriticalShare]:
             except SolveError as error:
                 if error.code != "no-critical-load":
                     raise NotAvailable(f"has no buckling load: {error}") from error
-                known = start is None or is_compared(start)
                 error_range = ErrorRange(-BUCKLING_ERROR, inf) if known else None
                 yield CriticalShare(MOST_SHARE, f"{spoken}: none up to that", error_range)
                 continue
-            known = start is None or is_compared(start)
             off = BUCKLING_ERROR + found.estimated_error
             yield CriticalShare(found.factor, spoken, ErrorRange(-off, off) if known else None)
 

@@ -5,11 +5,12 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas.profile import Constant
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
 from flexcli.mechanics.space.exact.support import support_compliance
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, Vector
+from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod, Vector
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
@@ -36,8 +37,8 @@ BEAM_ERROR = 0.06
 Two-blade guides, b/l 0.2 and 0.5, b/h 40 and 100, strokes of l/20 and l/5, and crossed pivots, b/l
 0.4, at 10° and 15°: within 4.6 %, 1 % of it by the mesh of the solids."""
 
-WIDEST, LONGEST = 0.5, 0.2
-"""Largest b/l, and shift of a blade's end against its start over its length, compared."""
+WIDEST, THICKEST, LONGEST = 0.5, 0.02, 0.2
+"""Largest b/l, h/l, and shift of a blade's end against its start over its length, compared."""
 
 ROUNDING = 0.02
 """What a stroke of a fifth of the length moves besides, along the blade."""
@@ -134,7 +135,13 @@ def is_compared(state: SpaceEquilibrium) -> bool:
     """Return whether blades and motion are among those whose error is known."""
     for blade in state.layout.blades:
         l = float(np.linalg.norm(np.subtract(blade.end, blade.start)))
-        if isinstance(blade, SpaceBlade) and blade.b > WIDEST * l:
+        if isinstance(blade, SpaceRod):
+            thick = blade.d
+        elif blade.b > WIDEST * l or not isinstance(blade.profile, Constant):
+            return False
+        else:
+            thick = float(blade.profile.h)
+        if thick > THICKEST * l:
             return False
         apart = _shift(state, blade.second, blade.end) - _shift(state, blade.first, blade.start)
         if np.linalg.norm(apart) > LONGEST * (1.0 + ROUNDING) * l:
