@@ -141,12 +141,12 @@ class Scene(NamedTuple):
         return self.moves or self.push > 0.0
 
     @property
-    def is_loaded(self) -> bool:
-        """Return whether anything acts on the joint besides the stroke that stresses it."""
-        return bool(self.across_by) or self.is_pushed
+    def is_stressed(self) -> bool:
+        """Return whether anything stresses the joint: a stroke, or loads in any direction."""
+        return self.moves or bool(self.across_by) or self.is_loaded
 
     @property
-    def is_pushed(self) -> bool:
+    def is_loaded(self) -> bool:
         """Return whether anything in the joint's plane, or space, acts besides the stroke."""
         if self.temperature is not None:
             return True
@@ -158,7 +158,13 @@ class Scene(NamedTuple):
     def without_loads(self) -> "Scene":
         """Return the same case with its stroke alone."""
         return self._replace(
-            forces=(), force=0.0, stated=NO_WRENCH, inertial=(), accelerations=(), beyond=""
+            forces=(),
+            force=0.0,
+            stated=NO_WRENCH,
+            inertial=(),
+            accelerations=(),
+            across_by=frozenset(),
+            beyond="",
         )
 
     def pushes(self) -> tuple[Push, ...]:

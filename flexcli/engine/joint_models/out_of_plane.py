@@ -107,7 +107,7 @@ class OutOfPlane(JointModel):
 
     def _find(self, ask: Ask) -> _Parts:
         name, planar = "stress", list[EndStress]()
-        if ask.scene.moves or ask.scene.is_pushed:
+        if ask.scene.moves or ask.scene.is_loaded:
             name, planar = self.inner.stresses(ask)
         joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
         return _Parts(name, planar, across_stress(joint, ask.scene))

@@ -32,7 +32,7 @@ EPSILON = 1e-30
 
 
 class SecondOrder(NamedTuple):
-    """What one order more adds to a linear state: to its coordinates, forces and the drive.
+    """What one order more adds to a linear state: to its coordinates and forces.
 
     ``inside`` are the moments about x, y, z of each blade (blades, 3, places) that its ends do not
     feel: what its own deflection makes of their forces. ``rotation`` is the largest angle between
@@ -43,7 +43,6 @@ class SecondOrder(NamedTuple):
     coordinates: Floats
     forces: Floats
     inside: Floats
-    drive: float
     rotation: float
     axial: float
 
@@ -115,7 +114,6 @@ def second_order(
         added.coordinates[:, 0],
         added.forces[:, 0],
         np.array(inside),
-        float(added.drive[0]),
         most,
         axial,
     )

@@ -36,7 +36,7 @@ class Yield(FactorRequirement):
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case stresses the blades at all."""
-        return self.covers(scene) and (scene.moves or scene.is_loaded)
+        return self.covers(scene) and scene.is_stressed
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return the stroke, and what pushes the joint in its plane or out of it."""
