@@ -162,8 +162,11 @@ def _between_rigid_clamps(design: DesignSpec, sizes: Sizes) -> tuple[DesignSpec,
     if geometry.giving_clamps(sizes, design.material.elastic.nu or 0.0) is None:
         return design, []
     if "clamps" not in type(geometry).model_fields:
-        text = f"the clamps of this {geometry.name} give, those of its solids are rigid"
-        raise SolveError("no-solid", text, "leave 'clamps' out of its flexures to verify the rest")
+        text = f"flexures of this {geometry.name} give at their roots, those of solids here do not"
+        hint = "leave 'clamps' and fillets out of its flexures to verify the rest"
+        raise SolveError("no-solid", text, hint)
+    if getattr(geometry, "clamps", None) in (None, "rigid"):
+        return design, []  # fillets alone, which are in the solids
     text = "blades are compared between rigid clamps: what their bodies give is in no solid here"
     rigid = geometry.model_copy(update={"clamps": "rigid"})
     return design.model_copy(update={"geometry": rigid}), [Note("rigid-clamps", text)]

@@ -33,9 +33,18 @@ requirements: {stiffness: {min: 1 N*m/rad}}
 FILLETED = ELLIPTIC.replace(
     "elliptic-hinge, e: 0.2 mm, depth: 1 mm", "filleted-hinge, h: 0.2 mm, r: 0.5 mm"
 )
+ROUNDED = """\
+flexure: 1
+material: {name: ours, youngs_modulus: 114 GPa, poisson_ratio: 0.3}
+geometry: {kind: guided-blade, h: 0.3 mm, l: 16 mm, b: 4 mm, root_radius: 0.4 mm}
+cases:
+  a: {stroke: {translation: 1 mm}}
+requirements: {stiffness: {min: 1 N/m}}
+"""
 SPECS = {
     "elliptic": ELLIPTIC,
     "filleted": FILLETED,
+    "fillets at the roots": ROUNDED,
     **{name: EXAMPLES / name / "flexure.yaml" for name in DRAWN},
 }
 

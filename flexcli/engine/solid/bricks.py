@@ -31,6 +31,10 @@ MIDDLE = 4
 CURVED = 6
 """Elements along each side of a curved throat, evenly in the variable that crowds them there."""
 
+CONSTANT, VARIED = np.array([-1.0, 1.0]), np.array([-1.0, -0.6, 0.6, 1.0])
+"""Where the coarsest elements end across the thickness, in halves of it: where it varies, a face
+has a peak of stress that fades within."""
+
 STEEP = 0.995
 """Share of a quarter of an ellipse that is meshed, where its face stands up on the body: no brick
 fits in the corner beyond, which is rigid here."""
@@ -101,7 +105,7 @@ def bricks(
 
     """
     s, h = _stations(pieces, fineness)
-    across = _steps(np.linspace(-1.0, 1.0, 2), fineness)
+    across = _steps(CONSTANT if np.allclose(h, h[0], rtol=1e-9) else VARIED, fineness)
     widths = _widths(b, float(h.min()))
     width = _steps(widths[widths >= 0.0] if is_half else widths, fineness)
     number = np.full((s.size, across.size, width.size), -1, dtype=np.intp)

@@ -231,8 +231,14 @@ class SolidNumbers:
             arms = places[body.nodes, :2] - np.array(body.point)
             on_blade = np.array([forces[n][:2] for n in body.nodes + 1])
             moment = -float(np.sum(on_blade * arms)) / model.share
-            if abs(moment) > SETTLED * float(np.abs(on_blade * arms).sum()):
-                found[body.name] = moment
+            if abs(moment) <= SETTLED * float(np.abs(on_blade * arms).sum()):
+                continue
+            if moment < 0.0:
+                raise NotAvailable(
+                    f"has a body, {body.name}, that the forces of its blades turn further: "
+                    "CalculiX's rigid bodies lack that, and what gives it back would be negative"
+                )
+            found[body.name] = moment
         return found
 
 
