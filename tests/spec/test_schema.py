@@ -35,7 +35,7 @@ BEYOND = {
     "between keys of a part": (
         "stands beside",  "has a slope, or the level", "no level is given",
         "placed by p or by delta", "no room for min or max", "names one quantity",
-        "is a translation or a rotation", "by 'points' or by 'basquin'", "a thickness is h or",
+        "stroke is a translation or a rotation", "by 'points' or by 'basquin'", "a thickness is h or",
         "must name its source", "how far the tip may go", "this case loads nothing",
         "a support without stiffness", "straight on log-log axes",
         "a translation has no centre", "has no length$", "needs two modes",
@@ -65,9 +65,11 @@ BEYOND = {
         "robust against what", "is not of a blade", "there is no number",
         "^tolerances.*does not measure", "^tolerances.*has no unit", "as large as the number",
         "nothing is asked of",
+        "in its plane alone", "a load is one in a plane", "drawn in space", "carries no mechanism",
     ),
     "between bodies and blades of a layout": (
-        "lies where blade", "not held to the ground", "is no body", "does not move this body",
+        "lies where", "not held to the ground", "this blade is thicker than wide",
+        "the width points along", "no body has these moments", "there is no blade", "is no body", "does not move this body",
         "there is no body", "both ends of this blade", "need a travel along", "leave the centre",
     ),
     "names given elsewhere, and other files": (
