@@ -11,6 +11,7 @@ from flexcli.formulas.restrained_torsion import (
 )
 from flexcli.formulas.torsion_section import shear_factor, torsion_constant
 from flexcli.formulas.torsion_shapes import warping_constant
+from flexcli.parts.geometries.torsion import TorsionBar
 
 E, NU = 114e9, 0.34
 G = E / (2 * (1 + NU))
@@ -46,6 +47,16 @@ def twisted_plate(aspect, nu):
     rest = np.linalg.lstsq(energy[1:, 1:], energy[1:, 0], rcond=1e-13)[0]
     bending = (energy[0, 0] - energy[0, 1:] @ rest) / size[0] ** 2  # K over D = E h³/(12 (1 − ν²))
     return bending / (12 * (1 - nu**2)) * l / (1 / (2 * (1 + nu)) / 3)
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.2, 0.3, 0.4, 0.45, 0.5])
+@pytest.mark.parametrize("aspect", [0.5, 1.0, 2.0, 4.0])
+def test_a_bar_tells_how_far_its_stiffness_may_be_from_that_of_a_clamped_plate(aspect, nu):
+    bar = TorsionBar(kind="torsion-bar", h="1 um", l="1 mm", b="1 mm", warping="restrained")
+    sizes = bar.sized({})._replace(h=1e-7, l=aspect * 1e-3, b=1e-3)
+    K = restrained_stiffness(E=2 * (1 + nu), G=1.0, h=1e-4, b=1.0, l=aspect)
+    high = float(K) * aspect / (1e-4**3 / 3) / twisted_plate(aspect, nu) - 1.0
+    assert -1e-4 <= high <= bar.end_errors(sizes, nu).stiffness
 
 
 @pytest.mark.parametrize("nu", [0.0, 0.3])

@@ -1,18 +1,23 @@
 """Torsion bars: what the long fibres of a wide section add at large twist."""
 
 from math import isfinite, pi
-from typing import Any, ClassVar, Protocol
+from typing import Any, ClassVar, NamedTuple, Protocol
 
 from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes
 from flexcli.parts.elastic import Elastic
 
-__all__ = ["Twist", "TwistedBars"]
+__all__ = ["EndErrors", "Twist", "TwistedBars"]
 
-RESTRAINED = 0.01
-"""Of the stiffness of a strip whose ends cannot warp, against a clamped plate."""
+UNEVEN = 0.05
+"""Of the stresses of a strip whose ends cannot warp, at the most, as the long fibres even out its
+rate of twist along the bar; no more than they change by themselves."""
 
-RESTRAINED_STRESS = 0.05
-"""Of its stresses, whose rate of twist the long fibres even out along the bar."""
+
+class EndErrors(NamedTuple):
+    """What ends that cannot warp leave unsure of stiffness and stress [-]."""
+
+    stiffness: float = 0.0
+    stress: float = 0.0
 
 
 class TwistedBars(Protocol):
@@ -34,6 +39,9 @@ class TwistedBars(Protocol):
 
     def side_error(self, sizes: Any) -> float:
         """Return how far off the stress in the middle of its sides may be [-]."""
+
+    def end_errors(self, sizes: Any, nu: float | None) -> "EndErrors":
+        """Return what ends that cannot warp leave unsure."""
 
     def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Any]:
         """Return the stress at each place [Pa]."""
@@ -81,8 +89,8 @@ class Twist(Bending):
         It is between ends that may come closer and such that may not, where the spec leaves it
         open.
         """
-        restrained = self.bars.is_restrained
-        error = self.bars.core_error(self.sizes) + RESTRAINED * restrained
+        ends = self.bars.end_errors(self.sizes, self.elastic.nu)
+        error = self.bars.core_error(self.sizes) + ends.stiffness
         found = {"stiffness": Change(0.0, 0.0, error) if isfinite(error) else UNKNOWN}
         if not self.theta:
             return found
@@ -90,14 +98,15 @@ class Twist(Bending):
             abs(float(s))
             for s in self.bars.end_stresses(self.elastic, self.sizes, self.theta).values()
         )
-        ends = [
+        found_at = [
             float(self.bars.fibre_stress(self.elastic, self.sizes, self.theta, free=free))
             for free in self.bars.may_shorten
         ]
-        low, high = (max(end(ends), plain) / plain for end in (min, max))
+        low, high = (max(end(found_at), plain) / plain for end in (min, max))
         value = (low + high) / 2.0 - 1.0
-        error = (high - low) / (high + low) + self.ratio + RESTRAINED_STRESS * restrained
-        error += self.bars.side_error(self.sizes)
+        error = (high - low) / (high + low) + self.ratio
+        error += self.bars.side_error(self.sizes) + ends.stress
+        error += min(UNEVEN, value) * self.bars.is_restrained
         found["stress"] = Change(value, value, error, 1) if isfinite(error) else UNKNOWN
         return found
 
