@@ -188,10 +188,11 @@ def _rounded_anew(
             sizing = first.sizing
             assert sizing is not None  # a sizing has one
             kept = tuple(each for each in sizing.designs if each.label != ON_GRID)
+            before = tuple(each for each in sizing.remarks if not each.startswith("grid:"))
             sizing = replace(
                 sizing,
                 designs=(*kept, _design(design, ON_GRID, sizes)),
-                remarks=(*sizing.remarks, "grid: a point beside the best one, which passes"),
+                remarks=(*before, "grid: a point beside the best one, which passes"),
             )
             ideal = sizes._replace(**{n: first.values[f"{n}_ideal"].value for n in program.names})
             return _judged(design, spec, _Choice(sizes, sizing, ideal), series, model)
@@ -201,8 +202,9 @@ def _rounded_anew(
 def _beside(design: DesignSpec, program: SizingProgram, result: Result) -> Iterator[Sizes]:
     """Yield the points of the grid about the design without one, the best first."""
     grids = design.size.rounding
-    if set(program.names) != grids.keys() & set(program.names):
-        return
+    ideal = {f"{name}_ideal" for name in program.names}
+    if set(program.names) != grids.keys() & set(program.names) or not ideal <= result.values.keys():
+        return  # a size off the grid, or no design without one
     centre = {name: result.values[f"{name}_ideal"].value for name in program.names}
     objective = design.size.objective
     goals = None if objective == "balanced" else program.objectives(objective)

@@ -48,6 +48,14 @@ def test_a_conflict_stays_a_conflict():
     assert size(impossible, "spec", "exact").status is Status.INFEASIBLE
 
 
+def test_a_conflict_stays_one_on_a_grid():
+    impossible = design(
+        rcc(b="5 mm", l="10 mm"), {"yield": 10, "stiffness": {"min": "5 N*m/rad"}}, CASES,
+        material=MATERIAL, size={"round": {"h": "10 um"}},
+    )  # fmt: skip
+    assert size(impossible, "spec").status is Status.INFEASIBLE
+
+
 def test_a_point_of_the_grid_that_passes_is_preferred_to_one_left_undecided():
     asked = {
         "sag": {"equals": "645 nm", "tolerance": "2 %"},

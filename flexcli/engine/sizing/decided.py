@@ -137,8 +137,9 @@ def turned(slopes: Slopes, place: Place, there: Place, names: Iterable[str]) -> 
     Math. Comp. 19, 577-593.
 
     """
-    step = there.y - place.y
-    new = dict(slopes)
+    step, new = there.y - place.y, dict(slopes)
+    if not step.any():
+        return new
     for name in names:
         old = slopes.get(name, np.zeros(step.size))
         missed = there.correction(name) - place.correction(name) - float(old @ step)
