@@ -15,14 +15,17 @@ from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.arguments import positive
 from flexcli.formulas.blade_spring import middle_stiffness
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.restrained_torsion import restrained_stiffness
+from flexcli.formulas.restrained_torsion import restrained_stiffness, thick_strip_error
 
 __all__ = ["CARDS", "VALIDITY", "ClampedSprings", "clamped_blade", "clamped_rod"]
 
 Floats = NDArray[np.float64]
 
 TORSION_ERROR = 1e-2
-"""Largest error of the torsion of a strip that cannot warp, l ≥ b/2 and b ≥ 5 h [-]."""
+"""Largest error of the torsion of a thin strip that cannot warp, l ≥ b/2 [-]."""
+
+PLATE_ERROR = 2.5e-2
+"""By how much clamped plates of any Poisson's ratio were softer in torsion at most [-]."""
 
 STRIP = 0.2
 """h/b up to which a blade warps as a strip does."""
@@ -101,6 +104,7 @@ def clamped_blade(
     restrained = restrained_stiffness(E=E_, G=G_, h=h_, b=b_, l=l_)
     torsion = np.where(is_strip, restrained, beam.theta_x)
     off_torsion = np.where(is_strip, TORSION_ERROR, restrained / beam.theta_x - 1.0)
+    soft = PLATE_ERROR + thick_strip_error(E=E_, G=G_, h=h_, b=b_, l=l_)
     stiffness = (
         beam.x * sheets.axial_factor(**size),
         beam.y * guided,
@@ -110,7 +114,7 @@ def clamped_blade(
         beam.theta_z * pure,
     )
     sheet, bent = sheets.SHEET_ERROR, sheets.GUIDED_ERROR
-    low = (sheet, off_guided, bent, np.where(is_strip, TORSION_ERROR, 0.0), sheet, off_pure)
+    low = (sheet, off_guided, bent, np.where(is_strip, soft, 0.0), sheet, off_pure)
     high = (sheet + held, off_guided, bent + held, off_torsion, sheet + held, off_pure)
     return ClampedSprings(_stacked(stiffness), -_stacked(low), _stacked(high))
 

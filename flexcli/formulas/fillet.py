@@ -73,8 +73,8 @@ def axial_factor(*, h: Numbers, l: Numbers, r: Numbers) -> Computed:
 
     Examples
     --------
-    >>> round(float(axial_factor(h=0.2e-3, l=20e-3, r=0.2e-3)), 3)
-    1.295
+    >>> round(float(axial_factor(h=0.2e-3, l=20e-3, r=0.2e-3)), 2)
+    1.29
 
     References
     ----------

@@ -98,21 +98,21 @@ def star_torsion_constant(h: Quantity, b: Quantity, strips: int) -> Computed:
     return strips * b * h**3 / 3.0 + _CORE.get(strips, 0.0) * h**4
 
 
-def star_arm(h: float, b: float, strips: int) -> float:
+def star_arm(h: Quantity, b: Quantity, strips: int) -> Computed:
     """Return the length of an arm of crossing strips beyond their core, over the thickness.
 
     ``a = b/2h − ½ cot(π/2n)``: from the corner that two arms make to the edge.
 
     Parameters
     ----------
-    h, b : float
+    h, b : Quantity
         Thickness and full width of a strip, edge to edge [m].
     strips : int
         Number n of strips.
 
     Returns
     -------
-    a : float
+    a : Quantity
         Free length of an arm over its thickness [-].
 
     Notes
@@ -129,7 +129,7 @@ def star_arm(h: float, b: float, strips: int) -> float:
     Geometry of the section.
 
     """
-    return float(b / h) / 2.0 - 0.5 / tan(pi / (2.0 * strips))
+    return b / h / 2.0 - 0.5 / tan(pi / (2.0 * strips))
 
 
 def star_core_error(arm: float, strips: int) -> float:

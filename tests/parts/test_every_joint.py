@@ -447,7 +447,7 @@ CLAIMS = {**FORMS, "values": values, "cards": cards}
 TWISTED = {"torsion-bar", "round-torsion-bar", "torsion-star"}
 """Their bars lie across the plane of a layout: tests of torsion solve their sections."""
 
-JOINTS = sorted(set(kinds()) - {"linkage", "layout"} - TWISTED)
+JOINTS = sorted(set(kinds()) - {"linkage", "layout", "space-layout"} - TWISTED)
 """A linkage is made of others, a layout drawn freely has no closed forms."""
 
 

@@ -35,7 +35,8 @@ BEYOND = {
     "between keys of a part": (
         "stands beside",  "has a slope, or the level", "no level is given",
         "placed by p or by delta", "no room for min or max", "names one quantity",
-        "stroke is a translation or a rotation", "by 'points' or by 'basquin'", "a thickness is h or",
+        "stroke is a translation or a rotation", "by 'points' or by 'basquin'",
+        "a thickness is h or",
         "must name its source", "how far the tip may go", "this case loads nothing",
         "a support without stiffness", "straight on log-log axes",
         "a translation has no centre", "has no length$", "needs two modes",
@@ -69,7 +70,8 @@ BEYOND = {
     ),
     "between bodies and blades of a layout": (
         "lies where", "not held to the ground", "this blade is thicker than wide",
-        "the width points along", "no body has these moments", "there is no blade", "is no body", "does not move this body",
+        "the width points along", "no body has these moments", "there is no blade",
+        "is no body", "does not move this body",
         "there is no body", "both ends of this blade", "need a travel along", "leave the centre",
     ),
     "names given elsewhere, and other files": (
