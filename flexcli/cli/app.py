@@ -27,14 +27,13 @@ EXIT_CODES = (
     "stopped; 2 bad input or usage; 101 a bug of ours."
 )
 
-READING = (
-    "size", "check", "simulate", "plan", "accuracy", "verify", "balance", "stops", "sweep",
-    "tolerances", "draw", "export", "plot", "report", "validate",
+VERBS = (
+    "init", "size", "check", "simulate", "plan", "accuracy", "verify", "balance", "stops", "sweep",
+    "tolerances", "draw", "export", "plot", "report", "explain", "validate", "materials", "schema",
 )  # fmt: skip
-"""Verbs that read specs, by their modules."""
+"""Commands of one verb, by their modules, in the order of the help."""
 
-VERBS = ("init", *READING[:-1], "explain", "validate", "materials", "schema")
-"""Commands of one verb, in the order of the help."""
+READING_NO_SPEC = ("init", "explain", "materials", "schema")
 
 GROUPS = {"asd": "asd_environment", "examples": "examples"}
 """Commands of several verbs, and their modules."""
@@ -55,7 +54,7 @@ def command_line(only: str | None = None) -> typer.Typer:
     for verb in VERBS:
         if only in (None, verb):
             run = import_module(f"flexcli.cli.{verb}").run
-            app.command(name=verb)(with_common_options(run) if verb in READING else run)
+            app.command(name=verb)(run if verb in READING_NO_SPEC else with_common_options(run))
     groups = [
         import_module(f"flexcli.cli.{module}").app
         for name, module in GROUPS.items()

@@ -15,7 +15,7 @@ from flexcli.errors import Finding
 from flexcli.spec.document import Document, finding_at
 from flexcli.spec.findings import nearest, path_text
 from flexcli.spec.overrides import Place, with_value
-from flexcli.units import DIMENSIONS, MAX_LENGTH, QuantityError, number_and_unit, parse_quantity
+from flexcli.units import DIMENSIONS, MAX_LENGTH, QuantityError, parse_quantity
 
 __all__ = ["DRAWN", "NAMES", "with_parameters"]
 
@@ -160,7 +160,7 @@ def _evaluated(text: str, known: Mapping[str, _Measure], used: set[str]) -> _Mea
                 used.add(name)
                 return known[name]
             case ast.UnaryOp(op=ast.USub(), operand=inner):
-                return of(inner)._replace(value=-of(inner).value)
+                return _negative(of(inner))
             case ast.BinOp(left=left, op=operator, right=right) if type(operator) in _OPERATORS:
                 return _OPERATORS[type(operator)](of(left), of(right))
         raise _ExpressionError(f"'{text}' is no sum of products", "write e.g. gap/2 + 3 mm")
@@ -174,17 +174,18 @@ def _evaluated(text: str, known: Mapping[str, _Measure], used: set[str]) -> _Mea
 def _quantity(number: str, unit: str, known: Mapping[str, _Measure]) -> _Measure:
     if unit in known and not any(unit in DIMENSIONS[name].units for name in _EXPONENTS):
         raise _ExpressionError(f"'{number} {unit}' has no unit", f"write {number}*{unit}")
-    said = number_and_unit(f"{number} {unit}")
-    assert said is not None  # as the pattern of a quantity is
-    for name, exponents in _EXPONENTS.items():
-        if unit in DIMENSIONS[name].units:
-            return _Measure(parse_quantity(f"{number} {unit}".strip(), name), exponents)
-    for name, exponents in _EXPONENTS.items():
+    everyday = [name for name in _EXPONENTS if unit in DIMENSIONS[name].units]
+    for name in everyday or _EXPONENTS:
         try:
-            return _Measure(parse_quantity(f"{number} {unit}", name), exponents)
+            measured = parse_quantity(f"{number} {unit}".strip(), name)
+            return _Measure(measured, _EXPONENTS[name])
         except QuantityError:
             continue
     raise _ExpressionError(f"'{unit}' is no unit of a size", "write e.g. 30 mm")
+
+
+def _negative(a: _Measure) -> _Measure:
+    return a._replace(value=-a.value)
 
 
 def _sum(a: _Measure, b: _Measure) -> _Measure:
@@ -208,7 +209,7 @@ def _quotient(a: _Measure, b: _Measure) -> _Measure:
 
 _OPERATORS: dict[type[ast.operator], Callable[[_Measure, _Measure], _Measure]] = {
     ast.Add: _sum,
-    ast.Sub: lambda a, b: _sum(a, b._replace(value=-b.value)),
+    ast.Sub: lambda a, b: _sum(a, _negative(b)),
     ast.Mult: _product,
     ast.Div: _quotient,
 }
