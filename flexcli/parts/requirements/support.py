@@ -3,9 +3,10 @@
 They judge a given design; a 6×6 compliance is no posynomial, so they cannot size one.
 """
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeAlias, get_args
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +40,7 @@ __all__ = [
     "Deflection",
     "Direction",
     "LengthOrAngle",
+    "MotionBound",
     "Place",
     "Support",
     "compliance_of",
@@ -321,10 +323,9 @@ def _of_ratio(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | 
     return ErrorRange(low - 1.0, (1.0 + one.high) / (1.0 + other.low) - 1.0)
 
 
-class Deflection(Bound):
-    """A bound on how far a case's wrench, at the centre, moves a point in a direction."""
+class MotionBound(Bound):
+    """An upper bound on how far a point of the moving body goes in a direction, or turns."""
 
-    label: ClassVar[str] = "deflection"
     per_case: ClassVar[bool] = True
     closed_form: ClassVar[bool] = False
 
@@ -334,11 +335,6 @@ class Deflection(Bound):
     equals: None = None
     direction: Direction
     """Direction of the motion, e.g. ``direction: z, max: 5 um``."""
-    point: Place = CENTRE
-    """Point on the moving body that is asked about, from the centre of a pivot or of a stage, or
-    from a tip,
-    e.g. ``[0 mm, 5 mm, 0 mm]``.
-    """
 
     @field_validator("max", mode="before", json_schema_input_type=LengthOrAngle)
     @classmethod
@@ -347,10 +343,10 @@ class Deflection(Bound):
         return in_either(data, "length", "angle")
 
     @model_validator(mode="after")
-    def _in_its_unit(self) -> "Deflection":
+    def _in_its_unit(self) -> Self:
         if self.max[1] != self.unit:
             raise spec_error(
-                f"a deflection {_along(self.direction)} is in {self.unit}, not {self.max[1]}",
+                f"a {self.spoken} is in {self.unit}, not {self.max[1]}",
                 f"write {'1 mrad' if self.unit == 'rad' else '1 um'}",
                 at=("max",),
             )
@@ -358,8 +354,36 @@ class Deflection(Bound):
 
     @property
     def unit(self) -> str:
-        """Return the SI unit of the deflection."""
+        """Return the SI unit of the motion."""
         return "rad" if turns(self.direction) else "m"
+
+    @property
+    @abstractmethod
+    def spoken(self) -> str:
+        """Return what is bounded, with its direction."""
+
+    def bounds_in_direction(self, value: float, **of: Any) -> Iterator[Limit]:
+        """Yield a motion [m or rad] against its bound, named by its direction."""
+        plain = self.model_copy(update={"max": self.max[0]})
+        for limit in plain.bounds(value, unit=self.unit, kind=QuantityKind.SUPPORT, **of):
+            yield replace(limit, requirement=f"{self.label} {self.direction}")
+
+
+class Deflection(MotionBound):
+    """A bound on how far a case's wrench, at the centre, moves a point in a direction."""
+
+    label: ClassVar[str] = "deflection"
+
+    point: Place = CENTRE
+    """Point on the moving body that is asked about, from the centre of a pivot or of a stage, or
+    from a tip,
+    e.g. ``[0 mm, 5 mm, 0 mm]``.
+    """
+
+    @property
+    def spoken(self) -> str:
+        """Return what is bounded, with its direction."""
+        return f"deflection {_along(self.direction)}"
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case has a wrench."""
@@ -380,15 +404,11 @@ class Deflection(Bound):
             # over a stroke the stiffness falls, by nobody here knows how much
             work = float(np.sqrt((sought @ C @ sought) * (load @ C @ load)))
             error = space_joint(ask).form_error(moved, work, ask.clamps_give)
-        plain = self.model_copy(update={"max": self.max[0]})
         for sign in (1.0, -1.0):
-            for limit in plain.bounds(
+            yield from self.bounds_in_direction(
                 sign * moved,
                 case=ask.scene.case,
-                quantity=f"deflection {_along(self.direction)} under the wrench, drive free",
-                unit=self.unit,
+                quantity=f"{self.spoken} under the wrench, drive free",
                 source=SOURCE,
-                kind=QuantityKind.SUPPORT,
                 error=error,
-            ):
-                yield replace(limit, requirement=f"{self.label} {self.direction}")
+            )
