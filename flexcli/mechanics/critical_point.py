@@ -1,16 +1,17 @@
 """The first point of a path at which its energy loses a direction: a root along the arc length."""
 
+from collections.abc import Iterable
 from typing import NamedTuple, Protocol, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.assembly import Assembly, finer
+from flexcli.mechanics.assembly import Assembly, at_nodes, finer
 from flexcli.mechanics.demand import Demand
 from flexcli.mechanics.inertia_count import closing_and_balance, inertia_count
-from flexcli.mechanics.path import steps_of
-from flexcli.numerics.arc_length import Hyperplane, correct_on
+from flexcli.mechanics.path import arc_weight, steps_of
+from flexcli.numerics.arc_length import Hyperplane, Steps, correct_on
 
 __all__ = [
     "CriticalPoint",
@@ -21,7 +22,10 @@ __all__ = [
     "first_critical",
     "lost_path",
     "mode_of",
-    "on_finer",
+    "none_up_to",
+    "on_plane",
+    "refined",
+    "unstable_start",
     "without_poles",
 ]
 
@@ -84,6 +88,9 @@ class Stretch(Protocol):
     def lifted(self, point: Point, fine: Self) -> Point:
         """Return a point with its unknowns at the nodes of a finer stretch."""
 
+    def on(self, nodes: int) -> Self:
+        """Return the same stretch at another number of nodes."""
+
 
 _Stretch = TypeVar("_Stretch", bound=Stretch)
 
@@ -114,19 +121,22 @@ class Search(NamedTuple):
 
     def at(self, s: float, low: Point, high: Point) -> Point:
         """Return the equilibrium on the plane s, from the straight line through two points."""
-        share = (s - low.s) / (high.s - low.s)
-        foot = self.plane._replace(
-            x=low.x + share * (high.x - low.x),
-            parameter=low.parameter + share * (high.parameter - low.parameter),
-        )
-        found = correct_on(foot, steps_of(self.assembly, self.demand), _CORRECTION)
-        if found is None:
-            raise lost_path()
-        return self.point(found[0], found[1], s)
+        x, parameter = on_plane(self.plane, s, low, high, steps_of(self.assembly, self.demand))
+        return self.point(x, parameter, s)
 
     def lifted(self, point: Point, fine: Self) -> Point:
         """Return a point with its unknowns at the nodes of a finer assembly."""
         return point._replace(x=finer(self.assembly, fine.assembly, point.x[None])[0])
+
+    def on(self, nodes: int) -> Self:
+        """Return the same stretch at another number of nodes."""
+        fine = at_nodes(self.assembly, nodes)
+        plane = self.plane._replace(
+            x=finer(self.assembly, fine, self.plane.x[None])[0],
+            tangent=finer(self.assembly, fine, self.plane.tangent[None])[0],
+            weight=arc_weight(fine),
+        )
+        return self._replace(assembly=fine, plane=plane)
 
 
 def without_poles(S: Floats, forces: int) -> Floats:
@@ -139,6 +149,64 @@ def without_poles(S: Floats, forces: int) -> Floats:
     Z = np.ones(S.shape[-1])
     Z[:forces] = -1.0
     return np.asarray(np.linalg.solve(np.eye(Z.size) + S * Z, S))
+
+
+def on_plane(
+    plane: Hyperplane, s: float, low: Point, high: Point, steps: Steps
+) -> tuple[Floats, float]:
+    """Return the equilibrium on the plane at s, from the straight line through two points, and λ.
+
+    Raises :class:`SolveError` where there is none.
+    """
+    share = (s - low.s) / (high.s - low.s)
+    foot = plane._replace(
+        x=low.x + share * (high.x - low.x),
+        parameter=low.parameter + share * (high.parameter - low.parameter),
+    )
+    found = correct_on(foot, steps, _CORRECTION)
+    if found is None:
+        raise lost_path()
+    x, parameter, _ = found
+    return x, parameter
+
+
+def refined(
+    search: _Stretch, found: CriticalPoint, levels: Iterable[int], tolerance: float
+) -> tuple[_Stretch, CriticalPoint, float]:
+    """Return a critical point at more and more nodes until it settles, and its relative change.
+
+    Raises :class:`SolveError` where the finest nodes leave it unsure.
+    """
+    for nodes in levels:
+        again = search.on(nodes)
+        better = on_finer(search, again, found)
+        error = abs(better.parameter / found.parameter - 1.0)
+        search, found = again, better
+        if error <= tolerance:
+            return search, found, error
+    raise SolveError(
+        "inaccurate",
+        "the finest nodes do not settle the critical load",
+        "the linear model tells the load at rest",
+    )
+
+
+def unstable_start() -> SolveError:
+    """Return what is said of a mechanism that falls before its loads grow."""
+    return SolveError(
+        "unstable-start",
+        "the mechanism is unstable before the load pattern acts",
+        "hold more of its motions, or lessen its own loads",
+    )
+
+
+def none_up_to(most: float) -> SolveError:
+    """Return what is said where nothing is critical up to a factor on the loads."""
+    return SolveError(
+        "no-critical-load",
+        f"no equilibrium up to {most:g} times the loads is critical",
+        "only the opposite direction of the loads may buckle it",
+    )
 
 
 def lost_path() -> SolveError:

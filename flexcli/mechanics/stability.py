@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.assembly import Assembly, at_nodes, finer
+from flexcli.mechanics.assembly import Assembly
 from flexcli.mechanics.critical_point import (
     CriticalPoint,
     Point,
@@ -16,7 +16,9 @@ from flexcli.mechanics.critical_point import (
     first_critical,
     lost_path,
     mode_of,
-    on_finer,
+    none_up_to,
+    refined,
+    unstable_start,
 )
 from flexcli.mechanics.demand import Demand, Held, held_of
 from flexcli.mechanics.equilibrium import LEVELS, solve
@@ -169,35 +171,15 @@ def critical_load(
     coarse = rest.parts[0].assembly
     index, free, _ = held_of(layout, held, coarse.length)
     if inertia_count_held(rest, held)[0]:
-        raise SolveError(
-            "unstable-start",
-            "the mechanism is unstable before the load pattern acts",
-            "hold more of its motions, or lessen its own loads",
-        )
+        raise unstable_start()
     demand = demand_of(coarse, along, pattern, most, rest)
     demands = demand, demand._replace(held=index, free=free)
     gaits = (_STRIDES, _STEPS) if careful else (_STRIDES,)
     search, found = _first(coarse, demands, rest.parts[0].x[0], most, gaits)
     if len(levels) == 1:
         return _critical(search, found, np.inf, most)
-    for nodes in (level for level in levels if level > coarse.nodes):
-        fine = at_nodes(coarse, nodes)
-        plane = search.plane._replace(
-            x=finer(search.assembly, fine, search.plane.x[None])[0],
-            tangent=finer(search.assembly, fine, search.plane.tangent[None])[0],
-            weight=arc_weight(fine),
-        )
-        again = search._replace(assembly=fine, plane=plane)
-        better = on_finer(search, again, found)
-        error = abs(better.parameter / found.parameter - 1.0)
-        search, found = again, better
-        if error <= tolerance:
-            return _critical(search, found, error, most)
-    raise SolveError(
-        "inaccurate",
-        "the finest nodes do not settle the critical load",
-        "the linear model tells the load at rest",
-    )
+    finer_levels = (level for level in levels if level > coarse.nodes)
+    return _critical(*refined(search, found, finer_levels, tolerance), most)
 
 
 def _together(held: Held, driven: Held) -> Held:
@@ -255,7 +237,7 @@ def _stretch(
     last = points[-1]
     lost = unstable(last.x, last.parameter) > 0
     if not lost and last.parameter >= 1.0:
-        raise _none_up_to(most)
+        raise none_up_to(most)
     if not lost:
         raise lost_path()
     before = points[-2]
@@ -273,7 +255,7 @@ def _stretch(
 
 def _critical(search: Search, found: CriticalPoint, error: float, most: float) -> Critical:
     if found.parameter > 1.0:
-        raise _none_up_to(most)
+        raise none_up_to(most)
     side, assembly = found.before, search.assembly
     part = Part(assembly, search.demand, np.arange(1), side.x[None], np.array([side.parameter]))
     layout, effects = assembly.layout, assembly.effects
@@ -284,12 +266,4 @@ def _critical(search: Search, found: CriticalPoint, error: float, most: float) -
         mode=mode_of(assembly, search.counted, found.null * search.unit),
         turns=bool(abs(found.slope) < _LEVEL * search.plane.slope),
         estimated_error=error,
-    )
-
-
-def _none_up_to(most: float) -> SolveError:
-    return SolveError(
-        "no-critical-load",
-        f"no equilibrium up to {most:g} times the loads is critical",
-        "only the opposite direction of the loads may buckle it",
     )

@@ -11,13 +11,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.errors import SolveError
 from flexcli.mechanics.critical_point import (
     CriticalPoint,
     Point,
     first_critical,
     lost_path,
-    on_finer,
+    none_up_to,
+    on_plane,
+    refined,
+    unstable_start,
     without_poles,
 )
 from flexcli.mechanics.refinement import LEVELS
@@ -28,7 +30,7 @@ from flexcli.mechanics.space.exact.second_variation import inertia_count, second
 from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.exact.support import unstable_when_free
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad
-from flexcli.numerics.arc_length import CLOSE, Hyperplane, Steps, correct_on, follow
+from flexcli.numerics.arc_length import CLOSE, Hyperplane, Steps, follow
 
 __all__ = ["SpaceCritical", "critical_load"]
 
@@ -79,19 +81,22 @@ class _Search(NamedTuple):
 
     def at(self, s: float, low: Point, high: Point) -> Point:
         """Return the equilibrium on the plane s, from the straight line through two points."""
-        share = (s - low.s) / (high.s - low.s)
-        foot = self.plane._replace(
-            x=low.x + share * (high.x - low.x),
-            parameter=low.parameter + share * (high.parameter - low.parameter),
-        )
-        found = correct_on(foot, _steps(self.assembly, self.demand), _CORRECTION)
-        if found is None:
-            raise lost_path()
-        return self.point(found[0], found[1], s)
+        x, parameter = on_plane(self.plane, s, low, high, _steps(self.assembly, self.demand))
+        return self.point(x, parameter, s)
 
     def lifted(self, point: Point, fine: "_Search") -> Point:
         """Return a point with its unknowns at the nodes of a finer assembly."""
         return point._replace(x=finer(self.assembly, fine.assembly, point.x[None])[0])
+
+    def on(self, nodes: int) -> "_Search":
+        """Return the same stretch at another number of nodes."""
+        fine = at_nodes(self.assembly, nodes)
+        plane = self.plane._replace(
+            x=finer(self.assembly, fine, self.plane.x[None])[0],
+            tangent=finer(self.assembly, fine, self.plane.tangent[None])[0],
+            weight=_weight(fine),
+        )
+        return self._replace(assembly=fine, plane=plane)
 
 
 def critical_load(
@@ -143,11 +148,7 @@ def critical_load(
     frames = {} if frames is None else frames
     rest = solve(layout, held, frames=frames, effects=effects, start=start, levels=levels).checked()
     if unstable_when_free(rest, released):
-        raise SolveError(
-            "unstable-start",
-            "the mechanism is unstable before the load pattern acts",
-            "hold more of its motions, or lessen its own loads",
-        )
+        raise unstable_start()
     coarse = rest.part.assembly
     demand = started(
         rest,
@@ -156,24 +157,8 @@ def critical_load(
     free = np.union1d(demand.free, np.asarray(released, dtype=np.intp)).astype(np.intp)
     search, low, high = _stretch(coarse, demand, free, rest.part.x, most)
     found = first_critical(search, low, high)
-    for nodes in (level for level in levels if level > coarse.mesh.per_segment):
-        fine = at_nodes(coarse, nodes)
-        plane = search.plane._replace(
-            x=finer(search.assembly, fine, search.plane.x[None])[0],
-            tangent=finer(search.assembly, fine, search.plane.tangent[None])[0],
-            weight=_weight(fine),
-        )
-        again = search._replace(assembly=fine, plane=plane)
-        better = on_finer(search, again, found)
-        error = abs(better.parameter / found.parameter - 1.0)
-        search, found = again, better
-        if error <= tolerance:
-            return _critical(search, found, error, most)
-    raise SolveError(
-        "inaccurate",
-        "the finest nodes do not settle the critical load",
-        "the linear model tells the load at rest",
-    )
+    finer_levels = (level for level in levels if level > coarse.mesh.per_segment)
+    return _critical(*refined(search, found, finer_levels, tolerance), most)
 
 
 def _counted(
@@ -213,7 +198,7 @@ def _stretch(
     )
     last = points[-1]
     if unstable(last.x, last.parameter) == 0:
-        raise _none_up_to(most) if last.parameter >= 1.0 else lost_path()
+        raise none_up_to(most) if last.parameter >= 1.0 else lost_path()
     before = points[-2]
     s = float(before.tangent @ (before.weight * (last.x - before.x)))
     s += before.slope * (last.parameter - before.parameter)
@@ -243,7 +228,7 @@ def _weight(assembly: Assembly) -> Floats:
 
 def _critical(search: _Search, found: CriticalPoint, error: float, most: float) -> SpaceCritical:
     if found.parameter > 1.0:
-        raise _none_up_to(most)
+        raise none_up_to(most)
     assembly, null = search.assembly, found.null * search.unit
     forces, motions = null[: 6 * assembly.blades], null[6 * assembly.blades :]
     mode = np.zeros(6 * assembly.bodies)
@@ -255,12 +240,4 @@ def _critical(search: _Search, found: CriticalPoint, error: float, most: float) 
         mode=mode.reshape(-1, 6),
         turns=bool(abs(found.slope) < _LEVEL * search.plane.slope),
         estimated_error=error,
-    )
-
-
-def _none_up_to(most: float) -> SolveError:
-    return SolveError(
-        "no-critical-load",
-        f"no equilibrium up to {most:g} times the loads is critical",
-        "only the opposite direction of the loads may buckle it",
     )
