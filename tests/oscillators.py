@@ -1,9 +1,12 @@
 """Oscillators of one mode for the tests of stops."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
-from flexcli.mechanics.stopping.response import steady_steps
+from flexcli.mechanics.stopping.periodic import DrivenBlade
+from flexcli.mechanics.stopping.response import stepped_motion
 from flexcli.numerics.signal_pieces import Piece
 
 
@@ -23,6 +26,20 @@ def oscillator(angular=1.0, damping=0.0):
 def quiet(duration, pieces=1):
     """Give silence in equal pieces."""
     return [Piece(duration / pieces, ())] * pieces
+
+
+def steady_steps(blade, stops, *, angular, amplitude, kick=0.0):
+    """Yield the steady motion at each frequency of the base, in the order given, without a jump.
+
+    ``amplitude`` is one for all or one for each; ``kick`` the speed of the first mode at the start.
+    """
+    motion = None
+    for omega, A in zip(angular, np.broadcast_to(amplitude, len(angular)), strict=True):
+        if motion is None:
+            motion = stepped_motion(blade, stops, float(A), kick=kick)
+        elif motion.driven.amplitude != A:
+            motion = replace(motion, driven=DrivenBlade(blade, stops, float(A)), known=[])
+        yield motion.follow(float(omega))
 
 
 def stepped(blade, stops, **base):

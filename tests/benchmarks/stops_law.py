@@ -14,7 +14,7 @@ import numpy as np
 
 from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
 from flexcli.mechanics.stopping.laws import LinearStop, Stops
-from flexcli.mechanics.stopping.response import steady_steps
+from flexcli.mechanics.stopping.response import stepped_motion
 
 E, L, b, h, m = 69e9, 25.5e-3, 9.837e-3, 1.057e-3, 11.1e-3
 BASE = 0.5e-6
@@ -44,12 +44,8 @@ def simulated(ratio, gap_share, *, quality=250.0, dashpot=0.0):
     amplitude = omega**2 * BASE * QUALITIES[0] / quality
     gap = gap_share * free
     c = dashpot * 2.0 * sqrt(1.0 / blade.stop_residual) / abs(float(blade.stop[0]))
-    (found,) = steady_steps(
-        blade,
-        Stops(LinearStop(damping=c), gap, gap),
-        angular=[omega],
-        amplitude=amplitude,
-    )
+    stops = Stops(LinearStop(damping=c), gap, gap)
+    found = stepped_motion(blade, stops, amplitude).follow(omega)
     return 2.0 * found.peaks.travel / gap if found.contacts else float("nan")
 
 

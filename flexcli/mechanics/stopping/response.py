@@ -1,12 +1,12 @@
 """Steady motions of a blade between stops, one frequency after another from the last motion."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import pi
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from flexcli.mechanics.stopping.branch import BranchEnd, EndKind, branch_end
 from flexcli.mechanics.stopping.laws import Stops
@@ -24,7 +24,6 @@ from flexcli.numerics.signal_pieces import sine
 __all__ = [
     "Step",
     "SteppedMotion",
-    "steady_steps",
     "stepped_motion",
 ]
 
@@ -271,39 +270,3 @@ def stepped_motion(
 def at_rest(blade: ModalBlade) -> MotionPoint:
     """Return the blade at rest."""
     return MotionPoint(np.zeros(blade.angular.size), np.zeros(blade.angular.size))
-
-
-def steady_steps(
-    blade: ModalBlade,
-    stops: Stops,
-    *,
-    angular: Iterable[float],
-    amplitude: ArrayLike,
-    kick: float = 0.0,
-) -> Iterator[Step]:
-    """Yield the steady motion at each frequency, in the order given.
-
-    The base's sine goes on without a jump from one frequency to the next, so that going up and
-    going down show the jumps and the range between them in which two motions are possible. Where
-    nothing is touched it is the exact linear motion; with contact the periodic motion, found by
-    Newton's method and stable by its Floquet multipliers, or what a run does that finds none.
-
-    Parameters
-    ----------
-    blade, stops : ModalBlade, Stops
-        The scene.
-    angular : iterable of float
-        Angular frequencies of the base [rad/s].
-    amplitude : array_like
-        Amplitudes of the base's acceleration [m/s²], one for all or one for each.
-    kick : float
-        Speed of the first mode's coordinate at the start [m/s·√kg].
-    """
-    steps = np.array(list(angular), dtype=np.float64)
-    motion: SteppedMotion | None = None
-    for omega, A in zip(steps, np.broadcast_to(amplitude, steps.shape), strict=True):
-        if motion is None:
-            motion = stepped_motion(blade, stops, float(A), kick=kick)
-        elif motion.driven.amplitude != A:
-            motion = replace(motion, driven=DrivenBlade(blade, stops, float(A)), known=[])
-        yield motion.follow(float(omega))

@@ -4,13 +4,13 @@ from math import inf, pi
 
 import numpy as np
 import pytest
-from oscillators import oscillator
+from oscillators import oscillator, steady_steps
 
 from flexcli.mechanics.stopping.branch import EndKind, branch_end, branch_steps
 from flexcli.mechanics.stopping.kick import least_kick
 from flexcli.mechanics.stopping.laws import LinearStop, Stops
 from flexcli.mechanics.stopping.periodic import MotionPoint
-from flexcli.mechanics.stopping.response import steady_steps, stepped_motion
+from flexcli.mechanics.stopping.response import stepped_motion
 from flexcli.mechanics.stopping.result import StepOutcome
 
 STOPS = Stops(LinearStop(100.0), 1.0, 1.0)

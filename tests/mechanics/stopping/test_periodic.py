@@ -4,11 +4,11 @@ from math import cos, exp, hypot, inf, pi, sin, sqrt, tan
 
 import numpy as np
 import pytest
-from oscillators import oscillator, stepped
+from oscillators import oscillator, steady_steps, stepped
 
 from flexcli.mechanics.stopping.laws import LinearStop, RigidStop, Stops
 from flexcli.mechanics.stopping.periodic import DrivenBlade, MotionPoint
-from flexcli.mechanics.stopping.response import steady_steps, stepped_motion
+from flexcli.mechanics.stopping.response import stepped_motion
 
 AT_REST = MotionPoint(np.zeros(1), np.zeros(1))
 CLOSED = 1e-9
