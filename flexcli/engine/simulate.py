@@ -32,12 +32,12 @@ from flexcli.parts.geometries import Sizes
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import own_mode
-from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements import Ask, JointModel
 from flexcli.results import Cost, QuantityKind, Result, Status, Value
 from flexcli.results.activity import doing
 from flexcli.results.simulation import SweepPoint, SweepResult
 
-__all__ = ["simulate", "strokes"]
+__all__ = ["moving_cases", "simulate", "strokes"]
 
 Floats = NDArray[np.float64]
 
@@ -62,7 +62,7 @@ def simulate(
     """
     started = perf_counter()
     joint_model = ExactModel(blades)
-    moving = _moving(design, sizes, joint_model)
+    moving = moving_cases(design, sizes, joint_model)
     models = model_series(design, EXACT_MODEL)
     sweeps: tuple[SweepResult, ...] = ()
     try:
@@ -112,18 +112,24 @@ def strokes(design: DesignSpec, sizes: Sizes, points: int) -> tuple[SweepResult,
         As :func:`simulate`.
 
     """
-    moving = _moving(design, sizes, ExactModel())
+    moving = moving_cases(design, sizes, ExactModel())
     try:
         return tuple(_sweep(ask, points, ALL) for ask in moving)
     except NotAvailable as error:
         raise _no_sweep(moving[0], error) from error
 
 
-def _moving(design: DesignSpec, sizes: Sizes, joint_model: ExactModel) -> list[Ask]:
+def moving_cases(
+    design: DesignSpec, sizes: Sizes, joint_model: JointModel, stroke: str = "rotation: 5 deg"
+) -> list[Ask]:
+    """Return what is asked in the cases that have a stroke; ``stroke`` is an example of one.
+
+    Raises :class:`SolveError` where none has.
+    """
     moving = [ask for ask in design.asks(sizes, joint_model) if ask.scene.moves]
     if not moving:
         raise SolveError(
-            "no-stroke", "no case moves the joint", "add stroke: to a case, e.g. {rotation: 5 deg}"
+            "no-stroke", "no case moves the joint", f"add stroke: to a case, e.g. {{{stroke}}}"
         )
     return moving
 

@@ -18,6 +18,7 @@ from flexcli.engine.joint_models.space_stroke import (
 )
 from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
 from flexcli.engine.models import model_series
+from flexcli.engine.simulate import moving_cases
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.exact.support import driven_stiffness, vibration
 from flexcli.parts.design import DesignSpec
@@ -44,12 +45,7 @@ def simulate_in_space(design: DesignSpec, sizes: Sizes, spec: str, points: int) 
     """
     started = perf_counter()
     joint_model = SpaceExactModel()
-    moving = [ask for ask in design.asks(sizes, joint_model) if ask.scene.moves]
-    if not moving:
-        raise SolveError(
-            "no-stroke", "no case moves the joint",
-            "add stroke: to a case, e.g. {translation: 1 mm}",
-        )  # fmt: skip
+    moving = moving_cases(design, sizes, joint_model, "translation: 1 mm")
     models = model_series(design, joint_model.name)
     sweeps: tuple[SpaceSweep, ...] = ()
     try:

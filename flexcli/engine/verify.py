@@ -16,6 +16,7 @@ from flexcli.engine.solid.deck import Deck
 from flexcli.engine.solid.model import solid_model
 from flexcli.engine.solid.numbers import STRAIGHT, Place, SolidNumbers, moving_masses
 from flexcli.errors import NoSolution, SolveError
+from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import free_compliance
@@ -390,9 +391,9 @@ class _Model:
         self.inner = getattr(joint_model, "inner", joint_model)
         self.exact = self.inner if isinstance(self.inner, ExactModel) else ExactModel()
 
-    def of(self, ask: Ask, kind: QuantityKind, value: object) -> Found:
+    def of(self, ask: Ask, kind: QuantityKind, value: Computed) -> Found:
         """Return a value with the model's error of its kind."""
-        return float(value), self.joint_model.error(ask, kind)  # type: ignore[arg-type]
+        return float(value), self.joint_model.error(ask, kind)
 
     def frequency(self, ask: Ask) -> Found:
         """Return the frequency of the mechanism's own motion."""

@@ -1,6 +1,6 @@
 """A measured spectral density against the limits of a test around its profile."""
 
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -83,9 +83,10 @@ def level_deviation(
     start, end = cuts[:-1], cuts[1:]
     there = (start >= f_m[0]) & (end <= f_m[-1])
     ends = []
-    for at, side in ((start, "right"), (end, "left")):
-        found = spectral_level(at, f_m, g_m, scale=measured[2], side=side)  # type: ignore[arg-type]
-        asked = spectral_level(at, f_p, g_p, scale=profile[2], side=side)  # type: ignore[arg-type]
+    sides: tuple[tuple[Floats, Literal["left", "right"]], ...] = ((start, "right"), (end, "left"))
+    for at, side in sides:
+        found = spectral_level(at, f_m, g_m, scale=measured[2], side=side)
+        asked = spectral_level(at, f_p, g_p, scale=profile[2], side=side)
         ratio = np.divide(found, asked, out=np.ones_like(found), where=asked > 0.0)
         ends.append(np.where(there, ratio, 0.0))
     places, ratios = np.concatenate([start, end]), np.concatenate(ends)

@@ -1,5 +1,7 @@
 """A mechanism as solids, in mm: STEP with a named part for each blade and body, or STL."""
 
+from collections.abc import Callable
+from functools import partial
 from importlib import import_module
 from math import hypot
 from pathlib import Path
@@ -36,10 +38,7 @@ def step(drawing: Drawing) -> bytes:
         names.TDataStd_Name.Set_s(label, _text(shape.name))
     writer = _part("STEPCAFControl").STEPCAFControl_Writer()
     writer.Transfer(document, _part("STEPControl").STEPControl_StepModelType.STEPControl_AsIs)
-    with TemporaryDirectory(prefix="flexure-") as folder:
-        path = Path(folder) / "parts.step"
-        writer.Write(str(path))
-        return path.read_bytes()
+    return _written(writer.Write)
 
 
 def stl(drawing: Drawing) -> bytes:
@@ -60,9 +59,14 @@ def stl(drawing: Drawing) -> bytes:
     _part("BRepMesh").BRepMesh_IncrementalMesh(compound, CHORD, False, ANGLE, False)
     writer = _part("StlAPI").StlAPI_Writer()
     writer.ASCIIMode = False
+    return _written(partial(writer.Write, compound))
+
+
+def _written(write: Callable[[str], Any]) -> bytes:
+    """Return what the library writes, which it does to files alone."""
     with TemporaryDirectory(prefix="flexure-") as folder:
-        path = Path(folder) / "parts.stl"
-        writer.Write(compound, str(path))
+        path = Path(folder) / "parts"
+        write(str(path))
         return path.read_bytes()
 
 

@@ -1,5 +1,6 @@
 """What a joint is asked for, by solid elements: the same numbers as a model of it gives."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import cos, inf, sin
 from typing import NamedTuple
@@ -173,12 +174,11 @@ class SolidNumbers:
         return float(np.sqrt(squares[first]) / (2.0 * np.pi))
 
     def _solve(
-        self, layout: Layout, held: Held, loads: object, *, is_linear: bool = False
+        self, layout: Layout, held: Held, loads: Sequence[Load], *, is_linear: bool = False
     ) -> SolidStates:
         return solid_states(
-            layout, held, loads, self.runner,  # type: ignore[arg-type]
-            fineness=self.fineness, is_linear=is_linear,
-        )  # fmt: skip
+            layout, held, loads, self.runner, fineness=self.fineness, is_linear=is_linear
+        )
 
     def _critical(self, scene: PushScene, near: float) -> float:
         """Return the factor of the unit force at which the joint buckles.

@@ -90,12 +90,12 @@ def _states(held: Held, loads: Sequence[Load]) -> list[State]:
         values = column(number)
         return float(values[i if values.size > 1 else 0])
 
+    def where(number: object, i: int) -> float | None:
+        return None if number is None else at(number, i)
+
     return [
         State(
-            {
-                name: tuple(None if v is None else at(v, i) for v in motion)  # type: ignore[misc]
-                for name, motion in held.items()
-            },
+            {name: (where(x, i), where(y, i), where(phi, i)) for name, (x, y, phi) in held.items()},
             [
                 load._replace(
                     force=(at(load.force[0], i), at(load.force[1], i)), moment=at(load.moment, i)

@@ -21,7 +21,7 @@ from flexcli.parts.base import (
 from flexcli.parts.geometries.base import Extent
 from flexcli.parts.geometries.blade_profile import AnyProfile, BladeProfile, ConstantProfile
 
-__all__ = ["DrawnBlade", "DrawnBody", "DrawnSupport", "Motion", "Name", "Place"]
+__all__ = ["DrawnBlade", "DrawnBody", "DrawnSupport", "Motion", "Name", "Place", "refuse_no_blade"]
 
 Name: TypeAlias = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9-]*$")]
 Place: TypeAlias = tuple[Length, Length]
@@ -77,6 +77,17 @@ class DrawnBody(Part):
     """Centre of mass; left out, the point of the body, e.g. ``[0 mm, 22 mm]``."""
 
 
+def refuse_no_blade(between: tuple[str, str], length: float) -> None:
+    """Raise a finding where what is drawn joins a body to itself, or has no length."""
+    if between[0] == between[1]:
+        raise spec_error(
+            f"both ends of this blade are on {between[0]}", "name two bodies, or ground",
+            at=("between",),
+        )  # fmt: skip
+    if length == 0.0:
+        raise spec_error("this blade has no length", "give its two ends", at=("to",))
+
+
 class DrawnBlade(Part):
     """A straight blade from one body to another, or to the ground."""
 
@@ -99,13 +110,7 @@ class DrawnBlade(Part):
 
     @model_validator(mode="after")
     def _is_a_blade(self) -> "DrawnBlade":
-        if self.between[0] == self.between[1]:
-            raise spec_error(
-                f"both ends of this blade are on {self.between[0]}", "name two bodies, or ground",
-                at=("between",),
-            )  # fmt: skip
-        if self.length == 0.0:
-            raise spec_error("this blade has no length", "give its two ends", at=("to",))
+        refuse_no_blade(self.between, self.length)
         if (self.h is None) == (self.profile is None):
             raise spec_error("a thickness is h or a profile", "give one of them, e.g. h: 0.2 mm")
         misfit = self.thickness.misfit(self.length)

@@ -20,7 +20,7 @@ from flexcli.parts.base import (
     spec_error,
 )
 from flexcli.parts.geometries.base import Extent
-from flexcli.parts.geometries.layout_parts import Name
+from flexcli.parts.geometries.layout_parts import Name, refuse_no_blade
 
 __all__ = [
     "Axis",
@@ -188,13 +188,7 @@ class _Member(Part):
 
     @model_validator(mode="after")
     def _joins_two(self) -> "_Member":
-        if self.between[0] == self.between[1]:
-            raise spec_error(
-                f"both ends of this blade are on {self.between[0]}", "name two bodies, or ground",
-                at=("between",),
-            )  # fmt: skip
-        if self.length == 0.0:
-            raise spec_error("this blade has no length", "give its two ends", at=("to",))
+        refuse_no_blade(self.between, self.length)
         if len(set(self.mirror)) < len(self.mirror):
             raise spec_error("an axis is named twice", "name each axis once", at=("mirror",))
         return self

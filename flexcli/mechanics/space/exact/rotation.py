@@ -13,7 +13,6 @@ __all__ = [
     "inverse_tangent",
     "matrix_of",
     "moved",
-    "of_vector",
     "product",
     "skew",
     "spin_slope",
@@ -73,12 +72,6 @@ def spun(q: Floats, theta: Floats) -> Floats:
     """Return the change of quaternions by small spins."""
     half = np.concatenate([np.zeros_like(theta[..., :1]), theta / 2.0], axis=-1)
     return product(half, q)
-
-
-def of_vector(phi: Floats) -> Floats:
-    """Return the quaternions of rotation vectors (..., 3) [rad]."""
-    half = np.linalg.norm(phi, axis=-1, keepdims=True) / 2.0
-    return np.concatenate([np.cos(half), phi * np.sinc(half / np.pi) / 2.0], axis=-1)
 
 
 def vector_of(q: Floats) -> Floats:
