@@ -15,20 +15,11 @@ from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.arguments import positive
 from flexcli.formulas.blade_spring import middle_stiffness
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.restrained_torsion import restrained_stiffness, thick_strip_error
+from flexcli.formulas.restrained_torsion import restrained_stiffness, restraint_error
 
 __all__ = ["CARDS", "VALIDITY", "ClampedSprings", "clamped_blade", "clamped_rod"]
 
 Floats = NDArray[np.float64]
-
-TORSION_ERROR = 1e-2
-"""Largest error of the torsion of a thin strip that cannot warp, l ≥ b/2 [-]."""
-
-PLATE_ERROR = 2.5e-2
-"""By how much clamped plates of any Poisson's ratio were softer in torsion at most [-]."""
-
-STRIP = 0.2
-"""h/b up to which a blade warps as a strip does."""
 
 ROUND_SHEAR = 0.15
 """Share of the shear of a round rod that its shear factor is uncertain by [-]."""
@@ -73,8 +64,7 @@ def clamped_blade(
 
     Notes
     -----
-    Small motion, both ends on rigid bodies. A bar too thick to warp as a strip (h > b/5) has
-    Saint-Venant's torsion, and the restraint of its warping as its error.
+    Small motion, both ends on rigid bodies.
 
     Examples
     --------
@@ -100,22 +90,18 @@ def clamped_blade(
     off_guided = plates.factor_error(guided, thin_guided) + Phi / 10.0
     # clamps hold a thick blade's thickness too, which a sheet's narrows and widens
     held = nu**2 * h_ / l_
-    is_strip = h_ <= STRIP * b_
-    restrained = restrained_stiffness(E=E_, G=G_, h=h_, b=b_, l=l_)
-    torsion = np.where(is_strip, restrained, beam.theta_x)
-    off_torsion = np.where(is_strip, TORSION_ERROR, restrained / beam.theta_x - 1.0)
-    soft = PLATE_ERROR + thick_strip_error(E=E_, G=G_, h=h_, b=b_, l=l_)
+    twist = restraint_error(nu=nu, h=h_, b=b_, l=l_).stiffness
     stiffness = (
         beam.x * sheets.axial_factor(**size),
         beam.y * guided,
         beam.z * sheets.guided_factor(**size),
-        torsion,
+        restrained_stiffness(E=E_, G=G_, h=h_, b=b_, l=l_),
         beam.theta_y * sheets.bending_factor(**size),
         beam.theta_z * pure,
     )
     sheet, bent = sheets.SHEET_ERROR, sheets.GUIDED_ERROR
-    low = (sheet, off_guided, bent, np.where(is_strip, soft, 0.0), sheet, off_pure)
-    high = (sheet + held, off_guided, bent + held, off_torsion, sheet + held, off_pure)
+    low = (sheet, off_guided, bent, -twist.low, sheet, off_pure)
+    high = (sheet + held, off_guided, bent + held, twist.high, sheet + held, off_pure)
     return ClampedSprings(_stacked(stiffness), -_stacked(low), _stacked(high))
 
 

@@ -1,4 +1,4 @@
-"""Sections in torsion in powers of their dimensions: strip, star of strips, circle; warping."""
+"""Sections in torsion in powers of their dimensions: strip, star of strips, circle."""
 
 from math import exp, inf, pi, tan
 
@@ -16,7 +16,6 @@ __all__ = [
     "star_core_error",
     "star_torsion_constant",
     "strip_torsion_constant",
-    "warping_constant",
 ]
 
 
@@ -202,50 +201,12 @@ def circle_torsion_constant(d: Quantity) -> Computed:
     return pi * d**4 / 32.0
 
 
-def warping_constant(h: Quantity, b: Quantity) -> Computed:
-    """Return the warping constant of a thin rectangular strip.
-
-    ``Γ = b³ h³/144``, of the warping function y z over the section.
-
-    Parameters
-    ----------
-    h, b : Quantity
-        Sides of the section [m].
-
-    Returns
-    -------
-    Γ : Quantity
-        Warping constant [m⁶].
-
-    Notes
-    -----
-    Thin strips; the exact warping function of a square gives a fraction of it.
-
-    Examples
-    --------
-    >>> warping_constant(0.5, 12.0)
-    1.5
-
-    References
-    ----------
-    Timoshenko & Gere (1961), Theory of Elastic Stability, section 5.3 (secondary warping).
-
-    """
-    return b**3 * h**3 / 144.0
-
-
 STRIP_CARDS: tuple[Card, ...] = (
     Card(
         name="strip-torsion-constant",
         function=strip_torsion_constant,
         example={"h": 0.5e-3, "b": 5e-3},
         validity=(Range("h/b", most=1.0, why="h is the thin side"),),
-    ),
-    Card(
-        name="warping-constant",
-        function=warping_constant,
-        example={"h": 0.5e-3, "b": 5e-3},
-        validity=(Range("h/b", most=0.2, why="the warping function y z is that of a strip"),),
     ),
 )
 

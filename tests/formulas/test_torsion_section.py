@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.torsion_section import CARDS, shear_factor, torsion_constant
+from flexcli.formulas.torsion_section import CARDS, shear_factor, torsion_constant, warping
 
 ROUNDING = 1e-13
 """Relative: a dozen terms of one sign."""
@@ -90,3 +90,22 @@ def test_table_of_the_card_starts_at_the_square():
     _, J = table.columns["J/(b h³)"]
     assert table.values[0] == 1.0
     assert J(1.0) == pytest.approx(0.1406, abs=5e-5)
+
+
+@pytest.mark.parametrize("ratio", [0.05, 0.2, 0.5, 1.0])
+def test_warping_is_that_of_the_function_that_frees_the_faces(ratio):
+    """∇²ψ = 0 by its series, taken at the nodes of a quadrature; its largest value beside them."""
+    x, w = np.polynomial.legendre.leggauss(120)
+    y, z = np.meshgrid(x / 2.0, x * ratio / 2.0, indexing="ij")
+    psi = y * z
+    for k in range(20):
+        rate = (2 * k + 1) * np.pi / ratio
+        fading = np.exp(rate * (abs(y) - 0.5)) * (1.0 - np.exp(-2.0 * rate * abs(y)))
+        wave = np.sin(rate * z) * np.sign(y) * fading / (1.0 + np.exp(-rate))
+        psi = psi - 8.0 * ratio**2 / np.pi**3 * (-1) ** k / (2 * k + 1) ** 3 * wave
+    weight = np.outer(w, w) * ratio / 4.0
+    constant, largest = warping(ratio, 1.0)
+    # twenty terms leave some 1e-6 of the warping of a square, of which little is left
+    assert float(constant) == pytest.approx(float((weight * psi**2).sum()), rel=1e-5)
+    # the nodes beside the largest miss it by some 1e-3
+    assert float(largest) == pytest.approx(float(psi.max()), rel=2e-3)

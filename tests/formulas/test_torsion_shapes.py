@@ -13,7 +13,6 @@ from flexcli.formulas.torsion_shapes import (
     star_core_error,
     star_torsion_constant,
     strip_torsion_constant,
-    warping_constant,
 )
 from flexcli.numerics.signomial import variables
 
@@ -144,13 +143,6 @@ def test_circle_has_its_polar_second_moment():
     r = 0.5 * (radius + 1.0) / 2.0
     polar = np.sum(2.0 * np.pi * r**3 * weights / 4.0)
     assert circle_torsion_constant(1.0) == pytest.approx(polar, rel=1e-14)
-
-
-def test_warping_constant_is_the_square_of_y_z_over_the_section():
-    nodes, weights = np.polynomial.legendre.leggauss(3)
-    h, b = 0.3, 2.0
-    integral = (weights @ (nodes * h / 2) ** 2 * h / 2) * (weights @ (nodes * b / 2) ** 2 * b / 2)
-    assert warping_constant(h, b) == pytest.approx(integral, rel=1e-13)
 
 
 @pytest.mark.parametrize(

@@ -281,26 +281,26 @@ class TorsionBar(TorsionGeometry):
         """Return what its closed forms are valid in; of clamps that hold it, the sides as well."""
         found = super().indicators(sizes, travel)
         if self.is_restrained:
-            found |= {"h/b": sizes.h / sizes.b, "l/b": sizes.l / sizes.b}
+            found["l/b"] = sizes.l / np.maximum(sizes.h, sizes.b)
         return found
 
     def end_errors(self, sizes: Blade, nu: float | None) -> EndErrors:
-        """Return bounds of what clamped Kirchhoff plates of any ν showed.
-
-        Stiffness is at most (0.8 % + 11 % ν²) b/l high, stress at the ends 2 % and more for ν above
-        a third, at mid-length 5 % low in short bars; the edges of thick strips warp less. Those of
-        b = 5 h have a warping constant 16 % below the strip's, by Saint-Venant's series.
-        """
+        """Return what blocks between rigid bodies showed; of the stress, where it is largest."""
         if not self.is_restrained:
             return EndErrors()
-        h, l, b = (float(size) for size in sizes)
         poisson = 0.5 if nu is None else nu
-        stiffness = (0.008 + 0.11 * poisson**2) * min(1.0, b / l)
-        E = 2.0 * (1.0 + poisson)
-        stiffness += float(restrained_torsion.thick_strip_error(E=E, G=1.0, h=h, b=b, l=l))
-        ends = 0.02 + 1.5 * max(0.0, poisson - 0.33) ** 2
-        stress = max(ends, 0.05 * min(1.0, (1.6 * b / l) ** 3))
-        return EndErrors(max(0.01, stiffness), max(stress, min(0.05, stress + h / b)))
+        at = sizes._asdict()
+        error = restrained_torsion.restraint_error(nu=poisson, **at)
+        found = restrained_torsion.restrained_stresses(
+            E=2.0 * (1.0 + poisson), G=1.0, theta=1.0, **at
+        )
+        values = np.array([sqrt(3.0) * found.shear, found.normal])
+        low, high = (
+            float(np.max(values * (1.0 + np.array(ends))) / np.max(values)) - 1.0
+            for ends in zip(error.shear, error.normal, strict=True)
+        )
+        stiffness = max(-float(error.stiffness.low), float(error.stiffness.high))
+        return EndErrors(stiffness, max(-low, high))
 
     def volume(self, sizes: Blade) -> Computed:
         """Return the volume of the bars [m³]."""

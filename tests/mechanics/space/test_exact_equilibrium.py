@@ -15,6 +15,7 @@ from flexcli.formulas.restrained_torsion import restrained_stiffness
 from flexcli.formulas.sheet_factors import axial_factor
 from flexcli.formulas.sheet_factors import guided_factor as sheet_guided_factor
 from flexcli.formulas.torsion_section import torsion_constant
+from flexcli.formulas.torsion_section import warping as section_warping
 from flexcli.mechanics import equilibrium as planar
 from flexcli.mechanics.layout import Blade, Body, Layout
 from flexcli.mechanics.refinement import Outcome
@@ -171,17 +172,23 @@ def test_restrained_twist_is_the_closed_form_for_small_torques(ratio):
 
 
 def test_long_fibres_stiffen_a_twisted_strip_as_its_differential_equation_says():
-    """``EΓ τ'' = GJ τ + W τ³ − T`` with τ = 0 at the clamps, solved by finite differences."""
+    """``EΓ τ''/a² = GJ τ/a + W τ³ − T`` with τ = 0 at the clamps, besides ``T/(G I_p)``.
+
+    By finite differences; a = 1 − J/I_p.
+    """
     l, b, h, angle = 0.1, 50e-3, 0.5e-3, np.deg2rad(5.0)
     nu = STEEL.nu
-    warping = E / (1.0 - nu**2) * b**3 * h**3 / 144.0
+    warping = E / (1.0 - nu**2) * float(section_warping(h, b)[0])
     GJ = G * float(torsion_constant(h, b))
     fourth = (b**5 * h + b * h**5) / 80.0 + b**3 * h**3 / 72.0
     polar = (b * h**3 + h * b**3) / 12.0
+    apart = 1.0 - GJ / (G * polar)
+    GJ, warping = GJ / apart, warping / apart**2
     W = E / 2.0 * (fourth - polar**2 / (b * h))
 
     def slope(s, y, p):
-        return np.stack([y[1], y[2], (GJ * y[1] + W * y[1] ** 3 - p[0] * 1e-2) / warping])
+        beside = p[0] * 1e-2 / (G * polar) + 0 * s
+        return np.stack([y[1] + beside, y[2], (GJ * y[1] + W * y[1] ** 3 - p[0] * 1e-2) / warping])
 
     def ends(start, end, p):
         return np.array([start[0], start[1], end[1], end[0] - angle])

@@ -77,7 +77,7 @@ def along(mesh: Mesh, z: Floats, f: Floats) -> Along:
     M = m + moved(conjugate(q), m)
     law = curled(M[..., 2], tau, mesh.clamped, mesh.curl, mesh.nu)
     law = Curled(*(np.where(mesh.flexible > 0.0, each, 0.0) for each in law))
-    kappa = np.stack([tau, mesh.bend_y * M[..., 1], law.kappa], axis=-1)
+    kappa = np.stack([tau + mesh.spin * M[..., 0], mesh.bend_y * M[..., 1], law.kappa], axis=-1)
     return Along(R, N, strain, rate, m, M, kappa, law)
 
 
@@ -127,8 +127,8 @@ def condense(mesh: Mesh, z: Floats, f: Floats) -> Condensed:
     # Φ = (θ', T − M_x) by δm, by (θ, τ) and by n at the same node
     by_m = np.empty((B, K, 4, 3))
     across, law = at.R[..., 2], at.law
-    bend = np.stack([mesh.bend_y, law.compliance], axis=-1)
-    by_m[..., :3, :] = (at.R[..., 1:] * bend[..., None, :]) @ R_t[..., 1:, :]
+    bend = np.stack([mesh.spin, mesh.bend_y, law.compliance], axis=-1)
+    by_m[..., :3, :] = (at.R * bend[..., None, :]) @ R_t
     by_m[..., 3, :] = -axis - law.coupling[..., None] * across
     by_z = np.empty((B, K, 4, 4))
     by_z[..., :3] = by_m @ skew(at.m)

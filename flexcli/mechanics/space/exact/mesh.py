@@ -26,9 +26,9 @@ class Mesh(NamedTuple):
     """All blades at the nodes of equally many segments; arrays (blades, K), matrices (…, K, K).
 
     ``w`` are the weights ds, ``J`` integrates from the start to the nodes, ``back`` from the nodes
-    to the end. ``C`` (blades, K, 3) are the compliances of stretch and shear, ``bend_y`` that of
-    bending about y, zero where rigid (``flexible`` 0); ``clamped`` and ``curl`` are what
-    :func:`flexcli.mechanics.space.exact.section_law.curled` takes. The twist rate τ obeys
+    to the end. ``C`` (blades, K, 3) are the compliances of stretch and shear, ``spin`` and
+    ``bend_y`` those about x and y, zero where rigid (``flexible`` 0); ``clamped`` and ``curl`` are
+    what :func:`flexcli.mechanics.space.exact.section_law.curled` takes. The twist rate τ obeys
     ``hold τ + twist (T − M_x) = 0`` at the nodes, with T the torque without that of warping.
     """
 
@@ -40,6 +40,7 @@ class Mesh(NamedTuple):
     back: Floats
     C: Floats
     flexible: Floats
+    spin: Floats
     bend_y: Floats
     clamped: Floats
     curl: Floats
@@ -133,6 +134,7 @@ def mesh_of(sections: tuple[Section, ...], count: int) -> Mesh:
         back=w[:, None, :] - J,
         C=C * flexible[..., None],
         flexible=flexible.astype(np.float64),
+        spin=numbers["spin"] * flexible,
         bend_y=numbers["bend_y"] * flexible,
         clamped=np.where(flexible, 1.0 / bend_z - 1.0, 0.0),
         curl=numbers["curl"],
@@ -152,6 +154,7 @@ _NUMBERS = (
     "axial",
     "shear_y",
     "shear_z",
+    "spin",
     "bend_y",
     "bend_z",
     "bend_z_edge",

@@ -145,7 +145,8 @@ def _blade(mesh: Mesh, i: int, at: Along) -> _Blade:
     R, N, kappa, M = (a[i, used] for a in (at.R, at.N, at.kappa, at.M))
     G = np.array([1.0, 0.0, 0.0]) + at.strain[i, used]
     C, law = mesh.C[i, used], Curled(*(each[i, used] for each in at.law))
-    tau, polar = kappa[:, 0], float(mesh.polar[i, 0])
+    spin, polar = mesh.spin[i, used], float(mesh.polar[i, 0])
+    tau = kappa[:, 0] - spin * M[:, 0]
     runs = [np.flatnonzero((used >= run.start) & (used < run.stop)) for run in mesh.runs[i]]
     R_t = np.swapaxes(R, -1, -2)
     # per unit length: η η, η η', η δn, and so on
@@ -193,7 +194,7 @@ def _blade(mesh: Mesh, i: int, at: Along) -> _Blade:
     add(unit[rate], 2.0 * rate_turn, turn)
     add(unit[moment], 2.0 * moment_turn, turn)
     add(unit[moment], 2.0 * np.broadcast_to(np.eye(3), (K, 3, 3)), unit[rate])
-    compliant = np.stack([np.zeros(K), mesh.bend_y[i, used], law.compliance], axis=-1)
+    compliant = np.stack([spin, mesh.bend_y[i, used], law.compliance], axis=-1)
     H[moment, moment] -= (w[:, None] * compliant).ravel()
     add(unit[moment[::3]], np.full((K, 1, 1), -2.0), spread)
     add(unit[moment[2::3]], -2.0 * law.coupling[:, None, None], spread)

@@ -15,8 +15,8 @@ from flexcli.formulas import plate_factors, sheet_factors
 from flexcli.formulas.profile import Constant, NeckedDown
 from flexcli.formulas.section import second_moment
 from flexcli.formulas.torsion_fibres import rectangle_fourth_moment
-from flexcli.formulas.torsion_section import torsion_constant
-from flexcli.formulas.torsion_shapes import circle_torsion_constant, warping_constant
+from flexcli.formulas.torsion_section import torsion_constant, warping
+from flexcli.formulas.torsion_shapes import circle_torsion_constant
 from flexcli.mechanics.mesh import SHEAR_FACTOR
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
 
@@ -51,9 +51,12 @@ class Section(NamedTuple):
     ``shear_z`` are EI/(l² EA), EI/(l² κGA). Bending about y is ``bend_y`` everywhere, about z
     ``bend_z + bend_z_edge · 12 (t − ½)²`` at the share t of a piece: its clamps keep a wide
     blade flat, its middle narrows; ``curl`` is the ``width`` by which curvature and twist flatten
-    it besides. ``torsion`` is GJ/EI, ``warping`` EΓ/(EI l²), ``polar`` I_p/(A l²), ``fibres``
+    it besides. ``torsion`` is GJ/(a EI), ``warping`` E'Γ/(a² EI l²) and ``spin`` EI/(G I_p) with
+    a = 1 − J/I_p, or GJ/EI, 0 and 0 where ends may warp; ``polar`` I_p/(A l²), ``fibres``
     ½E(∫r⁴ − I_p²/A)/(EI l²) without what curling has of it, so that the torque of a twist rate τ
-    is ``torsion τ + polar N τ + fibres τ³ − (warping τ')'`` and that of curling.
+    is ``torsion τ + polar N τ + fibres τ³ − (warping τ')'`` and that of curling. A torque twists
+    the section by ``spin`` of it besides, which warping takes no part in (Benscoter's torsion:
+    :func:`flexcli.formulas.restrained_torsion.restrained_stiffness`; the warping is τ/a).
     """
 
     EI: float
@@ -69,6 +72,7 @@ class Section(NamedTuple):
     nu: float
     torsion: float
     warping: float
+    spin: float
     polar: float
     fibres: float
 
@@ -105,6 +109,7 @@ def _rod(rod: SpaceRod, l: float, effects: BeamEffects) -> Section:
         nu=rod.material.nu,
         torsion=G * circle_torsion_constant(rod.d) / EI,
         warping=0.0,
+        spin=0.0,
         polar=effects.long_fibres * 2.0 * I / (A * l**2),
         # ∫r⁴ = π d⁶/192, I_p²/A = π d⁶/256
         fibres=effects.long_fibres * E / 2.0 * pi * rod.d**6 / 768.0 / (EI * l**2),
@@ -155,7 +160,9 @@ def _strip(blade: SpaceBlade, l: float, effects: BeamEffects) -> Section:
     I_p = second_moment(b, h) + second_moment(h, b)
     curls = effects.plate and effects.long_fibres and effects.curling and b > h
     fourth = rectangle_fourth_moment(h, b) - I_p**2 / A - curls * h * b**5 / 180.0
-    thin, wide = min(h, b), max(h, b)
+    J = float(torsion_constant(h, b))
+    apart = 1.0 - effects.warping * J / I_p
+    held = effects.warping * E / (1.0 - nu**2) * float(warping(h, b).constant)
     return Section(
         EI=EI,
         l=l,
@@ -168,8 +175,9 @@ def _strip(blade: SpaceBlade, l: float, effects: BeamEffects) -> Section:
         bend_z_edge=edge,
         curl=curls * 3.0 * (1.0 - nu**2) * (b**2 / (h * l)) ** 2,
         nu=nu,
-        torsion=G * float(torsion_constant(h, b)) / EI,
-        warping=effects.warping * E / (1.0 - nu**2) * warping_constant(thin, wide) / (EI * l**2),
+        torsion=G * J / apart / EI,
+        warping=held / apart**2 / (EI * l**2),
+        spin=effects.warping * EI / (G * I_p),
         polar=effects.long_fibres * I_p / (A * l**2),
         fibres=effects.long_fibres * E / 2.0 * fourth / (EI * l**2),
     )

@@ -1,8 +1,9 @@
 """Stress along the blades and rods of a mechanism in space at an equilibrium: that of the beams.
 
-``σ = N/A − M_z y/I_z + M_y z/I_y + E' y z τ' + ½ E τ² (y² + z² − I_p/A)`` at the corners, with
-E' = E/(1 − ν²) and τ the twist rate; the shear of Saint-Venant's torsion in the middle of the broad
-faces. At a clamp the stress is locally higher, since it keeps the section from narrowing
+``σ = N/A − M_z y/I_z + M_y z/I_y + E' ψ f' + ½ E τ² (y² + z² − I_p/A)`` at the corners, with
+E' = E/(1 − ν²), τ the twist rate, ψ the section's largest warping (near a corner) and f what the
+section warps by; the shear of torsion in the middle of the broad faces. At a clamp the stress is
+locally higher, since it keeps the section from narrowing
 (:mod:`flexcli.formulas.clamp_stress`); that is not in these numbers.
 """
 
@@ -11,10 +12,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.torsion_section import shear_factor
+from flexcli.formulas.torsion_section import shear_factor, warping
 from flexcli.mechanics.space.exact.blade import along
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
-from flexcli.mechanics.space.exact.section import thickness
+from flexcli.mechanics.space.exact.section import Section, thickness
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
 from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
 
@@ -60,7 +61,7 @@ def blade_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
             [
                 unit * felt.N[i, :, :1],
                 unit * section.l * felt.M[i],
-                felt.kappa[i, :, :1] / section.l,
+                found.nodes[i, :, 4:] / section.l,
             ],
             axis=-1,
         )
@@ -81,19 +82,22 @@ def blade_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
             rate = np.polynomial.legendre.legval(u, rise) * 2.0 / (long * section.l)
             slope.append(rate)
         rows, rates = np.concatenate(at), np.concatenate(slope)
-        out.append(_of_section(blade, section.l, np.concatenate(s), rows, rates, state))
+        out.append(_of_section(blade, section, np.concatenate(s), rows, rates, state))
     return tuple(out)
 
 
 def _of_section(
     blade: SpaceBlade | SpaceRod,
-    l: float,
+    section: Section,
     s: Floats,
     rows: Floats,
     rates: Floats,
     state: SpaceEquilibrium,
 ) -> BladeStress:
-    N, M_y, M_z, tau = rows[:, 0], rows[:, 2], rows[:, 3], rows[:, 4]
+    N, M_y, M_z = rows[:, 0], rows[:, 2], rows[:, 3]
+    warped = 1.0 + section.torsion * section.spin
+    f, rates = rows[:, 4] * warped, rates * warped
+    tau = rows[:, 4] + section.spin / section.EI * rows[:, 1]
     E, G, nu = blade.material.E, blade.material.G, blade.material.nu
     long_fibres = state.effects.long_fibres
     if isinstance(blade, SpaceRod):
@@ -112,9 +116,9 @@ def _of_section(
             corner=(N / A + fibres)[:, None] + bent[:, None] * np.array([1.0, -1.0]),
             shear=np.abs(G * tau) * blade.d / 2.0,
         )
-    h, b = thickness(blade, l)[0], blade.b
+    h, b = thickness(blade, section.l)[0], blade.b
     thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
-    warping = state.effects.warping * E / (1.0 - nu**2) * h * b / 4.0 * rates
+    held = state.effects.warping * E / (1.0 - nu**2) * float(warping(h, b).largest) * rates
     r2 = (h**2 + b**2) / 12.0
     fibres = long_fibres * E * tau**2 / 2.0 * ((h**2 + b**2) / 4.0 - r2)
     axial = N / (b * h)
@@ -126,8 +130,8 @@ def _of_section(
         axial=axial,
         bend_thin=np.abs(thin),
         bend_wide=np.abs(wide),
-        warping=np.abs(warping),
+        warping=np.abs(held),
         fibres=fibres,
-        corner=corner + warping[:, None] * y * z,
-        shear=np.abs(G * tau) * min(h, b) * float(shear_factor(h, b)),
+        corner=corner + held[:, None] * y * z,
+        shear=G * min(h, b) * np.abs((float(shear_factor(h, b)) - 0.5) * f + 0.5 * tau),
     )
