@@ -15,7 +15,7 @@ from flexcli.formulas.force_limit import force_limit, notch_factor
 from flexcli.formulas.spectrum import Side, spectral_level
 from flexcli.formulas.straight_spectrum import straight_lines
 from flexcli.numerics.modes import natural_modes
-from flexcli.parts.asd import AppliedASD, RandomVibration
+from flexcli.parts.asd import AppliedASD, Axis, Vibration
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.response import apparent_mass, mode_qualities, sweep_points
@@ -65,12 +65,12 @@ def notch(
     along = _axis(vibration, axis)
     ask = design.ask(design.scene(name), sizes, model_series(design)[0].joint_model)
     structure = structure_of_case(ask)
-    applied = vibration.applied()
+    applied = vibration.by_axis()[along]
     total = structure.moved[along] + limit.fixed_mass
     knee = _primary(structure, along) if limit.knee is None else limit.knee
     modes = natural_modes(structure.stiffness, structure.mass)
     resonances = modes.angular / (2.0 * np.pi)
-    Q = mode_qualities(structure, vibration, modes)
+    Q = mode_qualities(structure, vibration.q, vibration.axes, modes)
 
     def factor(f: Floats) -> Floats:
         mass = apparent_mass(structure, Q, along, f) + limit.fixed_mass
@@ -86,11 +86,11 @@ def notch(
     edges = dense[np.flatnonzero(np.diff(lowered))] if lowered.any() else np.zeros(0)
     cuts = np.union1d(cuts, edges)
     f, g = straight_lines(level, np.union1d(cuts, _inside(resonances, corners)), tolerance=1e-2)
-    profile = vibration.profile
+    profile = vibration.alone(along).profile
     title = f"{profile.name or name}, force limited, C = {limit.C:g}"
     note = (
         f"Notched for case {name} along {along}: C = {limit.C:g}, M0 = {total:.4g} kg, "
-        f"f0 = {knee:.4g} Hz, n = {limit.exponent:g}, {vibration.told_q}."
+        f"f0 = {knee:.4g} Hz, n = {limit.exponent:g}, {vibration.q.told}."
     )
     new = made(title, note, f, g, [profile], "log-log")
     new = new.model_copy(update={"duration": applied.duration})
@@ -137,8 +137,9 @@ def notch(
     )
 
 
-def _vibration(design: DesignSpec, case: str | None) -> tuple[str, RandomVibration]:
-    found = {name: loads.asd for name, loads in design.cases.items() if loads.asd is not None}
+def _vibration(design: DesignSpec, case: str | None) -> tuple[str, Vibration]:
+    vibrations = {name: loads.vibration for name, loads in design.cases.items()}
+    found = {name: each for name, each in vibrations.items() if each is not None}
     if case is not None and case not in found:
         known = ", ".join(found) or "none has"
         text = f"case '{case}' has no random vibration"
@@ -151,13 +152,14 @@ def _vibration(design: DesignSpec, case: str | None) -> tuple[str, RandomVibrati
     return names[0], found[names[0]]
 
 
-def _axis(vibration: RandomVibration, axis: str | None) -> str:
+def _axis(vibration: Vibration, axis: str | None) -> Axis:
     if axis is None and len(vibration.axes) == 1:
         return vibration.axes[0]
-    if axis not in vibration.axes:
+    along = next((each for each in vibration.axes if each == axis), None)
+    if along is None:
         text = f"the base is shaken along {' and '.join(vibration.axes)}"
         raise SolveError("which-axis", text, f"name one by --axis: {', '.join(vibration.axes)}")
-    return axis
+    return along
 
 
 def _primary(structure: Structure, axis: str) -> float:

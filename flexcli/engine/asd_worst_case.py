@@ -10,7 +10,9 @@ from flexcli.formulas.oscillator import oscillator_response
 from flexcli.formulas.peaks import MINIMUM_CYCLES, davenport_peak_factor, peak_factor
 from flexcli.formulas.response_spectrum import ResponseSpectrum
 from flexcli.parts.asd import AppliedASD, ASDProfile, RandomVibration
+from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.quality import Quality
 from flexcli.results import Cost, Note, Result, Status, Value, WorstCaseRow
 from flexcli.units import STANDARD_GRAVITY, show
 
@@ -47,11 +49,20 @@ def environments(
     """Return every vibration of a design, with its own Q and duration or with those given."""
     _refuse_overdamped(qualities)
     return [
-        _environment(case, use.profile.name, use, q, duration)
+        _environment(name, use.profile.name, use, q, duration)
         for case, loads in design.cases.items()
-        if (use := loads.asd) is not None
-        for q in qualities or (use.q,)
+        for name, use in _each(case, loads)
+        for q in qualities or (use.q.all,)
     ]
+
+
+def _each(case: str, loads: Case) -> list[tuple[str, RandomVibration]]:
+    """Return the profiles of a case, those by axis under names of their own."""
+    if loads.asd is not None:
+        return [(case, loads.asd)]
+    every = loads.vibration
+    axes = every.axes if every is not None else ()
+    return [(f"{case} along {axis}", every.alone(axis)) for axis in axes if every is not None]
 
 
 def exposed(
@@ -60,7 +71,7 @@ def exposed(
     """Return a profile as it is, with every Q given."""
     _refuse_overdamped(qualities)
     return [
-        _environment("", name, RandomVibration(profile=profile, q=q), q, duration)
+        _environment("", name, RandomVibration(profile=profile, q=Quality(all=q)), q, duration)
         for q in qualities
     ]
 

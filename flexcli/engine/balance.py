@@ -181,7 +181,7 @@ def _quality(design: DesignSpec, mechanism: Mechanism) -> float | None:
     if mechanism.damping is not None:
         return mechanism.damping.quality
     vibration = _options(design).asd
-    return vibration.q if vibration is not None else None
+    return vibration.q.all if vibration is not None else None
 
 
 def _options(design: DesignSpec) -> BalanceOptions:

@@ -53,6 +53,8 @@ WOULD_LOOK = {
     LoadKind.SHOCK: "dynamic-yield or dynamic-buckling",
     LoadKind.SINE: "dynamic-yield or dynamic-buckling",
     LoadKind.SWEEP: "dynamic-yield or dynamic-buckling",
+    LoadKind.AXES: "dynamic-yield or dynamic-buckling",
+    LoadKind.SINES: "dynamic-yield or dynamic-buckling",
     LoadKind.TEMPERATURE: "yield, or parasitic_shift beside a stroke",
 }
 """Which requirement would look at a load that none looks at."""

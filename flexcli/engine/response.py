@@ -10,13 +10,13 @@ from flexcli.engine.response_spectra import UNITS, densities, structure_of_case,
 from flexcli.engine.vibration_notes import vibration_notes
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
-from flexcli.parts.asd import RandomVibration
+from flexcli.parts.asd import Vibration
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements import Ask, RequirementError, Requirements
 from flexcli.parts.requirements.response_range import uncertain_structure
-from flexcli.parts.requirements.shaking import SHAKES, shakings, together
+from flexcli.parts.requirements.shaking import RANDOM, SHAKES, at_once, shakings
 from flexcli.parts.response import REACH, Output, random_response
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import Structure
@@ -130,9 +130,12 @@ def _responses(ask: Ask) -> Iterator[CaseResponse]:
     structure, scene = structure_of_case(ask), ask.scene
     try:
         if scene.vibration is not None:
-            yield _random(ask, structure, scene.vibration)
+            every = scene.vibration
+            each = [every.alone(axis) for axis in every.axes] if scene.in_turn else [every]
+            for vibration in each:
+                yield _random(ask, structure, vibration)
         for shaking in shakings(ask, _by_sigma):
-            if shaking.kind is not LoadKind.ASD:
+            if shaking.kind not in RANDOM:
                 peaks = shaking.peaks(structure)
                 yield CaseResponse(scene.case, shaking.source, (), _peaks(peaks), {}, None)
     except (ValueError, RequirementError) as error:
@@ -140,7 +143,7 @@ def _responses(ask: Ask) -> Iterator[CaseResponse]:
         raise SolveError("no-response", f"case '{scene.case}': {error}", hint) from error
 
 
-def _by_sigma(_scene: Scene, vibration: RandomVibration, _rate: float) -> float:
+def _by_sigma(_scene: Scene, vibration: Vibration, _rate: float) -> float:
     return vibration.sigma
 
 
@@ -151,9 +154,9 @@ def _peaks(peaks: Mapping[str, float]) -> tuple[OutputResult, ...]:
     )
 
 
-def _random(ask: Ask, structure: Structure, vibration: RandomVibration) -> CaseResponse:
+def _random(ask: Ask, structure: Structure, vibration: Vibration) -> CaseResponse:
     response = random_response(structure, vibration)
-    duration = vibration.applied().duration
+    duration = vibration.lasts
     outputs = tuple(
         _output(name, output, vibration.sigma, duration)
         for name, output in response.outputs.items()
@@ -165,7 +168,9 @@ def _random(ask: Ask, structure: Structure, vibration: RandomVibration) -> CaseR
             for name, output in response.outputs.items()
             if name.startswith("stress")
         }
-    kind = f"random, {vibration.told_q}, along {', '.join(vibration.axes)}"
+    kind = f"random, {vibration.q.told}, along {', '.join(vibration.axes)}"
+    if len(vibration.axes) > 1:
+        kind += " at once, added as squares"
     told = tuple(m for m in response.modes if m.dynamic or m.mass_share > TELLING)
     return CaseResponse(ask.scene.case, kind, told, outputs, lives, duration)
 
@@ -215,7 +220,7 @@ def _worst_values(ask: Ask) -> dict[str, Value]:
     """Return the largest stress and force of a case, each with what its peak may be off by."""
     found: dict[str, Value] = {}
     case, each = ask.scene.case, list(shakings(ask, _by_sigma))
-    for shaking in (*each, *(together(each) if len(each) > 1 else ())):
+    for shaking in (*each, *(at_once(ask, _by_sigma) if len(each) > 1 else ())):
         over = uncertain_structure(ask, shaking.changes_at).of(shaking.peaks)
         for word, label in (("stress", "stress at a blade's end"), ("force", "force on a joint")):
             at = max((n for n in over if n.startswith(word)), key=lambda name: over[name][0])
@@ -223,7 +228,7 @@ def _worst_values(ask: Ask) -> dict[str, Value]:
             where, unit = f"{label}, {at.split()[-1]}, {case}", UNITS[word]
             known = error.largest if error is not None else None
             one = {f"{word}_peak_{case}": Value(peak, unit, f"peak {where}", MODEL, "", known)}
-            if shaking.kind is LoadKind.ASD:
+            if shaking.kind in RANDOM:
                 assert ask.scene.vibration is not None  # it is random
                 rms = peak / ask.scene.vibration.sigma
                 name = f"{word}_rms_{case}"
@@ -239,7 +244,7 @@ def _is_larger(found: Mapping[str, Value], name: str, value: Value) -> bool:
 def _higher_modes(scene: Scene, response: CaseResponse) -> EffectRow:
     """Return the effect of the modes' resonance that was left out as the band can't excite it."""
     assert scene.vibration is not None  # a random response
-    band_end = float(scene.vibration.applied().frequency[-1])
+    band_end = scene.vibration.band[1]
     lowest = min((m.frequency for m in response.modes if not m.dynamic), default=None)
     excited = sum(mode.dynamic for mode in response.modes)
     if lowest is None:

@@ -51,13 +51,15 @@ def densities(ask: Ask) -> Iterator[Spectrum]:
     vibration = ask.scene.vibration
     if vibration is None:
         return
-    f, level, found = response_density(structure_of_case(ask), vibration)
+    f, levels, found = response_density(structure_of_case(ask), vibration)
     columns = [_column("frequency", "Hz", "", f)]
     for name, density in found.items():
         unit = f"{UNITS[name.split()[0]]}^2/Hz"
         columns.append(_column(name, unit, "", density))
-    label = "acceleration of the base, along each axis"
-    columns.append(_column("base", "(m/s^2)^2/Hz", label, level))
+    distinct = len({id(each) for each in vibration.by_axis().values()}) > 1
+    for axis, level in levels.items() if distinct else [("", next(iter(levels.values())))]:
+        label = f"acceleration of the base, along {axis or 'each axis'}"
+        columns.append(_column(f"base {axis}".strip(), "(m/s^2)^2/Hz", label, level))
     name = f"response densities, along {', '.join(vibration.axes)}"
     yield Spectrum("density", name, ask.scene.case, tuple(columns))
 
@@ -70,15 +72,16 @@ def transfers(ask: Ask) -> Iterator[Spectrum]:
     resonances = modes.angular / (2.0 * np.pi)
     vibration = scene.vibration
     if vibration is not None:
-        Q = mode_qualities(structure, vibration, modes)
-        ends = vibration.applied().frequency[[0, -1]].tolist()
-        axes |= dict.fromkeys(vibration.axes, (vibration.told_q, Q, (ends[0], ends[1])))
+        Q = mode_qualities(structure, vibration.q, vibration.axes, modes)
+        axes |= dict.fromkeys(vibration.axes, (vibration.q.told, Q, vibration.band))
     around = float(resonances[0]) / 10.0, 10.0 * float(resonances[0])
     if scene.shock is not None:
         axes.setdefault(scene.shock.axis, (f"Q = {scene.shock.q:g}", scene.shock.q, around))
-    if scene.sweep is not None or scene.sine is not None:
-        quality = quality_of(ask.mechanism, scene)
-        axes.setdefault("x", (f"Q = {quality:g}", quality, around))
+    for sine in (scene.sine, scene.sweep, *scene.sines):
+        if sine is not None and sine.axis not in axes:
+            quality = quality_of(ask.mechanism, scene)
+            Q = mode_qualities(structure, quality, (sine.axis,), modes)
+            axes[sine.axis] = quality.told, Q, around
     for axis, (told, each, band) in axes.items():
         f = sweep_points(band, resonances, each)
         columns = [_column("frequency", "Hz", "", f)]

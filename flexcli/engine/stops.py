@@ -217,7 +217,7 @@ def _notes(
         yield Note("hard-stop", f"{text}contact's shock, flexure stops --simulate")
     if task.stops.sides == "one":
         yield Note("one-sided", "the operating line was measured between stops on both sides")
-    others = [name for name, case in design.cases.items() if case.asd or case.shock]
+    others = [name for name, case in design.cases.items() if case.vibration or case.shock]
     if others:
         text = f"the operating line was measured with a sine; {', '.join(others)} is none: "
         yield Note("line-of-a-sine", f"{text}it is no bound there, simulation decides")

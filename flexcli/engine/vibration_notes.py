@@ -6,11 +6,12 @@ import numpy as np
 
 from flexcli.engine.response_spectra import structure_of_case
 from flexcli.numerics.modes import natural_modes
-from flexcli.parts.asd import RandomVibration
+from flexcli.parts.asd import RandomVibration, Vibration
 from flexcli.parts.geometries import NotAvailable
+from flexcli.parts.quality import Quality
 from flexcli.parts.requirements import Ask, RequirementError
 from flexcli.parts.requirements.closed_form import least_blade_force
-from flexcli.parts.requirements.shaking import shakings, together
+from flexcli.parts.requirements.shaking import at_once
 from flexcli.parts.response import mode_qualities, random_outputs
 from flexcli.parts.scene import Scene
 from flexcli.parts.structure import MOTIONS, Structure
@@ -37,21 +38,22 @@ def vibration_notes(ask: Ask) -> Iterator[Note]:
     scene, structure = ask.scene, structure_of_case(ask)
     if scene.vibration is not None:
         yield from _missing_modes(scene, structure, scene.vibration)
-        yield from dict.fromkeys(_beside_the_band(scene, structure, scene.vibration))
+        for axis in scene.vibration.axes:
+            alone = scene.vibration.alone(axis)
+            yield from dict.fromkeys(_beside_the_band(scene, structure, alone))
     yield from _large_travel(ask, structure)
     yield from _large_axial_force(ask, structure)
 
 
-def _missing_modes(
-    scene: Scene, structure: Structure, vibration: RandomVibration
-) -> Iterator[Note]:
+def _missing_modes(scene: Scene, structure: Structure, vibration: Vibration) -> Iterator[Note]:
     """Yield which modes have a Q of their own and are not there."""
     modes = natural_modes(structure.stiffness, structure.mass)
-    marked = vibration.model_copy(
-        update={"q": 1.0, "q_of_modes": dict.fromkeys(range(1, modes.angular.size + 1), 2.0)}
+    marked = Quality.model_construct(
+        all=1.0, modes=dict.fromkeys(range(1, modes.angular.size + 1), 2.0)
     )
-    count = int((mode_qualities(structure, marked, modes) == 2.0).sum())
-    for number in sorted(vibration.q_of_modes):
+    axes = vibration.axes
+    count = int((mode_qualities(structure, marked, axes, modes) == 2.0).sum())
+    for number in sorted(vibration.q.modes):
         if number > count:
             text = f"case '{scene.case}': q names mode {number}, and the base moves {count} modes"
             yield Note("no-such-mode", text)
@@ -65,7 +67,7 @@ def _beside_the_band(
     low, high = float(applied.frequency[0]), float(applied.frequency[-1])
     modes = natural_modes(structure.stiffness, structure.mass)
     own = random_outputs(structure, vibration)
-    qualities = mode_qualities(structure, vibration, modes)
+    qualities = mode_qualities(structure, vibration.q, vibration.axes, modes)
     for n, (frequency, Q) in enumerate(zip(modes.angular / (2.0 * np.pi), qualities, strict=True)):
         share = max(
             float(modes.shapes[:, n] @ structure.pull[axis]) ** 2 / structure.moved[axis]
@@ -102,8 +104,7 @@ def _beside_the_band(
 
 def _large_travel(ask: Ask, structure: Structure) -> Iterator[Note]:
     """Yield that the own motion is large for linear modes."""
-    found = list(shakings(ask, lambda _scene, vibration, _rate: vibration.sigma))
-    for shaking in together(found):
+    for shaking in at_once(ask, lambda _scene, vibration, _rate: vibration.sigma):
         try:
             peaks = shaking.peaks(structure)
         except ValueError:
@@ -131,11 +132,13 @@ def axial_share(ask: Ask, structure: Structure) -> float | None:
     """Return the peak axial force in a blade over its critical one, where the ends are known."""
     if ask.scene.ends is None:
         return None
-    found = list(shakings(ask, lambda _scene, vibration, _rate: vibration.sigma))
     try:
-        (shaking,) = together(found)
-        peaks = shaking.peaks(structure)
-        axial = max((peaks[name] for name in peaks if name.startswith("axial")), default=0.0)
+        found = at_once(ask, lambda _scene, vibration, _rate: vibration.sigma)
+        each = [shaking.peaks(structure) for shaking in found]
+        axial = max(
+            (p for peaks in each for name, p in peaks.items() if name.startswith("axial")),
+            default=0.0,
+        )
         force = axial / float(ask.geometry.axial_stress(1.0, ask.sizes))
         return force / float(least_blade_force(ask).force)
     except (NotAvailable, RequirementError, ValueError):

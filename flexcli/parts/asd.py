@@ -1,9 +1,10 @@
 """The acceleration spectral density of a vibration environment, and how a case uses it."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,24 +33,35 @@ from flexcli.parts.base import (
     said,
     spec_error,
 )
+from flexcli.parts.quality import Quality
 from flexcli.units import LARGEST, SMALLEST, show
 
 __all__ = [
+    "AXES",
     "ASDProfile",
     "AppliedASD",
+    "Axis",
     "Breakpoint",
+    "Gain",
+    "ItemMass",
+    "Margin",
     "MassScaling",
     "RandomVibration",
     "Segment",
     "Start",
     "Tolerance",
+    "Vibration",
+    "refuse_mass",
 ]
 
 Floats = NDArray[np.float64]
 
+Axis: TypeAlias = Literal["x", "y", "z"]
+
+AXES: tuple[Axis, ...] = ("x", "y", "z")
+
 Gain = Annotated[float, QuantityOf("decibel", above=-100.0, below=100.0)]
 Margin = Annotated[float, QuantityOf("decibel", at_least=0.0, below=100.0)]
-Quality = Annotated[float, QuantityOf("ratio", at_least=0.5)]
 Slope = Annotated[float, QuantityOf("slope", above=-1000.0, below=1000.0)]
 ItemMass = Annotated[float, QuantityOf("mass", above=0.0)]
 
@@ -348,51 +360,59 @@ class AppliedASD:
         return miles_worst_case(self.frequency, self.level, q, scale=self.scale)
 
 
-class OrByMode:
-    """A type marker of Q: in a spec ``{all: 50, modes: {1: 80}}`` gives some modes their own."""
-
-    def __get_pydantic_json_schema__(
-        self, schema: CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
-        plain = handler(schema)
-        modes = {
-            "type": "object",
-            "patternProperties": {r"^[1-9][0-9]*$": plain},
-            "additionalProperties": False,
-            "description": "Q of modes by their number, as asd response counts them",
-            "examples": [{"1": 80}],
-        }
-        each = {
-            "type": "object",
-            "properties": {
-                "all": {
-                    "allOf": [plain],
-                    "description": "Q of all the other modes",
-                    "examples": [50],
-                },
-                "modes": modes,
-            },
-            "required": ["all", "modes"],
-            "additionalProperties": False,
-        }
-        return {"anyOf": [plain, each]}
+def refuse_mass(profile: ASDProfile, mass: float | None) -> None:
+    """Raise what is wrong with the mass of an item, by the profile's scaling."""
+    if mass is None:
+        return
+    scaling = profile.mass_scaling
+    if scaling is None:
+        raise spec_error(
+            "this profile has no scaling with mass",
+            "remove it, or give the profile its mass_scaling",
+            at=("mass",),
+        )
+    if mass > scaling.uniform_to:
+        raise spec_error(
+            f"beyond {show(scaling.uniform_to, 'kg')} this standard changes the shape too",
+            "write the standard's points for this mass as a profile, without mass here",
+            at=("mass",),
+        )
 
 
-def _by_mode(given: dict[str, Any]) -> dict[str, Any]:
-    """Return what a Q by modes says, as the fields of a vibration."""
-    for key in given:
-        if key not in ("all", "modes"):
-            raise spec_error(f"unknown key '{key}'", "write {all: 50, modes: {1: 80}}", at=("q",))
-    for key in ("all", "modes"):
-        if key not in given:
-            raise spec_error(f"'{key}' is missing", "write {all: 50, modes: {1: 80}}", at=("q",))
-    modes = given["modes"]
-    if not isinstance(modes, dict) or not all(str(key).isdigit() for key in modes):
-        raise spec_error("modes are numbers from 1 on", "write modes: {1: 80}", at=("q", "modes"))
-    return {"q": given["all"], "q_of_modes": {int(key): value for key, value in modes.items()}}
+class Vibration(ABC):
+    """A random vibration of the base along one axis, or along several independent of each other."""
+
+    q: Quality
+    sigma: float
+
+    @abstractmethod
+    def by_axis(self) -> dict[Axis, AppliedASD]:
+        """Return the density that is designed for along each axis that is shaken."""
+
+    @abstractmethod
+    def alone(self, axis: Axis) -> "RandomVibration":
+        """Return what it does along one of its axes."""
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """Return the axes that are shaken."""
+        return tuple(self.by_axis())
+
+    @property
+    def lasts(self) -> float | None:
+        """Return how long it lasts [s], along several axes the longest of them."""
+        each = [applied.duration for applied in self.by_axis().values()]
+        known = [duration for duration in each if duration is not None]
+        return max(known) if len(known) == len(each) else None
+
+    @property
+    def band(self) -> tuple[float, float]:
+        """Return the lowest and the highest frequency of all axes [Hz]."""
+        each = [applied.frequency for applied in self.by_axis().values()]
+        return min(float(f[0]) for f in each), max(float(f[-1]) for f in each)
 
 
-class RandomVibration(Part):
+class RandomVibration(Part, Vibration):
     """A profile as a case uses it, the quality factor of the response, and the sigma of design.
 
     ``scale`` and ``tolerance`` raise the level (the upper edge is designed for), ``mass`` lowers
@@ -401,11 +421,10 @@ class RandomVibration(Part):
 
     profile: ASDProfile
     """The profile: inline, the name of a shipped one, or a path, e.g. ``gevs-qualification``."""
-    q: Annotated[float, QuantityOf("ratio", at_least=0.5), OrByMode()]
-    """Quality factor Q of the response, or of its modes by their number, the others' beside,
-    e.g. ``100``.
+    q: Quality
+    """Quality factor Q of the response, or of its modes by their number, the others' beside; left
+    out, that of the case, e.g. ``100``.
     """
-    q_of_modes: dict[Annotated[int, Field(ge=1)], Quality] = Field(default_factory=dict)
     sigma: Ratio = 3.0
     """Peak that is designed for, in root mean squares, e.g. ``3``."""
     scale: Gain = 0.0
@@ -418,8 +437,9 @@ class RandomVibration(Part):
     """
     duration: Duration | None = None
     """Time it lasts, in place of the profile's, e.g. ``60 s``."""
-    axis: Literal["x", "y", "x and y"] = "x"
-    """Axes along which the base is shaken; x is that of the stroke, or of a pivot's symmetry,
+    axis: Literal["x", "y", "z", "x and y", "x and z", "y and z", "x, y and z"] = "x"
+    """Axes along which the base is shaken, of several independently at once; x is that of the
+    stroke, or of a pivot's symmetry, z that of the blades' width,
     e.g. ``x and y``.
     """
 
@@ -434,9 +454,8 @@ class RandomVibration(Part):
             "examples": ["psd.csv"],
             "beside": {"q": 100},  # not the profile of the example around it
         }
-        kept = {k: v for k, v in whole["properties"].items() if k != "q_of_modes"}
-        whole["properties"] = {**kept, "points": points}
-        whole["required"] = [key for key in whole["required"] if key != "profile"]
+        whole["properties"] = {**whole["properties"], "points": points}
+        whole["required"] = [key for key in whole["required"] if key not in ("profile", "q")]
         either = [{"required": ["profile"]}, {"required": ["points"]}]
         return {**whole, "oneOf": either}
 
@@ -447,8 +466,6 @@ class RandomVibration(Part):
             raise spec_error(
                 "a vibration case needs its profile and Q", "write {profile: my.yaml, q: 100}"
             )
-        if isinstance(data.get("q"), dict):
-            data = {**data, **_by_mode(data["q"])}
         if "points" not in data:
             return data
         if "profile" in data:
@@ -458,38 +475,16 @@ class RandomVibration(Part):
 
     @model_validator(mode="after")
     def _mass_can_be_applied(self) -> "RandomVibration":
-        if self.mass is None:
-            return self
-        scaling = self.profile.mass_scaling
-        if scaling is None:
-            raise spec_error(
-                "this profile has no scaling with mass",
-                "remove it, or give the profile its mass_scaling",
-                at=("mass",),
-            )
-        if self.mass > scaling.uniform_to:
-            raise spec_error(
-                f"beyond {show(scaling.uniform_to, 'kg')} this standard changes the shape too",
-                "write the standard's points for this mass as a profile, without mass here",
-                at=("mass",),
-            )
+        refuse_mass(self.profile, self.mass)
         return self
 
-    @property
-    def largest_q(self) -> float:
-        """Return the largest quality factor of any mode."""
-        return max(self.q, *self.q_of_modes.values()) if self.q_of_modes else self.q
+    def by_axis(self) -> dict[Axis, AppliedASD]:
+        """Return the one density along each axis that is shaken."""
+        return dict.fromkeys((axis for axis in AXES if axis in self.axis), self.applied())
 
-    @property
-    def told_q(self) -> str:
-        """Return its quality factors in words."""
-        own = ", ".join(f"{q:g} of mode {n}" for n, q in sorted(self.q_of_modes.items()))
-        return f"Q = {self.q:g}" + (f" ({own})" if own else "")
-
-    @property
-    def axes(self) -> tuple[Literal["x", "y"], ...]:
-        """Return the axes that are shaken."""
-        return ("x", "y") if self.axis == "x and y" else (self.axis,)
+    def alone(self, axis: Axis) -> "RandomVibration":
+        """Return the same along one axis."""
+        return self.model_copy(update={"axis": axis})
 
     def applied(self) -> AppliedASD:
         """Return the density that is designed for, with all that the case applies to it."""

@@ -4,20 +4,25 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import PrivateAttr, model_validator
 
-from flexcli.parts.base import Acceleration, Angle, Force, Part, QuantityOf, spec_error
+from flexcli.parts.base import Acceleration, Angle, Force, Part, QuantityOf, Ratio, spec_error
 from flexcli.parts.ends import EndCondition
 from flexcli.parts.named import Named
 from flexcli.parts.stroke import Stroke
 
 if TYPE_CHECKING:
-    from flexcli.parts.asd import RandomVibration
-    from flexcli.parts.excitation import Sine, Sweep
+    from flexcli.parts.asd import RandomVibration, Vibration
+    from flexcli.parts.axes import Axes
+    from flexcli.parts.excitation import Sine, Sweep, Tone
+    from flexcli.parts.quality import Quality
     from flexcli.parts.shock import Shock
     from flexcli.parts.temperature import Temperature
 else:
     RandomVibration = Annotated[Any, Named("flexcli.parts.asd:RandomVibration")]
+    Axes = Annotated[Any, Named("flexcli.parts.axes:Axes")]
+    Tone = Annotated[Any, Named("flexcli.parts.excitation:Tone")]
     Sine = Annotated[Any, Named("flexcli.parts.excitation:Sine")]
     Sweep = Annotated[Any, Named("flexcli.parts.excitation:Sweep")]
+    Quality = Annotated[Any, Named("flexcli.parts.quality:Quality")]
     Shock = Annotated[Any, Named("flexcli.parts.shock:Shock")]
     Temperature = Annotated[Any, Named("flexcli.parts.temperature:Temperature")]
 
@@ -105,6 +110,24 @@ class Case(Part):
     """Gravity or a quasi-static acceleration of the base, e.g. ``{level: 9.81 m/s^2, axis: z}``."""
     asd: RandomVibration | None = None
     """Random vibration of the base, e.g. ``{profile: gevs-qualification, q: 100, sigma: 3}``."""
+    axes: Axes | None = None
+    """Random vibration of the base with a profile for each axis, and the case's ``q``,
+    e.g. ``axes: {x: {asd: gevs-qualification}, z: {asd: gevs-qualification, scale: -3 dB}},
+    q: 50``.
+    """
+    combine: Literal["at-once", "in-turn"] = "at-once"
+    """Whether the axes of a vibration act at once, or one after another as on a shaker,
+    e.g. ``combine: in-turn, axes: {x: {asd: gevs-qualification}, z: {asd: gevs-qualification}},
+    q: 50``.
+    """
+    q: Quality | None = None
+    """Quality factor Q of the responses that state none of their own, or of modes by their number,
+    e.g. ``q: 50, asd: {profile: gevs-qualification}``.
+    """
+    sigma: Ratio = 3.0
+    """Peak that is designed for under ``axes``, in root mean squares,
+    e.g. ``sigma: 4, axes: {x: {asd: gevs-qualification}}, q: 50``.
+    """
     shock: Shock | None = None
     """A shock of the base, e.g. ``{half-sine: {acceleration: 30 g, duration: 11 ms}}``."""
     sine: Sine | None = None
@@ -112,6 +135,11 @@ class Case(Part):
     sweep: Sweep | None = None
     """A sine of the base that goes through a range of frequencies,
     e.g. ``{from: 5 Hz, to: 100 Hz, rate: 2 oct/min, acceleration: 1 g}``.
+    """
+    sines: tuple[Tone, ...] = ()
+    """Sines that stand on the random vibration, each somewhere in its band,
+    e.g. ``sines: [{acceleration: 3 g, from: 40 Hz, to: 60 Hz}], asd: {profile:
+    gevs-qualification, q: 50}``.
     """
     temperature: Temperature | None = None
     """A change of temperature from assembly, e.g. ``{uniform: -60 K, bodies: {moving: 5 K}}``."""
@@ -127,6 +155,15 @@ class Case(Part):
 
     _is_at_rest: bool = PrivateAttr(False)
 
+    @model_validator(mode="before")
+    @classmethod
+    def _share_q(cls, data: Any) -> Any:
+        """Give the vibration the case's own quality factors where it states none."""
+        asd = data.get("asd") if isinstance(data, dict) else None
+        if not isinstance(asd, dict) or "q" in asd or data.get("q") is None:
+            return data
+        return {**data, "asd": {**asd, "q": data["q"]}}
+
     @classmethod
     def at_rest(cls) -> "Case":
         """Return the case of a design of which nothing is asked but what it is."""
@@ -140,12 +177,43 @@ class Case(Part):
         if not self._is_at_rest and not self.vibrates and not any(loads):
             raise spec_error(
                 "this case loads nothing",
-                "give it a stroke, a load, an acceleration, an asd, a shock, a sine, a sweep or a "
-                "temperature",
+                "give it a stroke, a load, an acceleration, an asd, axes, a shock, a sine, a "
+                "sweep, sines or a temperature",
             )
+        return self
+
+    @model_validator(mode="after")
+    def _vibrates_in_one_way(self) -> "Case":
+        if self.axes is not None and self.asd is not None:
+            text = "profiles by axis stand beside an asd"
+            raise spec_error(text, "write the asd as one of the axes", at=("axes",))
+        if self.axes is not None and self.q is None:
+            text = "nothing says how the modes are damped"
+            raise spec_error(text, "add q: 50 to the case", at=("axes",))
+        if "sigma" in self.model_fields_set and self.axes is None:
+            raise spec_error("sigma is that of axes", "write it in the asd", at=("sigma",))
+        if self.q is not None and not self.vibrates:
+            raise spec_error("nothing vibrates that q could damp", "take it out", at=("q",))
+        if self.combine == "in-turn" and len(self.shaken_axes) < 2:
+            text = "there are no axes to act one after another"
+            raise spec_error(text, "give the profiles by axis: axes: {x: …, z: …}", at=("combine",))
         return self
 
     @property
     def vibrates(self) -> bool:
         """Return whether the base is shaken."""
-        return any((self.asd, self.shock, self.sine, self.sweep))
+        return any((self.asd, self.axes, self.shock, self.sine, self.sweep, self.sines))
+
+    @property
+    def shaken_axes(self) -> frozenset[str]:
+        """Return the axes along which the base moves."""
+        random = self.vibration.axes if self.vibration is not None else ()
+        others = (self.shock, self.sine, self.sweep, *self.sines)
+        return frozenset((*random, *(each.axis for each in others if each is not None)))
+
+    @property
+    def vibration(self) -> "Vibration | None":
+        """Return the random vibration, of one profile or of one for each axis."""
+        if self.axes is None or self.q is None:
+            return self.asd
+        return self.axes.vibration(self.q, self.sigma)

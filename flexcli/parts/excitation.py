@@ -1,9 +1,10 @@
 """A sinusoidal motion of the base: at one frequency, or sweeping from one to another."""
 
 import re
+from abc import abstractmethod
 from itertools import combinations, pairwise
 from math import log2, pi
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,7 @@ from flexcli.errors import SolveError
 from flexcli.parts.base import Frequency, Part, QuantityOf, spec_error
 from flexcli.units import STANDARD_GRAVITY, show
 
-__all__ = ["Sine", "Sweep", "SweepRate"]
+__all__ = ["Sine", "Sweep", "SweepRate", "Tone"]
 
 Floats = NDArray[np.float64]
 
@@ -35,12 +36,16 @@ class _Levels(Part):
     frequencies, the acceleration beyond the crossover.
     """
 
+    word: ClassVar[str] = "sine"
+
     given_acceleration: Amplitude | None = Field(None, alias="acceleration")
     """Amplitude of the acceleration, e.g. ``2 g``."""
     velocity: Annotated[float, QuantityOf("velocity", above=0.0)] | None = None
     """Amplitude of the velocity, e.g. ``0.5 m/s``."""
     displacement: Annotated[float, QuantityOf("length", above=0.0)] | None = None
     """Amplitude of the displacement, half of peak to peak, e.g. ``10 mm``."""
+    axis: Literal["x", "y", "z"] = "x"
+    """Axis along which the base moves, e.g. ``axis: y, acceleration: 2 g``."""
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -68,8 +73,15 @@ class _Levels(Part):
         each = [a * omega**n for n, a in enumerate(self._given) if a is not None]
         return np.asarray(np.minimum.reduce(each))
 
-    def crossovers(self, low: float, high: float) -> tuple[float, ...]:
-        """Return the frequencies between two at which another level takes over [Hz]."""
+    @property
+    @abstractmethod
+    def band(self) -> tuple[float, float]:
+        """Return the lowest and the highest frequency [Hz]."""
+
+    @property
+    def crossovers(self) -> tuple[float, ...]:
+        """Return the frequencies at which another level takes over [Hz]."""
+        low, high = self.band
         given = [(n, a) for n, a in enumerate(self._given) if a is not None]
         found = []
         for (n, a), (m, b) in combinations(given, 2):
@@ -79,22 +91,45 @@ class _Levels(Part):
                 found.append(f)
         return tuple(sorted(found))
 
+    @property
+    def told(self) -> str:
+        """Return it in words, with its crossovers."""
+        low, high = self.band
+        if low == high:
+            size = float(self.level(np.array(low))) / STANDARD_GRAVITY
+            return f"{self.word} of {show(size, 'g')} at {low:g} Hz along {self.axis}"
+        edges = [low, *self.crossovers, high]
+        parts = []
+        for a, b in pairwise(edges):
+            middle = np.array((a * b) ** 0.5)
+            at, omega = float(self.level(middle)), 2.0 * pi * float(middle)
+            units = ((0, "m/s^2"), (1, "m/s"), (2, "m"))
+            given = zip(self._given, units, strict=True)
+            n, size, unit = next(
+                (n, x, unit)
+                for x, (n, unit) in given
+                if x is not None and abs(x * omega**n / at - 1.0) < 1e-9
+            )
+            shown = show(size / STANDARD_GRAVITY, "g") if n == 0 else show(size, unit)
+            parts.append(f"{shown} to {b:.4g} Hz")
+        return f"{self.word} from {low:g} Hz, {', '.join(parts)}, along {self.axis}"
+
 
 class Sine(_Levels):
-    """A sine of the base along x: its amplitude and frequency."""
+    """A sine of the base: its amplitude and frequency."""
 
     frequency: Frequency
     """Frequency of the sine, e.g. ``60 Hz``."""
 
     @property
+    def band(self) -> tuple[float, float]:
+        """Return its frequency, twice [Hz]."""
+        return self.frequency, self.frequency
+
+    @property
     def acceleration(self) -> float:
         """Return the amplitude of the acceleration [m/s²]."""
         return float(self.level(np.array(self.frequency)))
-
-    @property
-    def told(self) -> str:
-        """Return the sine in words."""
-        return f"sine of {show(self.acceleration / STANDARD_GRAVITY, 'g')} at {self.frequency:g} Hz"
 
 
 class SweepRate(NamedTuple):
@@ -124,7 +159,9 @@ def _rate(value: Any) -> SweepRate:
 
 
 class Sweep(_Levels):
-    """A sine of the base along x whose frequency goes from one value to another."""
+    """A sine of the base whose frequency goes from one value to another."""
+
+    word: ClassVar[str] = "sweep"
 
     start: Frequency = Field(alias="from")
     """Frequency where the sweep starts, e.g. ``5 Hz``."""
@@ -159,24 +196,9 @@ class Sweep(_Levels):
         return self.given_acceleration
 
     @property
-    def told(self) -> str:
-        """Return the sweep in words, with its crossovers."""
-        low, high = sorted((self.start, self.end))
-        edges = [low, *self.crossovers(low, high), high]
-        parts = []
-        for a, b in pairwise(edges):
-            middle = np.array((a * b) ** 0.5)
-            at, omega = float(self.level(middle)), 2.0 * pi * float(middle)
-            units = ((0, "m/s^2"), (1, "m/s"), (2, "m"))
-            given = zip(self._given, units, strict=True)
-            n, size, unit = next(
-                (n, x, unit)
-                for x, (n, unit) in given
-                if x is not None and abs(x * omega**n / at - 1.0) < 1e-9
-            )
-            shown = show(size / STANDARD_GRAVITY, "g") if n == 0 else show(size, unit)
-            parts.append(f"{shown} to {b:.4g} Hz")
-        return f"sweep from {low:g} Hz, {', '.join(parts)}"
+    def band(self) -> tuple[float, float]:
+        """Return the lowest and the highest frequency [Hz]."""
+        return min(self.start, self.end), max(self.start, self.end)
 
     @property
     def duration(self) -> float:
@@ -184,3 +206,36 @@ class Sweep(_Levels):
         if self.rate.is_linear:
             return abs(self.end - self.start) / self.rate.speed
         return abs(log2(self.end / self.start)) / self.rate.speed
+
+
+class Tone(_Levels):
+    """A sine on random vibration: at one frequency, or anywhere between two."""
+
+    at: Frequency | None = Field(None, alias="frequency")
+    """Frequency of the sine; or give from and to,
+    e.g. ``frequency: 60 Hz, acceleration: 3 g``.
+    """
+    start: Frequency | None = Field(None, alias="from")
+    """Lowest frequency at which it may stand,
+    e.g. ``from: 40 Hz, to: 60 Hz, acceleration: 3 g``.
+    """
+    end: Frequency | None = Field(None, alias="to")
+    """Highest frequency at which it may stand,
+    e.g. ``to: 60 Hz, from: 40 Hz, acceleration: 3 g``.
+    """
+
+    @model_validator(mode="after")
+    def _stands_somewhere(self) -> "Tone":
+        ends = (self.start, self.end)
+        if (self.at is None) == (ends == (None, None)) or (self.at is None and None in ends):
+            text = "a sine stands at one frequency, or between two"
+            raise spec_error(text, "give frequency: 60 Hz, or from: 40 Hz and to: 60 Hz")
+        return self
+
+    @property
+    def band(self) -> tuple[float, float]:
+        """Return the lowest and the highest frequency [Hz]."""
+        if self.at is not None:
+            return self.at, self.at
+        ends = [f for f in (self.start, self.end) if f is not None]
+        return min(ends), max(ends)

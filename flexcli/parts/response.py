@@ -1,6 +1,6 @@
 """The response of the mechanism's own modes to a vibration or a shock of its base."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from math import pi, sqrt
 
@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from flexcli.formulas.modal_response import harmonic_gain, response_moments
 from flexcli.formulas.spectrum import spectral_level
 from flexcli.numerics.modes import Modes, natural_modes
-from flexcli.parts.asd import AppliedASD, RandomVibration
+from flexcli.parts.asd import AppliedASD, Axis, Vibration
+from flexcli.parts.quality import Quality
 from flexcli.parts.shock import Shock
 from flexcli.parts.structure import Structure
 from flexcli.results import ModeResult
@@ -76,7 +77,7 @@ class _Rows:
         yield from zip(self.names, np.split(stacked, self.ends, axis=-1), strict=True)
 
 
-def random_response(structure: Structure, vibration: RandomVibration) -> RandomResponse:
+def random_response(structure: Structure, vibration: Vibration) -> RandomResponse:
     """Return the response of a structure to the vibration of a case.
 
     Every output has several rows (blades, ends, faces, components); the worst row stands for it,
@@ -93,46 +94,46 @@ def random_response(structure: Structure, vibration: RandomVibration) -> RandomR
     return RandomResponse(found, outputs)
 
 
-def random_outputs(structure: Structure, vibration: RandomVibration) -> dict[str, Output]:
+def random_outputs(structure: Structure, vibration: Vibration) -> dict[str, Output]:
     """Return the totals of :func:`random_response` without what each mode does alone."""
     modes = natural_modes(structure.stiffness, structure.mass)
     return {name: _output(name, block) for name, block in _moments(structure, vibration, modes)}
 
 
 def _moments(
-    structure: Structure, vibration: RandomVibration, modes: Modes
+    structure: Structure, vibration: Vibration, modes: Modes
 ) -> Iterator[tuple[str, Floats]]:
     """Yield the spectral moments (4, rows) of every output, all modes and axes together."""
     rows = _Rows(structure)
-    qualities = mode_qualities(structure, vibration, modes)
+    qualities = mode_qualities(structure, vibration.q, vibration.axes, modes)
     total = np.zeros((4, rows.matrix.shape[0]))
-    for axis in vibration.axes:
+    for axis, applied in vibration.by_axis().items():
         participation, share, static = _excitation(structure, modes, rows.matrix, axis)
-        excited = _excited(modes, share, vibration)
+        excited = _excited(modes, share, applied)
         per_mode = (-(rows.matrix @ modes.shapes) * participation)[:, excited]
         static_part = (per_mode / modes.angular[excited] ** 2).sum(axis=1)
         angular, Q = modes.angular[excited], qualities[excited]
-        total += _response(vibration, angular, Q, per_mode, static - static_part)
+        total += _response(applied, angular, Q, per_mode, static - static_part)
     yield from rows.by_name(total)
 
 
 def _each_mode(
-    structure: Structure, vibration: RandomVibration, modes: Modes
+    structure: Structure, vibration: Vibration, modes: Modes
 ) -> tuple[Floats, list[dict[str, float]]]:
     """Return the mass share of each mode and its own rms responses, none where not excited."""
     rows = _Rows(structure)
-    qualities = mode_qualities(structure, vibration, modes)
+    qualities = mode_qualities(structure, vibration.q, vibration.axes, modes)
     squares = np.zeros((modes.angular.size, rows.matrix.shape[0]))
     shares, dynamic = np.zeros(modes.angular.size), np.zeros(modes.angular.size, dtype=bool)
-    for axis in vibration.axes:
+    for axis, applied in vibration.by_axis().items():
         participation, share, _ = _excitation(structure, modes, rows.matrix, axis)
-        excited = _excited(modes, share, vibration)
+        excited = _excited(modes, share, applied)
         shares, dynamic = np.maximum(shares, share), dynamic | excited
         per_mode = -(rows.matrix @ modes.shapes) * participation
         for i in np.flatnonzero(excited):
             nothing = np.zeros(rows.matrix.shape[0])
             angular, Q = modes.angular[[i]], qualities[[i]]
-            found = _response(vibration, angular, Q, per_mode[:, [i]], nothing)
+            found = _response(applied, angular, Q, per_mode[:, [i]], nothing)
             squares[i] += found[0]
     alone = [
         {name: sqrt(_mean_square(name, block)) for name, block in rows.by_name(squares[i])}
@@ -143,33 +144,34 @@ def _each_mode(
     return shares, alone
 
 
-def _excited(modes: Modes, share: Floats, vibration: RandomVibration) -> NDArray[np.bool_]:
+def _excited(modes: Modes, share: Floats, applied: AppliedASD) -> NDArray[np.bool_]:
     """Return which modes may resonate: in reach of the band, and moved by the base."""
-    reach = 2.0 * pi * REACH * float(vibration.applied().frequency[-1])
+    reach = 2.0 * pi * REACH * float(applied.frequency[-1])
     return np.asarray((modes.angular < reach) & (share > PARTICIPATES))
 
 
-def mode_qualities(structure: Structure, vibration: RandomVibration, modes: Modes) -> Floats:
+def mode_qualities(
+    structure: Structure, quality: Quality, axes: Iterable[str], modes: Modes
+) -> Floats:
     """Return Q of every mode.
 
-    They are counted as the base moves them along any axis of the vibration, the lowest first.
+    They are counted as the base moves them along any of the axes, the lowest first.
     """
-    found = np.full(modes.angular.size, vibration.q)
-    if vibration.q_of_modes:
+    found = np.full(modes.angular.size, quality.all)
+    if quality.modes:
         moved = np.zeros(modes.angular.size, dtype=bool)
-        for axis in vibration.axes:
+        for axis in axes:
             share = (modes.shapes.T @ structure.pull[axis]) ** 2 / structure.moved[axis]
             moved |= share > PARTICIPATES
         order = np.flatnonzero(moved)
-        for number, q in vibration.q_of_modes.items():
+        for number, q in quality.modes.items():
             found[order[number - 1 : number]] = q
     return found
 
 
 def _response(
-    vibration: RandomVibration, angular: Floats, Q: Floats, per_mode: Floats, residual: Floats
+    applied: AppliedASD, angular: Floats, Q: Floats, per_mode: Floats, residual: Floats
 ) -> Floats:
-    applied = vibration.applied()
     return response_moments(
         frequency=applied.frequency,
         level=applied.level,
@@ -184,10 +186,11 @@ def _response(
 def sine_peaks(
     structure: Structure,
     level: Callable[[Floats], Floats],
-    Q: float | Floats,
+    quality: Quality,
     frequencies: tuple[float, ...],
+    axis: str = "x",
 ) -> dict[str, float]:
-    """Return the largest steady amplitude of every output under a sine of the base along x.
+    """Return the largest steady amplitude of every output under a sine of the base.
 
     Parameters
     ----------
@@ -195,10 +198,12 @@ def sine_peaks(
         The structure.
     level : callable
         Amplitude of the base's acceleration [m/s²] at frequencies [Hz].
-    Q : float or array
-        Quality factor of every mode, or of each.
+    quality : Quality
+        Quality factors of the modes.
     frequencies : tuple of float
         Lowest and highest frequency [Hz], equal for one sine, and crossovers of the level.
+    axis : str
+        Axis of the base's motion.
 
     Returns
     -------
@@ -207,9 +212,10 @@ def sine_peaks(
 
     """
     modes, rows = natural_modes(structure.stiffness, structure.mass), _Rows(structure)
+    Q = mode_qualities(structure, quality, (axis,), modes)
     ends = min(frequencies), max(frequencies)
     f = np.union1d(sweep_points(ends, modes.angular / (2.0 * pi), Q), frequencies)
-    gain = level(f)[:, None] * _gain(structure, modes, rows.matrix, "x", Q, f)
+    gain = level(f)[:, None] * _gain(structure, modes, rows.matrix, axis, Q, f)
     found = {}
     for name, block in rows.by_name(np.abs(gain)):
         at_each = (
@@ -262,8 +268,8 @@ def apparent_mass(
 
 
 def response_density(
-    structure: Structure, vibration: RandomVibration
-) -> tuple[Floats, Floats, dict[str, Floats]]:
+    structure: Structure, vibration: Vibration
+) -> tuple[Floats, dict[Axis, Floats], dict[str, Floats]]:
     """Return the spectral density of every output and of every body's acceleration.
 
     An output is told by its row of the largest rms, a force by the sum of its components.
@@ -271,18 +277,19 @@ def response_density(
     Returns
     -------
     tuple
-        Frequencies [Hz], twice where the profile steps; the density of the base
+        Frequencies [Hz], twice where a profile steps; the density of the base along each axis
         [(m/s²)²/Hz]; by output its own, in the unit of the output squared per hertz.
 
     """
-    applied, rows = vibration.applied(), _Rows(structure)
+    densities, rows = vibration.by_axis(), _Rows(structure)
     modes = natural_modes(structure.stiffness, structure.mass)
-    Q = mode_qualities(structure, vibration, modes)
-    f, level = _density_points(applied, modes.angular / (2.0 * pi), Q)
+    Q = mode_qualities(structure, vibration.q, densities, modes)
+    f, levels = _density_points(densities, modes.angular / (2.0 * pi), Q)
     squares = np.zeros((f.size, rows.matrix.shape[0]))
     found: dict[str, Floats] = {}
-    for axis in vibration.axes:
-        squares += np.abs(_gain(structure, modes, rows.matrix, axis, Q, f)) ** 2
+    for axis, level in levels.items():
+        gain = _gain(structure, modes, rows.matrix, axis, Q, f)
+        squares += np.abs(gain) ** 2 * level[:, None]
         for name, gains in transfer_functions(structure, Q, axis, f).items():
             for n, direction in enumerate("xy"):
                 key = f"acceleration {name} {direction}"
@@ -290,13 +297,12 @@ def response_density(
                 found[key] = before + np.abs(gains[:, n]) ** 2 * level
     largest = dict(_worst_rows(structure, vibration, modes))
     for name, block in rows.by_name(squares):
-        one = block.sum(axis=1) if name.startswith("force") else block[:, largest[name]]
-        found[name] = one * level
-    return f, level, found
+        found[name] = block.sum(axis=1) if name.startswith("force") else block[:, largest[name]]
+    return f, levels, found
 
 
 def _worst_rows(
-    structure: Structure, vibration: RandomVibration, modes: Modes
+    structure: Structure, vibration: Vibration, modes: Modes
 ) -> Iterator[tuple[str, int]]:
     for name, block in _moments(structure, vibration, modes):
         yield name, int(np.argmax(block[0]))
@@ -312,18 +318,34 @@ def _gain(
     return harmonic_gain(f, modes.angular, Q, per_mode, residual)
 
 
-def _density_points(applied: AppliedASD, resonances: Floats, Q: Floats) -> tuple[Floats, Floats]:
-    """Return frequencies that show every resonance and corner, and the level there."""
-    corners = applied.frequency
+def _density_points(
+    densities: Mapping[Axis, AppliedASD], resonances: Floats, Q: Floats
+) -> tuple[Floats, dict[Axis, Floats]]:
+    """Return frequencies that show every resonance and corner, and each axis' level there.
+
+    Outside its own band a level is zero.
+    """
+    each = [applied.frequency for applied in densities.values()]
+    corners = np.unique(np.concatenate(each))
     inner = sweep_points((float(corners[0]), float(corners[-1])), resonances, Q)
-    steps = corners[1:][np.diff(corners) == 0.0]
-    f = np.sort(np.concatenate([np.union1d(inner, corners), steps]))
+    steps = [f[1:][np.diff(f) == 0.0] for f in each]
+    ends = [f[[0, -1]] for f in each]
+    # a frequency stands twice where any axis steps, or starts or ends within another's band
+    inside = [end[(end > corners[0]) & (end < corners[-1])] for end in ends]
+    twice = np.unique(np.concatenate([*steps, *inside]))
+    f = np.sort(np.concatenate([np.union1d(inner, corners), twice]))
     after = np.concatenate([[False], np.diff(f) == 0.0])
-    left, right = (
-        spectral_level(f, corners, applied.level, scale=applied.scale, side=side)
-        for side in ("left", "right")
-    )
-    return f, np.where(after, right, left)
+    levels: dict[Axis, Floats] = {}
+    for axis, applied in densities.items():
+        left, right = (
+            spectral_level(f, applied.frequency, applied.level, scale=applied.scale, side=side)
+            for side in ("left", "right")
+        )
+        low, high = applied.frequency[[0, -1]]
+        left[(f == low) & (low > corners[0])] = 0.0
+        right[(f == high) & (high < corners[-1])] = 0.0
+        levels[axis] = np.where(after, right, left)
+    return f, levels
 
 
 def sweep_points(frequencies: tuple[float, float], resonances: Floats, Q: float | Floats) -> Floats:

@@ -15,8 +15,9 @@ from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.results import Value
 
 if TYPE_CHECKING:
-    from flexcli.parts.asd import RandomVibration
-    from flexcli.parts.excitation import Sine, Sweep
+    from flexcli.parts.asd import Vibration
+    from flexcli.parts.excitation import Sine, Sweep, Tone
+    from flexcli.parts.quality import Quality
     from flexcli.parts.shock import Shock
     from flexcli.parts.temperature import Temperature
 
@@ -48,6 +49,8 @@ class LoadKind(StrEnum):
     SHOCK = "shock"
     SINE = "sine"
     SWEEP = "sweep"
+    AXES = "axes"
+    SINES = "sines"
     TEMPERATURE = "temperature"
 
 
@@ -91,7 +94,7 @@ class Scene(NamedTuple):
     ends_why: str
     acceleration: float
     axis: str
-    vibration: "RandomVibration | None"
+    vibration: "Vibration | None"
     shock: "Shock | None"
     lock: str | None
     wrench: tuple[float, ...] | None
@@ -99,6 +102,10 @@ class Scene(NamedTuple):
     values: Mapping[str, Value]
     sine: "Sine | None" = None
     sweep: "Sweep | None" = None
+    sines: "tuple[Tone, ...]" = ()
+    quality: "Quality | None" = None
+    in_turn: bool = False
+    """Whether the axes along which the base is shaken act one after another."""
     temperature: "Temperature | None" = None
     loads: frozenset[LoadKind] = frozenset()
     """What the case states; each has to be looked at by some requirement."""
@@ -245,16 +252,19 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         ends_why=why,
         acceleration=steady.level if steady else 0.0,
         axis=steady.axis if steady else "",
-        vibration=case.asd,
+        vibration=case.vibration,
         shock=case.shock,
         sine=case.sine,
         sweep=case.sweep,
+        sines=case.sines,
+        quality=case.q,
+        in_turn=case.combine == "in-turn",
         temperature=case.temperature,
         lock=case.lock,
         wrench=case.wrench.components if case.wrench else None,
         forces=forces,
         values=values,
-        loads=frozenset(kind for kind in LoadKind if getattr(case, kind.value) is not None),
+        loads=frozenset(kind for kind in LoadKind if getattr(case, kind.value)),
         pushed_by=_pushed_by(case, found.kinds, in_space=geometry.in_space),
         stated=stated,
         inertial=found.wrenches,
@@ -274,10 +284,6 @@ def _refuse_in_space(case: Case) -> None:
     if case.temperature is not None:
         hint = "take it out, or draw the mechanism in its plane: kind: layout"
         raise MechanismError("temperature", "no model warms a mechanism drawn in space", hint)
-    for key in ("asd", "shock", "sine", "sweep"):
-        if getattr(case, key) is not None:
-            hint = "take it out; acceleration: {level: 30 g, axis: x} acts quasi-statically"
-            raise MechanismError(key, "no model shakes a mechanism that is drawn in space", hint)
 
 
 def _is_more(wrench: Wrench, drive: int) -> bool:
@@ -393,6 +399,7 @@ def _closed_share(
         except NotAvailable:
             at = "load" if case.load else "wrench" if case.wrench else "acceleration"
             at = "asd" if case.asd and not case.load else at
+            at = "axes" if case.axes and not case.load else at
             hint = "give the load another direction, or take another geometry"
             raise MechanismError(at, f"a {geometry.name} {error}", hint) from error
         return str(error), 1.0
@@ -449,7 +456,7 @@ def _inertial(
     found = _accelerations(case, mechanism, geometry, values)
     if not found:
         return _Inertial()
-    kinds = frozenset(each.kind for each in found if each.axis != "z")
+    kinds = frozenset(each.kind for each in found if each.axis != "z") - _shaken_across(case)
     if case.lock is not None:
         return _locked(case.lock, mechanism, found, kinds, values)
     wrenches, fields = [], []
@@ -498,6 +505,16 @@ def _force_values(force: float, found: _Inertial, stated: Wrench) -> dict[str, V
     return {name: Value(size, "N", label) for name, size in forces.items()}
 
 
+def _shaken_across(case: Case) -> frozenset[LoadKind]:
+    """Return the vibrations of a case that shake it out of its plane, too."""
+    along = {
+        LoadKind.ASD: case.asd.axes if case.asd is not None else (),
+        LoadKind.AXES: case.axes.each if case.axes is not None else (),
+        LoadKind.SHOCK: (case.shock.axis,) if case.shock is not None else (),
+    }
+    return frozenset(kind for kind, axes in along.items() if "z" in axes)
+
+
 _UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
@@ -515,10 +532,11 @@ def _accelerations(
 ) -> list[_Accelerated]:
     """Return each acceleration that loads the joints."""
     found: list[_Accelerated] = []
-    steady, asd, shock = case.acceleration, case.asd, case.shock
-    for key, given in (("acceleration", steady), ("asd", asd), ("shock", shock)):
+    steady, vibration, shock = case.acceleration, case.vibration, case.shock
+    kind = LoadKind.ASD if case.axes is None else LoadKind.AXES
+    for key, given in ((kind.value, vibration), ("shock", shock)):
         massless = mechanism is None and geometry.own_mass == 0.0
-        if given is not None and key != "acceleration" and massless:
+        if given is not None and massless:
             raise MechanismError(key, "a base that moves needs masses on it", "add a mechanism")
 
     def load(kind: LoadKind, level: float, axes: tuple[str, ...], name: str) -> None:
@@ -531,18 +549,25 @@ def _accelerations(
                 "acceleration", "an acceleration needs a mass that it acts on", "add a mechanism"
             )
         load(LoadKind.ACCELERATION, steady.level, (steady.axis,), "F_steady")
-    if asd is not None:
-        applied = asd.applied()
-        worst = applied.worst_case(asd.largest_q)
-        rms = float(worst.response)
-        values["f_worst"] = Value(worst.frequency, "Hz", "frequency of the worst case")
-        values["g_rms_worst"] = Value(
-            rms,
-            "m/s^2",
-            f"worst rms acceleration, {asd.told_q}, profile {applied.text}",
-            source="Miles, √(π/2 f Q ASD), over all frequencies",
-        )
-        load(LoadKind.ASD, asd.sigma * rms, asd.axes, f"F_{asd.sigma:g}sigma")
+    if geometry.in_space:
+        return found  # the response of its modes is all that is known
+    if vibration is not None:
+        worst_rms = 0.0
+        for axis, applied in vibration.by_axis().items():
+            worst = applied.worst_case(vibration.q.largest)
+            rms = float(worst.response)
+            load(kind, vibration.sigma * rms, (axis,), f"F_{vibration.sigma:g}sigma")
+            if rms <= worst_rms:
+                continue
+            worst_rms = rms
+            along = f" along {axis}" if case.axes is not None else ""
+            values["f_worst"] = Value(worst.frequency, "Hz", "frequency of the worst case")
+            values["g_rms_worst"] = Value(
+                rms,
+                "m/s^2",
+                f"worst rms acceleration{along}, {vibration.q.told}, profile {applied.text}",
+                source="Miles, √(π/2 f Q ASD), over all frequencies",
+            )
     if shock is not None and _loading(case, LoadKind.SHOCK, (shock.axis,), mechanism, geometry):
         worst_shock = shock.worst_acceleration()
         if worst_shock is not None:
@@ -558,6 +583,9 @@ def _loading(
     geometry: Geometry,
 ) -> tuple[str, ...]:
     """Return the axes along which an acceleration loads the joints by itself."""
+    vibrates = kind is not LoadKind.ACCELERATION
+    if vibrates:
+        axes = tuple(axis for axis in axes if axis != "z")  # the modes' response has that
     if case.lock is not None:
         across = [axis for axis in axes if axis != "x"]
         if across:
@@ -568,7 +596,6 @@ def _loading(
             )
         return axes
     stage = mechanism is not None and mechanism.joints > 1
-    vibrates = kind is not LoadKind.ACCELERATION
     drives = stage or (vibrates and geometry.motion == "translation")
     return tuple(
         axis for axis in axes if not (drives and axis == "x") and not (stage and axis == "z")

@@ -58,7 +58,7 @@ class Shock(Part):
     """Quality factor Q of the response,
     e.g. ``q: 10, half-sine: {acceleration: 30 g, duration: 11 ms}``.
     """
-    axis: Literal["x", "y"] = "x"
+    axis: Literal["x", "y", "z"] = "x"
     """Axis along which the base is shocked,
     e.g. ``axis: y, half-sine: {acceleration: 30 g, duration: 11 ms}``.
     """

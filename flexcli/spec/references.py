@@ -42,24 +42,28 @@ MAX_DEPTH = 8
 
 EXTENDS = "extends"
 
-REFERENCES = {
+REFERENCES: dict[tuple[str, ...], str] = {
     ("material",): "material",
     ("geometry",): "geometry",
     ("stroke",): "stroke",
     ("asd", "profile"): "asd",
     ("cases", "*", "stroke"): "stroke",
     ("cases", "*", "asd", "profile"): "asd",
+    **{("axes", axis, "asd"): "asd" for axis in "xyz"},
+    **{("cases", "*", "axes", axis, "asd"): "asd" for axis in "xyz"},
     ("balance", "asd", "profile"): "asd",
     ("stops", "contact", "material"): "material",
 }
 """Where a design may name a spec instead of holding it."""
 
 TABLE_SUFFIXES = (".csv", ".tsv", ".txt")
-TABLE_PLACES = {
+TABLE_PLACES: dict[tuple[str, ...], str] = {
     ("asd", "points"): "asd",
     ("asd", "profile", "points"): "asd",
     ("cases", "*", "asd", "points"): "asd",
     ("cases", "*", "asd", "profile", "points"): "asd",
+    **{("axes", axis, "asd", "points"): "asd" for axis in "xyz"},
+    **{("cases", "*", "axes", axis, "asd", "points"): "asd" for axis in "xyz"},
     ("balance", "asd", "profile", "points"): "asd",
     ("shock", "srs"): "srs",
     ("cases", "*", "shock", "srs"): "srs",

@@ -99,7 +99,7 @@ def test_a_mode_that_is_not_there_is_told(respond):
     assert "no-such-mode" in [note["code"] for note in respond(case)["warnings"]]
 
 
-@pytest.mark.parametrize("q", ["{all: 5}", "{modes: {1: 80}}", "{all: 5, modes: {0: 80}}",
+@pytest.mark.parametrize("q", ["{all: 0.1}", "{modes: {1: 80}}", "{all: 5, modes: {0: 80}}",
                                "{all: 5, modes: {1: 0.1}}", "{all: 5, modes: 3}"])  # fmt: skip
 def test_a_wrong_q_is_a_finding(inside, tmp_path, q):
     case = f"asd: {{profile: {flat(20, 2000)}, q: {q}}}"
@@ -202,3 +202,77 @@ def test_an_axial_force_near_the_critical_one_is_told(respond):
     case = f"asd: {{profile: {loud}, q: 20, axis: y}}, ends: clamped-guided"
     codes = [note["code"] for note in respond(case)["warnings"]]
     assert "axial-force-in-modes" in codes
+
+
+BOTH = f"asd: {{profile: {flat(20, 2000)}, q: 20, axis: x and y}}"
+EACH = f"axes: {{x: {{asd: {flat(20, 2000)}}}, y: {{asd: {flat(20, 2000)}, scale: -6 dB}}}}, q: 20"
+
+
+def test_profiles_by_axis_add_as_squares_at_once(respond):
+    along_x = peaks(respond(f"asd: {{profile: {flat(20, 2000)}, q: 20}}"))
+    along_y = peaks(respond(f"asd: {{profile: {flat(20, 2000)}, scale: -6 dB, axis: y, q: 20}}"))
+    both = peaks(respond(EACH))
+    for name in ("travel", "force joint"):
+        alone = np.hypot(along_x[name], along_y[name])
+        assert both[name] == pytest.approx(alone, rel=1e-9)
+    same = EACH.replace(", scale: -6 dB", "")
+    assert peaks(respond(same)) == pytest.approx(peaks(respond(BOTH)), rel=1e-9)
+
+
+def test_axes_in_turn_are_judged_one_by_one(respond):
+    found = respond(EACH + ", combine: in-turn")
+    (demand,) = (row["demand"] for row in found["checks"])
+    each = [
+        respond(f"asd: {{profile: {flat(20, 2000)}, scale: {db} dB, axis: {axis}, q: 20}}")
+        for axis, db in (("x", 0), ("y", -6))
+    ]
+    alone = [row["demand"] for one in each for row in one["checks"]]
+    assert demand == pytest.approx(max(alone), rel=1e-9)
+    (together,) = respond(EACH)["checks"]
+    assert demand < together["demand"]
+
+
+def test_sines_stand_on_the_random_vibration_of_their_case(respond):
+    random = f"asd: {{profile: {flat(20, 2000)}}}, q: 20"
+    (alone,) = respond(random)["checks"]
+    (sine,) = respond("sine: {acceleration: 2 g, frequency: 40 Hz}, q: 20")["checks"]
+    tone = "sines: [{acceleration: 2 g, frequency: 40 Hz}]"
+    (both,) = respond(f"{random}, {tone}")["checks"]
+    assert both["demand"] == pytest.approx(alone["demand"] + sine["demand"], rel=1e-9)
+    # anywhere in a band it is no weaker than at the band's ends
+    band = tone.replace("frequency: 40 Hz", "from: 40 Hz, to: 45 Hz")
+    (wide,) = respond(f"{random}, {band}")["checks"]
+    assert wide["demand"] >= both["demand"]
+
+
+def test_the_q_of_a_case_serves_all_of_its_loads(respond):
+    own = f"asd: {{profile: {flat(20, 2000)}, q: {{all: 20, modes: {{1: 80}}}}}}"
+    case = f"asd: {{profile: {flat(20, 2000)}}}, q: {{all: 20, modes: {{1: 80}}}}"
+    assert peaks(respond(case)) == peaks(respond(own))
+
+
+@pytest.mark.parametrize(
+    ("case", "told"),
+    [
+        (EACH.replace(", q: 20", ""), "add q: 50 to the case"),
+        (EACH + ", " + BOTH, "stand beside an asd"),
+        ("combine: in-turn, asd: {profile: gevs-qualification, q: 20}", "no axes to act"),
+        ("sigma: 4, asd: {profile: gevs-qualification, q: 20}", "sigma is that of axes"),
+        ("q: 20, stroke: {translation: 1 mm}", "nothing vibrates"),
+        ("sines: [{acceleration: 2 g}], q: 20", "stands at one frequency"),
+        ("axes: {x: {asd: gevs-quali}}, q: 20", "gevs-qualification"),
+    ],
+)
+def test_axes_and_sines_that_say_too_little_or_too_much_are_findings(inside, tmp_path, case, told):
+    (tmp_path / "flexure.yaml").write_text(STAGE.replace("CASE", case))
+    found = inside("check")
+    assert found.returncode == 2
+    assert told in re.sub(r"\s+", " ", found.stdout + found.stderr)
+
+
+def test_a_table_may_be_the_profile_of_an_axis(respond, tmp_path):
+    (tmp_path / "psd.csv").write_text("frequency [Hz],level [g^2/Hz]\n20,0.01\n2000,0.01\n")
+    by_table = respond("axes: {x: {asd: psd.csv}}, q: 20")
+    assert peaks(by_table) == pytest.approx(
+        peaks(respond(f"asd: {{profile: {flat(20, 2000)}, q: 20}}")), rel=1e-9
+    )

@@ -84,7 +84,7 @@ def vibration_values(
             f"x_rms{ending}": Value(
                 full * coupling / state.m,
                 "rad" if state.base_turns else "m",
-                f"rms displacement {words}{told}, Q = {vibration.q:g}",
+                f"rms displacement {words}{told}, {vibration.q.told}",
                 model="exact response of one oscillator",
                 source="Crandall, Mark 1963",
             )
@@ -106,7 +106,7 @@ def _full_rms(k: float, m: float, vibration: RandomVibration) -> float:
             applied.frequency,
             applied.level,
             natural_frequency(k, m),
-            vibration.q,
+            vibration.q.all,
             scale=applied.scale,
         )
     except ValueError as error:

@@ -76,7 +76,9 @@ def _short(case: Case) -> Case | None:
     shock = None if case.shock is None or case.shock.srs else case.shock
     if case.sine is None and shock is None:
         return None
-    return case.model_copy(update={"asd": None, "sweep": None, "shock": shock})
+    return case.model_copy(
+        update={"asd": None, "axes": None, "sines": (), "sweep": None, "shock": shock}
+    )
 
 
 def _first(pieces: Iterable[Piece], window: float) -> Iterator[Piece]:

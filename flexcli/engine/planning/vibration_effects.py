@@ -14,7 +14,7 @@ from flexcli.parts.effects.large_rotation import LargeRotation
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Ask, RequirementError
-from flexcli.parts.requirements.shaking import SHAKES, shakings, together
+from flexcli.parts.requirements.shaking import SHAKES, at_once
 from flexcli.parts.response import random_outputs
 from flexcli.parts.structure import MOTIONS, Structure
 from flexcli.results import EffectRow
@@ -37,12 +37,18 @@ def vibration_effects(design: DesignSpec, sizes: Sizes) -> Iterator[EffectRow]:
         ask = design.ask(scene, sizes, joint_model)
         with suppress(SolveError, ValueError, RequirementError):  # said where it is judged
             structure = structure_of_case(ask)
-            (shaking,) = together(list(shakings(ask, lambda _s, vibration, _r: vibration.sigma)))
-            peaks = shaking.peaks(structure)
+            peaks = _largest_peaks(ask, structure)
             yield from _against_miles(ask, peaks)
             yield from _peak_factor(ask, structure)
             yield from _large_motion(design, sizes, ask, peaks)
             yield from _stiffened(ask, structure)
+
+
+def _largest_peaks(ask: Ask, structure: Structure) -> Peaks:
+    """Return the largest peaks of what shakes the base at once."""
+    found = at_once(ask, lambda _scene, vibration, _rate: vibration.sigma)
+    each = [shaking.peaks(structure) for shaking in found]
+    return {name: max(peaks[name] for peaks in each) for name in each[0]}
 
 
 def _row(ask: Ask, effect: str, indicator: float, estimates: Peaks, reason: str) -> EffectRow:
@@ -64,7 +70,7 @@ def _against_miles(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
 def _peak_factor(ask: Ask, structure: Structure) -> Iterator[EffectRow]:
     """Yield how far the peak to expect in the duration is beyond sigma times the rms."""
     vibration = ask.scene.vibration
-    duration = vibration.applied().duration if vibration is not None else None
+    duration = vibration.lasts if vibration is not None else None
     if vibration is None or duration is None:
         return
     rates = [

@@ -1,6 +1,6 @@
 """The excitation of a case as pieces of time: legs of the same length, peaks taken of each."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from math import ceil, log, pi
 from typing import NamedTuple
 
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
-from flexcli.mechanics.stopping.random_base import random_samples
+from flexcli.mechanics.stopping.random_base import random_samples, with_sine
 from flexcli.numerics.signal_pieces import (
     Piece,
     Samples,
@@ -20,7 +20,7 @@ from flexcli.numerics.signal_pieces import (
 )
 from flexcli.parts.asd import RandomVibration
 from flexcli.parts.case import Case
-from flexcli.parts.excitation import Sine, Sweep
+from flexcli.parts.excitation import Sine, Sweep, Tone
 from flexcli.parts.shock import Shock
 from flexcli.parts.stops.stops import Simulation
 
@@ -36,6 +36,9 @@ PER_PERIOD = 16.0
 PER_BAND_END = 4.0
 """Samples per period of the profile's last frequency."""
 
+
+PER_TONE = 8.0
+"""Samples per period of a sine on it."""
 
 MOST_SAMPLES = 100_000
 """Samples of one stretch of a random signal; stretches are independent of each other."""
@@ -71,11 +74,21 @@ def excitation(
     """
     quality = 0.5 / float(blade.damping[0])
     # a random one has either sign itself; along the blade (y) nothing bends it
-    if case.asd is not None and "x" in case.asd.axes and sign > 0:
-        yield _random(name, case.asd, blade, options)
-    if case.sine is not None:
-        yield _sine(case.sine, quality, sign)
-    if case.sweep is not None:
+    sine = case.sine if case.sine is not None and case.sine.axis == "x" else None
+    vibration = case.vibration
+    is_random = vibration is not None and "x" in vibration.axes
+    if vibration is not None and is_random and sign > 0:
+        on_it: list[Sine | Tone] = [each for each in case.sines if each.axis == "x"]
+        on_it += [sine] if sine is not None else []
+        yield _random(name, vibration.alone("x"), on_it, blade, options)
+    if case.sines and not is_random:
+        raise SolveError(
+            "no-time", f"case '{name}': sines are simulated on a random vibration along x",
+            "give one as sine: or sweep:, or add an asd",
+        )  # fmt: skip
+    if sine is not None and not is_random:
+        yield _sine(sine, quality, sign)
+    if case.sweep is not None and case.sweep.axis == "x":
         kind = f"sweep from {case.sweep.start:g} to {case.sweep.end:g} Hz{_turned(sign)}"
         pieces = sweep_pieces(case.sweep, sign=sign)
         yield Excitation(kind, case.sweep.duration, iter([pieces]))
@@ -145,9 +158,16 @@ def _shock(name: str, shock: Shock, blade: ModalBlade, sign: int) -> Excitation:
 
 
 def _random(
-    name: str, vibration: RandomVibration, blade: ModalBlade, options: Simulation
+    name: str,
+    vibration: RandomVibration,
+    tones: Sequence[Sine | Tone],
+    blade: ModalBlade,
+    options: Simulation,
 ) -> Excitation:
-    """Return exposures one after another, each made of stretches that memory holds."""
+    """Return exposures one after another, each made of stretches that memory holds.
+
+    Sines stand on it with any phase, each at that frequency of its band next to the blade's.
+    """
     applied = vibration.applied()
     if applied.duration is None:
         raise SolveError(
@@ -162,20 +182,27 @@ def _random(
     length, count = applied.duration, exposures(options.confidence)
     generator = np.random.default_rng(options.seed)
     f_0, f_end = float(blade.angular[0]) / (2.0 * pi), float(applied.frequency[-1])
-    rate = max(PER_BAND_END, PER_PERIOD * f_0 / f_end) * f_end
+    standing = [(tone, min(max(f_0, tone.band[0]), tone.band[1])) for tone in tones]
+    highest = max((f for _, f in standing), default=0.0)
+    rate = max(PER_BAND_END * f_end, PER_PERIOD * f_0, PER_TONE * highest)
     longest = max(MOST_SAMPLES / rate, MEMORIES * 0.5 / float(blade.damping[0]) / f_0)
     parts = ceil(length / longest)
 
     def exposure() -> Iterator[Samples]:
         for _ in range(parts):
-            yield random_samples(
+            samples = random_samples(
                 applied.frequency,
                 applied.level,
                 duration=length / parts,
                 generator=generator,
                 oversampling=rate / f_end,
             )
+            phases = generator.uniform(0.0, 2.0 * pi, len(standing))
+            for (tone, f), phase in zip(standing, phases, strict=True):
+                samples = with_sine(samples, float(tone.level(np.array(f))), f, phase)
+            yield samples
 
-    text = f"random, {count} exposures of {length:g} s"
+    on_it = "".join(f" with a {tone.told}, here {f:.4g} Hz," for tone, f in standing)
+    text = f"random{on_it}, {count} exposures of {length:g} s".replace(",,", ",")
     legs = (exposure() for _ in range(count))
     return Excitation(text, count * length, legs, exposure=length, seed=options.seed)

@@ -94,9 +94,7 @@ class _Peaks(NamedTuple):
 
 def shakes(case: Case) -> bool:
     """Return whether a case shakes the base along x; along the blade (y) nothing bends it."""
-    asd, shock = case.asd, case.shock
-    along_x = (asd is not None and "x" in asd.axes) or (shock is not None and shock.axis == "x")
-    return along_x or case.sine is not None or case.sweep is not None
+    return "x" in case.shaken_axes
 
 
 def looked_at(case: Case) -> frozenset[LoadKind]:
@@ -105,9 +103,11 @@ def looked_at(case: Case) -> frozenset[LoadKind]:
         kind
         for kind, there in (
             (LoadKind.ASD, case.asd is not None and set(case.asd.axes) == {"x"}),
+            (LoadKind.AXES, case.axes is not None and set(case.axes.each) == {"x"}),
+            (LoadKind.SINES, {each.axis for each in case.sines} == {"x"}),
             (LoadKind.SHOCK, case.shock is not None and case.shock.axis == "x"),
-            (LoadKind.SINE, case.sine is not None),
-            (LoadKind.SWEEP, case.sweep is not None),
+            (LoadKind.SINE, case.sine is not None and case.sine.axis == "x"),
+            (LoadKind.SWEEP, case.sweep is not None and case.sweep.axis == "x"),
         )
         if there
     )
@@ -278,10 +278,15 @@ class _Series:
             yield list(self._limits(case, runs, peaks, strengths, told)), model
 
     def _is_alone(self, case: str) -> bool:
-        """Return whether a case has nothing beside what shakes the base: else no run has it all."""
+        """Return whether each run of a case has all that acts in it.
+
+        Sines run on a random vibration; all else that shakes the base runs by itself.
+        """
         given = self.design.cases[case]
+        random = given.vibration is not None or None
+        by_itself = (random or given.sine, given.sweep, given.shock)
         beside = (given.acceleration, given.stroke, given.load, given.wrench)
-        return all(load is None for load in beside)
+        return sum(each is not None for each in by_itself) == 1 and not any(beside)
 
     def _run(
         self,
@@ -370,11 +375,16 @@ class _Series:
     def _sampled(self, case: str, f_0: float) -> DesignSpec:
         """Return the design with a random vibration no longer than a sample of it."""
         given = self.design.cases[case]
-        if given.asd is None or given.asd.applied().duration is None:
+        if given.vibration is None or "x" not in given.vibration.axes:
             return self.design.model_copy()
-        duration = min(float(given.asd.applied().duration or 0.0), SAMPLE / f_0)
+        along_x = given.vibration.alone("x")
+        if along_x.lasts is None:
+            return self.design.model_copy()
         shorter = given.model_copy(
-            update={"asd": given.asd.model_copy(update={"duration": duration})}
+            update={
+                "asd": along_x.model_copy(update={"duration": min(along_x.lasts, SAMPLE / f_0)}),
+                "axes": None,
+            }
         )
         return self.design.model_copy(update={"cases": {**self.design.cases, case: shorter}})
 

@@ -140,7 +140,7 @@ def line_error(task: StopTask, place: StopPlace, case: Case, f_0: float) -> Erro
     It was measured with a sine at the blade's own frequency between two stops, in the first mode:
     of a shock, a random vibration or a swing that dies it is no bound at all.
     """
-    if case.sine is None or case.asd or case.shock or case.sweep:
+    if case.sine is None or case.vibration or case.shock or case.sweep or case.sines:
         return None
     if case.acceleration is not None or case.stroke is not None:
         return None

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from flexcli.formulas.spectrum import spectral_level
 from flexcli.numerics.signal_pieces import Samples
 
-__all__ = ["random_samples"]
+__all__ = ["random_samples", "with_sine"]
 
 Floats = NDArray[np.float64]
 
@@ -75,3 +75,28 @@ def random_samples(
     drawn = generator.standard_normal((2, lines.size))
     values = np.fft.irfft(0.5 * count * size * (drawn[0] - 1j * drawn[1]), count)
     return Samples(np.append(values, values[0]), step)
+
+
+def with_sine(samples: Samples, amplitude: float, f: float, phase: float) -> Samples:
+    """Return samples with a sine on them, made good for the straight lines between.
+
+    Parameters
+    ----------
+    samples : Samples
+        The signal.
+    amplitude : float
+        Of the sine, in the signal's unit.
+    f : float
+        Its frequency [Hz], some 8 samples a period or more.
+    phase : float
+        Its phase at the start [rad].
+
+    Returns
+    -------
+    Samples
+        The sum.
+
+    """
+    times = samples.step * np.arange(samples.values.size)
+    size = amplitude / np.sinc(f * samples.step) ** 2
+    return Samples(samples.values + size * np.sin(2.0 * np.pi * f * times + phase), samples.step)

@@ -10,7 +10,7 @@ from typing import Annotated, ClassVar, Literal, NamedTuple
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
-from flexcli.parts.asd import RandomVibration
+from flexcli.parts.asd import Vibration
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, RequirementError
@@ -24,7 +24,7 @@ from flexcli.parts.requirements.response_range import (
     over,
     uncertain_structure,
 )
-from flexcli.parts.requirements.shaking import SHAKES, corners_of, shakings, together
+from flexcli.parts.requirements.shaking import RANDOM, SHAKES, at_once, corners_of
 from flexcli.parts.requirements.yielding import Allowable
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import MOTIONS, Structure
@@ -65,7 +65,7 @@ class _Dynamic(FactorRequirement):
         A peak beyond what is ``bearable`` is on its way past it: how far off the stress may be
         counts at the motion at which it gets there, not at one that is never reached so.
         """
-        for shaking in together(list(shakings(ask, self._peak_factor))):
+        for shaking in at_once(ask, self._peak_factor):
             found = uncertain_structure(ask, shaking.changes_at)
             try:
                 ranges = found.of(shaking.peaks)
@@ -80,7 +80,7 @@ class _Dynamic(FactorRequirement):
                     what = f"{shaking.named(found.structure, name)} {name}"
                     yield _Peak(name, value, compounded(off, rest), what, shaking.source)
 
-    def _peak_factor(self, scene: Scene, vibration: RandomVibration, rate: float) -> float:
+    def _peak_factor(self, scene: Scene, vibration: Vibration, rate: float) -> float:
         if self.peak == "sigma":
             return vibration.sigma
         duration = _duration(scene, vibration)
@@ -92,8 +92,8 @@ def _largest(value: float, error: ErrorRange | None) -> float:
     return value * (1.0 + (error.high if error is not None else 0.0))
 
 
-def _duration(scene: Scene, vibration: RandomVibration) -> float:
-    duration = vibration.applied().duration
+def _duration(scene: Scene, vibration: Vibration) -> float:
+    duration = vibration.lasts
     if duration is None:
         raise RequirementError(
             f"this needs the duration of the vibration of case '{scene.case}'",
@@ -196,13 +196,13 @@ class DynamicLife(_Dynamic):
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return the random vibration alone."""
-        return scene.loads & {LoadKind.ASD}
+        return scene.loads & RANDOM
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the duration of the vibration against the life of every joint."""
         vibration = ask.scene.vibration
         assert vibration is not None  # it applies
-        if beside := sorted(ask.scene.loads & SHAKES - {LoadKind.ASD}):
+        if beside := sorted(ask.scene.loads & SHAKES - RANDOM):
             raise RequirementError(
                 f"a life under random vibration with a {' and a '.join(beside)} in one case is "
                 "not computed",
@@ -223,7 +223,7 @@ class DynamicLife(_Dynamic):
                 life,
                 "s",
                 f"{self.method}, S-N amplitudes at R = −1, {mean}, modal response, "
-                f"{vibration.told_q}",
+                f"{vibration.q.told}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
                 in_capacity=True,
@@ -231,7 +231,7 @@ class DynamicLife(_Dynamic):
             )
 
     def _lives(
-        self, ask: Ask, found: Uncertain, vibration: RandomVibration, rest: ErrorRange | None
+        self, ask: Ask, found: Uncertain, vibration: Vibration, rest: ErrorRange | None
     ) -> dict[str, tuple[float, ErrorRange | None]]:
         """Return the life at every joint [s], with its error from all that the stress may be."""
         from flexcli.parts.response import random_outputs
@@ -277,9 +277,7 @@ class DynamicLife(_Dynamic):
         }
 
 
-def _rms(
-    structure: Structure, vibration: RandomVibration, names: tuple[str, ...]
-) -> dict[str, float]:
+def _rms(structure: Structure, vibration: Vibration, names: tuple[str, ...]) -> dict[str, float]:
     from flexcli.parts.response import random_outputs
 
     found = random_outputs(structure, vibration)

@@ -130,7 +130,8 @@ def _leaves_its_motion(ask: Ask) -> bool:
     """Return whether the base shakes more than the mechanism's own motion."""
     scene = ask.scene
     axes = set(scene.vibration.axes) if scene.vibration is not None else set()
-    axes |= {scene.shock.axis} if scene.shock is not None else set()
+    others = (scene.shock, scene.sine, scene.sweep, *scene.sines)
+    axes |= {each.axis for each in others if each is not None}
     turns = ask.geometry.motion == "rotation" and getattr(ask.mechanism, "joints", 1) == 1
     return scene.lock is not None or "y" in axes or turns or not ask.geometry.closed_forms
 

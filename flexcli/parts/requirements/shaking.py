@@ -4,8 +4,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from flexcli.parts.asd import RandomVibration
+from flexcli.parts.asd import AppliedASD, Vibration
 from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
@@ -13,27 +14,43 @@ from flexcli.parts.shock import Shock
 from flexcli.parts.structure import Structure
 
 if TYPE_CHECKING:
-    from flexcli.parts.excitation import Sine, Sweep
+    from flexcli.parts.excitation import Sine, Sweep, Tone
+    from flexcli.parts.quality import Quality
 
-__all__ = ["SHAKES", "PeakFactor", "Shaking", "corners_of", "quality_of", "shakings", "together"]
+__all__ = [
+    "RANDOM",
+    "SHAKES",
+    "PeakFactor",
+    "Shaking",
+    "at_once",
+    "corners_of",
+    "quality_of",
+    "shakings",
+]
 
-SHAKES = frozenset({LoadKind.ASD, LoadKind.SHOCK, LoadKind.SINE, LoadKind.SWEEP})
+Floats = NDArray[np.float64]
+
+RANDOM = frozenset({LoadKind.ASD, LoadKind.AXES})
+"""Those of which a response is told by its root mean square."""
+
+SHAKES = RANDOM | {LoadKind.SHOCK, LoadKind.SINE, LoadKind.SWEEP, LoadKind.SINES}
 """Loads of a case that the modes answer."""
 
 FEW = 50
 """Points of a density that are all looked at."""
 
-PeakFactor = Callable[[Scene, RandomVibration, float], float]
+PeakFactor = Callable[[Scene, Vibration, float], float]
 """Peak over rms of a random response, from its rate of upward zero crossings [Hz]."""
 
 
 class Shaking(NamedTuple):
     """One excitation: its key in the spec, what a structure answers, and how it is spoken of.
 
-    ``changes_at`` are the frequencies at which it changes [Hz].
+    ``changes_at`` are the frequencies at which it changes [Hz], ``axes`` those that it shakes.
     """
 
     kind: LoadKind
+    axes: tuple[str, ...]
     peaks: Callable[[Structure], Mapping[str, float]]
     changes_at: tuple[float, ...]
     source: str
@@ -42,7 +59,7 @@ class Shaking(NamedTuple):
 
 
 def shakings(ask: Ask, factor: PeakFactor) -> Iterator[Shaking]:
-    """Yield every excitation of a case.
+    """Yield every excitation of a case, its random axes by themselves where they act in turn.
 
     Raises
     ------
@@ -52,23 +69,39 @@ def shakings(ask: Ask, factor: PeakFactor) -> Iterator[Shaking]:
     """
     scene = ask.scene
     if scene.vibration is not None:
-        yield _random(scene, scene.vibration, factor)
+        every = scene.vibration
+        for vibration in [every.alone(axis) for axis in every.axes] if scene.in_turn else [every]:
+            yield _random(scene, vibration, factor)
     if scene.shock is not None:
         yield _shock(scene.shock)
-    if scene.sine is not None:
-        Q = quality_of(ask.mechanism, scene)
-        yield _sine(LoadKind.SINE, scene.sine, Q, (scene.sine.frequency,))
-    if scene.sweep is not None:
-        low, high = sorted((scene.sweep.start, scene.sweep.end))
-        corners = (low, *scene.sweep.crossovers(low, high), high)
-        yield _sine(LoadKind.SWEEP, scene.sweep, quality_of(ask.mechanism, scene), corners)
+    for kind, sines in _sines_of(scene).items():
+        for sine in sines:
+            yield _sine(kind, sine, quality_of(ask.mechanism, scene))
 
 
-def together(found: Sequence[Shaking]) -> Sequence[Shaking]:
-    """Return what a case's excitations do at once: their peaks may meet, and add up."""
+def _sines_of(scene: Scene) -> "dict[LoadKind, Sequence[Sine | Sweep | Tone]]":
+    """Return the sines of a case by their keys."""
+    return {
+        LoadKind.SINE: () if scene.sine is None else (scene.sine,),
+        LoadKind.SWEEP: () if scene.sweep is None else (scene.sweep,),
+        LoadKind.SINES: scene.sines,
+    }
+
+
+def at_once(ask: Ask, factor: PeakFactor) -> Sequence[Shaking]:
+    """Return what shakes the base at once: of axes that act in turn, each by itself."""
+    found = list(shakings(ask, factor))
+    if not ask.scene.in_turn:
+        return _together(found)
+    axes = sorted({axis for each in found for axis in each.axes})
+    return [one for axis in axes for one in _together([s for s in found if axis in s.axes])]
+
+
+def _together(found: Sequence[Shaking]) -> Sequence[Shaking]:
+    """Return excitations as one: their peaks may meet, and add up."""
     if len(found) < 2:
         return found
-    kinds = [each.kind for each in found if each.kind is not LoadKind.ASD]
+    kinds = [each.kind for each in found if each.kind not in RANDOM]
 
     def peaks(structure: Structure) -> dict[str, float]:
         each = [shaking.peaks(structure) for shaking in found]
@@ -77,32 +110,53 @@ def together(found: Sequence[Shaking]) -> Sequence[Shaking]:
     return [
         Shaking(
             kinds[0],
+            tuple(dict.fromkeys(axis for each in found for axis in each.axes)),
             peaks,
             tuple(sorted({at for each in found for at in each.changes_at})),
             " and ".join(each.source for each in found),
-            lambda _structure, _name: f"{' and '.join(each.kind for each in found)} at once,",
+            lambda _structure, _name: (
+                f"{' and '.join(dict.fromkeys(each.kind for each in found))} at once,"
+            ),
             next((each.hint for each in found if each.hint), ""),
         )
     ]
 
 
-def quality_of(mechanism: Mechanism | None, scene: Scene) -> float:
-    """Return Q of the modes: as the mechanism states it, else as another load of the case does."""
+def quality_of(mechanism: Mechanism | None, scene: Scene) -> "Quality":
+    """Return Q of the modes: the case's, else the mechanism's, else that of another load."""
+    from flexcli.parts.quality import Quality
+
+    if scene.quality is not None:
+        return scene.quality
     if mechanism is not None and mechanism.damping is not None:
-        return mechanism.damping.quality
-    for environment in (scene.vibration, scene.shock):
-        if environment is not None:
-            return environment.q
+        return Quality(all=mechanism.damping.quality)
+    if scene.vibration is not None:
+        return scene.vibration.q
+    if scene.shock is not None:
+        return Quality(all=scene.shock.q)
     raise RequirementError(
         f"nothing says how the modes are damped in case '{scene.case}'",
-        "add mechanism.damping: {q: 100}",
+        "add q: 50 to the case",
     )
 
 
-def _random(scene: Scene, vibration: RandomVibration, factor: PeakFactor) -> Shaking:
+def _refuse_unknown_axes(structure: Structure, axes: Sequence[str]) -> None:
+    """Raise :class:`RequirementError` for an axis along which nothing says how it responds."""
+    for axis in axes:
+        if axis not in structure.pull:
+            raise RequirementError(
+                f"no model has the response of this mechanism to a base that moves along {axis}",
+                f"draw it as a space-layout, or take {axis} out of the case",
+            )
+
+
+def _random(scene: Scene, vibration: Vibration, factor: PeakFactor) -> Shaking:
     from flexcli.parts.response import random_outputs
 
+    axes = vibration.axes
+
     def peaks(structure: Structure) -> dict[str, float]:
+        _refuse_unknown_axes(structure, axes)
         return {
             name: factor(scene, vibration, output.crossing_rate) * output.rms
             for name, output in random_outputs(structure, vibration).items()
@@ -112,34 +166,45 @@ def _random(scene: Scene, vibration: RandomVibration, factor: PeakFactor) -> Sha
         rate = random_outputs(structure, vibration)[name].crossing_rate
         return f"{factor(scene, vibration, rate):.3g}σ"
 
-    return Shaking(
-        LoadKind.ASD, peaks, corners_of(vibration), f"modal response, {vibration.told_q}", named
-    )
+    several = f", {' and '.join(axes)} at once, added as squares" if len(axes) > 1 else ""
+    one = f" along {axes[0]}" if scene.in_turn or axes == ("z",) else ""
+    kind = LoadKind.AXES if LoadKind.AXES in scene.loads else LoadKind.ASD
+    source = f"modal response{one}, {vibration.q.told}{several}"
+    return Shaking(kind, axes, peaks, corners_of(vibration), source, named)
 
 
-def corners_of(vibration: RandomVibration) -> tuple[float, ...]:
+def corners_of(vibration: Vibration) -> tuple[float, ...]:
     """Return the frequencies at which a density changes [Hz].
 
     A resonance sees a density over its bandwidth f/Q: of a measured one with many points the
     highest and the lowest in each quarter of it stand for the rest.
     """
-    applied = vibration.applied()
+    each = [_corners(applied, vibration.q.largest) for applied in vibration.by_axis().values()]
+    return tuple(np.unique(np.concatenate(each)).tolist())
+
+
+def _corners(applied: AppliedASD, q: float) -> Floats:
     f, g = applied.frequency, applied.level
     if f.size <= FEW:
-        return tuple(f.tolist())
-    quarter = np.floor(4.0 * vibration.largest_q * np.log(f))
+        return f
+    quarter = np.floor(4.0 * q * np.log(f))
     highest = np.lexsort((g, quarter))  # within each quarter by rising level
     ends = np.diff(quarter[highest]) > 0.0
     chosen = np.concatenate([highest[np.append(ends, True)], highest[np.insert(ends, 0, True)]])
-    return tuple(np.unique(f[chosen]).tolist())
+    return np.asarray(f[chosen])
 
 
 def _shock(shock: Shock) -> Shaking:
     from flexcli.parts.response import shock_peaks
 
+    def peaks(structure: Structure) -> dict[str, float]:
+        _refuse_unknown_axes(structure, (shock.axis,))
+        return shock_peaks(structure, shock)
+
     return Shaking(
         LoadKind.SHOCK,
-        lambda structure: shock_peaks(structure, shock),
+        (shock.axis,),
+        peaks,
         tuple(point.frequency for point in shock.srs),
         f"modal response to the shock, Q = {shock.q:g}",
         lambda _structure, _name: "peak",
@@ -147,15 +212,21 @@ def _shock(shock: Shock) -> Shaking:
     )
 
 
-def _sine(
-    kind: LoadKind, sine: "Sine | Sweep", Q: float, frequencies: tuple[float, ...]
-) -> Shaking:
+def _sine(kind: LoadKind, sine: "Sine | Sweep | Tone", quality: "Quality") -> Shaking:
     from flexcli.parts.response import sine_peaks
+
+    low, high = sine.band
+    frequencies = tuple(dict.fromkeys((low, *sine.crossovers, high)))
+
+    def peaks(structure: Structure) -> dict[str, float]:
+        _refuse_unknown_axes(structure, (sine.axis,))
+        return sine_peaks(structure, sine.level, quality, frequencies, sine.axis)
 
     return Shaking(
         kind,
-        lambda structure: sine_peaks(structure, sine.level, Q, frequencies),
+        (sine.axis,),
+        peaks,
         frequencies,
-        f"steady modal response to the {sine.told}, Q = {Q:g}",
+        f"steady modal response to the {sine.told}, {quality.told}",
         lambda _structure, _name: "amplitude of",
     )

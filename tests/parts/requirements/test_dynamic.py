@@ -7,6 +7,7 @@ import pytest
 import yaml
 
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.quality import Quality
 from flexcli.parts.requirements import Ask, RequirementError
 from flexcli.parts.requirements.as_printed import AsPrinted
 from flexcli.parts.response import random_outputs, sine_peaks
@@ -125,7 +126,7 @@ def _with_stiffness(case, factor):
     if scene.vibration is not None:
         return 3.0 * random_outputs(structure, scene.vibration)["stress joint"].rms
     ends = (scene.sine.frequency, scene.sine.frequency)
-    return sine_peaks(structure, scene.sine.level, Q, ends)["stress joint"]
+    return sine_peaks(structure, scene.sine.level, Quality(all=Q), ends)["stress joint"]
 
 
 def test_an_unknown_stiffness_leaves_the_response_unknown():
