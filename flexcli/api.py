@@ -23,7 +23,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from pickle import dumps, loads
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, get_args
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, get_args
 
 from flexcli.errors import Finding, NoSolution, SolveError, SpecError
 from flexcli.parts.design import DesignSpec, ModelName
@@ -81,6 +81,28 @@ __all__ = [
 Spec: TypeAlias = str | PathLike[str] | Loaded
 Overrides: TypeAlias = Mapping[str, Any]
 Watch: TypeAlias = Callable[[str, float], bool]
+
+
+class Portable(NamedTuple):
+    """A spec as another process or machine makes it anew: its text, and what was put over it.
+
+    ``file`` is where it stood; what it names is looked for from there.
+    """
+
+    text: str
+    file: str
+    changed: Mapping[tuple[str | int, ...], Any]
+
+    @classmethod
+    def of(cls, spec: Loaded) -> "Portable":
+        """Return what makes a spec anew."""
+        document = spec.document
+        return cls(document.text, document.file, document.changed)
+
+    def at(self, point: Mapping[str, str]) -> Loaded:
+        """Return the spec with the values of a point, or raise SpecError."""
+        document = parse_document(self.text, self.file)
+        return validated(document, Path(self.file).parent, {**self.changed, **point})
 
 
 def load(

@@ -2,36 +2,42 @@
 
 from collections.abc import Mapping, Sequence
 from math import inf, isnan
-from typing import Any, Literal
+from typing import Literal, TypeAlias
 
 from flexcli import api
 from flexcli.errors import SolveError, SpecError
 from flexcli.results import Check, Result
 from flexcli.results.study import Column, StudyResult, StudyRow
 
-__all__ = ["collected", "row_of"]
+__all__ = ["Row", "collected", "rows_of"]
 
 Each = Literal["check", "size", "simulate"]
 
+Row: TypeAlias = tuple[StudyRow, tuple[Column, ...]]
+"""A design of a study, and the columns of its cells."""
 
-def row_of(
-    source: api.Spec,
-    overrides: Mapping[str, Any],
-    each: Each,
-    model: str | None,
-    varied: Mapping[str, str] | None = None,
-) -> tuple[StudyRow, tuple[Column, ...]]:
-    """Return the row of one point and its columns; what goes wrong is its reason.
 
-    ``varied`` are those of the overrides that make the point; all, if left out.
-    """
-    point = dict(overrides) if varied is None else varied
+def rows_of(
+    source: api.Portable, each: Each, model: str | None, points: Sequence[Mapping[str, str]]
+) -> list[Row]:
+    """Return the rows of some points, each with its columns."""
+    rows = []
+    known: dict[tuple[Column, ...], tuple[Column, ...]] = {}
+    for point in points:
+        row, columns = _row_at(source, each, model, point)
+        rows.append((row, known.setdefault(columns, columns)))  # told once, where they are alike
+    return rows
+
+
+def _row_at(source: api.Portable, each: Each, model: str | None, point: Mapping[str, str]) -> Row:
+    """Return the row of one point; what goes wrong is its reason."""
     try:
+        spec = source.at(point)
         if each == "simulate":
-            result = api.simulate(source, overrides=overrides)
+            result = api.simulate(spec)
         else:
             verb = api.size if each == "size" else api.check
-            result = verb(source, model=model, overrides=overrides)
+            result = verb(spec, model=model)
     except SpecError as error:
         reason = "; ".join(f"{found.path or found.file}: {found.text}" for found in error.findings)
         return StudyRow(point, "error", "", "", reason, {}), ()
@@ -40,7 +46,7 @@ def row_of(
     return _row(point, result)
 
 
-def _row(point: Mapping[str, str], result: Result) -> tuple[StudyRow, tuple[Column, ...]]:
+def _row(point: Mapping[str, str], result: Result) -> Row:
     cells: dict[str, float | str] = {}
     columns: list[Column] = []
 
@@ -80,9 +86,7 @@ def _key(check: Check) -> tuple[int, float]:
     return check.verdict.rank, share if not isnan(share) else inf
 
 
-def collected(
-    found: Sequence[tuple[StudyRow, tuple[Column, ...]]], each: Each, points: int
-) -> StudyResult:
+def collected(found: Sequence[Row], each: Each, points: int) -> StudyResult:
     """Return rows as one table; a column is there where any row has it, and of use."""
     varied = tuple(dict.fromkeys(name for row, _ in found for name in row.point))
     columns = tuple({column.name: column for _, each_of in found for column in each_of}.values())

@@ -24,6 +24,7 @@ __all__ = [
     "Model",
     "ModelOption",
     "OutputOption",
+    "SchedulerOption",
     "SetOption",
     "SpecsArgument",
     "attempt",
@@ -75,6 +76,14 @@ SpecsArgument = Annotated[
     typer.Argument(
         metavar="[SPEC]...",
         help=f"Name design files, or - for stdin; left out, it is {DEFAULT_SPEC} of this folder.",
+    ),
+]
+SchedulerOption = Annotated[
+    str,
+    typer.Option(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="Spread over the workers of a Dask cluster, e.g. tcp://host:8786.",
     ),
 ]
 SetOption = Annotated[

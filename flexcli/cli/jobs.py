@@ -1,4 +1,4 @@
-"""Many tasks over the cores of the machine: answers in the order of the tasks."""
+"""Many tasks over the cores of the machine, or a cluster: answers in the order of the tasks."""
 
 import os
 from collections.abc import Callable, Generator, Sequence
@@ -30,15 +30,23 @@ def over(
     stopped: Callable[[Task], Answer],
     tasks: Sequence[Task],
     jobs: int,
+    scheduler: str = "",
 ) -> Generator[Answer, None, None]:
     """Yield the answer to each task in order, done in so many processes at a time.
 
-    ``stopped`` answers for a task that Ctrl-C left undone.
+    ``stopped`` answers for a task that Ctrl-C left undone. With the address of a Dask
+    ``scheduler`` its workers do them.
     """
-    if jobs < 2 or len(tasks) < 2:
+    if scheduler:
+        from flexcli.cli.cluster import over_workers
+
+        spread = over_workers(do, tasks, scheduler)
+    elif jobs < 2 or len(tasks) < 2:
         yield from map(do, tasks)
         return
-    with closing(_spread(do, tasks, min(jobs, len(tasks)))) as answers:
+    else:
+        spread = _spread(do, tasks, min(jobs, len(tasks)))
+    with closing(spread) as answers:
         done = 0
         try:
             for answer in answers:

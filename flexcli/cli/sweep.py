@@ -1,9 +1,10 @@
 """``flexure sweep``: one verb at many points of a spec, a row for each."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from contextlib import closing
 from enum import Enum
 from functools import partial
+from itertools import chain
 from pathlib import Path
 from time import monotonic, perf_counter
 from typing import TYPE_CHECKING, Annotated, Any
@@ -15,6 +16,7 @@ from flexcli.cli.common import (
     Format,
     FormatOption,
     ModelOption,
+    SchedulerOption,
     SetOption,
     attempt,
     fail,
@@ -26,8 +28,10 @@ from flexcli.errors import Finding, SpecError
 from flexcli.results import Cost, Result, Status
 
 if TYPE_CHECKING:
+    from flexcli.api import Loaded
     from flexcli.parts.study import Study
-    from flexcli.results.study import Column, StudyResult, StudyRow
+    from flexcli.results.study import StudyResult
+    from flexcli.study import Row
 
 __all__ = ["NAME", "run"]
 
@@ -37,6 +41,15 @@ FORM = "write PATH=FROM:TO:POINTS or PATH=a,b,c"
 
 SAVED = 10.0
 """Seconds after which what is done is saved again."""
+
+SAVING = 20.0
+"""Times what a save takes that pass before the next, however many rows there are."""
+
+BLOCK = 16
+"""Designs that a process is given at once."""
+
+EACH = 8
+"""Blocks of each process at least, so that all end together."""
 
 
 class Each(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
@@ -94,6 +107,7 @@ def run(
         int | None,
         typer.Option("--jobs", "-j", min=1, help="Processes; left out, one of each core."),
     ] = None,
+    scheduler: SchedulerOption = "",
     force: ForceOption = False,
     model: ModelOption = None,
     stated: SetOption = None,
@@ -113,10 +127,11 @@ def run(
     started = perf_counter()
 
     def verb() -> Result:
-        asked = _study(spec, vary, stated, options)
+        loaded = read(spec, stated)
+        asked = _study(spec, loaded, vary, options)
         found = _Sweep(
-            spec, asked, stated, model.value if model else None, output,
-            force=force, resume=resume, jobs=jobs, shown=tuple(shown or ()),
+            loaded, asked, model.value if model else None, output, force=force,
+            resume=resume, jobs=jobs, scheduler=scheduler, shown=tuple(shown or ()),
         ).done()  # fmt: skip
         models = dict.fromkeys(row.model for row in found.rows if row.model)
         cost = Cost(perf_counter() - started, ", ".join(models) or "no", None)
@@ -146,14 +161,13 @@ def _refuse(spec: Path, text: str, hint: str, style: Format) -> None:
 
 
 def _study(
-    spec: Path, vary: Sequence[str] | None, stated: Sequence[str] | None, options: Mapping[str, Any]
+    spec: Path, loaded: "Loaded", vary: Sequence[str] | None, options: Mapping[str, Any]
 ) -> "Study":
     """Return the study of the spec, with what the command line says of it."""
     from pydantic import ValidationError
 
     from flexcli.parts.study import Study
 
-    loaded = read(spec, stated)
     own = loaded.part.study if loaded.kind == "design" else None
     content: dict[str, Any] = own.model_dump(by_alias=True) if own is not None else {"vary": {}}
     if own is not None:
@@ -195,53 +209,67 @@ class _Sweep:
 
     def __init__(
         self,
-        spec: Path,
+        spec: "Loaded",
         asked: "Study",
-        stated: Sequence[str] | None,
         model: str | None,
         output: Path | None,
         *,
         force: bool,
         resume: bool,
         jobs: int | None,
+        scheduler: str,
         shown: tuple[str, ...],
     ) -> None:
+        from flexcli.api import Portable
+        from flexcli.cli import progress
         from flexcli.parts.study import points_of
+        from flexcli.study import rows_of
 
-        self.spec, self.asked, self.output, self.shown = spec, asked, output, shown
+        self.asked, self.output, self.shown = asked, output, shown
         self.points = points_of(asked)
-        self.rows: list[tuple[StudyRow, tuple[Column, ...]]] = []
-        self.task = partial(_at, spec, tuple(stated or ()), asked.each, model)
-        self.jobs = jobs
+        self.rows: list[Row] = []
+        self.task = partial(rows_of, Portable.of(spec), asked.each, model)
+        self.jobs, self.scheduler = jobs, scheduler
         self.kept = _kept(output) if resume and output is not None and output.exists() else {}
         self.may_replace = force or resume
+        self.now = progress.run.get() or progress.Run()
 
     def done(self) -> "StudyResult":
         """Do what is not done, save it now and then, and return all of it."""
-        from flexcli.cli.jobs import over, usual_jobs
-
         if self.output is not None:
             self._save()  # what cannot be written is said before hours of work
             self.may_replace = True
-        todo = [point for point in self.points if tuple(point.values()) not in self.kept]
-        answers = over(self.task, _not_done, todo, self.jobs or usual_jobs(len(todo)))
-        last = monotonic()
-        with closing(answers) as made:
-            for point in self.points:
-                kept = self.kept.get(tuple(point.values()))
-                try:
-                    row = kept if kept is not None else next(made)
-                except KeyboardInterrupt:
-                    break
-                if row is None:
-                    break
-                self.rows.append(row)
-                if self.output is not None and monotonic() - last > SAVED:
-                    self._save()
-                    last = monotonic()
-        if self.output is not None:
-            self._save()
+        saved, pause = monotonic(), SAVED
+        try:
+            with closing(self._made()) as made:
+                for point in self.points:
+                    row = self.kept.get(tuple(point.values())) or next(made, None)
+                    if row is None or self.now.stopped:  # what is judged half is not done
+                        break
+                    self.rows.append(row)
+                    if self.output is not None and monotonic() - saved > pause:
+                        begun = monotonic()
+                        self._save()
+                        saved = monotonic()
+                        pause = max(SAVED, SAVING * (saved - begun))
+        except KeyboardInterrupt:
+            pass  # what is done is kept
+        finally:
+            if self.output is not None:
+                self._save()
         return self._collected()
+
+    def _made(self) -> "Generator[Row, None, None]":
+        """Yield the rows that are not kept, in order, as far as they get done."""
+        from flexcli.cli.jobs import over, usual_jobs
+
+        todo = [point for point in self.points if tuple(point.values()) not in self.kept]
+        jobs = self.jobs or usual_jobs(len(todo))
+        is_alone = jobs < 2 and not self.scheduler
+        size = 1 if is_alone else max(1, min(BLOCK, len(todo) // (EACH * jobs)))
+        blocks = [todo[start : start + size] for start in range(0, len(todo), size)]
+        with closing(over(self.task, _not_done, blocks, jobs, self.scheduler)) as answers:
+            yield from chain.from_iterable(answers)
 
     def _collected(self) -> "StudyResult":
         from flexcli.study import collected
@@ -259,21 +287,12 @@ class _Sweep:
         write_or_end(self.output, content, force=self.may_replace)
 
 
-def _not_done(point: Mapping[str, str]) -> None:
-    """Answer for a point that Ctrl-C left undone."""
+def _not_done(_: "Sequence[Mapping[str, str]]") -> "list[Row]":
+    """Return the rows of points that Ctrl-C left undone."""
+    return []
 
 
-def _at(
-    spec: Path, stated: Sequence[str], each: Any, model: str | None, point: Mapping[str, str]
-) -> "tuple[StudyRow, tuple[Column, ...]]":
-    """Return the row of one point, in whatever process."""
-    from flexcli.cli.common import overrides_of
-    from flexcli.study import row_of
-
-    return row_of(spec, {**overrides_of(stated), **point}, each, model, varied=point)
-
-
-def _kept(path: Path) -> "dict[tuple[str, ...], tuple[StudyRow, tuple[Column, ...]]]":
+def _kept(path: Path) -> "dict[tuple[str, ...], Row]":
     """Return the rows of a study that was saved before, by the values that were put in."""
     import csv
 

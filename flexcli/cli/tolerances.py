@@ -9,6 +9,7 @@ from flexcli.cli.common import (
     Format,
     FormatOption,
     ModelOption,
+    SchedulerOption,
     SetOption,
     SpecsArgument,
     finish,
@@ -41,6 +42,7 @@ def run(
         int | None,
         typer.Option("--jobs", "-j", min=1, help="Processes; left out, one of each core."),
     ] = None,
+    scheduler: SchedulerOption = "",
     model: ModelOption = None,
     stated: SetOption = None,
     style: FormatOption = Format.TEXT,
@@ -57,7 +59,7 @@ def run(
 
         return api.tolerances(
             spec, parts=parts, seed=seed, confidence=confidence,
-            model=model.value if model else None, over=over_processes(jobs),
+            model=model.value if model else None, over=over_processes(jobs, scheduler),
         )  # fmt: skip
 
     results = on_each(NAME, specs, stated, verb)
@@ -66,13 +68,15 @@ def run(
 
 def over_processes(
     jobs: int | None,
+    scheduler: str,
 ) -> Callable[[Callable[[Any], Any], Sequence[Any]], Generator[Any, None, None]]:
-    """Return what puts a question to many designs in several processes, in order."""
+    """Return what puts a question to many designs in several processes, or workers, in order."""
     from flexcli.cli.jobs import A_JOB as A_TASK
     from flexcli.cli.jobs import over, usual_jobs
 
     def each(do: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[Any, None, None]:
-        return over(do, _not_done, tasks, jobs or usual_jobs(len(tasks) * A_TASK // A_JOB))
+        count = jobs or usual_jobs(len(tasks) * A_TASK // A_JOB)
+        return over(do, _not_done, tasks, count, scheduler)
 
     return each
 
