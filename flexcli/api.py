@@ -460,11 +460,13 @@ def drawing(
 
 
 def exported(
-    source: Spec, to: str, *, overrides: Overrides | None = None
+    source: Spec, to: str, *, overrides: Overrides | None = None, plain: bool = False
 ) -> tuple[bytes, tuple[str, ...]]:
     """Return a joint at rest as a file for CAD, ``step``, ``dxf`` or ``stl``, and what to know.
 
-    Blades are exact, bodies plain blocks; lengths are in mm. It needs the extra ``cad``.
+    Blades are exact, bodies plain blocks; what a wire cuts, as the spec's manufacturing states, is
+    one plate with slots unless it shall be ``plain``. Lengths are in mm. It needs the extra
+    ``cad``.
     """
     if to == "dxf":
         from flexcli.report.export_dxf import dxf as written_as
@@ -476,7 +478,14 @@ def exported(
         hint = nearest(to, ("step", "dxf", "stl"))
         raise SpecError([Finding("to", f"there is no format '{to}'", hint)])
     drawn = drawing(source, overrides=overrides)
-    return written_as(drawn), drawn.notes
+    if drawn.cut is None or plain:
+        from flexcli.report.prisms import prisms
+
+        return written_as(prisms(drawn)), drawn.notes
+    from flexcli.report.slots import cut_plate
+
+    plate, notes = cut_plate(drawn)
+    return written_as([plate]), (*drawn.notes, *notes)
 
 
 def dossier(

@@ -38,12 +38,17 @@ def run(
         Path | None,
         typer.Option("--output", "-o", help="Write this file; left out, it is the spec's name."),
     ] = None,
+    plain: Annotated[
+        bool,
+        typer.Option("--plain", help="Write blades and blocks where a wire would cut a plate."),
+    ] = False,
     force: ForceOption = False,
     stated: SetOption = None,
 ) -> None:
     """Write a design for CAD: blades at rest, bodies as blocks.
 
-    Blades are exact, with their notches and fillets; the shape of bodies stands in no spec.
+    Blades are exact, with their notches and fillets. With manufacturing: {process: wire-edm,
+    wire: 0.25 mm} it is one plate with the slots that free blades and bodies.
     """
     if len(specs or ()) > 1:
         fail(NAME, "", SpecError([Finding(NAME, "writes one spec", "name one")]), Format.TEXT)
@@ -53,7 +58,7 @@ def run(
     def verb(spec: "Loaded") -> Result:
         from flexcli import api
 
-        content, notes = api.exported(spec, to.value)
+        content, notes = api.exported(spec, to.value, plain=plain)
         made.append(content)
         told.extend(notes)
         return Result(NAME, "", Status.PASS)

@@ -30,6 +30,7 @@ from flexcli.results.drawing import (
     DrawnAngle,
     DrawnBlade,
     DrawnBody,
+    DrawnCut,
     DrawnEdge,
     DrawnForce,
     DrawnState,
@@ -82,8 +83,9 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         notes.append("the joint alone, without the bodies of its mechanism")
     given = tuple((name, float(size)) for name, size in sizes._asdict().items())
     strength = stated_strength(design.material)
+    cut = design.manufacturing.cut() if design.manufacturing is not None else None
     if geometry.in_space:
-        return _in_space(ask, given, tuple(notes))
+        return _in_space(ask, given, tuple(notes), cut)
     try:
         layout = geometry.layout(design.material.elastic, sizes)
     except NotAvailable:
@@ -92,7 +94,7 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         return Drawing(
             kind=geometry.name, motion=geometry.motion, blades=blades, bodies=bodies, sizes=given,
             centre=(0.0, 0.0), case=ask.scene.case, unit=geometry.travel_unit, twists=twists,
-            notes=tuple(notes),
+            notes=tuple(notes), cut=cut,
         )  # fmt: skip
     turn = _turning(-geometry.axes)
     states, path, missed = _moved(ask, turn) if ask.scene.moves else ((), (), "")
@@ -113,10 +115,16 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         missed=missed,
         strength=strength[1] if strength is not None else None,
         notes=tuple(notes),
+        cut=cut,
     )
 
 
-def _in_space(ask: Ask, given: tuple[tuple[str, float], ...], notes: tuple[str, ...]) -> Drawing:
+def _in_space(
+    ask: Ask,
+    given: tuple[tuple[str, float], ...],
+    notes: tuple[str, ...],
+    cut: DrawnCut | None,
+) -> Drawing:
     """Return a mechanism in space at rest, seen along one axis."""
     from flexcli.engine.draw_in_space import VIEWS, seen, view_of
 
@@ -141,6 +149,7 @@ def _in_space(ask: Ask, given: tuple[tuple[str, float], ...], notes: tuple[str, 
         axes=VIEWS[view],
         is_a_view=True,
         notes=notes,
+        cut=cut,
     )
 
 

@@ -1,25 +1,33 @@
 """A mechanism as DXF, in mm: closed outlines on the layers of their kinds, with their widths."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from importlib import import_module
 from io import StringIO
-from math import atan2, hypot, pi, tan
+from math import atan2, degrees, hypot, pi, tan
 from typing import Any
 
 from flexcli.errors import SolveError
-from flexcli.report.prisms import BLADES, BODIES, GROUND, MM, Prism, prisms
-from flexcli.results.drawing import Drawing, DrawnEdge
+from flexcli.report.prisms import (
+    BLADES,
+    BODIES,
+    GROUND,
+    MM,
+    PLATE,
+    SLOTS,
+    Arc,
+    Edges,
+    Prism,
+    is_round,
+)
+from flexcli.results.drawing import DrawnEdge
 
 __all__ = ["dxf"]
 
-COLOURS = {BLADES: 1, BODIES: 5, GROUND: 8}
-"""Of AutoCAD's index: red, blue, grey."""
-
-ROUND = 1e-9
-"""Of a radius: half-axes that differ by less are those of a circle."""
+COLOURS = {BLADES: 1, BODIES: 5, GROUND: 8, PLATE: 7, SLOTS: 1}
+"""Of AutoCAD's index: red, blue, grey, white."""
 
 
-def dxf(drawing: Drawing) -> bytes:
+def dxf(shapes: Sequence[Prism]) -> bytes:
     """Return a file of outlines; width and height stand in each as thickness and elevation.
 
     An outline of lines and circles is one closed polyline; one with ellipses is made of lines and
@@ -28,10 +36,9 @@ def dxf(drawing: Drawing) -> bytes:
     Raises
     ------
     SolveError
-        When the library is not installed, or nothing of the drawing can be cut.
+        When the library is not installed.
 
     """
-    shapes = prisms(drawing)
     try:
         library = import_module("ezdxf")
     except ImportError as error:
@@ -39,18 +46,24 @@ def dxf(drawing: Drawing) -> bytes:
         raise SolveError("no-cad", text, "pip install 'flexcli[cad]'") from error
     document = library.new("R2010")
     document.header["$INSUNITS"], document.header["$MEASUREMENT"] = 4, 1  # mm
-    for layer, colour in COLOURS.items():
-        document.layers.add(layer, color=colour)
+    contours = [
+        (layer, edges, shape)
+        for shape in shapes
+        for layer, edges in ((shape.layer, shape.edges), *((SLOTS, hole) for hole in shape.holes))
+    ]
+    for layer in dict.fromkeys(layer for layer, *_ in contours):
+        document.layers.add(layer, color=COLOURS[layer])
     space = document.modelspace()
-    for shape in shapes:
-        at = {"layer": shape.layer, "thickness": (shape.high - shape.low) * MM}
-        if all(_is_round(edge) for edge in shape.edges):
-            points = [(*_mm(edge.start), _bulge(edge)) for edge in shape.edges]
-            at["elevation"] = shape.low * MM
+    for layer, edges, shape in contours:
+        at = {"layer": layer, "thickness": (shape.high - shape.low) * MM}
+        low = shape.low * MM
+        if all(is_round(edge) for edge in edges):
+            points = [(*_mm(edge.start), _bulge(edge)) for edge in edges]
+            at["elevation"] = low
             space.add_lwpolyline(points, format="xyb", close=True, dxfattribs=at)
         else:
-            for kind, values in _entities(shape):
-                given = at if kind == "add_line" else {"layer": shape.layer}
+            for kind, values in _entities(edges, low):
+                given = at if kind == "add_line" else {"layer": layer}
                 getattr(space, kind)(**values, dxfattribs=given)
     stream = StringIO()
     document.write(stream)
@@ -68,30 +81,39 @@ def _arms(edge: DrawnEdge) -> tuple[tuple[float, float], tuple[float, float]]:
     return (edge.start[0] - x, edge.start[1] - y), (edge.end[0] - x, edge.end[1] - y)
 
 
-def _is_round(edge: DrawnEdge) -> bool:
-    if edge.centre is None:
-        return True
-    one, other = (hypot(*arm) for arm in _arms(edge))
-    return abs(one - other) <= ROUND * one
-
-
 def _turn(edge: DrawnEdge) -> float:
     """Return 1 for a quarter that is anticlockwise from its start, else −1."""
     (a, b), (c, d) = _arms(edge)
     return 1.0 if a * d - b * c > 0.0 else -1.0
 
 
-def _bulge(edge: DrawnEdge) -> float:
+def _bulge(edge: DrawnEdge | Arc) -> float:
     """Return the tangent of a quarter of the angle of an arc, zero for a line."""
+    if isinstance(edge, Arc):
+        return tan(edge.sweep / 4.0)
     return 0.0 if edge.centre is None else _turn(edge) * tan(pi / 8.0)
 
 
-def _entities(shape: Prism) -> Iterator[tuple[str, dict[str, Any]]]:
-    low = shape.low * MM
-    for edge in shape.edges:
+def _entities(edges: Edges, low: float) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Yield what a contour with ellipses is made of."""
+    for edge in edges:
         start, end = (*_mm(edge.start), low), (*_mm(edge.end), low)
         if edge.centre is None:
             yield "add_line", {"start": start, "end": end}
+            continue
+        if isinstance(edge, Arc):
+            (x, y), is_left = edge.centre, edge.sweep > 0.0
+            ends = (edge.start, edge.end) if is_left else (edge.end, edge.start)
+            angles = [degrees(atan2(v - y, u - x)) for u, v in ends]
+            yield (
+                "add_arc",
+                {
+                    "center": (*_mm(edge.centre), low),
+                    "radius": hypot(edge.start[0] - x, edge.start[1] - y) * MM,
+                    "start_angle": angles[0],
+                    "end_angle": angles[1],
+                },
+            )
             continue
         arms = _arms(edge)
         major = max(arms, key=lambda arm: hypot(*arm))

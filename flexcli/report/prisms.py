@@ -2,32 +2,80 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from math import hypot
+from typing import NamedTuple, TypeAlias
 
 from flexcli.errors import SolveError
 from flexcli.report.drawing_svg import blocks
 from flexcli.results.drawing import XY, Drawing, DrawnBlade, DrawnEdge
 
-__all__ = ["BLADES", "BODIES", "GROUND", "MM", "Prism", "prisms"]
+__all__ = [
+    "BLADES",
+    "BODIES",
+    "GROUND",
+    "MM",
+    "PLATE",
+    "SLOTS",
+    "Arc",
+    "Edges",
+    "Prism",
+    "anticlockwise",
+    "is_round",
+    "outline",
+    "prisms",
+    "rigid_middles",
+    "span_of",
+]
 
 BLADES, BODIES, GROUND = "BLADES", "BODIES", "GROUND"
-"""Layers."""
+"""Layers of single parts."""
+
+PLATE, SLOTS = "PLATE", "SLOTS"
+"""Layers of what is cut in one piece: its outer contour, and those within it."""
 
 MM = 1e3
 """Of a metre: the unit of all files."""
+
+ROUND = 1e-9
+"""Of a radius: half-axes that differ by less are those of a circle."""
 
 THICKER = 4.0
 """Thickness of the rigid middle of a blade, which no spec states, over that of its hinges."""
 
 
+class Arc(NamedTuple):
+    """Part of an outline: of a circle [m], through an angle [rad], anticlockwise if positive."""
+
+    start: XY
+    end: XY
+    centre: XY
+    sweep: float
+
+
+Edges: TypeAlias = tuple[DrawnEdge | Arc, ...]
+
+
+def is_round(edge: DrawnEdge | Arc) -> bool:
+    """Return whether an edge is straight or of a circle."""
+    if edge.centre is None or isinstance(edge, Arc):
+        return True
+    x, y = edge.centre
+    one, other = (hypot(u - x, v - y) for u, v in (edge.start, edge.end))
+    return abs(one - other) <= ROUND * one
+
+
 class Prism(NamedTuple):
-    """A closed outline [m], from a depth to another across the plane, with a name and a layer."""
+    """A closed outline [m], from a depth to another across the plane, with a name and a layer.
+
+    ``holes`` are the closed outlines within it, clockwise.
+    """
 
     name: str
     layer: str
-    edges: tuple[DrawnEdge, ...]
+    edges: Edges
     low: float
     high: float
+    holes: tuple[Edges, ...] = ()
 
 
 def prisms(drawing: Drawing) -> tuple[Prism, ...]:
@@ -41,40 +89,46 @@ def prisms(drawing: Drawing) -> tuple[Prism, ...]:
     """
     found = [
         Prism(name if len(blade.outlines) == 1 else f"{name} hinge {k}", BLADES, edges, *span)
-        for blade, name, span in ((blade, blade.name, _span(blade)) for blade in drawing.blades)
+        for blade, name, span in ((blade, blade.name, span_of(blade)) for blade in drawing.blades)
         for k, edges in enumerate(blade.outlines, 1)
     ]
     if not found:
         text = f"a {drawing.kind} draws no blades that are prisms across its plane"
         raise SolveError("no-prisms", text, "see flexure draw for what it draws")
     middles = [
-        Prism(f"{blade.name} middle", BODIES, _block(corners), *_span(blade))
+        Prism(f"{blade.name} middle", BODIES, outline(corners), *span_of(blade))
         for blade in drawing.blades
-        for corners in _middles(blade)
+        for corners in rigid_middles(blade)
     ]
     low, high = min(prism.low for prism in found), max(prism.high for prism in found)
     bodies = [
-        Prism(body.name, GROUND if body.is_ground else BODIES, _block(corners), low, high)
+        Prism(body.name, GROUND if body.is_ground else BODIES, outline(corners), low, high)
         for body in drawing.bodies
         for corners in blocks(drawing, body)
     ]
     return (*found, *middles, *bodies)
 
 
-def _span(blade: DrawnBlade) -> tuple[float, float]:
+def span_of(blade: DrawnBlade) -> tuple[float, float]:
+    """Return from where to where a blade reaches across the plane [m]."""
     return blade.height - 0.5 * blade.width, blade.height + 0.5 * blade.width
 
 
-def _block(corners: Sequence[XY]) -> tuple[DrawnEdge, ...]:
-    """Return the outline of a block, anticlockwise."""
+def anticlockwise(corners: Sequence[XY]) -> list[XY]:
+    """Return the corners of an outline, anticlockwise."""
     ends = [*corners[1:], corners[0]]
     area = sum(x * v - u * y for (x, y), (u, v) in zip(corners, ends, strict=True))
-    ordered = list(corners) if area > 0.0 else list(corners)[::-1]
+    return list(corners) if area > 0.0 else list(corners)[::-1]
+
+
+def outline(corners: Sequence[XY]) -> tuple[DrawnEdge, ...]:
+    """Return the outline through some corners, anticlockwise."""
+    ordered = anticlockwise(corners)
     around = zip(ordered, [*ordered[1:], ordered[0]], strict=True)
     return tuple(DrawnEdge(a, b) for a, b in around)
 
 
-def _middles(blade: DrawnBlade) -> list[list[XY]]:
+def rigid_middles(blade: DrawnBlade) -> list[list[XY]]:
     """Return the corners of what is rigid between the hinges of a blade."""
     found = []
     for one, other in pairwise(blade.outlines):

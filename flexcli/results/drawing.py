@@ -12,6 +12,7 @@ __all__ = [
     "DrawnAngle",
     "DrawnBlade",
     "DrawnBody",
+    "DrawnCut",
     "DrawnEdge",
     "DrawnForce",
     "DrawnState",
@@ -68,6 +69,18 @@ class DrawnBody:
     com: XY | None = None
 
 
+class DrawnCut(NamedTuple):
+    """How a wire cuts it from a plate: width of the slots, narrowest gap, least inner radius [m].
+
+    ``outlines`` are the corners of bodies by the names of the spec.
+    """
+
+    slot: float
+    gap: float
+    radius: float
+    outlines: Mapping[str, tuple[XY, ...]]
+
+
 @dataclass(frozen=True, eq=False)
 class DrawnState:
     """The mechanism moved by ``travel``: axes of the blades, stress [Pa] there, bodies' motions.
@@ -107,8 +120,8 @@ class Drawing:
 
     ``sizes`` are (symbol, value [m]) as the spec names them; ``states`` are in the order + end, −
     end of the stroke, ``path`` is where the centre or moving point goes between them; ``unit`` is
-    that of the travel, ``missed`` why a case has no states. A bar that twists is a blade on its
-    axis; ``twists`` says so. ``axes`` are those to the right and up;
+    that of the travel, ``missed`` why a case has no states, ``cut`` how a wire makes it. A bar that
+    twists is a blade on its axis; ``twists`` says so. ``axes`` are those to the right and up;
     ``is_a_view`` says that it is of a mechanism in space, seen along the third.
     """
 
@@ -130,6 +143,7 @@ class Drawing:
     twists: bool = False
     strength: float | None = None
     notes: tuple[str, ...] = ()
+    cut: DrawnCut | None = None
 
     def _repr_svg_(self) -> str | None:
         svg: str | None = rendered(self, "svg")

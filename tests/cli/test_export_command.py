@@ -42,6 +42,22 @@ def test_without_its_library_it_names_the_extra(inside, spec, monkeypatch, to, l
     assert [path.name for path in spec.iterdir()] == ["arm.yaml"]
 
 
+def test_what_a_wire_cuts_is_one_plate_and_what_it_cannot_cut_is_told(inside, spec):
+    pytest.importorskip("ezdxf")
+    pytest.importorskip("OCP")
+    wire = "manufacturing: {process: wire-edm, wire: 0.2 mm}\n"
+    (spec / "sharp.yaml").write_text(SPEC + wire)
+    (spec / "cut.yaml").write_text(SPEC.replace("b: 2 mm", "b: 2 mm, root_radius: 0.2 mm") + wire)
+    told = inside("export", "sharp.yaml", "--to", "dxf")
+    assert told.returncode == 2
+    assert "roots of blade are sharp" in told.stderr
+    assert inside("export", "sharp.yaml", "--to", "dxf", "--plain").returncode == 0
+    told = inside("export", "cut.yaml", "--to", "dxf")
+    assert told.returncode == 0
+    assert "slots of 0.2 mm" in told.stderr
+    assert b"SLOTS" in (spec / "cut.dxf").read_bytes()
+
+
 def test_it_takes_one_spec_and_a_format_that_there_is(inside, spec):
     assert inside("export", "arm.yaml", "arm.yaml", "--to", "dxf").returncode == 2
     assert inside("export", "arm.yaml", "--to", "dwg").returncode == 2

@@ -90,7 +90,7 @@ def test_a_dxf_has_every_outline_where_it_is(drawn):
     from flexcli.report.export_dxf import dxf
 
     drawing, _ = drawn
-    document = ezdxf.read(io.StringIO(dxf(drawing).decode()))
+    document = ezdxf.read(io.StringIO(dxf(prisms(drawing)).decode()))
     assert document.units == 4  # mm
     assert document.audit().errors == []
     space = list(document.modelspace())
@@ -160,7 +160,7 @@ def test_a_step_has_a_named_part_of_each_size(drawn, tmp_path):
     from flexcli.report.export_solid import step
 
     drawing, volume = drawn
-    content = step(drawing)
+    content = step(prisms(drawing))
     shapes = prisms(drawing)
     for shape in shapes:
         assert f"PRODUCT('{shape.name}'".encode() in content

@@ -329,7 +329,7 @@ class Geometry(Part):
         """Return the inner radii of its outline by name, 0 for a sharp corner [m]."""
         return {}
 
-    def clearances(self, sizes: Sizes) -> tuple[tuple[str, float], ...]:
+    def clearances(self, sizes: Sizes) -> tuple[tuple[str, Computed], ...]:
         """Return what stands between blades, in words, and how much room is left there [m]."""
         return ()
 

@@ -203,11 +203,11 @@ class HingedStage(SagsAlongStroke, _Hinged):
         """Return the volume of the hinges [m³]; the limbs are bodies."""
         return self.hinges_volume(sizes, 2 * self.limbs)
 
-    def clearances(self, sizes: LimbSizes) -> tuple[tuple[str, float], ...]:
+    def clearances(self, sizes: LimbSizes) -> tuple[tuple[str, Computed], ...]:
         """Return the room between neighbours."""
         if self.spacing is None:
             return ()
-        return (("neighbouring limbs", self.spacing - float(sizes.e + 2.0 * sizes.r)),)
+        return (("neighbouring limbs", self.spacing - sizes.e - 2.0 * sizes.r),)
 
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a limb per force on the stage along the limbs [-]."""

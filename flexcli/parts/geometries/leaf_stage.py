@@ -74,11 +74,11 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         """Return 1: the blades bend in an S alone."""
         return 1.0
 
-    def clearances(self, sizes: Blade) -> tuple[tuple[str, float], ...]:
+    def clearances(self, sizes: Blade) -> tuple[tuple[str, Computed], ...]:
         """Return the room between neighbours."""
         if self.spacing is None:
             return ()
-        return (("neighbouring blades", self.spacing - float(sizes.h)),)
+        return (("neighbouring blades", self.spacing - sizes.h),)
 
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""

@@ -134,11 +134,11 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
         """Return what its closed forms are valid in: shape and stroke."""
         return {**self.ratios(sizes), "x/l": travel / sizes.l}
 
-    def clearances(self, sizes: NeckedSizes) -> tuple[tuple[str, float], ...]:
+    def clearances(self, sizes: NeckedSizes) -> tuple[tuple[str, Computed], ...]:
         """Return the room between neighbours."""
         if self.spacing is None:
             return ()
-        return (("neighbouring blades", self.spacing - float(sizes.h)),)
+        return (("neighbouring blades", self.spacing - sizes.h),)
 
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a blade per force on the stage along the blades [-]."""

@@ -5,11 +5,14 @@ from itertools import combinations
 from math import cos, pi, sin
 from typing import Annotated, ClassVar
 
+import numpy as np
+
 from flexcli.formulas import pivot, pivot_next_order, thick_blades
 from flexcli.formulas.card import Card
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.thick_blades import s_bending_share
 from flexcli.mechanics.layout import Body, Layout, Point
+from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.pair import Pair
@@ -76,17 +79,27 @@ class BladePivot(CentredBlades):
         ]
         return Layout((Body(MOVING, (0.0, 0.0)),), tuple(blades), elastic.E, elastic.shear)
 
-    def clearances(self, sizes: Blade) -> tuple[tuple[str, float], ...]:
+    def clearances(self, sizes: Blade) -> tuple[tuple[str, Computed], ...]:
         """Return the room between the inner ends of blades in one plane, and where they cross."""
-        heights, p, l = self.heights(sizes), float(self.offset(sizes)), float(sizes.l)
-        found = []
+        nearest = _nearest(self.offset(sizes), sizes.l)
+        if nearest is None:
+            return ()
+        found, heights = [], self.heights(sizes._replace(b=1.0))
         for i, j in combinations(range(self.blade_count), 2):
             if heights[i] != heights[j]:
                 continue
             apart = abs(sin((self.blade_angles[i] - self.blade_angles[j]) / 2.0))
-            nearest = 0.0 if p < 0.0 < p + l else min(abs(p), abs(p + l))
-            found.append((f"blades {i + 1} and {j + 1}", 2.0 * nearest * apart - float(sizes.h)))
+            found.append((f"blades {i + 1} and {j + 1}", nearest * (2.0 * apart) - sizes.h))
         return tuple(found)
+
+
+def _nearest(p: Computed, l: Computed) -> Computed | None:
+    """Return how near to the centre the blades begin, nothing where a choice of sizes decides."""
+    if isinstance(l, Signomial):
+        return p if as_signomial(p).is_posynomial else None
+    inner, outer = np.asarray(p), np.asarray(p + l)
+    beside = np.minimum(np.abs(inner), np.abs(outer))
+    return np.where((inner < 0.0) & (outer > 0.0), 0.0, beside)[()]
 
 
 class PivotFormulas(CentredBlades):
