@@ -1,7 +1,7 @@
 """A layout in space as equations for Newton's method: blades closed, bodies in equilibrium.
 
-One row of unknowns: rotations and twist rates at the nodes of all blades, force and end moment of
-each blade (along the axes of the drawing, scaled by the blade), shift and quaternion of each body.
+One row of unknowns: what is inside the blades, force and end moment of each blade (along the axes
+of the drawing, scaled by the blade), shift and quaternion of each body.
 """
 
 from collections.abc import Mapping
@@ -10,9 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.space.exact.blade import Condensed, condense
 from flexcli.mechanics.space.exact.demand import Demand, Frame
-from flexcli.mechanics.space.exact.mesh import Mesh, mesh_of
+from flexcli.mechanics.space.exact.members import EndMotions, Members, MembersOf
 from flexcli.mechanics.space.exact.outer_forces import apply_force, apply_spring
 from flexcli.mechanics.space.exact.rotation import (
     conjugate,
@@ -26,9 +25,8 @@ from flexcli.mechanics.space.exact.rotation import (
     spun,
     vector_of,
 )
-from flexcli.mechanics.space.exact.section import BeamEffects, section_of
+from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.layout import SpaceLayout
-from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
 from flexcli.numerics.stack import solve_stack
 
 __all__ = ["Assembly", "Linearised", "Unknowns", "assemble", "at_nodes", "finer"]
@@ -41,16 +39,16 @@ _FORCE = 10.0
 
 
 class Unknowns(NamedTuple):
-    """Nodes (blades, K, 5), blade forces (blades, 6), shifts (bodies, 3), quaternions (…, 4)."""
+    """Inside of blades (…,), blade forces (blades, 6), shifts (bodies, 3), quaternions (…, 4)."""
 
-    nodes: Floats
+    inside: Floats
     forces: Floats
     shift: Floats
     turn: Floats
 
 
 class Linearised(NamedTuple):
-    """The equations about a state, nodes eliminated: of forces and ends of blades, then of bodies.
+    """The equations about a state, insides eliminated: of forces and ends of blades, then of bodies.
 
     The bodies' unknowns are changes of their coordinates. ``row_scale`` brings each row to order
     one; ``basis`` (bodies, 6, 6) takes coordinates to shift and spin, ``axes`` (blades, 3, 3) are
@@ -62,13 +60,13 @@ class Linearised(NamedTuple):
     row_scale: Floats
     basis: Floats
     axes: Floats
-    blades: Condensed
+    blades: EndMotions
 
 
 class Assembly(NamedTuple):
     """A layout ready to be solved; ``length`` [m] and ``force`` [N] are its units.
 
-    ``points`` (bodies + 1, 3) and ``frames`` (bodies + 1, 3, 3) are those of the bodies, the last
+    ``inside`` is the number of unknowns inside the blades; ``points`` (bodies + 1, 3) and ``frames`` (bodies + 1, 3, 3) are those of the bodies, the last
     being the ground; ``first`` and ``second`` the bodies of each blade, ``start`` and ``end`` the
     ends from their points in lengths of the blade, ``axes`` those of the blades at rest,
     ``scale`` the length over the blade's, ``weight`` its unit of energy over that of the whole.
@@ -76,7 +74,8 @@ class Assembly(NamedTuple):
 
     layout: SpaceLayout
     effects: BeamEffects
-    mesh: Mesh
+    members: Members
+    inside: int
     points: Floats
     frames: Floats
     first: Integers
@@ -100,37 +99,30 @@ class Assembly(NamedTuple):
         return len(self.layout.blades)
 
     @property
-    def turns(self) -> int:
-        """Return the number of unknowns at nodes."""
-        return 5 * self.blades * self.mesh.nodes
-
-    @property
     def size(self) -> int:
         """Return the number of unknowns."""
-        return self.turns + 6 * self.blades + 7 * self.bodies
+        return self.inside + 6 * self.blades + 7 * self.bodies
 
     def rest(self) -> Floats:
         """Return the unknowns of the pose in which nothing is strained."""
-        x = np.zeros(self.size)
-        at = self.split(x)
-        at.nodes[..., 0] = 1.0
-        at.turn[:, 0] = 1.0
+        at_rest = self.members.rest()
+        x = np.concatenate([at_rest, np.zeros(6 * self.blades + 7 * self.bodies)])
+        self.split(x).turn[:, 0] = 1.0
         return x
 
     def at(self, x: Floats) -> Unknowns:
         """Return one row of unknowns with all rotations of unit length."""
-        found = self.split(x.copy())
-        for turns in (found.nodes[..., :4], found.turn):
-            turns[...] /= np.sqrt(np.sum(turns**2, axis=-1, keepdims=True))
-        return found
+        found = self.split(x)
+        length = np.sqrt(np.sum(found.turn**2, axis=-1, keepdims=True))
+        return found._replace(inside=self.members.unit(found.inside), turn=found.turn / length)
 
     def split(self, x: Floats) -> Unknowns:
         """Return views of one row of unknowns."""
-        forces = self.turns + 6 * self.blades
+        forces = self.inside + 6 * self.blades
         shifts = forces + 3 * self.bodies
         return Unknowns(
-            x[: self.turns].reshape(self.blades, -1, 5),
-            x[self.turns : forces].reshape(-1, 6),
+            x[: self.inside],
+            x[self.inside : forces].reshape(-1, 6),
             x[forces:shifts].reshape(-1, 3),
             x[shifts:].reshape(-1, 4),
         )
@@ -154,7 +146,7 @@ class Assembly(NamedTuple):
         S_t = np.swapaxes(S, -1, -2)
         n, m = at.forces[:, :3], at.forces[:, 3:]
         local = np.concatenate([_times(S, n), _times(S, m)], axis=-1)
-        blade = condense(self.mesh, at.nodes, local)
+        blade = self.members.condense(at.inside, local)
         F = np.zeros((B, 6, 6))
         for a in (slice(0, 3), slice(3, 6)):
             for b in (slice(0, 3), slice(3, 6)):
@@ -303,16 +295,16 @@ class Assembly(NamedTuple):
             ],
             axis=-1,
         )
-        nodes = (at.blades.follow @ local[:, None, :, None])[..., 0]
+        inside = at.blades.follow(local)
         if not settled:
             # and back to unit length
-            nodes += at.blades.free + here.nodes - was.nodes
+            inside += at.blades.free + here.inside - was.inside
             d_turn += here.turn - was.turn
-        return np.concatenate([nodes.ravel(), forces.ravel(), body[:, :3].ravel(), d_turn.ravel()])
+        return np.concatenate([inside, forces.ravel(), body[:, :3].ravel(), d_turn.ravel()])
 
     def length_of(self, x: Floats, step: Floats) -> Floats:
         """Return the length of steps: rotations, motions, forces over those they add to."""
-        k_f = slice(self.turns, self.turns + 6 * self.blades)
+        k_f = slice(self.inside, self.inside + 6 * self.blades)
         forces = np.max(np.abs(x[:, k_f]), axis=1, initial=0.0)
         size = np.abs(step)
         size[:, k_f] /= (_FORCE + forces)[:, None]
@@ -325,29 +317,33 @@ def _times(A: Floats, x: Floats) -> Floats:
 
 
 def assemble(
-    layout: SpaceLayout, effects: BeamEffects, nodes: int, frames: Mapping[str, Frame]
+    layout: SpaceLayout,
+    effects: BeamEffects,
+    level: int,
+    frames: Mapping[str, Frame],
+    made: MembersOf,
 ) -> Assembly:
-    """Return the layout at ``nodes`` Gauss nodes on each segment of each blade.
+    """Return the layout with its blades made at a level.
 
     ``frames`` are the points and axes by which the motion of some bodies is stated; that of the
     others is stated at their own points, along the axes of the drawing.
     """
-    sections = tuple(section_of(blade, effects) for blade in layout.blades)
+    members = made(layout, effects, level)
     names = {body.name: i for i, body in enumerate(layout.bodies)}
     ground = len(names)
     own = [frames.get(body.name, Frame(body.point, np.eye(3))) for body in layout.bodies]
     points = np.array([*(frame.point for frame in own), (0.0, 0.0, 0.0)], dtype=np.float64)
     first = np.array([names.get(blade.first, ground) for blade in layout.blades])
     second = np.array([names.get(blade.second, ground) for blade in layout.blades])
-    l = np.array([section.l for section in sections])
-    EI = np.array([section.EI for section in sections])
+    l, EI = members.l, members.EI
     length = float(np.mean(l))
     force = float(np.mean(EI / l)) / length
     starts, ends = (np.array([getattr(b, e) for b in layout.blades]) for e in ("start", "end"))
     return Assembly(
         layout=layout,
         effects=effects,
-        mesh=mesh_of(sections, nodes),
+        members=members,
+        inside=members.rest().size,
         points=points / length,
         frames=np.array([*(frame.axes for frame in own), np.eye(3)], dtype=np.float64),
         first=first,
@@ -362,16 +358,13 @@ def assemble(
     )
 
 
-def at_nodes(assembly: Assembly, nodes: int) -> Assembly:
-    """Return the same layout at another number of Gauss nodes on each segment."""
-    return assembly._replace(mesh=mesh_of(assembly.mesh.sections, nodes))
+def at_nodes(assembly: Assembly, level: int) -> Assembly:
+    """Return the same layout with its blades at another level."""
+    members = assembly.members.at_level(level)
+    return assembly._replace(members=members, inside=members.rest().size)
 
 
 def finer(coarse: Assembly, fine: Assembly, x: Floats) -> Floats:
-    """Return rows of unknowns of a coarse assembly interpolated to the nodes of a finer one."""
-    matrix = interpolation_matrix(coarse.mesh.per_segment, gauss_nodes(fine.mesh.per_segment)[0])
-    nodes = x[:, : coarse.turns].reshape(-1, coarse.mesh.per_segment, 5)
-    return np.concatenate(
-        [(matrix @ nodes).reshape(x.shape[0], -1), x[:, coarse.turns :]],
-        axis=1,
-    )
+    """Return rows of unknowns of a coarse assembly at the level of a finer one."""
+    inside = coarse.members.finer(fine.members, x[:, : coarse.inside])
+    return np.concatenate([inside, x[:, coarse.inside :]], axis=1)

@@ -24,8 +24,10 @@ from flexcli.mechanics.critical_point import (
 )
 from flexcli.mechanics.refinement import LEVELS
 from flexcli.mechanics.space.exact.assembly import Assembly, at_nodes, finer
+from flexcli.mechanics.space.exact.beams import beams_of
 from flexcli.mechanics.space.exact.demand import Demand, Frame, Held, demand_of
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve, started
+from flexcli.mechanics.space.exact.members import MembersOf
 from flexcli.mechanics.space.exact.second_variation import inertia_count, second_variation
 from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.exact.support import unstable_when_free
@@ -111,6 +113,7 @@ def critical_load(
     effects: BeamEffects | None = None,
     tolerance: float = 1e-7,
     levels: Sequence[int] = LEVELS,
+    made: MembersOf = beams_of,
 ) -> SpaceCritical:
     """Return the least factor in (0, most] on a load pattern at which an equilibrium is critical.
 
@@ -128,7 +131,7 @@ def critical_load(
     released : sequence of int
         Coordinates (6 body + 0…5) of those held that are free to buckle: the drive, where it is
         an effort that keeps its size.
-    frames, start, effects, tolerance, levels
+    frames, start, effects, tolerance, levels, made
         As in :func:`flexcli.mechanics.space.exact.equilibrium.solve`; the tolerance is relative.
 
     Returns
@@ -146,7 +149,9 @@ def critical_load(
     """
     effects = BeamEffects() if effects is None else effects
     frames = {} if frames is None else frames
-    rest = solve(layout, held, frames=frames, effects=effects, start=start, levels=levels).checked()
+    rest = solve(
+        layout, held, frames=frames, effects=effects, start=start, levels=levels, made=made
+    ).checked()
     if unstable_when_free(rest, released):
         raise unstable_start()
     coarse = rest.part.assembly
@@ -157,7 +162,7 @@ def critical_load(
     free = np.union1d(demand.free, np.asarray(released, dtype=np.intp)).astype(np.intp)
     search, low, high = _stretch(coarse, demand, free, rest.part.x, most)
     found = first_critical(search, low, high)
-    finer_levels = (level for level in levels if level > coarse.mesh.per_segment)
+    finer_levels = (level for level in levels if level > coarse.members.level)
     return _critical(*refined(search, found, finer_levels, tolerance), most)
 
 
@@ -220,7 +225,7 @@ def _weight(assembly: Assembly) -> Floats:
     """Return the weights in arc length: rotations in the mean, motions, no forces."""
     weight = np.zeros(assembly.size)
     parts = assembly.split(weight)
-    parts.nodes[..., :4] = 4.0 / (assembly.blades * assembly.mesh.nodes)
+    parts.inside[:] = assembly.members.weight()
     parts.shift[:] = 1.0
     parts.turn[:] = 4.0
     return weight

@@ -1,7 +1,7 @@
 """Equilibrium of a mechanism in space of rigid bodies, blades and rods, at any stroke and load.
 
-Blades are geometrically exact beams in mixed form (:mod:`flexcli.mechanics.space.exact.blade`):
-their end forces are unknowns, their sections are eliminated blade by blade, which leaves six
+Blades are geometrically exact beams in mixed form (:mod:`flexcli.mechanics.space.exact.blade`), or
+shells: their end forces are unknowns, what is inside them is eliminated blade by blade, which leaves six
 equations that close each blade and six that balance each body. The path from rest and the
 refinement of the nodes are those of the planar solver.
 """
@@ -24,7 +24,9 @@ from flexcli.mechanics.space.exact.assembly import (
     at_nodes,
     finer,
 )
+from flexcli.mechanics.space.exact.beams import beams_of
 from flexcli.mechanics.space.exact.demand import Demand, Force, Frame, Held, demand_of
+from flexcli.mechanics.space.exact.members import MembersOf
 from flexcli.mechanics.space.exact.rotation import moved, vector_of
 from flexcli.mechanics.space.exact.second_variation import (
     SecondVariation,
@@ -122,10 +124,16 @@ class SpaceEquilibrium:
         """Return force [N] and moment [N·m] on each blade's end, global axes (blades, 6)."""
         assembly = self.part.assembly
         forces = assembly.split(self.part.x).forces.copy()
-        for i, section in enumerate(assembly.mesh.sections):
-            forces[i, :3] *= section.EI / section.l**2
-            forces[i, 3:] *= section.EI / section.l
+        unit = (assembly.members.EI / assembly.members.l)[:, None]
+        forces[:, :3] *= unit / assembly.members.l[:, None]
+        forces[:, 3:] *= unit
         return forces
+
+    @cached_property
+    def own_forces(self) -> Floats:
+        """Return force [EI/l²] and end moment [EI/l] in the frames of the starts (blades, 6)."""
+        forces = self.part.assembly.split(self.part.x).forces.reshape(-1, 2, 3)
+        return np.asarray((forces @ np.swapaxes(self.linearised.axes, -1, -2)).reshape(-1, 6))
 
     @cached_property
     def reactions(self) -> Floats:
@@ -158,8 +166,8 @@ class _InSpace(NamedTuple):
 
     @property
     def nodes(self) -> int:
-        """Return the Gauss nodes on a piece."""
-        return self.assembly.mesh.per_segment
+        """Return the level of the blades: Gauss nodes on a piece, or modes."""
+        return self.assembly.members.level
 
     def step(self, x: Floats, share: Floats, rows: Integers) -> Floats:
         """Return Newton's steps."""
@@ -196,8 +204,7 @@ class _InSpace(NamedTuple):
             # by quaternions: they know no singular pose
             moved = [np.append(a.shift, 2.0 * (a.turn - _REST)) for a in at]
             pairs.append((np.array([a.forces for a in at]), np.array(moved)))
-        stretch = float(np.min(fine.assembly.mesh.C))
-        return difference(pairs[0], pairs[1], stretch, scale)
+        return difference(pairs[0], pairs[1], fine.assembly.members.stretch, scale)
 
     def part(self, reached: Reached) -> SpacePart:
         """Return the design of a level as the answer."""
@@ -215,6 +222,7 @@ def solve(
     tolerance: float = 1e-9,
     start: SpaceEquilibrium | None = None,
     levels: Sequence[int] = LEVELS,
+    made: MembersOf = beams_of,
 ) -> SpaceEquilibrium:
     """Return the equilibrium on the path from rest, or from ``start``, to the motions and loads.
 
@@ -241,6 +249,8 @@ def solve(
         Where the path begins: an equilibrium of the same layout in the same frames.
     levels : sequence of int
         Gauss nodes on a segment, level by level; a single one is taken as it is.
+    made : callable
+        Makes the blades: beams, or shells, whose levels are modes along a blade.
 
     Returns
     -------
@@ -258,7 +268,7 @@ def solve(
     begun = perf_counter()
     effects = BeamEffects() if effects is None else effects
     frames = {} if frames is None else frames
-    coarse = assemble(layout, effects, levels[0], frames)
+    coarse = assemble(layout, effects, levels[0], frames, made)
     length, force = coarse.length, coarse.force
     demand = demand_of(
         layout, {} if held is None else held, loads, coarse.points, length, force, load_factor

@@ -19,14 +19,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.mechanics.space.exact.assembly import Assembly, Linearised
-from flexcli.mechanics.space.exact.blade import Along, along
+from flexcli.mechanics.space.exact.blade import Along
 from flexcli.mechanics.space.exact.demand import Demand
 from flexcli.mechanics.space.exact.mesh import Mesh
 from flexcli.mechanics.space.exact.outer_forces import apply_force, apply_spring
 from flexcli.mechanics.space.exact.rotation import matrix_of, moved, skew
 from flexcli.mechanics.space.exact.section_law import Curled
 
-__all__ = ["SecondVariation", "inertia_count", "second_variation", "swing"]
+__all__ = [
+    "BeamVariation",
+    "SecondVariation",
+    "beam_variation",
+    "inertia_count",
+    "second_variation",
+    "swing",
+]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -49,7 +56,7 @@ class SecondVariation(NamedTuple):
         return np.asarray(self.matrix[rows[:, None], rows])
 
 
-class _Blade(NamedTuple):
+class BeamVariation(NamedTuple):
     """Second variation of a blade: its sections eliminated, and their negative directions."""
 
     matrix: Floats
@@ -66,18 +73,15 @@ def second_variation(
     H = np.zeros((k_f + 6 * bodies + 6,) * 2)
     turn = np.concatenate([state.turn, [[1.0, 0.0, 0.0, 0.0]]])
     both = state.forces.reshape(-1, 2, 3) @ np.swapaxes(at.axes, -1, -2)
-    felt = along(assembly.mesh, state.nodes, both.reshape(-1, 6))
-    unstable = 0
+    members = assembly.members.variation(state.inside, both.reshape(-1, 6))
     for i in range(blades):
         first, second = assembly.first[i], assembly.second[i]
         S, n = at.axes[i], state.forces[i, :3]
-        blade = _blade(assembly.mesh, i, felt)
-        unstable += blade.unstable
         # its unknowns: δn, the closing moments and the turn of its start, along its axes
         own = np.zeros((18, 18))
         rows = np.zeros((9, 18))
         rows[0:3, 0:3], rows[3:6, 3:6], rows[6:9, 9:12] = S, np.eye(3), S
-        own += rows.T @ blade.matrix @ rows
+        own += rows.T @ members.matrix[i] @ rows
         a_i = assembly.start[i] + moved(turn[first], assembly.start[i])
         a_j = assembly.end[i] + moved(turn[second], assembly.end[i])
         scale = assembly.scale[i] * np.eye(3)
@@ -112,7 +116,7 @@ def second_variation(
         load = np.linalg.solve(basis.T, at.residual[own_rows])
         curved = assembly.coordinate_stiffness(i, state.turn[i], load, demand)
         H[own_rows, own_rows] += (curved + curved.T) / 2.0
-    return SecondVariation((H + H.T) / 2.0, unstable)
+    return SecondVariation((H + H.T) / 2.0, members.unstable)
 
 
 def inertia_count(variation: SecondVariation, free: Integers, blades: int) -> int:
@@ -134,7 +138,7 @@ def inertia_count(variation: SecondVariation, free: Integers, blades: int) -> in
     return negative - 6 * blades + variation.unstable
 
 
-def _blade(mesh: Mesh, i: int, at: Along) -> _Blade:
+def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
     """Return the second variation of blade i by δn, closing moments and turn of the start.
 
     Its own unknowns are η' (3), δM (3) and δτ', or δτ where it warps freely, at the nodes.
@@ -224,7 +228,7 @@ def _blade(mesh: Mesh, i: int, at: Along) -> _Blade:
     # the moments take part with minus their compliance, the closing of δτ with none
     concave = 3 * K - int(np.sum(law.compliance < 0.0)) + len(runs) * warped
     negative = int(np.sum(np.linalg.eigvalsh(A) < 0.0)) - concave
-    return _Blade(H[np.ix_(outer, outer)] - B.T @ np.linalg.solve(A, B), negative)
+    return BeamVariation(H[np.ix_(outer, outer)] - B.T @ np.linalg.solve(A, B), negative)
 
 
 def _symmetric(a: Floats) -> Floats:

@@ -7,19 +7,21 @@ locally higher, since it keeps the section from narrowing
 (:mod:`flexcli.formulas.clamp_stress`); that is not in these numbers.
 """
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas.torsion_section import shear_factor, warping
+from flexcli.mechanics.space.exact.beams import Beams
 from flexcli.mechanics.space.exact.blade import along
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
-from flexcli.mechanics.space.exact.section import Section, thickness
+from flexcli.mechanics.space.exact.section import BeamEffects, Section, thickness
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
 from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
 
-__all__ = ["BladeStress", "blade_stresses"]
+__all__ = ["BladeStress", "beam_stresses", "blade_stresses"]
 
 Floats = NDArray[np.float64]
 
@@ -48,14 +50,31 @@ class BladeStress(NamedTuple):
 
 
 def blade_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
-    """Return the stresses of every blade and rod, at its nodes and the ends of its segments."""
-    part = state.part
-    assembly = part.assembly
-    mesh, found = assembly.mesh, assembly.at(part.x)
-    both = found.forces.reshape(-1, 2, 3) @ np.swapaxes(state.linearised.axes, -1, -2)
-    felt = along(mesh, found.nodes, both.reshape(-1, 6))
+    """Return the stresses of every blade and rod of an equilibrium of beams."""
+    assembly = state.part.assembly
+    if not isinstance(assembly.members, Beams):
+        raise TypeError("the blades of this equilibrium are no beams")
+    inside = assembly.at(state.part.x).inside
+    return beam_stresses(
+        assembly.members, inside, state.own_forces, state.layout.blades, state.effects
+    )
+
+
+def beam_stresses(
+    beams: Beams,
+    inside: Floats,
+    forces: Floats,
+    blades: Sequence[SpaceBlade | SpaceRod],
+    effects: BeamEffects,
+) -> tuple[BladeStress, ...]:
+    """Return the stresses of beams at their nodes and the ends of their segments.
+
+    ``forces`` (blades, 6) are force and end moment in the frames of the starts, scaled.
+    """
+    mesh = beams.mesh
+    felt = along(mesh, beams.nodes(inside), forces)
     out = []
-    for i, (blade, section) in enumerate(zip(state.layout.blades, mesh.sections, strict=True)):
+    for i, (blade, section) in enumerate(zip(blades, mesh.sections, strict=True)):
         unit = section.EI / section.l**2
         values = np.concatenate(
             [
@@ -82,7 +101,7 @@ def blade_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
             rate = np.polynomial.legendre.legval(u, rise) * 2.0 / (long * section.l)
             slope.append(rate)
         rows, rates = np.concatenate(at), np.concatenate(slope)
-        out.append(_of_section(blade, section, np.concatenate(s), rows, rates, state))
+        out.append(_of_section(blade, section, np.concatenate(s), rows, rates, effects))
     return tuple(out)
 
 
@@ -92,14 +111,14 @@ def _of_section(
     s: Floats,
     rows: Floats,
     rates: Floats,
-    state: SpaceEquilibrium,
+    effects: BeamEffects,
 ) -> BladeStress:
     N, M_y, M_z = rows[:, 0], rows[:, 2], rows[:, 3]
     warped = 1.0 + section.torsion * section.spin
     f, rates = rows[:, 4] * warped, rates * warped
     tau = rows[:, 4] + section.spin / section.EI * rows[:, 1]
     E, G, nu = blade.material.E, blade.material.G, blade.material.nu
-    long_fibres = state.effects.long_fibres
+    long_fibres = effects.long_fibres
     if isinstance(blade, SpaceRod):
         A, I = np.pi * blade.d**2 / 4.0, np.pi * blade.d**4 / 64.0
         bent = np.hypot(M_y, M_z) * blade.d / 2.0 / I
@@ -118,7 +137,7 @@ def _of_section(
         )
     h, b = thickness(blade, section.l)[0], blade.b
     thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
-    held = state.effects.warping * E / (1.0 - nu**2) * float(warping(h, b).largest) * rates
+    held = effects.warping * E / (1.0 - nu**2) * float(warping(h, b).largest) * rates
     r2 = (h**2 + b**2) / 12.0
     fibres = long_fibres * E * tau**2 / 2.0 * ((h**2 + b**2) / 4.0 - r2)
     axial = N / (b * h)

@@ -1,0 +1,1 @@
+"""Blades as geometrically exact thin shells between rigid bodies: the finest model in space."""
