@@ -11,17 +11,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.mechanics.shell.basis import AT_ENDS
 from flexcli.mechanics.shell.element import Strips, energy_slopes
-from flexcli.mechanics.space.exact.rotation import cross, matrix_of, skew, spun
-from flexcli.mechanics.space.exact.second_variation import swing
+from flexcli.mechanics.space.exact.rotation import cross, matrix_of, skew
 
 __all__ = ["Clamped", "Ends", "Unknowns"]
 
 Floats = NDArray[np.float64]
-
-_E_X = np.array([1.0, 0.0, 0.0])
-_CLAMPED = 4
-"""Functions along a strip that are not zero, with their slopes, at both ends."""
 
 
 class Unknowns(NamedTuple):
@@ -56,7 +52,7 @@ class Clamped(NamedTuple):
     def inside(self) -> int:
         """Return the number of unknowns of a strip whose ends are held."""
         basis = self.strips.basis
-        return 4 * basis.across + 3 * basis.across * (basis.along - _CLAMPED)
+        return 4 * basis.across + 3 * basis.across * (basis.along - AT_ENDS)
 
     def rest(self) -> Floats:
         """Return the unknowns of strips at rest (strips, unknowns)."""
@@ -87,7 +83,7 @@ class Clamped(NamedTuple):
         d[:, 1, :, 0], d[:, 1, :, 2] = slopes[:, 0, 0], slopes[:, 0, 1]
         d[:, 2, 0], d[:, 2, 1] = at.end, half * Q[:, :, 2]
         d[:, 3] = np.swapaxes(Q[:, :, ::2] @ slopes[:, 1], 1, 2)
-        d[:, _CLAMPED:] = at.inside
+        d[:, AT_ENDS:] = at.inside
         return d
 
     def about(self, z: Floats) -> Ends:
@@ -95,9 +91,9 @@ class Clamped(NamedTuple):
         B, n = z.shape[0], self.strips.basis.across
         d = self.vectors(z)
         g, H = energy_slopes(self.strips, d)
-        rim, own = 3 * n * _CLAMPED, 4 * n
+        rim, own = 3 * n * AT_ENDS, 4 * n
         Q = matrix_of(self.split(z).turn)
-        T = np.zeros((B, _CLAMPED, n, 3, own + 6))
+        T = np.zeros((B, AT_ENDS, n, 3, own + 6))
         j = np.arange(n)
         T[:, 1, j, 0, j] = T[:, 1, j, 2, n + j] = 1.0
         T[:, 3, j, :, 2 * n + j] = Q[:, :, 0]
@@ -105,16 +101,15 @@ class Clamped(NamedTuple):
         T[:, 2, 0, :, own : own + 3] = np.eye(3)
         T[:, 2, 1, :, own + 3 :] = -skew(d[:, 2, 1])
         T[:, 3, :, :, own + 3 :] = -skew(d[:, 3])
-        T = T.reshape(B, rim, own + 6)
-        T_t = np.swapaxes(T, -1, -2)
-        bounds, through = T_t @ H[:, :rim, :rim] @ T, T_t @ H[:, :rim, rim:]
+        by_own = T.reshape(B, rim, own + 6)
+        T_t = np.swapaxes(by_own, -1, -2)
+        bounds, through = T_t @ H[:, :rim, :rim] @ by_own, T_t @ H[:, :rim, rim:]
         pulled = (T_t @ g[:, :rim, None])[..., 0]
         # the end's vectors turn by ½ θ × (θ × d), and with them what slopes add to them
-        at_end = g[:, :rim].reshape(B, _CLAMPED, n, 3)
+        at_end = g[:, :rim].reshape(B, AT_ENDS, n, 3)
         turned = np.concatenate([at_end[:, 2, 1:2], at_end[:, 3]], axis=1)
         moved = np.concatenate([d[:, 2, 1:2], d[:, 3]], axis=1)
-        for i in range(B):
-            bounds[i, own + 3 :, own + 3 :] += sum(map(swing, turned[i], moved[i]))
+        bounds[:, own + 3 :, own + 3 :] += _swings(turned, moved)
         for k, axis in enumerate((0, 2)):
             both = cross(Q[:, None, :, axis], at_end[:, 3])
             part = slice((2 + k) * n, (3 + k) * n)
@@ -133,3 +128,10 @@ class Clamped(NamedTuple):
             ),
             outer=bounds[:, own:, own:],
         )
+
+
+def _swings(n: Floats, a: Floats) -> Floats:
+    """Return the Hessians of ``Σ n·(θ × (θ × a))`` (strips, 3, 3)."""
+    both = np.swapaxes(n, -1, -2) @ a
+    level = np.sum(n * a, axis=(-2, -1))[:, None, None] * np.eye(3)
+    return np.asarray((both + np.swapaxes(both, -1, -2)) / 2.0 - level)

@@ -1,6 +1,6 @@
 """Strips of thin shell on one set of functions: slope and Hessian of their energies.
 
-A strip is x(u, t) = Σ φ_i(u) ψ_j(t) d_ij with vectors d_ij (:mod:`flexcli.mechanics.shell.basis`).
+A strip is x(s, t) = Σ φ_i(s) ψ_j(t) d_ij with vectors d_ij (:mod:`flexcli.mechanics.shell.basis`).
 All is in units of its blade: lengths by l, energy by EI/l with EI = E b h³/12. Sums over Gauss
 points are split, first across the strip, then along it.
 """

@@ -48,7 +48,7 @@ class Unknowns(NamedTuple):
 
 
 class Linearised(NamedTuple):
-    """The equations about a state, insides eliminated: of forces and ends of blades, then of bodies.
+    """The equations about a state: of forces and ends of blades, then of bodies.
 
     The bodies' unknowns are changes of their coordinates. ``row_scale`` brings each row to order
     one; ``basis`` (bodies, 6, 6) takes coordinates to shift and spin, ``axes`` (blades, 3, 3) are
@@ -66,10 +66,11 @@ class Linearised(NamedTuple):
 class Assembly(NamedTuple):
     """A layout ready to be solved; ``length`` [m] and ``force`` [N] are its units.
 
-    ``inside`` is the number of unknowns inside the blades; ``points`` (bodies + 1, 3) and ``frames`` (bodies + 1, 3, 3) are those of the bodies, the last
-    being the ground; ``first`` and ``second`` the bodies of each blade, ``start`` and ``end`` the
-    ends from their points in lengths of the blade, ``axes`` those of the blades at rest,
-    ``scale`` the length over the blade's, ``weight`` its unit of energy over that of the whole.
+    ``inside`` is the number of unknowns inside the blades, ``points`` (bodies + 1, 3) and
+    ``frames`` (bodies + 1, 3, 3) are those of the bodies, the last being the ground; ``first`` and
+    ``second`` the bodies of each blade, ``start`` and ``end`` the ends from their points in
+    lengths of the blade, ``axes`` those of the blades at rest, ``scale`` the length over the
+    blade's, ``weight`` its unit of energy over that of the whole.
     """
 
     layout: SpaceLayout
@@ -335,7 +336,7 @@ def assemble(
     points = np.array([*(frame.point for frame in own), (0.0, 0.0, 0.0)], dtype=np.float64)
     first = np.array([names.get(blade.first, ground) for blade in layout.blades])
     second = np.array([names.get(blade.second, ground) for blade in layout.blades])
-    l, EI = members.l, members.EI
+    l, EI = members.lengths, members.bending
     length = float(np.mean(l))
     force = float(np.mean(EI / l)) / length
     starts, ends = (np.array([getattr(b, e) for b in layout.blades]) for e in ("start", "end"))

@@ -1,12 +1,13 @@
 """Blades and rods as geometrically exact beams between bodies."""
 
-from typing import NamedTuple
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.mechanics.space.exact.blade import along, condense
-from flexcli.mechanics.space.exact.members import EndMotions, Variation
+from flexcli.mechanics.space.exact.members import EndMotions, Members, Variation
 from flexcli.mechanics.space.exact.mesh import Mesh, mesh_of
 from flexcli.mechanics.space.exact.second_variation import beam_variation
 from flexcli.mechanics.space.exact.section import BeamEffects, section_of
@@ -18,7 +19,8 @@ __all__ = ["Beams", "beams_of"]
 Floats = NDArray[np.float64]
 
 
-class Beams(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Beams:
     """Beams (``Members``); inside them are quaternions and twist rates at the nodes."""
 
     mesh: Mesh
@@ -29,12 +31,12 @@ class Beams(NamedTuple):
         return self.mesh.per_segment
 
     @property
-    def EI(self) -> Floats:
+    def bending(self) -> Floats:
         """Return E I of bending across the thickness [N·m²]."""
         return np.array([section.EI for section in self.mesh.sections])
 
     @property
-    def l(self) -> Floats:
+    def lengths(self) -> Floats:
         """Return the lengths [m]."""
         return np.array([section.l for section in self.mesh.sections])
 
@@ -84,11 +86,11 @@ class Beams(NamedTuple):
         matrix = np.array([each.matrix for each in found]).reshape(-1, 9, 9)
         return Variation(matrix, sum(each.unstable for each in found))
 
-    def at_level(self, level: int) -> "Beams":
+    def at_level(self, level: int) -> Members:
         """Return them at another number of nodes."""
         return Beams(mesh_of(self.mesh.sections, level))
 
-    def finer(self, fine: "Beams", z: Floats) -> Floats:
+    def finer(self, fine: Any, z: Floats) -> Floats:
         """Return rows of z interpolated to finer nodes."""
         count = self.mesh.per_segment
         matrix = interpolation_matrix(count, gauss_nodes(fine.mesh.per_segment)[0])

@@ -150,8 +150,9 @@ def critical_load(
     effects = BeamEffects() if effects is None else effects
     frames = {} if frames is None else frames
     rest = solve(
-        layout, held, frames=frames, effects=effects, start=start, levels=levels, made=made
-    ).checked()
+        layout, held, frames=frames, effects=effects, start=start, tolerance=tolerance,
+        levels=levels, made=made,
+    ).checked()  # fmt: skip
     if unstable_when_free(rest, released):
         raise unstable_start()
     coarse = rest.part.assembly

@@ -1,9 +1,9 @@
 """Equilibrium of a mechanism in space of rigid bodies, blades and rods, at any stroke and load.
 
 Blades are geometrically exact beams in mixed form (:mod:`flexcli.mechanics.space.exact.blade`), or
-shells: their end forces are unknowns, what is inside them is eliminated blade by blade, which leaves six
-equations that close each blade and six that balance each body. The path from rest and the
-refinement of the nodes are those of the planar solver.
+shells: their end forces are unknowns, what is inside them is eliminated blade by blade, which
+leaves six equations that close each blade and six that balance each body. The path from rest and
+the refinement of the nodes are those of the planar solver.
 """
 
 from collections.abc import Mapping, Sequence
@@ -124,8 +124,9 @@ class SpaceEquilibrium:
         """Return force [N] and moment [N·m] on each blade's end, global axes (blades, 6)."""
         assembly = self.part.assembly
         forces = assembly.split(self.part.x).forces.copy()
-        unit = (assembly.members.EI / assembly.members.l)[:, None]
-        forces[:, :3] *= unit / assembly.members.l[:, None]
+        l = assembly.members.lengths[:, None]
+        unit = assembly.members.bending[:, None] / l
+        forces[:, :3] *= unit / l
         forces[:, 3:] *= unit
         return forces
 

@@ -5,7 +5,7 @@ EI/l², moments by EI/l. What is inside it is known to itself alone.
 """
 
 from collections.abc import Callable
-from typing import NamedTuple, Protocol, Self, TypeAlias
+from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,11 +52,11 @@ class Members(Protocol):
         """Return the level: nodes, or modes."""
 
     @property
-    def EI(self) -> Floats:
+    def bending(self) -> Floats:
         """Return E I of bending across the thickness [N·m²] (blades,)."""
 
     @property
-    def l(self) -> Floats:
+    def lengths(self) -> Floats:
         """Return the lengths [m] (blades,)."""
 
     @property
@@ -78,11 +78,11 @@ class Members(Protocol):
     def variation(self, z: Floats, f: Floats) -> Variation:
         """Return the second variation of an equilibrium z under f."""
 
-    def at_level(self, level: int) -> Self:
+    def at_level(self, level: int) -> "Members":
         """Return the same blades at another level."""
 
-    def finer(self, fine: Self, z: Floats) -> Floats:
-        """Return rows of z at a finer level."""
+    def finer(self, fine: Any, z: Floats) -> Floats:
+        """Return rows of z at the level of the same blades ``fine``."""
 
 
 MembersOf: TypeAlias = Callable[[SpaceLayout, BeamEffects, int], Members]

@@ -72,7 +72,8 @@ def beam_stresses(
     ``forces`` (blades, 6) are force and end moment in the frames of the starts, scaled.
     """
     mesh = beams.mesh
-    felt = along(mesh, beams.nodes(inside), forces)
+    nodes = beams.nodes(inside)
+    felt = along(mesh, nodes, forces)
     out = []
     for i, (blade, section) in enumerate(zip(blades, mesh.sections, strict=True)):
         unit = section.EI / section.l**2
@@ -80,7 +81,7 @@ def beam_stresses(
             [
                 unit * felt.N[i, :, :1],
                 unit * section.l * felt.M[i],
-                found.nodes[i, :, 4:] / section.l,
+                nodes[i, :, 4:] / section.l,
             ],
             axis=-1,
         )
