@@ -19,7 +19,8 @@ from flexcli.errors import Finding, SpecError
 from flexcli.results import Result, Status
 
 if TYPE_CHECKING:
-    from flexcli.report.plots import Plot
+    from flexcli.api import Loaded
+    from flexcli.report.plots.plot import Plot
 
 __all__ = ["NAME", "run"]
 
@@ -28,10 +29,18 @@ NAME = "plot"
 ASKED = {
     "accuracy": "Error against time of every model; takes a while.",
     "transfer": "Motion of the base that a mechanism passes on, before and after balancing.",
+    "phase": "Phase of that motion, of a damped mechanism.",
     "stops": "Response with end stops, up and down; takes a while.",
     "line": "Range of the tip over the gap by the stop's height, measured and simulated.",
+    "yields": "Share of the parts within the tolerances that pass; takes a while.",
+    "parts": "Histogram of the margin of such parts.",
+    "causes": "What the margin of such parts hangs on, by Sobol's indices.",
+    "narrowing": "Which tolerance to narrow first.",
 }
 """Plots that need a verb of their own, made when they are asked for."""
+
+AROUND, FINE = 50.0, 1001
+"""Factor about its own frequency that a transfer is plotted over, and places there."""
 
 
 def run(
@@ -48,7 +57,8 @@ def run(
 ) -> None:
     """Plot what was found of a design.
 
-    There are margins, stress, stiffness, shift, support, spectrum and feasible sizes.
+    There are margins, stress, stiffness, shift, support, spectrum, feasible sizes, sensitivities,
+    the Pareto front, and those of other verbs: accuracy, transfer, stops, tolerances.
     """
     found: list[Plot] = []
 
@@ -70,36 +80,50 @@ def run(
         names = ", ".join(dict.fromkeys([*(plot.name for plot in found), *ASKED]))
         finding = Finding(str(spec), f"there is no plot '{what}' of this design", f"one of {names}")
         fail(NAME, str(spec), SpecError([finding]), Format.TEXT)
-    from flexcli.report.plots import standalone
+    from flexcli.report.plots.chart import standalone
 
-    write_picture(standalone(chosen[0]), output, force=force)
+    write_picture(standalone(chosen[0].svg), output, force=force)
 
 
 def _plots(path: Path, stated: list[str] | None, what: str | None) -> "list[Plot]":
     """Return the plots of a design; what needs a verb of its own, if it is asked for."""
     from flexcli import api
-    from flexcli.report.plots import (
-        accuracy_plot,
-        margins_plot,
-        plots,
-        stops_plots,
-        tornado_plot,
-        transfer_plot,
-    )
 
     spec = read(path, stated)
-    if what == "accuracy":
-        compared = api.accuracy(spec).accuracy
-        return [] if compared is None else [accuracy_plot(compared)]
-    if what == "transfer":
-        balanced = api.balance(spec).balance
-        return [] if balanced is None or not balanced.transfer else [transfer_plot(balanced)]
-    if what in ("stops", "line"):
-        stopped = api.stops(spec, simulate=False, sweep=True).stops
-        return [] if stopped is None else list(stops_plots(stopped))
+    if what in ASKED:
+        return _of_another_verb(spec, what)
+    from flexcli.report.plots.of_dossier import plots
+    from flexcli.report.plots.sizes import tornado_plot
+    from flexcli.report.plots.verdicts import margins_plot
+
     gathered = api.dossier(spec)
     result = gathered.result
     found = [margins_plot(result.checks)] if result.checks else []
     if result.sizing is not None and result.sizing.sensitivities:
         found.append(tornado_plot(result.sizing))
     return [*found, *plots(gathered)]
+
+
+def _of_another_verb(spec: "Loaded", what: str) -> "list[Plot]":
+    """Return the plots of the verb that finds what is to be plotted; none where it finds none."""
+    from flexcli import api
+    from flexcli.report.plots import tolerances, verdicts, vibration
+
+    if what == "accuracy":
+        compared = api.accuracy(spec).accuracy
+        return [] if compared is None else [verdicts.accuracy_plot(compared)]
+    if what in ("transfer", "phase"):
+        own = api.balance(spec).values.get("f_final")
+        if own is None:
+            return []
+        sweep = {"from": f"{own.value / AROUND} Hz", "to": f"{own.value * AROUND} Hz"}
+        asked = {"balance.frequencies": {**sweep, "points": FINE}}
+        balanced = api.balance(spec, overrides=asked).balance
+        if balanced is None or not balanced.transfer:
+            return []
+        return [vibration.transfer_plot(balanced), *vibration.phase_plot(balanced)]
+    if what in ("stops", "line"):
+        stopped = api.stops(spec, simulate=False, sweep=True).stops
+        return [] if stopped is None else list(vibration.stops_plots(stopped))
+    spread = api.tolerances(spec).tolerances
+    return [] if spread is None else list(tolerances.tolerances_plots(spread))

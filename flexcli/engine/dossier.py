@@ -23,12 +23,15 @@ from flexcli.results import Result
 from flexcli.results.dossier import Dossier, Equation, Region, Spectrum
 from flexcli.results.drawing import Drawing
 from flexcli.results.explanation import SymbolRow
-from flexcli.results.simulation import SweepResult
+from flexcli.results.simulation import SpaceSweep, SweepResult
 
 __all__ = ["dossier"]
 
 POINTS = 41
 """Travels over the stroke, frequencies a decade, and designs along each side of a region."""
+
+POINTS_IN_SPACE = 11
+"""Travels over the stroke of a mechanism in space, where each takes longer."""
 
 AROUND = 2.5
 """Factor about the chosen sizes that a region is drawn over."""
@@ -56,6 +59,7 @@ def dossier(
     not_shown: list[str] = []
     drawn: Drawing | None = None
     sweeps: tuple[SweepResult, ...] = ()
+    space_sweeps: tuple[SpaceSweep, ...] = ()
     region: Region | None = None
     try:
         drawn = drawing(design, sizes)
@@ -63,7 +67,12 @@ def dossier(
         not_shown.append(f"no drawing: {reason.text}")
     if any(scene.moves for scene in design.scenes()):
         try:
-            sweeps = strokes(design, sizes, POINTS)
+            if design.geometry.in_space:
+                from flexcli.engine.simulate_space import strokes_in_space
+
+                space_sweeps = strokes_in_space(design, sizes, POINTS_IN_SPACE)
+            else:
+                sweeps = strokes(design, sizes, POINTS)
         except SolveError as reason:
             not_shown.append(f"no simulation over the stroke: {reason.text}")
     if len(chosen) > 1:
@@ -73,6 +82,7 @@ def dossier(
         text,
         drawing=drawn,
         sweeps=sweeps,
+        space_sweeps=space_sweeps,
         spectra=tuple(_spectra(design, result)),
         equations=tuple(_equations(design, sizes)),
         region=region,

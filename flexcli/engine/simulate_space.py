@@ -29,7 +29,7 @@ from flexcli.results import Cost, Result, Status
 from flexcli.results.activity import doing
 from flexcli.results.simulation import SpacePoint, SpaceSweep
 
-__all__ = ["simulate_in_space"]
+__all__ = ["simulate_in_space", "strokes_in_space"]
 
 CENTRE = (0.0, 0.0, 0.0)
 
@@ -72,6 +72,12 @@ def simulate_in_space(design: DesignSpec, sizes: Sizes, spec: str, points: int) 
         space_sweeps=sweeps,
         cost=Cost(perf_counter() - started, joint_model.name, None, by_model=found.by_model),
     )
+
+
+def strokes_in_space(design: DesignSpec, sizes: Sizes, points: int) -> tuple[SpaceSweep, ...]:
+    """Return the sweep of every case that has a stroke, without a verdict."""
+    moving = moving_cases(design, sizes, SpaceExactModel(), "translation: 1 mm")
+    return tuple(_sweep(ask, points) for ask in moving)
 
 
 def _sweep(ask: Ask, points: int) -> SpaceSweep:

@@ -405,7 +405,7 @@ class _Sheet:
             for k, (start, end) in enumerate(pairwise(places)):
                 share = 0.5 * (stress[k] + stress[k + 1]) / most if most else 0.0
                 colour = HEAT[min(int(share * len(HEAT)), len(HEAT) - 1)]
-                self.page.path([start, end], f'heat" stroke="{colour}')
+                self.page.path([start, end], "heat", paint=f'stroke="{colour}"')
 
     def _centre(self) -> None:
         """Mark the centre of rotation, and how its path looks close by."""
@@ -528,7 +528,7 @@ class _Sheet:
     def _label(self, text: str, near: XY, style: str) -> None:
         """Write a label near a place, with a leader where it stands far from it."""
         size = SMALL if style == "s" else TYPE
-        found = self.labels.place(text, near, size)
+        found = self.labels.place(text, [near], size)
         if found is None:
             self.unnamed.append(text)
             return
@@ -568,7 +568,8 @@ class _Sheet:
             self.page.text("stress  0", (x, y), "start", "s")
             for k, colour in enumerate(HEAT):
                 at = x + 58.0 + 8.0 * k
-                self.page.path([(at, y - 4.0), (at + 8.0, y - 4.0)], f'heat" stroke="{colour}')
+                swatch = [(at, y - 4.0), (at + 8.0, y - 4.0)]
+                self.page.path(swatch, "heat", paint=f'stroke="{colour}"')
             self.page.text(show(most, "Pa"), (x + 120.0, y), "start", "s")
 
 

@@ -76,7 +76,7 @@ def view_svg(drawing: Drawing, title: str, view: str) -> str:
             blade = drawing.blades[0]
             x, y = blade.axis[len(blade.axis) // 2]
             near = at((x, y, blade.height + 0.5 * blade.width))
-            found = labels.place(f"b = {show(size, 'm')}", near, 12.5)
+            found = labels.place(f"b = {show(size, 'm')}", [near], 12.5)
             if found is not None:
                 page.text(f"b = {show(size, 'm')}", found[0], found[1])
     _axes(page, seen)

@@ -5,7 +5,7 @@ from math import floor, isfinite, isnan, log10
 
 from flexcli.units import STANDARD_GRAVITY, show, shown_unit
 
-__all__ = ["apart", "error_text", "factor_text", "largest", "shown"]
+__all__ = ["apart", "error_text", "factor_text", "largest", "share_text", "shown"]
 
 NOISE = 1e-12
 """Part of the largest number of its kind below which a number is shown as 0.
@@ -64,3 +64,13 @@ def factor_text(value: float, digits: int = FEWEST) -> str:
     if not isfinite(value):
         return "∞"
     return f"{value:.{digits}g}" if value < MOST_FACTOR else f"> {MOST_FACTOR:.0e}"
+
+
+def share_text(share: float) -> str:
+    """Return a share in per cent, with the digits that tell it from all and from none."""
+    if isnan(share):
+        return ""
+    digits = 1
+    while digits < 5 and 0.0 < share < 1.0 and round(100.0 * share, digits) in (0.0, 100.0):
+        digits += 1
+    return f"{100.0 * share:.{digits}f} %"

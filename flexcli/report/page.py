@@ -13,7 +13,8 @@ from flexcli.errors import SolveError
 from flexcli.report.drawing_svg import STYLE, caption, drawing_svg
 from flexcli.report.drawing_views import view_svg
 from flexcli.report.margins_text import decisive, worst_first
-from flexcli.report.plots import plots
+from flexcli.report.numbers import shown
+from flexcli.report.plots.of_dossier import plots
 from flexcli.results import Check, Result, Status, Verdict
 from flexcli.results.dossier import Dossier, Equation
 from flexcli.results.explanation import SymbolRow
@@ -299,7 +300,7 @@ def _values(result: Result) -> Iterator[dict[str, str]]:
         yield {
             "label": value.label,
             "name": name,
-            "text": show(value.value, value.unit).replace("-", "−"),
+            "text": shown(value.value, value.unit, error=error).replace("-", "−"),
             "error": "unknown" if error is None else _percent(error),
             "model": value.model,
         }

@@ -29,6 +29,11 @@ def number(x: float) -> str:
     return "0" if text in ("-0", "") else text
 
 
+def _drawn(style: str, paint: str) -> str:
+    """Return the attributes that say how a shape is drawn."""
+    return (f' class="{style}"' if style else "") + (f" {paint}" if paint else "")
+
+
 class Box(NamedTuple):
     """A rectangle on the page [px]."""
 
@@ -45,6 +50,13 @@ class Box(NamedTuple):
 
     def cut(self, start: XY, end: XY) -> float:
         """Return the length of a line within the rectangle [px] (Liang and Barsky 1984)."""
+        if (
+            max(start[0], end[0]) < self.left
+            or min(start[0], end[0]) > self.right
+            or max(start[1], end[1]) < self.top
+            or min(start[1], end[1]) > self.bottom
+        ):
+            return 0.0
         way = (end[0] - start[0], end[1] - start[1])
         first, last = 0.0, 1.0
         sides = ((self.left, self.right), (self.top, self.bottom))
@@ -72,10 +84,13 @@ class Page:
         self.width, self.height = width, height
         self.shapes: list[str] = []
 
-    def path(self, points: Sequence[XY], style: str, *, closed: bool = False) -> None:
-        """Draw a line through points, or around them."""
+    def path(
+        self, points: Sequence[XY], style: str = "", *, closed: bool = False, paint: str = ""
+    ) -> None:
+        """Draw a line through points, or around them, by the name of a style or in paint."""
         steps = "L".join(f"{number(x)} {number(y)}" for x, y in points)
-        self.shapes.append(f'<path class="{style}" d="M{steps}{"Z" if closed else ""}"/>')
+        drawn = _drawn(style, paint)
+        self.shapes.append(f'<path{drawn} d="M{steps}{"Z" if closed else ""}"/>')
 
     def arc(self, centre: XY, radius: float, angles: tuple[float, float], style: str) -> None:
         """Draw an arc between two angles of the page, anticlockwise from x [rad]."""
@@ -83,10 +98,10 @@ class Page:
         turns = [angles[0] + (angles[1] - angles[0]) * k / steps for k in range(steps + 1)]
         self.path([(x + radius * cos(a), y - radius * sin(a)) for a in turns], style)
 
-    def circle(self, centre: XY, radius: float, style: str) -> None:
+    def circle(self, centre: XY, radius: float, style: str = "", *, paint: str = "") -> None:
         """Draw a circle."""
         x, y, r = (number(v) for v in (*centre, radius))
-        self.shapes.append(f'<circle class="{style}" cx="{x}" cy="{y}" r="{r}"/>')
+        self.shapes.append(f'<circle{_drawn(style, paint)} cx="{x}" cy="{y}" r="{r}"/>')
 
     def arrow(
         self, start: XY, end: XY, line: str, head: str, size: float = 8.5, half: float = 1.9
@@ -100,12 +115,13 @@ class Page:
         self.path([end, *sides], head, closed=True)
 
     def text(
-        self, text: str, at: XY, anchor: str = "start", style: str = "", turn: float = 0.0
-    ) -> None:
+        self, text: str, at: XY, anchor: str = "start", style: str = "", turn: float = 0.0,
+        *, paint: str = "",
+    ) -> None:  # fmt: skip
         """Write a line, turned about its place by degrees clockwise."""
         x, y = number(at[0]), number(at[1])
         turned = f' transform="rotate({number(turn)} {x} {y})"' if turn else ""
-        kind = f' class="{style}"' if style else ""
+        kind = _drawn(style, paint)
         self.shapes.append(
             f'<text{kind} x="{x}" y="{y}" text-anchor="{anchor}"{turned}>{escape(text)}</text>'
         )
@@ -138,25 +154,29 @@ class Labels:
 
     def best(self, boxes: Iterable[tuple[Box, float]]) -> int | None:
         """Return which of some boxes, each with a cost of its own, is the best, and take it."""
-        tried = list(boxes)
-        costs = [self.cost(box) + own for box, own in tried]
-        least = min(range(len(tried)), key=costs.__getitem__, default=None)
-        if least is None or costs[least] == float("inf"):
+        found: tuple[int, Box] | None = None
+        least = float("inf")
+        for k, (box, own) in enumerate(boxes):
+            if own < least and (cost := self.cost(box) + own) < least:
+                found, least = (k, box), cost
+        if found is None:
             return None
-        self.taken.append(tried[least][0])
-        return least
+        self.taken.append(found[1])
+        return found[0]
 
-    def place(
-        self, text: str, near: XY, size: float, radius: float = 0.0
-    ) -> tuple[XY, str, float] | None:
-        """Return baseline, anchor and distance of a label near a place; nothing if none is free."""
+    def place(self, text: str, near: Sequence[XY], size: float) -> tuple[XY, str, float] | None:
+        """Return baseline, anchor and distance of a label near one of some places, if any is free.
+
+        Of the places the first is as good as the last.
+        """
         tried: list[tuple[XY, str, float]] = []
         for step in STEPS:
-            for way in WAYS:
-                away = radius + step
-                x, y = near[0] + away * cos(way), near[1] - away * sin(way) + 0.3 * size
-                anchor = "middle" if abs(cos(way)) < 0.1 else "start" if cos(way) > 0.0 else "end"
-                tried.append(((x, y), anchor, step))
+            for place in near:
+                for way in WAYS:
+                    x, y = place[0] + step * cos(way), place[1] - step * sin(way) + 0.3 * size
+                    is_upright = abs(cos(way)) < 0.1
+                    anchor = "middle" if is_upright else "start" if cos(way) > 0.0 else "end"
+                    tried.append(((x, y), anchor, step))
         found = self.best(
             (_padded(text_box(text, at, anchor, size)), 0.6 * step) for at, anchor, step in tried
         )

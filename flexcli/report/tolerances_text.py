@@ -5,6 +5,7 @@ from math import isnan
 
 from rich.console import RenderableType
 
+from flexcli.report.numbers import share_text
 from flexcli.report.tables import Cell, Line, table
 from flexcli.results import Result
 from flexcli.results.tolerances import TolerancesResult, YieldRow
@@ -41,12 +42,12 @@ def _yields(found: TolerancesResult) -> Iterator[RenderableType]:
         low, high = row.interval
         name: Cell = ("all together", "bold") if row is found.together else row.name
         rows.add_row(
-            name, _share(row.passed), f"{_share(low)} to {_share(high)}",
-            _share(row.undecided) if row.undecided else "",
-            "" if row.first_order is None else _share(row.first_order),
+            name, share_text(row.passed), f"{share_text(low)} to {share_text(high)}",
+            share_text(row.undecided) if row.undecided else "",
+            "" if row.first_order is None else share_text(row.first_order),
         )  # fmt: skip
     yield rows
-    asked = f"; {_share(found.asked)} are asked" if found.asked is not None else ""
+    asked = f"; {share_text(found.asked)} are asked" if found.asked is not None else ""
     yield Line(f"of {found.parts} parts of seed {found.seed}{asked}; undecided parts do not pass")
 
 
@@ -70,14 +71,14 @@ def _tolerances(found: TolerancesResult) -> Iterator[RenderableType]:
                  numbers=(1, 2, 3, 5))  # fmt: skip
     for row in found.tolerances:
         ends = (show(x, row.unit, 5) for x in (row.nominal, row.low, row.high))
-        rows.add_row(row.name, *ends, row.spread, _share(row.halved))
+        rows.add_row(row.name, *ends, row.spread, share_text(row.halved))
     yield rows
     best = max(found.tolerances, key=lambda row: -1.0 if isnan(row.halved) else row.halved)
     if best.halved > found.together.passed + GAIN:
         yield Line(
             ("narrow first: ", "bold"),
-            f"{best.name}; with half of it {_share(best.halved)} of the parts pass, not "
-            f"{_share(found.together.passed)}", hang=2,
+            f"{best.name}; with half of it {share_text(best.halved)} of the parts pass, not "
+            f"{share_text(found.together.passed)}", hang=2,
         )  # fmt: skip
 
 
@@ -98,13 +99,3 @@ def _causes(found: TolerancesResult) -> Iterator[RenderableType]:
 
 def _is_near(row: YieldRow) -> bool:
     return row.passed < 1.0 or row.worst is None or row.worst.share < NEAR
-
-
-def _share(share: float) -> str:
-    """Return a share in per cent, with the digits that tell it from all and from none."""
-    if isnan(share):
-        return ""
-    digits = 1
-    while digits < 5 and 0.0 < share < 1.0 and round(100.0 * share, digits) in (0.0, 100.0):
-        digits += 1
-    return f"{100.0 * share:.{digits}f} %"

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-__all__ = ["ToleranceRow", "TolerancesResult", "WorstCase", "YieldRow"]
+__all__ = ["Histogram", "ToleranceRow", "TolerancesResult", "WorstCase", "YieldRow"]
 
 
 class ToleranceRow(NamedTuple):
@@ -38,6 +38,13 @@ class WorstCase(NamedTuple):
     at: Mapping[str, float]
 
 
+class Histogram(NamedTuple):
+    """Shares of the parts by factor over required, between one edge and the next."""
+
+    edges: tuple[float, ...]
+    shares: tuple[float, ...]
+
+
 class YieldRow(NamedTuple):
     """How many parts pass a check, or all of them together.
 
@@ -47,7 +54,7 @@ class YieldRow(NamedTuple):
     the nominal design give, of a normal margin. ``slopes`` say by how many per cent the factor
     changes for 1 % more; ``first`` and ``total`` are Sobol's indices of the logarithm of the
     factor. ``error`` is how far (relative) the factor of a part may be from what the models say
-    of it, by the parts that were judged besides.
+    of it, by the parts that were judged besides. ``histogram`` is of the margins of all parts.
     """
 
     name: str
@@ -61,6 +68,7 @@ class YieldRow(NamedTuple):
     first: Mapping[str, float] = {}
     total: Mapping[str, float] = {}
     worst: WorstCase | None = None
+    histogram: Histogram | None = None
 
 
 class TolerancesResult(NamedTuple):

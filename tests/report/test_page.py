@@ -11,7 +11,8 @@ import pytest
 
 from flexcli import api
 from flexcli.report.page import design_page, folder_page, folder_row
-from flexcli.report.plots import plots, stops_plots, transfer_plot
+from flexcli.report.plots.of_dossier import plots
+from flexcli.report.plots.vibration import stops_plots, transfer_plot
 from flexcli.results import Status, StopsResult, StopSweep, SweepStep
 
 ROOT = Path(__file__).parents[2]

@@ -37,6 +37,7 @@ from flexcli.parts.geometries import Sizes
 from flexcli.results import Check, Note, Result, Status, Verdict
 from flexcli.results.activity import doing
 from flexcli.results.tolerances import (
+    Histogram,
     ToleranceRow,
     TolerancesResult,
     YieldRow,
@@ -72,6 +73,9 @@ FEW = 1e-4
 
 SOBOL = 4096
 """Base of the samples that Sobol's indices are estimated from."""
+
+BINS, TAIL = 30, 0.0005
+"""Bars of a histogram of margins, and the share of the parts beyond either of its ends."""
 
 NARROWED = 0.5
 """By how much each tolerance is narrowed to see what that gains."""
@@ -240,6 +244,7 @@ class _Run:
         sigma = np.array([v.spread.sigma / abs(v.nominal) if v.nominal else 0.0 for v in self.each])
         found = []
         indices = self._indices(response)
+        parts = response.low.at(np.clip(self.u, -1.0, 1.0))
         for row in self.rows:
             columns = response.places(row.name)
             if not columns:
@@ -258,6 +263,7 @@ class _Run:
                     slopes=dict(zip(names, per_share.tolist(), strict=True)),
                     first=dict(zip(names, first, strict=True)),
                     total=dict(zip(names, total, strict=True)),
+                    histogram=_histogram(np.exp(parts[:, columns].min(axis=1))),
                 )
             )
         return tuple(found)
@@ -320,6 +326,13 @@ class _Run:
             confidence=self.confidence,
             method=self.method,
         )  # fmt: skip
+
+
+def _histogram(margins: Floats) -> Histogram:
+    """Return the shares of parts by margin; the few beyond its ends are counted at them."""
+    low, high = np.quantile(margins, [TAIL, 1.0 - TAIL])
+    counts, edges = np.histogram(np.clip(margins, low, high), bins=BINS)
+    return Histogram(tuple(edges.tolist()), tuple((counts / len(margins)).tolist()))
 
 
 def _verdicts(design: Portable, each: tuple[Variation, ...], u: Floats) -> dict[str, Verdict]:

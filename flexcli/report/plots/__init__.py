@@ -1,0 +1,1 @@
+"""Plots of what the verbs found, as SVG: ink on paper, solid for the exact model."""
