@@ -1,5 +1,7 @@
 """A shell for the tests: runs ``flexure`` as a user does and keeps what it said."""
 
+import gc
+import io
 import json
 import os
 import subprocess
@@ -8,6 +10,8 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+
+from flexcli.cli.app import main
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "rocket-parallel-stage" / "flexure.yaml"
 
@@ -38,27 +42,36 @@ def shell(folder):
 
 
 @pytest.fixture
-def flexure(tmp_path):
-    """Run the command in an empty folder; the answer has returncode, stdout and stderr."""
+def process(tmp_path):
+    """Run the command in an empty folder as a process of its own."""
     return shell(tmp_path)
 
 
 @pytest.fixture
-def inside(tmp_path, monkeypatch):
-    """Run the command in an empty folder in this process, which need not import it anew."""
-    from typer.testing import CliRunner
+def flexure(tmp_path, monkeypatch):
+    """Run the command in an empty folder; the answer has returncode, stdout and stderr.
 
-    from flexcli.cli.app import command_line
+    It runs in this process, from the command's entry to its exit code.
+    """
 
-    def run(*arguments, stdin=None):
+    def run(*arguments, stdin="", encoding="utf-8", **environment):
+        streams = {name: io.TextIOWrapper(io.BytesIO(), encoding) for name in ("stdout", "stderr")}
+        source = io.TextIOWrapper(io.BytesIO(stdin.encode()), "utf-8")
         with monkeypatch.context() as at:
             at.chdir(tmp_path)
-            told = CliRunner().invoke(
-                command_line(), arguments, input=stdin, env={"COLUMNS": "100"}
-            )
-        if told.exception is not None and not isinstance(told.exception, SystemExit):
-            raise told.exception
-        return SimpleNamespace(returncode=told.exit_code, stdout=told.stdout, stderr=told.stderr)
+            for name, stream in (*streams.items(), ("stdin", source)):
+                at.setattr(sys, name, stream)
+            at.setattr(sys, "argv", ["flexure", *arguments])
+            at.setattr(gc, "freeze", lambda: None)  # this process goes on
+            for name, value in {"COLUMNS": "100", **environment}.items():
+                at.setenv(name, value)
+            with pytest.raises(SystemExit) as ended:
+                main()
+        told = {}
+        for name, stream in streams.items():
+            stream.flush()
+            told[name] = stream.buffer.getvalue().decode(encoding)
+        return SimpleNamespace(returncode=ended.value.code or 0, **told)
 
     return run
 

@@ -89,10 +89,10 @@ def test_a_closed_pipe_ends_with_one_line(tmp_path, example_text):
     assert len(told.splitlines()) <= 1
 
 
-def test_a_full_disk_ends_with_one_line_and_code_2(flexure, tmp_path, example_text):
+def test_a_full_disk_ends_with_one_line_and_code_2(process, tmp_path, example_text):
     (tmp_path / "flexure.yaml").write_text(example_text)
     with open("/dev/full", "w") as full:
-        told = flexure("size", "--model", "source", stdout=full)
+        told = process("size", "--model", "source", stdout=full)
     assert told.returncode == 2
     assert told.stderr.splitlines() == [
         "flexure: the output could not be written: No space left on device"

@@ -33,16 +33,16 @@ def spec(tmp_path):
 
 
 @pytest.mark.parametrize("verb", [[*SWEEP, "--points", "4"], ["tolerances", "guide.yaml"]])
-def test_without_the_extra_it_is_named(inside, spec, monkeypatch, verb):
+def test_without_the_extra_it_is_named(flexure, spec, monkeypatch, verb):
     monkeypatch.setitem(sys.modules, "distributed", None)
-    told = inside(*verb, "--scheduler", "tcp://127.0.0.1:1")
+    told = flexure(*verb, "--scheduler", "tcp://127.0.0.1:1")
     assert told.returncode == 2
     assert "flexcli[cluster]" in told.stdout + told.stderr
 
 
-def test_no_scheduler_is_one_finding(inside, spec):
+def test_no_scheduler_is_one_finding(flexure, spec):
     pytest.importorskip("distributed")
-    told = inside(*SWEEP, "--points", "4", "--scheduler", "nowhere")
+    told = flexure(*SWEEP, "--points", "4", "--scheduler", "nowhere")
     assert told.returncode == 2
     assert "no scheduler answers at 'nowhere'" in told.stdout + told.stderr
 

@@ -57,12 +57,12 @@ size: {objective: shortest, round: {h: 10 um, l: 0.5 mm}}
 
 
 def test_a_guide_of_a_microscope_is_sized_for_its_frequency_and_keeps_its_focus(
-    inside, wrote, tmp_path
+    flexure, wrote, tmp_path
 ):
     wrote("guide.yaml", GUIDE)
-    assert inside("size", "guide.yaml", "--write", "sized.yaml").returncode == 0
+    assert flexure("size", "guide.yaml", "--write", "sized.yaml").returncode == 0
     assert "# sheet that our shop has" in (tmp_path / "sized.yaml").read_text()
-    told = inside("check", "sized.yaml", "--format", "json")
+    told = flexure("check", "sized.yaml", "--format", "json")
     assert told.returncode == 0
     values = document(told)["values"]
     h, l, b = (values[name]["value"] for name in "hlb")
@@ -97,9 +97,9 @@ requirements:
 """
 
 
-def test_a_pivot_of_a_mirror_bends_its_blades_into_arcs(inside, wrote):
+def test_a_pivot_of_a_mirror_bends_its_blades_into_arcs(flexure, wrote):
     wrote("flexure.yaml", MIRROR)
-    told = inside("check", "--format", "json")
+    told = flexure("check", "--format", "json")
     assert told.returncode == 0
     found = checks(told)
     stress = E * 0.1e-3 * radians(3.0) / (2.0 * 20e-3)
@@ -123,24 +123,24 @@ size: {objective: least-volume}
 """
 
 
-def test_a_stage_is_sized_for_its_launch_and_no_stronger_one(inside, wrote):
+def test_a_stage_is_sized_for_its_launch_and_no_stronger_one(flexure, wrote):
     wrote("stage.yaml", LAUNCH)
-    told = inside("size", "stage.yaml", "--write", "sized.yaml", "--format", "json")
+    told = flexure("size", "stage.yaml", "--write", "sized.yaml", "--format", "json")
     assert told.returncode == 0
     assert "dynamic yield, launch" in " ".join(document(told)["sizing"]["active"])
     louder = ("check", "sized.yaml", "--set", "cases.launch.asd.scale=6 dB", "--format", "json")
-    quiet, loud = inside("check", "sized.yaml", "--format", "json"), inside(*louder)
+    quiet, loud = flexure("check", "sized.yaml", "--format", "json"), flexure(*louder)
     assert (quiet.returncode, loud.returncode) == (0, 1)
     stresses = [checks(each)["dynamic yield"]["demand"] for each in (quiet, loud)]
     # rms grows with the root of the level; dynamic yield without a stroke is linear in it
     assert stresses[1] / stresses[0] == pytest.approx(10 ** (6 / 20), rel=1e-3)
 
 
-def test_ci_sees_which_design_of_a_folder_fails_and_in_which_line(inside, wrote):
+def test_ci_sees_which_design_of_a_folder_fails_and_in_which_line(flexure, wrote):
     wrote("designs/mirror.yaml", MIRROR)
     wrote("designs/stiff/mirror.yaml", MIRROR.replace("min: 5 Hz", "min: 50 Hz"))
     wrote("designs/ci.yaml", "on: [push]\n")
-    told = inside("check", "designs", "--format", "junit")
+    told = flexure("check", "designs", "--format", "junit")
     assert told.returncode == 1
     good, bad, over = ElementTree.fromstring(told.stdout)
     assert [suite.get("failures") for suite in (good, bad, over)] == ["0", "1", "0"]
@@ -151,14 +151,14 @@ def test_ci_sees_which_design_of_a_folder_fails_and_in_which_line(inside, wrote)
     assert over.find("testcase").get("classname") == "designs/ci.yaml"
 
 
-def test_an_own_material_stands_on_a_shipped_one_and_changes_what_it_says(inside, wrote):
+def test_an_own_material_stands_on_a_shipped_one_and_changes_what_it_says(flexure, wrote):
     own = "{extends: ti-6al-4v, yield_strength: 440 MPa, note: our batch of 2026}"
     wrote("flexure.yaml", MIRROR)
     wrote("own.yaml", MIRROR.replace("ti-6al-4v", own))
     wrote("batch.yaml", f"flexure: 1\nmaterial: {own}\n")
     wrote("named.yaml", MIRROR.replace("ti-6al-4v", "batch.yaml"))
     shipped, inline, named = (
-        checks(inside("check", name, "--format", "json"))
+        checks(flexure("check", name, "--format", "json"))
         for name in ("flexure.yaml", "own.yaml", "named.yaml")
     )
     name = "yield (yield-strength)"
@@ -178,41 +178,41 @@ asd:
 """
 
 
-def test_an_own_profile_has_the_rms_of_its_area_and_shakes_the_design(inside, wrote):
+def test_an_own_profile_has_the_rms_of_its_area_and_shakes_the_design(flexure, wrote):
     wrote("truck.yaml", PROFILE)
-    assert inside("validate", "truck.yaml").returncode == 0
-    told = document(inside("asd", "grms", "truck.yaml", "--format", "json"))
+    assert flexure("validate", "truck.yaml").returncode == 0
+    told = document(flexure("asd", "grms", "truck.yaml", "--format", "json"))
     assert told["profiles"][0]["g_rms"] == pytest.approx(sqrt(0.01 * 400.0) * 9.80665)
     wrote("stage.yaml", LAUNCH.replace("gevs-qualification", "truck.yaml"))
     sizes = ("--set", "geometry.h=0.3 mm", "--set", "geometry.l=25 mm")
     stresses = []
     for level in (0.01, 0.04):
         wrote("truck.yaml", PROFILE.replace("0.01 g", f"{level} g"))
-        run = inside("check", "stage.yaml", *sizes, "--format", "json")
+        run = flexure("check", "stage.yaml", *sizes, "--format", "json")
         stresses.append(checks(run)["dynamic yield"]["demand"])
     assert stresses[1] / stresses[0] == pytest.approx(2.0, rel=1e-3)
 
 
-def test_a_first_spec_is_known_to_editors_and_to_the_verbs_alike(inside, tmp_path):
-    assert inside("init", "cross-spring", "-o", "flexure.yaml").returncode == 0
+def test_a_first_spec_is_known_to_editors_and_to_the_verbs_alike(flexure, tmp_path):
+    assert flexure("init", "cross-spring", "-o", "flexure.yaml").returncode == 0
     first = (tmp_path / "flexure.yaml").read_text().splitlines()[0]
     schema = first.partition("$schema=")[2]
-    assert inside("schema", "-o", schema).returncode == 0
-    assert inside("size", "--write", "sized.yaml").returncode == 0
+    assert flexure("schema", "-o", schema).returncode == 0
+    assert flexure("size", "--write", "sized.yaml").returncode == 0
     validator = Draft202012Validator(json.loads((tmp_path / schema).read_text()))
     validator.validate(yaml.safe_load((tmp_path / "sized.yaml").read_text()))
-    assert inside("check", "sized.yaml").returncode == 0
+    assert flexure("check", "sized.yaml").returncode == 0
 
 
-def test_what_if_leaves_the_spec_as_it_is(inside, wrote, tmp_path):
+def test_what_if_leaves_the_spec_as_it_is(flexure, wrote, tmp_path):
     """Blades of thrice the thickness have thrice the stress; a frequency goes with h to 3/2."""
     wrote("flexure.yaml", MIRROR)
     beams = ("--model", "source", "--format", "json")  # no plates: pure powers of h
-    was = checks(inside("check", *beams))
-    thick = checks(inside("check", "--set", "geometry.h=0.3mm", *beams))
+    was = checks(flexure("check", *beams))
+    thick = checks(flexure("check", "--set", "geometry.h=0.3mm", *beams))
     name = "yield (yield-strength)"
     assert thick[name]["demand"] == pytest.approx(3.0 * was[name]["demand"])
     frequencies = [each["frequency (min)"]["capacity"] for each in (was, thick)]
     assert frequencies[1] == pytest.approx(3.0**1.5 * frequencies[0], rel=0.01)
     assert (tmp_path / "flexure.yaml").read_text() == MIRROR
-    assert inside("check", "--set", "geometry.h=3mm").returncode == 1
+    assert flexure("check", "--set", "geometry.h=3mm").returncode == 1

@@ -38,8 +38,8 @@ def document(run):
     return json.loads(run.stdout)
 
 
-def test_a_folder_is_told_file_by_file(inside, folder):
-    told = inside(*CHECK, "specs", "--format", "json")
+def test_a_folder_is_told_file_by_file(flexure, folder):
+    told = flexure(*CHECK, "specs", "--format", "json")
     found = document(told)
     assert told.returncode == 0
     assert [r["spec"] for r in found["results"]] == ["specs/a.yaml", "specs/deep/b.yml"]
@@ -53,7 +53,7 @@ def test_a_folder_is_told_file_by_file(inside, folder):
     }
     assert "kind material" in why["specs/deep/material.yaml"]
     assert "'name', not 'flexure'" in why["specs/deep/ci.yaml"]
-    text = inside(*CHECK, "specs").stdout
+    text = flexure(*CHECK, "specs").stdout
     assert all(name in text for name in (*why, "specs/a.yaml", "specs/deep/b.yml"))
 
 
@@ -70,18 +70,18 @@ def test_a_folder_is_told_file_by_file(inside, folder):
         (GOOD.replace("mm}", "mm"), "never closed"),
     ],
 )
-def test_a_spec_with_a_mistake_at_its_head_is_a_finding(inside, folder, text, what):
+def test_a_spec_with_a_mistake_at_its_head_is_a_finding(flexure, folder, text, what):
     (folder / "wrong.yaml").write_text(text)
-    told = inside(*CHECK, "specs")
+    told = flexure(*CHECK, "specs")
     assert told.returncode == 2
     assert "specs/wrong.yaml" in told.stderr
     assert what in told.stderr
 
 
-def test_a_folder_without_a_design_is_no_success(inside, folder):
+def test_a_folder_without_a_design_is_no_success(flexure, folder):
     for path in ("a.yaml", "deep/b.yml"):
         (folder / path).unlink()
-    told = inside(*CHECK, "specs", "--format", "json")
+    told = flexure(*CHECK, "specs", "--format", "json")
     assert told.returncode == 2
     assert (
         document(told)["results"][0]["findings"][0]["text"] == "there is no design in this folder"
@@ -89,43 +89,45 @@ def test_a_folder_without_a_design_is_no_success(inside, folder):
     assert len(document(told)["passed_over"]) == 5
 
 
-def test_free_designs_are_sized_or_skipped_with_a_word(inside, folder):
+def test_free_designs_are_sized_or_skipped_with_a_word(flexure, folder):
     (folder / "free.yaml").write_text(FREE)
-    found = document(inside(*CHECK, "specs", "--format", "json"))
+    found = document(flexure(*CHECK, "specs", "--format", "json"))
     (sized,) = (r for r in found["results"] if r["spec"] == "specs/free.yaml")
     assert sized["warnings"][0]["code"] == "sized-first"
-    told = inside(*CHECK, "specs", "--free", "skip", "--format", "json")
+    told = flexure(*CHECK, "specs", "--free", "skip", "--format", "json")
     assert told.returncode == 0
     (why,) = (r["why"] for r in document(told)["passed_over"] if r["spec"] == "specs/free.yaml")
     assert "h free" in why
-    assert inside(*CHECK, "specs/free.yaml", "--free", "skip").returncode == 2, "nothing was judged"
+    assert flexure(*CHECK, "specs/free.yaml", "--free", "skip").returncode == 2, (
+        "nothing was judged"
+    )
 
 
-def test_fail_fast_stops_at_the_first_that_does_not_pass_and_names_the_rest(inside, folder):
+def test_fail_fast_stops_at_the_first_that_does_not_pass_and_names_the_rest(flexure, folder):
     (folder / "aa.yaml").write_text(FAILS)
-    told = inside(*CHECK, "specs", "--fail-fast", "--format", "json")
+    told = flexure(*CHECK, "specs", "--fail-fast", "--format", "json")
     assert told.returncode == 1
     assert [r["status"] for r in document(told)["results"]] == ["pass", "fail"]
     why = {row["spec"]: row["why"] for row in document(told)["passed_over"]}
     assert "specs/aa.yaml did not pass" in why["specs/deep/b.yml"]
 
 
-def test_quiet_prints_what_does_not_pass_alone(inside, folder):
-    silent = inside(*CHECK, "specs", "-q")
+def test_quiet_prints_what_does_not_pass_alone(flexure, folder):
+    silent = flexure(*CHECK, "specs", "-q")
     assert (silent.returncode, silent.stdout, silent.stderr) == (0, "", "")
     (folder / "aa.yaml").write_text(FAILS)
-    told = inside(*CHECK, "specs", "-q")
+    told = flexure(*CHECK, "specs", "-q")
     assert told.returncode == 1
     assert "specs/aa.yaml" in told.stdout
     assert "specs/a.yaml" not in told.stdout
 
 
-def test_processes_change_no_answer_and_no_order(inside, folder):
+def test_processes_change_no_answer_and_no_order(flexure, folder):
     (folder / "aa.yaml").write_text(FAILS)
     (folder / "wrong.yaml").write_text("flexure: 1\n")
 
     def told(*more):
-        run = inside(
+        run = flexure(
             *CHECK, "specs", "--set", "material.density=4 g/cm^3", *more, "--format", "json"
         )
         rows = [
@@ -137,7 +139,7 @@ def test_processes_change_no_answer_and_no_order(inside, folder):
     assert told("--jobs", "2") == told("--jobs", "1")
 
 
-def test_a_process_keeps_to_what_the_command_line_allows(inside, folder):
+def test_a_process_keeps_to_what_the_command_line_allows(flexure, folder):
     """A reference outside the folder is refused, or allowed, in every process alike."""
     (folder.parent / "outside.yaml").write_text(
         "flexure: 1\nmaterial: {youngs_modulus: 114 GPa, poisson_ratio: 0.33}\n"
@@ -145,28 +147,28 @@ def test_a_process_keeps_to_what_the_command_line_allows(inside, folder):
     (folder / "a.yaml").write_text(
         GOOD.replace("{youngs_modulus: 114 GPa, poisson_ratio: 0.33}", "../outside.yaml")
     )
-    assert inside(*CHECK, "specs", "--jobs", "2").returncode == 2
-    assert inside(*CHECK, "specs", "--jobs", "2", "--allow-outside").returncode == 0
+    assert flexure(*CHECK, "specs", "--jobs", "2").returncode == 2
+    assert flexure(*CHECK, "specs", "--jobs", "2", "--allow-outside").returncode == 0
 
 
-def test_a_linked_file_that_leads_outside_is_passed_over_unless_it_is_allowed(inside, folder):
+def test_a_linked_file_that_leads_outside_is_passed_over_unless_it_is_allowed(flexure, folder):
     """Nothing of what stands there is told."""
     (folder.parent / "secret.yaml").write_text(FAILS)
     (folder / "link.yaml").symlink_to("../secret.yaml")
     (folder / "own.yaml").symlink_to("a.yaml")
-    found = document(inside(*CHECK, "specs", "--format", "json"))
+    found = document(flexure(*CHECK, "specs", "--format", "json"))
     (why,) = (r["why"] for r in found["passed_over"] if r["spec"] == "specs/link.yaml")
     assert "outside" in why
     assert "specs/own.yaml" in [r["spec"] for r in found["results"]]
-    told = inside(*CHECK, "specs", "--allow-outside", "--format", "json")
+    told = flexure(*CHECK, "specs", "--allow-outside", "--format", "json")
     assert told.returncode == 1
     assert "specs/link.yaml" in [r["spec"] for r in document(told)["results"]]
 
 
 @pytest.mark.parametrize("style", ["junit", "sarif", "github", "markdown"])
-def test_every_format_names_what_was_passed_over_and_why(inside, folder, style):
+def test_every_format_names_what_was_passed_over_and_why(flexure, folder, style):
     (folder.parent / "outside.yaml").write_text(GOOD)
-    told = inside(*CHECK, "specs", "--format", style)
+    told = flexure(*CHECK, "specs", "--format", style)
     assert told.returncode == 0
     assert "passed over" in told.stdout
     for name, why in (("ci.yaml", "its first key is"), ("material.yaml", "of kind material")):

@@ -1,7 +1,6 @@
 """What comes out of the command on a real terminal, in any encoding, and in the formats of CI."""
 
 import fcntl
-import io
 import json
 import os
 import pty
@@ -11,9 +10,7 @@ import subprocess
 import sys
 import termios
 import textwrap
-from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
-from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
@@ -81,56 +78,42 @@ def test_a_terminal_of_any_width_shows_verdict_and_name_of_every_check(design, c
 
 
 @pytest.fixture
-def inside(monkeypatch, design):
-    """Run the command in this process on streams of an encoding, in the folder of the design."""
-
-    def run(*arguments, encoding="utf-8"):
-        streams = [io.TextIOWrapper(io.BytesIO(), encoding=encoding) for _ in range(2)]
-        monkeypatch.chdir(design)
-        monkeypatch.setenv("COLUMNS", "100")
-        monkeypatch.setattr(sys, "argv", ["flexure", *arguments])
-        out, err = redirect_stdout(streams[0]), redirect_stderr(streams[1])
-        with out, err, pytest.raises(SystemExit) as ended:
-            command.main()
-        for stream in streams:
-            stream.flush()
-        texts = [stream.buffer.getvalue().decode(encoding) for stream in streams]
-        return SimpleNamespace(code=ended.value.code, out=texts[0], err=texts[1])
-
-    return run
+def flexure(flexure, design):
+    """Run the command in the folder of the design."""
+    return flexure
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1252", "latin-1", "utf-8"])
-def test_any_encoding_of_stdout_will_do(inside, encoding):
-    told = inside("check", encoding=encoding)
-    assert told.code == 1
+def test_any_encoding_of_stdout_will_do(flexure, encoding):
+    told = flexure("check", encoding=encoding)
+    assert told.returncode == 1
     spelt = {"ascii": "sigma^3 1/2 <-", "cp1252": "sigma³ ½ <-", "latin-1": "sigma³ ½ <-"}
-    assert f"yield (yield-strength), {spelt.get(encoding, NAME)}" in told.out
-    assert max(map(len, told.out.splitlines())) <= 100
-    told = inside("check", "--format", "json", encoding=encoding)
-    assert NAME in [row["case"] for row in json.loads(told.out)["checks"]]
+    assert f"yield (yield-strength), {spelt.get(encoding, NAME)}" in told.stdout
+    assert max(map(len, told.stdout.splitlines())) <= 100
+    told = flexure("check", "--format", "json", encoding=encoding)
+    assert NAME in [row["case"] for row in json.loads(told.stdout)["checks"]]
 
 
-def test_a_console_that_knows_only_ascii_gets_ascii(flexure, design):
-    told = flexure("check", PYTHONIOENCODING="ascii")
+def test_a_console_that_knows_only_ascii_gets_ascii(process, design):
+    told = process("check", PYTHONIOENCODING="ascii")
     assert told.returncode == 1
     assert "yield (yield-strength), sigma^3 1/2 <-" in told.stdout
     assert "Traceback" not in told.stderr
 
 
-def test_findings_and_help_need_no_more_than_ascii(inside, design):
+def test_findings_and_help_need_no_more_than_ascii(flexure, design):
     (design / "flexure.yaml").write_text(SPEC.replace("2 mm", "2 µσ"), encoding="utf-8")
-    told = inside("check", encoding="ascii")
-    assert told.code == 2
-    assert "2 usigma" in told.err
-    assert inside("--help", encoding="ascii").code == 0
+    told = flexure("check", encoding="ascii")
+    assert told.returncode == 2
+    assert "2 usigma" in told.stderr
+    assert flexure("--help", encoding="ascii").returncode == 0
 
 
 @pytest.mark.parametrize("style", ["text", "json", "github", "markdown", "sarif", "junit"])
-def test_the_name_of_a_file_cannot_steer_a_terminal(inside, style):
-    told = inside("check", "\x1b[31m\x9b2Jx.yaml", "--format", style)
-    assert told.code == 2
-    assert not set(told.out + told.err) & {"\x1b", "\x9b"}
+def test_the_name_of_a_file_cannot_steer_a_terminal(flexure, style):
+    told = flexure("check", "\x1b[31m\x9b2Jx.yaml", "--format", style)
+    assert told.returncode == 2
+    assert not set(told.stdout + told.stderr) & {"\x1b", "\x9b"}
 
 
 @pytest.mark.parametrize(
@@ -144,26 +127,26 @@ def test_the_name_of_a_file_cannot_steer_a_terminal(inside, style):
         ("nonsense",),
     ],
 )
-def test_wrong_usage_is_told_in_the_asked_format(inside, arguments):
-    told = inside(*arguments, "--format", "json")
-    assert told.code == 2
-    document = json.loads(told.out)
+def test_wrong_usage_is_told_in_the_asked_format(flexure, arguments):
+    told = flexure(*arguments, "--format", "json")
+    assert told.returncode == 2
+    document = json.loads(told.stdout)
     assert document["status"] == "error"
     assert document["findings"][0]["text"]
     assert "cost" in document
 
 
-def test_wrong_usage_is_an_error_in_ci_too(inside):
-    assert inside("check", "--nonsense", "--format", "github").out.startswith("::error ")
-    told = inside("check", "--nonsense", "--format", "junit")
-    assert told.code == 2
-    assert ElementTree.fromstring(told.out)[0].get("errors") == "1"
+def test_wrong_usage_is_an_error_in_ci_too(flexure):
+    assert flexure("check", "--nonsense", "--format", "github").stdout.startswith("::error ")
+    told = flexure("check", "--nonsense", "--format", "junit")
+    assert told.returncode == 2
+    assert ElementTree.fromstring(told.stdout)[0].get("errors") == "1"
 
 
-def test_a_format_of_results_is_refused_where_there_are_none(inside):
-    told = inside("materials", "--format", "junit")
-    assert told.code == 2
-    assert ElementTree.fromstring(told.out)[0].get("errors") == "1"
+def test_a_format_of_results_is_refused_where_there_are_none(flexure):
+    told = flexure("materials", "--format", "junit")
+    assert told.returncode == 2
+    assert ElementTree.fromstring(told.stdout)[0].get("errors") == "1"
 
 
 def test_a_bug_is_told_in_the_asked_format(monkeypatch, capsys):
@@ -210,51 +193,51 @@ def line_of(text, spec=SPEC):
     return next(i for i, row in enumerate(spec.splitlines(), 1) if text in row)
 
 
-def test_each_format_has_the_line_of_the_requirement_that_fails(inside):
+def test_each_format_has_the_line_of_the_requirement_that_fails(flexure):
     line = line_of("stiffness:")
-    document = json.loads(inside("check", "--format", "json").out)
+    document = json.loads(flexure("check", "--format", "json").stdout)
     places = {check["name"]: check["place"] for check in document["checks"]}
     assert places["stiffness (max)"] == {
         "file": "flexure.yaml", "line": line, "column": 3, "path": "requirements.stiffness",
     }  # fmt: skip
     assert places["yield (yield-strength)"]["line"] == line_of("yield: 1.5")
-    (error,) = (row for row in inside("check", "--format", "github").out.splitlines()
+    (error,) = (row for row in flexure("check", "--format", "github").stdout.splitlines()
                 if row.startswith("::error"))  # fmt: skip
     assert error.startswith(f"::error file=flexure.yaml,line={line},col=3,title=stiffness (max)::")
-    log = json.loads(inside("check", "--format", "sarif").out)
+    log = json.loads(flexure("check", "--format", "sarif").stdout)
     regions = [found["locations"][0]["physicalLocation"].get("region")
                for found in log["runs"][0]["results"] if found["level"] == "error"]  # fmt: skip
     assert regions == [{"startLine": line, "startColumn": 3}]
-    suite = ElementTree.fromstring(inside("check", "--format", "junit").out)[0]
+    suite = ElementTree.fromstring(flexure("check", "--format", "junit").stdout)[0]
     assert [case.text.split(" ")[0] for case in suite.iter("failure")] == [
         f"flexure.yaml:{line}:3:"
     ]
-    row = next(row for row in inside("check", "--format", "markdown").out.splitlines()
+    row = next(row for row in flexure("check", "--format", "markdown").stdout.splitlines()
                if row.startswith("| FAIL"))  # fmt: skip
     assert row.endswith(f"| {line} |")
 
 
-def test_a_load_that_nobody_looks_at_has_its_own_line(inside, design):
+def test_a_load_that_nobody_looks_at_has_its_own_line(flexure, design):
     spec = SPEC.replace("mm}}", "mm}, sine: {acceleration: 1 g, frequency: 20 Hz}}")
     (design / "flexure.yaml").write_text(spec, encoding="utf-8")
-    told = inside("check", "--format", "json")
-    (row,) = (c for c in json.loads(told.out)["checks"] if c["verdict"] == "not judged")
+    told = flexure("check", "--format", "json")
+    (row,) = (c for c in json.loads(told.stdout)["checks"] if c["verdict"] == "not judged")
     assert row["place"]["line"] == line_of("sine", spec)
 
 
-def test_a_requirement_of_several_has_the_line_of_the_one_that_fails(inside, design):
+def test_a_requirement_of_several_has_the_line_of_the_one_that_fails(flexure, design):
     one = "stiffness: {max: 1 N/m}"
     spec = SPEC.replace(one, "stiffness:\n    - {max: 1 kN/m}\n    - {min: 2 kN/m}")
     (design / "flexure.yaml").write_text(spec, encoding="utf-8")
-    checks = json.loads(inside("check", "--format", "json").out)["checks"]
+    checks = json.loads(flexure("check", "--format", "json").stdout)["checks"]
     places = {check["name"]: check["place"]["line"] for check in checks}
     assert places["stiffness (max)"] == line_of("max: 1 kN/m", spec)
     assert places["stiffness (min)"] == line_of("min: 2 kN/m", spec)
 
 
 @pytest.mark.parametrize("verb", ["size", "simulate"])
-def test_other_verbs_that_judge_have_the_lines_too(inside, design, verb):
-    checks = json.loads(inside(verb, "--format", "json").out)["checks"]
+def test_other_verbs_that_judge_have_the_lines_too(flexure, design, verb):
+    checks = json.loads(flexure(verb, "--format", "json").stdout)["checks"]
     assert checks
     assert all(check["place"]["line"] > 1 for check in checks)
 

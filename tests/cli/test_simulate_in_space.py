@@ -6,8 +6,8 @@ from pathlib import Path
 GUIDE = Path(__file__).parents[2] / "examples" / "leaf-spring-guide" / "flexure.yaml"
 
 
-def test_the_support_over_the_stroke_is_on_screen_and_in_the_file(inside, tmp_path):
-    told = inside("simulate", str(GUIDE), "--points", "3", "--csv", "stroke.csv")
+def test_the_support_over_the_stroke_is_on_screen_and_in_the_file(flexure, tmp_path):
+    told = flexure("simulate", str(GUIDE), "--points", "3", "--csv", "stroke.csv")
     assert told.returncode == 0, told.stderr
     assert "Support over the stroke, drive locked" in told.stdout
     heading, *rows = (tmp_path / "stroke.csv").read_text(encoding="utf-8").splitlines()
@@ -15,8 +15,8 @@ def test_the_support_over_the_stroke_is_on_screen_and_in_the_file(inside, tmp_pa
     assert len(rows) == 3
 
 
-def test_json_has_every_travel_and_null_for_what_is_held(inside):
-    told = inside("simulate", str(GUIDE), "--points", "2", "--format", "json")
+def test_json_has_every_travel_and_null_for_what_is_held(flexure):
+    told = flexure("simulate", str(GUIDE), "--points", "2", "--format", "json")
     (sweep,) = json.loads(told.stdout)["space_sweeps"]
     first, last = sweep["points"]
     assert first["travel"] == -last["travel"] == -20e-3

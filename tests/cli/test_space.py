@@ -18,11 +18,11 @@ requirements: REQUIREMENTS
 
 
 @pytest.fixture
-def checked(tmp_path, inside):
+def checked(tmp_path, flexure):
     def check(requirements, text=STAGE):
         path = tmp_path / "flexure.yaml"
         path.write_text(text.replace("REQUIREMENTS", requirements), encoding="utf-8")
-        told = inside("check", str(path), "--format", "json")
+        told = flexure("check", str(path), "--format", "json")
         return told.returncode, json.loads(told.stdout)
 
     return check
@@ -60,26 +60,26 @@ def test_a_joint_of_no_blades_leaves_it_unjudged(checked):
     assert "not judged" in {check["verdict"] for check in found["checks"]}
 
 
-def test_a_far_stroke_in_space_is_undecided_and_never_passes(tmp_path, inside):
+def test_a_far_stroke_in_space_is_undecided_and_never_passes(tmp_path, flexure):
     text = (EXAMPLES / "folded-stage" / "flexure.yaml").read_text(encoding="utf-8")
     path = tmp_path / "flexure.yaml"
     path.write_text(text.replace("translation: 2 mm", "translation: 12 mm"), encoding="utf-8")
-    told = inside("check", str(path), "--format", "json")
+    told = flexure("check", str(path), "--format", "json")
     assert told.returncode == 1
     found = {(c["name"], c["case"]): c["verdict"] for c in json.loads(told.stdout)["checks"]}
     assert found["fatigue", "operation"] == "undecided"
 
 
 @pytest.mark.parametrize("command", ["plan", "size", "accuracy", "verify"])
-def test_a_verb_that_has_no_model_in_space_says_so(command, inside):
-    told = inside(command, str(EXAMPLES / "folded-stage" / "flexure.yaml"))
+def test_a_verb_that_has_no_model_in_space_says_so(command, flexure):
+    told = flexure(command, str(EXAMPLES / "folded-stage" / "flexure.yaml"))
     assert told.returncode == 2
     assert "space-layout" in told.stderr
 
 
-def test_a_mechanism_in_space_is_drawn_from_one_side(inside):
+def test_a_mechanism_in_space_is_drawn_from_one_side(flexure):
     path = str(EXAMPLES / "tripod-mount" / "flexure.yaml")
-    told = inside("draw", path)
+    told = flexure("draw", path)
     assert told.returncode == 0
     assert told.stdout.count("2 mm") >= 1
-    assert inside("draw", path, "--view", "isometric").returncode == 2
+    assert flexure("draw", path, "--view", "isometric").returncode == 2

@@ -62,21 +62,21 @@ def test_several_processes_give_the_same_file(flexure, spec, tmp_path):
     assert len(table(tmp_path / "1.csv")) == 4
 
 
-def test_a_spec_from_stdin_is_swept_in_several_processes(flexure, spec, tmp_path):
+def test_a_spec_from_stdin_is_swept_in_several_processes(process, spec, tmp_path):
     vary = ["--vary", "geometry.h=0.1mm:0.2mm:8", "-j", "2", "-o"]
     with spec.open(encoding="utf-8") as stream:
-        flexure("sweep", "-", *vary, "stdin.csv", stdin=stream)
-    flexure("sweep", str(spec), *vary, "file.csv")
+        process("sweep", "-", *vary, "stdin.csv", stdin=stream)
+    process("sweep", str(spec), *vary, "file.csv")
     assert (tmp_path / "stdin.csv").read_bytes() == (tmp_path / "file.csv").read_bytes()
     assert table(tmp_path / "file.csv")[0]["status"] == "pass"
 
 
-def test_a_study_of_a_stranger_names_no_file_outside(inside, spec, tmp_path):
+def test_a_study_of_a_stranger_names_no_file_outside(flexure, spec, tmp_path):
     (tmp_path / "in").mkdir()
     (tmp_path / "own.yaml").write_text("flexure: 1\nmaterial: {name: own}\n", encoding="utf-8")
     text = STAGE + "study: {vary: {material: [../own.yaml]}}\n"
     (tmp_path / "in" / "guide.yaml").write_text(text, encoding="utf-8")
-    told = inside("sweep", "in/guide.yaml")
+    told = flexure("sweep", "in/guide.yaml")
     assert told.returncode == 2
     assert "outside the spec's folder" in told.stdout
 

@@ -22,18 +22,18 @@ def spec(tmp_path):
     return path
 
 
-def test_a_design_that_check_passes_fails_in_its_worst_case(inside, spec):
-    assert inside("check").returncode == 0
-    told = inside("tolerances", "-j", "1", "--parts", "2000")
+def test_a_design_that_check_passes_fails_in_its_worst_case(flexure, spec):
+    assert flexure("check").returncode == 0
+    told = flexure("tolerances", "-j", "1", "--parts", "2000")
     assert told.returncode == 1
     assert told.stdout.startswith("FAIL  tolerances")
     for words in ("all together", "of 2000 parts of seed 0", "narrow first: h", "205 µm"):
         assert words in told.stdout
 
 
-def test_a_stated_share_decides_the_exit_code(inside, spec):
+def test_a_stated_share_decides_the_exit_code(flexure, spec):
     codes = [
-        inside("tolerances", "-j", "1", "--set", f"robust.parts={share}").returncode
+        flexure("tolerances", "-j", "1", "--set", f"robust.parts={share}").returncode
         for share in ("50 %", "99.9 %")
     ]
     assert codes == [0, 1]
@@ -55,22 +55,22 @@ def test_several_processes_give_the_same_document(flexure, spec):
     assert stiffness["worst"]["at"]["h"] == pytest.approx(205e-6)
 
 
-def test_without_tolerances_there_is_nothing_to_tell(inside, spec):
+def test_without_tolerances_there_is_nothing_to_tell(flexure, spec):
     spec.write_text(STAGE.partition("tolerances")[0], encoding="utf-8")
-    told = inside("tolerances")
+    told = flexure("tolerances")
     assert told.returncode == 2
     assert "no tolerances" in told.stderr
     assert "tolerances: {h: 5 um}" in told.stderr
 
 
-def test_free_sizes_are_chosen_first(inside, spec):
+def test_free_sizes_are_chosen_first(flexure, spec):
     spec.write_text(
         STAGE.replace("h: 0.2 mm", "h: {free: [50 um, 0.5 mm]}").replace(
             "{max: 0.31 N/mm}", "{min: 0.31 N/mm}"
         ),
         encoding="utf-8",
     )
-    told = inside("tolerances", "-j", "1", "--parts", "1000", "--format", "json")
+    told = flexure("tolerances", "-j", "1", "--parts", "1000", "--format", "json")
     document = json.loads(told.stdout)
     assert "sized-first" in [note["code"] for note in document["warnings"]]
     # the least thickness is at its limit, and half of the parts are below it

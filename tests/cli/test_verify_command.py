@@ -22,8 +22,8 @@ def no_ccx(tmp_path, monkeypatch):
 
 
 @pytest.mark.usefixtures("no_ccx")
-def test_without_ccx_it_says_so_and_what_to_compare(inside, tmp_path):
-    told = inside("verify")
+def test_without_ccx_it_says_so_and_what_to_compare(flexure, tmp_path):
+    told = flexure("verify")
     assert told.returncode == 1
     assert "UNDECIDED" in told.stdout
     assert "calculix-ccx" in told.stdout
@@ -32,8 +32,8 @@ def test_without_ccx_it_says_so_and_what_to_compare(inside, tmp_path):
 
 
 @pytest.mark.usefixtures("no_ccx")
-def test_its_decks_are_written_where_asked_and_nothing_is_replaced(inside, tmp_path):
-    told = inside("verify", "-o", "decks", "--format", "json")
+def test_its_decks_are_written_where_asked_and_nothing_is_replaced(flexure, tmp_path):
+    told = flexure("verify", "-o", "decks", "--format", "json")
     content = json.loads(told.stdout)
     rows = content["verification"]["numbers"]
     assert content["status"] == "undecided"
@@ -42,40 +42,42 @@ def test_its_decks_are_written_where_asked_and_nothing_is_replaced(inside, tmp_p
     written = {path.name for path in (tmp_path / "decks").iterdir()}
     assert "rest-mesh-1.inp" in written
     assert all(name.endswith(".inp") for name in written)
-    again = inside("verify", "-o", "decks")
+    again = flexure("verify", "-o", "decks")
     assert again.returncode == 2
     assert "--force" in again.stderr
 
 
 @pytest.mark.usefixtures("no_ccx")
-def test_blades_that_meet_in_a_point_are_no_solid(inside, tmp_path):
+def test_blades_that_meet_in_a_point_are_no_solid(flexure, tmp_path):
     crossed = SPEC.replace(
         "{kind: cantilever, h: 0.5 mm, l: 20 mm, b: 2 mm}",
         "{kind: unseparated-cross, half_angle: 45 deg, h: 0.5 mm, l: 20 mm, b: 2 mm}",
     ).replace("translation: 1 mm", "rotation: 1 mrad")
     (tmp_path / "crossed.yaml").write_text(crossed)
-    told = inside("verify", "crossed.yaml")
+    told = flexure("verify", "crossed.yaml")
     assert told.returncode == 2
     assert "meet in a point" in told.stderr
 
 
 @pytest.mark.usefixtures("no_ccx")
-def test_what_draws_no_blades_says_so(inside, tmp_path):
+def test_what_draws_no_blades_says_so(flexure, tmp_path):
     bar = SPEC.replace("{kind: cantilever, h: 0.5 mm, l: 20 mm, b: 2 mm}",
                        "{kind: torsion-bar, h: 1 mm, l: 20 mm, b: 2 mm}")  # fmt: skip
     (tmp_path / "bar.yaml").write_text(bar.replace("translation: 1 mm", "rotation: 1 mrad"))
-    told = inside("verify", "bar.yaml")
+    told = flexure("verify", "bar.yaml")
     assert told.returncode == 2
     assert "not made of straight blades" in told.stderr
 
 
 @pytest.mark.usefixtures("no_ccx")
-def test_clamps_that_give_are_compared_as_rigid_ones(inside, tmp_path):
+def test_clamps_that_give_are_compared_as_rigid_ones(flexure, tmp_path):
     giving = SPEC.replace("b: 2 mm}", "b: 2 mm, clamps: monolithic}")
     (tmp_path / "giving.yaml").write_text(giving)
     rows = {}
     for name in ("giving.yaml", "flexure.yaml"):
-        content = json.loads(inside("verify", name, "--only", "k_stage", "--format", "json").stdout)
+        content = json.loads(
+            flexure("verify", name, "--only", "k_stage", "--format", "json").stdout
+        )
         rows[name] = content["verification"]["numbers"][0]["model"]
         told = {note["code"] for note in content["warnings"]}
         assert ("rigid-clamps" in told) == (name == "giving.yaml")

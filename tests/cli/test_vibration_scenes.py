@@ -20,13 +20,13 @@ FLAT = "{points: [{frequency: LOW, level: 0.01 g^2/Hz}, {frequency: HIGH, level:
 
 
 @pytest.fixture
-def respond(inside, tmp_path):
+def respond(flexure, tmp_path):
     """Return the JSON of asd response for a case, with values put over the design's."""
 
     def run(case, *stated, command=("asd", "response")):
         (tmp_path / "flexure.yaml").write_text(STAGE.replace("CASE", case))
         puts = [word for each in stated for word in ("--set", each)]
-        told = inside(*command, *puts, "--format", "json")
+        told = flexure(*command, *puts, "--format", "json")
         assert told.returncode in (0, 1), told.stdout
         return json.loads(told.stdout)
 
@@ -101,10 +101,10 @@ def test_a_mode_that_is_not_there_is_told(respond):
 
 @pytest.mark.parametrize("q", ["{all: 0.1}", "{modes: {1: 80}}", "{all: 5, modes: {0: 80}}",
                                "{all: 5, modes: {1: 0.1}}", "{all: 5, modes: 3}"])  # fmt: skip
-def test_a_wrong_q_is_a_finding(inside, tmp_path, q):
+def test_a_wrong_q_is_a_finding(flexure, tmp_path, q):
     case = f"asd: {{profile: {flat(20, 2000)}, q: {q}}}"
     (tmp_path / "flexure.yaml").write_text(STAGE.replace("CASE", case))
-    told = inside("check")
+    told = flexure("check")
     assert told.returncode == 2
     assert "flexure.yaml:6" in told.stderr
 
@@ -118,11 +118,11 @@ def test_loads_that_shake_at_once_add_up(respond):
     assert both[0]["demand"] == pytest.approx(sum(each), rel=1e-9)
 
 
-def test_a_life_under_sine_on_random_is_refused(inside, tmp_path):
+def test_a_life_under_sine_on_random_is_refused(flexure, tmp_path):
     case = f"sine: {{acceleration: 1 g, frequency: 9 Hz}}, asd: {{profile: {flat(20, 99)}, q: 20}}"
     spec = STAGE.replace("CASE", case).replace("dynamic-yield: 1e-3", "dynamic-life: 4")
     (tmp_path / "flexure.yaml").write_text(spec)
-    told = inside("check")
+    told = flexure("check")
     assert told.returncode == 2
     assert "a case of its own" in told.stderr
 
@@ -188,11 +188,11 @@ def found_force(respond, case):
     return respond(case, command=("check",))["values"]["F"]["value"]
 
 
-def test_a_plan_without_vibration_has_none_of_them(inside, tmp_path):
+def test_a_plan_without_vibration_has_none_of_them(flexure, tmp_path):
     spec = STAGE.replace("CASE", "{stroke: {translation: 1 mm}}")
     spec = spec.replace("dynamic-yield: 1e-3", "yield: 1.1")
     (tmp_path / "flexure.yaml").write_text(spec.replace("{{", "{").replace("}}}", "}}"))
-    found = json.loads(inside("plan", "--format", "json").stdout)
+    found = json.loads(flexure("plan", "--format", "json").stdout)
     assert found["effects"]
     assert not [row for row in found["effects"] if row["name"].endswith(", shake")]
 
@@ -263,9 +263,9 @@ def test_the_q_of_a_case_serves_all_of_its_loads(respond):
         ("axes: {x: {asd: gevs-quali}}, q: 20", "gevs-qualification"),
     ],
 )
-def test_axes_and_sines_that_say_too_little_or_too_much_are_findings(inside, tmp_path, case, told):
+def test_axes_and_sines_that_say_too_little_or_too_much_are_findings(flexure, tmp_path, case, told):
     (tmp_path / "flexure.yaml").write_text(STAGE.replace("CASE", case))
-    found = inside("check")
+    found = flexure("check")
     assert found.returncode == 2
     assert told in re.sub(r"\s+", " ", found.stdout + found.stderr)
 
