@@ -236,8 +236,8 @@ ROWS = (
 )
 
 
-SLOW = ("stops-unjudged",)
-"""Specs whose cases are run in time, contact by contact."""
+SLOW = ("stops-unjudged", "hinged-pivot-crash", "exact-stock", "exact-false-infeasible")
+"""Specs whose cases are run in time, contact by contact, or that are sized by the exact model."""
 
 
 @pytest.mark.parametrize(

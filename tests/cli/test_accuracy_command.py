@@ -32,6 +32,7 @@ def test_without_a_file_it_takes_the_spec_of_the_folder(flexure, spec):
     assert "error\n" in told.stdout
 
 
+@pytest.mark.slow
 def test_a_rough_answer_takes_a_cheaper_model_than_a_fine_one(flexure, spec):
     taken = []
     for asked in ("20 %", "1e-6"):

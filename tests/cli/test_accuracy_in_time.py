@@ -8,6 +8,8 @@ from typer.testing import CliRunner
 from flexcli.cli.app import command_line
 from flexcli.engine.comparing import time_accuracy
 
+pytestmark = pytest.mark.slow  # general integrators step through many contacts
+
 EXAMPLE = Path(__file__).parents[2] / "examples" / "boundary-control" / "flexure.yaml"
 
 

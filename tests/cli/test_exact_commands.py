@@ -100,6 +100,7 @@ def test_a_joint_without_blades_is_refused_in_words(flexure, spec):
     assert "Traceback" not in told.stderr
 
 
+@pytest.mark.slow
 def test_the_examples_folder_of_linkages_survives_a_write(flexure, tmp_path):
     crank = Path(__file__).parents[2] / "examples/crank-linear-stage/flexure.yaml"
     (tmp_path / "flexure.yaml").write_text(crank.read_text())

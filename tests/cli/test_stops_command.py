@@ -112,6 +112,7 @@ def test_the_history_is_saved(flexure, spec, tmp_path):
     assert max(float(row["force_N"]) for row in rows) > 1.0
 
 
+@pytest.mark.slow
 def test_the_response_is_saved_and_shown(flexure, spec, tmp_path):
     with_case(spec, "sweep: {from: 160 Hz, to: 220 Hz, rate: 200 Hz/s, acceleration: 1.5 g}")
     told = flexure("stops", "--sweep", "--no-simulate", "--csv", "sweep.csv", COLUMNS="160")

@@ -39,6 +39,7 @@ def test_a_stated_share_decides_the_exit_code(flexure, spec):
     assert codes == [0, 1]
 
 
+@pytest.mark.slow
 def test_several_processes_give_the_same_document(flexure, spec):
     found = []
     for jobs in ("1", "2"):

@@ -25,6 +25,8 @@ from flexcli.parts.requirements import AS_PRINTED
 from flexcli.report.as_json import document, dumps
 from flexcli.results import Status
 
+pytestmark = pytest.mark.slow  # every design is solved by every model
+
 TURN = {"turn": {"stroke": {"rotation": "10 deg"}}}
 SLENDER = {"h": "0.1 mm", "l": "20 mm", "b": "5 mm"}
 TRUTH = Finest(tolerance=1e-13)

@@ -6,6 +6,8 @@ from stop_designs import SINE, stopped
 from flexcli.engine.check import check
 from flexcli.results import Status, Verdict
 
+pytestmark = pytest.mark.slow  # runs in time, contact by contact
+
 FLAT = [{"frequency": "20 Hz", "level": "0.02 g^2/Hz"},
         {"frequency": "400 Hz", "level": "0.02 g^2/Hz"}]  # fmt: skip
 SHAKE = {"shake": {"asd": {"profile": {"points": FLAT}, "q": 30, "duration": "0.3 s"}}}

@@ -253,6 +253,7 @@ EXTREMES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", [None, "linear", "exact"])
 @pytest.mark.parametrize("kind", EXTREMES)
 def test_what_cannot_be_solved_is_a_row_of_the_report(kind, model):

@@ -24,6 +24,8 @@ from flexcli.numerics.signal_pieces import sine
 from flexcli.parts.response import random_response
 from flexcli.results import Status, Verdict
 
+pytestmark = pytest.mark.slow  # runs in time, contact by contact
+
 K = 3 * E * I / LENGTH**3
 OMEGA = sqrt(K / MASS)
 PLACE = {"height": "17 mm", "gap": "36 um"}

@@ -14,6 +14,8 @@ from flexcli.engine.stopping.sweep import swept
 from flexcli.engine.stops import stops
 from flexcli.errors import SolveError
 
+pytestmark = pytest.mark.slow  # runs in time, contact by contact
+
 OWN = f"{sqrt(3 * E * I / LENGTH**3 / MASS) / (2 * pi)} Hz"
 PLACE = {"height": "17 mm", "gap": "36 um"}
 SWEEP = {"from": "160 Hz", "to": "230 Hz", "rate": "100 Hz/s", "acceleration": "2 g"}

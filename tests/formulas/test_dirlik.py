@@ -14,6 +14,7 @@ from flexcli.formulas.dirlik import dirlik_damage_rate, dirlik_density
 from flexcli.formulas.spectral_moments import Moments, spectral_moments
 
 
+@pytest.mark.slow
 @given(moments=spectra)
 @settings(deadline=None, max_examples=40)
 def test_dirlik_density_of_amplitude_over_rms_has_unit_area(moments):

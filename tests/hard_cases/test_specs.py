@@ -74,6 +74,7 @@ def test_one_byte_more_is_refused_before_it_is_parsed(tmp_path: Path, counter: C
     assert counter.events == 0
 
 
+@pytest.mark.slow
 def test_a_file_full_of_values_stops_at_the_bound_on_values(counter: Counter) -> None:
     """Half a million one-letter values fit in a megabyte: positions would take a gigabyte."""
     (finding,) = refused("[" + "x," * (MAX_BYTES // 2 - 1) + "]")

@@ -254,6 +254,7 @@ def test_a_column_that_leans_has_no_critical_load():
     assert said.value.code == "no-critical-load"
 
 
+@pytest.mark.slow
 def test_pivots_loaded_just_below_their_critical_load_stand_and_just_above_do_not():
     """Turned first, then loaded: on the way to both at once the critical load may be another."""
     rng = np.random.default_rng(5)

@@ -348,6 +348,7 @@ def scratch(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "flexure.yaml"
 
 
+@pytest.mark.slow
 @settings(max_examples=300)
 @given(st.sampled_from(paths(WHOLE)), VALUES)
 def test_any_value_anywhere_is_accepted_or_refused(

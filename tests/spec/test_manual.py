@@ -80,6 +80,7 @@ def manual() -> list[FieldRow]:
     return rows()
 
 
+@pytest.mark.slow
 def test_each_piece_of_yaml_is_taken_by_a_whole_spec(
     manual: list[FieldRow], tmp_path: Path
 ) -> None:

@@ -272,6 +272,7 @@ def typos(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[Any, bool, lis
     return found
 
 
+@pytest.mark.slow
 def test_of_500_typos_the_schema_alone_finds_95_percent(typos: Any) -> None:
     assert sum(not valid for _, valid, _ in typos) >= 0.95 * MUTANTS
 

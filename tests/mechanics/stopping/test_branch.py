@@ -81,6 +81,7 @@ def test_the_least_blow_leads_to_contact_for_good_and_a_smaller_one_does_not(bra
     assert not any(contacts(0.999 * kick.none, phase, 3) for phase in phases)
 
 
+@pytest.mark.slow
 def test_what_has_no_periodic_motion_is_called_so_and_what_dies_slowly_is_waited_for():
     scene = oscillator(), Stops(LinearStop(20.0), 1.0, 1.0)
     (beat,) = steady_steps(*scene, angular=[2.0**0.5], amplitude=0.1, kick=2.0)

@@ -92,6 +92,7 @@ def test_a_motion_of_two_periods_is_found_as_one():
     assert (step.periods, step.contacts) == (2, 0.5)
 
 
+@pytest.mark.slow
 def test_what_never_repeats_is_not_settled_and_has_a_range():
     # without damping a beat goes on for ever, and no motion is stable
     scene = oscillator(), Stops(LinearStop(20.0), 1.0, 1.0)

@@ -197,6 +197,7 @@ def test_micrometres_and_metres_give_the_same_digits(scale):
     assert other.peaks.travel == pytest.approx(scale * one.peaks.travel, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_blade_of_three_modes_agrees_with_a_general_integrator():
     blade = cantilever_modes(
         E=60e9, I=1e-13, L=20e-3, L_a=12e-3, m=5e-3, blade_mass=5e-4, modes=3, quality=30.0
