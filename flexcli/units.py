@@ -112,6 +112,7 @@ DIMENSIONS = _dimensions(
     Dimension(
         "rotational stiffness", "N*m/rad", "15 N*m/rad", {"N*m/rad": "1", "N*mm/rad": "1e-3"}
     ),
+    Dimension("temperature", "K", "293 K", {"K": "1", "mK": "1e-3"}),
     Dimension("temperature change", "K", "60 K", {"K": "1", "mK": "1e-3"}),
     Dimension("temperature gradient", "K/m", "40 K/m", {"K/m": "1", "K/mm": "1e3"}),
     Dimension("expansion", "1/K", "8.6e-6 1/K", {"1/K": "1", "ppm/K": "1e-6"}),

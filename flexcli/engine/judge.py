@@ -136,7 +136,7 @@ def again(
     found: list[Check] = []
     paths = {id(each): ("requirements", *path) for path, each in design.requirements.each()}
     for requirement, scene in design.questions(design.scenes()):
-        case = scene.case if requirement.is_of_a_case else ""
+        case = requirement.case_of(scene)
         if (paths[id(requirement)], case) in asked:
             found.extend(series.climbed(requirement, scene))
     return assess.worst_of_each(found)
@@ -276,14 +276,19 @@ def limits_by(
     """Yield the limits of a requirement in a case by one model, each with its error."""
     ask = design.ask(scene, sizes, model.joint_model)
     errors: dict[QuantityKind, ErrorRange | None] = {}
+    spread = ask.material.spread
     for limit in requirement.limits(ask):
-        kind = limit.kind
-        if limit.error is not None or kind is None:
+        kind, error = limit.kind, limit.error
+        if kind is None:
             yield limit
             continue
-        if kind not in errors:  # one for all places of a stress
-            errors[kind] = ask.joint_model.error(ask, kind)
-        yield replace(limit, error=errors[kind])
+        if error is None:
+            if kind not in errors:  # one for all places of a stress
+                errors[kind] = ask.joint_model.error(ask, kind)
+            error = errors[kind]
+        if spread and error is not None:
+            error += ErrorRange(-spread, spread)
+        yield replace(limit, error=error)
 
 
 def _no_answer(
@@ -299,7 +304,7 @@ def _not_done(requirement: Requirement, scene: Scene) -> Check:
 
 
 def _open_row(requirement: Requirement, scene: Scene, text: str) -> Check:
-    case = scene.case if requirement.is_of_a_case else ""
+    case = requirement.case_of(scene)
     return Check(requirement.label, case, text, nan, nan, "", nan, nan, Verdict.UNDECIDED, "")
 
 

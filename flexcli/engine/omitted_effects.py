@@ -7,6 +7,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, Setting
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import AS_PRINTED, JointModel
+from flexcli.parts.scene import Scene
 from flexcli.results import EffectRow, Note, QuantityKind
 from flexcli.units import show
 
@@ -14,6 +15,9 @@ __all__ = ["NOTABLE", "effects", "errors_of", "reported", "setting", "warnings"]
 
 NOTABLE = 0.05
 """An effect left out that may change a number by more than this is a warning, not only a row."""
+
+NEAR = 30.0
+"""Change of temperature [K] up to which no property of a metal is worth a word."""
 
 MADE = 5e-6
 """Thickness [m] below which a blade is no longer machined, etched or cut from foil as a rule."""
@@ -100,6 +104,9 @@ def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> t
         if single is not None and single.stress_ratio is None:
             text = "the source of the fatigue amplitude states no stress ratio; read as R = −1"
             notes.append(Note("stress-ratio-unstated", text))
+    for scene in design.scenes():
+        if scene.temperature is not None:
+            notes.extend(_of_temperature(design, sizes, scene))
     notes.extend(_outside_validity(design, sizes))
     notes.extend(_own_shape(design, sizes))
     notes.extend(
@@ -108,6 +115,36 @@ def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> t
         if row.estimate >= NOTABLE and not row.on
     )
     return tuple(notes)
+
+
+def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[Note]:
+    """Yield which properties of the material are not those of a case's temperatures."""
+    layout = design.drawn(sizes)
+    temperature, known = scene.temperature, design.material.over_temperature
+    if layout is None or temperature is None:
+        return
+    asked = temperature.temperatures(layout, design.geometry.axes)
+    most = max(abs(T - temperature.assembly) for T in asked)
+    given = known.model_dump(exclude_none=True) if known is not None else {}
+    if known is not None and (beyond := known.continued(asked)):
+        text = f"case '{scene.case}' reaches {max(asked):.4g} K, beyond the points of the material: "
+        text += f"{', '.join(beyond)}; taken by thermal_expansion, and as it is there"
+        yield Note("beyond-points", text)
+    if most <= NEAR:
+        return
+    parts = {
+        "elongation": "thermal_expansion is one number",
+        "youngs_modulus": "youngs_modulus is that at assembly",
+    }
+    parts |= {
+        name: f"{name} is that at assembly"
+        for name in ("yield_strength", "tensile_strength", "fatigue_amplitude")
+        if getattr(design.material, name) is not None
+    }
+    missing = [text for name, text in parts.items() if name not in given]
+    if missing:
+        text = f"case '{scene.case}' is {most:.3g} K from assembly: {'; '.join(missing)}"
+        yield Note("at-assembly", f"{text}; material.over_temperature would give more")
 
 
 def _by(estimate: float) -> str:

@@ -35,7 +35,8 @@ def values(
     asks = design.asks(sizes, joint_model)
     scenes = [ask.scene for ask in asks]
     found |= case_values(scenes)
-    stiffness = float(joint_model.stiffness(asks[0]))
+    rest = design.ask(scenes[0].at_assembly(), sizes, joint_model)
+    stiffness = float(joint_model.stiffness(rest))
     symbol = "k_pivot" if geometry.motion == "rotation" else "k_stage"
     found[symbol] = Value(
         stiffness,
@@ -50,12 +51,12 @@ def values(
         estimated_error=0.0,
     )  # fmt: skip
     found |= geometry.values(material.elastic, sizes, largest_travel(scenes))
-    found |= _admissible(design, asks[0])
+    found |= _admissible(design, rest)
     for ask in asks:
         found |= _shift(ask, found)
     if design.mechanism is not None:
         found.update(design.mechanism.values(stiffness, geometry))
-    found.update(_own_frequency(asks[0], found))
+    found.update(_own_frequency(rest, found))
     for ask in asks:
         found.update(_sag(ask))
         found.update(_warm(ask))
@@ -63,22 +64,29 @@ def values(
 
 
 def _warm(ask: Ask) -> dict[str, Value]:
-    """Return how far the temperature of a case alone moves the joint."""
+    """Return how far the temperature of a case alone moves the joint, where it stands there."""
     if ask.scene.temperature is None:
         return {}
-    from flexcli.engine.joint_models.joint_states import at_temperature
+    names = {"x": "motion along x", "y": "motion along y", "theta": "rotation"}
+    model = "exact"
+    try:
+        if ask.geometry.in_space:
+            from flexcli.parts.space_states import left_by_temperature
 
-    moved = at_temperature(ask)
-    text, case = "by the temperature alone", ask.scene.case
+            moved, model = left_by_temperature(ask), "linear"
+            names = {axis: f"motion along {axis}" for axis in "xyz"}
+            names |= {f"theta_{axis}": f"rotation about {axis}" for axis in "xyz"}
+        else:
+            from flexcli.engine.joint_models.joint_states import at_temperature
+
+            moved = at_temperature(ask)
+    except NotAvailable:
+        return {}
     return {
-        f"{name}_{case}": Value(value, unit, f"{what} {text}", "exact")
-        for name, value, unit, what in zip(
-            ("x", "y", "theta"),
-            moved,
-            ("m", "m", "rad"),
-            ("motion along x", "motion along y", "rotation"),
-            strict=True,
+        f"{name}_{ask.scene.case}": Value(
+            value, "rad" if "theta" in name else "m", f"{what} by the temperature alone", model
         )
+        for (name, what), value in zip(names.items(), moved, strict=True)
     }
 
 

@@ -1,14 +1,14 @@
 """Stability of an equilibrium: unstable directions, the critical load and its mode."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.assembly import Assembly
+from flexcli.mechanics.assembly import Assembly, assemble
 from flexcli.mechanics.critical_point import (
     CriticalPoint,
     Point,
@@ -120,10 +120,11 @@ def critical_load(
 ) -> Critical:
     """Return the least factor in (0, most] on a load pattern at which an equilibrium is critical.
 
-    The path runs from the equilibrium under the layout's own loads and what is held, by arc length,
-    to where a first direction gets unstable. What ``held`` holds decides which load this is: a body
-    locked, free to turn, or free in the plane are three different numbers. What ``driven`` holds
-    besides stays where it is along the path, by an effort that keeps its size.
+    What a temperature makes the layout grow by belongs to the pattern. The path runs from the
+    equilibrium under the layout's own loads and what is held, by arc length, to where a first
+    direction gets unstable. What ``held`` holds decides which load this is: a body locked, free to
+    turn, or free in the plane are three different numbers. What ``driven`` holds besides stays
+    where it is along the path, by an effort that keeps its size.
 
     Parameters
     ----------
@@ -140,7 +141,8 @@ def critical_load(
     driven : mapping, optional
         Motions at which an effort keeps the mechanism while the loads grow, free to buckle.
     start : Equilibrium, optional
-        Where the path begins, as in :func:`flexcli.mechanics.equilibrium.solve`.
+        Where the path begins, as in :func:`flexcli.mechanics.equilibrium.solve`, of the layout that
+        has not grown.
     effects, tolerance, levels
         As in :func:`flexcli.mechanics.equilibrium.solve`.
 
@@ -165,14 +167,17 @@ def critical_load(
     effects = Effects() if effects is None else effects
     held = {} if held is None else held
     along = _together(held, {} if driven is None else driven)
+    cold = replace(layout, body_growth={}, blade_growth={})
     rest = solve(
-        layout, along, start=start, effects=effects, tolerance=tolerance, levels=levels
+        cold, along, start=start, effects=effects, tolerance=tolerance, levels=levels
     ).checked()
-    coarse = rest.parts[0].assembly
+    coarse, grows = rest.parts[0].assembly, _grown(layout, most)
+    if grows is not None:
+        coarse = assemble(grows, effects, coarse.nodes)
     index, free, _ = held_of(layout, held, coarse.length)
     if inertia_count_held(rest, held)[0]:
         raise unstable_start()
-    demand = demand_of(coarse, along, pattern, most, rest)
+    demand = demand_of(coarse, along, pattern, most, rest)._replace(grown=grows is None)
     demands = demand, demand._replace(held=index, free=free)
     gaits = (_STRIDES, _STEPS) if careful else (_STRIDES,)
     search, found = _first(coarse, demands, rest.parts[0].x[0], most, gaits)
@@ -180,6 +185,17 @@ def critical_load(
         return _critical(search, found, np.inf, most)
     finer_levels = (level for level in levels if level > coarse.nodes)
     return _critical(*refined(search, found, finer_levels, tolerance), most)
+
+
+def _grown(layout: Layout, factor: float) -> Layout | None:
+    """Return a layout that has grown by so many times more, or nothing where it does not grow."""
+    if not (layout.body_growth or layout.blade_growth):
+        return None
+    return replace(
+        layout,
+        body_growth={name: factor * strain for name, strain in layout.body_growth.items()},
+        blade_growth={name: factor * strain for name, strain in layout.blade_growth.items()},
+    )
 
 
 def _together(held: Held, driven: Held) -> Held:

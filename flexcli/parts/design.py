@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
 from pydantic import Field, GetJsonSchemaHandler, PrivateAttr, model_validator
 from pydantic_core import CoreSchema
 
+from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Quantity
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.case import Case
@@ -33,6 +34,8 @@ from flexcli.parts.sizing import QUANTITIES, Correction, SizeOptions
 from flexcli.results import EXACT
 
 if TYPE_CHECKING:
+    from flexcli.mechanics.layout import Layout
+    from flexcli.mechanics.space.layout import SpaceLayout
     from flexcli.parts.balancing import BalanceOptions
     from flexcli.parts.manufacturing import Manufacturing
     from flexcli.parts.stops import Stops
@@ -271,9 +274,34 @@ class DesignSpec(Part):
         """Return whether the spec switches an effect off."""
         return bool(self.effects.get(effect.key) == "off")
 
+    def drawn(self, sizes: Sizes) -> "Layout | SpaceLayout | None":
+        """Return where the blades and bodies of a joint are; nothing where it has no blades."""
+        elastic = self.material.elastic
+        try:
+            if self.geometry.in_space:
+                return self.geometry.space_layout(elastic, sizes)
+            return self.geometry.layout(elastic, sizes)
+        except NotAvailable:
+            return None
+
     def ask(self, scene: Scene, sizes: Sizes, joint_model: JointModel) -> Ask:
-        """Return what a requirement of one case is judged on."""
-        return Ask(self.material, self.geometry, self.mechanism, sizes, scene, joint_model)
+        """Return what a requirement of one case is judged on, its material at its temperature.
+
+        Raises
+        ------
+        SolveError
+            When the material says nothing of that temperature.
+
+        """
+        material, temperature = self.material, scene.temperature
+        if temperature is not None:
+            try:
+                layout = self.drawn(sizes)
+                if layout is not None:
+                    material = temperature.of_blades(material, layout, self.geometry.axes)
+            except NotAvailable as error:
+                raise SolveError("outside-material", str(error), "give it there too") from error
+        return Ask(material, self.geometry, self.mechanism, sizes, scene, joint_model)
 
     def asks(self, sizes: Sizes, joint_model: JointModel) -> list[Ask]:
         """Return what is asked in every case."""
@@ -365,10 +393,16 @@ class DesignSpec(Part):
                     yield from requirement.limits(ask)
 
     def questions(self, scenes: Sequence[Scene]) -> Iterator[tuple[Requirement, Scene]]:
-        """Yield every requirement with each case that it is asked of; once where it is of none."""
+        """Yield every requirement with each case that it is asked of; once where it is of none.
+
+        Of the latter those that a temperature changes are asked at each besides.
+        """
         for _, requirement in self.requirements.each():
             relevant = [scene for scene in scenes if requirement.applies(scene)]
-            for scene in relevant if requirement.is_of_a_case else scenes[:1]:
+            if not requirement.is_of_a_case:
+                warm = [scene for scene in scenes if scene.temperature is not None]
+                relevant = [scenes[0].at_assembly(), *(warm if requirement.is_warmed else ())]
+            for scene in relevant:
                 yield requirement, scene
 
     def own_limits(self, sizes: Sizes) -> Iterator[Limit]:
@@ -407,15 +441,30 @@ class DesignSpec(Part):
                 scenes.append(self.scene(name))
             except MechanismError as error:
                 found.append(Problem(("cases", name, error.at), str(error), error.hint))
-            if self.cases[name].temperature is not None and not self.material.thermal_expansion:
-                text, hint = "the material has no thermal_expansion", "give it, e.g. 8.6e-6 1/K"
-                found.append(Problem(("cases", name, "temperature"), text, hint))
+            found.extend(self._temperature_problems(name))
         probe = self.geometry.probe()
         for path, requirement in self.requirements.each():
             found.extend(
                 self._requirement_problems(("requirements", *path), requirement, probe, scenes)
             )
         return found
+
+    def _temperature_problems(self, name: str) -> Iterator[Problem]:
+        """Yield what the material does not say of the temperature of a case."""
+        temperature, path = self.cases[name].temperature, ("cases", name, "temperature")
+        if temperature is None:
+            return
+        if not self.material.expands:
+            hint = "give it, e.g. 8.6e-6 1/K"
+            yield Problem(path, "the material has no thermal_expansion", hint)
+        known = self.material.over_temperature
+        layout = self.drawn(self.geometry.probe())
+        if known is None or layout is None:
+            return
+        asked = temperature.temperatures(layout, self.geometry.axes)
+        if beyond := known.refused(asked):
+            text = f"the material is not given from {min(asked):g} to {max(asked):g} K"
+            yield Problem(path, text, f"it has {', '.join(beyond)} over temperature")
 
     def _requirement_problems(
         self, path: tuple[str | int, ...], requirement: Any, probe: Sizes, scenes: list[Scene]
@@ -435,9 +484,12 @@ class DesignSpec(Part):
                 f"no case has what '{requirement.label}' is about",
                 "add a case that loads it, or take the requirement out",
             )
-        for scene in relevant if requirement.is_of_a_case else relevant[:1]:
+        asked = relevant if requirement.is_of_a_case else [s.at_assembly() for s in relevant[:1]]
+        for scene in asked:
             try:
-                list(requirement.judged(self.ask(scene, probe, STAND_IN)))
+                # whatever its temperature makes of the material
+                ask = Ask(self.material, self.geometry, self.mechanism, probe, scene, STAND_IN)
+                list(requirement.judged(ask))
             except RequirementError as error:
                 yield Problem(path, str(error), error.hint)
 

@@ -1,9 +1,9 @@
 """The material of the blades: numbers with their source, and strength as an amplitude."""
 
 from itertools import pairwise
-from typing import Annotated, Any, ClassVar, Generic, Literal, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Generic, Literal, TypeVar
 
-from pydantic import GetJsonSchemaHandler, model_validator
+from pydantic import GetJsonSchemaHandler, PrivateAttr, model_validator
 from pydantic_core import CoreSchema
 
 from flexcli.formulas.fatigue import amplitude_at_life, fully_reversed_amplitude
@@ -18,9 +18,23 @@ from flexcli.parts.base import (
     spec_error,
 )
 from flexcli.parts.elastic import Elastic
+from flexcli.parts.named import Named
 from flexcli.results import Property
 
-__all__ = ["FatigueAmplitude", "Material", "MissingProperty", "SNCurve", "Sourced", "Status"]
+if TYPE_CHECKING:
+    from flexcli.parts.over_temperature import OverTemperature
+else:
+    OverTemperature = Annotated[Any, Named("flexcli.parts.over_temperature:OverTemperature")]
+
+__all__ = [
+    "FatigueAmplitude",
+    "Material",
+    "MissingProperty",
+    "SNCurve",
+    "Sourced",
+    "Status",
+    "WithSource",
+]
 
 Status = Literal["measured", "handbook", "vendor", "course", "placeholder", "given"]
 """Where a number comes from; ``given`` is a plain number in the user's own spec."""
@@ -32,6 +46,10 @@ _UNITS = {"poisson_ratio": "", "density": "kg/m^3", "thermal_expansion": "1/K"}
 """SI units of the properties that are no stress."""
 
 
+SECTIONS = 3.0
+"""Powers of a length in a stiffness over E: sections that grow change it by so many growths."""
+
+
 class MissingProperty(ValueError):
     """A requirement asks for a property of the material that nobody gave."""
 
@@ -41,7 +59,9 @@ class MissingProperty(ValueError):
         self.why = why
 
 
-class _WithSource(Part):
+class WithSource(Part):
+    """Anything that a document says, with what kind of document that is."""
+
     status: Status = "given"
     """Where the number comes from; given is a plain number of your own,
     e.g. ``status: handbook, source: MMPDS-2023 table 5.4.1``.
@@ -50,7 +70,7 @@ class _WithSource(Part):
     """Document and page that the number is from, e.g. ``MMPDS-2023 table 5.4.1``."""
 
     @model_validator(mode="after")
-    def _name_the_source(self) -> "_WithSource":
+    def _name_the_source(self) -> "WithSource":
         if self.status not in ("given", "placeholder") and not self.source:
             raise spec_error(
                 f"a value of status '{self.status}' must name its source",
@@ -59,7 +79,7 @@ class _WithSource(Part):
         return self
 
 
-class Sourced(_WithSource, Shorthand, Generic[Number]):
+class Sourced(WithSource, Shorthand, Generic[Number]):
     """A number with its source and status; a plain quantity stands for a given value."""
 
     stands_for: ClassVar[str] = "value"
@@ -68,7 +88,7 @@ class Sourced(_WithSource, Shorthand, Generic[Number]):
     """The number with its unit."""
 
 
-class FatigueAmplitude(_WithSource):
+class FatigueAmplitude(WithSource):
     """Stress amplitude (half of the range) that is borne for a number of cycles."""
 
     value: Stress
@@ -126,7 +146,7 @@ class Basquin(Part):
         )
 
 
-class SNCurve(_WithSource):
+class SNCurve(WithSource):
     """S-N curve in amplitudes: points joined by log-log lines, or Basquin's law."""
 
     points: tuple[SNPoint, ...] = ()
@@ -164,6 +184,17 @@ class SNCurve(_WithSource):
                     at=("points", index + 1, "amplitude"),
                 )
         return self
+
+    def times(self, factor: float) -> "SNCurve":
+        """Return the curve with every amplitude times a factor."""
+        if self.basquin is not None:
+            coefficient = factor * self.basquin.coefficient
+            changed = self.basquin.model_copy(update={"coefficient": coefficient})
+            return self.model_copy(update={"basquin": changed})
+        points = tuple(
+            p.model_copy(update={"amplitude": factor * p.amplitude}) for p in self.points
+        )
+        return self.model_copy(update={"points": points})
 
     def curve(self) -> tuple[tuple[float, float], ...]:
         """Return the corners of the curve as (cycles, amplitude)."""
@@ -211,6 +242,15 @@ class Material(Part):
     """
     thermal_expansion: Sourced[Expansion] | None = None
     """Coefficient of thermal expansion, e.g. ``8.6e-6 1/K``."""
+    over_temperature: OverTemperature | None = None
+    """What changes with temperature, points with their source,
+    e.g. ``{elongation: {points: [[80 K, -0.391 %], [293 K, 0 %]]}}``.
+    """
+
+    _warmed: "dict[tuple[float, ...], tuple[Material, Material]]" = PrivateAttr(
+        default_factory=dict
+    )
+    _spread: float = PrivateAttr(0.0)
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -271,6 +311,70 @@ class Material(Part):
         """Return what the stiffness of the material is made of."""
         ratio = self.poisson_ratio
         return Elastic(self.E, ratio.value if ratio is not None else None)
+
+    @property
+    def expands(self) -> bool:
+        """Return whether it says how far it grows."""
+        known = self.over_temperature
+        return self.thermal_expansion is not None or (
+            known is not None and known.elongation is not None
+        )
+
+    def growth(self, change: float, assembly: float) -> float:
+        """Return the change of length by a change of temperature, over the length at assembly [-].
+
+        By its elongation over temperature where it is given, else and beyond its hottest point by
+        the one coefficient.
+        """
+        known = self.over_temperature
+        one = None if self.thermal_expansion is None else self.thermal_expansion.value
+        found = None if known is None else known.growth(assembly + change, assembly, one)
+        if found is not None:
+            return found
+        assert one is not None  # a spec without is refused
+        return one * change
+
+    def at(self, assembly: float, coldest: float, hottest: float) -> "Material":
+        """Return the material between two temperatures [K], its values being those at assembly.
+
+        Young's modulus is that of the middle, each strength the least. What is not given over
+        temperature stays as it is.
+        """
+        # copies of a part share what it keeps: each finds its own, which stays as long as it does
+        key = (id(self), assembly, coldest, hottest)
+        if key not in self._warmed:
+            self._warmed[key] = self, self._between(assembly, coldest, hottest)
+        return self._warmed[key][1]
+
+    def _between(self, assembly: float, coldest: float, hottest: float) -> "Material":
+        known, ends = self.over_temperature, (coldest, hottest)
+
+        def ratios(name: str) -> list[float]:
+            return [1.0 if known is None else known.ratio(name, T, assembly) for T in ends]
+
+        low, high = sorted(ratios("youngs_modulus"))
+        strengths = ("yield_strength", "tensile_strength", "fatigue_amplitude")
+        changed = {"youngs_modulus": (low + high) / 2.0}
+        changed |= {name: min(ratios(name)) for name in strengths}
+        update: dict[str, Any] = {
+            name: given.model_copy(update={"value": ratio * given.value})
+            for name, ratio in changed.items()
+            if (given := getattr(self, name)) is not None
+        }
+        if self.sn_amplitudes is not None:
+            update["sn_amplitudes"] = self.sn_amplitudes.times(changed["fatigue_amplitude"])
+        found = self.model_copy(update=update)
+        grown = max(abs(self.growth(T - assembly, assembly)) for T in ends) if self.expands else 0.0
+        found._spread = (high - low) / (high + low) + SECTIONS * grown
+        return found
+
+    @property
+    def spread(self) -> float:
+        """Return by what share stiffness may differ at its temperature [-].
+
+        Young's modulus differs between blades of different temperatures, and sections grow.
+        """
+        return self._spread
 
     def strength(self, field: str) -> float:
         """Return a static strength [Pa] by its field name, or raise :class:`MissingProperty`."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 from flexcli.parts.case import Case
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Geometry, NotAvailable
-from flexcli.parts.geometries.base import GROUND
+from flexcli.parts.geometries.base import GROUND, MOVING
 from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.results import Value
 
@@ -33,6 +33,9 @@ ANY = Elastic(1.0, 0.0)
 ROUNDING = 1e-12
 """Of a component over the whole: below it, it is none."""
 
+
+WARM = "has no closed form for a temperature"
+"""Why the closed forms do not have a case with a temperature."""
 
 STATED = "stated in the case"
 """Why a case has the ends that it states."""
@@ -162,6 +165,16 @@ class Scene(NamedTuple):
         own = own or (self.in_space and any(any(each) for each in self.accelerations))
         return own or any(each[i] for each in (self.stated, *self.inertial) for i in acts)
 
+    def at_assembly(self) -> "Scene":
+        """Return the same case without its temperature."""
+        if self.temperature is None:
+            return self
+        return self._replace(
+            temperature=None,
+            loads=self.loads - {LoadKind.TEMPERATURE},
+            beyond="" if self.beyond == WARM else self.beyond,
+        )
+
     def without_loads(self) -> "Scene":
         """Return the same case with its stroke alone."""
         return self._replace(
@@ -236,7 +249,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
             text = "a temperature beside a vibration is judged by nothing"
             raise MechanismError("temperature", text, "give each a case of its own")
         _refuse_unknown_bodies(case.temperature, mechanism, geometry)
-        beyond = "has no closed form for a temperature"
+        beyond = WARM
     if force > 0.0 and mechanism is not None and found.name:
         values |= _force_values(force, found, stated)
     return Scene(
@@ -259,7 +272,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         sines=case.sines,
         quality=case.q,
         in_turn=case.combine == "in-turn",
-        temperature=case.temperature,
+        temperature=_called(case.temperature, geometry),
         lock=case.lock,
         wrench=case.wrench.components if case.wrench else None,
         forces=forces,
@@ -281,9 +294,6 @@ def _refuse_in_space(case: Case) -> None:
     """Refuse what no model in space judges."""
     if case.load is not None:
         raise MechanismError("load", "a load is one in a plane", "write it as a wrench: {x: 10 N}")
-    if case.temperature is not None:
-        hint = "take it out, or draw the mechanism in its plane: kind: layout"
-        raise MechanismError("temperature", "no model warms a mechanism drawn in space", hint)
 
 
 def _is_more(wrench: Wrench, drive: int) -> bool:
@@ -314,7 +324,11 @@ def _pushed_by(case: Case, inertial: frozenset[LoadKind], *, in_space: bool) -> 
     """Return the loads of a case of which all is in the stresses of the joint."""
     found = set(inertial)
     if in_space:
-        given = {LoadKind.WRENCH: case.wrench, LoadKind.ACCELERATION: case.acceleration}
+        given = {
+            LoadKind.WRENCH: case.wrench,
+            LoadKind.ACCELERATION: case.acceleration,
+            LoadKind.TEMPERATURE: case.temperature,
+        }
         return frozenset(found | {kind for kind, load in given.items() if load is not None})
     if case.load is not None:
         found.add(LoadKind.LOAD)
@@ -332,14 +346,32 @@ def _refuse_unknown_bodies(
     if mechanism is not None and mechanism.joints > 1:
         text = "a temperature is judged on a joint, not on a mechanism of several"
         raise MechanismError("temperature", text, "draw the mechanism as a layout")
+    if temperature.gradient.z and not geometry.in_space:
+        text = f"a {geometry.name} is judged in its plane, where no temperature rises along z"
+        raise MechanismError("temperature", text, "draw it as a space-layout")
+    drawn = geometry.space_layout if geometry.in_space else geometry.layout
     try:
-        layout = geometry.layout(ANY, geometry.probe())
+        layout = drawn(ANY, geometry.probe())
     except NotAvailable:
         return  # no model says anything of it, which its checks tell
-    known = [GROUND, *(body.name for body in layout.bodies)]
+    called = {MOVING: geometry.moving_name}
+    known = [GROUND, *(called.get(body.name, body.name) for body in layout.bodies)]
     for name in sorted(temperature.names.difference(known)):
         text = f"a {geometry.name} has no body '{name}'"
         raise MechanismError("temperature", text, f"it has {', '.join(known)}")
+
+
+def _called(temperature: "Temperature | None", geometry: Geometry) -> "Temperature | None":
+    """Return a temperature with the bodies as the joint's layout calls them."""
+    name = geometry.moving_name
+    if temperature is None or name not in temperature.names or geometry.in_space:
+        return temperature
+
+    def renamed(each: Mapping[str, float]) -> dict[str, float]:
+        return {MOVING if key == name else key: value for key, value in each.items()}
+
+    changed = {key: renamed(getattr(temperature, key)) for key in ("bodies", "expansion")}
+    return temperature.model_copy(update=changed)
 
 
 def _stated(case: Case, geometry: Geometry) -> Wrench:

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from functools import cached_property
 from math import inf
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,9 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.results import ErrorRange
+
+if TYPE_CHECKING:
+    from flexcli.parts.temperature import Temperature
 
 __all__ = ["SpaceJoint", "joint_in_space"]
 
@@ -92,25 +96,40 @@ class _Last:
     """The joint that was asked last: all requirements of a design ask for the same."""
 
     def __init__(self) -> None:
-        self.asked: tuple[Geometry, Material, Sizes] | None = None
+        self.asked: tuple[Geometry, Material, Sizes, Temperature | None] | None = None
         self.found: SpaceJoint | None = None
 
-    def of(self, geometry: Geometry, material: Material, sizes: Sizes) -> SpaceJoint:
+    def of(
+        self,
+        geometry: Geometry,
+        material: Material,
+        sizes: Sizes,
+        temperature: "Temperature | None",
+    ) -> SpaceJoint:
         """Return the joint of a design, found once."""
         last = self.asked
         same = last is not None and last[0] is geometry and last[1] is material
-        if not same or last is None or last[2] != sizes or self.found is None:
+        same = same and last is not None and last[2] == sizes and last[3] is temperature
+        if not same or self.found is None:
             density = material.density.value if material.density is not None else 0.0
-            self.found = SpaceJoint(geometry.space_layout(material.elastic, sizes, density))
-            self.asked = geometry, material, sizes
+            layout = geometry.space_layout(material.elastic, sizes, density)
+            if temperature is not None:
+                layout = temperature.warmed(layout, material, geometry.axes)
+            self.found = SpaceJoint(layout)
+            self.asked = geometry, material, sizes, temperature
         return self.found
 
 
 _LAST = _Last()
 
 
-def joint_in_space(geometry: Geometry, material: Material, sizes: Sizes) -> SpaceJoint:
-    """Return a joint in space.
+def joint_in_space(
+    geometry: Geometry,
+    material: Material,
+    sizes: Sizes,
+    temperature: "Temperature | None" = None,
+) -> SpaceJoint:
+    """Return a joint in space, grown by a temperature where one is given.
 
     Raises
     ------
@@ -119,6 +138,6 @@ def joint_in_space(geometry: Geometry, material: Material, sizes: Sizes) -> Spac
 
     """
     try:
-        return _LAST.of(geometry, material, sizes)
+        return _LAST.of(geometry, material, sizes, temperature)
     except SolveError as error:
         raise NotAvailable(f"has no stiffness: {error}") from error

@@ -27,12 +27,14 @@ from flexcli.mechanics.space.states import (
     action,
     combined,
     misfitted,
+    warmed,
 )
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.own_motion import DENSEST, TAKES_PART
+from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.results import ErrorRange
@@ -44,6 +46,7 @@ __all__ = [
     "across_stress",
     "acting_groups",
     "largest_misfit_stress",
+    "left_by_temperature",
     "motions",
     "own_frequency",
     "parasitic_frequency",
@@ -85,18 +88,25 @@ class Told(NamedTuple):
     value: float
     error: ErrorRange | None
 
+    def times(self, factor: float, error: ErrorRange | None) -> "Told":
+        """Return it times a factor that has an error of its own."""
+        both = None if self.error is None or error is None else self.error + error
+        return Told(self.value * factor, both)
+
 
 class Motion(NamedTuple):
     """Motion of the moving body's point at an end of a stroke, along the axes of cases.
 
     ``first`` and ``second`` are its orders (6,) [m, rad], ``doubt`` the share of each that may be
     missing, ``floor`` what may be there besides of a translation [m] and of a rotation [rad].
+    ``growth`` is how far the body itself has grown about its point [-].
     """
 
     first: Floats
     second: Floats
     doubt: float
     floor: tuple[float, float]
+    growth: float = 0.0
 
     def at(self, point: Vector, rows: Floats) -> tuple[Floats, Floats]:
         """Return components of the motion of another point of the body, and how far they are off.
@@ -105,7 +115,8 @@ class Motion(NamedTuple):
         """
         to, theta = motion_at(point), self.first[3:]
         arc = np.concatenate([np.cross(theta, np.cross(theta, point)) / 2.0, np.zeros(3)])
-        one, two = rows @ (to @ self.first), rows @ (to @ self.second + arc)
+        grown = np.concatenate([self.growth * np.asarray(point), np.zeros(3)])
+        one, two = rows @ (to @ self.first + grown), rows @ (to @ self.second + arc)
         besides = self.floor[0] if np.any(rows[:, :3]) else self.floor[1]
         return one + two, self.doubt * (np.abs(one) + np.abs(two)) + besides
 
@@ -132,6 +143,7 @@ def acting_groups(joint: SpaceJoint, scene: Scene) -> list[Acting]:
 def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[Motion, ...]:
     """Return the motion at both ends of a stroke, the drive locked there; loads play no part.
 
+    With a temperature the joint has grown besides; without a stroke its drive is free then.
     ``turn`` is the angle from the layout's x to that of cases [rad].
     """
     axes = motion_along(axes_about_z(turn))
@@ -140,6 +152,9 @@ def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[Motion, ...]:
     found = []
     for travel in (scene.middle + scene.travel, scene.middle - scene.travel):
         state = action(joint.assembly, Acting(travel, np.zeros(6), body.point, np.zeros(3)))
+        if joint.layout.grows:
+            heat = warmed(joint.assembly, locked=scene.moves)
+            state = combined([state, heat], [1.0, 1.0]) if travel else heat
         after = state.following()
         one, two = to_point @ state.moved.coordinates[:, 0], to_point @ after.coordinates
         # the drive's point turns as well, where it is not the body's
@@ -149,8 +164,18 @@ def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[Motion, ...]:
         share = share if share <= KNOWN else inf
         length = max(member.l for member in joint.assembly.members)
         floor = THIRD * after.rotation**3
-        found.append(Motion(one, two, share, (length * floor, floor)))
+        growth = joint.layout.body_growth.get(body.name, 0.0)
+        found.append(Motion(one, two, share, (length * floor, floor), growth))
     return tuple(found)
+
+
+def left_by_temperature(ask: Ask) -> tuple[float, ...]:
+    """Return how far the temperature of a case alone moves its body, along and about x, y, z."""
+    joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+    body = joint.layout.body(joint.layout.drive.body)
+    moved = warmed(joint.assembly, locked=False).moved.coordinates[:, 0]
+    found = joint.assembly.motion(body.name, body.point) @ moved
+    return tuple(found.tolist())
 
 
 def sag(joint: SpaceJoint, scene: Scene) -> Told:
@@ -180,9 +205,9 @@ def _answer(joint: SpaceJoint, load: Floats) -> Floats:
 def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRange | None]:
     """Return the stresses of a case where they may be the worst, and their error.
 
-    The stroke is held by the drive, the loads act with the drive free, each either way save a
-    stated load that has a direction. Amplitude and mean are von Mises' of their own normal and
-    shear stress; a mean in compression without shear is negative.
+    The stroke is held by the drive, a temperature beside it; the loads act with the drive free,
+    each either way save a stated load that has a direction. Amplitude and mean are von Mises' of
+    their own normal and shear stress; a mean in compression without shear is negative.
     """
     stresses = Stresses(joint.assembly)
     groups = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
@@ -194,10 +219,12 @@ def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRa
         strokes = [unit]
     else:
         unit, strokes = None, []
+    heated = scene.temperature is not None
+    heat = [warmed(joint.assembly, locked=scene.moves)] if heated else []
     for signs in product(*((1.0, -1.0) for _ in groups)):
-        if not groups and unit is None:
+        if not groups and unit is None and not heat:
             break
-        parts, loads = [*strokes, *groups], list(signs)
+        parts, loads = [*strokes, *groups, *heat], [*signs, *(1.0 for _ in heat)]
         still = combined(parts, [*[scene.middle] * len(strokes), *loads])
         means = stresses.of(still.moved.forces[:, 0], still.weights)
         if unit is None:
@@ -237,6 +264,8 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
     rest = max(
         float(np.max(sum(equivalent(s.normal, s.shear) for s in each))) for each in each_by_blade
     )
+    if scene.temperature is not None:
+        return Told(rest, None)  # nobody has told how far what it strains stiffens the rest
     if not joint.is_known or (scene.moves and not joint.is_uniform):
         return Told(rest, None)
     if not joint.is_uniform:

@@ -1,21 +1,33 @@
 """A change of temperature from assembly, of blades and bodies, and how far each would grow."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from math import cos, sin
-from typing import Annotated, Any
+from typing import Annotated, NamedTuple, TypeVar
 
 from pydantic import Field, model_validator
 
 from flexcli.mechanics.layout import Layout
+from flexcli.mechanics.space.layout import SpaceLayout
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.geometries.base import GROUND
+from flexcli.parts.material import Material
+from flexcli.parts.over_temperature import Kelvin
 
 __all__ = ["Temperature"]
 
 Change = Annotated[float, QuantityOf("temperature change")]
 Slope = Annotated[float, QuantityOf("temperature gradient")]
 Coefficient = Annotated[float, QuantityOf("expansion")]
+
+AnyLayout = TypeVar("AnyLayout", Layout, SpaceLayout)
+
+
+class Changes(NamedTuple):
+    """Change of temperature of each blade and of each body, the ground among them [K]."""
+
+    blades: dict[str, float]
+    bodies: dict[str, float]
 
 
 class Gradient(Part):
@@ -25,12 +37,14 @@ class Gradient(Part):
     """Rise along x: the stroke of a stage, the bisector of a pivot, e.g. ``40 K/m``."""
     y: Slope = 0.0
     """Rise in the plane across x, e.g. ``-10 K/m``."""
+    z: Slope = 0.0
+    """Rise along z, of a mechanism that is drawn in space, e.g. ``5 K/m``."""
 
 
 class Temperature(Part):
     """Changes of temperature from assembly, which add up: bodies and blades grow, and may not fit.
 
-    Stiffness and strength stay those that the material states.
+    Stiffness and strength follow what the material states over temperature.
     """
 
     uniform: Change = 0.0
@@ -44,14 +58,22 @@ class Temperature(Part):
     e.g. ``{x: 40 K/m}``.
     """
     expansion: Mapping[str, Coefficient] = Field(default_factory=dict)
-    """Thermal expansion of bodies that are of another material than the blades,
+    """Thermal expansion of bodies that are of another material than the blades, the mean of this
+    change,
     e.g. ``{moving: 23.6e-6 1/K}``.
     """
+    assembly: Kelvin = 293.15
+    """Temperature of assembly, at which the material's values hold, e.g. ``295 K``."""
 
     @model_validator(mode="after")
     def _changes_something(self) -> "Temperature":
-        if not any((self.uniform, *self.bodies.values(), self.gradient.x, self.gradient.y)):
+        slopes = (self.gradient.x, self.gradient.y, self.gradient.z)
+        if not any((self.uniform, *self.bodies.values(), *slopes)):
             raise spec_error("this temperature changes nothing", "give it e.g. uniform: -60 K")
+        if self.assembly + self.uniform < 0.0:
+            raise spec_error(
+                "this is below absolute zero", "check the change and assembly:", at=("uniform",)
+            )
         return self
 
     @property
@@ -59,36 +81,62 @@ class Temperature(Part):
         """Return the bodies that it names."""
         return frozenset((*self.bodies, *self.expansion))
 
-    def warmed(self, layout: Layout, expansion: float, axes: float) -> Layout:
-        """Return a layout whose blades and bodies have grown.
-
-        A body grows about its reference point, the ground about the origin of the layout.
+    def changes(self, layout: Layout | SpaceLayout, axes: float) -> Changes:
+        """Return how much warmer each blade and body gets.
 
         Parameters
         ----------
-        layout : Layout
+        layout : Layout or SpaceLayout
             The joint at assembly.
-        expansion : float
-            Coefficient of thermal expansion of the blades, and of bodies of no other [1/K].
         axes : float
             Angle of the x of cases from that of the layout [rad].
 
         """
         c, s = cos(axes), sin(axes)
-        rise_x = c * self.gradient.x - s * self.gradient.y
-        rise_y = s * self.gradient.x + c * self.gradient.y
+        slopes = (
+            c * self.gradient.x - s * self.gradient.y,
+            s * self.gradient.x + c * self.gradient.y,
+            self.gradient.z,
+        )
 
-        def at(point: Any) -> Any:
-            return self.uniform + rise_x * point[0] + rise_y * point[1]
+        def at(point: Iterable[float]) -> float:
+            rises = (slope * place for slope, place in zip(slopes, point, strict=False))
+            return self.uniform + sum(rises)
 
-        points = {body.name: body.point for body in layout.bodies} | {GROUND: (0.0, 0.0)}
+        points = {GROUND: (0.0, 0.0)} | {body.name: body.point for body in layout.bodies}
+        return Changes(
+            {
+                blade.name: at((s + e) / 2.0 for s, e in zip(blade.start, blade.end, strict=True))
+                for blade in layout.blades
+            },
+            {name: at(point) + self.bodies.get(name, 0.0) for name, point in points.items()},
+        )
+
+    def warmed(self, layout: AnyLayout, material: Material, axes: float) -> AnyLayout:
+        """Return a layout whose blades and bodies have grown.
+
+        A body grows about its reference point, the ground about the origin of the layout.
+        """
+        changes = self.changes(layout, axes)
         bodies = {
-            name: self.expansion.get(name, expansion) * (at(point) + self.bodies.get(name, 0.0))
-            for name, point in points.items()
+            name: self.expansion[name] * change
+            if name in self.expansion
+            else material.growth(change, self.assembly)
+            for name, change in changes.bodies.items()
         }
         blades = {
-            blade.name: expansion
-            * at(tuple((s + e) / 2.0 for s, e in zip(blade.start, blade.end, strict=True)))
-            for blade in layout.blades
+            name: material.growth(change, self.assembly) for name, change in changes.blades.items()
         }
         return replace(layout, body_growth=bodies, blade_growth=blades)
+
+    def of_blades(self, material: Material, layout: Layout | SpaceLayout, axes: float) -> Material:
+        """Return the material of the blades at their temperatures."""
+        each = self.changes(layout, axes).blades.values()
+        return material.at(self.assembly, self.assembly + min(each), self.assembly + max(each))
+
+    def temperatures(self, layout: Layout | SpaceLayout, axes: float) -> tuple[float, ...]:
+        """Return the temperatures that the material is asked for: of assembly, blades, bodies."""
+        changes = self.changes(layout, axes)
+        own = [change for name, change in changes.bodies.items() if name not in self.expansion]
+        found = (0.0, *changes.blades.values(), *own)
+        return tuple(self.assembly + change for change in dict.fromkeys(found))

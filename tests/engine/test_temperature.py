@@ -1,5 +1,7 @@
 """A case with a temperature: what is judged, what it moves, what is refused."""
 
+from math import pi, tan, tanh
+
 import pytest
 
 import flexcli
@@ -74,11 +76,7 @@ def test_a_gradient_along_the_blades_differs_from_one_across_them():
     assert turned("y") < 1e-3 * turned("x")
 
 
-def test_what_no_model_has_at_a_temperature_is_not_decided():
-    case = "temperature: {uniform: 5 K}, load: {force: 1 N}, ends: clamped-guided"
-    result = flexcli.check(spec(case, "buckling: 2"))
-    assert result.status is Status.UNDECIDED
-    assert {check.verdict for check in result.checks} == {Verdict.UNDECIDED}
+def test_a_model_that_has_no_temperature_passes_nothing():
     assert flexcli.check(spec("temperature: {uniform: 5 K}"), model="linear").status is not (
         Status.PASS
     )
@@ -112,3 +110,197 @@ def test_what_cannot_be_meant_is_refused(case, changes, text, hint):
     found = refusal(case, **changes)
     assert text in found.text
     assert hint in found.hint
+
+
+BRIDGE = """
+flexure: 1
+material: ti-6al-4v
+geometry:
+  kind: layout
+  bodies: {{stage: {{at: [0 mm, 0 mm], mass: 10 g}}}}
+  blades:
+    left: {{between: [ground, stage], from: [-42 mm, 0 mm], to: [-2 mm, 0 mm], h: 0.2 mm, b: 2 mm}}
+    right: {{between: [stage, ground], from: [2 mm, 0 mm], to: [42 mm, 0 mm], h: 0.2 mm, b: 2 mm}}
+  moving: stage
+  motion: {{translation: 90 deg}}
+cases: {{hot: {{temperature: {{uniform: {change} K, expansion: {{ground: 0 1/K, stage: 0 1/K}}}}}}}}
+requirements: {{buckling: 1.5, frequency: {{min: 1 Hz}}}}
+"""
+EULER = pi**2 / 12.0 * (0.2e-3 / 40e-3) ** 2 / ALPHA
+"""Rise of temperature at which a blade of these held ends buckles, guided: π² EI/l² = E A α ΔT."""
+
+
+def test_heated_blades_between_held_ends_buckle_at_eulers_temperature():
+    passes = flexcli.check(BRIDGE.format(change=0.5 * EULER))
+    buckling = next(check for check in passes.checks if check.name == "buckling")
+    assert buckling.verdict is Verdict.PASS
+    assert buckling.factor == pytest.approx(2.0, rel=1e-3)
+    fails = flexcli.check(BRIDGE.format(change=1.1 * EULER))
+    assert fails.status is Status.FAIL
+    # beyond it nothing stands that a frequency could be told of
+    open_ = next(check for check in fails.checks if check.name == "frequency")
+    assert open_.verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.parametrize("share", [0.5, -0.5])
+def test_compressed_blades_vibrate_slower_and_stretched_ones_faster(share):
+    checks = flexcli.check(BRIDGE.format(change=share * EULER)).checks
+    rest, warm = (check for check in checks if check.name == "frequency (min)")
+    assert (rest.case, warm.case) == ("", "hot")
+    # a guided strut under P: k/k_0 = (v/2)³/(3 (tan(v/2) − v/2)), v² = P l²/EI
+    v = pi * abs(share) ** 0.5 / 2.0
+    tangent = tan(v) if share > 0.0 else tanh(v)
+    ratio = abs(v**3 / (3.0 * (tangent - v)))
+    # the blades shear, and the error that is stated has their sections, which grow
+    assert warm.capacity / rest.capacity == pytest.approx(ratio**0.5, rel=2e-4)
+
+
+def test_loads_and_temperature_buckle_together():
+    text = BRIDGE.format(change=0.5 * EULER)
+    # a force along x presses one blade and pulls the other: both together bear it at less
+    pushed = text.replace("hot: {", "hot: {wrench: {x: 0.5 N}, ")
+    factors = [
+        next(check for check in flexcli.check(each).checks if check.name == "buckling").factor
+        for each in (text, pushed)
+    ]
+    assert 1.0 < factors[1] < factors[0]
+
+
+def test_a_shift_at_the_end_of_a_stroke_counts_the_temperature():
+    stroke = "stroke: {translation: 0.5 mm}"
+    warm = "temperature: {uniform: 40 K, expansion: {moving: 0 1/K, ground: 0 1/K}}"
+    bound = "parasitic_shift: {max: 1 mm}"
+
+    def shift(case):
+        return max(check.demand for check in flexcli.check(spec(case, bound)).checks)
+
+    # outwards the blades grow by 6.9 µm, of which the stroke takes 7.5 µm back
+    alone, both, heat = shift(stroke), shift(f"{stroke}, {warm}"), shift(warm)
+    assert heat == pytest.approx(ALPHA * 40.0 * 20e-3, rel=1e-6)
+    assert both == pytest.approx(abs(alone - heat), abs=0.01 * heat)
+
+
+def test_a_body_is_called_by_its_own_name():
+    text = BRIDGE.format(change=1.0).replace("uniform: 1.0 K", "bodies: {stage: 1 K, ground: 1 K}")
+    assert flexcli.check(text).status is Status.PASS
+    with pytest.raises(SpecError) as refused:
+        flexcli.check(text.replace("{stage: 1 K", "{table: 1 K"))
+    assert "ground, stage" in refused.value.findings[0].hint
+
+
+MOUNT = """
+flexure: 1
+material: {material}
+geometry:
+  kind: space-layout
+  bodies: {{mirror: {{at: [0 mm, 0 mm, 0 mm], mass: 400 g,
+                     inertia: [3e-4 kg*m^2, 3e-4 kg*m^2, 5e-4 kg*m^2]}}}}
+  blades:
+    leg: {{between: [ground, mirror], from: [50 mm, -20 mm, 0 mm], to: [50 mm, 20 mm, 0 mm],
+          h: 0.4 mm, b: 8 mm, width: z, repeat: {{count: 3, about: z}}}}
+  moving: mirror
+  motion: {{translation: z}}
+cases: {{c: {{{case}}}}}
+requirements: {{{requirements}}}
+"""
+TANGENTIAL = (0.4e-3, 40e-3, 50e-3)
+"""Thickness and length of the mount's blades, and their distance from its axis [m]."""
+
+
+def mount(case, requirements, material="ti-6al-4v"):
+    text = MOUNT.format(case=case, requirements=requirements, material=material)
+    return flexcli.check(text)
+
+
+def test_tangential_blades_bend_by_what_the_ring_shrinks_around_the_mirror():
+    cold = "temperature: {uniform: -100 K, expansion: {mirror: 0 1/K}}"
+    result = mount(cold, "yield: 1, parasitic_motion: {direction: theta_z, max: 5 mrad}")
+    assert result.status is Status.PASS
+    h, l, R = TANGENTIAL
+    shrinks = ALPHA * 100.0
+    # each blade's end turns with the mirror by φ, R φ = α ΔT l/2, and stays behind by α ΔT R
+    turn = shrinks * l / 2.0 / R
+    assert result.values["theta_z_c"].value == pytest.approx(-turn, rel=0.02)
+    at_start, at_end = (
+        E * h / l**2 * abs(3.0 * shrinks * R + rest * turn * l) for rest in (1.0, 2.0)
+    )
+    stress = next(check for check in result.checks if check.name.startswith("yield"))
+    # plates between clamps are stiffer than beams by a little, b/l = 0.2
+    assert stress.demand == pytest.approx(max(at_start, at_end), rel=0.15)
+    for axis in "xyz":
+        assert result.values[f"{axis}_c"].value == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_gradient_across_a_mount_moves_its_centre_along_any_axis():
+    _, l, R = TANGENTIAL
+    moved = ALPHA * 200.0 * R * l
+    # (2/3) Σ α ΔT l t over the blades, t the tangent at each: across the gradient
+    for axis, expected in (("x", (0.0, 1.0)), ("y", (-1.0, 0.0)), ("z", (0.0, 0.0))):
+        result = mount(f"temperature: {{gradient: {{{axis}: 200 K/m}}}}", "yield: 1")
+        assert result.status is Status.PASS
+        found = [result.values[f"{other}_c"].value for other in "xyz"]
+        assert found == pytest.approx([*(moved * e for e in expected), 0.0], abs=1e-3 * moved)
+
+
+def test_linear_and_exact_blades_agree_on_a_strained_mount():
+    cold = "temperature: {uniform: -100 K, expansion: {mirror: 0 1/K}}"
+    text = MOUNT.format(case=cold, requirements="yield: 1", material="ti-6al-4v")
+    linear, exact = (flexcli.check(text, model=name).checks[0] for name in ("linear", "exact"))
+    low, high = sorted((linear.factor_range[0], linear.factor_range[1]))
+    assert low < exact.factor < high
+    assert exact.factor == pytest.approx(linear.factor, rel=5e-3)
+
+
+@pytest.mark.slow
+def test_a_bridge_in_space_buckles_and_slows_as_in_its_plane():
+    text = """
+flexure: 1
+material: ti-6al-4v
+geometry:
+  kind: space-layout
+  bodies: {{stage: {{at: [0 mm, 0 mm, 0 mm], mass: 10 g, inertia: [1e-6 kg*m^2, 1e-6 kg*m^2,
+                                                                 1e-6 kg*m^2]}}}}
+  blades: {{b: {{between: [ground, stage], from: [-42 mm, 0 mm, 0 mm], to: [-2 mm, 0 mm, 0 mm],
+               h: 0.2 mm, b: 2 mm, width: z, mirror: [x]}}}}
+  moving: stage
+  motion: {{translation: y}}
+cases: {{hot: {{temperature: {{uniform: {change} K, expansion: {{ground: 0 1/K, stage: 0 1/K}}}}}}}}
+requirements: {{buckling: 1.5, frequency: {{min: 1 Hz}}}}
+"""
+    plane = flexcli.check(BRIDGE.format(change=0.5 * EULER)).checks
+    space = flexcli.check(text.format(change=0.5 * EULER)).checks
+    pairs = [
+        tuple(next(c for c in checks if (c.name, c.case) == key) for checks in (plane, space))
+        for key in (("buckling", "hot"), ("frequency (min)", ""), ("frequency (min)", "hot"))
+    ]
+    for one, other in pairs:
+        # plates of b/l = 0.05 stretch and bend within 2 % like beams
+        assert other.capacity == pytest.approx(one.capacity, rel=0.02)
+        assert other.verdict is Verdict.PASS
+
+
+CURVES = """{extends: ti-6al-4v, over_temperature: {
+  elongation: {points: [[80 K, -0.2 %], [293.15 K, 0 %]]},
+  youngs_modulus: {points: [[80 K, 120 GPa], [293.15 K, 100 GPa]]},
+  yield_strength: {points: [[80 K, 1600 MPa], [293.15 K, 800 MPa]]}}}"""
+
+
+def test_modulus_strength_and_length_follow_their_points():
+    requirements = "yield: 1, stiffness: {min: 1 N/m}"
+    cold = "temperature: {uniform: -213.15 K, expansion: {mirror: 0 1/K}}"
+    checks = mount(cold, requirements, CURVES).checks
+    plain = mount(cold, requirements).checks
+    stress, own = (next(c for c in each if c.name.startswith("yield")) for each in (checks, plain))
+    assert stress.capacity == pytest.approx(2.0 * own.capacity)
+    strain = 0.002 / (ALPHA * 213.15)
+    assert stress.demand == pytest.approx(own.demand * 1.2 * strain, rel=1e-3)
+    rest, warm = (c for c in checks if c.name == "stiffness (min)")
+    assert warm.capacity == pytest.approx(1.2 * rest.capacity, rel=0.01)
+
+
+def test_nothing_is_taken_beyond_the_points():
+    with pytest.raises(SpecError) as refused:
+        mount("temperature: {uniform: -220 K}", "yield: 1", CURVES)
+    (found,) = refused.value.findings
+    assert "73.15" in found.text
+    assert "80 to 293.15 K" in found.hint

@@ -6,25 +6,36 @@ from math import cos, inf, isfinite, sin
 
 import numpy as np
 
-from flexcli.engine.joint_models.joint_states import blades_of, layout_of, turned
+from flexcli.engine.joint_models.joint_states import blades_of, layout_of, paths, turned
 from flexcli.errors import SolveError
+from flexcli.formulas.buckling import johnson_stress
+from flexcli.formulas.plate_factors import pure_bending_factor
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Blade, Body, Layout, Load
 from flexcli.mechanics.linear_buckling import LinearCritical, linear_critical
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.stability import Critical as Reached
 from flexcli.mechanics.stability import critical_load, inertia_count_held
 from flexcli.mechanics.state import Equilibrium
+from flexcli.mechanics.stresses import blade_stress
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.ends import ENDS, Hold
 from flexcli.parts.geometries.base import MOVING, Critical
-from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare
 from flexcli.parts.requirements.closed_form import across_width, of_case
 from flexcli.parts.scene import Push
 from flexcli.results import ErrorRange
 from flexcli.units import show
 
-__all__ = ["PushScene", "ends_held", "exact_critical", "linear_critical_forces", "push_scene"]
+__all__ = [
+    "PushScene",
+    "ends_held",
+    "exact_critical",
+    "linear_critical_forces",
+    "push_scene",
+    "warm_shares",
+]
 
 WAY = "in the plane"
 
@@ -95,6 +106,58 @@ def exact_critical(
         assert least is not None  # of the first travel there is always one
         yield of_case(ask, push, least)
     yield from across_width(ask)
+
+
+def warm_shares(
+    ask: Ask, effects: Effects, tolerance: float, levels: Sequence[int]
+) -> Iterator[CriticalShare]:
+    """Yield the shares of temperature and loads together at which a joint buckles, in the plane.
+
+    They are those of both ends of its stroke, the drive locked there, and of each sense that the
+    loads may have; what the ends of the case hold is held.
+    """
+    wide = _widening(ask)
+    for travel, layout, held, loads in paths(ask):
+        spoken = "drive free" if travel is None else "drive locked at its stroke"
+        try:
+            found = critical_load(
+                layout, held, loads, most=MOST_SHARE,
+                effects=blades_of(layout, effects), tolerance=tolerance, levels=levels,
+            )  # fmt: skip
+        except SolveError as error:
+            if error.code != "no-critical-load":
+                raise NotAvailable(f"has no exact critical load: {error}") from error
+            yield CriticalShare(MOST_SHARE, f"{spoken}: none up to that", ErrorRange(-wide, inf))
+            continue
+        share, crushed = _crushed(ask, found)
+        off = wide + found.estimated_error
+        yield CriticalShare(share, spoken + crushed, ErrorRange(-off, off))
+
+
+def _widening(ask: Ask) -> float:
+    """Return by what share wide blades and soft clamps may change a critical share."""
+    nu = 0.5 if ask.material.elastic.nu is None else ask.material.elastic.nu
+    most = 1.0 / (1.0 - nu**2) - 1.0
+    blade = ask.geometry.blade(ask.sizes)
+    if blade is not None:
+        h, l, b = (float(size) for size in blade)
+        most = float(pure_bending_factor(b=b, l=l, h=h, poisson_ratio=nu)) - 1.0
+    return most + ask.clamps_give
+
+
+def _crushed(ask: Ask, found: Reached) -> tuple[float, str]:
+    """Return the share that is borne, and how if blades yield before they buckle."""
+    given = ask.material.yield_strength
+    if given is None:
+        return found.factor, ""
+    stress = max(
+        float(np.max(-blade_stress(found.state, blade.name).axial))
+        for blade in found.state.layout.blades
+    )
+    if stress <= given.value / 2.0:
+        return found.factor, ""
+    borne = float(johnson_stress(stress, given.value)) / stress
+    return found.factor * borne, "; blades yield first, J. B. Johnson's parabola"
 
 
 def push_scene(ask: Ask, push: Push) -> PushScene:

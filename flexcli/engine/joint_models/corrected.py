@@ -7,7 +7,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
-from flexcli.parts.requirements import Ask, EndStress, JointModel
+from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["Corrected"]
@@ -80,6 +80,10 @@ class Corrected(JointModel):
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the critical forces, those in the plane corrected by what they do not carry."""
         return tuple(self._corrected(ask, c) for c in self.inner.critical(ask))
+
+    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
+        """Return the shares of the loads that buckle it; their errors have what is not carried."""
+        return self.inner.critical_shares(ask)
 
     def _corrected(self, ask: Ask, critical: Critical) -> Critical:
         if critical.way == ACROSS_WIDTH:

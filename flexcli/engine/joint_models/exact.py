@@ -7,15 +7,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.beam_compliance import beam_compliance
-from flexcli.engine.joint_models.buckling import exact_critical
+from flexcli.engine.joint_models.buckling import exact_critical, warm_shares
 from flexcli.engine.joint_models.face_stress import POINTS, worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis
 from flexcli.engine.joint_models.joint_states import (
     at_rest,
     blades_of,
-    layout_of,
     over_stroke,
     solved,
+    warmed,
 )
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE
@@ -27,8 +27,8 @@ from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import held_stiffness
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.geometries.base import MOVING, Critical
-from flexcli.parts.requirements import Ask, EndStress, JointModel
+from flexcli.parts.geometries.base import MOVING, Critical, Held
+from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["ExactModel", "driven_stiffness"]
@@ -152,11 +152,20 @@ class ExactModel(JointModel):
         return self._known_pairs.of("shift", ask, lambda: self._settled_shift(ask))
 
     def _settled_shift(self, ask: Ask) -> tuple[float, float]:
-        layout, scene, geometry = layout_of(ask), ask.scene, ask.geometry
+        scene, geometry = ask.scene, ask.geometry
         reach = scene.travel + scene.mean_travel
+        if scene.temperature is None:
+            return self._shift_at(ask, geometry.held(reach))
+        free: Held = None, None, 0.0 if geometry.is_guided else None
+        held = [geometry.held(reach), geometry.held(-reach)] if scene.moves else [free]
+        # what the temperature bends is not the same at both ends
+        return max((self._shift_at(ask, each) for each in held), key=lambda found: abs(found[0]))
+
+    def _shift_at(self, ask: Ask, held: Held) -> tuple[float, float]:
+        layout = warmed(ask)
         state = solved(
             layout,
-            {MOVING: geometry.held(reach)},
+            {MOVING: held},
             effects=blades_of(layout, self.effects),
             tolerance=self.tolerance,
             levels=self.levels,
@@ -197,9 +206,11 @@ class ExactModel(JointModel):
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the forces at which the joint buckles at any motion that the case holds."""
-        if ask.scene.temperature is not None:
-            raise NotAvailable("has no critical load at a temperature")
         return tuple(exact_critical(ask, self.effects, self.tolerance, self.levels))
+
+    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
+        """Return the shares of temperature and loads together at which the joint buckles."""
+        return tuple(warm_shares(ask, self.effects, self.tolerance, self.levels))
 
 
 def _is_along_stroke(ask: Ask) -> bool:

@@ -32,8 +32,10 @@ __all__ = [
     "of_case",
     "over_stroke",
     "over_travels",
+    "paths",
     "solved",
     "turned",
+    "warmed",
 ]
 
 Floats = NDArray[np.float64]
@@ -106,7 +108,7 @@ def _signs(scene: Scene) -> Floats:
 
 def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floats) -> Found:
     """Return the states at travels, under loads with signs (states, groups)."""
-    scene, geometry, layout = ask.scene, ask.geometry, _warmed(ask)
+    scene, geometry, layout = ask.scene, ask.geometry, warmed(ask)
     held: Held
     angle = _facing(scene)
     if travels is None:
@@ -126,14 +128,46 @@ def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floa
     return solver(layout, held, _loads(scene, layout, signs, 0.0))
 
 
-def _warmed(ask: Ask) -> Layout:
+def paths(ask: Ask) -> Iterator[tuple[float | None, Layout, Held, list[Load]]]:
+    """Yield travel, layout, what is held and loads of a case, on which temperature and loads grow.
+
+    The travels are both ends of a stroke, none without one; loads have each sense they may have.
+    """
+    scene, geometry = ask.scene, ask.geometry
+    ends = (scene.middle + scene.travel, scene.middle - scene.travel)
+    across = hold_of(scene).across and not scene.moves
+    angle = _facing(scene) if across else 0.0
+    layout = turned(warmed(ask), -angle)
+    for travel in dict.fromkeys(ends) if scene.moves else (None,):
+        held = held_at_rest(scene, geometry)
+        if travel is not None:
+            held = held_by_stroke(scene, geometry, travel)
+        for signs in _signs(scene):
+            loads = [
+                load._replace(
+                    force=(float(load.force[0][0]), float(load.force[1][0])),
+                    moment=float(np.ravel(load.moment)[0]),
+                )
+                for load in _loads(scene, layout, signs[None], -angle)
+            ]
+            yield travel, layout, {MOVING: held}, loads
+
+
+def warmed(ask: Ask) -> Layout:
     """Return the joint as bodies and blades, grown by the temperature of the case."""
     layout, temperature = layout_of(ask), ask.scene.temperature
     if temperature is None:
         return layout
-    expansion = ask.material.thermal_expansion
-    assert expansion is not None  # a spec without is refused
-    return temperature.warmed(layout, expansion.value, ask.geometry.axes)
+    return temperature.warmed(layout, ask.material, ask.geometry.axes)
+
+
+def _left_by_temperature(ask: Ask, effects: Effects) -> Floats:
+    """Return how far the temperature of a case alone moves its body (x, y, φ) [m, m, rad]."""
+    layout = warmed(ask)
+    guided = 0.0 if ask.geometry.is_guided else None
+    held = {MOVING: (None, None, guided)}
+    found = solved(layout, held, effects=blades_of(layout, effects))
+    return np.asarray(found.motions[0, layout.index(MOVING)])
 
 
 def at_temperature(ask: Ask) -> tuple[float, ...]:
@@ -141,11 +175,7 @@ def at_temperature(ask: Ask) -> tuple[float, ...]:
 
     x and y are the axes of cases.
     """
-    layout = _warmed(ask)
-    guided = 0.0 if ask.geometry.is_guided else None
-    held = {MOVING: (None, None, guided)}
-    found = solved(layout, held, effects=blades_of(layout, Effects()))
-    x, y, phi = found.motions[0, layout.index(MOVING)].tolist()
+    x, y, phi = _left_by_temperature(ask, Effects()).tolist()
     c, s = cos(ask.geometry.axes), sin(ask.geometry.axes)
     return c * x + s * y, c * y - s * x, phi
 
@@ -216,9 +246,11 @@ def exactly(
 def at_rest(
     ask: Ask, effects: Effects, tolerance: float, levels: Sequence[int] = LEVELS
 ) -> Equilibrium:
-    """Return the joint at rest, its driven motion held."""
-    layout = layout_of(ask)
-    held = {MOVING: ask.geometry.held(0.0)}
+    """Return the joint at rest, its driven motion held where the case's temperature leaves it."""
+    layout, travel = warmed(ask), 0.0
+    if ask.scene.temperature is not None:
+        travel = float(_left_by_temperature(ask, effects)[driven_axis(ask.geometry)])
+    held = {MOVING: ask.geometry.held(travel)}
     return solved(
         layout, held, effects=blades_of(layout, effects), tolerance=tolerance, levels=levels
     )

@@ -74,6 +74,7 @@ class LinearModel(JointModel):
 
     def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
+        _refuse_temperature(ask)
         return self._settled(ask)[0]
 
     def _settled(self, ask: Ask) -> tuple[float, int, float]:
@@ -105,7 +106,6 @@ class LinearModel(JointModel):
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the forces at which the joint buckles at rest, its blades straight until then."""
-        _refuse_temperature(ask)
         return tuple(linear_critical_forces(ask, self.effects))
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:

@@ -13,7 +13,7 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Setting
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
-from flexcli.parts.requirements import Ask, EndStress, JointModel
+from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_states import Told, across_stress
 from flexcli.results import ErrorRange, QuantityKind
@@ -65,6 +65,10 @@ class OutOfPlane(JointModel):
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the planar model's: of forces in the plane."""
         return self.inner.critical(ask)
+
+    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
+        """Return the planar model's: of temperature and forces in the plane."""
+        return self.inner.critical_shares(ask)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the planar stresses, that of the loads out of the plane on top of each.

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
+    BEAM_ERROR,
     at_travel,
     driven_coordinate,
     is_compared,
@@ -23,13 +24,15 @@ from flexcli.mechanics.space.exact.critical import critical_load
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.stresses import blade_stresses
+from flexcli.mechanics.space.exact.support import support_compliance, vibration
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector
 from flexcli.mechanics.space.states import Acting
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements import Ask, CriticalShare, EndStress
+from flexcli.parts.own_motion import TAKES_PART
+from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare, EndStress
 from flexcli.parts.space_joint import joint_in_space
-from flexcli.parts.space_states import acting_groups
+from flexcli.parts.space_states import Told, acting_groups
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["SpaceExactModel", "blade_peaks"]
@@ -40,8 +43,8 @@ BUCKLING_ERROR = 0.1
 """Error of a critical share by beams: of their support stiffness at stroke, and of the mass of
 blades, which is not among their loads."""
 
-MOST_SHARE = 5.0
-"""Largest share of its loads at which a mechanism is looked at."""
+ROUNDING = 1e-6
+"""Error of a ratio of two states at the same nodes."""
 
 CRITICAL_LEVELS, CRITICAL_TOLERANCE = (12, 18, 27, 40), 1e-3
 """Nodes and accuracy of critical loads, far below the error of beams."""
@@ -61,11 +64,37 @@ class SpaceExactModel(SpaceLinearModel):
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the error of its numbers: of beams against solids, and of their nodes."""
-        if kind is QuantityKind.SHIFT and ask.scene.moves:
+        warm = ask.scene.temperature is not None
+        if kind is QuantityKind.SHIFT and (ask.scene.moves or warm):
             return _told(ask, SHIFT_ERROR, _shift)
-        if kind is QuantityKind.STRESS and _is_stroke_alone(ask):
+        if kind is QuantityKind.STRESS and _is_motion_alone(ask):
             return _told(ask, STRESS_ERROR, _largest)
+        if kind is QuantityKind.STIFFNESS and warm:
+            own = super().error(ask, kind)
+            try:
+                strained = self._warm_stiffness(ask).error
+            except NotAvailable:
+                return None
+            return None if own is None or strained is None else own + strained
         return super().error(ask, kind)
+
+    def stiffness(self, ask: Ask) -> Computed:
+        """Return the stiffness along the motion, all else free, at the case's temperature."""
+        if ask.scene.temperature is None:
+            return super().stiffness(ask)
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        travel = joint.assembly.moved(travel=np.ones(1))
+        return float(travel.drive[0]) * self._warm_stiffness(ask).value
+
+    def _warm_stiffness(self, ask: Ask) -> Told:
+        """Return what the strain of a temperature makes of the stiffness along the motion [-]."""
+        return self._told.of("warm stiffness", ask, lambda: _changed(ask, _free_stiffness))
+
+    def warm_frequency_ratio(self, ask: Ask, *, locked: bool) -> tuple[float, ErrorRange | None]:
+        """Return what the strain of a temperature makes of a frequency [-]."""
+        what = f"warm frequency, {'locked' if locked else 'free'}"
+        number = _lowest if locked else _own_frequency
+        return self._told.of(what, ask, lambda: _changed(ask, number, 0.0 if locked else None))
 
     def support_at_stroke(
         self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
@@ -79,9 +108,10 @@ class SpaceExactModel(SpaceLinearModel):
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress of a stroke, or what the linear model says of other loads too."""
-        if not _is_stroke_alone(ask):
+        if not _is_motion_alone(ask):
             return super().stresses(ask)
-        first, last = (_stresses(state) for state in _ends(ask))
+        states = _ends(ask)
+        first, last = (_stresses(state) for state in (states[0], states[-1]))
         found: list[EndStress] = []
         for name, one in first.items():
             amplitude, mean = np.abs(one - last[name]) / 2.0, (one + last[name]) / 2.0
@@ -99,7 +129,8 @@ class SpaceExactModel(SpaceLinearModel):
 
 def _critical_shares(ask: Ask) -> Iterator[CriticalShare]:
     """Yield what buckles it at both ends of a stroke; what is no wrench acts either way."""
-    scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
+    scene = ask.scene
+    joint = joint_in_space(ask.geometry, ask.material, ask.sizes, scene.temperature)
     layout, drive = joint.layout, joint.layout.drive
     groups = [_loads(layout, each) for each in acting_groups(joint, scene)]
     senses: list[tuple[float, ...]] = [(1.0, -1.0)] * len(groups)
@@ -107,7 +138,7 @@ def _critical_shares(ask: Ask) -> Iterator[CriticalShare]:
         senses[0] = (1.0,)
     travels = dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel))
     for travel in travels:
-        state = at_travel(ask, travel)
+        state = at_travel(ask, travel, warm=False)
         known, start = is_compared(state), state if scene.moves else None
         own = driven_coordinate(layout) % 6
         held = {drive.body: [travel if i == own else None for i in range(6)]} if start else None
@@ -153,13 +184,55 @@ def _times(factor: float, vector: Sequence[float] | Floats) -> Vector:
     return x, y, z
 
 
-def _is_stroke_alone(ask: Ask) -> bool:
+def _is_motion_alone(ask: Ask) -> bool:
+    """Return whether a stroke and a temperature are all that acts."""
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-    return ask.scene.moves and not acting_groups(joint, ask.scene)
+    moved = ask.scene.moves or ask.scene.temperature is not None
+    return moved and not acting_groups(joint, ask.scene)
 
 
-def _ends(ask: Ask) -> tuple[SpaceEquilibrium, SpaceEquilibrium]:
+def _changed(
+    ask: Ask, number: Callable[[SpaceEquilibrium], float], travel: float | None = None
+) -> Told:
+    """Return a number at the temperature over that of the same mechanism unstrained, its error.
+
+    What the strain changes is known as well as a support stiffness is by beams.
+    """
+    warm, cold = (at_travel(ask, travel, warm=each) for each in (True, False))
+    ratio = number(warm) / number(cold)
+    if not (is_compared(warm) and is_compared(cold)):
+        return Told(ratio, None)
+    off = max(BEAM_ERROR * abs(ratio - 1.0) / min(ratio, 1.0), ROUNDING)
+    return Told(ratio, ErrorRange(-off, off))
+
+
+def _free_stiffness(state: SpaceEquilibrium) -> float:
+    """Return the stiffness along the drive's motion, the drive free."""
+    drive = state.layout.drive
+    own = np.zeros(6)
+    own[3 * drive.turns : 3 * drive.turns + 3] = drive.direction
+    return float(1.0 / (own @ support_compliance(state, drive.body, drive.point) @ own))
+
+
+def _lowest(state: SpaceEquilibrium) -> float:
+    """Return the lowest frequency of all [Hz]."""
+    return float(vibration(state).frequency[0, 0])
+
+
+def _own_frequency(state: SpaceEquilibrium) -> float:
+    """Return the lowest frequency that the drive's own motion takes part in [Hz]."""
+    found = vibration(state)
+    row = found.shapes[0][driven_coordinate(state.layout)]
+    frequency = found.frequency[0]
+    compliance = (row / frequency) ** 2
+    return float(frequency[np.flatnonzero(compliance > TAKES_PART * compliance.sum())[0]])
+
+
+def _ends(ask: Ask) -> tuple[SpaceEquilibrium, ...]:
+    """Return the joint at both ends of its stroke, or as its temperature leaves it."""
     scene = ask.scene
+    if not scene.moves:
+        return (at_travel(ask, None),)
     return (
         at_travel(ask, scene.middle + scene.travel),
         at_travel(ask, scene.middle - scene.travel),

@@ -35,7 +35,7 @@ class SpaceLinearModel(JointModel):
         """Return the error of its numbers: of the springs, and of what the motion leaves out."""
         scene = ask.scene
         if (kind is QuantityKind.SAG and not scene.acceleration) or (
-            kind is QuantityKind.SHIFT and not scene.moves
+            kind is QuantityKind.SHIFT and not scene.moves and scene.temperature is None
         ):
             return EXACT  # of nothing
         find = {
@@ -52,6 +52,8 @@ class SpaceLinearModel(JointModel):
 
     def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion, all else free [N·m/rad or N/m]."""
+        if ask.scene.temperature is not None:
+            raise NotAvailable("has no linear model of a stiffness at a temperature")
         return _stiffness(_joint(ask).assembly)
 
     def frequency_squared(self, ask: Ask) -> Computed:
@@ -90,7 +92,10 @@ class SpaceLinearModel(JointModel):
 
     def _frequency(self, ask: Ask) -> Told:
         find = lambda: own_frequency(ask.geometry, ask.material, ask.sizes)  # noqa: E731
-        return self._told.of("frequency", ask, find)
+        found = self._told.of("frequency", ask, find)
+        if ask.scene.temperature is None:
+            return found
+        return found.times(*self.warm_frequency_ratio(ask, locked=False))
 
     def _sag(self, ask: Ask) -> Told:
         return self._told.of("sag", ask, lambda: sag(_joint(ask), ask.scene))
@@ -100,7 +105,7 @@ class SpaceLinearModel(JointModel):
 
 
 def _joint(ask: Ask) -> SpaceJoint:
-    return joint_in_space(ask.geometry, ask.material, ask.sizes)
+    return joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
 
 
 def _stiffness(assembly: SpaceAssembly) -> float:

@@ -43,11 +43,14 @@ WIDEST, THICKEST, LONGEST = 0.5, 0.02, 0.2
 ROUNDING = 0.02
 """What a stroke of a fifth of the length moves besides, along the blade."""
 
-_KNOWN: WeakKeyDictionary[SpaceJoint, dict[float, SpaceEquilibrium]] = WeakKeyDictionary()
+_KNOWN: WeakKeyDictionary[SpaceJoint, dict[float | None, SpaceEquilibrium]] = WeakKeyDictionary()
 
 
-def at_travel(ask: Ask, travel: float) -> SpaceEquilibrium:
+def at_travel(ask: Ask, travel: float | None, *, warm: bool = True) -> SpaceEquilibrium:
     """Return the joint at a travel of its drive, all else free but for a guide.
+
+    Without a travel the drive is free: the joint is as its temperature leaves it, which it has
+    where it is ``warm``.
 
     Raises
     ------
@@ -57,7 +60,8 @@ def at_travel(ask: Ask, travel: float) -> SpaceEquilibrium:
         When the path to it ends before.
 
     """
-    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    heat = ask.scene.temperature if warm else None
+    joint = joint_in_space(ask.geometry, ask.material, ask.sizes, heat)
     known = _KNOWN.setdefault(joint, {})
     if travel not in known:
         layout = joint.layout
@@ -74,7 +78,8 @@ def at_travel(ask: Ask, travel: float) -> SpaceEquilibrium:
         )
         known[travel] = state.checked()
     if known[travel].unstable:
-        raise NotAvailable("buckles at its stroke with the drive locked")
+        held_by = "by its temperature" if travel is None else "at its stroke with the drive locked"
+        raise NotAvailable(f"buckles {held_by}")
     return known[travel]
 
 

@@ -148,6 +148,17 @@ class Shells(NamedTuple):
         other = self.rods.variation(rods, f[self.beams])
         return Variation(self._ordered(matrix, other.matrix), unstable + other.unstable)
 
+    def grown(self, strains: Floats) -> "Shells":
+        """Refuse: shells have no temperature yet.
+
+        Raises
+        ------
+        SolveError
+            Always.
+
+        """
+        raise SolveError("cold-shells", "shells have no temperature", "take beams: exact")
+
     def at_level(self, level: int) -> "Shells":
         """Return them with another number of modes."""
         basis = basis_of(level)

@@ -4,7 +4,8 @@ One description for every solver in space. Positions and directions are those of
 the pose in which nothing is strained; a body of no listed name is the ground.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -24,6 +25,8 @@ __all__ = [
     "SpaceSpring",
     "Vector",
     "along",
+    "grown_ends",
+    "seats_grown",
 ]
 
 Floats = NDArray[np.float64]
@@ -147,12 +150,24 @@ class Drive(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class SpaceLayout:
-    """Bodies that may move, what joins them to each other and to the ground, and the drive."""
+    """Bodies that may move, what joins them to each other and to the ground, and the drive.
+
+    ``body_growth`` and ``blade_growth`` are the free strains that a temperature gives bodies and
+    blades by name [-]: a body grows about its point, the ground about the origin, a blade along
+    itself.
+    """
 
     bodies: tuple[SpaceBody, ...]
     blades: tuple[SpaceBlade | SpaceRod, ...]
     drive: Drive
     springs: tuple[SpaceSpring, ...] = ()
+    body_growth: Mapping[str, float] = field(default_factory=dict)
+    blade_growth: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def grows(self) -> bool:
+        """Return whether a temperature strains anything."""
+        return any((*self.body_growth.values(), *self.blade_growth.values()))
 
     def index(self, name: str) -> int:
         """Return where a body stands among those that may move; it must be one of them."""
@@ -161,6 +176,26 @@ class SpaceLayout:
     def body(self, name: str) -> SpaceBody:
         """Return a body that may move."""
         return self.bodies[self.index(name)]
+
+
+def seats_grown(layout: SpaceLayout, blade: SpaceBlade | SpaceRod) -> Floats:
+    """Return how far growth moves the seats of a blade's start and end on their bodies (6,) [m]."""
+    points = {body.name: body.point for body in layout.bodies}
+    seats = [
+        layout.body_growth.get(name, 0.0) * np.subtract(at, points.get(name, (0.0, 0.0, 0.0)))
+        for name, at in ((blade.first, blade.start), (blade.second, blade.end))
+    ]
+    return np.concatenate(seats)
+
+
+def grown_ends(layout: SpaceLayout, blade: SpaceBlade | SpaceRod) -> tuple[Floats, Floats]:
+    """Return how far growth moves both ends of a blade against itself [m].
+
+    The end's is less by what the blade itself grows, so that their difference is the misfit.
+    """
+    seats = seats_grown(layout, blade)
+    own = layout.blade_growth.get(blade.name, 0.0) * np.subtract(blade.end, blade.start)
+    return seats[:3], seats[3:] - own
 
 
 def along(start: Vector, end: Vector) -> Floats:

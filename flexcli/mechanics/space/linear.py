@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from flexcli.errors import SolveError
 from flexcli.formulas.blade_spring import deformation_rows
 from flexcli.formulas.rigid_motion import motion_along, motion_at
-from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector
+from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector, grown_ends
 from flexcli.mechanics.space.springs import MemberSprings, springs_of
 from flexcli.numerics.square_root import Singular, triangle
 
@@ -121,6 +121,15 @@ class SpaceAssembly:
         forces = self.stiffness[:, None] * deformations
         drive = self.rows[:, self.driven] @ forces - f[self.driven]
         return Moved(x, deformations, forces, drive)
+
+    def growth(self) -> Floats:
+        """Return the deformations that a temperature gives the springs where nothing moves."""
+        found = np.zeros(len(self.rows))
+        for k, (blade, member) in enumerate(zip(self.layout.blades, self.members, strict=True)):
+            first, second = grown_ends(self.layout, blade)
+            end = deformation_rows(member.springs, np.array([member.l, 0.0, 0.0]))
+            found[6 * k : 6 * k + 6] = end[:, :3] @ member.axes @ (second - first)
+        return found
 
     def load(self, load: SpaceLoad) -> Floats:
         """Return a load on the coordinates, shape (coordinates,)."""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from flexcli.formulas.blade_spring import deformation_rows
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.rigid_motion import motion_along, motion_at
-from flexcli.mechanics.space.layout import SpaceLoad, SpaceRod
+from flexcli.mechanics.space.layout import SpaceLoad, SpaceRod, grown_ends
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.numerics.quadrature import gauss_rule
 
@@ -48,7 +48,12 @@ class SecondOrder(NamedTuple):
 
 
 def second_order(
-    assembly: SpaceAssembly, found: Moved, loads: tuple[SpaceLoad, ...], *, locked: bool
+    assembly: SpaceAssembly,
+    found: Moved,
+    loads: tuple[SpaceLoad, ...],
+    *,
+    locked: bool,
+    warmth: float = 0.0,
 ) -> SecondOrder:
     """Return what the second order adds to a linear state (of one column).
 
@@ -65,6 +70,8 @@ def second_order(
         The loads that it is under; forces and moments keep their directions.
     locked : bool
         Whether the drive holds its one motion.
+    warmth : float
+        Share of the layout's growth that the state has [-].
 
     Returns
     -------
@@ -84,7 +91,7 @@ def second_order(
     motions = [_of_body(assembly, q, i) for i in range(len(assembly.layout.bodies))]
     for k in range(len(assembly.members)):
         rows = slice(6 * k, 6 * k + 6)
-        quadratic = _Quadratic(assembly, k, motions)
+        quadratic = _Quadratic(assembly, k, motions, warmth)
         misfits[rows, 0] = quadratic.value
         slope = quadratic.slope.T @ found.forces[rows, 0]
         for end, i in enumerate(quadratic.bodies):
@@ -143,7 +150,9 @@ def _of_body(assembly: SpaceAssembly, q: Floats, body: int) -> Floats:
 class _Quadratic:
     """The second-order deformation of a blade's springs, and its slope in its ends' motions."""
 
-    def __init__(self, assembly: SpaceAssembly, k: int, motions: list[Floats]) -> None:
+    def __init__(
+        self, assembly: SpaceAssembly, k: int, motions: list[Floats], warmth: float
+    ) -> None:
         blade, member = assembly.layout.blades[k], assembly.members[k]
         names = [body.name for body in assembly.layout.bodies]
         self.l = member.l
@@ -168,6 +177,9 @@ class _Quadratic:
             place[at, at] = turn @ motion_at(arm)
             if i is not None:
                 d[at] = place[at, at] @ motions[i]
+        if warmth:
+            for first, seat in zip((0, 6), grown_ends(assembly.layout, blade), strict=True):
+                d[first : first + 3] += warmth * (member.axes @ seat)
         self.to_springs = deformation_rows(member.springs, np.array([self.l, 0.0, 0.0]))
         self.value = self._of(d[:, None].astype(np.complex128))[:, 0].real
         steps = d[:, None] + 1j * EPSILON * np.eye(12)

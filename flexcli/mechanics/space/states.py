@@ -12,7 +12,16 @@ from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.mechanics.space.second_order import SecondOrder, second_order
 from flexcli.mechanics.space.stresses import StressRows, equivalent, stress_rows
 
-__all__ = ["Acting", "BladeStress", "SpaceState", "Stresses", "action", "combined", "misfitted"]
+__all__ = [
+    "Acting",
+    "BladeStress",
+    "SpaceState",
+    "Stresses",
+    "action",
+    "combined",
+    "misfitted",
+    "warmed",
+]
 
 Floats = NDArray[np.float64]
 
@@ -43,7 +52,8 @@ class BladeStress(NamedTuple):
 class SpaceState:
     """A linear state: coordinates, deformations and forces, and the weight on each blade [N/m].
 
-    ``loads`` are those that it is under, ``locked`` says whether the drive holds it.
+    ``loads`` are those that it is under, ``locked`` says whether the drive holds it, ``warmth``
+    which share of the layout's growth it has.
     """
 
     assembly: SpaceAssembly
@@ -51,10 +61,13 @@ class SpaceState:
     weights: Floats
     loads: tuple[SpaceLoad, ...]
     locked: bool
+    warmth: float = 0.0
 
     def following(self) -> SecondOrder:
         """Return what the second order adds."""
-        return second_order(self.assembly, self.moved, self.loads, locked=self.locked)
+        return second_order(
+            self.assembly, self.moved, self.loads, locked=self.locked, warmth=self.warmth
+        )
 
 
 class Stresses:
@@ -124,6 +137,14 @@ def misfitted(assembly: SpaceAssembly, misfits: Floats) -> SpaceState:
     return SpaceState(assembly, moved, weights, (), locked=False)
 
 
+def warmed(assembly: SpaceAssembly, *, locked: bool) -> SpaceState:
+    """Return the state that the growth of a layout leaves, its drive free or locked at rest."""
+    travel = np.zeros(1) if locked else None
+    moved = assembly.moved(misfits=assembly.growth()[:, None], travel=travel)
+    weights = np.zeros((len(assembly.members), 3))
+    return SpaceState(assembly, moved, weights, (), locked=locked, warmth=1.0)
+
+
 def combined(states: list[SpaceState], shares: list[float]) -> SpaceState:
     """Return a sum of states, each times its share."""
     first = states[0]
@@ -139,7 +160,8 @@ def combined(states: list[SpaceState], shares: list[float]) -> SpaceState:
     )
     weights = np.asarray(sum(s * state.weights for state, s in each))
     locked = any(state.locked for state in states)
-    return SpaceState(first.assembly, moved, weights, loads, locked)
+    warmth = sum(s * state.warmth for state, s in each)
+    return SpaceState(first.assembly, moved, weights, loads, locked, warmth)
 
 
 def _vector(values: Floats) -> Vector:

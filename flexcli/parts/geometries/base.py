@@ -248,6 +248,11 @@ class Geometry(Part):
         return 0.0 if self.motion == "rotation" else pi / 2.0
 
     @property
+    def moving_name(self) -> str:
+        """Return how a spec calls the body that its layout calls ``moving``."""
+        return MOVING
+
+    @property
     def symmetry_axis(self) -> float:
         """Return the angle from the layout's x to where a load's direction is zero [rad]."""
         return 0.0

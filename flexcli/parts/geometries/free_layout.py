@@ -109,6 +109,11 @@ class FreeLayout(ClampedBlades):
         """Return whether any body has mass or inertia."""
         return any(body.mass or body.inertia for body in self.bodies.values())
 
+    @property
+    def moving_name(self) -> str:
+        """Return how the spec calls the moving body."""
+        return self.moving
+
     # which motion it is depends on the drawing, as no other geometry's but a linkage's does
     @property
     def motion(self) -> str:  # type: ignore[override]

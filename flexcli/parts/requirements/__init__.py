@@ -9,6 +9,7 @@ from flexcli.parts.base import OneOrMore, Part
 from flexcli.parts.named import Named
 from flexcli.parts.requirements.as_printed import AS_PRINTED
 from flexcli.parts.requirements.ask import (
+    MOST_SHARE,
     Ask,
     CriticalShare,
     EndStress,
@@ -21,6 +22,7 @@ from flexcli.parts.requirements.closed_form import CLOSED_FORM
 __all__ = [
     "AS_PRINTED",
     "CLOSED_FORM",
+    "MOST_SHARE",
     "Ask",
     "Bound",
     "CriticalShare",

@@ -30,10 +30,14 @@ class AsPrinted(JointModel):
 
     def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
+        if ask.scene.temperature is not None:
+            raise NotAvailable(ask.scene.beyond)
         return ask.geometry.stiffness(ask.material.elastic, ask.sizes)
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
+        if ask.scene.temperature is not None:
+            raise NotAvailable(ask.scene.beyond)
         return ask.geometry.sag_stiffness(ask.material.elastic, ask.sizes, ask.scene.axis)
 
     def parasitic_shift(self, ask: Ask) -> Computed:

@@ -16,7 +16,7 @@ from flexcli.results import ErrorRange, QuantityKind
 if TYPE_CHECKING:
     from flexcli.parts.effects import Setting
 
-__all__ = ["Ask", "CriticalShare", "EndStress", "JointModel", "RequirementError"]
+__all__ = ["MOST_SHARE", "Ask", "CriticalShare", "EndStress", "JointModel", "RequirementError"]
 
 
 class RequirementError(ValueError):
@@ -57,8 +57,12 @@ class EndStress(NamedTuple):
         return self.amplitude + self.mean + self.axial
 
 
+MOST_SHARE = 5.0
+"""Largest share of its loads and temperature at which a mechanism is looked at."""
+
+
 class CriticalShare(NamedTuple):
-    """The share of the loads of a case that buckles a mechanism in space [-], and how it is held.
+    """The share of the loads of a case that buckles a mechanism [-], and how it is held.
 
     ``error`` is relative; its high end is infinite where nothing buckles up to that share.
     """
@@ -149,8 +153,19 @@ class JointModel(ABC):
         raise NotAvailable("has no support stiffness at stroke by this model: take --model exact")
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
-        """Return the shares of the loads of a case that buckle a mechanism in space."""
-        raise NotAvailable("has no buckling load in space by this model: take --model exact")
+        """Return the shares of loads and temperature together that buckle a mechanism.
+
+        They are asked of mechanisms in space, and of cases with a temperature.
+        """
+        raise NotAvailable("has no share of loads by this model: take --model exact")
+
+    def warm_frequency_ratio(self, ask: Ask, *, locked: bool) -> tuple[float, ErrorRange | None]:
+        """Return what the temperature of a case strains makes of a frequency in space [-].
+
+        That is the frequency over that of the unstrained mechanism of the same material, the drive
+        ``locked`` or free.
+        """
+        raise NotAvailable("has no frequency at a temperature by this model: take --model exact")
 
     @abstractmethod
     def parasitic_shift(self, ask: Ask) -> Computed:

@@ -73,12 +73,18 @@ class Requirement(Part):
     per_case: ClassVar[bool] = True
     closed_form: ClassVar[bool] = True
     """Whether it can be written on signomials; else it judges a design but cannot size one."""
+    is_warmed: ClassVar[bool] = False
+    """Whether it is asked at the temperatures of cases too, where it is not of a case."""
     label: ClassVar[str]
 
     @property
     def is_of_a_case(self) -> bool:
         """Return whether it is asked of each case that it applies to, or once of the joint."""
         return self.per_case
+
+    def case_of(self, scene: Scene) -> str:
+        """Return the case that its checks name: none where they are of the joint at assembly."""
+        return scene.case if self.is_of_a_case or scene.temperature is not None else ""
 
     def applies(self, scene: Scene) -> bool:
         """Return whether this case has what the requirement is about."""

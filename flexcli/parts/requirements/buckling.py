@@ -29,8 +29,8 @@ class Buckling(FactorRequirement):
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case puts a force along the blades, or any load in space."""
-        loaded = scene.is_loaded if scene.in_space else scene.blade_force > 0.0
-        return self.covers(scene) and loaded
+        shares = scene.in_space or scene.temperature is not None
+        return self.covers(scene) and (scene.is_loaded if shares else scene.blade_force > 0.0)
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return what pushes the joint."""
@@ -39,8 +39,8 @@ class Buckling(FactorRequirement):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield force against what is borne, in the plane and across the blades' width."""
         scene = ask.scene
-        if scene.in_space:
-            yield from self._in_space(ask)
+        if scene.in_space or scene.temperature is not None:
+            yield from self._shares(ask)
             return
         if scene.ends is None:
             raise RequirementError(
@@ -65,17 +65,22 @@ class Buckling(FactorRequirement):
                 error=_error(critical, ask.material),
             )
 
-    def _in_space(self, ask: Ask) -> Iterator[Limit]:
+    def _shares(self, ask: Ask) -> Iterator[Limit]:
         """Yield the loads of a case against the share of them that buckles blades or bodies."""
+        beams = "exact beams in space" if ask.scene.in_space else "exact beams in the plane"
+        what = "the loads of the case"
+        if ask.scene.temperature is not None:
+            alone = ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}
+            what = "the temperature" if alone else "temperature and loads"
         for found in ask.joint_model.critical_shares(ask):
             yield Limit(
                 self.label,
                 ask.scene.case,
-                f"share of the loads of the case that buckles it, {found.held}",
+                f"share of {what} that buckles it, {found.held}",
                 1.0,
                 found.share,
                 "",
-                "where a direction of blades and bodies gets unstable, exact beams in space",
+                f"where a direction of blades and bodies gets unstable, {beams}",
                 required=self.factor,
                 kind=QuantityKind.BUCKLING,
                 in_capacity=True,

@@ -18,6 +18,7 @@ class Frequency(Bound):
     """Bounds on √(k/m)/2π of the free mechanism."""
 
     label: ClassVar[str] = "frequency"
+    is_warmed: ClassVar[bool] = True
 
     min: _Hertz | None = None
     max: _Hertz | None = None
@@ -31,7 +32,7 @@ class Frequency(Bound):
             raise RequirementError(str(error), error.hint) from error
         yield from self.bounds(
             squared,
-            case="",
+            case=self.case_of(ask.scene),
             quantity="natural frequency",
             unit="Hz",
             source="√(k/m)/2π",

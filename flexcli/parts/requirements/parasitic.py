@@ -37,19 +37,21 @@ class ParasiticMotion(MotionBound):
         return f"motion in {self.direction}"
 
     def applies(self, scene: Scene) -> bool:
-        """Return whether the case has a stroke."""
-        return scene.moves
+        """Return whether the case has a stroke, or a temperature that moves the body by itself."""
+        return scene.moves or scene.temperature is not None
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the stroke."""
-        return frozenset({LoadKind.STROKE})
+        """Return the stroke and the temperature."""
+        return frozenset({LoadKind.STROKE, LoadKind.TEMPERATURE})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the motion at either end, with either sign, against its bound."""
         if not ask.geometry.in_space:
             hint = "ask for parasitic_shift, or draw it as a space-layout"
             raise RequirementError(f"a {ask.geometry.name} {IN_SPACE}", hint)
-        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+        when = "at the end of the stroke" if ask.scene.moves else "by the temperature"
+        held = "drive locked" if ask.scene.moves else "drive free"
         row = np.eye(6)[[DIRECTIONS.index(self.direction)]]
         for motion in motions(joint, ask.scene, ask.geometry.axes):
             (moved,), (off,) = motion.at(self.point, row)
@@ -64,8 +66,8 @@ class ParasiticMotion(MotionBound):
                 yield from self.bounds_in_direction(
                     at,
                     case=ask.scene.case,
-                    quantity=f"{self.spoken} at the end of the stroke and its error",
-                    source="second order of blades between rigid clamps in space, drive locked",
+                    quantity=f"{self.spoken} {when} and its error",
+                    source=f"second order of blades between rigid clamps in space, {held}",
                     error=error,
                 )
 
@@ -75,6 +77,7 @@ class ParasiticFrequency(Bound):
 
     label: ClassVar[str] = "parasitic frequency"
     closed_form: ClassVar[bool] = False
+    is_warmed: ClassVar[bool] = True
 
     min: _Hertz | None = None
     max: _Hertz | None = None
@@ -87,11 +90,13 @@ class ParasiticFrequency(Bound):
             raise RequirementError(f"a {ask.geometry.name} {IN_SPACE}", hint)
         try:
             found = parasitic_frequency(ask.geometry, ask.material, ask.sizes)
+            if ask.scene.temperature is not None:
+                found = found.times(*ask.joint_model.warm_frequency_ratio(ask, locked=True))
         except NotAvailable as error:
             raise RequirementError(f"a {ask.geometry.name} {error}") from error
         yield from self.bounds(
             found.value,
-            case="",
+            case=self.case_of(ask.scene),
             quantity="lowest frequency, drive locked at rest",
             unit="Hz",
             source="modes of bodies and blades in space",

@@ -25,8 +25,8 @@ class ParasiticShift(Bound):
     equals: None = None
 
     def applies(self, scene: Scene) -> bool:
-        """Return whether the case has a stroke."""
-        return scene.travel > 0.0
+        """Return whether the case has a stroke, or a temperature that moves the joint by itself."""
+        return scene.travel > 0.0 or scene.temperature is not None
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return the stroke, and the temperature that moves the joint besides."""
@@ -36,11 +36,12 @@ class ParasiticShift(Bound):
         """Yield the shift, with either sign, against its bound."""
         scene = ask.scene
         shift = ask.joint_model.parasitic_shift(ask)
+        quantity = f"parasitic shift {'at full stroke' if scene.moves else 'by the temperature'}"
         for sign in (1.0, -1.0):
             yield from self.bounds(
                 sign * shift,
                 case=scene.case,
-                quantity="parasitic shift at full stroke",
+                quantity=quantity,
                 unit="m",
                 source=ask.geometry.source,
                 kind=QuantityKind.SHIFT,

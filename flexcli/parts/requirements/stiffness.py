@@ -21,6 +21,7 @@ class Stiffness(Bound):
     """Bounds on the stiffness of one joint, N·m/rad for a rotation and N/m for a translation."""
 
     label: ClassVar[str] = "stiffness"
+    is_warmed: ClassVar[bool] = True
 
     @field_validator("min", "max", "equals", mode="before", json_schema_input_type=_Either)
     @classmethod
@@ -43,7 +44,7 @@ class Stiffness(Bound):
             plain[name] = given[0]
         yield from self.model_copy(update=plain).bounds(
             ask.joint_model.stiffness(ask),
-            case="",
+            case=self.case_of(ask.scene),
             quantity="stiffness of a joint",
             unit=unit,
             source=ask.geometry.source,

@@ -26,7 +26,7 @@ from flexcli.mechanics.space.exact.rotation import (
     vector_of,
 )
 from flexcli.mechanics.space.exact.section import BeamEffects
-from flexcli.mechanics.space.layout import SpaceLayout
+from flexcli.mechanics.space.layout import SpaceLayout, seats_grown
 from flexcli.numerics.stack import solve_stack
 
 __all__ = ["Assembly", "Linearised", "Unknowns", "assemble", "at_nodes", "finer"]
@@ -70,7 +70,8 @@ class Assembly(NamedTuple):
     ``frames`` (bodies + 1, 3, 3) are those of the bodies, the last being the ground; ``first`` and
     ``second`` the bodies of each blade, ``start`` and ``end`` the ends from their points in
     lengths of the blade, ``axes`` those of the blades at rest, ``scale`` the length over the
-    blade's, ``weight`` its unit of energy over that of the whole.
+    blade's, ``weight`` its unit of energy over that of the whole. ``growth`` (blades, 7) is how far
+    a temperature moves the seats of both ends, and strains the blade.
     """
 
     layout: SpaceLayout
@@ -86,8 +87,18 @@ class Assembly(NamedTuple):
     axes: Floats
     scale: Floats
     weight: Floats
+    growth: Floats
     length: float
     force: float
+
+    def warmed(self, warmth: float) -> "Assembly":
+        """Return it with its blades and the seats of their ends grown, by a share of the growth."""
+        if not self.growth.any():
+            return self
+        start, end, own = np.split(warmth * self.growth, (3, 6), axis=1)
+        return self._replace(
+            members=self.members.grown(own), start=self.start + start, end=self.end + end
+        )
 
     @property
     def bodies(self) -> int:
@@ -147,7 +158,8 @@ class Assembly(NamedTuple):
         S_t = np.swapaxes(S, -1, -2)
         n, m = at.forces[:, :3], at.forces[:, 3:]
         local = np.concatenate([_times(S, n), _times(S, m)], axis=-1)
-        blade = self.members.condense(at.inside, local)
+        warm = self.warmed(demand.warmth(share))
+        blade = warm.members.condense(at.inside, local)
         F = np.zeros((B, 6, 6))
         for a in (slice(0, 3), slice(3, 6)):
             for b in (slice(0, 3), slice(3, 6)):
@@ -156,7 +168,7 @@ class Assembly(NamedTuple):
         by_turn = F @ np.concatenate([skew(n), skew(m)], axis=1)
         bent = _times(S_t, blade.motion)
         straight = moved(q_i, self.axes[:, 0])
-        a_i, a_j = self.start + moved(q_i, self.start), self.end + moved(q_j, self.end)
+        a_i, a_j = warm.start + moved(q_i, warm.start), warm.end + moved(q_j, warm.end)
         lever = a_i + self.axes[:, 0] + straight + bent
         gap = self.scale[:, None] * (shift[self.second] - shift[self.first])
         gap += a_j - self.end - (a_i - self.start) - straight - bent
@@ -261,6 +273,9 @@ class Assembly(NamedTuple):
         right = np.zeros_like(at.residual)
         for i in range(self.bodies):
             right[k_f + 6 * i : k_f + 6 * i + 6] = -at.basis[i].T @ pushed[6 * i : 6 * i + 6]
+        if self.growth.any() and not demand.grown:
+            still = demand._replace(forces=())
+            right += self.linearise(x, 0.0, still).residual - self.linearise(x, 1.0, still).residual
         rate = self._change(x, at, right, demand.after - demand.before, demand, settled=True)
         return step, rate
 
@@ -354,6 +369,12 @@ def assemble(
         axes=np.array([blade.axes for blade in layout.blades]),
         scale=length / l,
         weight=EI / l / (force * length),
+        growth=np.array(
+            [
+                [*seats_grown(layout, blade) / own_length, layout.blade_growth.get(blade.name, 0.0)]
+                for blade, own_length in zip(layout.blades, l, strict=True)
+            ]
+        ),
         length=length,
         force=force,
     )

@@ -86,6 +86,10 @@ class Beams:
         matrix = np.array([each.matrix for each in found]).reshape(-1, 9, 9)
         return Variation(matrix, sum(each.unstable for each in found))
 
+    def grown(self, strains: Floats) -> Members:
+        """Return them with free strains along them."""
+        return Beams(self.mesh._replace(grown=strains))
+
     def at_level(self, level: int) -> Members:
         """Return them at another number of nodes."""
         return Beams(mesh_of(self.mesh.sections, level))

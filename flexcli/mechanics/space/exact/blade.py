@@ -70,7 +70,7 @@ def along(mesh: Mesh, z: Floats, f: Floats) -> Along:
     n = f[:, None, :3]
     N = n + moved(conjugate(q), n)
     strain = mesh.C * N
-    strain[..., 0] -= 0.5 * mesh.polar * tau**2
+    strain[..., 0] += mesh.grown - 0.5 * mesh.polar * tau**2
     R = matrix_of(q)
     rate = moved(q, _E_X) + (R @ strain[..., None])[..., 0]
     m = moments(mesh, rate, f)

@@ -5,7 +5,7 @@ bodies that stand still are found as well.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +23,7 @@ from flexcli.mechanics.critical_point import (
     without_poles,
 )
 from flexcli.mechanics.refinement import LEVELS
-from flexcli.mechanics.space.exact.assembly import Assembly, at_nodes, finer
+from flexcli.mechanics.space.exact.assembly import Assembly, assemble, at_nodes, finer
 from flexcli.mechanics.space.exact.beams import beams_of
 from flexcli.mechanics.space.exact.demand import Demand, Frame, Held, demand_of
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve, started
@@ -120,7 +120,7 @@ def critical_load(
     Parameters
     ----------
     layout : SpaceLayout
-        The mechanism.
+        The mechanism; what a temperature makes it grow by belongs to the pattern.
     held : mapping or None
         Motions held while the loads grow, as in
         :func:`flexcli.mechanics.space.exact.equilibrium.solve`.
@@ -132,7 +132,8 @@ def critical_load(
         Coordinates (6 body + 0…5) of those held that are free to buckle: the drive, where it is
         an effort that keeps its size.
     frames, start, effects, tolerance, levels, made
-        As in :func:`flexcli.mechanics.space.exact.equilibrium.solve`; the tolerance is relative.
+        As in :func:`flexcli.mechanics.space.exact.equilibrium.solve`, of the layout that has not
+        grown; the tolerance is relative.
 
     Returns
     -------
@@ -149,17 +150,19 @@ def critical_load(
     """
     effects = BeamEffects() if effects is None else effects
     frames = {} if frames is None else frames
+    cold = replace(layout, body_growth={}, blade_growth={})
     rest = solve(
-        layout, held, frames=frames, effects=effects, start=start, tolerance=tolerance,
+        cold, held, frames=frames, effects=effects, start=start, tolerance=tolerance,
         levels=levels, made=made,
     ).checked()  # fmt: skip
     if unstable_when_free(rest, released):
         raise unstable_start()
-    coarse = rest.part.assembly
+    coarse = assemble(layout, effects, rest.part.assembly.members.level, frames, made)
+    coarse = coarse._replace(growth=most * coarse.growth)
     demand = started(
         rest,
         demand_of(layout, held or {}, pattern, coarse.points, coarse.length, coarse.force, most),
-    )
+    )._replace(grown=False)
     free = np.union1d(demand.free, np.asarray(released, dtype=np.intp)).astype(np.intp)
     search, low, high = _stretch(coarse, demand, free, rest.part.x, most)
     found = first_critical(search, low, high)

@@ -62,7 +62,8 @@ class Spring(NamedTuple):
 class Demand(NamedTuple):
     """Coordinates held (6 body + 0…5), the free ones, values before and after, loads, springs.
 
-    ``turned`` are the bodies whose rotation vector is held in part.
+    ``turned`` are the bodies whose rotation vector is held in part. ``grown`` says that bodies and
+    blades have their temperature from the start; else it comes on the way.
     """
 
     held: NDArray[np.intp]
@@ -72,6 +73,11 @@ class Demand(NamedTuple):
     forces: tuple[Force, ...]
     springs: tuple[Spring, ...]
     turned: NDArray[np.bool_]
+    grown: bool = False
+
+    def warmth(self, share: float) -> float:
+        """Return the share of the temperature that is there at the share λ of the way."""
+        return 1.0 if self.grown else share
 
 
 def drive_frame(drive: Drive) -> dict[str, Frame]:

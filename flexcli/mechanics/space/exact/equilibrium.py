@@ -154,8 +154,10 @@ class SpaceEquilibrium:
         """Return how a point of a body, named at rest, moved: shift [m], rotation vector [rad]."""
         assembly = self.part.assembly
         i, at = self.layout.index(body), assembly.split(self.part.x)
-        arm = np.asarray(point) - assembly.points[i] * assembly.length
-        shift = at.shift[i] * assembly.length + moved(at.turn[i], arm)
+        own = self.part.demand.warmth(self.part.share) * self.layout.body_growth.get(body, 0.0)
+        grown = own * np.subtract(point, self.layout.bodies[i].point)
+        arm = np.asarray(point) - assembly.points[i] * assembly.length + grown
+        shift = at.shift[i] * assembly.length + grown + moved(at.turn[i], arm)
         return np.concatenate([shift, vector_of(at.turn[i])])
 
 
@@ -313,4 +315,4 @@ def started(start: SpaceEquilibrium, demand: Demand) -> Demand:
             # as force and moment about fixed axes
             load = np.linalg.solve(start.linearised.basis[body].T, own)
             gone.append(Force(body, np.zeros(3), load[:3], load[3:], 1.0, 0.0))
-    return demand._replace(before=before, forces=(*gone, *demand.forces))
+    return demand._replace(before=before, forces=(*gone, *demand.forces), grown=True)

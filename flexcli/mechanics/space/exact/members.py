@@ -78,6 +78,9 @@ class Members(Protocol):
     def variation(self, z: Floats, f: Floats) -> Variation:
         """Return the second variation of an equilibrium z under f."""
 
+    def grown(self, strains: Floats) -> "Members":
+        """Return the same blades with free strains (blades, 1) that a temperature gives them."""
+
     def at_level(self, level: int) -> "Members":
         """Return the same blades at another level."""
 

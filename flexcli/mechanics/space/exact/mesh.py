@@ -30,6 +30,7 @@ class Mesh(NamedTuple):
     ``bend_y`` those about x and y, zero where rigid (``flexible`` 0); ``clamped`` and ``curl`` are
     what :func:`flexcli.mechanics.space.exact.section_law.curled` takes. The twist rate τ obeys
     ``hold τ + twist (T − M_x) = 0`` at the nodes, with T the torque without that of warping.
+    ``grown`` (blades, 1) is the free strain along them that a temperature gives.
     """
 
     sections: tuple[Section, ...]
@@ -53,6 +54,7 @@ class Mesh(NamedTuple):
     warping: Floats
     runs: tuple[tuple[slice, ...], ...]
     half: Floats
+    grown: Floats
 
     def kinematics(self, q: Floats, kappa: Floats) -> tuple[Floats, Floats]:
         """Return ``R (κ − κ(q)) ds/du`` at the nodes (blades, K, 3), and the ends' quaternions.
@@ -147,6 +149,7 @@ def mesh_of(sections: tuple[Section, ...], count: int) -> Mesh:
         warping=numbers["warping"],
         runs=runs,
         half=half,
+        grown=np.zeros((len(sections), 1)),
     )
 
 

@@ -51,7 +51,8 @@ class BladeStress(NamedTuple):
 
 def blade_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
     """Return the stresses of every blade and rod of an equilibrium of beams."""
-    assembly = state.part.assembly
+    part = state.part
+    assembly = part.assembly.warmed(part.demand.warmth(part.share))
     if not isinstance(assembly.members, Beams):
         raise TypeError("the blades of this equilibrium are no beams")
     inside = assembly.at(state.part.x).inside
