@@ -127,7 +127,9 @@ def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[
     most = max(abs(T - temperature.assembly) for T in asked)
     given = known.model_dump(exclude_none=True) if known is not None else {}
     if known is not None and (beyond := known.continued(asked)):
-        text = f"case '{scene.case}' reaches {max(asked):.4g} K, beyond the points of the material: "
+        text = (
+            f"case '{scene.case}' reaches {max(asked):.4g} K, beyond the points of the material: "
+        )
         text += f"{', '.join(beyond)}; taken by thermal_expansion, and as it is there"
         yield Note("beyond-points", text)
     if most <= NEAR:

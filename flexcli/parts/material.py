@@ -1,7 +1,7 @@
 """The material of the blades: numbers with their source, and strength as an amplitude."""
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Generic, Literal, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import GetJsonSchemaHandler, PrivateAttr, model_validator
 from pydantic_core import CoreSchema
@@ -13,12 +13,12 @@ from flexcli.parts.base import (
     Expansion,
     Part,
     QuantityOf,
-    Shorthand,
     Stress,
     spec_error,
 )
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.named import Named
+from flexcli.parts.sourced import Sourced, WithSource
 from flexcli.results import Property
 
 if TYPE_CHECKING:
@@ -26,21 +26,7 @@ if TYPE_CHECKING:
 else:
     OverTemperature = Annotated[Any, Named("flexcli.parts.over_temperature:OverTemperature")]
 
-__all__ = [
-    "FatigueAmplitude",
-    "Material",
-    "MissingProperty",
-    "SNCurve",
-    "Sourced",
-    "Status",
-    "WithSource",
-]
-
-Status = Literal["measured", "handbook", "vendor", "course", "placeholder", "given"]
-"""Where a number comes from; ``given`` is a plain number in the user's own spec."""
-
-Number = TypeVar("Number")
-
+__all__ = ["FatigueAmplitude", "Material", "MissingProperty", "SNCurve"]
 
 _UNITS = {"poisson_ratio": "", "density": "kg/m^3", "thermal_expansion": "1/K"}
 """SI units of the properties that are no stress."""
@@ -57,35 +43,6 @@ class MissingProperty(ValueError):
         super().__init__(f"the material has no {field}: {why}")
         self.field = field
         self.why = why
-
-
-class WithSource(Part):
-    """Anything that a document says, with what kind of document that is."""
-
-    status: Status = "given"
-    """Where the number comes from; given is a plain number of your own,
-    e.g. ``status: handbook, source: MMPDS-2023 table 5.4.1``.
-    """
-    source: str = ""
-    """Document and page that the number is from, e.g. ``MMPDS-2023 table 5.4.1``."""
-
-    @model_validator(mode="after")
-    def _name_the_source(self) -> "WithSource":
-        if self.status not in ("given", "placeholder") and not self.source:
-            raise spec_error(
-                f"a value of status '{self.status}' must name its source",
-                "add 'source:' with document and page, or leave the status out",
-            )
-        return self
-
-
-class Sourced(WithSource, Shorthand, Generic[Number]):
-    """A number with its source and status; a plain quantity stands for a given value."""
-
-    stands_for: ClassVar[str] = "value"
-
-    value: Number
-    """The number with its unit."""
 
 
 class FatigueAmplitude(WithSource):

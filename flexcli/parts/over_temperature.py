@@ -3,19 +3,19 @@
 from collections.abc import Iterable
 from itertools import pairwise
 from math import inf
-from typing import Annotated, Any, Generic, TypeVar
+from typing import Annotated, Any
 
 import numpy as np
 from pydantic import Field, model_validator
 
 from flexcli.parts.base import Part, QuantityOf, Stress, spec_error
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.material import WithSource
+from flexcli.parts.sourced import WithSource
 
 __all__ = ["Kelvin", "OverTemperature", "Points"]
 
 Kelvin = Annotated[float, QuantityOf("temperature", at_least=0.0)]
-Number = TypeVar("Number")
+Share = Annotated[float, QuantityOf("ratio", above=-0.5, below=0.5)]
 
 CONTINUED = frozenset({"elongation", "youngs_modulus"})
 """What is taken beyond its hottest point, and said so; a strength is not."""
@@ -24,14 +24,13 @@ ROUNDING = 1e-9
 """Of temperatures that are sums [K]."""
 
 
-class Points(WithSource, Generic[Number]):
+class Points(WithSource):
     """A property at temperatures, with straight lines between and nothing beyond."""
 
-    points: Annotated[tuple[tuple[Kelvin, Number], ...], Field(min_length=2)]
-    """Temperatures, rising, and what the property is there."""
+    points: Any
 
     @model_validator(mode="after")
-    def _rises(self) -> "Points[Any]":
+    def _rises(self) -> "Points":
         for index, ((low, _), (high, _)) in enumerate(pairwise(self.points)):
             if low >= high:
                 raise spec_error(
@@ -68,6 +67,20 @@ class Points(WithSource, Generic[Number]):
         return float(np.interp(temperature, T, values))
 
 
+class Elongations(Points):
+    """Change of length over the length at any one temperature, at temperatures."""
+
+    points: Annotated[tuple[tuple[Kelvin, Share], ...], Field(min_length=2)]
+    """Temperatures, rising, and ΔL/L there, e.g. ``[[80 K, -0.391 %], [293 K, 0 %]]``."""
+
+
+class Stresses(Points):
+    """A modulus or a strength at temperatures."""
+
+    points: Annotated[tuple[tuple[Kelvin, Stress], ...], Field(min_length=2)]
+    """Temperatures, rising, and the value there, e.g. ``[[80 K, 77.1 GPa], [293 K, 70.4 GPa]]``."""
+
+
 class OverTemperature(Part):
     """What changes with temperature; what is not given stays as it is at assembly.
 
@@ -75,17 +88,17 @@ class OverTemperature(Part):
     material hold there.
     """
 
-    elongation: Points[Annotated[float, QuantityOf("ratio", above=-0.5, below=0.5)]] | None = None
+    elongation: Elongations | None = None
     """Change of length over the length at any one temperature, ΔL/L: its differences count,
     e.g. ``{points: [[80 K, -0.391 %], [293 K, 0 %]], status: handbook, source: my handbook}``.
     """
-    youngs_modulus: Points[Stress] | None = None
+    youngs_modulus: Stresses | None = None
     """Young's modulus, e.g. ``{points: [[80 K, 77.1 GPa], [293 K, 70.4 GPa]]}``."""
-    yield_strength: Points[Stress] | None = None
+    yield_strength: Stresses | None = None
     """Yield strength, e.g. ``{points: [[77 K, 330 MPa], [293 K, 276 MPa]]}``."""
-    tensile_strength: Points[Stress] | None = None
+    tensile_strength: Stresses | None = None
     """Tensile strength, e.g. ``{points: [[77 K, 410 MPa], [293 K, 310 MPa]]}``."""
-    fatigue_amplitude: Points[Stress] | None = None
+    fatigue_amplitude: Stresses | None = None
     """Fatigue strength, of which an S-N curve changes by the same ratio,
     e.g. ``{points: [[77 K, 140 MPa], [293 K, 97 MPa]]}``.
     """
@@ -117,7 +130,7 @@ class OverTemperature(Part):
             if name in CONTINUED and hottest > points.range[1] + ROUNDING
         )
 
-    def _given(self) -> dict[str, Points[Any]]:
+    def _given(self) -> dict[str, Points]:
         each = {name: getattr(self, name) for name in type(self).model_fields}
         return {name: points for name, points in each.items() if points is not None}
 
@@ -126,7 +139,7 @@ class OverTemperature(Part):
 
         Young's modulus stays beyond its hottest point as it is there.
         """
-        points: Points[Any] | None = getattr(self, name)
+        points: Points | None = getattr(self, name)
         if points is None:
             return 1.0
         top = points.range[1] if name in CONTINUED else inf
@@ -149,7 +162,7 @@ class OverTemperature(Part):
 
         def length(T: float) -> float:
             top = points.range[1]
-            if T <= top or beyond is None:
+            if top >= T or beyond is None:
                 return points.at(T)
             return points.at(top) + beyond * (T - top)
 
