@@ -62,7 +62,7 @@ class Temperature(Part):
     change,
     e.g. ``{moving: 23.6e-6 1/K}``.
     """
-    assembly: Kelvin = 293.15
+    assembly: Kelvin = 293.0
     """Temperature of assembly, at which the material's values hold, e.g. ``295 K``."""
 
     @model_validator(mode="after")
