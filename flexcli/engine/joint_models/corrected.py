@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from math import isfinite
 
+from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
@@ -32,6 +33,7 @@ class Corrected(JointModel):
         self.effects = tuple(effects)
         self.omitted = tuple(omitted)
         self.name = name or inner.name
+        self._known: Remembered[dict[EffectName, dict[str, Change]]] = Remembered()
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:
         """Return the effects of the inner model, and those whose values correct it."""
@@ -112,7 +114,7 @@ class Corrected(JointModel):
         for effect in (*self.effects, *self.omitted):
             if effect.indicator(setting) is None:
                 continue
-            change = effect.all_changes(setting).get(kind)
+            change = self._changes(ask, effect).get(kind)
             if change is None:
                 continue
             if effect not in missing or effect.name in carried:
@@ -134,6 +136,13 @@ class Corrected(JointModel):
             return None
         return found + left
 
+    def _changes(self, ask: Ask, effect: ModelEffect) -> dict[str, Change]:
+        """Return all that an effect changes, found once for every number and its error."""
+        known = self._known.of("changes", ask, dict)
+        if effect.name not in known:
+            known[effect.name] = effect.all_changes(_setting(ask))
+        return known[effect.name]
+
     def _missing(self, setting: Setting) -> list[ModelEffect]:
         """Return the effects that the inner model has not, as the material lacks something."""
         carried = self.inner.covers | self.inner.always
@@ -152,7 +161,7 @@ class Corrected(JointModel):
         for effect in self._added(setting):
             if effect.name in carried:
                 continue
-            change = effect.all_changes(setting).get(kind)
+            change = self._changes(ask, effect).get(kind)
             factor *= 1.0 + (change.value or 0.0) if change is not None else 1.0
         return factor
 
