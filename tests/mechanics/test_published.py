@@ -32,6 +32,30 @@ Timoshenko & Gere (1961), Theory of Elastic Stability, table 2-4.
 """
 
 
+ELASTICA = {
+    (-10.0, 10.0, -2.0): (-0.20497830, 0.54561880, 0.02256414),
+    (-5.0, 5.0, 0.0): (-0.04156213, 0.25921487, 0.00195483),
+    (0.0, 20.0, 0.0): (-0.22850172, 0.57571581, 0.03564157),
+    (2.0, 8.0, 3.0): (-0.05000763, 0.28456122, 0.00462420),
+    (10.0, 4.0, -3.0): (-0.00722305, 0.11009499, -0.00012571),
+}
+"""Parallelogram, blades 0.6 l apart: u_x/l, u_y/l and φ by forces [EI/l²] and moment [EI/l].
+
+Su & Servey (2026), github.com/haijunsu-osu/parallelogram_model_comparison, Euler BVP.
+"""
+
+
+def test_a_parallelogram_follows_the_published_elastica():
+    loads = np.array(list(ELASTICA))
+    F = loads * [EI / l**2, EI / l**2, EI / l]
+    load = Load("table", (l, 0.0), (F[:, 0], F[:, 1]), F[:, 2])
+    state = solve(parallelogram(h=h, l=l, b=b, apart=0.6 * l), loads=[load], effects=SLENDER)
+    assert state.converged.all()
+    found = state.motions[:, 0] / [l, l, 1.0]
+    # their boundary values are met to some 1e-5
+    assert found == pytest.approx(np.array(list(ELASTICA.values())), abs=3e-5)
+
+
 def column_at(degrees):
     """P/P_cr, height and sway of a buckled column by elliptic integrals."""
     m = np.sin(np.radians(degrees) / 2.0) ** 2
