@@ -67,12 +67,14 @@ JOINTS = {
     "leaf-spring-stage": {"spacing": "20 mm"},
     "rcc": {"p": "3 mm", "half_angle": "40 deg"},
     "cross-spring": {"delta": -0.3, "half_angle": "45 deg"},
+    "guided-blade": {},
 }
+TURNING = ("moment-blade", "rcc", "cross-spring")
 MODELS = ("closed-form", "linear", "exact")
 
 
 def design(geometry, requirements, **more):
-    turns = geometry["kind"] in ("moment-blade", "rcc", "cross-spring")
+    turns = geometry["kind"] in TURNING
     stroke = {"rotation": "1.5 deg"} if turns else {"translation": "0.2 mm"}
     return yaml.safe_dump(
         {
@@ -92,7 +94,7 @@ def design(geometry, requirements, **more):
 
 @pytest.mark.parametrize("kind", JOINTS)
 def test_closed_forms_say_of_fillets_what_exact_blades_with_them_do(kind):
-    unit = "N/m" if kind in ("cantilever", "leaf-spring-stage") else "N*m/rad"
+    unit = "N*m/rad" if kind in TURNING else "N/m"
     asked = {"yield": 1.0, "stiffness": {"min": f"1e-9 {unit}"}}
     said = {"kind": kind, **BLADE, **JOINTS[kind], "root_radius": "0.4 mm"}
     by_model = [flexcli.check(design(said, asked), model=model).checks for model in MODELS]
@@ -150,3 +152,50 @@ def test_fillets_count_in_sizing_and_volume_and_must_fit():
     long = flexcli.check(design({**said, "root_radius": "6.1 mm"}, asked))
     assert long.status is Status.FAIL
     assert not row(long.checks, "geometry").passed
+
+
+FREE = {
+    "kind": "leaf-spring-stage", "h": "free", "l": "free", "b": "6 mm", "spacing": "20 mm",
+    "root_radius": {"free": ["0.05 mm", "2 mm"]},
+}  # fmt: skip
+STRONG = {"yield": 1.5, "stiffness": {"min": "20 N/mm"}}
+SETTLED = 2e-3
+"""Relative: the models and the corrected formulas agree to a thousandth of each check."""
+
+
+def stage_volume(radius, **manufacturing):
+    said = {**FREE, "root_radius": radius}
+    found = flexcli.size(design(said, STRONG, **manufacturing))
+    return found, found.sizing.designs[0].volume if found.sizing.designs else None
+
+
+@pytest.mark.slow
+def test_a_free_radius_trades_the_peak_of_stress_against_stiffness_and_volume():
+    found, least = stage_volume(FREE["root_radius"])
+    assert found.status is Status.PASS
+    r = found.values["root_radius"].value
+    assert 0.05e-3 < 0.9 * r < 1.1 * r < 2e-3
+    # the same sizing at given radii on both sides of the choice
+    for factor in (0.7, 1.4):
+        given, volume = stage_volume(f"{factor * r} m")
+        assert given.status is Status.PASS
+        assert volume > least * (1.0 - SETTLED)
+    assert "root_radius" in found.sizing.sensitivities[0].on
+
+
+def test_the_process_holds_a_free_radius_from_below():
+    wire = {"process": "wire-edm", "wire": "1 mm"}
+    found, _ = stage_volume("free", manufacturing=wire)
+    assert found.status is Status.PASS
+    assert found.values["root_radius"].value == pytest.approx(0.5e-3, rel=1e-6)
+    assert row(found.checks, "least radius").factor == pytest.approx(1.0, rel=1e-6)
+    bounded, _ = stage_volume({"free": [None, "0.4 mm"]}, manufacturing=wire)
+    assert bounded.status is Status.INFEASIBLE
+
+
+def test_a_free_radius_is_chosen_from_a_grid():
+    said = {**FREE, "root_radius": {"free": ["0.2 mm", "1 mm"]}}
+    grid = {"round": {"h": "10 um", "l": "0.5 mm", "root_radius": ["0.3 mm", "0.6 mm"]}}
+    found = flexcli.size(design(said, STRONG, size=grid))
+    assert found.status is Status.PASS
+    assert found.values["root_radius"].value in (0.3e-3, 0.6e-3)

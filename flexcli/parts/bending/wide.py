@@ -290,7 +290,7 @@ def _any_shape(factor: Factor, blade: Blade, nu: float) -> Factor:
 
 
 def _floats(blade: Blade) -> Blade:
-    return Blade(*(float(size) for size in blade))
+    return Blade(float(blade.h), float(blade.l), float(blade.b))  # without fillets
 
 
 def _shortening(blade: Blade, nu: float) -> tuple[float, float]:

@@ -67,9 +67,10 @@ def wide_of(setting: Setting) -> WideBlades | None:
 def _without_fillets(geometry: Geometry, sizes: Sizes, nu: float) -> WideBlades | None:
     """Return the factors of blades that may be shorter by the fillets at their roots."""
     found = geometry.wide_blades(sizes, nu)
-    if found is None or not geometry.fillet:
+    radius = float(geometry.fillet(sizes))
+    if found is None or not radius:
         return found
-    short = geometry.wide_blades(sizes._replace(l=sizes.l - 2.0 * geometry.fillet), nu)
+    short = geometry.wide_blades(sizes._replace(l=sizes.l - 2.0 * radius), nu)
     if short is None:
         return found
     return found._replace(

@@ -66,6 +66,7 @@ __all__ = [
     "Extent",
     "Geometry",
     "Held",
+    "RootedBlade",
     "Sizes",
     "TwistingBars",
 ]
@@ -99,6 +100,15 @@ class Critical(NamedTuple):
     stress: Computed | None = None
     error: ErrorRange | None = None
     carries: frozenset[EffectName] = frozenset()
+
+
+class RootedBlade(NamedTuple):
+    """Dimensions of equal blades whose roots have fillets of a radius [m]."""
+
+    h: Computed
+    l: Computed
+    b: Computed
+    root_radius: Computed
 
 
 class TwistingBars(NamedTuple):
@@ -413,8 +423,7 @@ class Geometry(Part):
         """Return what its blades' roots change as they give way, nothing where none is told to."""
         return None
 
-    @property
-    def fillet(self) -> float:
+    def fillet(self, sizes: Sizes) -> Computed:
         """Return the radius of the fillets at the roots of all its blades, 0 for none [m]."""
         return 0.0
 

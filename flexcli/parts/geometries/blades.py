@@ -10,15 +10,22 @@ import numpy as np
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.card import SLENDER, Range
 from flexcli.formulas.profile import Constant, Filleted, per_design
-from flexcli.formulas.quantity import Computed
+from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Number, Point
 from flexcli.numerics.signomial import Signomial
-from flexcli.parts.base import PositiveLength
 from flexcli.parts.bending import FilletedRoots, Giving
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import ACROSS_WIDTH, Blade, Critical, Extent, Geometry, Sizes
+from flexcli.parts.geometries.base import (
+    ACROSS_WIDTH,
+    Blade,
+    Critical,
+    Extent,
+    Geometry,
+    RootedBlade,
+    Sizes,
+)
 
 __all__ = ["BladeGeometry", "ClampedBlades", "Clamps"]
 
@@ -39,7 +46,7 @@ class ClampedBlades(Geometry):
 
     def giving_clamps(self, sizes: Sizes, nu: float) -> Giving | None:
         """Return what roots in one piece with bodies change, and fillets beyond their beam."""
-        is_rigid, radius = self.clamps in (None, "rigid"), self.fillet
+        is_rigid, radius = self.clamps in (None, "rigid"), float(self.fillet(sizes))
         if is_rigid and not radius:
             return None
         from flexcli.parts.bending.giving import Roots, giving_clamps
@@ -58,7 +65,9 @@ class ClampedBlades(Geometry):
     def radii(self, sizes: Sizes) -> dict[str, Computed]:
         """Return that of its roots where they are cut from one piece, or have fillets."""
         is_cut = self.clamps not in (None, "rigid")
-        return {"the roots": self.fillet} if is_cut or self.fillet else {}
+        radius = self.fillet(sizes)
+        has_fillets = isinstance(radius, Signomial) or bool(np.any(radius))
+        return {"the roots": radius} if is_cut or has_fillets else {}
 
     def shift_change(self, sizes: Sizes, pure: float, bent: float) -> float | None:
         """Return the change of its shift, as a share, by how blades shorten.
@@ -77,6 +86,7 @@ class BladeGeometry(ClampedBlades):
         "h": "blade thickness",
         "l": "blade length",
         "b": "blade width",
+        "root_radius": "radius of the roots",
     }
     validity: ClassVar[tuple[Range, ...]] = (SLENDER,)
 
@@ -86,20 +96,32 @@ class BladeGeometry(ClampedBlades):
     """Free length, along the blade from end to end, e.g. ``20 mm``."""
     b: Extent
     """Width, across the plane of the motion, e.g. ``10 mm``."""
-    root_radius: PositiveLength | None = None
+    root_radius: Extent | None = None
     """Radius of the fillets at both ends of a blade, within its length; left out, sharp corners
     whose peak of stress nobody counts, e.g. ``0.2 mm``.
     """
+
+    @property
+    def extents(self) -> dict[str, Extent]:
+        """Return the extents of the sizes, that of the fillets where the blades have some."""
+        plain = super().extents
+        return plain if self.root_radius is None else {**plain, "root_radius": self.root_radius}
+
+    def sized(self, values: Mapping[str, Quantity]) -> Sizes:
+        """Return the sizes of given values by symbol, with the fillets'."""
+        if self.root_radius is None:
+            return super().sized(values)
+        given = {name: values.get(name, extent.fixed) for name, extent in self.extents.items()}
+        return RootedBlade(**given)
 
     @property
     @abstractmethod
     def blade_count(self) -> int:
         """Return the number of blades."""
 
-    @property
-    def fillet(self) -> float:
+    def fillet(self, sizes: Sizes) -> Computed:
         """Return the radius of the fillets, 0 for sharp corners [m]."""
-        return self.root_radius or 0.0
+        return 0.0 if self.root_radius is None else sizes.root_radius
 
     def sharp(self) -> "BladeGeometry":
         """Return it without fillets, as closed forms take it."""
@@ -114,10 +136,10 @@ class BladeGeometry(ClampedBlades):
         z: Number = 0.0,
     ) -> Strip:
         """Return a blade of a layout from one place to another, with its fillets."""
-        h, l, b = sizes
-        if not self.fillet:
+        h, l, b = self.blade(sizes)
+        if self.root_radius is None:
             return Strip(name, *bodies, *ends, Constant(per_design(h)), b, z)
-        radius = np.minimum(self.fillet, per_design(l) / 2.0)
+        radius = np.minimum(per_design(self.fillet(sizes)), per_design(l) / 2.0)
         return Strip(name, *bodies, *ends, Filleted(per_design(h), radius), b, z, self.peaks(sizes))
 
     def peaks(self, sizes: Blade) -> tuple[Computed, Computed]:
@@ -125,16 +147,16 @@ class BladeGeometry(ClampedBlades):
 
         A choice of sizes takes the nominal stress, and is corrected to it by slope and value.
         """
-        if not self.fillet or isinstance(sizes.h, Signomial) or isinstance(sizes.l, Signomial):
+        at = {"h": sizes.h, "l": sizes.l, "r": self.fillet(sizes)}
+        if self.root_radius is None or any(isinstance(size, Signomial) for size in at.values()):
             return 1.0, 1.0
         from flexcli.formulas.fillet import axial_factor, bending_factor
 
-        at = {"h": sizes.h, "l": sizes.l, "r": self.fillet}
         return bending_factor(**at), axial_factor(**at)
 
     def filleted(self, sizes: Blade, nu: float) -> FilletedRoots | None:
         """Return what its fillets change in its closed forms."""
-        if not self.fillet:
+        if self.root_radius is None:
             return None
         from flexcli.parts.bending.filleted import filleted_roots
 
@@ -148,16 +170,17 @@ class BladeGeometry(ClampedBlades):
 
     def fits(self, sizes: Blade) -> tuple[tuple[str, Computed, Computed], ...]:
         """Return that the fillets fit in a blade."""
-        if not self.fillet:
+        if self.root_radius is None:
             return ()
-        return (("two fillets in a blade, 2 root_radius ≤ l", 2.0 * self.fillet, sizes.l),)
+        return (("two fillets in a blade, 2 root_radius ≤ l", 2.0 * self.fillet(sizes), sizes.l),)
 
     def volume(self, sizes: Blade) -> Computed:
         """Return the volume of all blades with their fillets [m³]."""
         plain = blade_volume(self.blade_count, sizes.h, sizes.l, sizes.b)
-        if not self.fillet:
+        if self.root_radius is None:
             return plain
-        return plain + self.blade_count * 4.0 * (1.0 - pi / 4.0) * self.fillet**2 * sizes.b
+        corners = self.blade_count * 4.0 * (1.0 - pi / 4.0)
+        return plain + corners * self.fillet(sizes) ** 2 * sizes.b
 
     def ratios(self, sizes: Blade) -> dict[str, Computed]:
         """Return l/h and b/h."""
@@ -166,11 +189,11 @@ class BladeGeometry(ClampedBlades):
     def axial_stress(self, force: float, sizes: Blade) -> Computed:
         """Return N/(h b), with the peak where its fillets begin [Pa]."""
         plain = axial_stress(force, sizes.h, sizes.b)
-        return plain * self.peaks(sizes)[1] if self.fillet else plain
+        return plain if self.root_radius is None else plain * self.peaks(sizes)[1]
 
     def critical(self, elastic: Elastic, sizes: Blade, ends: str) -> tuple[Critical, ...]:
         """Return Euler's loads of one blade about both axes of its section [N]."""
-        h, l, b = sizes
+        h, l, b = self.blade(sizes)
         source = f"Euler, {ends} ends (effective length {EFFECTIVE_LENGTH[ends]:.3g} l)"
         return tuple(
             Critical(way, euler_load(E=elastic.E, I=inertia, l=l, ends=ends), source)
@@ -181,5 +204,5 @@ class BladeGeometry(ClampedBlades):
         )
 
     def blade(self, sizes: Blade) -> Blade:
-        """Return the blade."""
-        return sizes
+        """Return the blade without its fillets."""
+        return Blade(sizes.h, sizes.l, sizes.b)

@@ -106,7 +106,7 @@ def _critical(
     spoken: str,
 ) -> Critical:
     """Return a load in units EI/l² as a force; ``changes`` are its errors over its strain."""
-    h, l, b = (float(size) for size in sizes)
+    h, l, b = float(sizes.h), float(sizes.l), float(sizes.b)
     axial, unit = (h / l) ** 2 / 12.0, elastic.E * second_moment(b, h) / l**2
     ratios = (0.0, 0.5) if elastic.nu is None else (elastic.nu,)
     each = [load(axial, shear_parameter(depth=h, l=l, poisson_ratio=nu) / 12.0) for nu in ratios]

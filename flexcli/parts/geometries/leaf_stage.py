@@ -46,7 +46,7 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
 
     def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the stiffness along the stroke [N/m]."""
-        h, l, b = sizes
+        h, l, b = self.blade(sizes)
         return stage.translational_stiffness(E=elastic.E, h=h, l=l, b=b, blades=self.blades)
 
     def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
@@ -55,7 +55,7 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of guided blades."""
-        h, l, _ = map(float, sizes)
+        h, l, _ = map(float, self.blade(sizes))
         return Straight(h=h, l=l, travel=travel, lever=lever(l, self.spacing))
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
@@ -119,7 +119,7 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         """Return how far the drive turns the stage at full stroke, and where it would not."""
         if self.drive is None or self.spacing is None:
             return {}
-        h, l, b = sizes
+        h, l, b = self.blade(sizes)
         turn = stage.drive_rotation(
             E=elastic.E, h=h, l=l, b=b, places=self.places(), drive=self.drive, x=travel
         )

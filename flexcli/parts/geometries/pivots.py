@@ -109,7 +109,7 @@ class PivotFormulas(CentredBlades):
 
     def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the rotational stiffness [N·m/rad]."""
-        h, l, b = sizes
+        h, l, b = self.blade(sizes)
         return pivot.rotational_stiffness(
             E=elastic.E, h=h, l=l, b=b, p=self.offset(sizes), blades=self.blade_count
         )
@@ -176,7 +176,7 @@ class PairFormulas(PivotFormulas, BladePair):
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of two blades from one plane to another."""
-        h, l, _ = map(float, sizes)
+        h, l, _ = map(float, self.blade(sizes))
         p = float(self.offset(sizes))
         return Pair(h=h, l=l, p=p, theta=travel, half_angle=self.half_angle)
 
@@ -193,7 +193,11 @@ class PairFormulas(PivotFormulas, BladePair):
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return δ and the shift across the bisector, which the shift along it leaves out."""
-        found, (h, l, _), p = super().values(elastic, sizes, travel), sizes, self.offset(sizes)
+        found, (h, l, _), p = (
+            super().values(elastic, sizes, travel),
+            self.blade(sizes),
+            self.offset(sizes),
+        )
         across = pivot_next_order.shift_across(l=l, p=p, theta=travel, half_angle=self.half_angle)
         if elastic.nu is not None:
             across = across + thick_blades.pivot_shift_across(

@@ -75,12 +75,12 @@ class Cantilever(SagsAlongStroke, _SingleBlade):
 
     def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return the bending stress at the clamp [Pa]."""
-        h, l, _ = sizes
+        h, l, _ = self.blade(sizes)
         return {"clamp": blade.force_stress(E=elastic.E, h=h, l=l, x=travel, s=0.0)}
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of half a guided blade."""
-        h, l, _ = map(float, sizes)
+        h, l, _ = map(float, self.blade(sizes))
         return Straight(h=h, l=l, travel=travel, halves=2)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
@@ -110,12 +110,12 @@ class GuidedBlade(_SingleBlade):
 
     def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return the bending stress, equal and opposite at the two ends [Pa]."""
-        h, l, _ = sizes
+        h, l, _ = self.blade(sizes)
         return {"both ends": blade.guided_stress(E=elastic.E, h=h, l=l, x=travel, s=0.0)}
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of a guided blade."""
-        h, l, _ = map(float, sizes)
+        h, l, _ = map(float, self.blade(sizes))
         return Straight(h=h, l=l, travel=travel)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
@@ -153,7 +153,7 @@ class MomentBlade(_SingleBlade):
 
     def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return the bending stress, the same all along [Pa]."""
-        h, l, _ = sizes
+        h, l, _ = self.blade(sizes)
         return {"all along": blade.moment_stress(E=elastic.E, h=h, l=l, theta=travel)}
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:

@@ -21,7 +21,7 @@ class StarFormulas(PivotFormulas):
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of blades in any directions."""
-        h, l, _ = map(float, sizes)
+        h, l, _ = map(float, self.blade(sizes))
         p = float(self.offset(sizes))
         return Star(h=h, l=l, p=p, theta=travel, angles=self.blade_angles)
 

@@ -59,7 +59,7 @@ class ThreeBladePivot(StarFormulas, BladePivot):
         found = super().values(elastic, sizes, travel)
         if elastic.shear is None:
             return found
-        h, l, b = sizes
+        h, l, b = self.blade(sizes)
         stiffness = three_blade.out_of_plane_stiffness(
             E=elastic.E, G=elastic.shear, h=h, l=l, b=b, blades=self.blade_count
         )

@@ -66,7 +66,7 @@ class UnseparatedPivot(BladePair):
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of two pivots in series."""
-        h, l, _ = map(float, sizes)
+        h, l, _ = map(float, self.blade(sizes))
         return Joined(h=h, l=l, crossing=self.crossing, theta=travel, half_angle=self.half_angle)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
