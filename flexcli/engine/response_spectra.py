@@ -33,9 +33,6 @@ UNITS = {
 }
 """SI units of a structure's outputs, by the first word of their names."""
 
-DIRECTIONS = (("x", ""), ("y", ""), ("theta_z", "rad/m"))
-"""Motions of a body, and the unit of each per acceleration of the base."""
-
 
 def structure_of_case(ask: Ask) -> Structure:
     """Return the mechanism of a case by the model that is asked, or raise SolveError."""
@@ -86,7 +83,8 @@ def transfers(ask: Ask) -> Iterator[Spectrum]:
         f = sweep_points(band, resonances, each)
         columns = [_column("frequency", "Hz", "", f)]
         for body, gains in transfer_functions(structure, each, axis, f).items():
-            for (direction, unit), gain in zip(DIRECTIONS, gains.T, strict=True):
+            for direction, gain in zip(structure.directions, gains.T, strict=True):
+                unit = "rad/m" if direction.startswith("theta") else ""
                 name = f"{body} {direction}"
                 label = "over the base's"
                 columns.append(_column(name, unit, label, np.abs(gain)))

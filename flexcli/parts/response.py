@@ -69,23 +69,28 @@ class _Rows:
 
     def __init__(self, structure: Structure) -> None:
         self.names = list(structure.outputs)
-        self.matrix = np.concatenate([structure.outputs[name] for name in self.names])
-        self.ends = np.cumsum([structure.outputs[name].shape[0] for name in self.names])[:-1]
+        blocks = [np.atleast_2d(rows) for rows in structure.outputs.values()]
+        self.shapes = [(*rows.shape[:-1], 1)[:2] for rows in blocks]
+        self.matrix = np.concatenate([rows.reshape(-1, rows.shape[-1]) for rows in blocks])
+        self.ends = np.cumsum([places * parts for places, parts in self.shapes])[:-1]
 
     def by_name(self, stacked: Floats) -> Iterator[tuple[str, Floats]]:
-        """Yield each output's part of an array whose last axis is the stack."""
-        yield from zip(self.names, np.split(stacked, self.ends, axis=-1), strict=True)
+        """Yield each output's part of an array whose last axis is the stack, by its places."""
+        parts = np.split(stacked, self.ends, axis=-1)
+        for name, shape, part in zip(self.names, self.shapes, parts, strict=True):
+            yield name, part.reshape(*part.shape[:-1], *shape)
 
 
 def random_response(structure: Structure, vibration: Vibration) -> RandomResponse:
     """Return the response of a structure to the vibration of a case.
 
-    Every output has several rows (blades, ends, faces, components); the worst row stands for it,
-    except a force, whose components add as vectors. Modes that the band can't excite are lumped
-    into one static term. Axes are independent and add by the root of the sum of squares.
+    Every output has several places (blades, ends, faces); the worst stands for it. At each the
+    components, of a vector or of an equivalent stress, add as squares. Modes that the band can't
+    excite are lumped into one static term. Axes are independent and add by the root of the sum of
+    squares.
     """
     modes = natural_modes(structure.stiffness, structure.mass)
-    outputs = {name: _output(name, block) for name, block in _moments(structure, vibration, modes)}
+    outputs = {name: _output(block) for name, block in _moments(structure, vibration, modes)}
     shares, alone = _each_mode(structure, vibration, modes)
     found = tuple(
         ModeResult(float(angular) / (2.0 * pi), float(share), bool(rms), rms)
@@ -97,13 +102,13 @@ def random_response(structure: Structure, vibration: Vibration) -> RandomRespons
 def random_outputs(structure: Structure, vibration: Vibration) -> dict[str, Output]:
     """Return the totals of :func:`random_response` without what each mode does alone."""
     modes = natural_modes(structure.stiffness, structure.mass)
-    return {name: _output(name, block) for name, block in _moments(structure, vibration, modes)}
+    return {name: _output(block) for name, block in _moments(structure, vibration, modes)}
 
 
 def _moments(
     structure: Structure, vibration: Vibration, modes: Modes
 ) -> Iterator[tuple[str, Floats]]:
-    """Yield the spectral moments (4, rows) of every output, all modes and axes together."""
+    """Yield the spectral moments (4, places, components) of outputs, all modes and axes added."""
     rows = _Rows(structure)
     qualities = mode_qualities(structure, vibration.q, vibration.axes, modes)
     total = np.zeros((4, rows.matrix.shape[0]))
@@ -136,7 +141,7 @@ def _each_mode(
             found = _response(applied, angular, Q, per_mode[:, [i]], nothing)
             squares[i] += found[0]
     alone = [
-        {name: sqrt(_mean_square(name, block)) for name, block in rows.by_name(squares[i])}
+        {name: sqrt(_largest_square(block)) for name, block in rows.by_name(squares[i])}
         if dynamic[i]
         else {}
         for i in range(modes.angular.size)
@@ -218,10 +223,8 @@ def sine_peaks(
     gain = level(f)[:, None] * _gain(structure, modes, rows.matrix, axis, Q, f)
     found = {}
     for name, block in rows.by_name(np.abs(gain)):
-        at_each = (
-            np.hypot.reduce(block, axis=-1) if name.startswith("force") else block.max(axis=-1)
-        )
-        found[name] = float(at_each.max())
+        # components that are not in phase stay below the root of the sum of their squares
+        found[name] = float(np.sqrt((block**2).sum(axis=-1)).max())
     return found
 
 
@@ -243,14 +246,14 @@ def transfer_functions(
 
     Returns
     -------
-    dict of array, shape (n, 3)
-        By body: absolute acceleration along x and y [-], angular acceleration [rad/m].
+    dict of array, shape (n, directions)
+        By body: absolute acceleration in the structure's directions, along [-] and about [rad/m].
 
     """
     modes = natural_modes(structure.stiffness, structure.mass)
     rows = np.concatenate([np.zeros((0, modes.shapes.shape[0])), *structure.bodies.values()])
     relative = _gain(structure, modes, rows, axis, Q, f)
-    base = np.tile([float(axis == "x"), float(axis == "y"), 0.0], len(structure.bodies))
+    base = np.tile([float(axis == each) for each in structure.directions], len(structure.bodies))
     absolute = base - (2.0 * pi * f[:, None]) ** 2 * relative
     return dict(zip(structure.bodies, np.split(absolute, len(structure.bodies), -1), strict=True))
 
@@ -272,7 +275,7 @@ def response_density(
 ) -> tuple[Floats, dict[Axis, Floats], dict[str, Floats]]:
     """Return the spectral density of every output and of every body's acceleration.
 
-    An output is told by its row of the largest rms, a force by the sum of its components.
+    An output is told by its place of the largest rms, the components there added.
 
     Returns
     -------
@@ -291,13 +294,15 @@ def response_density(
         gain = _gain(structure, modes, rows.matrix, axis, Q, f)
         squares += np.abs(gain) ** 2 * level[:, None]
         for name, gains in transfer_functions(structure, Q, axis, f).items():
-            for n, direction in enumerate("xy"):
+            for n, direction in enumerate(structure.directions):
+                if direction.startswith("theta"):
+                    continue
                 key = f"acceleration {name} {direction}"
                 before = found.get(key, np.zeros(f.size))
                 found[key] = before + np.abs(gains[:, n]) ** 2 * level
     largest = dict(_worst_rows(structure, vibration, modes))
     for name, block in rows.by_name(squares):
-        found[name] = block.sum(axis=1) if name.startswith("force") else block[:, largest[name]]
+        found[name] = block.sum(axis=-1)[:, largest[name]]
     return f, levels, found
 
 
@@ -305,7 +310,7 @@ def _worst_rows(
     structure: Structure, vibration: Vibration, modes: Modes
 ) -> Iterator[tuple[str, int]]:
     for name, block in _moments(structure, vibration, modes):
-        yield name, int(np.argmax(block[0]))
+        yield name, int(np.argmax(block[0].sum(axis=-1)))
 
 
 def _gain(
@@ -375,7 +380,7 @@ def shock_peaks(structure: Structure, shock: Shock) -> dict[str, float]:
     peaks = shock.pseudo_acceleration(modes.angular[excited] / (2.0 * pi))
     amplitudes = (rows.matrix @ modes.shapes[:, excited]) * participation[excited]
     squares = ((amplitudes * peaks / modes.angular[excited] ** 2) ** 2).sum(axis=1)
-    return {name: sqrt(_mean_square(name, block)) for name, block in rows.by_name(squares)}
+    return {name: sqrt(_largest_square(block)) for name, block in rows.by_name(squares)}
 
 
 def _excitation(
@@ -388,12 +393,12 @@ def _excitation(
     return participation, participation**2 / structure.moved[axis], static
 
 
-def _mean_square(name: str, squares: Floats) -> float:
-    return float(squares.sum() if name.startswith("force") else squares.max())
+def _largest_square(squares: Floats) -> float:
+    """Return the largest sum of the squares of the components at a place."""
+    return float(squares.sum(axis=-1).max())
 
 
-def _output(name: str, moments: Floats) -> Output:
-    worst = moments[:, int(np.argmax(moments[0]))]
-    chosen = moments.sum(axis=1) if name.startswith("force") else worst
-    m0, m1, m2, m4 = (float(m) for m in chosen)
+def _output(moments: Floats) -> Output:
+    by_place = moments.sum(axis=-1)
+    m0, m1, m2, m4 = (float(m) for m in by_place[:, int(np.argmax(by_place[0]))])
     return Output(sqrt(m0), sqrt(m2 / m0) if m0 > 0.0 else 0.0, (m0, m1, m2, m4))

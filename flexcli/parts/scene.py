@@ -107,6 +107,7 @@ class Scene(NamedTuple):
     sweep: "Sweep | None" = None
     sines: "tuple[Tone, ...]" = ()
     quality: "Quality | None" = None
+    shaken_axes: frozenset[str] = frozenset()
     in_turn: bool = False
     """Whether the axes along which the base is shaken act one after another."""
     temperature: "Temperature | None" = None
@@ -271,6 +272,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         sweep=case.sweep,
         sines=case.sines,
         quality=case.q,
+        shaken_axes=case.shaken_axes,
         in_turn=case.combine == "in-turn",
         temperature=_called(case.temperature, geometry),
         lock=case.lock,

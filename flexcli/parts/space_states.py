@@ -51,6 +51,7 @@ __all__ = [
     "own_frequency",
     "parasitic_frequency",
     "sag",
+    "state_error",
     "stress_places",
 ]
 
@@ -330,6 +331,16 @@ def _error(joint: SpaceJoint, states: list[SpaceState], stresses: Stresses) -> E
         return None
     each = [_of_state(joint, state, stresses) for state in states]
     return _hull(each)
+
+
+def state_error(joint: SpaceJoint, state: SpaceState, stress: float) -> ErrorRange | None:
+    """Return the error of the largest stress in a state, when it is so large [Pa]."""
+    stresses = Stresses(joint.assembly)
+    here = stresses.of(state.moved.forces[:, 0], state.weights)
+    most = max(_largest(each) for each in here)
+    if most == 0.0:
+        return ErrorRange(0.0, 0.0)
+    return _of_state(joint, combined([state], [stress / most]), stresses)
 
 
 def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> ErrorRange | None:

@@ -46,8 +46,10 @@ class Structure:
     Coordinates are relative to the base. ``pull`` is the inertial force per acceleration of the
     base along an axis, ``moved`` the mass that it moves [kg]. ``outputs`` holds rows (k, n): the
     mechanism's own motion [m or rad], per joint the force on it [N], axial stress and stress at
-    the faces [Pa]. ``motion`` (n,) is the row of the own motion, nothing where that is locked.
-    ``bodies`` holds rows (3, n) of the motion (x, y, φ) of each body's point, relative to the base.
+    the faces [Pa]; or rows (k, c, n) of what has c components at each of k places, a vector's or
+    those of an equivalent stress. ``motion`` (n,) is the row of the own motion, nothing where that
+    is locked. ``bodies`` holds rows of the motion of each body's point in ``directions``,
+    relative to the base.
     """
 
     mass: Floats
@@ -57,6 +59,7 @@ class Structure:
     outputs: Mapping[str, Floats] = field(default_factory=dict)
     motion: Floats | None = None
     bodies: Mapping[str, Floats] = field(default_factory=dict)
+    directions: tuple[str, ...] = ("x", "y", "theta_z")
 
     def stiffened(self, factor: float) -> "Structure":
         """Return the structure with all of its stiffness, and so its stresses, times a factor."""
@@ -125,7 +128,7 @@ def assemble(
             if at.second in (blade.first, blade.second):
                 sign = 1.0 if blade.second == at.second else -1.0
                 force = force + sign * found.end_force[blade.name]
-        outputs[f"force {at.name}"] = force
+        outputs[f"force {at.name}"] = force[None]
         axial = np.concatenate([found.axial[blade.name] * blade.peak[1] for blade in copy.blades])
         bending = np.concatenate(
             [found.bending[blade.name] * blade.peak[0] for blade in copy.blades]

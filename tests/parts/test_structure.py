@@ -100,4 +100,4 @@ def test_reciprocity_a_static_force_on_a_body_appears_in_its_joint(density):
     force = np.zeros(found.mass.shape[0])
     force[:2] = 3.0, 4.0
     motion = np.linalg.solve(found.stiffness, force)
-    np.testing.assert_allclose(found.outputs["force J"] @ motion, [3.0, 4.0], rtol=ROUNDING)
+    np.testing.assert_allclose(found.outputs["force J"] @ motion, [[3.0, 4.0]], rtol=ROUNDING)

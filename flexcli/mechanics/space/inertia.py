@@ -9,7 +9,7 @@ from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.springs import MemberSprings
 from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = ["blade_masses", "mass_matrix", "weight_along"]
+__all__ = ["blade_masses", "end_motions", "mass_matrix", "weight_along"]
 
 Floats = NDArray[np.float64]
 
@@ -39,25 +39,38 @@ def mass_matrix(assembly: SpaceAssembly) -> Floats:
     """
     layout, size = assembly.layout, assembly.size
     M = np.zeros((size + 6, size + 6))
-    names = [body.name for body in layout.bodies]
     for i, body in enumerate(layout.bodies):
         at = slice(6 * i, 6 * i + 6)
         M[at, at] = _of_body(body)
-    for member, found in zip(layout.blades, assembly.members, strict=True):
-        start = np.asarray(member.start)
-        ends = np.zeros((12, size + 6))
-        for row, (name, point) in enumerate(
-            ((member.first, start), (member.second, np.asarray(member.end)))
-        ):
-            i = names.index(name) if name in names else len(names)
-            origin = layout.bodies[i].point if i < len(names) else (0.0, 0.0, 0.0)
-            turned = motion_along(found.axes) @ motion_at(point - origin)
-            ends[6 * row : 6 * row + 6, 6 * i : 6 * i + 6] = turned
-        M += ends.T @ _of_blade(member, found) @ ends
     at = assembly.moving
     M[:, at] = M[:, at] @ assembly.to_body
     M[at] = assembly.to_body.T @ M[at]
+    for member, found in zip(layout.blades, assembly.members, strict=True):
+        ends = end_motions(assembly, member, found)
+        M += ends.T @ _of_blade(member, found) @ ends
     return M
+
+
+def end_motions(
+    assembly: SpaceAssembly, member: SpaceBlade | SpaceRod, found: MemberSprings
+) -> Floats:
+    """Return the motions of a blade's start and end along its axes, shape (12, coordinates + 6).
+
+    They are per coordinate and, last, per motion of the ground, as in :func:`mass_matrix`.
+    """
+    layout = assembly.layout
+    names = [body.name for body in layout.bodies]
+    ends = np.zeros((12, assembly.size + 6))
+    for row, (name, point) in enumerate(
+        ((member.first, member.start), (member.second, member.end))
+    ):
+        i = names.index(name) if name in names else len(names)
+        origin = layout.bodies[i].point if i < len(names) else (0.0, 0.0, 0.0)
+        turned = motion_along(found.axes) @ motion_at(np.subtract(point, origin))
+        ends[6 * row : 6 * row + 6, 6 * i : 6 * i + 6] = turned
+    at = assembly.moving
+    ends[:, at] = ends[:, at] @ assembly.to_body
+    return ends
 
 
 def weight_along(assembly: SpaceAssembly, M: Floats, acceleration: Floats) -> Floats:

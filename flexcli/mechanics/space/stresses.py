@@ -29,14 +29,18 @@ class StressRows(NamedTuple):
     """Normal and shear stress at places (places, 9) per force at the centre and per weight.
 
     The columns are N, V_y, V_z [N], T, M_y, M_z at the elastic centre [N·m], then a weight along
-    x, y, z of the blade [N/m] beyond what it puts on the ends. ``where`` says where each is.
-    ``warping`` is the part of the normal stress that is of restrained warping.
+    x, y, z of the blade [N/m] beyond what it puts on the ends. ``where`` says where each is,
+    ``offsets`` (places, 2) how far from the axis across thickness and width, over half of each,
+    and ``positions`` how far along the blade, over its length. ``warping`` is the part of the
+    normal stress that is of restrained warping.
     """
 
     normal: Floats
     shear: Floats
     warping: Floats
     where: tuple[str, ...]
+    offsets: Floats
+    positions: Floats
 
 
 def equivalent(normal: Floats, shear: Floats) -> Floats:
@@ -74,7 +78,7 @@ def stress_rows(member: SpaceBlade | SpaceRod, found: MemberSprings) -> StressRo
     twist_shear, warp = _torsion(member, found, s, h)
     bends, pulls = member.peak
     normal, shear, warping = list[Floats](), list[Floats](), list[Floats]()
-    where: list[str] = []
+    where, offsets = list[str](), list[tuple[float, float]]()
 
     def place(name: str, y: float, z: float, tau: Floats, warped: Floats) -> None:
         direct = pulls * (N / A[:, None] + M_y * (z * b / 2.0 / I_y)[:, None])
@@ -83,6 +87,7 @@ def stress_rows(member: SpaceBlade | SpaceRod, found: MemberSprings) -> StressRo
         shear.append(tau)
         warping.append(warped)
         where.extend(f"{at}, {name}" for at in names)
+        offsets.extend([(y, z)] * len(s))
 
     none = np.zeros_like(N)
     for y, z in CORNERS:
@@ -94,8 +99,9 @@ def stress_rows(member: SpaceBlade | SpaceRod, found: MemberSprings) -> StressRo
         tau = z * T * twist_shear[:, None] + pulls * 1.5 * V_y / A[:, None]
         place("middle of the side", 0.0, z, tau, none)
     return StressRows(
-        np.concatenate(normal), np.concatenate(shear), np.concatenate(warping), tuple(where)
-    )
+        np.concatenate(normal), np.concatenate(shear), np.concatenate(warping), tuple(where),
+        np.array(offsets), np.tile(s / l, len(offsets) // len(s)),
+    )  # fmt: skip
 
 
 def _sections(member: SpaceBlade, l: float) -> tuple[Floats, Floats, tuple[str, ...]]:
@@ -147,6 +153,7 @@ def _of_rod(member: SpaceRod, found: MemberSprings) -> StressRows:
     angles = 2.0 * np.pi * np.arange(AROUND) / AROUND
     between = 1.0 / np.cos(np.pi / AROUND)
     normal, shear, where = list[Floats](), list[Floats](), list[str]()
+    offsets = list[tuple[float, float]]()
     for angle in angles:
         y, z = np.cos(angle), np.sin(angle)
         bent = between * d / 2.0 / I * (M_y * z - M_z * y)
@@ -154,6 +161,10 @@ def _of_rod(member: SpaceRod, found: MemberSprings) -> StressRows:
         along = between * 4.0 / 3.0 * (V_z * y - V_y * z) / A
         shear.append(T * d / (4.0 * I) + along)
         where.extend(("start", "middle", "end"))
+        offsets.extend([(between * y, between * z)] * len(s))
     found_normal = np.concatenate(normal)
     none = np.zeros_like(found_normal)
-    return StressRows(found_normal, np.concatenate(shear), none, tuple(where))
+    return StressRows(
+        found_normal, np.concatenate(shear), none, tuple(where),
+        np.array(offsets), np.tile(s / l, AROUND),
+    )  # fmt: skip

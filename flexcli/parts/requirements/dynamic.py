@@ -5,6 +5,7 @@ modes and lives is imported where it is called: few designs ask, and all would w
 """
 
 from collections.abc import Iterator
+from functools import partial
 from math import inf
 from typing import Annotated, ClassVar, Literal, NamedTuple
 
@@ -31,6 +32,9 @@ from flexcli.parts.structure import MOTIONS, Structure
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["DynamicBuckling", "DynamicLife", "DynamicYield"]
+
+
+AXIAL_TOO = "bending with the axial force"
 
 
 class _Peak(NamedTuple):
@@ -74,7 +78,8 @@ class _Dynamic(FactorRequirement):
             own = [ranges[name] for name in MOTIONS if name in ranges]
             most = max((_largest(*ranges[n]) for n in ranges if n.startswith(prefix)), default=0.0)
             reached = min(1.0, bearable / most) if most > 0.0 else 1.0
-            rest = found.stress_error(ask, reached * _largest(*own[0]) if own else 0.0)
+            travel = _largest(*own[0]) if own else 0.0
+            rest = found.stress_error(ask, travel, shaking.peaks, reached)
             for name, (value, off) in ranges.items():
                 if name.startswith(prefix):
                     what = f"{shaking.named(found.structure, name)} {name}"
@@ -120,7 +125,7 @@ class DynamicYield(_Dynamic):
             yield Limit(
                 self.label,
                 ask.scene.case,
-                f"{peak.what} (bending with the axial force)",
+                f"{peak.what} ({'von Mises' if ask.scene.in_space else AXIAL_TOO})",
                 peak.value,
                 strength,
                 "Pa",
@@ -210,9 +215,11 @@ class DynamicLife(_Dynamic):
             )
         duration = _duration(ask.scene, vibration)
         found = uncertain_structure(ask, corners_of(vibration))
-        travels = found.of(lambda structure: _rms(structure, vibration, MOTIONS))
-        travel = max((_largest(*each) for each in travels.values()), default=0.0)
-        rest = found.stress_error(ask, vibration.sigma * travel)
+        peaks = partial(_peaks, vibration)
+        found_peaks = found.of(peaks)
+        travel = max((_largest(*found_peaks[name]) for name in MOTIONS if name in found_peaks),
+                     default=0.0)  # fmt: skip
+        rest = found.stress_error(ask, travel, peaks)
         mean = f"mean stress {self.mean_stress / 1e6:.4g} MPa" if self.mean_stress else "no mean"
         for name, (life, error) in self._lives(ask, found, vibration, rest).items():
             yield Limit(
@@ -277,8 +284,8 @@ class DynamicLife(_Dynamic):
         }
 
 
-def _rms(structure: Structure, vibration: Vibration, names: tuple[str, ...]) -> dict[str, float]:
+def _peaks(vibration: Vibration, structure: Structure) -> dict[str, float]:
     from flexcli.parts.response import random_outputs
 
     found = random_outputs(structure, vibration)
-    return {name: found[name].rms for name in names if name in found}
+    return {name: vibration.sigma * output.rms for name, output in found.items()}

@@ -2,9 +2,11 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from math import pi
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.numerics.modes import natural_modes
@@ -19,6 +21,8 @@ from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["Uncertain", "between", "compounded", "over", "uncertain_structure"]
 
+Floats = NDArray[np.float64]
+
 STEPS = 5
 """Stiffnesses between both ends of the range: the response has no narrower features between the
 frequencies at which something changes, which are added."""
@@ -31,6 +35,7 @@ MOST_FACTORS = 64
 them."""
 
 Peaks = Mapping[str, float]
+Answer = Callable[[Structure], Peaks]
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,10 +47,11 @@ class Uncertain:
 
     structure: Structure
     others: tuple[Structure, ...] | None
+    shape_error: Callable[[Answer, float], ErrorRange | None] = lambda *_: ErrorRange(0.0, 0.0)
+    """How far the stress of a response may be off besides at a share of its peaks, by the shapes
+    of its modes."""
 
-    def of(
-        self, answer: Callable[[Structure], Peaks]
-    ) -> dict[str, tuple[float, ErrorRange | None]]:
+    def of(self, answer: Answer) -> dict[str, tuple[float, ErrorRange | None]]:
         """Return each number of a response with the range of its error over all structures."""
         found = answer(self.structure)
         if self.others is None:
@@ -56,28 +62,40 @@ class Uncertain:
             for name, value in found.items()
         }
 
-    def stress_error(self, ask: Ask, peak: float) -> ErrorRange | None:
+    def stress_error(
+        self, ask: Ask, peak: float, answer: Answer, reached: float = 1.0
+    ) -> ErrorRange | None:
         """Return how far the stress at a peak of the own motion may be off, besides that peak.
+
+        ``answer`` gives the peaks of a structure, of which a share is ``reached``.
 
         The stress of the modes grows with the motion; the model that is asked says what it is at
         that motion held still, with an error of its own.
         """
         mechanism, structure = ask.mechanism, self.structure
         ratio = mechanism.joint_travel_per_motion if mechanism is not None else 1.0
+        peak *= reached
         scene = ask.scene.without_loads()._replace(travel=peak * ratio, mean_travel=0.0, middle=0.0)
         held = ask._replace(scene=scene)
-        error = ask.joint_model.error(held, QuantityKind.STRESS)
+        shapes = self.shape_error(answer, reached)
+        error = compounded(ask.joint_model.error(held, QuantityKind.STRESS), shapes)
         if error is None or structure.motion is None or peak == 0.0:
             return error
         still = np.linalg.solve(structure.stiffness, structure.motion) * structure.motion_stiffness
         rows = [rows for name, rows in structure.outputs.items() if name.startswith("stress")]
-        linear = max(float(np.abs(each @ still).max()) for each in rows) * peak
+        linear = max(_largest(each @ still) for each in rows) * peak
         try:
             _, stresses = ask.joint_model.stresses(held)
         except (NotAvailable, SolveError):
             return None
         off = max(abs(float(stress.largest)) for stress in stresses) / linear - 1.0
         return compounded(error, ErrorRange(min(off, 0.0), max(off, 0.0)))
+
+
+def _largest(at_places: Floats) -> float:
+    """Return the largest value, of components at a place the root of their squares."""
+    each = np.abs(at_places) if at_places.ndim == 1 else np.linalg.norm(at_places, axis=-1)
+    return float(each.max())
 
 
 def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
@@ -93,6 +111,8 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
         When nothing that moves has a mass, or the joint is not made of blades in a plane.
 
     """
+    if ask.scene.in_space:
+        return _in_space(ask, frequencies)
     geometry, elastic, sizes, scene = ask.geometry, ask.material.elastic, ask.sizes, ask.scene
     density = ask.material.density
 
@@ -126,12 +146,25 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
     return Uncertain(structure, tuple(others))
 
 
+def _in_space(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
+    """Return a mechanism in space between the errors of its springs."""
+    from flexcli.parts.space_joint import joint_in_space
+    from flexcli.parts.space_vibration import likely_structures, shape_error
+
+    try:
+        own, others, (low, high) = likely_structures(ask.geometry, ask.material, ask.sizes, STEPS)
+    except NotAvailable as error:
+        raise RequirementError(f"a {ask.geometry.name} {error}") from error
+    if others is not None:
+        onto = sorted(set(_onto(own, frequencies, low, high)))
+        others += tuple(own.stiffened(f) for f in onto[:: 1 + len(onto) // MOST_FACTORS])
+    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    return Uncertain(own, others, partial(shape_error, joint, own, ask.scene.shaken_axes))
+
+
 def _leaves_its_motion(ask: Ask) -> bool:
     """Return whether the base shakes more than the mechanism's own motion."""
-    scene = ask.scene
-    axes = set(scene.vibration.axes) if scene.vibration is not None else set()
-    others = (scene.shock, scene.sine, scene.sweep, *scene.sines)
-    axes |= {each.axis for each in others if each is not None}
+    scene, axes = ask.scene, ask.scene.shaken_axes
     turns = ask.geometry.motion == "rotation" and getattr(ask.mechanism, "joints", 1) == 1
     return scene.lock is not None or "y" in axes or turns or not ask.geometry.closed_forms
 

@@ -1,0 +1,193 @@
+"""A mechanism in space as a structure that vibrates, with others that are as likely.
+
+Stresses are von Mises': of a random response the root mean square is that of the normal stress
+and of √3 times the shear together, at every place of a blade.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.space.layout import SpaceLoad
+from flexcli.mechanics.space.linear import Moved, SpaceAssembly
+from flexcli.mechanics.space.modes import own_blade_frequency
+from flexcli.mechanics.space.states import BladeStress, SpaceState, Stresses, combined
+from flexcli.mechanics.space.vibrating import vibrating
+from flexcli.numerics.modes import Modes, natural_modes
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import Geometry, Sizes
+from flexcli.parts.material import Material
+from flexcli.parts.own_motion import DENSEST
+from flexcli.parts.space_joint import RIGID, SpaceJoint, joint_in_space
+from flexcli.parts.space_states import state_error
+from flexcli.parts.structure import Structure
+from flexcli.results import ErrorRange
+
+__all__ = ["DIRECTIONS", "likely_structures", "shape_error", "space_structure"]
+
+Floats = NDArray[np.float64]
+
+DIRECTIONS = ("x", "y", "z", "theta_x", "theta_y", "theta_z")
+
+TELLING = 1e-3
+"""Share of the mass, or the stress, from which the shape of a mode counts in its error."""
+
+
+def space_structure(assembly: SpaceAssembly) -> Structure:
+    """Return a mechanism in space as a structure: outputs of its drive, of every blade."""
+    found = vibrating(assembly)
+    drive = assembly.layout.drive
+    own = np.zeros(found.mass.shape[0])
+    own[assembly.driven] = 1.0
+    outputs: dict[str, Floats] = {}
+    for blade in assembly.layout.blades:
+        outputs[f"force {blade.name}"] = found.forces[blade.name][None]
+        outputs[f"stress {blade.name}"] = found.stresses[blade.name]
+    outputs["rotation" if drive.turns else "travel"] = own[None, :]
+    return Structure(
+        found.mass,
+        found.stiffness,
+        found.pull,
+        dict.fromkeys("xyz", found.moved),
+        outputs,
+        own,
+        found.motions,
+        DIRECTIONS,
+    )
+
+
+def likely_structures(
+    geometry: Geometry, material: Material, sizes: Sizes, steps: int
+) -> tuple[Structure, tuple[Structure, ...] | None, tuple[float, float]]:
+    """Return the structure, others between the errors of its springs, and the range of them.
+
+    There are no others where nobody knows how far off the springs are. A material without a
+    density may be as heavy as any.
+    """
+    joint = joint_in_space(geometry, material, sizes)
+    if not any(body.mass for body in joint.layout.bodies):
+        raise NotAvailable("has no body with a mass: give its bodies theirs")
+    own = space_structure(joint.assembly)
+    if not joint.is_known:
+        return own, None, (1.0, 1.0)
+    assemblies = [joint.assembly]
+    if material.density is None:
+        heavy = geometry.space_layout(material.elastic, sizes, DENSEST)
+        assemblies.append(SpaceJoint(heavy).assembly)
+    low, high = 1.0 + joint.low, np.minimum(1.0 + joint.high, RIGID)
+    shares = np.linspace(0.0, 1.0, steps)[:, None]
+    factors = low ** (1.0 - shares) * high**shares
+    others = [space_structure(each.scaled(f)) for each in assemblies for f in factors]
+    others += [space_structure(each) for each in assemblies[1:]]
+    known = high[high < RIGID]
+    return own, tuple(others), (float(low.min()), float(known.max(initial=1.0)))
+
+
+def shape_error(
+    joint: SpaceJoint,
+    structure: Structure,
+    axes: Iterable[str],
+    peaks: Callable[[Structure], Mapping[str, float]],
+    reached: float,
+) -> ErrorRange | None:
+    """Return how far the peak stress of a response may be off as its motion is no small one.
+
+    Parameters
+    ----------
+    joint : SpaceJoint
+        The mechanism.
+    structure : Structure
+        The same as a structure.
+    axes : iterable of str
+        Axes along which the base moves.
+    peaks : callable
+        Peaks of every output of a structure.
+    reached : float
+        Share of the peaks at which it is asked.
+
+    Returns
+    -------
+    ErrorRange or None
+        Of the largest stress; unknown where it is large.
+
+    Notes
+    -----
+    By the second order of each mode at its own peak, as much of the whole as its share of the
+    stress, and of all of them at once where their stresses meet, as large as the response's. A
+    blade of varying thickness has no second order; its stress stays that of small motion where
+    no blade inside vibrates with the mode.
+
+    """
+    assembly = joint.assembly
+    whole = reached * _stress(peaks(structure))
+    if whole == 0.0:
+        return ErrorRange(0.0, 0.0)
+    modes = natural_modes(structure.stiffness, structure.mass)
+    states, sizes = [], []
+    for n, omega in enumerate(modes.angular):
+        one = _mode_alone(structure, modes, n)
+        size = reached * _stress(peaks(one)) if _is_moved(one, axes) else 0.0
+        if size < TELLING * whole:
+            continue
+        if not joint.is_uniform and omega > own_blade_frequency(assembly):
+            return None
+        states.append(_as_state(assembly, float(omega), modes.shapes[: assembly.size, n]))
+        sizes.append(size)
+    stresses = Stresses(assembly)
+    each = [stresses.of(state.moved.forces[:, 0], state.weights) for state in states]
+    low = high = 0.0
+    for state, size in zip(states, sizes, strict=True):
+        error = state_error(joint, state, size)
+        if error is None:
+            return None
+        low, high = low + error.low * size / whole, high + error.high * size / whole
+    shares = _meeting(each, sizes)
+    error = state_error(joint, combined(states, shares), whole)
+    if error is None:
+        return None
+    return ErrorRange(min(low, error.low), max(high, error.high))
+
+
+def _stress(peaks: Mapping[str, float]) -> float:
+    return max(value for name, value in peaks.items() if name.startswith("stress"))
+
+
+def _is_moved(structure: Structure, axes: Iterable[str]) -> bool:
+    return any(structure.pull[axis][0] ** 2 > TELLING * structure.moved[axis] for axis in axes)
+
+
+def _mode_alone(structure: Structure, modes: Modes, n: int) -> Structure:
+    """Return a structure that moves in one of its modes only."""
+    shape = modes.shapes[:, n]
+    return Structure(
+        np.ones((1, 1)),
+        np.array([[modes.angular[n] ** 2]]),
+        {axis: np.array([pull @ shape]) for axis, pull in structure.pull.items()},
+        structure.moved,
+        {name: (rows @ shape)[..., None] for name, rows in structure.outputs.items()},
+    )
+
+
+def _as_state(assembly: SpaceAssembly, omega: float, shape: Floats) -> SpaceState:
+    """Return the shape of a mode as a state under the inertia of its bodies."""
+    deformations = assembly.rows @ shape[:, None]
+    forces = assembly.stiffness[:, None] * deformations
+    moved = Moved(shape[:, None], deformations, forces, np.zeros(1))
+    loads = []
+    for body in assembly.layout.bodies:
+        along = omega**2 * body.mass * (assembly.motion(body.name, body.com)[:3] @ shape)
+        loads.append(SpaceLoad(body.name, body.com, (along[0], along[1], along[2])))
+    return SpaceState(
+        assembly, moved, np.zeros((len(assembly.members), 3)), tuple(loads), locked=False
+    )
+
+
+def _meeting(each: Sequence[Sequence[BladeStress]], sizes: Sequence[float]) -> list[float]:
+    """Return shares of states with which their normal stresses add where they are largest."""
+    normal = np.array([np.concatenate([blade.normal for blade in of]) for of in each])
+    largest = np.array([np.abs(one).max() or 1.0 for one in normal])
+    scaled = normal * (np.array(sizes) / largest)[:, None]
+    place = int(np.argmax(np.abs(scaled).sum(axis=0)))
+    signs = np.where(scaled[:, place] < 0.0, -1.0, 1.0)
+    return [float(share) for share in signs * np.array(sizes) / largest]
