@@ -124,6 +124,7 @@ def judge(design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...]) -> J
         looked_at[scene.case] |= requirement.looks_at(scene)
     for scene in scenes:
         found.extend(_not_judged(scene, looked_at[scene.case]))
+        found.extend(_switched_off(design, scene.case))
     return Judgement(assess.worst_of_each(found), series.seconds, models)
 
 
@@ -326,3 +327,13 @@ def _not_judged(scene: Scene, looked_at: set[LoadKind]) -> Iterator[Check]:
                 kind.value, scene.case, text, nan, nan, "", nan, nan, Verdict.NOT_JUDGED, "",
                 path=("cases", scene.case, kind.value),
             )  # fmt: skip
+
+
+def _switched_off(design: DesignSpec, case: str) -> Iterator[Check]:
+    """Yield a row for each load of a case that the spec's effects leave out of it."""
+    for effect, key in design.switched_off(case):
+        text = f"effects: {{{effect}: off}} leaves this load out; nobody has looked at it"
+        yield Check(
+            key, case, text, nan, nan, "", nan, nan, Verdict.NOT_JUDGED, "",
+            path=("effects", effect),
+        )  # fmt: skip

@@ -59,7 +59,8 @@ def _joint_model(design: DesignSpec, model: str) -> JointModel:
     """Return a model of a design's joint; solvers are imported for the models that need them.
 
     The sources' formulas are taken as they stand; the other models get a correction for every
-    effect that they do not carry, save what the spec switches off.
+    effect that they do not carry. What the spec switches off corrects nothing, and stays in the
+    error of their numbers.
     """
     if model in ("source", "closed-form") and not design.geometry.closed_forms:
         text = f"a {design.geometry.name} has no closed forms"
@@ -68,10 +69,11 @@ def _joint_model(design: DesignSpec, model: str) -> JointModel:
         text = f"a {design.geometry.name} has no {model} model"
         raise SolveError("no-such-model", text, f"take model {', '.join(series_of(design))}")
     heard = tuple(e for e in MODEL_EFFECTS if not design.is_off(e.name))
+    off = tuple(e for e in MODEL_EFFECTS if design.is_off(e.name))
     if model == "source":
-        return Corrected(AS_PRINTED, (), model, omitted=heard)
+        return Corrected(AS_PRINTED, (), model, omitted=MODEL_EFFECTS)
     if model == "closed-form":
-        return Corrected(CLOSED_FORM, heard, model)
+        return Corrected(CLOSED_FORM, heard, model, omitted=off)
     if design.geometry.in_space:
         if model == "linear":
             from flexcli.engine.joint_models.space_linear import SpaceLinearModel
@@ -89,7 +91,7 @@ def _joint_model(design: DesignSpec, model: str) -> JointModel:
     if model == "linear":
         from flexcli.engine.joint_models.linear import LinearModel
 
-        return Corrected(LinearModel(blades), heard, model)
+        return Corrected(LinearModel(blades), heard, model, omitted=off)
     from flexcli.engine.joint_models.exact import ExactModel
 
-    return Corrected(ExactModel(blades), heard, model)
+    return Corrected(ExactModel(blades), heard, model, omitted=off)

@@ -127,8 +127,8 @@ class DesignSpec(Part):
     e.g. ``1 %``.
     """
     effects: dict[EffectKey, Wish] = Field({})
-    """Effects that are asked for or left out; auto where nothing is said,
-    e.g. ``{shear: on, gravity: off}``.
+    """Effects that are asked for or left out of the values, though not of their errors; auto where
+    nothing is said, e.g. ``{shear: on, gravity: off}``.
     """
     model: ModelName | None = None
     """Model that judges all checks; left out, each is judged by the cheapest that decides,
@@ -255,20 +255,26 @@ class DesignSpec(Part):
 
     def scene(self, name: str) -> Scene:
         """Return one case in the terms of each joint, or raise :class:`MechanismError`."""
-        case, out = self.cases[name], self._omitted_effects()
+        case, out = self.cases[name], self.switched_off(name)
         if out:
-            case = case.model_copy(update=dict.fromkeys(out))
+            case = case.model_copy(update={key: None for _, key in out})
         return scene_of(name, case, self.mechanism, self.geometry)
 
     def scenes(self) -> list[Scene]:
         """Return every case in the terms of each joint."""
         return [self.scene(name) for name in self.cases]
 
-    def _omitted_effects(self) -> list[str]:
-        """Return the keys of the cases that the spec's effects leave out."""
+    def switched_off(self, case: str) -> list[tuple[str, str]]:
+        """Return the effects that the spec switches off and the loads of a case that they take."""
         if not self.effects:
             return []
-        return [key for e in SCENE_EFFECTS if self.is_off(e.name) for key in e.excludes]
+        return [
+            (e.key, key)
+            for e in SCENE_EFFECTS
+            if self.is_off(e.name)
+            for key in e.excludes
+            if getattr(self.cases[case], key) is not None
+        ]
 
     def is_off(self, effect: EffectName) -> bool:
         """Return whether the spec switches an effect off."""

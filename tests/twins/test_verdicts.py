@@ -19,7 +19,7 @@ def test_no_requirement_missed_by_three_per_cent_passes(seed):
         assert said.exit_code != 101, said.text
 
 
-@pytest.mark.parametrize("seed", [100021, 100023])
+@pytest.mark.parametrize("seed", [100287, 100219])
 def test_a_force_that_pushes_relieves_the_bending_of_blades(seed):
     """A cantilever and a stage that a load of 180 deg compresses while they are moved."""
     design = drawn(seed, quick=True)

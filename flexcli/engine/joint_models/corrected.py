@@ -18,8 +18,8 @@ class Corrected(JointModel):
     """The answers of a model times one factor an effect, and what is left to be off by.
 
     An effect whose value nobody knows, or that lacks a property of the material, corrects
-    nothing: the whole range of what it may change is part of the error, as it is of those that
-    are left out.
+    nothing: the whole range of what it may change is part of the error. So do the ``omitted``,
+    between none of what they change and all of it.
     """
 
     def __init__(
@@ -111,6 +111,7 @@ class Corrected(JointModel):
         """Return an error with what the effects leave that are not carried."""
         setting, inner = _setting(ask), self.inner.covers | self.inner.always
         missing, applied, beside, whole = self._missing(setting), [], [], True
+        low = high = 1.0
         for effect in (*self.effects, *self.omitted):
             if effect.indicator(setting) is None:
                 continue
@@ -119,7 +120,7 @@ class Corrected(JointModel):
                 continue
             if effect not in missing or effect.name in carried:
                 beside.append(change)
-            elif effect in self.omitted or not _is_told(effect, setting):
+            elif not _is_told(effect, setting):
                 if change.value is None and not effect.is_whole:
                     return None
                 found += _whole_range(effect, change, setting, kind)
@@ -128,13 +129,17 @@ class Corrected(JointModel):
             elif effect.name not in inner:
                 applied.append(change)
                 whole = whole and effect.is_whole
+                if effect in self.omitted and change.value is not None:
+                    low *= 1.0 + min(change.value, 0.0)
+                    high *= 1.0 + max(change.value, 0.0)
             else:  # carried, at one value of the property that is not given
                 found += ErrorRange(-change.error, change.error)
         # bounds that are of all that an effect changes leave nothing to what stands beside it
         left = left_by(applied, () if whole else beside)
         if left is None or not isfinite((found + left).largest):
             return None
-        return found + left
+        found += left
+        return ErrorRange((1.0 + found.low) * low - 1.0, (1.0 + found.high) * high - 1.0)
 
     def _changes(self, ask: Ask, effect: ModelEffect) -> dict[str, Change]:
         """Return all that an effect changes, found once for every number and its error."""

@@ -18,7 +18,7 @@ from flexcli.engine.joint_models.joint_states import (
     warmed,
 )
 from flexcli.engine.joint_models.remembered import Remembered
-from flexcli.engine.planning.coverage import COVERAGE
+from flexcli.engine.planning.coverage import COVERAGE, covered
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.equilibrium import LEVELS
 from flexcli.mechanics.mesh import Effects
@@ -55,7 +55,6 @@ class ExactModel(JointModel):
     """
 
     name = "exact"
-    covers = COVERAGE["exact"].can
     always = COVERAGE["exact"].always
 
     def __init__(
@@ -65,6 +64,7 @@ class ExactModel(JointModel):
         levels: Sequence[int] = LEVELS,
     ) -> None:
         self.effects = Effects() if effects is None else effects
+        self.covers = covered("exact", self.effects)
         self.tolerance = tolerance
         self.levels = levels
         self._known_stresses: Remembered[tuple[list[EndStress], float]] = Remembered()

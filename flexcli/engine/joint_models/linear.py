@@ -13,7 +13,7 @@ from flexcli.engine.joint_models.face_stress import blade_places, worst_of_strok
 from flexcli.engine.joint_models.holds import driven_axis
 from flexcli.engine.joint_models.joint_states import blades_of, layout_of, of_case
 from flexcli.engine.joint_models.remembered import Remembered
-from flexcli.engine.planning.coverage import COVERAGE
+from flexcli.engine.planning.coverage import COVERAGE, covered
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.layout import Layout, Load
@@ -44,11 +44,11 @@ class LinearModel(JointModel):
     """Small motion of the assembled blades; the shift is that of the closed forms."""
 
     name = "linear"
-    covers = COVERAGE["linear"].can
     always = COVERAGE["linear"].always
 
     def __init__(self, effects: Effects | None = None) -> None:
         self.effects = Effects() if effects is None else effects
+        self.covers = covered("linear", self.effects)
         self._known: Remembered[list[EndStress]] = Remembered()
         self._known_stiffness: Remembered[tuple[float, int, float]] = Remembered()
 

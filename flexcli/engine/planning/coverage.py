@@ -2,9 +2,10 @@
 
 from typing import NamedTuple
 
+from flexcli.mechanics.mesh import Effects
 from flexcli.parts.effect_names import EffectName
 
-__all__ = ["COARSE", "COVERAGE", "FINE", "OUTER", "Coverage"]
+__all__ = ["COARSE", "COVERAGE", "FINE", "OUTER", "Coverage", "covered"]
 
 
 class Coverage(NamedTuple):
@@ -30,6 +31,13 @@ COVERAGE = {
     "exact": Coverage(_SWITCHED, _OF_BEAMS | _AT_TRAVEL, 40.0),
 }
 """From the cheapest to the finest; the exact one's cost is at its coarsest tolerance."""
+
+
+def covered(model: str, blades: Effects) -> frozenset[EffectName]:
+    """Return what a model of beams carries, of what it can, with blades that deform so."""
+    has = {EffectName.SHEAR: blades.shear, EffectName.AXIAL_EXTENSION: blades.extension}
+    return frozenset(name for name in COVERAGE[model].can if has[name])
+
 
 OUTER = frozenset(
     {

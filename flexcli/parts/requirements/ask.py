@@ -97,8 +97,8 @@ class JointModel(ABC):
     """
 
     name: str
-    covers: ClassVar[frozenset[EffectName]] = frozenset()
-    """The effects that it can carry, and leave out."""
+    covers: frozenset[EffectName] = frozenset()
+    """The effects that it carries, and could leave out."""
     always: ClassVar[frozenset[EffectName]] = frozenset()
     """The effects that it cannot leave out."""
 
