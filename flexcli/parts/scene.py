@@ -130,6 +130,11 @@ class Scene(NamedTuple):
     """Whether the first of ``forces`` acts in the sense that it is stated in, not either way."""
 
     @property
+    def vibrates_in_space(self) -> bool:
+        """Return whether the response of its modes leaves the plane."""
+        return self.in_space or "z" in self.shaken_axes
+
+    @property
     def moves(self) -> bool:
         """Return whether the case has a stroke."""
         return self.travel > 0.0 or self.mean_travel > 0.0

@@ -5,11 +5,14 @@ and of √3 times the shear together, at every place of a blade.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.space.layout import SpaceLoad
+from flexcli.formulas.rigid_motion import axes_about_z, motion_along
+from flexcli.mechanics.layout import Body
+from flexcli.mechanics.space.layout import SpaceBody, SpaceLayout, SpaceLoad
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.mechanics.space.modes import own_blade_frequency
 from flexcli.mechanics.space.states import BladeStress, SpaceState, Stresses, combined
@@ -18,24 +21,31 @@ from flexcli.numerics.modes import Modes, natural_modes
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
+from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.own_motion import DENSEST
-from flexcli.parts.space_joint import RIGID, SpaceJoint, joint_in_space
+from flexcli.parts.space_joint import RIGID, SpaceJoint
 from flexcli.parts.space_states import state_error
-from flexcli.parts.structure import Structure
+from flexcli.parts.structure import Structure, joined
 from flexcli.results import ErrorRange
 
-__all__ = ["DIRECTIONS", "likely_structures", "shape_error", "space_structure"]
+__all__ = ["DIRECTIONS", "Likely", "likely_structures", "shape_error", "space_structure"]
 
 Floats = NDArray[np.float64]
 
 DIRECTIONS = ("x", "y", "z", "theta_x", "theta_y", "theta_z")
 
+GYRATIONS = (0.1, 0.0, 0.3, 1.0)
+"""Radii of gyration about the axes in its plane of what is drawn in it, over a blade's length."""
+
 TELLING = 1e-3
 """Share of the mass, or the stress, from which the shape of a mode counts in its error."""
 
 
-def space_structure(assembly: SpaceAssembly) -> Structure:
-    """Return a mechanism in space as a structure: outputs of its drive, of every blade."""
+def space_structure(assembly: SpaceAssembly, turn: float = 0.0) -> Structure:
+    """Return a mechanism in space as a structure: outputs of its drive, of every blade.
+
+    ``turn`` is the angle about z from the drawing's x to that of cases [rad].
+    """
     found = vibrating(assembly)
     drive = assembly.layout.drive
     own = np.zeros(found.mass.shape[0])
@@ -45,43 +55,119 @@ def space_structure(assembly: SpaceAssembly) -> Structure:
         outputs[f"force {blade.name}"] = found.forces[blade.name][None]
         outputs[f"stress {blade.name}"] = found.stresses[blade.name]
     outputs["rotation" if drive.turns else "travel"] = own[None, :]
+    axes = axes_about_z(turn)
+    to_cases = motion_along(axes)
+    pull = np.stack([found.pull[axis] for axis in "xyz"])
     return Structure(
         found.mass,
         found.stiffness,
-        found.pull,
+        dict(zip("xyz", axes @ pull, strict=True)),
         dict.fromkeys("xyz", found.moved),
         outputs,
         own,
-        found.motions,
+        {name: to_cases @ motion for name, motion in found.motions.items()},
         DIRECTIONS,
     )
 
 
-def likely_structures(
-    geometry: Geometry, material: Material, sizes: Sizes, steps: int
-) -> tuple[Structure, tuple[Structure, ...] | None, tuple[float, float]]:
-    """Return the structure, others between the errors of its springs, and the range of them.
+class Likely(NamedTuple):
+    """A structure, others that are as likely, and the range of the factors on its springs.
 
-    There are no others where nobody knows how far off the springs are. A material without a
-    density may be as heavy as any.
+    There are no others where nobody knows how far off it is.
     """
-    joint = joint_in_space(geometry, material, sizes)
+
+    joint: SpaceJoint
+    own: Structure
+    others: tuple[Structure, ...] | None
+    factors: tuple[float, float]
+
+
+def likely_structures(
+    mechanism: Mechanism | None, geometry: Geometry, material: Material, sizes: Sizes, steps: int
+) -> Likely:
+    """Return a mechanism as a structure in space, and others between the errors of its springs.
+
+    A material without a density may be as heavy as any; a body that is drawn in its plane may have
+    any inertia about the axes in it, up to that of a radius of gyration as long as a blade.
+
+    Raises
+    ------
+    NotAvailable
+        When it has no masses, or is not a joint of blades alone that stands free.
+
+    """
+    spread = (0.0,) if geometry.in_space else GYRATIONS
+    density = material.density
+
+    def assembled(rho: float, gyration: float) -> SpaceJoint:
+        layout = geometry.space_layout(material.elastic, sizes, rho)
+        if geometry.in_space:
+            return SpaceJoint(layout)
+        return SpaceJoint(_loaded(layout, mechanism, geometry, gyration * geometry.length(sizes)))
+
+    _refuse_guided(mechanism, geometry, material, sizes)
+    joint = assembled(0.0 if density is None else density.value, spread[0])
     if not any(body.mass for body in joint.layout.bodies):
         raise NotAvailable("has no body with a mass: give its bodies theirs")
-    own = space_structure(joint.assembly)
-    if not joint.is_known:
-        return own, None, (1.0, 1.0)
-    assemblies = [joint.assembly]
-    if material.density is None:
-        heavy = geometry.space_layout(material.elastic, sizes, DENSEST)
-        assemblies.append(SpaceJoint(heavy).assembly)
+    own = space_structure(joint.assembly, geometry.axes)
+    if not joint.is_known or (
+        not geometry.in_space and geometry.has_limbs(material.elastic, sizes)
+    ):
+        return Likely(joint, own, None, (1.0, 1.0))
     low, high = 1.0 + joint.low, np.minimum(1.0 + joint.high, RIGID)
     shares = np.linspace(0.0, 1.0, steps)[:, None]
-    factors = low ** (1.0 - shares) * high**shares
-    others = [space_structure(each.scaled(f)) for each in assemblies for f in factors]
-    others += [space_structure(each) for each in assemblies[1:]]
+    others = [
+        space_structure(joint.assembly.scaled(f), geometry.axes)
+        for f in low ** (1.0 - shares) * high**shares
+    ]
+    weights = (DENSEST,) if density is None else ()
+    for rho, gyration in [(rho, spread[0]) for rho in weights] + [
+        (0.0 if density is None else density.value, each) for each in spread[1:]
+    ]:
+        other = assembled(rho, gyration).assembly
+        others += [space_structure(other.scaled(f), geometry.axes) for f in (low, high)]
     known = high[high < RIGID]
-    return own, tuple(others), (float(low.min()), float(known.max(initial=1.0)))
+    return Likely(joint, own, tuple(others), (float(low.min()), float(known.max(initial=1.0))))
+
+
+def _refuse_guided(
+    mechanism: Mechanism | None, geometry: Geometry, material: Material, sizes: Sizes
+) -> None:
+    """Raise :class:`NotAvailable` for what does not stand free on the blades of one joint."""
+    if geometry.in_space:
+        return
+    if mechanism is not None and mechanism.joints > 1:
+        raise NotAvailable("is one of several joints: no model shakes these out of their plane")
+    if geometry.is_guided or geometry.keeps_level:
+        raise NotAvailable("is guided by what nobody knows out of its plane")
+    if geometry.layout(material.elastic, sizes).guides:
+        raise NotAvailable("has ideal guides, which nobody knows out of their plane")
+
+
+def _loaded(
+    layout: SpaceLayout, mechanism: Mechanism | None, geometry: Geometry, gyration: float
+) -> SpaceLayout:
+    """Return a joint from its plane with the body that it carries, and inertia about x and y.
+
+    Every body has a radius of gyration [m] about the axes in the plane.
+    """
+    name = layout.drive.body
+    bodies = []
+    for body in layout.bodies:
+        mass, com, about_z = body.mass, body.com, body.inertia[2][2]
+        if body.name == name and mechanism is not None:
+            x, y = geometry.payload_point((body.point[0], body.point[1]))
+            load = Body(
+                name, (x, y), mechanism.hanging_mass(), mechanism.turning_inertia or 0.0,
+                (x + mechanism.arm, y),
+            )  # fmt: skip
+            drawn = Body(name, body.point[:2], mass, about_z, com[:2] if mass else load.com)
+            both = joined(name, body.point[:2], [drawn, load])
+            mass, com, about_z = both.mass, (*both.com, 0.0), both.inertia
+        tilt = mass * gyration**2
+        inertia = ((tilt, 0.0, 0.0), (0.0, tilt, 0.0), (0.0, 0.0, about_z))
+        bodies.append(SpaceBody(body.name, body.point, com, mass, inertia))
+    return SpaceLayout(tuple(bodies), layout.blades, layout.drive, layout.springs)
 
 
 def shape_error(

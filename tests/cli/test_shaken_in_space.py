@@ -85,3 +85,47 @@ def test_buckling_under_vibration_in_space_is_refused_with_a_reason(flexure, tmp
     told = flexure("check")
     assert told.returncode in (1, 2)
     assert "space" in told.stdout + told.stderr
+
+
+PIVOT = """\
+flexure: 1
+material: ti-6al-4v
+geometry: {kind: rcc, h: 0.2 mm, l: 12 mm, b: 6 mm, p: 2 mm, half_angle: 45 deg}
+mechanism: {kind: payload, mass: 100 g, inertia: 2e-5 kg*m^2}
+cases: {work: {CASE}}
+requirements: {REQUIRED: 1.2}
+"""
+
+
+def pivot(case, required="dynamic-yield"):
+    return PIVOT.replace("{CASE}", "{" + case + "}").replace("REQUIRED", required)
+
+
+def test_a_planar_joint_under_a_slow_pulse_along_z_is_stressed_as_by_a_steady_load(
+    flexure, tmp_path
+):
+    slow = "shock: {half-sine: {acceleration: 5 g, duration: 100 ms}, axis: z}"
+    (tmp_path / "slow.yaml").write_text(pivot(slow))
+    (tmp_path / "still.yaml").write_text(pivot("acceleration: {level: 5 g, axis: z}", "yield"))
+    slow_check, still = (
+        json.loads(flexure("check", name, "--format", "json").stdout)["checks"][0]
+        for name in ("slow.yaml", "still.yaml")
+    )
+    # the mode along z lies at 450 Hz: 2 % above static at most in 100 ms
+    assert slow_check["demand"] == pytest.approx(still["demand"], rel=0.05)
+    low, high = slow_check["factor_range"]
+    assert low <= slow_check["factor"] <= high
+
+
+def test_a_stage_of_several_joints_along_z_is_refused_with_the_way_out(flexure, tmp_path):
+    lever = "{mass: 17 g, com: 10 mm, inertia: 5e-6 kg*m^2}"
+    mechanism = (
+        f"{{kind: parallel-stage, height: 20 mm, solid-1: {lever}, solid-2: {{mass: 68 g}}, "
+        f"solid-3: {lever}}}"
+    )
+    spec = pivot(f"asd: {{profile: {FLAT}, q: 30, axis: z}}")
+    spec = spec.replace("{kind: payload, mass: 100 g, inertia: 2e-5 kg*m^2}", mechanism)
+    (tmp_path / "flexure.yaml").write_text(spec)
+    told = flexure("check")
+    assert told.returncode == 2
+    assert "take z out" in told.stderr or "space-layout" in told.stderr

@@ -125,7 +125,7 @@ class DynamicYield(_Dynamic):
             yield Limit(
                 self.label,
                 ask.scene.case,
-                f"{peak.what} ({'von Mises' if ask.scene.in_space else AXIAL_TOO})",
+                f"{peak.what} ({'von Mises' if ask.scene.vibrates_in_space else AXIAL_TOO})",
                 peak.value,
                 strength,
                 "Pa",

@@ -111,7 +111,7 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
         When nothing that moves has a mass, or the joint is not made of blades in a plane.
 
     """
-    if ask.scene.in_space:
+    if ask.scene.vibrates_in_space:
         return _in_space(ask, frequencies)
     geometry, elastic, sizes, scene = ask.geometry, ask.material.elastic, ask.sizes, ask.scene
     density = ask.material.density
@@ -147,18 +147,23 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
 
 
 def _in_space(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
-    """Return a mechanism in space between the errors of its springs."""
-    from flexcli.parts.space_joint import joint_in_space
+    """Return a mechanism that moves in space, between the errors of its springs and masses."""
     from flexcli.parts.space_vibration import likely_structures, shape_error
 
+    stands_in = ask.joint_model is STAND_IN
     try:
-        own, others, (low, high) = likely_structures(ask.geometry, ask.material, ask.sizes, STEPS)
+        if ask.scene.lock is not None:
+            raise NotAvailable("with a locked body has no model out of its plane")
+        joint, own, others, (low, high) = likely_structures(
+            ask.mechanism, ask.geometry, ask.material, ask.sizes, 0 if stands_in else STEPS
+        )
     except NotAvailable as error:
-        raise RequirementError(f"a {ask.geometry.name} {error}") from error
+        hint = "draw it as a space-layout, or take z out of the case"
+        raise RequirementError(f"a {ask.geometry.name} {error}", hint) from error
     if others is not None:
         onto = sorted(set(_onto(own, frequencies, low, high)))
         others += tuple(own.stiffened(f) for f in onto[:: 1 + len(onto) // MOST_FACTORS])
-    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        others += (own.stiffened(1.0 / (1.0 + ask.clamps_give)),)
     return Uncertain(own, others, partial(shape_error, joint, own, ask.scene.shaken_axes))
 
 
