@@ -530,14 +530,15 @@ def asd_worst_case(
     *,
     qualities: Sequence[float] = (),
     duration: float | None = None,
+    spectra: bool = False,
     columns: "Columns | None" = None,
     overrides: Overrides | None = None,
 ) -> Result:
     """Give Miles' worst case beside the exact response, of a design or of a profile.
 
     ``source`` may also be the name of a shipped profile; a profile needs quality factors, a design
-    has its own. ``duration`` [s] of exposure is over that of the spec. ``columns`` tells of a
-    table what its heading does not.
+    has its own. ``duration`` [s] of exposure is over that of the spec. ``spectra`` asks for both
+    over the natural frequency. ``columns`` tells of a table what its heading does not.
     """
     from flexcli.engine.asd_worst_case import environments, exposed, worst_case
     from flexcli.parts.asd import ASDProfile
@@ -551,12 +552,13 @@ def asd_worst_case(
     if isinstance(spec.part, ASDProfile):
         if not qualities:
             raise SpecError([Finding(name, "a profile needs a quality factor", "add --q 100")])
-        return worst_case(exposed(name, spec.part, qualities, duration), name, spec.part.name)
+        found = exposed(name, spec.part, qualities, duration)
+        return worst_case(found, name, spec.part.name, spectra=spectra)
     design: DesignSpec = _design(spec, None).part
     found = environments(design, qualities, duration)
     if not found:
         raise SpecError([Finding(name, "no case has an asd", "add one, or name a profile")])
-    return worst_case(found, name, design.title)
+    return worst_case(found, name, design.title, spectra=spectra)
 
 
 def asd_list() -> Result:

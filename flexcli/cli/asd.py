@@ -37,16 +37,17 @@ __all__ = [
     "NAME",
     "ColumnOption",
     "ProfilesArgument",
+    "TableOption",
     "UnitsOption",
     "WriteOption",
     "app",
     "columns_of",
     "finish_made",
     "finish_one",
+    "finish_spectrum",
     "quantity",
     "refuse_no_quality",
     "refuse_no_table",
-    "saved_spectra",
 ]
 
 NAME = "asd"
@@ -73,6 +74,9 @@ WriteOption = Annotated[
 UnitsOption = Annotated[
     str | None,
     typer.Option("--units", help="Tell the units of a table that has none, e.g. 'Hz, g^2/Hz'."),
+]
+TableOption = Annotated[
+    Path | None, typer.Option("--csv", "-o", help="Save the spectrum, .csv or .parquet.")
 ]
 ColumnOption = Annotated[
     str | None,
@@ -119,8 +123,8 @@ def response(
 
     results = on_each("asd response", specs, stated, verb)
     with (
-        saved_spectra(densities, results, "density", force=force),
-        saved_spectra(transfers, results, "transfer", force=force),
+        _saved_spectra(densities, results, "density", force=force),
+        _saved_spectra(transfers, results, "transfer", force=force),
     ):
         finish("asd response", results, style, many=len(results) > 1)
 
@@ -248,6 +252,8 @@ def worst_case(
     units: UnitsOption = None,
     column: ColumnOption = None,
     stated: SetOption = None,
+    output: TableOption = None,
+    force: ForceOption = False,
     style: FormatOption = Format.TEXT,
 ) -> None:
     """Give Miles' worst case over all frequencies.
@@ -259,16 +265,18 @@ def worst_case(
         from flexcli import api
 
         refuse_no_quality(qualities or [])
+        refuse_no_table(output)
         source = spec if spec != STDIN else read(Path(spec), None)
         return api.asd_worst_case(
             source,
             qualities=qualities or (),
             duration=quantity("--duration", duration, "time"),
+            spectra=output is not None,
             columns=columns_of(units, column),
             overrides=overrides_of(stated),
         )
 
-    finish_one("worst-case", spec, verb, style)
+    finish_spectrum("worst-case", spec, verb, output, style, force=force)
 
 
 def finish_one(verb: str, spec: str, run: Callable[[], Result], style: Format) -> None:
@@ -323,7 +331,7 @@ def refuse_no_table(path: Path | None) -> None:
         raise SpecError([Finding(str(path), text, "name it .csv")])
 
 
-def saved_spectra(
+def _saved_spectra(
     path: Path | None, results: Sequence[Result], kind: str, *, force: bool
 ) -> AbstractContextManager[None]:
     """Write the spectra of a kind to a file, then let the results be printed."""
@@ -365,3 +373,19 @@ def quantity(option: str, text: str | None, dimension: str, *, least: float = 0.
         hint = f"give e.g. '{DIMENSIONS[dimension].example}'"
         raise SpecError([Finding(option, f"{text} must be above {least:g}", hint)])
     return value
+
+
+def finish_spectrum(
+    verb: str,
+    spec: str,
+    run: Callable[[], Result],
+    output: Path | None,
+    style: Format,
+    *,
+    force: bool,
+) -> None:
+    """Show what a verb found of one spec, and save its spectrum where that is wished."""
+    command = f"{NAME} {verb}"
+    result = attempt(command, Path(spec), run)
+    with _saved_spectra(output, [result], verb, force=force):
+        finish(command, [result], style, many=False)

@@ -1,6 +1,5 @@
 """``flexure asd``, of tests: tolerances, shock and damage spectra, equal damage, notches."""
 
-from collections.abc import Callable
 from enum import Enum
 from functools import partial
 from pathlib import Path
@@ -9,27 +8,25 @@ from typing import Annotated
 import typer
 
 from flexcli.cli.asd import (
-    NAME,
     ColumnOption,
     ProfilesArgument,
+    TableOption,
     UnitsOption,
     WriteOption,
     app,
     columns_of,
     finish_made,
     finish_one,
+    finish_spectrum,
     quantity,
     refuse_no_quality,
     refuse_no_table,
-    saved_spectra,
 )
 from flexcli.cli.common import (
     DEFAULT_SPEC,
     Format,
     FormatOption,
     SetOption,
-    attempt,
-    finish,
     overrides_of,
     read,
     with_common_options,
@@ -57,9 +54,6 @@ FromOption = Annotated[str | None, typer.Option("--from", help="Start here, e.g.
 ToOption = Annotated[str | None, typer.Option("--to", help="End here, e.g. '2 kHz'.")]
 PerOctaveOption = Annotated[
     int, typer.Option("--per-octave", min=1, max=1000, help="So many natural frequencies.")
-]
-TableOption = Annotated[
-    Path | None, typer.Option("--csv", "-o", help="Save the spectrum, .csv or .parquet.")
 ]
 
 
@@ -173,7 +167,7 @@ def srs(
             columns=columns_of(units, column),
         )
 
-    _finish_spectrum("srs", source, verb, output, style, force=force)
+    finish_spectrum("srs", source, verb, output, style, force=force)
 
 
 @app.command()
@@ -214,7 +208,7 @@ def fds(
             columns=columns_of(units, column),
         )
 
-    _finish_spectrum("fds", source, verb, output, style, force=force)
+    finish_spectrum("fds", source, verb, output, style, force=force)
 
 
 @app.command("equal-damage")
@@ -324,19 +318,3 @@ def _refuse_no_exponent(exponent: float) -> None:
     if not 1.0 <= exponent <= MOST_EXPONENT:
         hint = f"give 1 to {MOST_EXPONENT:g}, e.g. 8"
         raise SpecError([Finding("--exponent", f"{exponent:g} is no slope of a life curve", hint)])
-
-
-def _finish_spectrum(
-    verb: str,
-    spec: str,
-    run: Callable[[], Result],
-    output: Path | None,
-    style: Format,
-    *,
-    force: bool,
-) -> None:
-    """Show a spectrum, and save it where that is wished."""
-    command = f"{NAME} {verb}"
-    result = attempt(command, Path(spec), run)
-    with saved_spectra(output, [result], verb, force=force):
-        finish(command, [result], style, many=False)

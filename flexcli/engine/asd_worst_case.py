@@ -4,8 +4,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from time import perf_counter
 
+import numpy as np
+from numpy.typing import NDArray
+
 from flexcli.errors import SolveError
-from flexcli.formulas.miles import miles_worst_case
+from flexcli.formulas.miles import miles, miles_worst_case
 from flexcli.formulas.oscillator import oscillator_response
 from flexcli.formulas.peaks import MINIMUM_CYCLES, davenport_peak_factor, peak_factor
 from flexcli.formulas.response_spectrum import ResponseSpectrum
@@ -13,16 +16,32 @@ from flexcli.parts.asd import AppliedASD, ASDProfile, RandomVibration
 from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.quality import Quality
-from flexcli.results import Cost, Note, Result, Status, Value, WorstCaseRow
+from flexcli.results import (
+    Cost,
+    Note,
+    Result,
+    Spectrum,
+    SpectrumColumn,
+    Status,
+    Value,
+    WorstCaseRow,
+)
 from flexcli.units import STANDARD_GRAVITY, show
 
-__all__ = ["Environment", "environments", "exposed", "worst_case"]
+__all__ = ["Environment", "environments", "exposed", "over_frequency", "worst_case"]
+
+Floats = NDArray[np.float64]
 
 MODEL = "closed-form (Miles) and quadrature (exact)"
 CRITICAL = 0.5
 """Below this Q an oscillator does not oscillate, and has no resonance to design for."""
 NEGLIGIBLE = 1e-3
 """Miles is called unsafe from so much below the exact response: less than it is quoted with."""
+
+A_DECADE = 41
+"""Natural frequencies a decade, and the fewest of all, at which the rms is given."""
+LEAST_LEVEL = 1e-300
+"""Level that stands for none where a logarithm is taken."""
 
 MILES = "Miles, √(π/2 f Q ASD), over all frequencies"
 EXACT = "exact single-degree-of-freedom response to the profile's band"
@@ -92,8 +111,56 @@ def _environment(
     return Environment(case, name, use.profile, applied, q, use.sigma, use.tolerance)
 
 
-def worst_case(found: Sequence[Environment], spec: str, title: str = "") -> Result:
-    """Return Miles' worst case and the exact response of every environment; the greatest leads."""
+def over_frequency(each: Environment) -> tuple[Floats, Floats, Floats, Floats]:
+    """Return the rms acceleration of oscillators by their natural frequency.
+
+    Returns
+    -------
+    natural : array
+        Natural frequencies over the profile's band, evenly spaced in logarithms, and those of the
+        profile's points [Hz].
+    level : array
+        Density there [(m/s²)²/Hz].
+    miles, exact : array
+        Rms absolute acceleration [m/s²].
+
+    """
+    f, g = np.asarray(each.applied.frequency), np.asarray(each.applied.level)
+    count = max(int(A_DECADE * np.log10(f[-1] / f[0])), A_DECADE)
+    natural = np.union1d(np.geomspace(f[0], f[-1], count)[1:-1], f)
+    if each.applied.scale == "log":
+        level = np.exp(np.interp(np.log(natural), np.log(f), np.log(np.maximum(g, LEAST_LEVEL))))
+    else:
+        level = np.interp(natural, f, g)
+    exact = ResponseSpectrum(f, g, each.q, each.applied.scale)(natural)
+    return natural, level, miles(natural, each.q, level), exact
+
+
+def _spectrum(each: Environment) -> Spectrum:
+    natural, level, by_miles, exact = over_frequency(each)
+    columns = (
+        ("frequency", "Hz", "natural frequency of an oscillator", natural),
+        ("miles", "m/s^2", "rms acceleration, by Miles", by_miles),
+        ("exact", "m/s^2", "rms acceleration, exact", exact),
+        ("level", "(m/s^2)^2/Hz", "density of the profile", level),
+    )
+    return Spectrum(
+        "worst-case",
+        f"rms acceleration of oscillators, {each.name}, Q = {each.q:g}",
+        each.case,
+        tuple(
+            SpectrumColumn(name, unit, label, tuple(x.tolist())) for name, unit, label, x in columns
+        ),
+    )
+
+
+def worst_case(
+    found: Sequence[Environment], spec: str, title: str = "", *, spectra: bool = False
+) -> Result:
+    """Return Miles' worst case and the exact response of every environment; the greatest leads.
+
+    ``spectra`` asks for both over the natural frequency besides.
+    """
     started = perf_counter()
     rows = [_row(each) for each in found]
     lead = max(rows, key=lambda row: row.g_rms_worst)
@@ -108,6 +175,7 @@ def worst_case(found: Sequence[Environment], spec: str, title: str = "") -> Resu
         values=_values(lead),
         warnings=tuple(notes),
         worst_cases=tuple(rows),
+        spectra=tuple(map(_spectrum, found)) if spectra else (),
         cost=Cost(perf_counter() - started, MODEL, abs(lead.miles_excess)),
     )
 

@@ -7,14 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from flexcli.engine.asd_worst_case import environments
+from flexcli.engine.asd_worst_case import environments, over_frequency
 from flexcli.engine.assess import factors
 from flexcli.engine.draw import drawing
 from flexcli.engine.simulate import strokes
 from flexcli.errors import SolveError
 from flexcli.formulas.card import Card, sheet
-from flexcli.formulas.miles import miles
-from flexcli.formulas.response_spectrum import ResponseSpectrum
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
@@ -28,7 +26,7 @@ from flexcli.results.simulation import SpaceSweep, SweepResult
 __all__ = ["dossier"]
 
 POINTS = 41
-"""Travels over the stroke, frequencies a decade, and designs along each side of a region."""
+"""Travels over the stroke, and designs along each side of a region."""
 
 POINTS_IN_SPACE = 11
 """Travels over the stroke of a mechanism in space, where each takes longer."""
@@ -96,23 +94,18 @@ def _spectra(design: DesignSpec, result: Result) -> Iterator[Spectrum]:
         value.value for name, value in result.values.items() if name in ("f_0", "f_final", "f_1")
     ]
     for each in environments(design):
-        f, level = np.asarray(each.applied.frequency), np.asarray(each.applied.level)
-        decades = np.log10(f[-1] / f[0])
-        natural = np.geomspace(f[0], f[-1], max(int(POINTS * decades), POINTS))
-        logarithmic = each.applied.scale == "log"
-        at = np.exp(np.interp(np.log(natural), np.log(f), np.log(np.maximum(level, 1e-300))))
-        if not logarithmic:
-            at = np.interp(natural, f, level)
+        natural, _, by_miles, exact = over_frequency(each)
+        f = each.applied.frequency
         yield Spectrum(
             case=each.case,
             profile=each.name,
             q=each.q,
-            frequency=tuple(f.tolist()),
-            level=tuple(level.tolist()),
-            log_level=logarithmic,
+            frequency=tuple(map(float, f)),
+            level=tuple(map(float, each.applied.level)),
+            log_level=each.applied.scale == "log",
             natural=tuple(natural.tolist()),
-            miles=tuple(np.asarray(miles(natural, each.q, at)).tolist()),
-            exact=tuple(ResponseSpectrum(f, level, each.q, each.applied.scale)(natural).tolist()),
+            miles=tuple(by_miles.tolist()),
+            exact=tuple(exact.tolist()),
             modes=tuple(x for x in frequencies if f[0] <= x <= f[-1]),
         )
 

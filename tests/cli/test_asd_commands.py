@@ -1,6 +1,8 @@
 """``flexure asd`` as a user runs it: exit code, what is printed, what is written."""
 
+import csv
 import json
+import math
 from pathlib import Path
 
 import pytest
@@ -79,6 +81,25 @@ def test_worst_case_takes_the_design_of_the_folder_and_another_q(flexure, tmp_pa
     rows = answer(flexure("asd", "worst-case", "--q", "25", "--q", "400", "--format", "json"))
     low, high = (row["g_rms_worst"] for row in rows["worst_cases"])
     assert high == pytest.approx(4 * low, rel=1e-12)  # √Q
+
+
+def test_the_rms_over_frequency_is_a_table_whose_greatest_is_the_worst_case(flexure, tmp_path):
+    (tmp_path / "flat.yaml").write_text(GOOD)
+    told = flexure(
+        "asd", "worst-case", "flat.yaml", "--q", "100", "-o", "rms.csv", "--format", "json"
+    )
+    with (tmp_path / "rms.csv").open() as file:
+        rows = [
+            {k.split(" [")[0]: float(x) for k, x in row.items()} for row in csv.DictReader(file)
+        ]
+    worst = answer(told)["worst_cases"][0]["g_rms_worst"]
+    assert max(row["miles"] for row in rows) == pytest.approx(worst, rel=1e-12)
+    for row in rows:
+        miles = math.sqrt(math.pi / 2 * row["frequency"] * 100 * row["level"])
+        assert row["miles"] == pytest.approx(miles, rel=1e-12)
+    # far inside a flat part Miles' white noise is what the oscillator sees
+    middle = min(rows, key=lambda row: abs(math.log(row["frequency"] / 630)))
+    assert middle["exact"] == pytest.approx(middle["miles"], rel=0.01)
 
 
 def test_a_written_envelope_validates_and_serves_a_design(flexure, tmp_path, example_text):
