@@ -35,7 +35,7 @@ from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask, JointModel
 from flexcli.results import Cost, QuantityKind, Result, Status, Value
 from flexcli.results.activity import doing
-from flexcli.results.simulation import SweepPoint, SweepResult
+from flexcli.results.simulation import Deflection, SweepPoint, SweepResult
 
 __all__ = ["moving_cases", "simulate", "strokes"]
 
@@ -162,7 +162,13 @@ def _sweep(ask: Ask, points: int, blades: Effects) -> SweepResult:
     if missed:
         cause = str(state.outcome[missed[0]].value)
         why = f"{len(missed)} of {points} travels were not reached: {cause}"
-    return SweepResult(scene.case, ask.geometry.motion, _points(ask, state, travels), why)
+    points_found = _points(ask, state, travels)
+    reached = np.array([point.travel for point in points_found])
+    deflections = tuple(
+        Deflection(joint, unit, tuple(values.tolist()))
+        for joint, (unit, values) in ask.geometry.joint_deflections(reached).items()
+    )
+    return SweepResult(scene.case, ask.geometry.motion, points_found, why, deflections)
 
 
 def _points(ask: Ask, state: Equilibrium, travels: Floats) -> tuple[SweepPoint, ...]:

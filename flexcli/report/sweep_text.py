@@ -65,12 +65,34 @@ def sweep_table(sweep: SweepResult) -> Iterator[RenderableType]:
     for point in sweep.points:
         found.add_row(*(f"{getattr(point, name) / scales[name][1]:.5g}" for name in columns))
     yield found
+    if sweep.deflections:
+        yield _deflections(sweep, scales["travel"])
     if not all(point.stable for point in sweep.points):
         yield Line(("unstable where the drive is let go", "yellow"))
+
+
+def _deflections(sweep: SweepResult, input_scale: tuple[str, float]) -> RenderableType:
+    """Return the deflection of every joint of a linkage over its input."""
+    name, unit = input_scale
+    columns = {f"travel [{name}]": [point.travel / unit for point in sweep.points]}
+    for joint, joint_unit, values in sweep.deflections:
+        name, unit = shown_unit(max(map(abs, values)), joint_unit)
+        columns[f"{joint} [{name}]"] = [value / unit for value in values]
+    title = f"Deflection of joints, links rigid, {sweep.case}"
+    found = table(title, *columns, numbers=range(len(columns)))
+    for row in zip(*columns.values(), strict=True):
+        found.add_row(*(f"{value:.5g}" for value in row))
+    return found
 
 
 def sweep_csv(sweeps: Sequence[SweepResult]) -> str:
     """Return every point of every case as CSV, SI units in the heading."""
     units, names = _units(sweeps[0]), SweepPoint._fields
-    heading = ("case", *(f"{n} [{units[n]}]" if n in units else n for n in names))
-    return rows_csv(heading, ((sweep.case, *point) for sweep in sweeps for point in sweep.points))
+    heading = ["case", *(f"{n} [{units[n]}]" if n in units else n for n in names)]
+    heading += [f"{d.joint} [{d.unit}]" for d in sweeps[0].deflections]
+    rows = (
+        (sweep.case, *point, *(d.values[index] for d in sweep.deflections))
+        for sweep in sweeps
+        for index, point in enumerate(sweep.points)
+    )
+    return rows_csv(heading, rows)

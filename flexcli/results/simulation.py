@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-__all__ = ["SpacePoint", "SpaceSweep", "SweepPoint", "SweepResult"]
+__all__ = ["Deflection", "SpacePoint", "SpaceSweep", "SweepPoint", "SweepResult"]
 
 
 class SweepPoint(NamedTuple):
@@ -78,6 +78,14 @@ class SpaceSweep(NamedTuple):
     missed: str = ""
 
 
+class Deflection(NamedTuple):
+    """Deflection of one joint of a linkage of rigid links, at every point of a sweep, in a unit."""
+
+    joint: str
+    unit: str
+    values: tuple[float, ...]
+
+
 class SweepResult(NamedTuple):
     """The sweep of one case; ``missed`` says which travels were not reached, and why."""
 
@@ -85,3 +93,4 @@ class SweepResult(NamedTuple):
     motion: str
     points: tuple[SweepPoint, ...]
     missed: str = ""
+    deflections: tuple[Deflection, ...] = ()

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 from pathlib import Path
 
 import pytest
@@ -114,3 +115,22 @@ def test_the_examples_folder_of_linkages_survives_a_write(flexure, tmp_path):
         assert [check["factor"] for check in document["checks"]] == pytest.approx(
             [1.0] * 3, rel=2e-6
         )
+
+
+def test_a_crank_stage_follows_the_relations_of_its_source_over_the_input(flexure, tmp_path):
+    crank = Path(__file__).parents[2] / "examples/crank-linear-stage/flexure.yaml"
+    (tmp_path / "flexure.yaml").write_text(crank.read_text())
+    sizes = {"theta": "120 um", "beta": "60 um", "alpha": "330 um"}
+    given = [f"--set=geometry.joints.{joint}.flexure.h={h}" for joint, h in sizes.items()]
+    told = flexure("simulate", *given, "--points", "5", "--csv", "theta.csv")
+    assert told.returncode == 0, told.stderr
+    with (tmp_path / "theta.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 5
+    for row in rows:
+        theta, alpha, beta = (float(row[f"{name} [rad]"]) for name in ("travel", "alpha", "beta"))
+        # exercise 12 C, solution: L = 50 mm
+        assert math.sin(alpha) == pytest.approx(1 - math.cos(theta), abs=1e-12)
+        assert beta == pytest.approx(alpha - theta, abs=1e-12)
+        z = 0.05 * (math.sin(theta) - math.cos(alpha) + 1)
+        assert float(row["z [m]"]) == pytest.approx(z, abs=1e-14)

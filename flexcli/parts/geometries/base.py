@@ -6,6 +6,7 @@ from math import hypot, inf, pi
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import AliasPath, Field, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
@@ -21,6 +22,8 @@ from flexcli.results import ErrorRange, QuantityKind, Value
 
 if TYPE_CHECKING:
     from flexcli.mechanics.space.layout import SpaceLayout
+
+Floats = NDArray[np.float64]
 
 THICKNESSES = ("h", "e", "d")
 """Symbols of sizes that are the thickness of what flexes."""
@@ -430,6 +433,13 @@ class Geometry(Part):
     def filleted(self, sizes: Sizes, nu: float) -> FilletedRoots | None:
         """Return what fillets change in its closed forms, nothing where they know of none."""
         return None
+
+    def joint_deflections(self, inputs: Floats) -> Mapping[str, tuple[str, Floats]]:
+        """Return unit and deflections of every joint that an input moves [rad or m], by name.
+
+        Nothing where it is one joint. Links are taken as rigid.
+        """
+        return {}
 
     def with_giving_clamps(self) -> "Geometry | None":
         """Return it cut from one piece with its bodies where nothing says how its blades end."""

@@ -21,7 +21,7 @@ from flexcli.parts.bending.thick import thick_linked
 from flexcli.parts.bending.wide import wide_linked
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.any_flexure import AnyFlexure
-from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry, Sizes
+from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Floats, Geometry, Sizes
 from flexcli.results import Value
 from flexcli.units import show
 
@@ -174,6 +174,14 @@ class LinkageGeometry(Geometry):
                     f"stops at {stop.input:.6g} of its input {self.input}: {stop.end.value}"
                 )
         return found
+
+    def joint_deflections(self, inputs: Floats) -> Mapping[str, tuple[str, Floats]]:
+        """Return those of every joint but the input itself."""
+        return {
+            name: ("rad" if self.joints[name].along is None else "m", found)
+            for name, found in motion(self.rigid, inputs).deflections.items()
+            if name != self.input
+        }
 
     def deflections(self, start: float, end: float) -> dict[str, Extremes]:
         """Return the extremes of every joint's deflection over a range of the input."""
