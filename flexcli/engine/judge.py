@@ -277,7 +277,8 @@ def limits_by(
     """Yield the limits of a requirement in a case by one model, each with its error."""
     ask = design.ask(scene, sizes, model.joint_model)
     errors: dict[QuantityKind, ErrorRange | None] = {}
-    spread = ask.material.spread
+    spread, kinds = ask.material.spread, (QuantityKind.SUPPORT, QuantityKind.RESPONSE)
+    in_space = design.geometry.in_space or bool(scene.across_by)
     for limit in requirement.limits(ask):
         kind, error = limit.kind, limit.error
         if kind is None:
@@ -287,8 +288,11 @@ def limits_by(
             if kind not in errors:  # one for all places of a stress
                 errors[kind] = ask.joint_model.error(ask, kind)
             error = errors[kind]
-        if spread and error is not None:
-            error += ErrorRange(-spread, spread)
+        if ask.material.is_uneven and kind is QuantityKind.SHIFT:
+            error = None  # blades that differ move it off by what no one blade would
+        off = spread + (ask.material.sheared if in_space or kind in kinds else 0.0)
+        if off and error is not None:
+            error += ErrorRange(-off, off)
         yield replace(limit, error=error)
 
 

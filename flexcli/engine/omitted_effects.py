@@ -16,6 +16,9 @@ __all__ = ["NOTABLE", "effects", "errors_of", "reported", "setting", "warnings"]
 NOTABLE = 0.05
 """An effect left out that may change a number by more than this is a warning, not only a row."""
 
+ALIKE = 1e-9
+"""Share by which a number differs from itself by rounding."""
+
 NEAR = 30.0
 """Change of temperature [K] up to which no property of a metal is worth a word."""
 
@@ -84,7 +87,11 @@ def errors_of(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> dict
     asks, found = design.asks(sizes, joint_model), {}
     for kind in QuantityKind:
         each = [joint_model.error(ask, kind) for ask in asks]
-        known = [error.largest for error in each if error is not None]
+        known = [
+            error.largest + ask.material.spread
+            for ask, error in zip(asks, each, strict=True)
+            if error is not None and not (ask.material.is_uneven and kind is QuantityKind.SHIFT)
+        ]
         if len(known) == len(each):
             found[kind.value] = max(known, default=0.0)
     return found
@@ -99,6 +106,11 @@ def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> t
     if placeholders:
         text = f"placeholder values, not physical: material.{', material.'.join(placeholders)}"
         notes.append(Note("placeholder-material", text))
+    notes.extend(_damped_by_material(design))
+    if design.material.crystal is not None and design.requirements.yielding:
+        text = "a crystal breaks before it yields: its strength is that of a surface and a size "
+        text += "(Weibull), and a factor on it says nothing of how many break"
+        notes.append(Note("brittle", text))
     if design.requirements.fatigue is not None:
         single = design.material.fatigue_amplitude
         if single is not None and single.stress_ratio is None:
@@ -115,6 +127,18 @@ def warnings(design: DesignSpec, sizes: Sizes, rows: tuple[EffectRow, ...]) -> t
         if row.estimate >= NOTABLE and not row.on
     )
     return tuple(notes)
+
+
+def _damped_by_material(design: DesignSpec) -> Iterator[Note]:
+    """Yield the cases whose modes are damped by the material alone."""
+    given = design.material.loss_factor
+    if given is None:
+        return
+    for name, case in design.cases.items():
+        if case.q is not None and abs(case.q.all * given.value - 1.0) < ALIKE:
+            text = f"case '{name}' states no Q: {case.q.all:.4g} is that of the material's loss "
+            text += "factor alone; clamps, air and what is mounted damp besides, by measurement"
+            yield Note("material-damping", text)
 
 
 def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[Note]:

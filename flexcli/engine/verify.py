@@ -109,6 +109,9 @@ def verify(
         it has none of a name.
 
     """
+    if design.material.is_directed:
+        text = "solids are isotropic here, and this material is not"
+        raise SolveError("directed-material", text, "give youngs_modulus and poisson_ratio instead")
     begun = perf_counter()
     design, notes = _between_rigid_clamps(design, sizes)
     named = model_series(design, model)[-1]

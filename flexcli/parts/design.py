@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from math import atan2, hypot
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
 
 from pydantic import Field, GetJsonSchemaHandler, PrivateAttr, model_validator
@@ -50,6 +51,12 @@ else:
     Robust = Annotated[Any, Named("flexcli.parts.tolerances:Robust")]
 
 __all__ = ["DesignSpec", "ModelName", "Problem"]
+
+SHAKEN = ("asd", "axes", "shock", "sine", "sweep", "sines")
+"""Loads of a case that Q is for."""
+
+IN_PLANE = 1e-6
+"""Slope of a blade against its wafer that is rounding."""
 
 CASE_KEYS = tuple(Case.model_fields)
 EffectKey: TypeAlias = Literal[tuple(effect.key for effect in EFFECTS)]  # type: ignore[valid-type]
@@ -152,6 +159,21 @@ class DesignSpec(Part):
         rest = {key: value for key, value in data.items() if key not in CASE_KEYS}
         return {**rest, "cases": {"design": {key: data[key] for key in loose}}}
 
+    @model_validator(mode="before")
+    @classmethod
+    def _material_damps(cls, data: Any) -> Any:
+        """Give cases that vibrate, and state no Q, that of the material's loss factor."""
+        if not isinstance(data, dict) or not isinstance(data.get("cases"), dict):
+            return data
+        quality, mechanism = _quality_of(data.get("material")), data.get("mechanism")
+        if quality is None or (isinstance(mechanism, dict) and "damping" in mechanism):
+            return data
+        cases = {
+            name: {**case, "q": quality} if _lacks_q(case) else case
+            for name, case in data["cases"].items()
+        }
+        return {**data, "cases": cases}
+
     @classmethod
     def __get_pydantic_json_schema__(
         cls, schema: CoreSchema, handler: GetJsonSchemaHandler
@@ -193,6 +215,30 @@ class DesignSpec(Part):
                 at=("geometry", "kind"),
             )
         return self
+
+    @model_validator(mode="after")
+    def _material_is_oriented(self) -> "DesignSpec":
+        """Take the material along the blades, where its stiffness depends on the direction."""
+        if self.material.is_directed:
+            self.__dict__["material"] = self.material.oriented(self._blade_angles())
+        return self
+
+    def _blade_angles(self) -> tuple[float, ...]:
+        """Return the angles of the blades in the plane from x as drawn [rad]."""
+        layout = self.drawn(self.geometry.probe())
+        if layout is None:
+            return (0.0,)
+        found = []
+        for blade in layout.blades:
+            x, y, *z = (float(e) - float(s) for s, e in zip(blade.start, blade.end, strict=True))
+            if z and abs(z[0]) > IN_PLANE * hypot(x, y):
+                raise spec_error(
+                    f"{blade.name} leaves the plane of the wafer or sheet",
+                    "draw it in x and y, or give it a material without an orientation",
+                    at=("material",),
+                )
+            found.append(atan2(y, x) - self.geometry.drawn_turn)
+        return tuple(found)
 
     @model_validator(mode="after")
     def _stops_fit(self) -> "DesignSpec":
@@ -498,6 +544,27 @@ class DesignSpec(Part):
                 list(requirement.judged(ask))
             except RequirementError as error:
                 yield Problem(path, str(error), error.hint)
+
+
+def _quality_of(material: Any) -> float | None:
+    """Return Q by the loss factor of a material, as a spec has it or read already."""
+    if isinstance(material, Material):
+        found = material.loss_factor
+        return None if found is None else 1.0 / found.value
+    given = material.get("loss_factor") if isinstance(material, dict) else None
+    given = given.get("value") if isinstance(given, dict) else given
+    try:
+        return 1.0 / float(given) if given is not None else None
+    except (TypeError, ValueError, ZeroDivisionError):
+        return None  # which the material's own field tells
+
+
+def _lacks_q(case: Any) -> bool:
+    """Return whether a case, as a spec has it, vibrates and states no Q anywhere."""
+    if not isinstance(case, dict) or case.get("q") is not None:
+        return False
+    shaken = [case[key] for key in SHAKEN if case.get(key) is not None]
+    return bool(shaken) and not any(isinstance(load, dict) and "q" in load for load in shaken)
 
 
 def _scaled(limit: Limit, factor: Quantity) -> Limit:

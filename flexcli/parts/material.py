@@ -1,5 +1,6 @@
 """The material of the blades: numbers with their source, and strength as an amplitude."""
 
+from collections.abc import Iterable
 from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -22,13 +23,17 @@ from flexcli.parts.sourced import Sourced, WithSource
 from flexcli.results import Property
 
 if TYPE_CHECKING:
+    from flexcli.parts.anisotropic import Crystal, Orientation, Orthotropic
     from flexcli.parts.over_temperature import OverTemperature
 else:
+    Crystal = Annotated[Any, Named("flexcli.parts.anisotropic:Crystal")]
+    Orientation = Annotated[Any, Named("flexcli.parts.anisotropic:Orientation")]
+    Orthotropic = Annotated[Any, Named("flexcli.parts.anisotropic:Orthotropic")]
     OverTemperature = Annotated[Any, Named("flexcli.parts.over_temperature:OverTemperature")]
 
 __all__ = ["FatigueAmplitude", "Material", "MissingProperty", "SNCurve"]
 
-_UNITS = {"poisson_ratio": "", "density": "kg/m^3", "thermal_expansion": "1/K"}
+_UNITS = {"poisson_ratio": "", "loss_factor": "", "density": "kg/m^3", "thermal_expansion": "1/K"}
 """SI units of the properties that are no stress."""
 
 
@@ -181,6 +186,22 @@ class Material(Part):
         None
     )
     """Poisson's ratio, e.g. ``0.34``."""
+    crystal: Crystal | None = None
+    """Stiffness of a cubic crystal, of which the moduli are by its orientation,
+    e.g. ``{c11: 165.7 GPa, c12: 63.9 GPa, c44: 79.6 GPa}``.
+    """
+    orthotropic: Orthotropic | None = None
+    """Constants of an orthotropic sheet, of which the moduli are by its orientation,
+    e.g. ``{E_1: 140 GPa, E_2: 10 GPa, G_12: 5 GPa, nu_12: 0.3}``.
+    """
+    orientation: Orientation | None = None
+    """How the blades lie in the crystal or the sheet,
+    e.g. ``orientation: {turned: 45 deg}, crystal: {c11: 165.7 GPa, c12: 63.9 GPa, c44: 79.6 GPa}``.
+    """
+    loss_factor: Sourced[Annotated[float, QuantityOf("ratio", above=0.0, below=1.0)]] | None = None
+    """Loss factor of the material, 1/Q, which a vibration has where it states no Q,
+    e.g. ``1e-3``.
+    """
     density: Sourced[Density] | None = None
     """Mass per volume, e.g. ``4430 kg/m^3``."""
     tensile_strength: Sourced[Stress] | None = None
@@ -208,6 +229,8 @@ class Material(Part):
         default_factory=dict
     )
     _spread: float = PrivateAttr(0.0)
+    _sheared: float = PrivateAttr(0.0)
+    _is_uneven: bool = PrivateAttr(False)
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -215,7 +238,32 @@ class Material(Part):
     ) -> dict[str, Any]:
         whole = handler.resolve_ref_schema(handler(schema))
         alone = {"required": whole.pop("required")}
-        return {**whole, "anyOf": [alone, {"required": ["extends"]}]}
+        others = ("extends", "crystal", "orthotropic")
+        return {**whole, "anyOf": [alone, *({"required": [key]} for key in others)]}
+
+    @model_validator(mode="before")
+    @classmethod
+    def _moduli_of_sheet(cls, data: Any) -> Any:
+        """Give a crystal or an orthotropic sheet the moduli along x."""
+        if not isinstance(data, dict):
+            return data
+        sheets = [key for key in ("crystal", "orthotropic") if data.get(key) is not None]
+        if not sheets:
+            if data.get("orientation") is not None:
+                raise spec_error(
+                    "nothing says what depends on the orientation",
+                    "give crystal or orthotropic",
+                    at=("orientation",),
+                )
+            return data
+        for key in ("youngs_modulus", "poisson_ratio", *sheets[1:]):
+            if data.get(key) is not None:
+                raise spec_error(
+                    f"{key} stands beside {sheets[0]}, of which it follows", "keep one", at=(key,)
+                )
+        from flexcli.parts.anisotropic import stated
+
+        return stated(data)
 
     @model_validator(mode="after")
     def _strengths_in_order(self) -> "Material":
@@ -268,6 +316,43 @@ class Material(Part):
         """Return what the stiffness of the material is made of."""
         ratio = self.poisson_ratio
         return Elastic(self.E, ratio.value if ratio is not None else None)
+
+    def oriented(self, angles: Iterable[float]) -> "Material":
+        """Return the material of blades at angles from x [rad]: its own where none matters."""
+        sheet = self.crystal if self.crystal is not None else self.orthotropic
+        if sheet is None:
+            return self
+        from flexcli.parts.anisotropic import blades_of
+
+        blades = blades_of(sheet, self.orientation, angles)
+        values = {"youngs_modulus": blades.E, "poisson_ratio": blades.nu}
+        found = self.model_copy(
+            update={
+                name: getattr(self, name).model_copy(update={"value": value})
+                for name, value in values.items()
+            }
+        )
+        found._spread, found._sheared = blades.spread, blades.sheared
+        found._is_uneven = blades.uneven
+        return found
+
+    @property
+    def sheared(self) -> float:
+        """Return by what share twist and shear across the width may be off besides [-].
+
+        A crystal's shear modulus is not that of its Young's modulus and Poisson's ratio.
+        """
+        return self._sheared
+
+    @property
+    def is_directed(self) -> bool:
+        """Return whether its stiffness depends on the direction."""
+        return self.crystal is not None or self.orthotropic is not None
+
+    @property
+    def is_uneven(self) -> bool:
+        """Return whether blades differ in stiffness from each other, by what ``spread`` says."""
+        return self._is_uneven
 
     @property
     def expands(self) -> bool:
@@ -322,14 +407,17 @@ class Material(Part):
             update["sn_amplitudes"] = self.sn_amplitudes.times(changed["fatigue_amplitude"])
         found = self.model_copy(update=update)
         grown = max(abs(self.growth(T - assembly, assembly)) for T in ends) if self.expands else 0.0
-        found._spread = (high - low) / (high + low) + SECTIONS * grown
+        differ = (high - low) / (high + low)
+        found._spread = self._spread + differ + SECTIONS * grown
+        found._is_uneven = self._is_uneven or differ > 0.0
         return found
 
     @property
     def spread(self) -> float:
-        """Return by what share stiffness may differ at its temperature [-].
+        """Return by what share a stiffness of its moduli may be off [-].
 
-        Young's modulus differs between blades of different temperatures, and sections grow.
+        Blades of different temperatures or directions differ in them, sections grow with heat, and
+        plates of a crystal are not quite isotropic ones.
         """
         return self._spread
 

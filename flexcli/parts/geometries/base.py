@@ -261,6 +261,11 @@ class Geometry(Part):
         return 0.0 if self.motion == "rotation" else pi / 2.0
 
     @property
+    def drawn_turn(self) -> float:
+        """Return the angle from the layout's x to x as it is drawn [rad]."""
+        return 0.0
+
+    @property
     def moving_name(self) -> str:
         """Return how a spec calls the body that its layout calls ``moving``."""
         return MOVING

@@ -110,6 +110,11 @@ class FreeLayout(ClampedBlades):
         return any(body.mass or body.inertia for body in self.bodies.values())
 
     @property
+    def drawn_turn(self) -> float:
+        """Return the angle from the layout's x to x as it is drawn [rad]."""
+        return self._turn
+
+    @property
     def moving_name(self) -> str:
         """Return how the spec calls the moving body."""
         return self.moving

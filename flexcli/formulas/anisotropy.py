@@ -1,0 +1,158 @@
+"""Elastic constants of crystals and orthotropic sheets along any axes, from the rotated tensor."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "StripConstants",
+    "cubic_stiffness",
+    "orthotropic_stiffness",
+    "plate_anisotropy",
+    "strip_constants",
+]
+
+Floats = NDArray[np.float64]
+
+PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+"""Voigt's order: 11, 22, 33, 23, 13, 12."""
+
+
+class StripConstants(NamedTuple):
+    """Elastic constants of a strip: 1 along it, 2 across its thickness, 3 across its width.
+
+    ``E`` is Young's modulus along it [Pa], ``E_width`` that across its width; ``nu_width`` is how
+    far the width shrinks as it is stretched, ``nu_length`` the other way round [-]; ``G_wide``
+    is the shear modulus of its broad faces, plane 13 [Pa].
+    """
+
+    E: float
+    E_width: float
+    nu_width: float
+    nu_length: float
+    G_wide: float
+
+    @property
+    def nu(self) -> float:
+        """Return Poisson's ratio of the isotropic plate that is as stiff where it is very wide.
+
+        ``E/(1 − ν_13 ν_31)``; negative where the width grows.
+        """
+        root = np.sqrt(abs(self.nu_width * self.nu_length))
+        return float(np.copysign(root, self.nu_width))
+
+
+def cubic_stiffness(c11: float, c12: float, c44: float) -> Floats:
+    """Return the stiffness matrix (6, 6) of a cubic crystal along its axes, in Voigt's order [Pa].
+
+    Raises
+    ------
+    ValueError
+        When the crystal would not be stable: c11 > |c12|, c11 + 2 c12 > 0, c44 > 0.
+
+    """
+    if not (c11 > abs(c12) and c11 + 2.0 * c12 > 0.0 and c44 > 0.0):
+        raise ValueError("no crystal has these constants: c11 > |c12|, c11 + 2 c12 > 0, c44 > 0")
+    C = np.diag([c11] * 3 + [c44] * 3)
+    C[:3, :3] += c12 * (1.0 - np.eye(3))
+    return C
+
+
+def orthotropic_stiffness(*, E_1: float, E_2: float, G_12: float, nu_12: float) -> Floats:
+    """Return the stiffness matrix (6, 6) of an orthotropic sheet, 3 being its normal [Pa].
+
+    Its properties through the thickness, which bending in its plane hardly asks for, are taken as
+    those across: E_3 = E_2, ν_13 = ν_23 = ν_12, G_13 = G_23 = G_12.
+
+    Raises
+    ------
+    ValueError
+        When no solid has these constants.
+
+    """
+    S = np.zeros((6, 6))
+    nu_23 = nu_12 * E_2 / E_1
+    S[0, 0], S[1, 1], S[2, 2] = 1.0 / E_1, 1.0 / E_2, 1.0 / E_2
+    S[0, 1] = S[1, 0] = S[0, 2] = S[2, 0] = -nu_12 / E_1
+    S[1, 2] = S[2, 1] = -nu_23 / E_2
+    S[3, 3] = S[4, 4] = S[5, 5] = 1.0 / G_12
+    if float(np.linalg.eigvalsh(S)[0]) <= 0.0:
+        raise ValueError("no solid has these constants: |ν_12| is below √(E_1/E_2)")
+    return np.asarray(np.linalg.inv(S))
+
+
+def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
+    """Return the constants of a strip that is cut from a crystal or sheet along any axes.
+
+    ``S'_ijkl = a_im a_jn a_ko a_lp S_mnop``, ``E = 1/S'_1111``, ``G_13 = 1/(4 S'_1313)``,
+    ``ν_13 = −S'_1133/S'_1111``.
+
+    Parameters
+    ----------
+    C : array_like, shape (6, 6)
+        Stiffness along the material's axes in Voigt's order [Pa].
+    axes : array_like, shape (3, 3)
+        Rows: the strip's length, thickness and width in the material's axes, orthonormal.
+
+    Returns
+    -------
+    StripConstants
+        Its engineering constants.
+
+    Notes
+    -----
+    What couples bending with twist along axes that are none of symmetry (S_15 and its like) is left
+    out.
+
+    Examples
+    --------
+    >>> C = cubic_stiffness(165.7e9, 63.9e9, 79.6e9)
+    >>> r = 0.5**0.5
+    >>> found = strip_constants(C, [[r, r, 0.0], [-r, r, 0.0], [0.0, 0.0, 1.0]])
+    >>> round(found.E / 1e9, 1), round(found.nu_width, 3)
+    (169.1, 0.362)
+
+    References
+    ----------
+    Nye (1957), Physical Properties of Crystals, chapter 8; of silicon, Hopcroft, Nix & Kenny
+    (2010), What is the Young's modulus of silicon?, doi:10.1109/JMEMS.2009.2039697.
+
+    """
+    flat = np.linalg.inv(np.asarray(C, dtype=np.float64))
+    S = np.zeros((3, 3, 3, 3))
+    for p, (i, j) in enumerate(PAIRS):
+        for q, (k, l) in enumerate(PAIRS):
+            part = flat[p, q] / ((2.0 if p > 2 else 1.0) * (2.0 if q > 2 else 1.0))
+            for a, b in ((i, j), (j, i)):
+                S[a, b, k, l] = S[a, b, l, k] = part
+    a = np.asarray(axes, dtype=np.float64)
+    turned = np.einsum("im,jn,ko,lp,mnop->ijkl", a, a, a, a, S)
+    E, E_width = 1.0 / turned[0, 0, 0, 0], 1.0 / turned[2, 2, 2, 2]
+    coupled = turned[0, 0, 2, 2]
+    return StripConstants(
+        E=float(E),
+        E_width=float(E_width),
+        nu_width=float(-coupled * E),
+        nu_length=float(-coupled * E_width),
+        G_wide=float(0.25 / turned[0, 2, 0, 2]),
+    )
+
+
+def plate_anisotropy(strip: StripConstants) -> float:
+    """Return how far the plate of a strip is from an isotropic one [-].
+
+    The largest of |κ − 1|, ``κ = (ν_31 D_1 + 2 G_13)/√(D_1 D_3)`` with D = E/(1 − ν_13 ν_31), and
+    of |(E_1/E_3)^¼ − 1|, by which the width of an isotropic plate would be scaled.
+
+    References
+    ----------
+    Lekhnitskii (1968), Anisotropic Plates: the two numbers on which the bending of an orthotropic
+    plate depends, besides its stiffness.
+
+    """
+    shared = 1.0 - strip.nu_width * strip.nu_length
+    D_1, D_3 = strip.E / shared, strip.E_width / shared
+    kappa = (strip.nu_length * D_1 + 2.0 * strip.G_wide) / np.sqrt(D_1 * D_3)
+    scaled = (strip.E / strip.E_width) ** 0.25
+    return float(max(abs(kappa - 1.0), abs(scaled - 1.0)))

@@ -1,0 +1,164 @@
+"""Materials whose stiffness depends on the direction: crystals, orthotropic sheets, their cut."""
+
+from collections.abc import Iterable
+from math import cos, sin
+from typing import Annotated, Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import model_validator
+
+from flexcli.formulas.anisotropy import (
+    cubic_stiffness,
+    orthotropic_stiffness,
+    plate_anisotropy,
+    strip_constants,
+)
+from flexcli.parts.base import Angle, Part, QuantityOf, Stress, spec_error
+from flexcli.parts.sourced import WithSource
+
+__all__ = ["Blades", "Crystal", "Orientation", "Orthotropic", "blades_of"]
+
+Floats = NDArray[np.float64]
+
+WAFERS = {
+    "100": ((1.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
+    "110": ((1.0, -1.0, 0.0), (1.0, 1.0, 0.0)),
+    "111": ((1.0, -1.0, 0.0), (1.0, 1.0, 1.0)),
+}
+"""A direction ⟨110⟩ in each wafer, that of its flat, and its normal."""
+
+ALIKE = 1e-9
+"""Difference of blades' moduli that is rounding [-]."""
+
+
+class Crystal(WithSource):
+    """A cubic crystal by its stiffness along the cube's edges."""
+
+    c11: Stress
+    """Stiffness along an edge, e.g. ``165.7 GPa``."""
+    c12: Annotated[float, QuantityOf("stress")]
+    """Stress across an edge by a strain along it, e.g. ``63.9 GPa``."""
+    c44: Stress
+    """Shear stiffness, e.g. ``79.6 GPa``."""
+
+    @model_validator(mode="after")
+    def _is_stable(self) -> "Crystal":
+        _refuse_unstable(self)
+        return self
+
+    def stiffness(self) -> Floats:
+        """Return the stiffness along the axes of the crystal (6, 6) [Pa]."""
+        return cubic_stiffness(self.c11, self.c12, self.c44)
+
+    def frame(self, orientation: "Orientation") -> Floats:
+        """Return rows: the reference direction, that across it in the wafer, the normal."""
+        x, n = (np.array(each) / np.linalg.norm(each) for each in WAFERS[orientation.wafer])
+        return np.stack([x, np.cross(n, x), n])
+
+
+class Orthotropic(WithSource):
+    """An orthotropic sheet by its constants in its plane."""
+
+    E_1: Stress
+    """Young's modulus along its first axis, e.g. ``140 GPa``."""
+    E_2: Stress
+    """Young's modulus across it, e.g. ``10 GPa``."""
+    G_12: Stress
+    """Shear modulus in its plane, e.g. ``5 GPa``."""
+    nu_12: Annotated[float, QuantityOf("ratio", above=-1.0, below=2.0)]
+    """Shrinking across per stretch along the first axis, e.g. ``0.3``."""
+
+    @model_validator(mode="after")
+    def _is_stable(self) -> "Orthotropic":
+        _refuse_unstable(self)
+        return self
+
+    def stiffness(self) -> Floats:
+        """Return the stiffness along the axes of the sheet (6, 6) [Pa]."""
+        return orthotropic_stiffness(E_1=self.E_1, E_2=self.E_2, G_12=self.G_12, nu_12=self.nu_12)
+
+    def frame(self, orientation: "Orientation") -> Floats:
+        """Return rows: its first axis, its second, its normal."""
+        return np.eye(3)
+
+
+def _refuse_unstable(part: Crystal | Orthotropic) -> None:
+    try:
+        part.stiffness()
+    except ValueError as error:
+        raise spec_error(str(error), "check the constants and their units") from error
+
+
+class Orientation(Part):
+    """How blades lie in a wafer or sheet."""
+
+    wafer: Literal["100", "110", "111"] = "100"
+    """Plane of the wafer of a crystal, e.g. ``"110"``."""
+    turned: Angle = 0.0
+    """Angle in the wafer from its flat along <110>, or from a sheet's first axis, to x: along the
+    blades of a stage, a pivot's axis of symmetry, x of a drawing, e.g. ``turned: 45 deg``.
+    """
+    width: Literal["normal", "in-plane"] = "normal"
+    """Where the width of blades points: along the normal of the wafer, from which they are cut
+    through, or in its plane, of blades that are thinned; these all lie along x, e.g. ``in-plane``.
+    """
+
+
+class Blades(NamedTuple):
+    """What the blades of a joint are made of together.
+
+    ``E`` [Pa] and ``nu`` stand for all; ``spread`` is by what share a stiffness may be off with
+    them, ``sheared`` what twist and shear may be besides, ``uneven`` says that blades differ.
+    """
+
+    E: float
+    nu: float
+    spread: float
+    sheared: float
+    uneven: bool
+
+
+def blades_of(
+    sheet: Crystal | Orthotropic, orientation: Orientation | None, angles: Iterable[float]
+) -> Blades:
+    """Return what blades at angles from x are made of [rad].
+
+    Plates and clamps are taken as isotropic ones with Poisson's ratio √(ν_13 ν_31), which is exact
+    of very wide blades; how far they are from that, times all that plates can do, is in the error.
+    """
+    orientation = Orientation() if orientation is None else orientation
+    C, frame = sheet.stiffness(), sheet.frame(orientation)
+    each = []
+    thinned = orientation.width == "in-plane"
+    for angle in dict.fromkeys([0.0] if thinned else angles) or [0.0]:
+        turn = orientation.turned + angle
+        along = np.array([cos(turn), sin(turn), 0.0]) @ frame
+        aside = np.array([-sin(turn), cos(turn), 0.0]) @ frame
+        axes = [along, frame[2], -aside] if thinned else [along, aside, frame[2]]
+        each.append(strip_constants(C, axes))
+    moduli = [strip.E for strip in each]
+    E = (min(moduli) + max(moduli)) / 2.0
+    first = max(each, key=lambda strip: abs(strip.nu))
+    wide = 1.0 / (1.0 - first.nu**2) - 1.0
+    uneven = (max(moduli) - min(moduli)) / (2.0 * E)
+    rough = wide * max(plate_anisotropy(strip) for strip in each)
+    sheared = max(abs(s.G_wide * 2.0 * (1.0 + first.nu) / E - 1.0) for s in each)
+    return Blades(E, first.nu, uneven + rough, sheared, uneven > ALIKE)
+
+
+def stated(data: dict[str, Any]) -> dict[str, Any]:
+    """Return a material as a spec has it, with the moduli along x that its sheet has."""
+    kinds = {"crystal": Crystal, "orthotropic": Orthotropic}
+    (key,) = kinds.keys() & data.keys()
+    found = {**data, "youngs_modulus": "1 GPa"}
+    try:
+        sheet = kinds[key].model_validate(data[key])
+        orientation = Orientation.model_validate(data.get("orientation", {}))
+    except ValueError:
+        return found  # which its own field tells
+    blades = blades_of(sheet, orientation, [0.0])
+    source = {"status": sheet.status, "source": sheet.source}
+    found["youngs_modulus"] = {"value": f"{blades.E!r} Pa", **source}
+    found["poisson_ratio"] = {"value": blades.nu, **source}
+    return found
