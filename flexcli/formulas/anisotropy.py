@@ -124,8 +124,8 @@ def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
     for p, (i, j) in enumerate(PAIRS):
         for q, (k, l) in enumerate(PAIRS):
             part = flat[p, q] / ((2.0 if p > 2 else 1.0) * (2.0 if q > 2 else 1.0))
-            for a, b in ((i, j), (j, i)):
-                S[a, b, k, l] = S[a, b, l, k] = part
+            for m, n in ((i, j), (j, i)):
+                S[m, n, k, l] = S[m, n, l, k] = part
     a = np.asarray(axes, dtype=np.float64)
     turned = np.einsum("im,jn,ko,lp,mnop->ijkl", a, a, a, a, S)
     E, E_width = 1.0 / turned[0, 0, 0, 0], 1.0 / turned[2, 2, 2, 2]

@@ -149,6 +149,7 @@ def blades_of(
 
 def stated(data: dict[str, Any]) -> dict[str, Any]:
     """Return a material as a spec has it, with the moduli along x that its sheet has."""
+    kinds: dict[str, type[Crystal] | type[Orthotropic]]
     kinds = {"crystal": Crystal, "orthotropic": Orthotropic}
     (key,) = kinds.keys() & data.keys()
     found = {**data, "youngs_modulus": "1 GPa"}
