@@ -341,16 +341,19 @@ def accuracy(
     *,
     asked: float | None = None,
     runs: int = 5,
+    solid: bool = False,
+    files: MutableMapping[str, str] | None = None,
     overrides: Overrides | None = None,
 ) -> Result:
     """Compare the models on a design: value, error and time of each, median of so many runs.
 
-    ``asked`` is the relative error that will do, over that of the spec.
+    ``asked`` is the relative error that will do, over that of the spec. With ``solid`` elements
+    those are the finest model, which takes minutes; ``files`` gets their decks, by name.
     """
     from flexcli.engine.accuracy import accuracy as compared
 
     def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
-        return compared(design, sizes, name, runs, asked)
+        return compared(design, sizes, name, runs, asked, is_solid=solid, files=files)
 
     return _on_sizes("accuracy", source, overrides, verb)
 

@@ -1,6 +1,6 @@
 """The verb accuracy: every model's error and time on one design, and the cheapest that will do."""
 
-from collections.abc import Sequence
+from collections.abc import MutableMapping, Sequence
 from time import perf_counter
 
 import numpy as np
@@ -10,6 +10,7 @@ from flexcli.engine.comparing.model_series import (
     CONTROL_LEVELS,
     FINEST,
     Finest,
+    Ladder,
     NamedModel,
     Number,
     numbers,
@@ -34,9 +35,19 @@ __all__ = ["Settled", "Timed", "accuracy", "compared", "timed"]
 
 
 def accuracy(
-    design: DesignSpec, sizes: Sizes, spec: str, runs: int, asked: float | None = None
+    design: DesignSpec,
+    sizes: Sizes,
+    spec: str,
+    runs: int,
+    asked: float | None = None,
+    *,
+    is_solid: bool = False,
+    files: MutableMapping[str, str] | None = None,
 ) -> Result:
     """Return what accuracy costs on a design, to the accuracy asked, else the spec's.
+
+    With solid elements (``is_solid``) those are the finest model, and the design's deciding model,
+    with all its corrections, is compared too; ``files`` gets their decks by name.
 
     Raises
     ------
@@ -52,11 +63,18 @@ def accuracy(
         raise SolveError("one-model", text, "'flexure check' judges it by the model that it has")
     models = series(design.geometry, tolerance)
     target = asked or design.accuracy or ACCURACY
-    still = compared(settled, models, timed(settled, models, runs), target, unsettled)
+    times, remarks = timed(settled, models, runs), list[Note]()
+    ladder: Ladder = Ladder(settled, models, times, unsettled)
+    if is_solid:
+        from flexcli.engine.comparing.solid_rung import with_solids
+
+        ladder, remarks = with_solids(design, sizes, ladder, files)
+    still = compared(ladder.settled, ladder.models, ladder.times, target, ladder.unsettled)
+    still = still._replace(is_solid=len(ladder.models) > len(models))
     in_time = accuracy_in_time(design, sizes, runs, target)
     found = still._replace(in_time=in_time)
     ladders = [each for each in (still, in_time) if each is not None]
-    notes = list(_notes(still, ""))
+    notes = [*remarks, *_notes(still, "")]
     if in_time is not None:
         notes += [*_notes(in_time, ", in time"), *time_notes(design)]
     return Result(

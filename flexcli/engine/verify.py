@@ -40,7 +40,7 @@ from flexcli.results import (
 from flexcli.results.activity import doing
 from flexcli.results.verification import Verification, VerifiedNumber
 
-__all__ = ["verify"]
+__all__ = ["verifiable", "verify"]
 
 PRINTED = 2e-6
 """Relative error of what CalculiX prints with seven digits."""
@@ -72,6 +72,7 @@ class _Question(NamedTuple):
     read: str
     error: Callable[[], float] = lambda: PRINTED
     case: str = ""
+    share: Callable[[], float] = lambda: 1.0
 
 
 def verify(
@@ -160,6 +161,12 @@ def verify(
     )  # fmt: skip
 
 
+def verifiable(design: DesignSpec, sizes: Sizes) -> tuple[str, ...]:
+    """Return the names of the numbers that solid elements are asked for."""
+    asks = design.asks(sizes, model_series(design, None)[-1].joint_model)
+    return tuple(question.name for question in _questions(asks))
+
+
 def _between_rigid_clamps(design: DesignSpec, sizes: Sizes) -> tuple[DesignSpec, list[Note]]:
     """Return a design whose clamps are rigid, as those of the solids, and what to say of it."""
     geometry = design.geometry
@@ -214,15 +221,19 @@ class _Bench:
     decks: dict[str, None] = field(default_factory=dict)
     seconds: float = 0.0
     known: dict[str, calculix.Printed] = field(default_factory=dict)
+    asked: float = 0.0
+    """Seconds of all decks that the numbers so far rest on, each time anew."""
 
     def row(self, question: _Question) -> VerifiedNumber:
         """Return a number by the model and by solids."""
-        begun = perf_counter()
-        why, ours, error = "", None, None
+        begun, before = perf_counter(), self.asked
+        why, ours, error, share = "", None, None, 1.0
         try:
             ours, error = question.ours()
+            share = question.share()
         except (NotAvailable, SolveError, MechanismError) as wrong:
             why = f"the model: {wrong}"
+        by_model = perf_counter() - begun
         found: list[float] = []
         try:
             for fineness in range(1, self.meshes + 1):
@@ -243,12 +254,13 @@ class _Bench:
         return VerifiedNumber(
             question.name, question.label, question.unit, question.case, ours, error,
             solid, own, f"{question.deck}-mesh-{self.meshes}", question.read,
-            perf_counter() - begun, why,
+            perf_counter() - begun, why, by_model, self.asked - before, share,
         )  # fmt: skip
 
     def _runner(self, name: str) -> Callable[[Deck], calculix.Printed]:
         def run(deck: Deck) -> calculix.Printed:
             if deck.text in self.known:
+                self.asked += self.known[deck.text].seconds
                 return self.known[deck.text]
             own = name if name not in self.decks else f"{name}-{len(self.decks) + 1}"
             self.decks[own] = None
@@ -257,6 +269,7 @@ class _Bench:
                 raise _NotRun
             printed = calculix.run(deck.text, own)
             self.seconds += printed.seconds
+            self.asked += printed.seconds
             self.files[f"{own}.dat"] = printed.dat
             if printed.frd:
                 self.files[f"{own}.frd"] = printed.frd
@@ -355,6 +368,7 @@ def _case(ask: Ask, model: "_Model", *, many: bool) -> Iterator[_Question]:
             lambda solid: solid.stress(place.value),
             f"stress-{scene.case}" if scene.is_loaded else f"stroke-{scene.case}",
             place.value_text, lambda: model.law_in_stress(ask), scene.case,
+            lambda: model.share_at(ask, place.value),
         )  # fmt: skip
     if scene.forces and scene.ends is not None:
         rest = ask._replace(scene=scene._replace(travel=0.0, mean_travel=0.0, middle=0.0))
@@ -447,9 +461,12 @@ class _Model:
     def stress(self, ask: Ask, place: Place) -> Found:
         """Return the stress at a place, in proportion to the worst that the model knows."""
         worst = max(abs(float(s.largest)) for s in self.joint_model.stresses(ask)[1])
+        return self.of(ask, QuantityKind.STRESS, worst * self.share_at(ask, place))
+
+    def share_at(self, ask: Ask, place: Place) -> float:
+        """Return the stress at a place over the greatest, by exact beams."""
         exact = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
-        there = abs(self._along(ask, place))
-        return self.of(ask, QuantityKind.STRESS, worst * there / exact)
+        return abs(self._along(ask, place)) / exact
 
     def law_in_stress(self, ask: Ask) -> float:
         """Return what the law of finite strain of a solid may change in a stress: the strain."""

@@ -56,6 +56,7 @@ class AccuracyResult(NamedTuple):
 
     It is empty where no model meets it. ``unsettled`` names quantities without a sure finest
     value, which take no part. ``in_time`` is the same of the design's motions between stops.
+    ``is_solid`` says that the finest are solid elements, else plane beams.
     """
 
     accuracy: float
@@ -66,3 +67,4 @@ class AccuracyResult(NamedTuple):
     recommended: str
     unsettled: tuple[str, ...]
     in_time: "AccuracyResult | None" = None
+    is_solid: bool = False

@@ -13,7 +13,9 @@ class VerifiedNumber(NamedTuple):
     ``solid`` is that of the finest mesh and ``solid_error`` the mesh's own, relative: by how much
     the mesh before differs. What is not known is nothing. ``apart`` is the solid's number over the
     model's, less one; ``agrees`` says whether the two intervals overlap. ``deck`` is the name of
-    the deck, ``read`` what of its results it is, ``why`` why there is no number.
+    the deck, ``read`` what of its results it is, ``why`` why there is no number. ``seconds`` are
+    those of both, ``model_seconds`` the model's, ``deck_seconds`` those of the solid's decks, which
+    may serve other numbers too. ``share`` is what the model has here of the greatest of its kind.
     """
 
     name: str
@@ -28,6 +30,9 @@ class VerifiedNumber(NamedTuple):
     read: str
     seconds: float
     why: str = ""
+    model_seconds: float = 0.0
+    deck_seconds: float = 0.0
+    share: float = 1.0
 
     @property
     def apart(self) -> float | None:

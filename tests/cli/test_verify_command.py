@@ -82,3 +82,15 @@ def test_clamps_that_give_are_compared_as_rigid_ones(flexure, tmp_path):
         told = {note["code"] for note in content["warnings"]}
         assert ("rigid-clamps" in told) == (name == "giving.yaml")
     assert rows["giving.yaml"] == rows["flexure.yaml"]
+
+
+@pytest.mark.usefixtures("no_ccx")
+def test_accuracy_with_solids_says_without_ccx_which_decks_there_are(flexure, tmp_path):
+    told = flexure("accuracy", "--solid", "-o", "decks")
+    assert "solid" not in [line.split()[0] for line in told.stdout.splitlines() if line.split()]
+    assert "calculix-ccx" in told.stdout
+    assert "rest-mesh-1" in told.stdout
+    assert (tmp_path / "decks" / "rest-mesh-1.inp").is_file()
+    plain = flexure("accuracy")
+    assert plain.returncode == told.returncode
+    assert "calculix" not in plain.stdout

@@ -124,3 +124,25 @@ def test_the_support_of_solids_is_that_of_linear_beams_in_space():
 def test_a_deck_that_ccx_cannot_read_says_why():
     with pytest.raises(NoSolution, match="ERROR"):
         run("*NODE\n1, 0., 0., 0.\n*STEP\n*STATIC\n*CLOAD\n7, 1, 1.\n*END STEP\n", "wrong")
+
+
+def test_solids_are_the_top_rung_of_accuracy_where_they_are_asked_for():
+    text = SPEC.format(
+        geometry="{kind: guided-blade, h: 0.5 mm, l: 10 mm, b: 5 mm}", mechanism="", unit="N/m",
+        case="{stroke: {translation: 0.5 mm}}", nu=0.3,
+    )  # fmt: skip
+    files = {}
+    found = flexcli.accuracy(text, solid=True, files=files).accuracy
+    assert found.is_solid
+    assert found.finest == found.models[-1].model == "solid"
+    assert {"k_stage", "sigma", "k_end", "shift"} == {each.name for each in found.quantities}
+    for quantity in found.quantities:
+        readings = {reading.model: reading for reading in quantity.readings}
+        assert readings["solid"].value == quantity.finest
+        assert readings["solid"].seconds > readings["exact"].seconds
+    (stiffness,) = (each for each in found.quantities if each.name == "k_stage")
+    by_model = {reading.model: reading.error for reading in stiffness.readings}
+    # a plate of b = l/2 between clamps is some 6 % stiffer than beams, which the corrections know
+    assert by_model["exact"] > 0.05
+    assert by_model["exact, corrected"] < 0.005
+    assert any(name.endswith(".inp") for name in files)

@@ -1,10 +1,11 @@
 """The series of models on one design, and the numbers that each is asked for."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from math import isfinite
 from typing import NamedTuple
 
+from flexcli.engine.comparing.compared import Named, Settled, Timed
 from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.engine.joint_models.joint_states import over_stroke
 from flexcli.engine.joint_models.linear import LinearModel
@@ -15,7 +16,16 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.parts.requirements import AS_PRINTED, Ask, EndStress, JointModel
 
-__all__ = ["CONTROL_LEVELS", "FINEST", "Finest", "NamedModel", "Number", "numbers", "series"]
+__all__ = [
+    "CONTROL_LEVELS",
+    "FINEST",
+    "Finest",
+    "Ladder",
+    "NamedModel",
+    "Number",
+    "numbers",
+    "series",
+]
 
 NODES = (3, 4, 6, 8, 12)
 """Gauss nodes on a piece of a blade, taken as they are."""
@@ -59,6 +69,18 @@ class Number(NamedTuple):
         except (NotAvailable, SolveError):
             return None
         return value if isfinite(value) else None
+
+
+class Ladder(NamedTuple):
+    """Models on one design, the finest last, and the numbers that they are compared in.
+
+    ``unsettled`` names the numbers without a sure value of the finest.
+    """
+
+    settled: Sequence[Settled[Number]]
+    models: Sequence[Named]
+    times: Timed
+    unsettled: tuple[str, ...]
 
 
 def series(geometry: Geometry, tolerance: float = FINEST[0]) -> tuple[NamedModel, ...]:
