@@ -114,7 +114,8 @@ def _shaken(
     design: DesignSpec, sizes: Sizes, joint_model: JointModel, found: Judgement
 ) -> Iterator[Note]:
     """Yield what to know of the cases of which the response was judged."""
-    cases = dict.fromkeys(c.case for c in found.checks if c.kind is QuantityKind.RESPONSE)
+    judged = {c.case for c in found.checks if c.kind is QuantityKind.RESPONSE}
+    cases = [case for case in design.cases if case in judged]
     for case in cases:
         from flexcli.engine.vibration_notes import vibration_notes
 

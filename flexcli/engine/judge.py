@@ -4,9 +4,9 @@ Every requirement of every case is asked of the closed forms first. Where the ra
 reaches across the required one, the next model is asked, so that a wide margin costs nothing.
 """
 
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from math import isfinite, nan
+from math import inf, isfinite, isnan, nan
 from time import perf_counter
 from typing import NamedTuple
 
@@ -122,6 +122,9 @@ def judge(design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...]) -> J
             so_far = assess.worst_of_each([*found, *open_])
             raise Interrupted(Judgement(so_far, series.seconds, models)) from None
         looked_at[scene.case] |= requirement.looks_at(scene)
+    for requirement in {id(asked): asked for asked, _ in questions if asked.adds_up}.values():
+        path = paths[id(requirement)]
+        found.extend(_together(requirement, [c for c in found if c.path == path]))
     for scene in scenes:
         found.extend(_not_judged(scene, looked_at[scene.case]))
         found.extend(_switched_off(design, scene.case))
@@ -320,6 +323,36 @@ def _buckles(check: Check, share: float) -> Check:
         demand=1.0, capacity=share, unit="", factor=share, factor_range=(share, share),
         verdict=Verdict.FAIL, source="loss of stability on the path of the loads",
     )  # fmt: skip
+
+
+def _together(requirement: Requirement, checks: Sequence[Check]) -> Iterator[Check]:
+    """Yield the check of what several cases use up together: the sum of their damages (Miner).
+
+    The worst places of the cases count as if they were one.
+    """
+    rows = assess.worst_of_each(checks)
+    if len(rows) < 2:
+        return
+    names, nobody = ", ".join(row.case for row in rows), any(isnan(row.factor) for row in rows)
+    damage = nan if nobody else sum(1.0 / row.factor for row in rows)
+    ranges = [row.factor_range for row in rows if row.factor_range is not None]
+    error = None
+    if len(ranges) == len(rows) and 0.0 < damage < inf and all(low > 0.0 for low, _ in ranges):
+        least, most = (sum(1.0 / each[end] for each in ranges) for end in (1, 0))
+        error = ErrorRange(least / damage - 1.0, most / damage - 1.0)
+    text = f"damage of {names} together"
+    if nobody:
+        text = f"{text} is not known: one of them has no life"
+        yield Check(requirement.label, "", text, nan, nan, "", nan, nan, Verdict.UNDECIDED, "",
+                    path=rows[0].path)  # fmt: skip
+        return
+    source = "damages add up (Miner), the worst places of the cases taken as one"
+    limit = Limit(
+        requirement.label, "", text, damage, 1.0, "", source,
+        required=rows[0].required, kind=QuantityKind.RESPONSE, error=error,
+    )  # fmt: skip
+    for check in assess.checks([limit]):
+        yield check._replace(path=rows[0].path, model=rows[-1].model)
 
 
 def _not_judged(scene: Scene, looked_at: set[LoadKind]) -> Iterator[Check]:

@@ -162,7 +162,7 @@ def _random(ask: Ask, structure: Structure, vibration: Vibration) -> CaseRespons
         for name, output in response.outputs.items()
     )
     lives = {}
-    if _lacks_for_life(ask) is None:
+    if _lacks_for_life(ask) is None and not ask.scene.loads & SHAKES - RANDOM:
         lives = {
             name: life_under(ask.material, output.moments)
             for name, output in response.outputs.items()
@@ -186,6 +186,9 @@ def _lacks_for_life(ask: Ask) -> MissingProperty | None:
 
 def _without_life(ask: Ask, response: CaseResponse) -> Iterator[Note]:
     """Yield why no life is told, where the material's curve is missing."""
+    if beside := sorted(ask.scene.loads & SHAKES - RANDOM):
+        text = f"case '{response.case}': no life of the random part alone is told: a"
+        yield Note("no-life", f"{text} {' and a '.join(beside)} acts with it; ask for dynamic-life")
     missing = _lacks_for_life(ask)
     if missing is not None:
         text = f"case '{response.case}': no life is told: {missing}; give material.{missing.field}"

@@ -118,9 +118,54 @@ def test_loads_that_shake_at_once_add_up(respond):
     assert both[0]["demand"] == pytest.approx(sum(each), rel=1e-9)
 
 
-def test_a_life_under_sine_on_random_is_refused(flexure, tmp_path):
-    case = f"sine: {{acceleration: 1 g, frequency: 9 Hz}}, asd: {{profile: {flat(20, 99)}, q: 20}}"
-    spec = STAGE.replace("CASE", case).replace("dynamic-yield: 1e-3", "dynamic-life: 4")
+def lives(flexure, tmp_path, cases):
+    spec = STAGE.replace("dynamic-yield: 1e-3", "dynamic-life: 4")
+    spec = spec.replace("  shake: {CASE}\n", "".join(f"  {n}: {{{c}}}\n" for n, c in cases.items()))
+    worn = "sn_amplitudes: {points: [{cycles: 1e4, amplitude: 300 MPa}, "
+    worn += "{cycles: 1e7, amplitude: 100 MPa}], stress_ratio: -1}"
+    (tmp_path / "flexure.yaml").write_text(spec.replace("density:", f"{worn}, density:"))
+    told = flexure("check", "--format", "json")
+    assert told.returncode in (0, 1), told.stdout + told.stderr
+    return {check["case"]: check for check in json.loads(told.stdout)["checks"]}
+
+
+QUIET = f"asd: {{profile: {flat(20, 99)}, q: 20, scale: -20 dB, duration: 60 s}}"
+
+
+def test_a_sine_on_random_vibration_takes_from_its_life(flexure, tmp_path):
+    sine = "sines: [{acceleration: 1 g, frequency: 60 Hz}]"
+    weak = "sines: [{acceleration: 1e-6 g, frequency: 20 Hz}]"
+    cases = {"alone": QUIET, "sine": f"{QUIET}, {sine}", "weak": f"{QUIET}, {weak}"}
+    found = lives(flexure, tmp_path, cases)
+    assert found["sine"]["factor"] < 0.5 * found["weak"]["factor"]
+    # without a sine the least of all methods is no more than the narrow-band one's
+    assert found["alone"]["factor"] <= found["weak"]["factor"] * (1.0 + 1e-6)
+    assert "Rice" in found["sine"]["source"]
+
+
+def test_damages_of_several_cases_add_up(flexure, tmp_path):
+    longer = QUIET.replace("duration: 60 s", "duration: 120 s")
+    found = lives(flexure, tmp_path, {"a": QUIET, "b": longer})
+    damage = 1.0 / found["a"]["factor"] + 1.0 / found["b"]["factor"]
+    assert found[""]["factor"] == pytest.approx(1.0 / damage, rel=1e-9)
+    low, high = found[""]["factor_range"]
+    assert low < found[""]["factor"] < high
+
+
+def test_axes_in_turn_add_up_in_a_life(flexure, tmp_path):
+    profile = f"{{asd: {flat(20, 99)}, scale: -20 dB, duration: 60 s}}"
+    turns = f"axes: {{x: {profile}, y: {profile}}}, q: 20, combine: in-turn"
+    found = lives(flexure, tmp_path, {"x": QUIET, "turns": turns})
+    # what y does to a stage is nothing beside x: the same damage in twice the time
+    assert found["turns"]["demand"] == pytest.approx(120.0)
+    assert found["turns"]["factor"] == pytest.approx(found["x"]["factor"], rel=1e-3)
+
+
+def test_a_life_under_a_shock_beside_random_vibration_is_refused(flexure, tmp_path):
+    case = f"shock: {{velocity: 1 m/s}}, {QUIET}"
+    spec = STAGE.replace("{CASE}", "{" + case + "}").replace(
+        "dynamic-yield: 1e-3", "dynamic-life: 4"
+    )
     (tmp_path / "flexure.yaml").write_text(spec)
     told = flexure("check")
     assert told.returncode == 2

@@ -39,7 +39,10 @@ def between_stops(
             continue
         if check.verdict is Verdict.NOT_JUDGED and _is_seen(design, check):
             continue
-        if check.case in touching - untouched and check.name == DynamicLife.label:
+        # the damage of all cases together has no case of its own
+        touched = touching - untouched
+        touched |= {""} if touched else set()
+        if check.case in touched and check.name == DynamicLife.label:
             kept.append(_unknown(check))
             continue
         kept.append(check)

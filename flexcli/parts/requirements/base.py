@@ -75,6 +75,8 @@ class Requirement(Part):
     """Whether it can be written on signomials; else it judges a design but cannot size one."""
     is_warmed: ClassVar[bool] = False
     """Whether it is asked at the temperatures of cases too, where it is not of a case."""
+    adds_up: ClassVar[bool] = False
+    """Whether what its cases use up adds up over all of them, as damage does."""
     label: ClassVar[str]
 
     @property

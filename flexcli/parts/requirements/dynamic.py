@@ -4,8 +4,7 @@ They judge a given blade; its modes are no posynomials, so they cannot size one.
 modes and lives is imported where it is called: few designs ask, and all would wait for it.
 """
 
-from collections.abc import Iterator
-from functools import partial
+from collections.abc import Iterator, Sequence
 from math import inf
 from typing import Annotated, ClassVar, Literal, NamedTuple
 
@@ -25,7 +24,7 @@ from flexcli.parts.requirements.response_range import (
     over,
     uncertain_structure,
 )
-from flexcli.parts.requirements.shaking import RANDOM, SHAKES, at_once, corners_of
+from flexcli.parts.requirements.shaking import RANDOM, SHAKES, SINES, Shaking, at_once, shakings
 from flexcli.parts.requirements.yielding import Allowable
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import MOTIONS, Structure
@@ -185,6 +184,7 @@ class DynamicLife(_Dynamic):
     """Factor on the life under the random stress, by a named method or the least of all."""
 
     label: ClassVar[str] = "dynamic life"
+    adds_up: ClassVar[bool] = True
 
     method: Literal[
         "least", "narrow-band", "steinberg", "wirsching-light", "dirlik", "tovo-benasciutti"
@@ -200,28 +200,36 @@ class DynamicLife(_Dynamic):
         return self.covers(scene) and scene.vibration is not None
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the random vibration alone."""
-        return scene.loads & RANDOM
+        """Return the random vibration, and sines that stand on it."""
+        return scene.loads & (RANDOM | SINES)
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the duration of the vibration against the life of every joint."""
         vibration = ask.scene.vibration
         assert vibration is not None  # it applies
-        if beside := sorted(ask.scene.loads & SHAKES - RANDOM):
+        if beside := sorted(ask.scene.loads & SHAKES - RANDOM - SINES):
             raise RequirementError(
                 f"a life under random vibration with a {' and a '.join(beside)} in one case is "
                 "not computed",
                 f"give the {' and the '.join(beside)} a case of its own, or judge another case",
             )
-        duration = _duration(ask.scene, vibration)
-        found = uncertain_structure(ask, corners_of(vibration))
-        peaks = partial(_peaks, vibration)
-        found_peaks = found.of(peaks)
-        travel = max((_largest(*found_peaks[name]) for name in MOTIONS if name in found_peaks),
-                     default=0.0)  # fmt: skip
+        exposures = list(_exposures(ask, vibration))
+        duration = sum(exposure.duration for exposure in exposures)
+        shaken = at_once(ask, lambda _scene, random, _rate: random.sigma)
+        corners = {f for shaking in shaken for f in shaking.changes_at}
+        found = uncertain_structure(ask, tuple(sorted(corners)))
+
+        def peaks(structure: Structure) -> dict[str, float]:
+            each = [shaking.peaks(structure) for shaking in shaken]
+            return {name: max(one[name] for one in each) for name in each[0]}
+
+        ranges = found.of(peaks)
+        own = [ranges[name] for name in MOTIONS if name in ranges]
+        travel = _largest(*own[0]) if own else 0.0
         rest = found.stress_error(ask, travel, peaks)
         mean = f"mean stress {self.mean_stress / 1e6:.4g} MPa" if self.mean_stress else "no mean"
-        for name, (life, error) in self._lives(ask, found, vibration, rest).items():
+        on_it = "".join(f", {exposure.told}" for exposure in exposures if exposure.sines)
+        for name, (life, error) in self._lives(ask, found, exposures, rest).items():
             yield Limit(
                 self.label,
                 ask.scene.case,
@@ -230,7 +238,7 @@ class DynamicLife(_Dynamic):
                 life,
                 "s",
                 f"{self.method}, S-N amplitudes at R = −1, {mean}, modal response, "
-                f"{vibration.q.told}",
+                f"{vibration.q.told}{on_it}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
                 in_capacity=True,
@@ -238,30 +246,22 @@ class DynamicLife(_Dynamic):
             )
 
     def _lives(
-        self, ask: Ask, found: Uncertain, vibration: Vibration, rest: ErrorRange | None
+        self, ask: Ask, found: Uncertain, exposures: "Sequence[_Exposure]", rest: ErrorRange | None
     ) -> dict[str, tuple[float, ErrorRange | None]]:
-        """Return the life at every joint [s], with its error from all that the stress may be."""
-        from flexcli.parts.response import random_outputs
-        from flexcli.parts.vibration_life import life_under
+        """Return the life at every joint [s], with its error from all that the stress may be.
+
+        Damages of exposures one after another add up (Miner).
+        """
 
         def lives(structure: Structure, stress: float = 1.0) -> dict[str, float]:
             """Return the lives when every stress is so many times what the modes make."""
-            living = {}
-            for name, output in random_outputs(structure, vibration).items():
-                if name.startswith("stress"):
-                    m0, m1, m2, m4 = (moment * stress**2 for moment in output.moments)
-                    by_method = life_under(ask.material, (m0, m1, m2, m4), self.mean_stress)
-                    if self.method not in ("least", *by_method):
-                        raise RequirementError(
-                            f"{self.method} is fitted to one slope, and the S-N curve has several",
-                            f"take least or one of {', '.join(by_method)}",
-                        )
-                    living[name] = (
-                        min(by_method.values())
-                        if self.method == "least"
-                        else by_method[self.method]
-                    )
-            return living
+            whole = sum(exposure.duration for exposure in exposures)
+            used: dict[str, float] = {}
+            for exposure in exposures:
+                for name, life in self._alone(ask, structure, exposure, stress).items():
+                    share = exposure.duration / life if life > 0.0 else inf
+                    used[name] = used.get(name, 0.0) + share
+            return {name: whole / each if each > 0.0 else inf for name, each in used.items()}
 
         try:
             if rest is None or found.others is None:
@@ -283,9 +283,68 @@ class DynamicLife(_Dynamic):
             for name, life in plain.items()
         }
 
+    def _alone(
+        self, ask: Ask, structure: Structure, exposure: "_Exposure", stress: float
+    ) -> dict[str, float]:
+        """Return the life at every joint under one exposure alone [s], stresses times a factor."""
+        from flexcli.parts.response import random_outputs
+        from flexcli.parts.vibration_life import SineStress, life_under
 
-def _peaks(vibration: Vibration, structure: Structure) -> dict[str, float]:
-    from flexcli.parts.response import random_outputs
+        living = {}
+        sines = [(each.peaks(structure), max(each.changes_at)) for each in exposure.sines]
+        highest = max((frequency for _, frequency in sines), default=0.0)
+        for name, output in random_outputs(structure, exposure.vibration).items():
+            if not name.startswith("stress"):
+                continue
+            m0, m1, m2, m4 = (moment * stress**2 for moment in output.moments)
+            sine = SineStress(stress * sum(peaks[name] for peaks, _ in sines), highest)
+            by_method = life_under(ask.material, (m0, m1, m2, m4), self.mean_stress, sine)
+            if self.method not in ("least", *by_method):
+                why = (
+                    "is of a random stress alone, and sines stand on it"
+                    if sine.amplitude
+                    else "is fitted to one slope, and the S-N curve has several"
+                )
+                hint = ", or one of ".join(("take least", ", ".join(by_method)))
+                raise RequirementError(f"{self.method} {why}", hint)
+            least = self.method == "least"
+            living[name] = min(by_method.values()) if least else by_method[self.method]
+        return living
 
-    found = random_outputs(structure, vibration)
-    return {name: vibration.sigma * output.rms for name, output in found.items()}
+
+class _Exposure(NamedTuple):
+    """A random vibration for a time [s], and the sines that stand on it."""
+
+    vibration: Vibration
+    duration: float
+    sines: tuple[Shaking, ...]
+
+    @property
+    def told(self) -> str:
+        """Return how sines count in the damage."""
+        each = " and the ".join(shaking.source for shaking in self.sines)
+        return f"with the {each}, amplitudes by Rice (1945) at the higher rate"
+
+
+def _exposures(ask: Ask, vibration: Vibration) -> Iterator[_Exposure]:
+    """Yield a random vibration with all sines on it, or axis after axis with its own.
+
+    Raises
+    ------
+    RequirementError
+        When a duration is missing, or a sine acts in turn where nothing says how long.
+
+    """
+    scene = ask.scene
+    sines = [each for each in shakings(ask, lambda *_: 0.0) if each.kind in SINES]
+    if not scene.in_turn:
+        yield _Exposure(vibration, _duration(scene, vibration), tuple(sines))
+        return
+    for sine in sines:
+        if not set(sine.axes) <= set(vibration.axes):
+            text = f"nothing says how long the sine along {sine.axes[0]} of '{scene.case}' lasts"
+            raise RequirementError(text, "give it a case of its own, with a random vibration")
+    for axis in vibration.axes:
+        alone = vibration.alone(axis)
+        on_it = tuple(sine for sine in sines if axis in sine.axes)
+        yield _Exposure(alone, _duration(scene, alone), on_it)

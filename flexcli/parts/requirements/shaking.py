@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 __all__ = [
     "RANDOM",
     "SHAKES",
+    "SINES",
     "PeakFactor",
     "Shaking",
     "at_once",
-    "corners_of",
     "quality_of",
     "shakings",
 ]
@@ -33,7 +33,10 @@ Floats = NDArray[np.float64]
 RANDOM = frozenset({LoadKind.ASD, LoadKind.AXES})
 """Those of which a response is told by its root mean square."""
 
-SHAKES = RANDOM | {LoadKind.SHOCK, LoadKind.SINE, LoadKind.SWEEP, LoadKind.SINES}
+SINES = frozenset({LoadKind.SINE, LoadKind.SWEEP, LoadKind.SINES})
+"""Those of a steady amplitude."""
+
+SHAKES = RANDOM | SINES | {LoadKind.SHOCK}
 """Loads of a case that the modes answer."""
 
 FEW = 50
@@ -170,10 +173,10 @@ def _random(scene: Scene, vibration: Vibration, factor: PeakFactor) -> Shaking:
     one = f" along {axes[0]}" if scene.in_turn or axes == ("z",) else ""
     kind = LoadKind.AXES if LoadKind.AXES in scene.loads else LoadKind.ASD
     source = f"modal response{one}, {vibration.q.told}{several}"
-    return Shaking(kind, axes, peaks, corners_of(vibration), source, named)
+    return Shaking(kind, axes, peaks, _corners_of(vibration), source, named)
 
 
-def corners_of(vibration: Vibration) -> tuple[float, ...]:
+def _corners_of(vibration: Vibration) -> tuple[float, ...]:
     """Return the frequencies at which a density changes [Hz].
 
     A resonance sees a density over its bandwidth f/Q: of a measured one with many points the
