@@ -66,6 +66,7 @@ __all__ = [
     "drawing",
     "exported",
     "is_sized",
+    "joint_drawing",
     "load",
     "plan",
     "simulate",

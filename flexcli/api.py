@@ -66,6 +66,7 @@ __all__ = [
     "drawing",
     "exported",
     "is_sized",
+    "joint_drawing",
     "load",
     "plan",
     "simulate",
@@ -451,15 +452,34 @@ def stops(
 def drawing(
     source: Spec, *, case: str | None = None, overrides: Overrides | None = None
 ) -> "Drawing":
-    """Return the shape of a joint to scale, at rest and at the ends of the stroke of a case."""
+    """Return a mechanism to scale, at rest and at the ends of the stroke of a case.
+
+    A body on one joint, or no mechanism, is drawn as :func:`joint_drawing` has it.
+    """
+    from flexcli.engine.draw_mechanism import mechanism_drawing
+
+    design, sizes = _to_draw(source, overrides)
+    return mechanism_drawing(design, sizes, case)
+
+
+def joint_drawing(
+    source: Spec, *, case: str | None = None, overrides: Overrides | None = None
+) -> "Drawing":
+    """Return one joint to scale, without the bodies of a mechanism on several of them."""
     from flexcli.engine.draw import drawing as drawn
 
+    design, sizes = _to_draw(source, overrides)
+    return drawn(design, sizes, case)
+
+
+def _to_draw(source: Spec, overrides: Overrides | None) -> tuple[DesignSpec, Sizes]:
+    """Return a design and its sizes, chosen where they are free."""
     spec, _, instead = _sized_first("draw", _design(source, overrides))
     if instead is not None:
         text = "no sizes meet the requirements: there is nothing to draw"
         raise NoSolution("not-sized", text, "see flexure size")
     design: DesignSpec = spec.part
-    return drawn(design, design.geometry.sized({}), case)
+    return design, design.geometry.sized({})
 
 
 def exported(
@@ -836,7 +856,7 @@ def _html(found: "Result | Dossier") -> str | None:
 
 
 def _svg(drawn: "Drawing") -> str:
-    from flexcli.report.drawing_svg import drawing_svg
+    from flexcli.report.drawings.plane import drawing_svg
 
     return drawing_svg(drawn, drawn.kind)
 

@@ -1,4 +1,4 @@
-"""``flexure draw``: the joint to scale, at rest and at the ends of its stroke."""
+"""``flexure draw``: the mechanism to scale, at rest and at the ends of its stroke."""
 
 from enum import Enum
 from pathlib import Path
@@ -53,8 +53,11 @@ def run(
     stress: Annotated[
         bool, typer.Option("--stress", help="Colour the blades of the + end by their stress.")
     ] = False,
+    joint: Annotated[
+        bool, typer.Option("--joint", help="Draw one joint alone, without the mechanism on it.")
+    ] = False,
 ) -> None:
-    """Draw a design to scale, as SVG or PNG.
+    """Draw a mechanism to scale, as SVG or PNG.
 
     It is drawn at rest and deflected, with sizes, forces and centre.
     """
@@ -63,7 +66,7 @@ def run(
     drawn: list[str] = []
 
     def verb(spec: "Loaded") -> Result:
-        drawn.append(_drawn(spec, view, case, stress=stress))
+        drawn.append(_drawn(spec, view, case, stress=stress, joint=joint))
         return Result(NAME, "", Status.PASS)
 
     results = on_each(NAME, specs, stated, verb)
@@ -72,17 +75,17 @@ def run(
     write_picture(drawn[0], output, force=force)
 
 
-def _drawn(spec: "Loaded", view: View, case: str | None, *, stress: bool) -> str:
+def _drawn(spec: "Loaded", view: View, case: str | None, *, stress: bool, joint: bool) -> str:
     from flexcli import api
-    from flexcli.report.drawing_svg import drawing_svg
+    from flexcli.report.drawings.plane import drawing_svg
 
-    found = api.drawing(spec, case=case)
+    found = (api.joint_drawing if joint else api.drawing)(spec, case=case)
     title = spec.part.title or found.kind
     if view is View.FRONT:
         return drawing_svg(found, title, stress=stress)
     if found.is_a_view:
         hint = "leave --view out"
         raise SpecError([Finding(NAME, "a mechanism in space is drawn from one side", hint)])
-    from flexcli.report.drawing_views import view_svg
+    from flexcli.report.drawings.views import view_svg
 
     return view_svg(found, title, view.value)

@@ -56,11 +56,16 @@ def dossier(
     """
     not_shown: list[str] = []
     drawn: Drawing | None = None
+    whole: Drawing | None = None
     sweeps: tuple[SweepResult, ...] = ()
     space_sweeps: tuple[SpaceSweep, ...] = ()
     region: Region | None = None
     try:
         drawn = drawing(design, sizes)
+        if design.mechanism is not None and design.mechanism.joints > 1:
+            from flexcli.engine.draw_mechanism import mechanism_drawing
+
+            whole = mechanism_drawing(design, sizes)
     except SolveError as reason:
         not_shown.append(f"no drawing: {reason.text}")
     if any(scene.moves for scene in design.scenes()):
@@ -79,6 +84,7 @@ def dossier(
         result,
         text,
         drawing=drawn,
+        mechanism=whole,
         sweeps=sweeps,
         space_sweeps=space_sweeps,
         spectra=tuple(_spectra(design, result)),

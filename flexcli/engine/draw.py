@@ -1,6 +1,6 @@
 """The verb draw: the joint at rest and at the ends of its stroke, as the exact model has it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import cos, sin
 from typing import Any
 
@@ -14,7 +14,7 @@ from flexcli.errors import SolveError
 from flexcli.formulas.profile import Edge
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import solve
-from flexcli.mechanics.layout import Blade, Layout, Load
+from flexcli.mechanics.layout import Blade, Body, Layout, Load, Point
 from flexcli.mechanics.mesh import Effects, column
 from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.shape import ROUNDING, centre_line
@@ -33,10 +33,18 @@ from flexcli.results.drawing import (
     DrawnCut,
     DrawnEdge,
     DrawnForce,
+    DrawnMass,
     DrawnState,
 )
 
-__all__ = ["drawing"]
+__all__ = [
+    "drawing",
+    "drawn_blade",
+    "drawn_bodies",
+    "drawn_case",
+    "drawn_states",
+    "turning",
+]
 
 Floats = NDArray[np.float64]
 
@@ -67,20 +75,16 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         When there is no such case.
 
     """
-    if case is not None and case not in design.cases:
-        text = f"there is no case {case}"
-        raise SolveError("no-such-case", text, f"name one of {', '.join(design.cases)}")
-    asks = design.asks(sizes, ExactModel())
-    named = [a for a in asks if a.scene.case == case]
-    ask = next(iter(named or [a for a in asks if a.scene.moves] or asks))
+    ask = drawn_case(design, sizes, case)
     geometry, notes = design.geometry, []
     if getattr(geometry, "spacing", 1.0) is None:
         apart = geometry.length(sizes) / 2.0
         geometry = geometry.model_copy(update={"spacing": apart})
         ask = ask._replace(geometry=geometry)
         notes.append("the distance from blade to blade is not in the spec")
-    if design.mechanism is not None:
-        notes.append("the joint alone, without the bodies of its mechanism")
+    carried = None
+    if design.mechanism is not None and design.mechanism.joints > 1:
+        notes.append(f"one of the {design.mechanism.joints} joints alone")
     given = tuple((name, float(size)) for name, size in sizes._asdict().items())
     strength = stated_strength(design.material)
     cut = design.manufacturing.cut() if design.manufacturing is not None else None
@@ -96,14 +100,16 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
             centre=(0.0, 0.0), case=ask.scene.case, unit=geometry.travel_unit, twists=twists,
             notes=tuple(notes), cut=cut,
         )  # fmt: skip
-    turn = _turning(-geometry.axes)
+    if design.mechanism is not None:
+        carried = design.mechanism.carried_body(geometry, layout)
+    turn = turning(-geometry.axes)
     states, path, missed = _moved(ask, turn) if ask.scene.moves else ((), (), "")
-    centre = np.array([float(c) for c in layout.body(MOVING).point])
+    centre = _numbers(layout.body(MOVING).point)
     return Drawing(
         kind=geometry.name,
         motion=geometry.motion,
-        blades=tuple(_blade(blade, turn) for blade in layout.blades),
-        bodies=_bodies(layout, turn, _moving(geometry)),
+        blades=tuple(drawn_blade(blade, turn) for blade in layout.blades),
+        bodies=drawn_bodies(layout, turn, _moving(geometry), carried),
         sizes=given,
         centre=_place(turn(centre)),
         case=ask.scene.case,
@@ -117,6 +123,16 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         notes=tuple(notes),
         cut=cut,
     )
+
+
+def drawn_case(design: DesignSpec, sizes: Sizes, case: str | None) -> Ask:
+    """Return the case of that name, or the first that moves the joint, or the first."""
+    if case is not None and case not in design.cases:
+        text = f"there is no case {case}"
+        raise SolveError("no-such-case", text, f"name one of {', '.join(design.cases)}")
+    asks = design.asks(sizes, ExactModel())
+    named = [a for a in asks if a.scene.case == case]
+    return next(iter(named or [a for a in asks if a.scene.moves] or asks))
 
 
 def _in_space(
@@ -135,13 +151,13 @@ def _in_space(
     notes = (*notes, f"seen along {view}: {right} to the right, {up} upwards; lengths as they look")
     if hidden:
         notes = (*notes, f"{hidden} blades are seen end on, and left out")
-    turn = _turning(0.0)
+    turn = turning(0.0)
     drive = space.drive.body
     return Drawing(
         kind=ask.geometry.name,
         motion=ask.geometry.motion,
-        blades=tuple(_blade(blade, turn) for blade in layout.blades),
-        bodies=_bodies(layout, turn, drive),
+        blades=tuple(drawn_blade(blade, turn) for blade in layout.blades),
+        bodies=drawn_bodies(layout, turn, drive),
         sizes=given,
         centre=_place(np.array(layout.body(drive).point)),
         case=ask.scene.case,
@@ -153,27 +169,32 @@ def _in_space(
     )
 
 
-def _turning(angle: float) -> Turn:
+def turning(angle: float) -> Turn:
+    """Return what turns places about the origin."""
     c, s = cos(angle), sin(angle)
     matrix = np.array([[c, -s], [s, c]])
     matrix[np.abs(matrix) < 1e-12] = 0.0  # quarter turns leave straight lines straight
     return lambda places: places @ matrix.T
 
 
+def _numbers(place: Point) -> Floats:
+    """Return the place of the one design that is drawn."""
+    return np.array([float(column(c)[0]) for c in place])
+
+
 def _place(place: Floats) -> XY:
     return float(place[0]), float(place[1])
 
 
-def _line(places: Floats) -> tuple[XY, ...]:
+def drawn_line(places: Floats) -> tuple[XY, ...]:
     return tuple(_place(place) for place in places)
 
 
 def _ends(blade: Blade) -> tuple[Floats, Floats]:
-    start, end = (np.array([float(column(c)[0]) for c in p]) for p in (blade.start, blade.end))
-    return start, end
+    return _numbers(blade.start), _numbers(blade.end)
 
 
-def _blade(blade: Blade, turn: Turn) -> DrawnBlade:
+def drawn_blade(blade: Blade, turn: Turn) -> DrawnBlade:
     """Return a blade at rest, its thickness at places crowded where it changes."""
     start, end = _ends(blade)
     l = float(np.hypot(*(end - start)))
@@ -192,8 +213,9 @@ def _blade(blade: Blade, turn: Turn) -> DrawnBlade:
     axis = start + (np.array(s) / l)[:, None] * (end - start)
     width, height = float(column(blade.b)[0]), float(column(blade.z)[0])
     outlines = tuple(_outline(face, start, end, turn) for face in blade.profile.faces(l))
+    line = drawn_line(turn(axis))
     return DrawnBlade(
-        blade.name, blade.first, blade.second, _line(turn(axis)), tuple(h), width, height, outlines
+        blade.name, blade.first, blade.second, line, tuple(h), width, height, outlines
     )
 
 
@@ -216,9 +238,13 @@ def _outline(face: Sequence[Edge], start: Floats, end: Floats, turn: Turn) -> tu
     return (*whole[0], closed[0], *whole[1], closed[1])
 
 
-def _bodies(layout: Layout, turn: Turn, moving: str) -> tuple[DrawnBody, ...]:
-    """Return the ground and the bodies with what is clamped to them."""
+def drawn_bodies(
+    layout: Layout, turn: Turn, moving: str, carried: Body | None = None
+) -> tuple[DrawnBody, ...]:
+    """Return the ground and the bodies with what is clamped to them and what they carry."""
     known = {body.name: body for body in layout.bodies}
+    if carried is not None:
+        known[MOVING] = known[MOVING]._replace(mass=carried.mass, com=carried.com)
     names = [GROUND, *known]
     places: dict[str, list[XY]] = {name: [] for name in names}
     ways: dict[str, list[XY]] = {name: [] for name in names}
@@ -226,7 +252,7 @@ def _bodies(layout: Layout, turn: Turn, moving: str) -> tuple[DrawnBody, ...]:
     for blade in layout.blades:
         start, end = _ends(blade)
         along = turn((end - start) / np.hypot(*(end - start)))
-        h = [x for x in _blade(blade, turn).thickness if x > 0.0]
+        h = [x for x in drawn_blade(blade, turn).thickness if x > 0.0]
         for body, place, way, depth in (
             (blade.first, start, -along, h[0]),
             (blade.second, end, along, h[-1]),
@@ -239,12 +265,13 @@ def _bodies(layout: Layout, turn: Turn, moving: str) -> tuple[DrawnBody, ...]:
     for name in names:
         if not places[name]:
             continue
-        point, com = np.zeros(2), None
+        point = np.zeros(2)
+        masses: tuple[DrawnMass, ...] = ()
         if name in known:
             rigid = known[name]
-            point = np.array([float(column(c)[0]) for c in rigid.point])
-            has_mass = float(column(rigid.mass)[0]) > 0.0
-            com = np.array([float(column(c)[0]) for c in rigid.com]) if has_mass else None
+            point = _numbers(rigid.point)
+            if (mass := float(column(rigid.mass)[0])) > 0.0:
+                masses = (DrawnMass("", _place(turn(_numbers(rigid.com))), mass),)
         found.append(
             DrawnBody(
                 name=moving if name == MOVING else name,
@@ -253,7 +280,7 @@ def _bodies(layout: Layout, turn: Turn, moving: str) -> tuple[DrawnBody, ...]:
                 depths=tuple(depths[name]),
                 point=_place(turn(point)),
                 is_ground=name == GROUND,
-                com=None if com is None else _place(turn(com)),
+                masses=masses,
             )
         )
     return tuple(found)
@@ -278,30 +305,40 @@ def _moved(ask: Ask, turn: Turn) -> tuple[tuple[DrawnState, ...], tuple[XY, ...]
         if outcome is not Outcome.CONVERGED:
             return (), (), str(outcome.value)
     layout = state.layout
-    centre = np.array([float(column(c)[0]) for c in layout.body(MOVING).point])
+    centre = _numbers(layout.body(MOVING).point)
     path = centre + point_motion(state, MOVING, layout.body(MOVING).point)
-    lines = {blade.name: centre_line(state, blade.name) for blade in layout.blades}
-    states = []
-    for i in (0, STATES - 1) if scene.travel else (0,):
+    ends = (0, STATES - 1) if scene.travel else (0,)
+    moving = _moving(ask.geometry)
+    states = drawn_states(state, turn, moving, {i: float(travels[i]) for i in ends})
+    return states, drawn_line(turn(path)), ""
+
+
+def drawn_states(
+    state: Equilibrium, turn: Turn, moving: str, travels: Mapping[int, float]
+) -> tuple[DrawnState, ...]:
+    """Return equilibria by their rows, as they are drawn, with what the moving body is called."""
+    lines = {blade.name: centre_line(state, blade.name) for blade in state.layout.blades}
+    found = []
+    for i, travel in travels.items():
         motions = {}
-        for k, body in enumerate(layout.bodies):
+        for k, body in enumerate(state.layout.bodies):
             x, y = turn(state.motions[i, k, :2])
-            name = _moving(ask.geometry) if body.name == MOVING else body.name
+            name = moving if body.name == MOVING else body.name
             motions[name] = (float(x), float(y), float(state.motions[i, k, 2]))
-        states.append(
+        found.append(
             DrawnState(
-                travel=float(travels[i]),
-                axes={name: _line(turn(line.place[i])) for name, line in lines.items()},
+                travel=travel,
+                axes={name: drawn_line(turn(line.place[i])) for name, line in lines.items()},
                 stress={name: tuple(line.stress[i].tolist()) for name, line in lines.items()},
                 motions=motions,
             )
         )
-    return tuple(states), _line(turn(path)), ""
+    return tuple(found)
 
 
 def _forces(ask: Ask, layout: Layout, angle: float) -> list[DrawnForce]:
     """Return the forces of the case on the moving body."""
-    at = _turning(angle)(np.array([float(column(c)[0]) for c in layout.body(MOVING).point]))
+    at = turning(angle)(_numbers(layout.body(MOVING).point))
     return [
         DrawnForce(
             ask.scene.force_name if len(ask.scene.forces) == 1 else f"F{k}",

@@ -16,7 +16,16 @@ from flexcli.mechanics.layout import Body, Layout, Point, Support
 from flexcli.mechanics.vibrating_layout import vibrating_layout
 from flexcli.parts.geometries.base import GROUND, MOVING
 
-__all__ = ["MOTIONS", "OwnMotion", "PlacedJoint", "Structure", "assemble", "joined", "turned"]
+__all__ = [
+    "MOTIONS",
+    "OwnMotion",
+    "PlacedJoint",
+    "Structure",
+    "assemble",
+    "joined",
+    "on_joints",
+    "turned",
+]
 
 Floats = NDArray[np.float64]
 
@@ -112,15 +121,7 @@ def assemble(
 
     """
     copies = [_placed(joint, at) for at in joints]
-    blades = tuple(blade for copy in copies for blade in copy.blades)
-    whole = Layout(
-        bodies=(*bodies, *(body for copy in copies for body in copy.bodies)),
-        blades=blades,
-        E=joint.E,
-        G=joint.G,
-        supports=tuple(support for copy in copies for support in copy.supports),
-    )
-    found = vibrating_layout(whole, density, held)
+    found = vibrating_layout(_whole(bodies, copies), density, held)
     outputs: dict[str, Floats] = {}
     for at, copy in zip(joints, copies, strict=True):
         force = np.zeros((2, found.mass.shape[0]))
@@ -141,6 +142,22 @@ def assemble(
         outputs[motion.name] = own[None, :]
     return Structure(
         found.mass, found.stiffness, found.pull, found.moved, outputs, own, found.motions
+    )
+
+
+def on_joints(bodies: Sequence[Body], joints: Sequence[PlacedJoint], joint: Layout) -> Layout:
+    """Return bodies on copies of a joint as one layout, as :func:`assemble` takes them."""
+    return _whole(bodies, [_placed(joint, at) for at in joints])
+
+
+def _whole(bodies: Sequence[Body], copies: Sequence[Layout]) -> Layout:
+    """Return the layout of bodies and of the joints that they are on."""
+    return Layout(
+        bodies=(*bodies, *(body for copy in copies for body in copy.bodies)),
+        blades=tuple(blade for copy in copies for blade in copy.blades),
+        E=copies[0].E,
+        G=copies[0].G,
+        supports=tuple(support for copy in copies for support in copy.supports),
     )
 
 

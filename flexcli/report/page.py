@@ -10,13 +10,17 @@ from typing import Any, NamedTuple
 
 from flexcli import __version__
 from flexcli.errors import SolveError
-from flexcli.report.drawing_svg import STYLE, caption, drawing_svg
-from flexcli.report.drawing_views import view_svg
+from flexcli.report.drawings.caption import caption
+from flexcli.report.drawings.plane import drawing_svg
+from flexcli.report.drawings.sheet import WIDTH
+from flexcli.report.drawings.style import STYLE
+from flexcli.report.drawings.views import view_svg
 from flexcli.report.margins_text import decisive, worst_first
 from flexcli.report.numbers import shown
 from flexcli.report.plots.of_dossier import plots
 from flexcli.results import Check, Result, Status, Verdict
 from flexcli.results.dossier import Dossier, Equation
+from flexcli.results.drawing import Drawing
 from flexcli.results.explanation import SymbolRow
 from flexcli.units import show
 
@@ -32,6 +36,9 @@ STATUS = {
     Status.PASS: "✓", Status.UNDECIDED: "?", Status.FAIL: "✕", Status.INFEASIBLE: "✕",
     Status.ERROR: "!",
 }  # fmt: skip
+
+NARROW = 368.0
+"""Width of a drawing on phones [px]."""
 
 AXIS = (0.4, 8.0)
 """Ends of a bar's axis, as factors over the required one."""
@@ -78,7 +85,6 @@ def design_page(dossier: Dossier, date: str) -> str:
         "tally": _tally(checks),
         "lead": _lead(result, checks),
         "what_would": [n.text for n in result.warnings if n.code.startswith("needs-")],
-        "drawing": None,
         "checks": [_check(check) for check in checks],
         "designs": [],
         "sensitivities": [],
@@ -99,11 +105,10 @@ def design_page(dossier: Dossier, date: str) -> str:
         "models": result.cost.model if result.cost is not None else "",
         "drawing_style": _markup(STYLE),
     }  # fmt: skip
+    shown = [drawn for drawn in (dossier.mechanism, dossier.drawing) if drawn is not None]
+    context["drawings"] = [_pictured(drawn, title) for drawn in shown]
     if dossier.drawing is not None:
-        stress = bool(dossier.drawing.states)
-        context["drawing"] = _markup(_inline(drawing_svg(dossier.drawing, title, stress=stress)))
         context["isometric"] = _markup(_inline(view_svg(dossier.drawing, title, "isometric")))
-        context["drawing_caption"] = caption(dossier.drawing)
     if result.sizing is not None:
         context |= _sizing(result)
     sections = {
@@ -112,13 +117,22 @@ def design_page(dossier: Dossier, date: str) -> str:
         "equations": "Equations", "warnings": "Warnings", "input": "Input",
         "provenance": "Provenance",
     }  # fmt: skip
-    there = {"mechanism": "drawing", "margins": "checks", "design": "designs"}
+    there = {"mechanism": "drawings", "margins": "checks", "design": "designs"}
     context["sections"] = [
         (key, name)
         for key, name in sections.items()
         if context.get(there.get(key, key), True) not in (None, [], ())
     ]
     return str(_environment().get_template("design.html.j2").render(context))
+
+
+def _pictured(drawn: Drawing, title: str) -> dict[str, Any]:
+    """Return a drawing for wide and for narrow pages, of which a page shows one."""
+    wide, narrow = (
+        _markup(_inline(drawing_svg(drawn, title, stress=bool(drawn.states), width=width)))
+        for width in (WIDTH, NARROW)
+    )
+    return {"wide": wide, "narrow": narrow, "caption": caption(drawn)}
 
 
 def summary(found: Result | Dossier) -> str:

@@ -6,7 +6,7 @@ from math import hypot
 from typing import NamedTuple, TypeAlias
 
 from flexcli.errors import SolveError
-from flexcli.report.drawing_svg import blocks
+from flexcli.report.drawings.outlines import blocks
 from flexcli.results.drawing import XY, Drawing, DrawnBlade, DrawnEdge
 
 __all__ = [

@@ -5,7 +5,7 @@ from importlib import import_module
 from pathlib import Path
 
 from flexcli.errors import SolveError
-from flexcli.report.drawing_svg import LIGHT
+from flexcli.report.drawings.style import LIGHT
 
 __all__ = ["png"]
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from flexcli.errors import SolveError
 from flexcli.report.cad_kernel import face, library, part
-from flexcli.report.drawing_svg import blocks
+from flexcli.report.drawings.outlines import blocks
 from flexcli.report.prisms import (
     MM,
     PLATE,

@@ -59,11 +59,15 @@ class Region:
 
 @dataclass(frozen=True, eq=False)
 class Dossier:
-    """One design with its verdicts, drawing, stroke, spectra, equations, and what was asked."""
+    """One design with its verdicts, drawing, stroke, spectra, equations, and what was asked.
+
+    ``drawing`` is that of its joint, ``mechanism`` that of the bodies on several of them.
+    """
 
     result: Result
     text: str
     drawing: Drawing | None = None
+    mechanism: Drawing | None = None
     sweeps: tuple[SweepResult, ...] = ()
     space_sweeps: tuple[SpaceSweep, ...] = ()
     spectra: tuple[Spectrum, ...] = ()

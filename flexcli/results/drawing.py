@@ -15,6 +15,8 @@ __all__ = [
     "DrawnCut",
     "DrawnEdge",
     "DrawnForce",
+    "DrawnLength",
+    "DrawnMass",
     "DrawnState",
 ]
 
@@ -52,12 +54,28 @@ class DrawnBlade:
     outlines: tuple[tuple[DrawnEdge, ...], ...] = ()
 
 
+class DrawnMass(NamedTuple):
+    """A mass [kg] at its centre; its name where it is not that of its body."""
+
+    name: str
+    at: XY
+    mass: float
+
+
+class DrawnLength(NamedTuple):
+    """A length of the mechanism with its name, from one place to another."""
+
+    name: str
+    start: XY
+    end: XY
+
+
 @dataclass(frozen=True, eq=False)
 class DrawnBody:
     """A rigid body, or the ground: where blades are clamped to it, and the ways they leave it.
 
-    ``clamps`` are the places, ``ways`` the unit vectors from the blade into the body, ``depths``
-    the thickness of each blade there, ``point`` its reference point.
+    ``clamps`` are the places, ``ways`` the unit vectors from the blade into the body, zero about a
+    pin, ``depths`` the thickness of each blade there, ``point`` its reference point.
     """
 
     name: str
@@ -66,7 +84,7 @@ class DrawnBody:
     depths: tuple[float, ...]
     point: XY
     is_ground: bool = False
-    com: XY | None = None
+    masses: tuple[DrawnMass, ...] = ()
 
 
 class DrawnCut(NamedTuple):
@@ -120,9 +138,10 @@ class Drawing:
 
     ``sizes`` are (symbol, value [m]) as the spec names them; ``states`` are in the order + end, −
     end of the stroke, ``path`` is where the centre or moving point goes between them; ``unit`` is
-    that of the travel, ``missed`` why a case has no states, ``cut`` how a wire makes it. A bar that
-    twists is a blade on its axis; ``twists`` says so. ``axes`` are those to the right and up;
-    ``is_a_view`` says that it is of a mechanism in space, seen along the third.
+    that of the travel, ``pivots`` the named centres of several joints, ``missed`` why a case has no
+    states, ``cut`` how a wire makes it. A bar that twists is a blade on its axis; ``twists`` says
+    so. ``axes`` are those to the right and up; ``is_a_view`` says that it is of a mechanism in
+    space, seen along the third. Plain bodies are in proportion to ``joint_size`` [m], or to all.
     """
 
     kind: str
@@ -137,9 +156,12 @@ class Drawing:
     path: tuple[XY, ...] = ()
     forces: tuple[DrawnForce, ...] = ()
     angles: tuple[DrawnAngle, ...] = ()
+    lengths: tuple[DrawnLength, ...] = ()
+    pivots: tuple[tuple[str, XY], ...] = ()
     missed: str = ""
     axes: tuple[str, str] = ("x", "y")
     is_a_view: bool = False
+    joint_size: float | None = None
     twists: bool = False
     strength: float | None = None
     notes: tuple[str, ...] = ()

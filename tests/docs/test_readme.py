@@ -8,7 +8,7 @@ import typer
 
 import flexcli
 from flexcli.cli.app import command_line
-from flexcli.report.drawing_svg import drawing_svg
+from flexcli.report.drawings.plane import drawing_svg
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")

@@ -1,6 +1,7 @@
 """What is drawn lies where the solver, statics and published shapes say that it lies."""
 
 from math import cos, hypot, sin
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,10 +9,14 @@ from geometries_for_tests import MATERIAL, SAMPLES, spec
 from scipy.integrate import solve_bvp
 
 from flexcli.engine.draw import drawing
+from flexcli.engine.draw_mechanism import mechanism_drawing
 from flexcli.engine.simulate import simulate
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
-from flexcli.report.drawing_svg import magnification
+from flexcli.report.drawings.caption import magnification
+from flexcli.spec.load import load
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 PLANAR = sorted(set(SAMPLES) - {"torsion-bar", "round-torsion-bar", "torsion-star"})
 
@@ -159,3 +164,45 @@ def test_a_case_that_is_not_there_is_told_with_those_that_are():
     with pytest.raises(SolveError, match="no case flight") as caught:
         drawing(part, part.fixed_sizes(), "flight")
     assert "work" in caught.value.remedy
+
+
+def test_a_parallel_stage_is_drawn_moved_as_its_pivots_let_it():
+    part = load(EXAMPLES / "force-balanced-stage" / "flexure.yaml").part
+    found = mechanism_drawing(part, part.fixed_sizes())
+    height = {length.name: length for length in found.lengths}["H"].end[1]
+    assert [name for name, _ in found.pivots] == ["P1", "P2", "P3", "P4"]
+    pivot = drawing(part, part.fixed_sizes())
+    (cx, cy), path = pivot.centre, pivot.path
+    shift = max(hypot(x - cx, y - cy) for x, y in path)
+    assert len(found.blades) == 4 * len(pivot.blades)
+    for state in found.states:
+        x, _, phi = state.motions["solid 2"]
+        assert x == pytest.approx(state.travel, rel=1e-9)  # what is prescribed
+        # both levers turn alike: solid 2 stays level, to what two unlike ends of a blade leave
+        assert abs(phi) < 1e-3 * abs(x) / height
+        for lever in ("solid 1", "solid 3"):
+            gone = x + height * state.motions[lever][2]
+            assert abs(gone) < 2.0 * shift, "a lever has two pivots, and each shifts"
+        bodies = {body.name: body for body in found.bodies if not body.is_ground}
+        for blade in found.blades:
+            for end, name in ((0, blade.first), (-1, blade.second)):
+                want = blade.axis[end]
+                if name in bodies:
+                    want = moved(want, bodies[name], state.motions[name])
+                assert state.axes[blade.name][end] == pytest.approx(want, abs=1e-9)
+
+
+def test_a_locked_stage_stands_still_on_its_lock():
+    part = load(EXAMPLES / "force-balanced-stage" / "flexure.yaml").part
+    locked = [name for name, case in part.cases.items() if case.lock]
+    found = mechanism_drawing(part, part.fixed_sizes(), locked[0])
+    assert not found.states
+    assert "solid 2" not in {body.name for body in found.bodies}
+    assert any("locked" in note for note in found.notes)
+
+
+def test_a_payload_is_drawn_with_its_mass_at_the_centre_that_the_model_gives_it():
+    part = load(EXAMPLES / "linear-stage" / "flexure.yaml").part
+    found = mechanism_drawing(part, part.fixed_sizes())
+    (mass,) = [mass for body in found.bodies for mass in body.masses]
+    assert mass.mass == part.mechanism.mass

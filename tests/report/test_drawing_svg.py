@@ -9,15 +9,19 @@ import pytest
 from geometries_for_tests import MATERIAL, SAMPLES, spec
 
 from flexcli.engine.draw import drawing
+from flexcli.engine.draw_mechanism import mechanism_drawing
 from flexcli.parts.design import DesignSpec
-from flexcli.report.drawing_svg import drawing_svg
-from flexcli.report.drawing_views import VIEWS, view_svg
+from flexcli.report.drawings.plane import drawing_svg
+from flexcli.report.drawings.views import VIEWS, view_svg
 from flexcli.spec.load import load
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*/flexure.yaml"))
 SVG = "{http://www.w3.org/2000/svg}"
 
 LOAD = {"load": {"force": "5 N"}}
+
+WIDTHS = (640.0, 368.0)
+"""Of the page, and of a phone [px]."""
 
 NARROW = 0.5
 """Least width of a figure or letter over the size of the type, in the faces asked for."""
@@ -38,19 +42,24 @@ def sample(kind, **changes):
     return drawing(part, part.fixed_sizes())
 
 
-def example(path):
+def example(path, draw=drawing):
     design = load(path).part
     sizes = design.geometry.sized(dict.fromkeys(design.geometry.free, 2e-3))
-    return drawing(design, sizes)
+    return draw(design, sizes)
 
 
 DRAWN = [pytest.param(lambda kind=kind: sample(kind), id=kind) for kind in SAMPLES] + [
     pytest.param(lambda path=path: example(path), id=path.parent.name) for path in EXAMPLES
 ]
+DRAWN += [
+    pytest.param(lambda p=path: example(p, mechanism_drawing), id=f"all of {path.parent.name}")
+    for path in EXAMPLES if "parallel-stage" in path.read_text(encoding="utf-8")
+]  # fmt: skip
 
 
 def pages(found):
-    yield drawing_svg(found, "a <joint> & more", stress=True)
+    for width in WIDTHS:
+        yield drawing_svg(found, "a <joint> & more", stress=True, width=width)
     for view in VIEWS:
         yield view_svg(found, "a <joint> & more", view)
 
@@ -120,3 +129,20 @@ def test_the_magnification_is_on_the_page_and_in_its_description():
     svg = drawing_svg(found, "rcc")
     times = re.search(r"displacements ×([\d.]+)<", svg).group(1)
     assert f"displacements × {times}." in svg
+
+
+STAGE = Path(__file__).parents[2] / "examples" / "force-balanced-stage" / "flexure.yaml"
+
+
+def test_a_mechanism_is_drawn_with_all_of_its_pivots_masses_and_lengths():
+    design = load(STAGE).part
+    found = mechanism_drawing(design, design.fixed_sizes())
+    for width in WIDTHS:
+        svg = drawing_svg(found, "stage", stress=True, width=width)
+        said = [text.text for text in ElementTree.fromstring(svg).iter(f"{SVG}text")]
+        assert {"P1", "P2", "P3", "P4", "solid 1", "solid 2", "solid 3"} <= set(said)
+        assert said.count("17.14 g") == 2
+        assert said.count("balance 35.57 g") == 2
+        assert "68.12 g" in said
+        for length in ("H = 20 mm", "arm = 24.17 mm"):
+            assert length in said or f"Without a place for {length}" in svg

@@ -54,7 +54,7 @@ def drawn(request):
     """Return the drawing of a design, and the volume of what flexes in it [m³]."""
     spec = flexcli.load(SPECS[request.param])
     geometry = spec.part.geometry
-    return flexcli.drawing(spec), float(geometry.volume(geometry.sized({})))
+    return flexcli.joint_drawing(spec), float(geometry.volume(geometry.sized({})))
 
 
 def area(edges):
@@ -206,7 +206,7 @@ def test_an_stl_is_closed_and_as_long_as_single_precision_tells():
     corners = triangles["corners"].astype(np.float64)
     a, b, c = np.moveaxis(corners, 1, 0)
     found = float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum()) / 6.0
-    drawing = flexcli.drawing(EXAMPLES / "lecture-leaf-spring" / "flexure.yaml")
+    drawing = flexcli.joint_drawing(EXAMPLES / "lecture-leaf-spring" / "flexure.yaml")
     wanted = sum(area(s.edges) * (s.high - s.low) for s in prisms(drawing)) * MM**3
     # single precision keeps 1e-7 of a place: of a blade of 0.2 mm some 3e-5 of the thickness
     assert found == pytest.approx(wanted, rel=1e-5)
@@ -218,4 +218,4 @@ def test_a_round_bar_and_a_linkage_of_pins_are_no_prisms():
         "{kind: round-torsion-bar, d: 1 mm, l: 20 mm}",
     )
     with pytest.raises(SolveError, match="draws no blades"):
-        prisms(flexcli.drawing(bar))
+        prisms(flexcli.joint_drawing(bar))

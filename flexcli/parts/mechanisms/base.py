@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 from pydantic import model_validator
 
 from flexcli.formulas.quantity import Computed, Quantity
+from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Geometry, Sizes
@@ -102,6 +103,10 @@ class Mechanism(Part):
     ) -> float:
         """Return the mass of its blades as its own motion moves them [kg], stiffness stated."""
         raise MechanismError("mechanism", "this mechanism states no stiffness of its joints", "")
+
+    def carried_body(self, geometry: Geometry, layout: Layout) -> Body | None:
+        """Return the one body on its one joint, in the joint's axes, where it is one."""
+        return None
 
     @property
     def turning_inertia(self) -> float | None:

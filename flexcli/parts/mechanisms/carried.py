@@ -1,11 +1,12 @@
 """A body on one joint, together with the bodies that the joint itself is drawn of."""
 
-from flexcli.mechanics.layout import Body
+from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Geometry, Sizes
 from flexcli.parts.structure import OwnMotion, PlacedJoint, Structure, assemble, joined, turned
 
 __all__ = [
+    "body_on",
     "carried",
     "is_guided",
 ]
@@ -49,11 +50,7 @@ def carried(
 
     """
     layout = geometry.blades_layout(elastic, sizes)
-    moving = layout.body(MOVING)
-    centre = geometry.payload_point(moving.point)
-    com = centre[0] + offset, centre[1]
-    own = moving._replace(com=moving.com if moving.mass else com)
-    both = joined(name, centre, [own, Body(name, centre, mass, inertia, com)])
+    both = body_on(geometry, layout, name, mass=mass, inertia=inertia, offset=offset)
     turn = -geometry.axes
     body = both._replace(point=turned(both.point, turn), com=turned(both.com, turn))
     stroke = turned((0.0, 1.0), turn)
@@ -68,6 +65,17 @@ def carried(
         density=density,
         held=[(name, 2)] if is_guided(geometry) else [],
     )
+
+
+def body_on(
+    geometry: Geometry, layout: Layout, name: str, *, mass: float, inertia: float, offset: float
+) -> Body:
+    """Return a body with the moving body of a joint that it is fixed to, in the joint's axes."""
+    moving = layout.body(MOVING)
+    centre = geometry.payload_point(moving.point)
+    com = centre[0] + offset, centre[1]
+    own = moving._replace(com=moving.com if moving.mass else com)
+    return joined(name, centre, [own, Body(name, centre, mass, inertia, com)])
 
 
 def is_guided(geometry: Geometry) -> bool:

@@ -12,7 +12,7 @@ from pydantic_core import CoreSchema
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.transfer import natural_frequency
 from flexcli.mechanics import parallel_stage as planar
-from flexcli.mechanics.layout import Body
+from flexcli.mechanics.layout import Body, Layout
 from flexcli.mechanics.single_freedom import Expansion, SingleFreedom, expand
 from flexcli.parts.base import Angle, Mass, QuantityOf, Shorthand, spec_error
 from flexcli.parts.elastic import Elastic
@@ -22,7 +22,7 @@ from flexcli.parts.mechanisms.force_balance import Balancing, Unknown, balance
 from flexcli.parts.mechanisms.free_value import Free, OrFree
 from flexcli.parts.mechanisms.stage_bodies import BalancingMass, InertiaTensor, Lever, Platform
 from flexcli.parts.stroke import Stroke
-from flexcli.parts.structure import OwnMotion, PlacedJoint, Structure, assemble, joined
+from flexcli.parts.structure import OwnMotion, PlacedJoint, Structure, assemble, joined, on_joints
 from flexcli.results import Note, QuantityKind, Value
 
 __all__ = ["BalancingMass", "Coupling", "InertiaTensor", "Lever", "ParallelStage", "Platform"]
@@ -33,6 +33,9 @@ ROUNDING = 1e-9
 """Coupling, over that before balancing, that counts as none."""
 
 PIVOT = QuantityOf("rotational stiffness", at_least=0.0)
+
+SOLID_2 = "solid 2"
+"""Name of the body on both levers."""
 
 
 class Coupling(Shorthand):
@@ -304,24 +307,9 @@ class ParallelStage(Mechanism):
         lock: str | None,
         density: float,
     ) -> Structure:
-        """Return the stage on its blades, whatever stiffness is stated.
-
-        A lever with its balancing mass is one rigid body. The two levers stand as far apart as
-        one likes: solid 2 is kept from turning by them, so that the distance does not matter.
-        """
-        bodies, joints = [], []
-        platform = GROUND if lock else "solid 2"
-        for side, lever in enumerate(self.stage().levers):
-            name = f"solid {2 * side + 1}"
-            bodies.append(joined(name, (0.0, 0.0), lever.bodies))
-            for joint, first, y in (
-                (f"P{2 * side + 1}", GROUND, 0.0),
-                (f"P{2 * side + 2}", platform, self.height),
-            ):
-                joints.append(PlacedJoint(joint, first, name, (0.0, y), self.bisector))
-        if lock is None:
-            com = (0.0, self.height)
-            bodies.append(Body(platform, (0.0, 0.0), self.solid_2.mass, 0.0, com))
+        """Return the stage on its blades, whatever stiffness is stated."""
+        bodies, joints = self.placed(lock)
+        platform = bodies[-1].name
         return assemble(
             bodies,
             joints,
@@ -330,6 +318,35 @@ class ParallelStage(Mechanism):
             density=density,
             held=() if lock else [(platform, 2)],
         )
+
+    def placed(self, lock: str | None, apart: float = 0.0) -> tuple[list[Body], list[PlacedJoint]]:
+        """Return the bodies in the plane, solid 2 last unless it is locked, and their pivots.
+
+        A lever with its balancing mass is one rigid body. The two levers stand as far apart as
+        one likes: solid 2 is kept from turning by them, so that the distance does not matter.
+        """
+        bodies, joints = [], []
+        platform = GROUND if lock else SOLID_2
+        for side, lever in enumerate(self.stage().levers):
+            name, x = f"solid {2 * side + 1}", side * apart
+            body = joined(name, (0.0, 0.0), lever.bodies)
+            bodies.append(body._replace(point=(x, 0.0), com=(x + body.com[0], body.com[1])))
+            for joint, first, y in (
+                (f"P{2 * side + 1}", GROUND, 0.0),
+                (f"P{2 * side + 2}", platform, self.height),
+            ):
+                joints.append(PlacedJoint(joint, first, name, (x, y), self.bisector))
+        if lock is None:
+            com = (0.5 * apart, self.height)
+            bodies.append(Body(platform, (0.0, 0.0), self.solid_2.mass, 0.0, com))
+        return bodies, joints
+
+    def layout(
+        self, joint: Layout, lock: str | None, apart: float
+    ) -> tuple[Layout, list[PlacedJoint]]:
+        """Return the stage on copies of a joint, its levers so far apart [m], and the copies."""
+        bodies, joints = self.placed(lock, apart)
+        return on_joints(bodies, joints, joint), joints
 
     def blades_in_motion(
         self, geometry: Geometry, elastic: Elastic, sizes: Sizes, density: float

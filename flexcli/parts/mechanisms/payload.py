@@ -6,13 +6,13 @@ from typing import ClassVar, Literal
 from pydantic import model_validator
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.mechanics.layout import Body
+from flexcli.mechanics.layout import Body, Layout
 from flexcli.mechanics.single_freedom import SingleFreedom
 from flexcli.parts.base import Inertia, Mass, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
-from flexcli.parts.mechanisms.carried import carried
+from flexcli.parts.mechanisms.carried import body_on, carried
 from flexcli.parts.stroke import Stroke
 from flexcli.parts.structure import Structure
 from flexcli.results import QuantityKind, Value
@@ -70,6 +70,12 @@ class Payload(Mechanism):
     def free_force(self, acceleration: float) -> float:
         """Return mass times acceleration, through the centre of the joint."""
         return self.mass * acceleration
+
+    def carried_body(self, geometry: Geometry, layout: Layout) -> Body:
+        """Return the body with what it is fixed to, in the joint's axes."""
+        return body_on(
+            geometry, layout, "payload", mass=self.mass, inertia=self.inertia or 0.0, offset=0.0
+        )
 
     def structure(
         self,

@@ -4,12 +4,13 @@ from math import pi, sqrt
 from typing import Annotated, ClassVar, Literal
 
 from flexcli.formulas.quantity import Quantity
+from flexcli.mechanics.layout import Body, Layout
 from flexcli.mechanics.single_freedom import SingleFreedom
 from flexcli.parts.base import Inertia, Length, QuantityOf
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
-from flexcli.parts.mechanisms.carried import carried
+from flexcli.parts.mechanisms.carried import body_on, carried
 from flexcli.parts.stroke import Stroke
 from flexcli.parts.structure import Structure
 from flexcli.results import QuantityKind, Value
@@ -88,6 +89,12 @@ class TipMass(Mechanism):
     def hanging_mass(self) -> float:
         """Return the mass."""
         return self.mass
+
+    def carried_body(self, geometry: Geometry, layout: Layout) -> Body:
+        """Return the body with what it is fixed to, in the joint's axes."""
+        return body_on(
+            geometry, layout, "tip mass", mass=self.mass, inertia=self.inertia, offset=self.offset
+        )
 
     def structure(
         self,

@@ -5,7 +5,9 @@ from itertools import pairwise
 from math import atan2, cos, hypot, radians, remainder, sin, tau
 from typing import NamedTuple, TypeAlias
 
-from flexcli.report.drawing_svg import blocks, caption, edge_of, sheet_of, size_of
+from flexcli.report.drawings.caption import caption
+from flexcli.report.drawings.outlines import blocks, edge_of, size_of
+from flexcli.report.drawings.style import sheet_of
 from flexcli.report.svg import Box, Labels, Page
 from flexcli.results.drawing import XY, Drawing, DrawnBlade
 from flexcli.units import show
@@ -14,8 +16,8 @@ __all__ = ["VIEWS", "view_svg"]
 
 XYZ: TypeAlias = tuple[float, float, float]
 
-WIDTH, ROOM, EDGE = 640.0, (440.0, 380.0), 70.0
-"""Width of the page, the room that the mechanism is fitted into, and around it [px]."""
+WIDTH, HIGH, EDGE = 400.0, 300.0, 60.0
+"""Width of the page, the height that the mechanism is fitted into, and around it [px]."""
 
 GROUND_DEPTH = 0.04
 """Thickness of the plate that stands for the ground, over the mechanism's size."""
@@ -58,7 +60,7 @@ def view_svg(drawing: Drawing, title: str, view: str) -> str:
     places = [_flat(corner, seen) for face in faces for corner in face.corners]
     lows, highs = ([f(side) for side in zip(*places, strict=True)] for f in (min, max))
     wide, high = (most - least for least, most in zip(lows, highs, strict=True))
-    scale = min(ROOM[0] / (wide or high), ROOM[1] / (high or wide))
+    scale = min((WIDTH - 2.0 * EDGE) / (wide or high), HIGH / (high or wide))
     page = Page(WIDTH, high * scale + 2.0 * EDGE)
     left, base = 0.5 * (WIDTH - (lows[0] + highs[0]) * scale), EDGE + highs[1] * scale
 
@@ -105,7 +107,7 @@ def _flat(place: XYZ, view: View) -> XY:
 
 def _faces(drawing: Drawing, view: View) -> Iterator[Face]:
     """Yield the sides that are seen of blades, bodies and ground."""
-    size = size_of(drawing)
+    size = drawing.joint_size or size_of(drawing)
     for blade in drawing.blades:
         yield from _prism(_anticlockwise(edge_of(blade)), _span(blade), view, "face")
     for body in drawing.bodies:
