@@ -50,6 +50,7 @@ class Model(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
     CLOSED_FORM = "closed-form"
     LINEAR = "linear"
     EXACT = "exact"
+    SHELL = "shell"
 
 
 def _positive(seconds: float | None) -> float | None:

@@ -11,7 +11,7 @@ from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, JointModel
 
 __all__ = ["MODEL_SERIES", "NamedModel", "model_series", "series_of"]
 
-MODEL_SERIES = ("closed-form", "linear", "exact")
+MODEL_SERIES = ("closed-form", "linear", "exact", "shell")
 """What judges, the cheapest first."""
 
 
@@ -52,7 +52,7 @@ def series_of(design: DesignSpec) -> tuple[str, ...]:
     """Return the names of the models that a design's geometry has, the cheapest first."""
     if design.geometry.in_space:
         return MODEL_SERIES[1:]
-    return MODEL_SERIES if design.geometry.closed_forms else MODEL_SERIES[1:]
+    return MODEL_SERIES[:3] if design.geometry.closed_forms else MODEL_SERIES[1:3]
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:
@@ -79,6 +79,10 @@ def _joint_model(design: DesignSpec, model: str) -> JointModel:
             from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 
             return SpaceLinearModel()
+        if model == "shell":
+            from flexcli.engine.joint_models.space_shell import SpaceShellModel
+
+            return SpaceShellModel()
         from flexcli.engine.joint_models.space_exact import SpaceExactModel
 
         return SpaceExactModel()

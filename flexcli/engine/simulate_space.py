@@ -8,13 +8,13 @@ import numpy as np
 
 from flexcli.engine import omitted_effects
 from flexcli.engine import values as design_values
-from flexcli.engine.joint_models.space_exact import SpaceExactModel, blade_peaks
+from flexcli.engine.joint_models.space_exact import SpaceExactModel
+from flexcli.engine.joint_models.space_shell import SpaceShellModel
 from flexcli.engine.joint_models.space_stroke import (
     along_cases,
     at_travel,
     compliance_along_cases,
     driven_coordinate,
-    support_error,
 )
 from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
 from flexcli.engine.models import model_series
@@ -35,7 +35,9 @@ CENTRE = (0.0, 0.0, 0.0)
 
 
 def simulate_in_space(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result:
-    """Return the sweep of every case that has a stroke, and the margins by the exact model.
+    """Return the sweep of every case that has a stroke, and the margins by the model of the spec.
+
+    That is the exact one, or the shell model where the spec names it.
 
     Raises
     ------
@@ -44,13 +46,13 @@ def simulate_in_space(design: DesignSpec, sizes: Sizes, spec: str, points: int) 
 
     """
     started = perf_counter()
-    joint_model = SpaceExactModel()
+    joint_model = SpaceShellModel() if design.model == "shell" else SpaceExactModel()
     moving = moving_cases(design, sizes, joint_model, "translation: 1 mm")
     models = model_series(design, joint_model.name)
     sweeps: tuple[SpaceSweep, ...] = ()
     try:
         for ask in moving:
-            sweeps += (_sweep(ask, points),)
+            sweeps += (_sweep(ask, points, joint_model),)
         values = design_values.values(design, sizes, joint_model)
         found = judge(design, sizes, models)
     except KeyboardInterrupt as stopped:
@@ -76,25 +78,26 @@ def simulate_in_space(design: DesignSpec, sizes: Sizes, spec: str, points: int) 
 
 def strokes_in_space(design: DesignSpec, sizes: Sizes, points: int) -> tuple[SpaceSweep, ...]:
     """Return the sweep of every case that has a stroke, without a verdict."""
-    moving = moving_cases(design, sizes, SpaceExactModel(), "translation: 1 mm")
-    return tuple(_sweep(ask, points) for ask in moving)
+    joint_model = SpaceExactModel()
+    moving = moving_cases(design, sizes, joint_model, "translation: 1 mm")
+    return tuple(_sweep(ask, points, joint_model) for ask in moving)
 
 
-def _sweep(ask: Ask, points: int) -> SpaceSweep:
+def _sweep(ask: Ask, points: int, model: SpaceExactModel) -> SpaceSweep:
     scene = ask.scene
     doing(f"the stroke of {scene.case}")
     found, missed, why = [], 0, ""
     for travel in np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points):
         try:
-            found.append(_point(ask, float(travel)))
+            found.append(_point(ask, float(travel), model))
         except (NotAvailable, SolveError) as error:
             missed, why = missed + 1, str(error)
     told = f"{missed} of {points} travels were not reached: {why}" if missed else ""
     return SpaceSweep(scene.case, ask.geometry.motion, tuple(found), told)
 
 
-def _point(ask: Ask, travel: float) -> SpacePoint:
-    state = at_travel(ask, travel)
+def _point(ask: Ask, travel: float, model: SpaceExactModel) -> SpacePoint:
+    state = at_travel(ask, travel, model.blades)
     layout = state.layout
     body = layout.body(layout.drive.body)
     motion = along_cases(ask) @ state.motion_of(body.name, body.point)
@@ -107,7 +110,8 @@ def _point(ask: Ask, travel: float) -> SpacePoint:
         held = locked[i, i] <= 1e-12 * np.trace(np.abs(locked)[block, block])
         stiffness[name] = inf if held else float(1.0 / locked[i, i])
     mass = any(each.mass > 0.0 for each in layout.bodies)
-    stress, blade = blade_peaks(state)
+    stress, blade = model.largest_stress(state)
+    errors = model.blades.errors(state)
     moved = ("shift_x", "shift_y", "shift_z", "turn_x", "turn_y", "turn_z")
     return SpacePoint(
         travel=travel,
@@ -118,5 +122,5 @@ def _point(ask: Ask, travel: float) -> SpacePoint:
         frequency=float(vibration(state).frequency[0, 0]) if mass else None,
         stress=stress,
         blade=blade,
-        error=support_error(state),
+        error=errors.support if errors is not None else None,
     )

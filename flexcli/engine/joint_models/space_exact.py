@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
     BEAM_ERROR,
+    BEAMS,
+    Blades,
+    StrokeErrors,
     at_travel,
     driven_coordinate,
     is_compared,
@@ -23,7 +26,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.space.exact.critical import critical_load
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
-from flexcli.mechanics.space.exact.stresses import blade_stresses
+from flexcli.mechanics.space.exact.stresses import BladeStress, blade_stresses
 from flexcli.mechanics.space.exact.support import support_compliance, vibration
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector
 from flexcli.mechanics.space.states import Acting
@@ -35,40 +38,31 @@ from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_states import Told, acting_groups
 from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["SpaceExactModel", "blade_peaks"]
+__all__ = ["SpaceExactModel", "beam_peaks"]
 
 Floats = NDArray[np.float64]
 
-BUCKLING_ERROR = 0.1
-"""Error of a critical share by beams: of their support stiffness at stroke, and of the mass of
-blades, which is not among their loads."""
-
 ROUNDING = 1e-6
 """Error of a ratio of two states at the same nodes."""
-
-CRITICAL_LEVELS, CRITICAL_TOLERANCE = (12, 18, 27, 40), 1e-3
-"""Nodes and accuracy of critical loads, far below the error of beams."""
-
-SHIFT_ERROR = 0.02
-"""Error of the motion beside a stroke, against the solids of ``BEAM_ERROR``: within 0.7 %."""
-
-STRESS_ERROR = 0.05
-"""Error of the nominal stress of a stroke: of the drive's force, within 1 % of those solids, and of
-how restrained warping spreads."""
 
 
 class SpaceExactModel(SpaceLinearModel):
     """The linear model about rest, and exact beams at the ends of strokes."""
 
     name = "exact"
+    blades = BEAMS
+    """What blades are made of at the ends of strokes."""
+    stress_kind = "nominal stress in space, von Mises"
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
-        """Return the error of its numbers: of beams against solids, and of their nodes."""
+        """Return the error of its numbers: of its blades, and of their level."""
         warm = ask.scene.temperature is not None
         if kind is QuantityKind.SHIFT and (ask.scene.moves or warm):
-            return _told(ask, SHIFT_ERROR, _shift)
+            return self._at_ends(ask, lambda errors: errors.shift, _shift)
         if kind is QuantityKind.STRESS and _is_motion_alone(ask):
-            return _told(ask, STRESS_ERROR, _largest)
+            return self._at_ends(
+                ask, lambda errors: errors.stress, lambda state: self.largest_stress(state)[0]
+            )
         if kind is QuantityKind.STIFFNESS and warm:
             own = super().error(ask, kind)
             try:
@@ -100,18 +94,18 @@ class SpaceExactModel(SpaceLinearModel):
         self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return the support stiffness at both ends of the stroke, the drive locked or free."""
-        return support_at_stroke(ask, index, point, locked=locked)
+        return support_at_stroke(ask, index, point, locked=locked, blades=self.blades)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return how far the driven point, or the axis, leaves its path at the stroke's ends."""
-        return max(_shift(state) for state in _ends(ask))
+        return max(_shift(state) for state in self._ends(ask))
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress of a stroke, or what the linear model says of other loads too."""
         if not _is_motion_alone(ask):
             return super().stresses(ask)
-        states = _ends(ask)
-        first, last = (_stresses(state) for state in (states[0], states[-1]))
+        states = self._ends(ask)
+        first, last = (self.signed_stresses(state) for state in (states[0], states[-1]))
         found: list[EndStress] = []
         for name, one in first.items():
             amplitude, mean = np.abs(one - last[name]) / 2.0, (one + last[name]) / 2.0
@@ -120,26 +114,65 @@ class SpaceExactModel(SpaceLinearModel):
                 EndStress(name, float(amplitude[i]), float(mean[i]), 0.0, is_at_face=True)
                 for i in dict.fromkeys(int(np.argmax(each)) for each in sought)
             )
-        return "nominal stress in space, von Mises", found
+        return self.stress_kind, found
+
+    def signed_stresses(self, state: SpaceEquilibrium) -> dict[str, Floats]:
+        """Return von Mises' stress at places of each blade, signed as the normal stress [Pa]."""
+        return beam_peaks(blade_stresses(state))
+
+    def largest_stress(self, state: SpaceEquilibrium) -> tuple[float, str]:
+        """Return the largest stress of the blades [Pa], and the blade that has it."""
+        found = self.signed_stresses(state)
+        return max((float(np.max(np.abs(each))), name) for name, each in found.items())
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return the shares of the loads that buckle it: drive locked at a stroke, else free."""
-        return tuple(_critical_shares(ask))
+        return tuple(_critical_shares(ask, self.blades))
+
+    def _ends(self, ask: Ask) -> tuple[SpaceEquilibrium, ...]:
+        """Return the joint at both ends of its stroke, or as its temperature leaves it."""
+        scene = ask.scene
+        if not scene.moves:
+            return (at_travel(ask, None, self.blades),)
+        return (
+            at_travel(ask, scene.middle + scene.travel, self.blades),
+            at_travel(ask, scene.middle - scene.travel, self.blades),
+        )
+
+    def _at_ends(
+        self,
+        ask: Ask,
+        error: Callable[[StrokeErrors], float],
+        number: Callable[[SpaceEquilibrium], float],
+    ) -> ErrorRange | None:
+        """Return an error with what a number changes from the level before."""
+        try:
+            states = self._ends(ask)
+        except (NotAvailable, SolveError):
+            return None
+        most = 0.0
+        for state in states:
+            found, known = number(state), self.blades.errors(state)
+            if state.coarser is None or known is None or found == 0.0:
+                return None
+            most = max(most, abs(number(state.coarser) / found - 1.0) + error(known))
+        return ErrorRange(-most, most)
 
 
-def _critical_shares(ask: Ask) -> Iterator[CriticalShare]:
+def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     """Yield what buckles it at both ends of a stroke; what is no wrench acts either way."""
     scene = ask.scene
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes, scene.temperature)
     layout, drive = joint.layout, joint.layout.drive
     groups = [_loads(layout, each) for each in acting_groups(joint, scene)]
+    levels, tolerance = blades.critical
     senses: list[tuple[float, ...]] = [(1.0, -1.0)] * len(groups)
     if any(scene.stated):
         senses[0] = (1.0,)
     travels = dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel))
     for travel in travels:
-        state = at_travel(ask, travel, warm=False)
-        known, start = is_compared(state), state if scene.moves else None
+        state = at_travel(ask, travel, blades, warm=False)
+        known, start = blades.errors(state), state if scene.moves else None
         own = driven_coordinate(layout) % 6
         held = {drive.body: [travel if i == own else None for i in range(6)]} if start else None
         for signs in product(*senses):
@@ -152,15 +185,15 @@ def _critical_shares(ask: Ask) -> Iterator[CriticalShare]:
             try:
                 found = critical_load(
                     layout, held, pattern, most=MOST_SHARE, frames=drive_frame(drive), start=start,
-                    levels=CRITICAL_LEVELS, tolerance=CRITICAL_TOLERANCE,
+                    levels=levels, tolerance=tolerance, made=blades.made,
                 )  # fmt: skip
             except SolveError as error:
                 if error.code != "no-critical-load":
                     raise NotAvailable(f"has no buckling load: {error}") from error
-                error_range = ErrorRange(-BUCKLING_ERROR, inf) if known else None
+                error_range = ErrorRange(-known.critical, inf) if known else None
                 yield CriticalShare(MOST_SHARE, f"{spoken}: none up to that", error_range)
                 continue
-            off = BUCKLING_ERROR + found.estimated_error
+            off = found.estimated_error + (known.critical if known else inf)
             yield CriticalShare(found.factor, spoken, ErrorRange(-off, off) if known else None)
 
 
@@ -228,32 +261,6 @@ def _own_frequency(state: SpaceEquilibrium) -> float:
     return float(frequency[np.flatnonzero(compliance > TAKES_PART * compliance.sum())[0]])
 
 
-def _ends(ask: Ask) -> tuple[SpaceEquilibrium, ...]:
-    """Return the joint at both ends of its stroke, or as its temperature leaves it."""
-    scene = ask.scene
-    if not scene.moves:
-        return (at_travel(ask, None),)
-    return (
-        at_travel(ask, scene.middle + scene.travel),
-        at_travel(ask, scene.middle - scene.travel),
-    )
-
-
-def _told(ask: Ask, error: float, number: Callable[[SpaceEquilibrium], float]) -> ErrorRange | None:
-    """Return an error with what a number changes from the level of nodes before."""
-    try:
-        states = _ends(ask)
-    except (NotAvailable, SolveError):
-        return None
-    change = 0.0
-    for state in states:
-        found = number(state)
-        if state.coarser is None or not is_compared(state) or found == 0.0:
-            return None
-        change = max(change, abs(number(state.coarser) / found - 1.0))
-    return ErrorRange(-error - change, error + change)
-
-
 def _shift(state: SpaceEquilibrium) -> float:
     """Return how far the driven point leaves its path [m]."""
     drive = state.layout.drive
@@ -264,19 +271,10 @@ def _shift(state: SpaceEquilibrium) -> float:
     return float(np.linalg.norm(moved))
 
 
-def blade_peaks(state: SpaceEquilibrium) -> tuple[float, str]:
-    """Return the largest stress of the blades [Pa], and the blade that has it."""
-    return max((float(np.max(np.abs(each))), name) for name, each in _stresses(state).items())
-
-
-def _largest(state: SpaceEquilibrium) -> float:
-    return blade_peaks(state)[0]
-
-
-def _stresses(state: SpaceEquilibrium) -> dict[str, Floats]:
-    """Return von Mises' stress at the corners and faces, signed as the normal stress, by blade."""
+def beam_peaks(stresses: Sequence[BladeStress]) -> dict[str, Floats]:
+    """Return von Mises' stress at the corners and faces of beams, signed as the normal stress."""
     found = {}
-    for blade in blade_stresses(state):
+    for blade in stresses:
         faces = np.stack([blade.axial + side * blade.bend_thin for side in (1.0, -1.0)], axis=-1)
         sheared = equivalent(faces, blade.shear[:, None] * np.ones(2))
         signed = np.where(faces < 0.0, -sheared, sheared)

@@ -1,5 +1,7 @@
-"""A joint in space at a travel: exact beams, the drive held, other loads of the case aside."""
+"""A joint in space at a travel: beams or shells, the drive held, other loads of the case aside."""
 
+from collections.abc import Callable
+from typing import NamedTuple
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -7,8 +9,11 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along
+from flexcli.mechanics.refinement import LEVELS
+from flexcli.mechanics.space.exact.beams import beams_of
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
+from flexcli.mechanics.space.exact.members import MembersOf
 from flexcli.mechanics.space.exact.support import support_compliance
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod, Vector
 from flexcli.parts.elastic import NotAvailable
@@ -17,13 +22,15 @@ from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.results import ErrorRange
 
 __all__ = [
+    "BEAMS",
+    "Blades",
+    "StrokeErrors",
     "along_cases",
     "at_travel",
     "compliance_along_cases",
     "driven_coordinate",
     "is_compared",
     "support_at_stroke",
-    "support_error",
 ]
 
 Floats = NDArray[np.float64]
@@ -37,17 +44,55 @@ BEAM_ERROR = 0.06
 Two-blade guides, b/l 0.2 and 0.5, b/h 40 and 100, strokes of l/20 and l/5, and crossed pivots, b/l
 0.4, at 10° and 15°: within 4.6 %, 1 % of it by the mesh of the solids."""
 
+SHIFT_ERROR = 0.02
+"""Error of the motion beside a stroke, against the solids of ``BEAM_ERROR``: within 0.7 %."""
+
+STRESS_ERROR = 0.05
+"""Error of the nominal stress of a stroke: of the drive's force, within 1 % of those solids, and of
+how restrained warping spreads."""
+
+BUCKLING_ERROR = 0.1
+"""Error of a critical share by beams: of their support stiffness at stroke, and of the mass of
+blades, which is not among their loads."""
+
 WIDEST, THICKEST, LONGEST = 0.5, 0.02, 0.2
 """Largest b/l, h/l, and shift of a blade's end against its start over its length, compared."""
 
 ROUNDING = 0.02
 """What a stroke of a fifth of the length moves besides, along the blade."""
 
-_KNOWN: WeakKeyDictionary[SpaceJoint, dict[float | None, SpaceEquilibrium]] = WeakKeyDictionary()
+_KNOWN: WeakKeyDictionary[SpaceJoint, dict[tuple[str, float | None], SpaceEquilibrium]]
+_KNOWN = WeakKeyDictionary()
 
 
-def at_travel(ask: Ask, travel: float | None, *, warm: bool = True) -> SpaceEquilibrium:
-    """Return the joint at a travel of its drive, all else free but for a guide.
+class StrokeErrors(NamedTuple):
+    """Relative errors at a stroke beside that of the level: of what blades are made of."""
+
+    support: float
+    shift: float
+    stress: float
+    critical: float
+
+
+class Blades(NamedTuple):
+    """What blades are made of at a stroke, how finely, and what is known of their errors.
+
+    ``errors`` gives nothing where they are not known. ``critical`` are levels and accuracy of
+    critical loads.
+    """
+
+    name: str
+    made: MembersOf
+    levels: tuple[int, ...]
+    tolerance: float
+    errors: Callable[[SpaceEquilibrium], StrokeErrors | None]
+    critical: tuple[tuple[int, ...], float]
+
+
+def at_travel(
+    ask: Ask, travel: float | None, blades: Blades | None = None, *, warm: bool = True
+) -> SpaceEquilibrium:
+    """Return the joint at a travel of its drive, all else free but for a guide; by beams if unsaid.
 
     Without a travel the drive is free: the joint is as its temperature leaves it, which it has
     where it is ``warm``.
@@ -62,8 +107,9 @@ def at_travel(ask: Ask, travel: float | None, *, warm: bool = True) -> SpaceEqui
     """
     heat = ask.scene.temperature if warm else None
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes, heat)
-    known = _KNOWN.setdefault(joint, {})
-    if travel not in known:
+    blades = BEAMS if blades is None else blades
+    known, key = _KNOWN.setdefault(joint, {}), (blades.name, travel)
+    if key not in known:
         layout = joint.layout
         held: list[float | None] = [None] * 6
         if ask.geometry.is_guided:
@@ -74,13 +120,15 @@ def at_travel(ask: Ask, travel: float | None, *, warm: bool = True) -> SpaceEqui
             layout,
             {layout.drive.body: held},
             frames=drive_frame(layout.drive),
-            tolerance=TOLERANCE,
+            tolerance=blades.tolerance,
+            levels=blades.levels,
+            made=blades.made,
         )
-        known[travel] = state.checked()
-    if known[travel].unstable:
+        known[key] = state.checked()
+    if known[key].unstable:
         held_by = "by its temperature" if travel is None else "at its stroke with the drive locked"
         raise NotAvailable(f"buckles {held_by}")
-    return known[travel]
+    return known[key]
 
 
 def driven_coordinate(layout: SpaceLayout) -> int:
@@ -89,7 +137,12 @@ def driven_coordinate(layout: SpaceLayout) -> int:
 
 
 def support_at_stroke(
-    ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ask: Ask,
+    index: int,
+    point: tuple[float, float, float],
+    *,
+    locked: bool,
+    blades: Blades | None = None,
 ) -> tuple[tuple[float, ErrorRange | None], ...]:
     """Return the support stiffness at both ends of a case's stroke, as a joint model does.
 
@@ -99,23 +152,28 @@ def support_at_stroke(
         When what is asked for is held, or the joint cannot be solved in space.
 
     """
-    scene = ask.scene
+    scene, blades = ask.scene, BEAMS if blades is None else blades
     found = []
     for travel in dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel)):
-        state = at_travel(ask, travel)
+        state = at_travel(ask, travel, blades)
         value = _stiffness(ask, state, index, point, locked=locked)
-        error = None
-        if state.coarser is not None and is_compared(state):
+        known, error = blades.errors(state), None
+        if state.coarser is not None and known is not None:
             before = _stiffness(ask, state.coarser, index, point, locked=locked)
-            change = abs(before / value - 1.0) + BEAM_ERROR
+            change = abs(before / value - 1.0) + known.support
             error = ErrorRange(-change, change)
         found.append((value, error))
     return tuple(found)
 
 
-def support_error(state: SpaceEquilibrium) -> float | None:
-    """Return the error of a support stiffness by beams, nothing where it is not known [-]."""
-    return BEAM_ERROR if is_compared(state) else None
+def _of_beams(state: SpaceEquilibrium) -> StrokeErrors | None:
+    if not is_compared(state):
+        return None
+    return StrokeErrors(BEAM_ERROR, SHIFT_ERROR, STRESS_ERROR, BUCKLING_ERROR)
+
+
+BEAMS = Blades("exact", beams_of, LEVELS, TOLERANCE, _of_beams, ((12, 18, 27, 40), 1e-3))
+"""Exact beams: their critical loads are far more accurate than beams are."""
 
 
 def along_cases(ask: Ask) -> Floats:

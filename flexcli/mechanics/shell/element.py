@@ -28,12 +28,13 @@ _PAIRS = tuple((m, n) for m in range(3) for n in range(m, 3))
 
 
 class Strips(NamedTuple):
-    """Strips of equal functions: b/l (strips,), (l/h)² and ν of each."""
+    """Strips of equal functions: b/l (strips,), (l/h)², ν, and E_11 of each that is free."""
 
     basis: Basis
     width: Floats
     slender: Floats
     nu: Floats
+    grown: Floats
 
     @property
     def law(self) -> Floats:
@@ -72,7 +73,11 @@ def energy_slopes(strips: Strips, d: Floats) -> tuple[Floats, Floats]:
     weight = np.outer(at.weight_along, at.weight_across).ravel()
     stiff = weight / 2.0 / (1.0 - strips.nu[:, None] ** 2)
     found = density(
-        g.reshape(B, points, 5, 3), 12.0 * strips.slender[:, None] * stiff, stiff, strips.law
+        g.reshape(B, points, 5, 3),
+        strips.grown,
+        12.0 * strips.slender[:, None] * stiff,
+        stiff,
+        strips.law,
     )
     scale = np.array([(2.0 / strips.width) ** o[1] for o in _ORDERS]).T
     slope = found.slope.reshape(B, rows, columns, 5, 3) * scale[:, None, None, :, None]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.shell.shells import Shells, shells_of
 from flexcli.mechanics.space.exact.beams import Beams, beams_of
-from flexcli.mechanics.space.exact.members import Members
+from flexcli.mechanics.space.exact.members import FIRST_GUESS, Members
 from flexcli.mechanics.space.exact.rotation import matrix_of, moved
 from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.layout import SpaceLayout
@@ -22,8 +22,8 @@ __all__ = ["SHELL_LEVELS", "shells_from_beams"]
 
 Floats = NDArray[np.float64]
 
-SHELL_LEVELS = (0, 12, 16, 20, 24)
-"""Modes along a blade, level by level, half as many across it; at level 0 it is a beam.
+SHELL_LEVELS = (FIRST_GUESS, 12, 16, 20, 24)
+"""Modes along a blade, level by level, half as many across it; at the first it is a beam.
 
 With fewer than 8 modes a shell locks."""
 
@@ -35,12 +35,12 @@ _E_X = np.array([1.0, 0.0, 0.0])
 
 @dataclass(frozen=True, eq=False)
 class FirstGuess(Beams):
-    """Beams that are shells at every level but 0."""
+    """Beams that are shells at every level but the first."""
 
     layout: SpaceLayout
     effects: BeamEffects
 
-    level = 0
+    level = FIRST_GUESS
 
     def at_level(self, level: int) -> Members:
         """Return the blades as shells."""
@@ -80,7 +80,7 @@ class FirstGuess(Beams):
 
 
 def shells_from_beams(layout: SpaceLayout, effects: BeamEffects, level: int) -> Members:
-    """Return blades as shells, at level 0 as beams (``MembersOf``).
+    """Return blades as shells, at the first level as beams (``MembersOf``).
 
     Raises
     ------
@@ -88,6 +88,6 @@ def shells_from_beams(layout: SpaceLayout, effects: BeamEffects, level: int) -> 
         When there is no blade, or its thickness varies.
 
     """
-    if level:
+    if level != FIRST_GUESS:
         return shells_of(layout, effects, level)
     return FirstGuess(beams_of(layout, effects, _NODES).mesh, layout, effects)

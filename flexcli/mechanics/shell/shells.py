@@ -149,15 +149,15 @@ class Shells(NamedTuple):
         return Variation(self._ordered(matrix, other.matrix), unstable + other.unstable)
 
     def grown(self, strains: Floats) -> "Shells":
-        """Refuse: shells have no temperature yet.
-
-        Raises
-        ------
-        SolveError
-            Always.
-
-        """
-        raise SolveError("cold-shells", "shells have no temperature", "take beams: exact")
+        """Return them with free strains along them; a clamp grows across with its blade."""
+        free = strains[self.blades, 0]
+        strips = self.clamped.strips._replace(grown=free + free**2 / 2.0)
+        rods = (
+            None
+            if self.rods is None
+            else replace(self.rods, mesh=self.rods.mesh._replace(grown=strains[self.beams]))
+        )
+        return self._replace(clamped=Clamped(strips), rods=rods)
 
     def at_level(self, level: int) -> "Shells":
         """Return them with another number of modes."""
@@ -223,7 +223,7 @@ def shells_of(layout: SpaceLayout, effects: BeamEffects, level: int) -> Shells:
     if beams is not None:
         EI[is_rod] = beams.bending
     return Shells(
-        clamped=Clamped(Strips(basis_of(level), b / long, (long / h) ** 2, nu)),
+        clamped=Clamped(Strips(basis_of(level), b / long, (long / h) ** 2, nu, np.zeros(nu.size))),
         blades=np.flatnonzero(~is_rod),
         rods=beams,
         beams=np.flatnonzero(is_rod),

@@ -6,7 +6,7 @@ x_1, x_2, x_11, x_22, x_12. The energy per area is
     ½ S (E_11² + E_22² + 2 ν E_11 E_22 + 2 (1 − ν) E_12²) + ½ D (the same of κ),
     E_ab = (x_a · x_b − δ_ab)/2,  κ_ab = n · x_ab,  n = x_1 × x_2/|x_1 × x_2|,
 
-exact for any rotation; strains are small.
+exact for any rotation; strains are small. E_11 is less what a temperature frees.
 """
 
 from typing import NamedTuple
@@ -37,15 +37,16 @@ class Density(NamedTuple):
     hessian: Floats
 
 
-def strains(g: Floats) -> Strains:
-    """Return the strains of derivatives g (..., 5, 3)."""
+def strains(g: Floats, grown: Floats) -> Strains:
+    """Return the strains of derivatives g (blades, ..., 5, 3), E_11 less what is free (blades,)."""
+    free = grown.reshape(-1, *(1,) * (g.ndim - 3))
     x_1, x_2 = g[..., 0, :], g[..., 1, :]
     across = cross(x_1, x_2)
     area = np.sqrt(np.sum(across**2, axis=-1, keepdims=True))
     normal = across / area
     stretch = np.stack(
         [
-            (np.sum(x_1**2, axis=-1) - 1.0) / 2.0,
+            (np.sum(x_1**2, axis=-1) - 1.0) / 2.0 - free,
             (np.sum(x_2**2, axis=-1) - 1.0) / 2.0,
             np.sum(x_1 * x_2, axis=-1),
         ],
@@ -58,20 +59,22 @@ def strains(g: Floats) -> Strains:
 _TWICE = np.array([1.0, 1.0, 2.0])
 
 
-def density(g: Floats, stretching: Floats, bending: Floats, law: Floats) -> Density:
+def density(g: Floats, grown: Floats, stretching: Floats, bending: Floats, law: Floats) -> Density:
     """Return the derivatives of the energy per area.
 
     Parameters
     ----------
     g : array, shape (blades, points, 5, 3)
         Derivatives of the position by lengths.
+    grown : array, shape (blades,)
+        E_11 that is free, of each.
     stretching, bending : array, shape (blades, points)
         S and D, times what an area counts for in the sum over points.
     law : array, shape (blades, 3, 3)
         Stress over strain, in S and D: [[1, ν, 0], [ν, 1, 0], [0, 0, (1 − ν)/2]].
 
     """
-    found = strains(g)
+    found = strains(g, grown)
     n, area = found.normal, found.area
     x_1, x_2, seconds = g[..., 0, :], g[..., 1, :], g[..., 2:, :]
     force = stretching[..., None] * (found.stretch @ law)

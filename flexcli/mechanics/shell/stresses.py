@@ -53,7 +53,7 @@ def shell_stresses(state: SpaceEquilibrium) -> tuple[FaceStress, ...]:
     s, t = ((_towards_rim(n) + low) / (1.0 + low) for n, low in ((_ALONG, 1.0), (_ACROSS, 0.0)))
     along, across = clamped.strips.basis.at(s, t)
     g = derivatives(clamped.strips, along, across, clamped.vectors(shells.parts(inside)[0]))
-    found = strains(g)
+    found = strains(g, clamped.strips.grown)
     place = [each.ravel() for each in np.meshgrid(s, t, indexing="ij")]
     faces = []
     for k, i in enumerate(shells.blades):
@@ -89,7 +89,8 @@ def rod_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
 
 
 def _shells(state: SpaceEquilibrium) -> tuple[Shells, Floats]:
-    assembly = state.part.assembly
+    part = state.part
+    assembly = part.assembly.warmed(part.demand.warmth(part.share))
     if not isinstance(assembly.members, Shells):
         raise TypeError("the blades of this equilibrium are no shells")
     return assembly.members, assembly.at(state.part.x).inside

@@ -67,7 +67,7 @@ class Buckling(FactorRequirement):
 
     def _shares(self, ask: Ask) -> Iterator[Limit]:
         """Yield the loads of a case against the share of them that buckles blades or bodies."""
-        beams = "exact beams in space" if ask.scene.in_space else "exact beams in the plane"
+        beams = ask.joint_model.at_stroke if ask.scene.in_space else "exact beams in the plane"
         what = "the loads of the case"
         if ask.scene.temperature is not None:
             alone = ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}

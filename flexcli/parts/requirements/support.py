@@ -65,7 +65,6 @@ CENTRE = (0.0, 0.0, 0.0)
 HELD = 1e-14
 """Share of the compliance below which a direction is one that a guide or the drive holds."""
 
-SOURCE_AT_STROKE = "tangent of exact beams in space, sections that curl and warp"
 SOURCE = "linear blades between rigid clamps, assembled in space at rest"
 
 
@@ -256,11 +255,12 @@ class Support(Bound):
         index = DIRECTIONS.index(self.direction)
         locked = self.drive == "locked"
         quantity = f"{self.spoken} at full stroke, drive {self.drive}"
+        source = f"tangent of {ask.joint_model.at_stroke}"
         for value, error in ask.joint_model.support_at_stroke(
             ask, index, self.point, locked=locked
         ):
             told = _with_clamps(ask, error)
-            yield from self._bounds(value, told, ask.scene.case, quantity, SOURCE_AT_STROKE)
+            yield from self._bounds(value, told, ask.scene.case, quantity, source)
 
     def _bounds(
         self, value: float, error: ErrorRange | None, case: str, quantity: str, source: str

@@ -1,5 +1,7 @@
 """Blades as shells: plates at small motion, curved strips, guides at stroke, buckling."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from layouts_in_space import LOADS, STEEL, askew, guide, rod, strip, turned
@@ -83,14 +85,14 @@ def test_a_strip_that_is_bent_far_flattens(beta):
         (50e-3, 20e-3, 56.87, (3.561e6, 9.173e5, 1311.4, 9283.5, 35809.0)),
         (20e-3, 20e-3, 22.275, (1.3808e6, 1.5603e5, 208.26, 1579.9, 13873.0)),
         (50e-3, 5e-3, 13.567, (3.9548e7, 7.2128e6, 10574.0, 71996.0, 3.8187e5)),
-        (20e-3, 5e-3, 5.2554, (1.5296e7, 9.245e5, 995.66, 9249.1, 1.4763e5)),
+        (20e-3, 5e-3, 5.2554, (1.4754e7, 9.245e5, 995.66, 9249.1, 1.4763e5)),
     ],
 )
 def test_support_stiffness_of_a_deflected_guide_is_that_of_solids(b, stroke, force, stiffness):
     """CalculiX 2.20, C3D20R between rigid bodies, one element through 0.5 mm, 1 % by its mesh.
 
-    Along the blades at 5 mm, where they are all but straight, that mesh is stiffer by 3.5 % than
-    shells and beams, which agree.
+    Along the blades at 5 mm, where they are all but straight, that mesh is 3.6 % too stiff: so is
+    the wide guide's; the narrow one's is that of 768 elements, two through the thickness.
     """
     frames = {"stage": Frame((0.0, 50e-3, 0.0), np.eye(3))}
     state = solve(guide(b=b), {"stage": (stroke, *(None,) * 5)}, frames=frames, levels=(0, 16),
@@ -98,7 +100,9 @@ def test_support_stiffness_of_a_deflected_guide_is_that_of_solids(b, stroke, for
     assert state.unstable == 0
     assert state.reactions[0, 0] == pytest.approx(force, rel=0.01)
     C = support_compliance(state, "stage", (0.0, 50e-3, 0.0))
-    assert 1.0 / C[1, 1] == pytest.approx(stiffness[0], rel=0.01 if stroke > 5e-3 else 0.036)
+    assert 1.0 / C[1, 1] == pytest.approx(
+        stiffness[0], rel=0.01 if stroke > 5e-3 or b < 50e-3 else 0.036
+    )
     assert 1.0 / np.diag(C)[2:] == pytest.approx(stiffness[1:], rel=0.012)
 
 
@@ -157,7 +161,9 @@ def _energy(state):
     shells, total = assembly.members, 0.0
     strips, at = shells.clamped.strips, shells.clamped.strips.basis.sampled()
     z = shells.parts(assembly.at(state.part.x).inside)[0]
-    felt = strains(derivatives(strips, at.along, at.across, shells.clamped.vectors(z)))
+    felt = strains(
+        derivatives(strips, at.along, at.across, shells.clamped.vectors(z)), strips.grown
+    )
     weight = np.outer(at.weight_along, at.weight_across) / 2.0
     for k, blade in enumerate(state.layout.blades):
         l, h = shells.lengths[k], blade.profile.h
@@ -185,8 +191,8 @@ def test_a_column_as_wide_as_long_buckles_as_a_plate():
     l, h = 0.1, 1e-4
     plate = Strip(1.0, nu).critical([2, 3]) * E * h**3 / 12.0 / l
     load = SpaceLoad("tip", (l, 0, 0), (-plate, 0, 0))
-    found = critical_load(strip(h=h, b=l, l=l), None, [load], most=1.5, levels=(0, 10, 12),
-                          tolerance=1e-2, made=shells_from_beams)  # fmt: skip
+    found = critical_load(strip(h=h, b=l, l=l), None, [load], most=1.5, levels=(8, 10, 12),
+                          tolerance=1e-2, made=shells_of)  # fmt: skip
     assert found.factor == pytest.approx(1.0, abs=4e-3)
 
 
@@ -199,8 +205,8 @@ def test_a_strip_buckles_sideways_at_michells_load():
         EI, GJ = E * b * h**3 / 12.0, STEEL.G * b * h**3 / 3.0
         load = SpaceLoad("tip", (l, 0, 0), (0, 0, 4.0126 * np.sqrt(EI * GJ) / l**2))
         found = critical_load(
-            strip(h=h, b=b, l=l), None, [load], most=2.0, levels=(0, 12, 16, 20), tolerance=5e-3,
-            made=shells_from_beams,
+            strip(h=h, b=b, l=l), None, [load], most=2.0, levels=(12, 16, 20), tolerance=5e-3,
+            made=shells_of,
         )  # fmt: skip
         factors.append(found.factor)
     assert 2.0 * factors[0] - factors[1] == pytest.approx(1.0, abs=3e-3)
@@ -222,6 +228,18 @@ def test_stress_at_a_clamp_is_higher_than_a_beams():
     assert 0.98 < np.max(found.equivalent) / beam < 1.11
     # nothing is read off in the corners
     assert np.all((np.minimum(found.s, l - found.s) >= h) | (b / 2.0 - np.abs(found.z) >= h))
+
+
+def test_a_warm_blade_that_is_free_is_longer_and_bears_nothing():
+    """Between bodies that do not grow; held by both, it bears what a clamped sheet does."""
+    l, b, h, strain = 0.1, 50e-3, 0.5e-3, 1e-4
+    warm = replace(strip(h=h, b=b, l=l), blade_growth={"blade": strain})
+    free = solve(warm, levels=(0, 12, 16), tolerance=1e-6, made=shells_from_beams)
+    assert free.coordinates[0, 0] == pytest.approx(strain * l, rel=1e-9)
+    assert np.max(np.abs(shell_stresses(free)[0].equivalent)) < 1e-6 * E * strain
+    held = solve(warm, {"tip": (0.0,) * 6}, levels=(0, 16), made=shells_from_beams)
+    sheet = Sheet(b / l, nu, bends=False).axial_factor() * E * h * b * strain
+    assert -held.end_forces[0, 0] == pytest.approx(sheet, rel=2e-3)
 
 
 def test_what_no_shell_can_be_is_refused():

@@ -1,6 +1,6 @@
 """Blades and rods as geometrically exact beams between bodies."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -88,7 +88,7 @@ class Beams:
 
     def grown(self, strains: Floats) -> Members:
         """Return them with free strains along them."""
-        return Beams(self.mesh._replace(grown=strains))
+        return replace(self, mesh=self.mesh._replace(grown=strains))
 
     def at_level(self, level: int) -> Members:
         """Return them at another number of nodes."""

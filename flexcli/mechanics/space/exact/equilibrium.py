@@ -26,7 +26,7 @@ from flexcli.mechanics.space.exact.assembly import (
 )
 from flexcli.mechanics.space.exact.beams import beams_of
 from flexcli.mechanics.space.exact.demand import Demand, Force, Frame, Held, demand_of
-from flexcli.mechanics.space.exact.members import MembersOf
+from flexcli.mechanics.space.exact.members import FIRST_GUESS, MembersOf
 from flexcli.mechanics.space.exact.rotation import moved, vector_of
 from flexcli.mechanics.space.exact.second_variation import (
     SecondVariation,
@@ -201,6 +201,8 @@ class _InSpace(NamedTuple):
 
     def changed(self, fine: "_InSpace", x: Floats, y: Floats, scale: Floats) -> Floats:
         """Return by how much x differs from y, solved with finer nodes [-]."""
+        if self.nodes == FIRST_GUESS:
+            return np.full(x.shape[0], np.inf)
         pairs = []
         for one, rows in ((self.assembly, x), (fine.assembly, y)):
             at = [one.at(row) for row in rows]

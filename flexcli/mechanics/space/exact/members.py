@@ -13,9 +13,13 @@ from numpy.typing import NDArray
 from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.layout import SpaceLayout
 
-__all__ = ["EndMotions", "Members", "MembersOf", "Variation"]
+__all__ = ["FIRST_GUESS", "EndMotions", "Members", "MembersOf", "Variation"]
 
 Floats = NDArray[np.float64]
+
+
+FIRST_GUESS = 0
+"""Level whose solution is but a start for the next: what it is off by tells nothing of that."""
 
 
 class EndMotions(NamedTuple):
