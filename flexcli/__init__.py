@@ -38,6 +38,7 @@ if TYPE_CHECKING:
         stops,
         tolerances,
         validate,
+        verdicts,
         verify,
     )
 
@@ -76,6 +77,7 @@ __all__ = [
     "stops",
     "tolerances",
     "validate",
+    "verdicts",
     "verify",
 ]
 

@@ -76,6 +76,7 @@ __all__ = [
     "stops",
     "tolerances",
     "validate",
+    "verdicts",
     "verify",
 ]
 
@@ -239,6 +240,18 @@ def spec_text(spec: Loaded, folder: str | PathLike[str] = ".") -> str:
 def check(source: Spec, *, model: str | None = None, overrides: Overrides | None = None) -> Result:
     """Judge a design: each check by the cheapest model that decides it, or by one ``model``."""
     from flexcli.engine.check import check as judged
+
+    def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
+        return judged(design, sizes, name, model)
+
+    return _on_sizes("check", source, overrides, verb, _model(model))
+
+
+def verdicts(
+    source: Spec, *, model: str | None = None, overrides: Overrides | None = None
+) -> Result:
+    """Judge a design as :func:`check` does, without its values: where many designs are asked."""
+    from flexcli.engine.check import verdicts as judged
 
     def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
         return judged(design, sizes, name, model)

@@ -11,7 +11,7 @@ from flexcli.results.study import Column, StudyResult, StudyRow
 
 __all__ = ["Row", "collected", "rows_of"]
 
-Each = Literal["check", "size", "simulate"]
+Each = Literal["check", "verdict", "size", "simulate"]
 
 Row: TypeAlias = tuple[StudyRow, tuple[Column, ...]]
 """A design of a study, and the columns of its cells."""
@@ -36,7 +36,7 @@ def _row_at(source: api.Portable, each: Each, model: str | None, point: Mapping[
         if each == "simulate":
             result = api.simulate(spec)
         else:
-            verb = api.size if each == "size" else api.check
+            verb = {"size": api.size, "verdict": api.verdicts}.get(each, api.check)
             result = verb(spec, model=model)
     except SpecError as error:
         reason = "; ".join(f"{found.path or found.file}: {found.text}" for found in error.findings)

@@ -56,6 +56,7 @@ class Each(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
     """What is done at each point."""
 
     CHECK = "check"
+    VERDICT = "verdict"
     SIZE = "size"
     SIMULATE = "simulate"
 
@@ -81,7 +82,10 @@ def run(
         ),
     ] = None,
     each: Annotated[
-        Each | None, typer.Option("--each", help="Do this at each point; left out, check.")
+        Each | None,
+        typer.Option(
+            "--each", help="Do this at each point; left out, check. A verdict has no values."
+        ),
     ] = None,
     sample: Annotated[
         Sample | None, typer.Option("--sample", help="Lay all combinations, or spread points.")

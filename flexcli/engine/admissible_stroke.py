@@ -1,6 +1,6 @@
 """The stroke at which the stress reaches a strength, by the model that answers for the stress."""
 
-from math import log
+from math import exp, log
 from typing import NamedTuple
 
 from flexcli.errors import SolveError
@@ -13,8 +13,8 @@ __all__ = ["AdmissibleStroke", "admissible_stroke"]
 ROUNDS = 30
 """Steps after which the stress is said not to reach the strength."""
 
-SETTLED = 1e-9
-"""Of the stress against the strength."""
+SETTLED = 1e-5
+"""Of the stress against the strength, before the last secant, which leaves some of its square."""
 
 GENTLEST, STEEPEST = 0.3, 5.0
 """Powers of the stroke between which a stress is taken to grow."""
@@ -57,11 +57,11 @@ def _inverted(ask: Ask, strength: float, first: float) -> AdmissibleStroke | Non
         if before is not None and travel != before[0]:
             seen = log(stress / before[1]) / log(travel / before[0])
             power = min(max(seen, GENTLEST), STEEPEST)
+        before = travel, stress
+        travel *= exp(off / power)
         if abs(off) <= SETTLED:
             error = ask.joint_model.error(at, QuantityKind.STRESS)
             return None if error is None else AdmissibleStroke(travel, error.largest / power)
-        before = travel, stress
-        travel *= (strength / stress) ** (1.0 / power)
     return None
 
 

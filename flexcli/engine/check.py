@@ -17,7 +17,7 @@ from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import JointModel
 from flexcli.results import Check, Cost, Note, QuantityKind, Result, Value, Verdict
 
-__all__ = ["check", "judged", "told_values"]
+__all__ = ["check", "judged", "told_values", "verdicts"]
 
 REACH = 4.0
 """Times h/l that clamps which give way change a number along the motion at most: 2.6, and room."""
@@ -49,19 +49,9 @@ def check(design: DesignSpec, sizes: Sizes, spec: str, model: str | None = None)
 
     """
     started = perf_counter()
-    if not _has_something_to_judge(design):
-        raise SolveError(
-            "nothing-to-judge",
-            "the requirements are empty: there is nothing to judge",
-            "ask for something, e.g. requirements: {yield: 1.5}",
-        )
     found: Judgement | None = None
     try:
-        found = judge(design, sizes, model_series(design, model))
-        if design.stops is not None:
-            from flexcli.engine.stopping.between import between_stops
-
-            found = between_stops(found, design, sizes, model)
+        found = _judgement(design, sizes, model)
         result = judged("check", design, sizes, spec, found, model)
     except KeyboardInterrupt as stopped:
         so_far = stopped.so_far if isinstance(stopped, Interrupted) else found
@@ -70,6 +60,30 @@ def check(design: DesignSpec, sizes: Sizes, spec: str, model: str | None = None)
         return stopped_result("check", design, spec, so_far, perf_counter() - started)
     assert result.cost is not None  # a judgement has one
     return replace(result, cost=replace(result.cost, seconds=perf_counter() - started))
+
+
+def verdicts(design: DesignSpec, sizes: Sizes, spec: str, model: str | None = None) -> Result:
+    """Return the checks of :func:`check` alone: no values, effects or warnings."""
+    started = perf_counter()
+    found = _judgement(design, sizes, model)
+    cost = Cost(perf_counter() - started, found.deciding, None, by_model=found.by_model)
+    return Result("check", spec, found.status, title=design.title, checks=found.checks, cost=cost)
+
+
+def _judgement(design: DesignSpec, sizes: Sizes, model: str | None) -> Judgement:
+    """Return every check of a design, between its stops where it has some."""
+    if not _has_something_to_judge(design):
+        raise SolveError(
+            "nothing-to-judge",
+            "the requirements are empty: there is nothing to judge",
+            "ask for something, e.g. requirements: {yield: 1.5}",
+        )
+    found = judge(design, sizes, model_series(design, model))
+    if design.stops is None:
+        return found
+    from flexcli.engine.stopping.between import between_stops
+
+    return between_stops(found, design, sizes, model)
 
 
 def judged(

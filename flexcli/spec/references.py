@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -214,7 +215,7 @@ class _Resolver:
             raise SpecError([Finding("", text, "; ".join(hint for hint in hints if hint))])
         is_foreign = is_path and not path.resolve().is_relative_to(self.home)
         try:
-            document = self._read(kind, path)
+            document = _read(kind, path) if is_path else _shipped(kind, path)
             if is_foreign:
                 document = replace(document, lines={}, findings=_unquoted(document.findings))
             document, unresolved = self.resolved(document, path.parent, kind, depth + 1)
@@ -235,22 +236,6 @@ class _Resolver:
         if not is_read:
             raise SpecError([f if f.line else Finding("", f.text, f.hint)
                              for f in document.findings])  # fmt: skip
-        return document
-
-    def _read(self, kind: str, path: Path) -> Document:
-        try:
-            document = read_document(path)
-        except SpecError as error:
-            raise SpecError(
-                [f if f.line else replace(f, text=f"{path} {f.text}") for f in error.findings]
-            ) from error
-        root = checked_root(document)
-        if "flexure" not in root:
-            raise SpecError([*document.findings, no_version(document)])
-        if set(root) != {"flexure", kind}:
-            others = ", ".join(key for key in root if key != "flexure") or "nothing"
-            text, hint = f"{path} holds {others}", f"it must hold 'flexure' and '{kind}' alone"
-            raise SpecError([*document.findings, Finding("", text, hint)])
         return document
 
     def _data_file(
@@ -278,6 +263,30 @@ class _Resolver:
             text, hint = f"{path} is a link to something else", f"a path leads to {called}"
             raise SpecError([Finding("", text, hint)])
         return path
+
+
+def _read(kind: str, path: Path) -> Document:
+    """Return the document of a file that holds a spec of a kind and nothing else."""
+    try:
+        document = read_document(path)
+    except SpecError as error:
+        raise SpecError(
+            [f if f.line else replace(f, text=f"{path} {f.text}") for f in error.findings]
+        ) from error
+    root = checked_root(document)
+    if "flexure" not in root:
+        raise SpecError([*document.findings, no_version(document)])
+    if set(root) != {"flexure", kind}:
+        others = ", ".join(key for key in root if key != "flexure") or "nothing"
+        text, hint = f"{path} holds {others}", f"it must hold 'flexure' and '{kind}' alone"
+        raise SpecError([*document.findings, Finding("", text, hint)])
+    return document
+
+
+@cache
+def _shipped(kind: str, path: Path) -> Document:
+    """Return the document of a shipped spec, which no run changes."""
+    return _read(kind, path)
 
 
 def _unquoted(findings: Iterable[Finding]) -> tuple[Finding, ...]:

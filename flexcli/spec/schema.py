@@ -191,7 +191,7 @@ def _or_named(schema: dict[str, Any], kind: str) -> dict[str, Any]:
     about: dict[str, Any] = {k: schema[k] for k in ("description", "examples") if k in schema}
     rest = {k: v for k, v in schema.items() if k not in about}
     rest = rest["allOf"][0] if "allOf" in rest else rest
-    shipped: dict[str, Any] = {"enum": shipped_names(kind), "title": f"shipped {kind}"}
+    shipped: dict[str, Any] = {"enum": list(shipped_names(kind)), "title": f"shipped {kind}"}
     return {**about, "anyOf": [shipped, _NAMED, rest]}
 
 

@@ -22,9 +22,10 @@ def shipped_root(folder: str = "specs") -> Path:
     return inside if inside.is_dir() else package.parent / folder
 
 
-def shipped_names(kind: str) -> list[str]:
+@cache
+def shipped_names(kind: str) -> tuple[str, ...]:
     """Return the names of the shipped specs of a kind, sorted."""
-    return sorted(path.stem for path in (shipped_root() / FOLDERS[kind]).glob("*.yaml"))
+    return tuple(sorted(path.stem for path in (shipped_root() / FOLDERS[kind]).glob("*.yaml")))
 
 
 def shipped_path(kind: str, name: str) -> Path | None:

@@ -54,6 +54,17 @@ def test_every_row_is_what_check_says_of_that_design(flexure, spec, tmp_path):
     assert "of 4 designs pass" in done.stdout
 
 
+def test_verdicts_alone_are_those_of_the_checks(flexure, spec, tmp_path):
+    for each in ("check", "verdict"):
+        flexure("sweep", str(spec), "--each", each, "--vary", "geometry.h=0.1mm:0.4mm:4",
+               "-o", f"{each}.csv", "-j", "1")  # fmt: skip
+    full, alone = (table(tmp_path / f"{each}.csv") for each in ("check", "verdict"))
+    kept = ("geometry.h", "status", "decided by", "model", "reason")
+    told = ("factor of", "factor over required of", "verdict on", "model of")
+    assert set(alone[0]) == {name for name in full[0] if name in kept or name.startswith(told)}
+    assert alone == [{name: row[name] for name in alone[0]} for row in full]
+
+
 def test_several_processes_give_the_same_file(flexure, spec, tmp_path):
     vary = ["--vary", "geometry.h=0.1mm:0.2mm:2", "--vary", "material=ti-6al-4v,6061-t6"]
     for jobs in ("1", "2"):
