@@ -212,13 +212,14 @@ def sized(source: Spec, sizing: Result) -> Loaded:
         raise SolveError("not-sized", text, "mend what the result says is in conflict")
     design: DesignSpec = spec.part
     geometry, height = design.geometry, sizing.values.get("H")
-    lengths: dict[Place, float] = {
-        ("geometry", *geometry.place(name)): sizing.values[name].value for name in geometry.free
+    sizes: dict[Place, str] = {
+        geometry.place(name): written(sizing.values[name].value, geometry.dimension(name))
+        for name in geometry.free
     }
     if height is not None and height.model == "sized":
-        lengths["mechanism", "height"] = height.value
+        sizes["mechanism", "height"] = written(height.value, "length")
     chosen = sizing.choices.chosen if sizing.choices is not None else {}
-    return _again(spec, {**chosen, **{at: written(x, "length") for at, x in lengths.items()}})
+    return _again(spec, {**chosen, **sizes})
 
 
 def is_sized(source: Spec, sizing: Result) -> bool:
@@ -809,7 +810,8 @@ def _sized_first(
         note = Note("sized-first", f"{', '.join(free)} free: no sizes meet the requirements")
         warnings = (note, *sizing.warnings)
         return spec, (), replace(sizing, command=command, warnings=warnings)
-    chosen = ", ".join(f"{name} = {show(sizing.values[name].value, 'm', 5)}" for name in free)
+    values = [(name, sizing.values[name]) for name in free]
+    chosen = ", ".join(f"{name} = {show(each.value, each.unit, 5)}" for name, each in values)
     text = f"sized first, as by flexure size: {chosen}"
     return sized(spec, sizing), (Note("sized-first", text),), None
 

@@ -171,7 +171,12 @@ class Used(NamedTuple):
     share: float
     question: int
     model: int
-    is_target: bool
+    check: Check
+
+    @property
+    def is_target(self) -> bool:
+        """Return whether all of it shall be used, no less."""
+        return self.check.is_target
 
 
 def finest(
@@ -180,12 +185,15 @@ def finest(
     models: tuple[NamedModel, ...],
     only: Container[int] | None = None,
     first: Mapping[int, int] | None = None,
+    *,
+    known: bool = False,
 ) -> tuple[dict[str, Used], frozenset[int]]:
     """Return what each check uses, and the questions that are open: no model has their numbers.
 
     By a model that is sure of it where it is near its limit; the low end of the factor counts, of
     a target its value. ``only`` are the questions to ask, by their place; all if left out.
-    ``first`` tells by question which model is asked first.
+    ``first`` tells by question which model is asked first. A number whose error nobody knows
+    counts as it is, unless they all shall be ``known``: then its question is open.
     """
     names, open_ = [model.name for model in models], set()
     series, found = _Series(design, sizes, models), {}
@@ -195,9 +203,10 @@ def finest(
             continue
         for check in series.climbed(requirement, scene, _is_sure, (first or {}).get(index, 0)):
             share = _share(check)
-            if isfinite(share) and share > 0.0:
+            is_known = check.factor_range is not None or not known
+            if isfinite(share) and share > 0.0 and is_known:
                 model = names.index(check.model)
-                found[check.full_name] = Used(share, index, model, check.is_target)
+                found[check.full_name] = Used(share, index, model, check)
             elif not isfinite(check.factor) or check.factor_range is None:
                 open_.add(index)
     return found, frozenset(open_)

@@ -17,13 +17,14 @@ from flexcli.engine.sizing.runaway import refuse_runaway
 from flexcli.engine.sizing.scouting import best_settled
 from flexcli.engine.sizing.stock import StockChoice, from_stock, points_about
 from flexcli.engine.sizing.trust_region import AGREED, Settled, least_eased
-from flexcli.errors import NoSolution, SolveError
+from flexcli.errors import NoSolution
 from flexcli.numerics.solution import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Objective
 from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value, Verdict
 from flexcli.results.activity import doing
+from flexcli.units import DIMENSIONS
 
 __all__ = ["UNSETTLED", "size"]
 
@@ -53,7 +54,8 @@ def size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
     """Return the sized design with margins, or the conflict that leaves none.
 
     The sources' formulas choose, corrected in rounds until they say what the models that judge
-    say of their choice; then the choice is judged like any other design.
+    say of their choice; then the choice is judged like any other design. What is drawn has no
+    formulas: there the checks are known by value and slope alone.
 
     Parameters
     ----------
@@ -67,15 +69,9 @@ def size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
     Raises
     ------
     SolveError
-        When the geometry has no closed forms, or a sizing has no answer.
+        When a sizing has no answer.
 
     """
-    if not design.geometry.closed_forms:
-        raise SolveError(
-            "no-closed-forms",
-            f"a {design.geometry.name} has no closed forms to be sized by",
-            "give its sizes and judge them with 'flexure check' or 'flexure simulate'",
-        )
     started = perf_counter()
     height = best_height(design, _merit) if design.geometry.free else None
     if height is not None:
@@ -184,7 +180,7 @@ def _rounded_anew(
             first = result
     program = sizing_program(design.corrected(found.corrections))
     for sizes in _beside(design, program, first):
-        if sizes not in refused and judge(design, sizes, series).status is Status.PASS:
+        if sizes not in refused and judge(*design.redrawn(sizes), series).status is Status.PASS:
             sizing = first.sizing
             assert sizing is not None  # a sizing has one
             kept = tuple(each for each in sizing.designs if each.label != ON_GRID)
@@ -229,6 +225,8 @@ def _first(design: DesignSpec) -> Sizes | None:
 
     Nothing where not even the sizes' own bounds leave any.
     """
+    if not design.geometry.closed_forms:
+        return design.geometry.probe()
     doing("the optimum by the formulas")
     free = design.model_copy(update={"size": design.size.model_copy(update={"rounding": {}})})
     program = sizing_program(free)
@@ -253,9 +251,17 @@ def _settled_and_judged(
     """Return the choice of the corrected formulas about the place where they hold, judged."""
     corrected = design.corrected(found.corrections)
     program = sizing_program(corrected)
-    if found.is_kept:
-        program = program.about(found.place.sizes, REGION)
-    return _chosen_and_judged(corrected, spec, series, model, program)
+    if design.geometry.closed_forms:
+        if found.is_kept:
+            program = program.about(found.place.sizes, REGION)
+        return _chosen_and_judged(corrected, spec, series, model, program)
+    if found.unsettled and found.is_kept and not design.size.rounding:
+        # beside it may be what no model knows the error of
+        ended = (_design(design, "where it ended", found.place.sizes),)
+        sizing = SizingResult(_told(design.size.objective), UNSETTLED, designs=ended)
+        return _judged(design, spec, _Choice(found.place.sizes, sizing), series, model)
+    program = program.about(found.place.sizes, REGION)
+    return _chosen_and_judged(corrected, spec, series, model, program, found)
 
 
 def _ideal(chosen: "_Choice") -> Sizes:
@@ -269,16 +275,45 @@ def _chosen_and_judged(
     series: tuple[NamedModel, ...],
     model: str | None,
     program: SizingProgram | None = None,
+    alone: Settled | None = None,
 ) -> Result:
+    """Return the choice of a program, judged.
+
+    ``alone`` is where the rounds ended of a design without formulas.
+    """
     given = design.fixed_sizes()
     if given is not None:
         return _judged(design, spec, _Choice(given, _nothing_free()), series, model)
     program = program or sizing_program(design)
     chosen = _choose(design, program)
     if chosen is None:
-        return _infeasible(design, spec, program)
+        return _infeasible(design, spec, program, alone)
     refuse_runaway(design, chosen.sizes)
+    if alone is not None:
+        sure = _local(alone, series)
+        chosen = replace(chosen, sizing=replace(chosen.sizing, certificate=sure))
     return _judged(design, spec, chosen, series, model)
+
+
+def _local(found: Settled, series: tuple[NamedModel, ...]) -> str:
+    """Return how sure a choice is that rounds found without formulas."""
+    models = _models(found, series)
+    if not models:
+        return "local optimum of the drawing alone: no requirement needs a model"
+    return (
+        f"local optimum by the {' and '.join(models)} model{'s' * (len(models) > 1)}, best of "
+        f"{_starts(found)}: not proved to be the best of all"
+    )
+
+
+def _models(found: Settled, series: tuple[NamedModel, ...]) -> list[str]:
+    """Return the models that judged a place, the cheapest first."""
+    used = {each.model for each in found.place.used.values()}
+    return [series[index].name for index in sorted(used)]
+
+
+def _starts(found: Settled) -> str:
+    return f"{found.starts} start{'s' * (found.starts > 1)}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -310,7 +345,7 @@ def _choose(design: DesignSpec, program: SizingProgram) -> _Choice | None:
 def _choose_optimum(
     design: DesignSpec, program: SizingProgram, smallest: Solution, objective: Objective
 ) -> _Choice:
-    name = objective if isinstance(objective, str) else _spoken(objective.model_dump())
+    name = _told(objective)
     solution = smallest if name == "least-volume" else optimum(program, objective)
     refuse(program, objective, solution, smallest)
     remarks = []
@@ -346,6 +381,11 @@ def _least_volume(design: DesignSpec, program: SizingProgram, smallest: Solution
     return [_design(design, "least volume", program.complete(smallest.x))]
 
 
+def _told(objective: Objective) -> str:
+    """Return an objective in words."""
+    return objective if isinstance(objective, str) else _spoken(objective.model_dump())
+
+
 def _spoken(objective: Mapping[str, str | None]) -> str:
     return " ".join(f"{verb} {name}" for verb, name in objective.items() if name)
 
@@ -362,7 +402,7 @@ def _choose_balanced(design: DesignSpec, program: SizingProgram, smallest: Solut
     if not smallest.converged:
         remarks = ["there is no least volume to compare with: nothing holds it"]
     if least:
-        more = float(design.geometry.volume(ideal)) / least[0].volume - 1.0
+        more = _volume(design, ideal) / least[0].volume - 1.0
         remarks = [f"the balanced design has {more:z.1%} more volume than the least volume"]
     if found.others:
         several = "designs exist" if found.others > 1 else "design exists"
@@ -449,7 +489,7 @@ def _grid_remark(
     objective: Objective | None,
 ) -> str:
     what = "of the least objective" if objective else "nearest to the balanced design"
-    price = float(design.geometry.volume(blade)) / float(design.geometry.volume(ideal)) - 1.0
+    price = _volume(design, blade) / _volume(design, ideal) - 1.0
     sure = "proved" if point.proved else "best of those searched"
     return (
         f"grid: the feasible point {what} ({sure}, {point.judged} judged); "
@@ -459,7 +499,13 @@ def _grid_remark(
 
 def _design(design: DesignSpec, label: str, blade: Sizes) -> Design:
     sizes = {name: float(x) for name, x in blade._asdict().items()}
-    return Design(label, sizes, float(design.geometry.volume(blade)))
+    return Design(label, sizes, _volume(design, blade))
+
+
+def _volume(design: DesignSpec, sizes: Sizes) -> float:
+    """Return the volume of what flexes [m³]."""
+    geometry, drawn = design.geometry.drawn(sizes)
+    return float(geometry.volume(drawn))
 
 
 def _judged(
@@ -470,7 +516,8 @@ def _judged(
     model: str | None,
 ) -> Result:
     sizes = chosen.sizes._make(float(x) for x in chosen.sizes)
-    result = judged("size", design, sizes, spec, judge(design, sizes, series), model)
+    drawn, own = design.redrawn(sizes)
+    result = judged("size", drawn, own, spec, judge(drawn, own, series), model)
     assert result.cost is not None  # a judgement has one
     own = _sized_values(design, chosen)
     return replace(
@@ -486,41 +533,54 @@ def _judged(
 
 def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
     """Return the chosen dimensions, and what they were before rounding."""
-    model = "sized"
+    model, geometry = "sized", design.geometry
+    units = {name: DIMENSIONS[geometry.dimension(name)].si for name in geometry.free}
     found = {
-        name: Value(float(getattr(chosen.sizes, name)), "m", design.geometry.label(name), model)
-        for name in design.geometry.free
+        name: Value(float(getattr(chosen.sizes, name)), unit, geometry.label(name), model)
+        for name, unit in units.items()
     }
     if chosen.ideal is not None:
         found |= {
             f"{name}_ideal": Value(
                 float(getattr(chosen.ideal, name)),
-                "m",
-                f"{design.geometry.label(name)} before rounding",
+                unit,
+                f"{geometry.label(name)} before rounding",
                 model,
             )
-            for name in design.geometry.free
+            for name, unit in units.items()
         }
     return found
 
 
-def _infeasible(design: DesignSpec, spec: str, program: SizingProgram) -> Result:
+def _infeasible(
+    design: DesignSpec, spec: str, program: SizingProgram, alone: Settled | None
+) -> Result:
     conflict, sure = explain_conflict(program)
+    if alone is not None:
+        sure = (
+            f"no start found a design, of {_starts(alone)}; that is no proof that there is none: "
+            "what conflicts is told by value and slope about the nearest to one"
+        )
+    if not conflict and alone is not None:
+        raise NoSolution(
+            "no-start-found",
+            f"no start found a design, of {_starts(alone)}; that is no proof that there is none",
+            "widen the ranges of what is free, or ask for less",
+        )
     if not conflict:
         raise NoSolution(
             "did-not-converge",
             "no local search led to a design, though none of the requirements conflict",
             "bound the free dimensions more closely",
         )
-    objective = design.size.objective
     return Result(
         command="size",
         spec=spec,
         status=Status.INFEASIBLE,
         title=design.title,
-        cost=Cost(0.0, "closed-form", None),
+        cost=Cost(0.0, "closed-form" if alone is None else "linear, exact", None),
         sizing=SizingResult(
-            objective=objective if isinstance(objective, str) else _spoken(objective.model_dump()),
+            objective=_told(design.size.objective),
             certificate=sure,
             conflict=conflict,
         ),

@@ -31,8 +31,8 @@ from flexcli.parts.requirements import (
 )
 from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.scene import Scene, scene_of
-from flexcli.parts.sizing import QUANTITIES, Correction, SizeOptions
-from flexcli.results import EXACT
+from flexcli.parts.sizing import QUANTITIES, Correction, FreeParameter, SizeOptions
+from flexcli.results import EXACT, Check
 
 if TYPE_CHECKING:
     from flexcli.mechanics.layout import Layout
@@ -86,8 +86,9 @@ class DesignSpec(Part):
     path,
     e.g. ``{kind: rcc, p: 2 mm, half_angle: 45 deg, h: free, l: free, b: 10 mm}``.
     """
-    parameters: dict[str, str | float] = Field({})
-    """Numbers by names of your own, of which sums and products stand for sizes of a drawing,
+    parameters: dict[str, str | float | FreeParameter] = Field({})
+    """Numbers by names of your own, of which sums and products stand for sizes of a drawing; one
+    that is free between two, as ``{free: [20 mm, 60 mm]}``, is chosen by size,
     e.g. ``parameters: {l: 20 mm}, geometry: {kind: layout, bodies: {tip: {at: [l, 0 mm]}},
     blades: {only: {between: [ground, tip], from: [0 mm, 0 mm], to: [l, 0 mm], h: l/100, b: 5 mm}},
     moving: tip, motion: {translation: 90 deg}}``.
@@ -295,6 +296,20 @@ class DesignSpec(Part):
                 )
         return self
 
+    def redrawn(self, sizes: Sizes) -> tuple["DesignSpec", Sizes]:
+        """Return the design as it is where parameters of its drawing have values, and its sizes.
+
+        Raises
+        ------
+        NotAvailable
+            Where it cannot be drawn.
+
+        """
+        geometry, own = self.geometry.drawn(sizes)
+        if geometry is self.geometry:
+            return self, sizes
+        return self.model_copy(update={"geometry": geometry}), own
+
     def fixed_sizes(self) -> Sizes | None:
         """Return the sizes when all are fixed, else nothing."""
         return None if self.geometry.free else self.geometry.sized({})
@@ -304,7 +319,8 @@ class DesignSpec(Part):
         case, out = self.cases[name], self.switched_off(name)
         if out:
             case = case.model_copy(update={key: None for _, key in out})
-        return scene_of(name, case, self.mechanism, self.geometry)
+        geometry, _ = self.geometry.drawn(self.geometry.probe())
+        return scene_of(name, case, self.mechanism, geometry)
 
     def scenes(self) -> list[Scene]:
         """Return every case in the terms of each joint."""
@@ -330,9 +346,10 @@ class DesignSpec(Part):
         """Return where the blades and bodies of a joint are; nothing where it has no blades."""
         elastic = self.material.elastic
         try:
-            if self.geometry.in_space:
-                return self.geometry.space_layout(elastic, sizes)
-            return self.geometry.layout(elastic, sizes)
+            geometry, own = self.geometry.drawn(sizes)
+            if geometry.in_space:
+                return geometry.space_layout(elastic, own)
+            return geometry.layout(elastic, own)
         except NotAvailable:
             return None
 
@@ -345,15 +362,16 @@ class DesignSpec(Part):
             When the material says nothing of that temperature.
 
         """
+        geometry, own = self.geometry.drawn(sizes)
         material, temperature = self.material, scene.temperature
         if temperature is not None:
             try:
                 layout = self.drawn(sizes)
                 if layout is not None:
-                    material = temperature.of_blades(material, layout, self.geometry.axes)
+                    material = temperature.of_blades(material, layout, geometry.axes)
             except NotAvailable as error:
                 raise SolveError("outside-material", str(error), "give it there too") from error
-        return Ask(material, self.geometry, self.mechanism, sizes, scene, joint_model)
+        return Ask(material, geometry, self.mechanism, own, scene, joint_model)
 
     def asks(self, sizes: Sizes, joint_model: JointModel) -> list[Ask]:
         """Return what is asked in every case."""
@@ -375,7 +393,7 @@ class DesignSpec(Part):
         factors = {
             name: correction.at(sizes)
             for name, correction in self._corrections.items()
-            if not correction.alone
+            if correction.alone is None
         }
         spreads = {name: correction.spread for name, correction in self._corrections.items()}
         return [
@@ -390,20 +408,9 @@ class DesignSpec(Part):
             )
             for limit in limits
         ] + [
-            self._less(
-                Limit(
-                    name,
-                    "",
-                    "by value and slope",
-                    correction.at(sizes),
-                    1.0,
-                    "",
-                    "surrogate",
-                ),
-                sizes,
-            )
-            for name, correction in self._corrections.items()
-            if correction.alone
+            self._less(_as_judged(correction.alone, correction.at(sizes)), sizes)
+            for correction in self._corrections.values()
+            if correction.alone is not None
         ]
 
     def _less(self, limit: Limit, sizes: Sizes) -> Limit:
@@ -437,6 +444,8 @@ class DesignSpec(Part):
     ) -> Iterator[Limit]:
         yield from self.own_limits(sizes)
         for requirement, scene in self.questions(self.scenes()):
+            if closed_form and not (self.geometry.closed_forms or requirement.of_the_drawing):
+                continue
             ask = self.ask(scene, sizes, joint_model)
             if not closed_form:
                 yield from requirement.judged(ask)
@@ -460,9 +469,10 @@ class DesignSpec(Part):
     def own_limits(self, sizes: Sizes) -> Iterator[Limit]:
         """Yield what mechanism, process and the joint's own shape ask, whatever is required."""
         yield from self.coupling_limits()
+        geometry, drawn = self.geometry.drawn(sizes)
         if self.manufacturing is not None:
-            yield from self.manufacturing.limits(self.geometry, sizes)
-        for text, small, large in self.geometry.fits(sizes):
+            yield from self.manufacturing.limits(geometry, drawn)
+        for text, small, large in geometry.fits(drawn):
             shape = "the joint's own shape"
             yield Limit(
                 "geometry", "", text, small, large, "m", shape, error=EXACT, path=("geometry",)
@@ -540,7 +550,8 @@ class DesignSpec(Part):
         for scene in asked:
             try:
                 # whatever its temperature makes of the material
-                ask = Ask(self.material, self.geometry, self.mechanism, probe, scene, STAND_IN)
+                geometry, sizes = self.geometry.drawn(probe)
+                ask = Ask(self.material, geometry, self.mechanism, sizes, scene, STAND_IN)
                 list(requirement.judged(ask))
             except RequirementError as error:
                 yield Problem(path, str(error), error.hint)
@@ -572,6 +583,23 @@ def _scaled(limit: Limit, factor: Quantity) -> Limit:
     if limit.in_capacity:
         return replace(limit, capacity=limit.capacity * factor ** (-limit.power))
     return replace(limit, demand=limit.demand * factor**limit.power)
+
+
+def _as_judged(check: Check, share: Quantity) -> Limit:
+    """Return the limit of a check of which a share is used, its number known by value and slope."""
+    name, _, variant = check.name.removesuffix(")").rpartition(" (")
+    source = "by value and slope"
+    if variant == "min":
+        sides = check.demand, share ** (-1.0) * check.demand
+    elif variant in ("max", "equals"):
+        sides = share * check.capacity, check.capacity
+    else:
+        name, variant, sides = check.name, "", (share * (1.0 / check.required), 1.0)
+    return Limit(
+        name, check.case, check.quantity, *sides, check.unit, source,
+        required=1.0 if variant else check.required, variant=variant,
+        tolerance=1.0 / check.required - 1.0 if check.is_target else None,
+    )  # fmt: skip
 
 
 def _narrowed(limit: Limit, spread: float) -> Limit:

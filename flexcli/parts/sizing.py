@@ -15,8 +15,17 @@ from pydantic_core import CoreSchema
 
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
+from flexcli.results import Check
 
-__all__ = ["QUANTITIES", "Correction", "Grid", "Minimize", "Objective", "SizeOptions"]
+__all__ = [
+    "QUANTITIES",
+    "Correction",
+    "FreeParameter",
+    "Grid",
+    "Minimize",
+    "Objective",
+    "SizeOptions",
+]
 
 Named = Literal["balanced", "least-volume", "least-stiffness", "shortest"]
 QUANTITIES = ("volume", "mass", "k_pivot")
@@ -52,18 +61,25 @@ class Grid(Part):
         return {"anyOf": [size, {"type": "array", "items": size, "minItems": 1}]}
 
 
+class FreeParameter(Part):
+    """A parameter of a drawing that a sizing chooses."""
+
+    free: tuple[str | float, str | float]
+    """The least and the most that it may be, e.g. ``[20 mm, 60 mm]``."""
+
+
 class Correction(NamedTuple):
     """How many times more a check uses of what it allows than its formulas say, near a design.
 
     ``factor`` · Π (x/x₀)^slope over the sizes x, ``about`` are the x₀ [m]. Where no formula
-    stands behind it (``alone``), it is itself what is used. ``spread`` is the relative error of a
-    target's number, by which its tolerance is narrowed.
+    stands behind it, it is itself what is used of what a check asks (``alone``). ``spread`` is the
+    relative error of a target's number, by which its tolerance is narrowed.
     """
 
     factor: float
     about: Mapping[str, float]
     slopes: Mapping[str, float]
-    alone: bool = False
+    alone: Check | None = None
     spread: float = 0.0
 
     def at(self, sizes: Any) -> Computed:

@@ -260,8 +260,8 @@ def place_of(design: Any, name: str) -> Place:
             found = _number_at(design, ("cases", *cases, *steps))
     else:
         geometry = design.geometry
-        inside = geometry.place(name) if name in geometry.extents else (name,)
-        found = _number_at(design, ("geometry", *inside)) or _number_at(design, ("material", name))
+        inside = geometry.place(name) if name in geometry.extents else ("geometry", name)
+        found = _number_at(design, inside) or _number_at(design, ("material", name))
     if found is None:
         hint = "name a size (h), a property of the material (youngs_modulus), or a path of the spec"
         raise spec_error(f"there is no number '{name}' here", hint)

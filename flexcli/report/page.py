@@ -324,13 +324,15 @@ def _sizing(result: Result) -> Mapping[str, Any]:
     sizing = result.sizing
     assert sizing is not None  # the caller's
     names = list(dict.fromkeys(name for design in sizing.designs for name in design.sizes))
+    units = {name: result.values[name].unit if name in result.values else "m" for name in names}
     driven = list(dict.fromkeys(name for row in sizing.sensitivities for name in row.on))
     return {
         "designs": [
             {
                 "label": design.label,
                 "sizes": [
-                    show(design.sizes[name], "m") if name in design.sizes else "" for name in names
+                    show(design.sizes[name], unit) if name in design.sizes else ""
+                    for name, unit in units.items()
                 ],
                 "volume": show(design.volume, "m^3"),
             }

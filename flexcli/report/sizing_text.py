@@ -40,8 +40,9 @@ def _designs(sizing: SizingResult, values: Mapping[str, Value]) -> Rows:
         names = [n for n in names if n in values and values[n].model != "given"]
     columns = ("design", *names, "volume")
     designs = table("Designs", *columns, numbers=range(1, 2 + len(names)))
+    units = {name: values[name].unit if name in values else "m" for name in names}
     for d in sizing.designs:
-        sizes = (show(d.sizes[name], "m", 5) for name in names)
+        sizes = (show(d.sizes[name], unit, 5) for name, unit in units.items())
         designs.add_row(d.label, *sizes, show(d.volume, "m^3"))
     return designs
 

@@ -58,11 +58,12 @@ def validated(
     document, unresolved = resolved(document, folder, kind)
     document = refuse_waiting(*overridden(document, waiting))
     if own is None:
-        if "parameters" in document.value:
+        value = document.value
+        if "parameters" in value:
             from flexcli.spec.parameters import with_parameters
 
-            document = with_parameters(document)
-        part, findings = _validated(kind, document.value, document)
+            document, value = with_parameters(document)
+        part, findings = _validated(kind, value, document)
     else:
         part, findings = _validated(kind, document.value[own], document, (own,))
         if "flexure" not in root:

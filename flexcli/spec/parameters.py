@@ -1,17 +1,25 @@
 """Named parameters of a drawing: sums and products of them stand where it has sizes.
 
 ``from: [0 mm, gap/2]`` with ``parameters: {gap: 30 mm}`` is ``from: [0 mm, 15 mm]``. An expression
-has names, quantities, + − * / and parentheses; its dimension is checked, and nothing is run.
+has names, quantities, + − * /, parentheses, and sin, cos and tan of an angle; its dimension is
+checked, and nothing is run. A parameter may be free between bounds: a sizing chooses it, and the
+drawing follows.
 """
 
 import ast
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
-from math import isfinite
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from keyword import iskeyword
+from math import sqrt
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from flexcli.errors import Finding
+from flexcli.parts.geometries.base import Extent
+from flexcli.parts.geometries.redrawn import DRAWING, Follows
 from flexcli.spec.document import Document, finding_at
 from flexcli.spec.findings import nearest, path_text
 from flexcli.spec.overrides import Place, with_value
@@ -43,12 +51,14 @@ _QUANTITY = re.compile(
     r"(?<![\w.])((?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)(?:\s*([A-Za-zµ°%]+))?", re.ASCII
 )
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+_FUNCTIONS: dict[str, Callable[[Any], Any]] = {"sin": np.sin, "cos": np.cos, "tan": np.tan}
+_CALL = re.compile(rf"\b(?:{'|'.join(_FUNCTIONS)})\s*\(", re.ASCII)
 
 
 class _Measure(NamedTuple):
-    """A number in SI and the powers of m, kg, s and rad of its unit."""
+    """A number in SI, or those of many designs, and the powers of m, kg, s and rad of its unit."""
 
-    value: float
+    value: Any
     exponents: tuple[int, ...]
 
 
@@ -60,37 +70,93 @@ class _ExpressionError(ValueError):
         self.hint = hint
 
 
-def with_parameters(document: Document) -> Document:
-    """Return a design's document with the sizes that its expressions mean, or with findings."""
+@dataclass(frozen=True, eq=False)
+class Expressions(Follows):
+    """A drawing whose sizes follow free parameters.
+
+    ``extents`` are the ranges of the free parameters by name, ``dimensions`` what they measure;
+    ``written`` is the drawing as the spec has it, ``stated`` all parameters in their order, and
+    ``texts`` what stands for sizes, by place in the drawing.
+    """
+
+    extents: Mapping[str, Extent]
+    dimensions: Mapping[str, str]
+    written: Mapping[str, Any]
+    stated: Mapping[str, Any]
+    texts: tuple[tuple[Place, str], ...]
+
+    def at(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the drawing at values of the free parameters [SI], as a spec writes it."""
+        drawn: Any = self.written
+        for place, measure in self._measures(values):
+            drawn = with_value(drawn, place, _written(measure))
+        return dict(drawn)
+
+    def numbers(self, values: Mapping[str, Any]) -> Iterator[tuple[Place, Any]]:
+        """Yield the numbers [SI] of one or of many designs, and where they stand."""
+        yield from ((place, measure.value) for place, measure in self._measures(values))
+
+    def _measures(self, values: Mapping[str, Any]) -> Iterator[tuple[Place, _Measure]]:
+        known: dict[str, _Measure] = {}
+        for name, value in self.stated.items():
+            if name in self.extents:
+                known[name] = _Measure(values[name], _EXPONENTS[self.dimensions[name]])
+            else:
+                known[name] = _evaluated(str(value), known, set())
+        for place, text in self.texts:
+            yield place, _evaluated(text, known, set())
+
+
+def with_parameters(document: Document) -> tuple[Document, dict[str, Any]]:
+    """Return a design's document with the sizes that its expressions mean, or with findings.
+
+    Beside it, what it validates: the same, save that a drawing with free parameters knows how it
+    follows them. In the document these stand in the middle of their ranges.
+    """
     stated = document.value.get(KEY)
     if not isinstance(stated, dict):
-        return document
+        return document, document.value
     geometry = document.value.get("geometry")
     if not isinstance(geometry, dict) or geometry.get("kind") not in DRAWN:
         text = "parameters are for a drawn geometry"
-        return _with(document, [((KEY,), text, "draw it as a layout, or give sizes themselves")])
+        hint = "draw it as a layout, or give sizes themselves"
+        return _with(document, [((KEY,), text, hint)]), document.value
     wrong: list[tuple[Place, str, str]] = []
     known: dict[str, _Measure] = {}
+    extents: dict[str, Extent] = {}
+    dimensions: dict[str, str] = {}
     used: set[str] = set()
     for name, value in stated.items():
         try:
-            known[name] = _parameter(str(name), value, known, used)
+            if isinstance(value, dict):
+                known[name], extents[name], dimensions[name] = _free(str(name), value)
+            else:
+                known[name] = _parameter(str(name), value, known, used)
         except _ExpressionError as error:
             wrong.append(((KEY, name), str(error), error.hint))
     value = document.value
-    for place, text in _texts(geometry, ("geometry",)):
+    texts: list[tuple[Place, str]] = []
+    for place, text in _texts(geometry, ()):
         names = _names(text)
         if not names or (names.isdisjoint(stated) and _NAME.fullmatch(text.strip())):
             continue  # a quantity, or a word of its own
+        if _is_quantity(text):
+            continue  # of a unit with several names, as kg/m^3
         if not names.isdisjoint(stated.keys() - known.keys()):
             continue  # what is wrong with the parameter is said already
         try:
-            value = with_value(value, place, _written(_evaluated(text, known, used)))
+            meant = _written(_evaluated(text, known, used))
+            value = with_value(value, ("geometry", *place), meant)
+            texts.append((place, text))
         except _ExpressionError as error:
-            wrong.append((place, str(error), error.hint))
+            wrong.append((("geometry", *place), str(error), error.hint))
     idle = known.keys() - used
     wrong += [((KEY, n), f"nothing uses the parameter '{n}'", "leave it out") for n in idle]
-    return _with(replace(document, value=value), sorted(wrong, key=lambda each: str(each[0])))
+    found = _with(replace(document, value=value), sorted(wrong, key=lambda each: str(each[0])))
+    if not extents or wrong:
+        return found, value
+    drawing = Expressions(extents, dimensions, geometry, stated, tuple(texts))
+    return found, {**value, "geometry": {**value["geometry"], DRAWING: drawing}}
 
 
 def _with(document: Document, wrong: list[tuple[Place, str, str]]) -> Document:
@@ -115,21 +181,53 @@ def _texts(value: Any, place: Place) -> Iterator[tuple[Place, str]]:
 
 
 def _names(text: str) -> set[str]:
-    """Return the names in an expression, without the units of its quantities."""
-    return set(_NAME.findall(_QUANTITY.sub(" ", text)))
+    """Return the names in an expression, without units of quantities and names of functions."""
+    return set(_NAME.findall(_CALL.sub("(", _QUANTITY.sub(" ", text))))
+
+
+def _is_quantity(text: str) -> bool:
+    for dimension in _EXPONENTS:
+        with suppress(QuantityError):
+            parse_quantity(text, dimension)
+            return True
+    return False
 
 
 def _parameter(name: str, value: Any, known: Mapping[str, _Measure], used: set[str]) -> _Measure:
-    if not _NAME.fullmatch(name):
-        raise _ExpressionError(
-            f"'{name}' is no name for a parameter", "take letters, digits and _, a letter first"
-        )
-    if isinstance(value, dict) and "free" in value:
-        hint = f"give it a value, and vary it: flexure sweep --vary {KEY}.{name}=20mm:60mm:9"
-        raise _ExpressionError("a parameter is not chosen by size", hint)
+    _refuse_name(name)
     if isinstance(value, bool) or not isinstance(value, str | int | float):
         raise _ExpressionError("a parameter is a quantity", "write e.g. 30 mm")
     return _evaluated(str(value), known, used)
+
+
+def _refuse_name(name: str) -> None:
+    if not _NAME.fullmatch(name) or name in _FUNCTIONS:
+        raise _ExpressionError(
+            f"'{name}' is no name for a parameter", "take letters, digits and _, a letter first"
+        )
+
+
+def _free(name: str, value: dict[str, Any]) -> tuple[_Measure, Extent, str]:
+    """Return the middle of a free parameter's range, the range, and what it measures."""
+    _refuse_name(name)
+    if name.startswith("_") or iskeyword(name):
+        raise _ExpressionError(f"'{name}' is no name for what is chosen", "take another name")
+    ends = value.get("free")
+    if set(value) != {"free"} or not isinstance(ends, list) or len(ends) != 2:
+        raise _ExpressionError(
+            "a parameter is a quantity, or free between two", "write {free: [20 mm, 60 mm]}"
+        )
+    least, most = (_evaluated(str(end), {}, set()) for end in ends)
+    if least.exponents != most.exponents:
+        raise _ExpressionError(
+            f"{_said(least)} and {_said(most)} are no range", "give both ends in one unit"
+        )
+    if not 0.0 < least.value < most.value:
+        hint = "write [least, most]; of what may be either way, e.g. from: [0 mm, gap - 10 mm]"
+        raise _ExpressionError("a free parameter is between two sizes above zero", hint)
+    extent = Extent.model_construct(fixed=None, least=least.value, most=most.value)
+    dimension = next(d for d, powers in _EXPONENTS.items() if powers == least.exponents)
+    return _Measure(sqrt(least.value * most.value), least.exponents), extent, dimension
 
 
 def _evaluated(text: str, known: Mapping[str, _Measure], used: set[str]) -> _Measure:
@@ -161,12 +259,14 @@ def _evaluated(text: str, known: Mapping[str, _Measure], used: set[str]) -> _Mea
                 return known[name]
             case ast.UnaryOp(op=ast.USub(), operand=inner):
                 return _negative(of(inner))
+            case ast.Call(func=ast.Name(id=name), args=[inner], keywords=[]) if name in _FUNCTIONS:
+                return _of_angle(name, of(inner))
             case ast.BinOp(left=left, op=operator, right=right) if type(operator) in _OPERATORS:
                 return _OPERATORS[type(operator)](of(left), of(right))
         raise _ExpressionError(f"'{text}' is no sum of products", "write e.g. gap/2 + 3 mm")
 
     found = of(tree)
-    if not isfinite(found.value):
+    if not np.all(np.isfinite(found.value)):
         raise _ExpressionError(f"'{text}' is not finite", "check what it divides by")
     return found
 
@@ -201,8 +301,14 @@ def _product(a: _Measure, b: _Measure) -> _Measure:
     return _Measure(a.value * b.value, powers)
 
 
+def _of_angle(name: str, a: _Measure) -> _Measure:
+    if a.exponents != _EXPONENTS["angle"]:
+        raise _ExpressionError(f"{name} is of an angle", f"write e.g. {name}(30 deg)")
+    return _Measure(_FUNCTIONS[name](a.value), _EXPONENTS["ratio"])
+
+
 def _quotient(a: _Measure, b: _Measure) -> _Measure:
-    if b.value == 0.0:
+    if np.any(b.value == 0.0):
         raise _ExpressionError("this divides by zero", "check what it divides by")
     return _product(a, _Measure(1.0 / b.value, tuple(-power for power in b.exponents)))
 
@@ -230,6 +336,6 @@ def _written(measure: _Measure) -> str | float:
     """Return a measure as a spec writes it, with every digit."""
     for name, powers in _EXPONENTS.items():
         if powers == measure.exponents:
-            unit = DIMENSIONS[name].si
-            return f"{measure.value!r} {unit}" if unit else measure.value
+            unit, value = DIMENSIONS[name].si, float(measure.value)
+            return f"{value!r} {unit}" if unit else value
     raise _ExpressionError("this measures nothing that a drawing has", "check its dimension")

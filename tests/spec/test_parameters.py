@@ -59,7 +59,8 @@ def test_a_parameter_is_set_and_swept_as_any_other_value():
     [
         ("gap/2", 15e-3), ("-gap", -30e-3), ("gap - 2*(gap + 1 mm)/4", 14.5e-3),
         ("2 mm + gap", 32e-3), ("0.5*gap+1e-3 m", 16e-3), ("gap*gap/gap", 30e-3),
-        ("gap − 1 mm", 29e-3), ("gap + 1 in", 55.4e-3),
+        ("gap − 1 mm", 29e-3), ("gap + 1 in", 55.4e-3), ("gap*sin(30 deg)", 15e-3),
+        ("gap*cos(30 deg)*cos(30 deg) - gap*tan(45 deg)", -7.5e-3),
     ],
 )  # fmt: skip
 def test_sums_and_products_mean_what_they_do_on_paper(text, metres):
@@ -87,7 +88,13 @@ def test_a_parameter_may_be_made_of_those_before_it(a, b, n):
         ("gap.real", "gap: 30 mm", "from[1]", "no sum of products", "gap/2"),
         ("abs(gap)", "gap: 30 mm", "from[1]", "no sum of products", "gap/2"),
         ("gap/2", "gap: 30 deg", "from[1]", "length", ""),
-        ("gap/2", "gap: {free: [1 mm, 2 mm]}", "parameters.gap", "not chosen", "--vary"),
+        ("gap/2", "gap: {free: 2 mm}", "parameters.gap", "free between two", "{free: ["),
+        ("gap/2", "gap: {free: [2 mm, 1 mm]}", "parameters.gap", "above zero", "[least, most]"),
+        ("gap/2", "gap: {free: [-2 mm, 1 mm]}", "parameters.gap", "above zero", "gap - 10 mm"),
+        ("gap/2", "gap: {free: [2 mm, 1 deg]}", "parameters.gap", "no range", "one unit"),
+        ("gap/2", "class: {free: [1 mm, 2 mm]}, gap: 0.5*class", "parameters.class", "no name", ""),
+        ("gap/2", "gap: {free: [1 mm, 2 mm], from: 1 mm}", "parameters.gap", "between two", ""),
+        ("gap*sin(gap)", "gap: 30 mm", "from[1]", "sin is of an angle", "30 deg"),
         ("gap/2", "gap: [1 mm]", "parameters.gap", "is a quantity", "30 mm"),
         ("gap/2", "gap: 30 mm, l: 1 mm", "parameters.l", "nothing uses", "leave it out"),
         ("gap/2", "gap: later, later: 3 mm", "parameters.gap", "no parameter 'later'", ""),

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from math import isfinite
+from typing import TYPE_CHECKING
 
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.formulas.quantity import Computed
@@ -10,6 +11,9 @@ from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
 from flexcli.results import ErrorRange, QuantityKind
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["Corrected"]
 
@@ -56,6 +60,10 @@ class Corrected(JointModel):
     def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
         return self.inner.stiffness(ask) * self._factor(ask, QuantityKind.STIFFNESS)
+
+    def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
+        """Return that of the model: it is in its errors what it leaves out."""
+        return self.inner.envelope(ask)
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from math import cos, inf, isfinite, nan, pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +31,9 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical, Held
 from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
 from flexcli.results import ErrorRange, QuantityKind
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["ExactModel", "driven_stiffness"]
 
@@ -142,6 +146,12 @@ class ExactModel(JointModel):
         from flexcli.engine.joint_models.space_stroke import support_at_stroke
 
         return support_at_stroke(ask, index, point, locked=locked)
+
+    def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
+        """Return the box around the joint in space, and the bodies that have no outline."""
+        from flexcli.engine.joint_models.space_box import exact_box
+
+        return exact_box(ask)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the shift at the end of the stroke alone, positive towards −x of the layout."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from math import inf, isfinite, nan
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,9 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import AS_PRINTED, Ask, EndStress, JointModel
 from flexcli.results import EXACT, ErrorRange, QuantityKind
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["LinearModel"]
 
@@ -99,6 +102,12 @@ class LinearModel(JointModel):
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
         return ExactModel(self.effects).sag_stiffness(ask)
+
+    def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
+        """Return the box around the joint in space, and the bodies that have no outline."""
+        from flexcli.engine.joint_models.space_box import linear_box
+
+        return linear_box(ask)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the closed form's: a linear model has no motion of second order."""

@@ -6,6 +6,7 @@ About rest it is the linear model; so it is under other loads than a stroke.
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
 from math import inf
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +38,9 @@ from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare, EndStress
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_states import Told, acting_groups
 from flexcli.results import ErrorRange, QuantityKind
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["SpaceExactModel", "beam_peaks"]
 
@@ -124,6 +128,12 @@ class SpaceExactModel(SpaceLinearModel):
         """Return the largest stress of the blades [Pa], and the blade that has it."""
         found = self.signed_stresses(state)
         return max((float(np.max(np.abs(each))), name) for name, each in found.items())
+
+    def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
+        """Return the box around it by exact beams, and the bodies that have no outline."""
+        from flexcli.engine.joint_models.space_box import exact_box
+
+        return exact_box(ask)
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return the shares of the loads that buckle it: drive locked at a stroke, else free."""

@@ -6,6 +6,7 @@ not small.
 """
 
 from math import isfinite
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,6 +19,9 @@ from flexcli.parts.requirements import Ask, EndStress, JointModel
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.parts.space_states import Place, Told, motions, own_frequency, sag, stress_places
 from flexcli.results import EXACT, ErrorRange, QuantityKind
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["SpaceLinearModel"]
 
@@ -82,6 +86,12 @@ class SpaceLinearModel(JointModel):
             EndStress(place.where, place.amplitude, place.mean, 0.0, is_at_face=True)
             for place in self._places(ask)[0]
         ]
+
+    def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
+        """Return the box around it by small motion, and the bodies that have no outline."""
+        from flexcli.engine.joint_models.space_box import linear_box
+
+        return linear_box(ask)
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Refuse: nothing here says at what load a mechanism in space buckles."""

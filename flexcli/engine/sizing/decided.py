@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from flexcli.engine.judge import FAR, Used, finest
 from flexcli.engine.models import NamedModel
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Limit
 from flexcli.parts.sizing import Correction
@@ -80,8 +81,13 @@ def judged_at(
     models: tuple[NamedModel, ...],
     before: Place | None = None,
     only: Iterable[int] | None = None,
+    *,
+    rough: bool = False,
 ) -> Place:
     """Return a design judged, each check by the model that was sure of it before.
+
+    Of what is drawn a number whose error nobody knows leaves its question open, unless a ``rough``
+    answer does.
 
     Parameters
     ----------
@@ -101,18 +107,27 @@ def judged_at(
     for known in before.used.values() if before is not None else ():
         hints[known.question] = max(known.model, hints.get(known.question, 0))
     y = np.log([float(getattr(sizes, name)) for name in design.geometry.free])
-    used, open_ = finest(design, sizes, models, None if only is None else frozenset(only), hints)
+    asked = None if only is None else frozenset(only)
+    try:
+        sure = not (rough or design.geometry.closed_forms)
+        used, open_ = finest(*design.redrawn(sizes), models, asked, hints, known=sure)
+    except NotAvailable:  # there is nothing to judge
+        count = sum(1 for _ in design.questions(design.scenes()))
+        used, open_ = {}, frozenset(range(count)) if asked is None else asked
     return Place(sizes, y, used, shares(design.closed_limits(sizes)), open_)
 
 
-def slopes_at(design: DesignSpec, place: Place, models: tuple[NamedModel, ...]) -> Slopes:
+def slopes_at(
+    design: DesignSpec, place: Place, models: tuple[NamedModel, ...], *, rough: bool = False
+) -> Slopes:
     """Return the slopes of the corrections of what is near its limit or has no formula."""
     names = place.near | place.alone
     questions = {place.used[name].question for name in names}
     found = {name: np.zeros(place.y.size) for name in place.used}
     for k, size in enumerate(design.geometry.free if names else ()):
         x = float(getattr(place.sizes, size)) * (1.0 + STEP)
-        there = judged_at(design, place.sizes._replace(**{size: x}), models, place, questions)
+        beside = place.sizes._replace(**{size: x})
+        there = judged_at(design, beside, models, place, questions, rough=rough)
         for name in names & there.used.keys():
             slope = (there.correction(name) - place.correction(name)) / log(1.0 + STEP)
             if abs(slope) <= STEEPEST:
@@ -123,8 +138,8 @@ def slopes_at(design: DesignSpec, place: Place, models: tuple[NamedModel, ...]) 
 def cheap_slopes_at(design: DesignSpec, place: Place, models: tuple[NamedModel, ...]) -> Slopes:
     """Return the slopes of what has no formula by the cheapest model alone."""
     questions = {place.used[name].question for name in place.alone}
-    there = judged_at(design, place.sizes, models[:1], only=questions)
-    found = slopes_at(design, there, models[:1])
+    there = judged_at(design, place.sizes, models[:1], only=questions, rough=True)
+    found = slopes_at(design, there, models[:1], rough=True)
     return {name: found[name] for name in place.alone & found.keys()}
 
 
@@ -161,7 +176,7 @@ def corrections(
             * (1.0 + (0.0 if used.is_target else margin)),
             about,
             dict(zip(about, slopes[name].tolist(), strict=True)) if name in slopes else {},
-            name in place.alone,
+            used.check if name in place.alone else None,
         )
         for name, used in place.used.items()
     }

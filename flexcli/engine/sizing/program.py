@@ -162,7 +162,16 @@ class SizingProgram:
         if name in self.names:
             return Term(size_of(name), sign)
         given = self.sizes._asdict()
-        return Term(ONE, 1.0, sign * log(given[name])) if name in given else Term(name, sign)
+        if name in given:
+            return Term(ONE, 1.0, sign * log(given[name]))
+        if name not in self.rows:
+            raise NoSolution(
+                "no-formula",
+                "the stiffness of what is drawn has no formula to be made least by",
+                "bound it, as requirements: {stiffness: {max: 2 N/mm}}, and make a size or the "
+                "volume least",
+            )
+        return Term(name, sign)
 
     def least(
         self,

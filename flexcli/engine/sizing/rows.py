@@ -8,7 +8,7 @@ from typing import NamedTuple
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.requirements import Limit
-from flexcli.units import show
+from flexcli.units import DIMENSIONS, show
 
 __all__ = ["ONE", "Row", "Term", "rows_of", "size_of"]
 
@@ -44,6 +44,7 @@ class Row:
     capacity: Computed
     limit: Limit | None = None
     bound: float = 0.0
+    unit: str = "m"
 
     @property
     def is_target(self) -> bool:
@@ -80,7 +81,7 @@ class Row:
         limit = self.limit
         if limit is None:
             new = self._given_way(self.bound, ratio, upward=not self.name.startswith("least"))
-            return f"bound {show(self.bound, 'm')} → {show(new, 'm')}"
+            return f"bound {show(self.bound, self.unit)} → {show(new, self.unit)}"
         if limit.is_bound:
             side = limit.demand if limit.variant == "min" else limit.capacity
             given = float(side) ** (1.0 / limit.power)
@@ -112,23 +113,29 @@ def rows_of(design: DesignSpec, x: Mapping[str, Quantity]) -> dict[str, Row]:
     """
     geometry = design.geometry
     sizes = geometry.sized(dict(x))
+    shape, drawn = geometry.drawn(sizes)
     rows: dict[str, Row] = {}
     for index, limit in enumerate(design.closed_limits(sizes)):
         demand = limit.demand * limit.required**limit.power
         name = f"{limit.name}: {limit.quantity}"
         rows[f"{index} {limit.name}"] = Row(name, demand, limit.capacity, limit)
     for name in geometry.free:
-        extent = geometry.extents[name]
+        extent, unit = geometry.extents[name], DIMENSIONS[geometry.dimension(name)].si
         if extent.least is not None:
-            rows[f"least {name}"] = Row(f"least {name}", extent.least, x[name], bound=extent.least)
+            rows[f"least {name}"] = Row(
+                f"least {name}", extent.least, x[name], bound=extent.least, unit=unit
+            )
         if extent.most is not None:
-            rows[f"most {name}"] = Row(f"most {name}", x[name], extent.most, bound=extent.most)
+            rows[f"most {name}"] = Row(
+                f"most {name}", x[name], extent.most, bound=extent.most, unit=unit
+            )
     quantities = {
         ONE: 1.0,
-        "volume": geometry.volume(sizes),
-        "k_pivot": geometry.stiffness(design.material.elastic, sizes),
+        "volume": shape.volume(drawn),
         **{size_of(name): x[name] for name in geometry.free},
     }
+    if geometry.closed_forms:
+        quantities["k_pivot"] = geometry.stiffness(design.material.elastic, sizes)
     return rows | {key: Row(key, value, 1.0) for key, value in quantities.items()}
 
 

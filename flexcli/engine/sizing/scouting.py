@@ -36,6 +36,9 @@ BETTER = 0.005
 STARTS = 3
 """Designs that rounds start from at the most, beside the first."""
 
+UNKNOWN = 16
+"""Drawings looked at that leave a question open, which rounds would not start from."""
+
 APART = 0.2
 """Distance in some size, in logarithms, of starts that are not the same."""
 
@@ -76,21 +79,26 @@ def best_settled(
     if best.is_kept and design.size.objective == "balanced":
         return best
     scout = _Scout(design, best, models)
-    tried = [best.place.y]
+    tried, starts, skipped = [best.place.y], 1, 0
     for y in scout.elsewhere():
         is_new = all(float(np.abs(y - other).max()) > APART for other in tried)
         if not is_new or scout.merits(y[:, None])[0] > scout.least:
             continue
         tried.append(y)
-        other = _rough(design, judged_at(design, scout.sizes(y), models), models)
+        place = judged_at(design, scout.sizes(y), models)
+        if place.open and not design.geometry.closed_forms and skipped < UNKNOWN:
+            skipped += 1  # nobody knows enough of it to start there
+            continue
+        starts += 1
+        other = _rough(design, place, models)
         if other.is_kept and scout.merits(other.place.y[:, None])[0] < scout.least:
             best = scout.best = other
             tried.append(best.place.y)
-        if len(tried) > STARTS:
+        if len(tried) - skipped > STARTS:
             break
-    if best.agreed <= agreed:
-        return best
-    return settled(design, best.place, models, measure, agreed, best.slopes)
+    if best.agreed > agreed:
+        best = settled(design, best.place, models, measure, agreed, best.slopes)
+    return best._replace(starts=starts)
 
 
 def _rough(design: DesignSpec, place: Place, models: tuple[NamedModel, ...]) -> Settled:
@@ -139,7 +147,9 @@ class _Scout:
             return
         doing("designs to start from")
         for y in self._points(alone):
-            place = judged_at(self.design, self.sizes(y), self.models[:1], only=questions)
+            place = judged_at(
+                self.design, self.sizes(y), self.models[:1], only=questions, rough=True
+            )
             if not place.open:
                 over = max(0.0, *(log(used.share) for used in place.used.values()))
                 if over <= NEARLY or not self.best.is_kept:

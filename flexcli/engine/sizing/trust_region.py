@@ -53,6 +53,9 @@ WIDEST, FIRST_ALONE = 3.0, 0.7
 NARROWEST = 1e-6
 """Half-width of a region in which nothing better is looked for."""
 
+UNKNOWN = "what no model knows the error of beside it"
+"""What keeps rounds from going on where no check is off what was promised."""
+
 STALLED, PROGRESS = 7, 0.8
 """Rounds in which violations must fall to this share, where they alone count."""
 
@@ -71,13 +74,17 @@ POOR, GOOD = 0.05, 0.7
 
 
 class Settled(NamedTuple):
-    """Where the rounds ended: the place, the corrections that hold there, what did not settle."""
+    """Where the rounds ended: the place, the corrections that hold there, what did not settle.
+
+    ``starts`` are the designs that rounds started from to find it.
+    """
 
     place: Place
     corrections: dict[str, Correction]
     slopes: Slopes
     agreed: float
     unsettled: tuple[str, ...] = ()
+    starts: int = 1
 
     @property
     def is_kept(self) -> bool:
@@ -134,6 +141,7 @@ def settled(
     """
     fresh: Floats | None = None
     off: dict[str, float] = {}
+    barred = False
     width = FIRST_ALONE if place.alone else WIDEST
 
     def ended(*unsettled: str) -> Settled:
@@ -159,6 +167,7 @@ def settled(
         sizes = _sized(design, place.sizes, trial.y)
         refuse_runaway(design, sizes)
         there = judged_at(design, sizes, models, place) if step > 0.0 else place
+        barred = bool(there.open - place.open)
         plain = design.corrected(corrections(design, place, known, 0.0))
         promised = shares(plain.closed_limits(sizes))
         off = _broken(there, promised)
@@ -186,6 +195,8 @@ def settled(
             if width < NARROWEST:
                 break
     worst = sorted(off, key=lambda name: -off[name])
+    if barred and not worst:
+        worst = [UNKNOWN]
     return ended(*([name for name in worst if off[name] > agreed] or worst))
 
 

@@ -239,8 +239,16 @@ class Geometry(Part):
         return self.labels[name]
 
     def place(self, name: str) -> tuple[str, ...]:
-        """Return where a size stands in the geometry's spec."""
-        return (name,)
+        """Return where a size stands in the spec."""
+        return "geometry", name
+
+    def dimension(self, name: str) -> str:
+        """Return what a size measures."""
+        return "length"
+
+    def drawn(self, sizes: Sizes) -> tuple["Geometry", Sizes]:
+        """Return it and its sizes as they are where parameters of a drawing have values."""
+        return self, sizes
 
     def sized(self, values: Mapping[str, Quantity]) -> Sizes:
         """Return the sizes of given values by symbol; what is fixed stays so."""
@@ -284,6 +292,14 @@ class Geometry(Part):
     def has_masses(self) -> bool:
         """Return whether it draws bodies that have mass or inertia themselves."""
         return False
+
+    @property
+    def outlines(self) -> dict[str, NDArray[np.float64]]:
+        """Return the corners of its bodies that have a stated outline, by name, (points, 3) [m].
+
+        Names and places are those of its layout in space.
+        """
+        return {}
 
     @property
     def travel_symbol(self) -> str:

@@ -1,11 +1,10 @@
 """Layout: a mechanism that the spec draws itself, as rigid bodies and the blades between them."""
 
-from collections import namedtuple
-from collections.abc import Mapping
 from math import cos, pi, sin
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field, ValidationError, model_validator
 from pydantic_core import InitErrorDetails
 
@@ -28,8 +27,10 @@ from flexcli.parts.geometries.layout_parts import (
     Motion,
     Name,
     Place,
+    corners_of,
 )
 from flexcli.parts.geometries.notch import CONCENTRATION, Concentration
+from flexcli.parts.geometries.redrawn import Drawn
 
 __all__ = ["FreeLayout"]
 
@@ -37,7 +38,7 @@ _NODES = 24
 """Gauss nodes on a piece of a blade for its volume: rounding for every profile."""
 
 
-class FreeLayout(ClampedBlades):
+class FreeLayout(Drawn, ClampedBlades):
     """Rigid bodies and the blades between them as the spec draws them; the stroke moves one.
 
     The spec draws it in coordinates of its own, which are those of its loads and requirements
@@ -126,7 +127,19 @@ class FreeLayout(ClampedBlades):
         return "rotation" if self.moves.translation is None else "translation"
 
     @property
-    def extents(self) -> dict[str, Extent]:
+    def outlines(self) -> dict[str, NDArray[np.float64]]:
+        """Return the corners of its bodies that have a box, in the model's frame."""
+        found = {}
+        for name, body in self.bodies.items():
+            if body.box is not None:
+                x, y = body.at if body.com is None else body.com
+                corners = np.array([x, y, 0.0]) + corners_of(body.box)
+                corners[:, :2] = [self._placed((x, y)) for x, y in corners[:, :2].tolist()]
+                found[self._called(name)] = corners
+        return found
+
+    @property
+    def drawn_extents(self) -> dict[str, Extent]:
         """Return the thicknesses by symbol and blade."""
         return {
             _size(name, blade): extent
@@ -134,14 +147,15 @@ class FreeLayout(ClampedBlades):
             if (extent := blade.thickness.extent) is not None
         }
 
-    def label(self, name: str) -> str:
-        """Return what a size is, in words."""
+    def drawn_label(self, name: str) -> str:
+        """Return what a thickness is, in words."""
         return f"thickness of blade {name.partition('_')[2].replace('_', '-')}"
 
-    def sized(self, values: Mapping[str, Quantity]) -> Sizes:
-        """Return the thicknesses; what is fixed stays so."""
-        found = {name: values.get(name, extent.fixed) for name, extent in self.extents.items()}
-        return namedtuple("LayoutSizes", found)(**found)
+    def drawn_place(self, name: str) -> tuple[str, ...]:
+        """Return where a thickness stands in the spec."""
+        of, blade = next(each for each in self.blades.items() if _size(*each) == name)
+        inside = ("profile",) if blade.profile is not None else ()
+        return ("geometry", "blades", of, *inside, blade.thickness.symbol)
 
     def stiffness(self, elastic: Elastic, sizes: Sizes) -> Computed:
         """Refuse: what is drawn freely has no closed form."""
@@ -193,10 +207,10 @@ class FreeLayout(ClampedBlades):
         """Return the volume of all blades, without their rigid parts [m³]."""
         u, weight = gauss_nodes(_NODES)
         return sum(
-            blade.b * (piece.thickness(u) * piece.slope(u)) @ weight
+            blade.b * ((piece.thickness(u) * piece.slope(u)) @ weight)
             for name, blade in self.blades.items()
             for piece in blade.thickness.shape(_column(self.size_of(name, sizes))).pieces(
-                blade.length
+                _column(blade.length)
             )
         )
 

@@ -1,8 +1,11 @@
 """What a layout in a spec is drawn of: bodies, blades between them, springs to the ground."""
 
-from math import hypot
+from collections.abc import Sequence
+from itertools import product
 from typing import Annotated, Any, TypeAlias
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
@@ -21,7 +24,17 @@ from flexcli.parts.base import (
 from flexcli.parts.geometries.base import Extent
 from flexcli.parts.geometries.blade_profile import AnyProfile, BladeProfile, ConstantProfile
 
-__all__ = ["DrawnBlade", "DrawnBody", "DrawnSupport", "Motion", "Name", "Place", "refuse_no_blade"]
+__all__ = [
+    "DrawnBlade",
+    "DrawnBody",
+    "DrawnSupport",
+    "Motion",
+    "Name",
+    "Place",
+    "corners_of",
+    "distance",
+    "refuse_no_blade",
+]
 
 Name: TypeAlias = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9-]*$")]
 Place: TypeAlias = tuple[Length, Length]
@@ -75,6 +88,21 @@ class DrawnBody(Part):
     """
     com: Place | None = None
     """Centre of mass; left out, the point of the body, e.g. ``[0 mm, 22 mm]``."""
+    box: tuple[PositiveLength, PositiveLength, PositiveLength] | None = None
+    """Sides of a box along x, y and z about the centre of mass that it fills, for an envelope,
+    e.g. ``[20 mm, 40 mm, 10 mm]``.
+    """
+
+
+def corners_of(box: tuple[float, float, float]) -> NDArray[np.float64]:
+    """Return the corners of a box of given sides about the origin, shape (8, 3) [m]."""
+    return np.array([np.multiply(box, each) for each in product((-0.5, 0.5), repeat=3)])
+
+
+def distance(start: Sequence[float], end: Sequence[float]) -> float:
+    """Return the distance of two points [m], or those of many designs."""
+    found: float = np.sqrt(sum((b - a) ** 2 for a, b in zip(start, end, strict=True)))
+    return found
 
 
 def refuse_no_blade(between: tuple[str, str], length: float) -> None:
@@ -121,7 +149,7 @@ class DrawnBlade(Part):
     @property
     def length(self) -> float:
         """Return its length [m]."""
-        return hypot(self.end[0] - self.start[0], self.end[1] - self.start[1])
+        return distance(self.start, self.end)
 
     @property
     def thickness(self) -> BladeProfile:

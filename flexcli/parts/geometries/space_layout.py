@@ -1,10 +1,10 @@
 """Layout in space: a mechanism of bodies, blades and rods that the spec draws in three numbers."""
 
-from collections import namedtuple
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field, GetJsonSchemaHandler, ValidationError, model_validator
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError
 
@@ -24,8 +24,9 @@ from flexcli.mechanics.space.layout import (
 from flexcli.parts.base import spec_error
 from flexcli.parts.bending import WideBlades
 from flexcli.parts.elastic import Elastic, NotAvailable
-from flexcli.parts.geometries.base import GROUND, Extent, Geometry, Sizes
-from flexcli.parts.geometries.layout_parts import Name
+from flexcli.parts.geometries.base import GROUND, Extent, Sizes
+from flexcli.parts.geometries.layout_parts import Name, corners_of
+from flexcli.parts.geometries.redrawn import Drawn
 from flexcli.parts.geometries.space_parts import (
     DrawnSpaceBlade,
     DrawnSpaceBody,
@@ -41,7 +42,7 @@ MOST = 300
 """Blades and rods with all their copies."""
 
 
-class SpaceDrawing(Geometry):
+class SpaceDrawing(Drawn):
     """Rigid bodies, blades and rods in space as the spec draws them; the stroke moves one body.
 
     All coordinates, loads and requirements are along the axes of the drawing. The linear model
@@ -165,28 +166,32 @@ class SpaceDrawing(Geometry):
         return self.own_mass > 0.0
 
     @property
-    def extents(self) -> dict[str, Extent]:
+    def outlines(self) -> dict[str, NDArray[np.float64]]:
+        """Return the corners of its boxes."""
+        return {
+            name: np.asarray(body.com or body.at) + corners_of(body.box)
+            for name, body in self.bodies.items()
+            if body.box is not None
+        }
+
+    @property
+    def drawn_extents(self) -> dict[str, Extent]:
         """Return thicknesses and diameters by symbol and name."""
         blades = {_symbol("h", name): blade.h for name, blade in self.blades.items()}
         return blades | {_symbol("d", name): rod.d for name, rod in self.rods.items()}
 
-    def label(self, name: str) -> str:
-        """Return what a size is, in words."""
+    def drawn_label(self, name: str) -> str:
+        """Return what a thickness is, in words."""
         symbol, _, of = name.partition("_")
         what = "thickness of blade" if symbol == "h" else "diameter of rod"
         return f"{what} {of.replace('_', '-')}"
 
-    def place(self, name: str) -> tuple[str, ...]:
-        """Return where a size stands in the geometry's spec."""
+    def drawn_place(self, name: str) -> tuple[str, ...]:
+        """Return where a thickness or diameter stands in the spec."""
         symbol, _, of = name.partition("_")
         members: Mapping[str, Any] = self.blades if symbol == "h" else self.rods
         drawn = next(each for each in members if _symbol(symbol, each) == f"{symbol}_{of}")
-        return ("blades" if symbol == "h" else "rods", drawn, symbol)
-
-    def sized(self, values: Mapping[str, Quantity]) -> Sizes:
-        """Return the sizes; what is fixed stays so."""
-        found = {name: values.get(name, extent.fixed) for name, extent in self.extents.items()}
-        return namedtuple("SpaceSizes", found)(**found)
+        return ("geometry", "blades" if symbol == "h" else "rods", drawn, symbol)
 
     def stiffness(self, elastic: Elastic, sizes: Sizes) -> Computed:
         """Refuse: what is drawn freely has no closed form."""
@@ -206,15 +211,15 @@ class SpaceDrawing(Geometry):
 
     def volume(self, sizes: Sizes) -> Computed:
         """Return the volume of all blades and rods [m³]."""
-        total = 0.0
-        for one in self.placed():
-            length = float(np.linalg.norm(np.subtract(one.end, one.start)))
-            if one.width is None:
-                section = np.pi / 4.0 * self._size("d", one.drawn, sizes) ** 2
-            else:
-                section = self.blades[one.drawn].b * self._size("h", one.drawn, sizes)
-            total = total + section * length
-        return total
+        blades = [
+            blade.count * blade.b * self._size("h", name, sizes) * blade.length
+            for name, blade in self.blades.items()
+        ]
+        rods = [
+            rod.count * np.pi / 4.0 * self._size("d", name, sizes) ** 2 * rod.length
+            for name, rod in self.rods.items()
+        ]
+        return sum([*blades, *rods])
 
     def ratios(self, sizes: Sizes) -> dict[str, Computed]:
         """Return l/h and b/h of every drawn blade, l/d of every rod."""

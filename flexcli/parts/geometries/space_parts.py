@@ -20,7 +20,7 @@ from flexcli.parts.base import (
     spec_error,
 )
 from flexcli.parts.geometries.base import Extent
-from flexcli.parts.geometries.layout_parts import Name, refuse_no_blade
+from flexcli.parts.geometries.layout_parts import Name, distance, refuse_no_blade
 
 __all__ = [
     "Axis",
@@ -196,7 +196,12 @@ class _Member(Part):
     @property
     def length(self) -> float:
         """Return its length [m]."""
-        return float(np.linalg.norm(np.subtract(self.end, self.start)))
+        return distance(self.start, self.end)
+
+    @property
+    def count(self) -> int:
+        """Return how many there are of it with its copies."""
+        return (1 << len(self.mirror)) * (1 if self.repeat is None else self.repeat.count)
 
     def copies(self, name: str, width: Vector | None) -> Iterator[Placed]:
         """Yield it, or its copies by numbered names."""

@@ -47,6 +47,17 @@ def _as_list(data: Any) -> Any:
 Several = Annotated[tuple[Kind, ...], BeforeValidator(_as_list), Field(min_length=1), OneOrMore()]
 """One requirement of a kind, or a list of them (e.g. one per case)."""
 
+
+def _as_boxes(data: Any) -> Any:
+    is_box = not isinstance(data, list) or not any(isinstance(one, list | dict) for one in data)
+    return [data] if is_box else data
+
+
+SeveralBoxes = Annotated[
+    tuple[Kind, ...], BeforeValidator(_as_boxes), Field(min_length=1), OneOrMore()
+]
+"""The same of a requirement that is a list itself."""
+
 Fatigue: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.fatigue:Fatigue")]
 Buckling: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.buckling:Buckling")]
 Yield: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.yielding:Yield")]
@@ -67,6 +78,7 @@ ParasiticFrequency: TypeAlias = Annotated[
 MisalignmentStress: TypeAlias = Annotated[
     Requirement, Named(f"{_HERE}.misalignment:MisalignmentStress")
 ]
+Envelope: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.envelope:Envelope")]
 Slenderness: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.shape:Slenderness")]
 WidthRatio: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.shape:WidthRatio")]
 
@@ -122,6 +134,10 @@ class Requirements(Part):
     misalignment_stress: Several[MisalignmentStress] | None = None
     """Factor on the stress where the end of a blade misses its seat by so much,
     e.g. ``{of: outer-1, rotation: {about: x, by: 1 mrad}, factor: 3}``.
+    """
+    envelope: SeveralBoxes[Envelope] | None = None
+    """Sides of a box along x, y and z in which blades and bodies stay, at rest and over the stroke,
+    e.g. ``[80 mm, 40 mm, 30 mm]``.
     """
     slenderness: Several[Slenderness] | None = Field(None, alias="l/h")
     """Bounds on length over thickness of a blade, e.g. ``{min: 20}``."""

@@ -14,6 +14,7 @@ from flexcli.parts.scene import Scene
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
+    from flexcli.mechanics.space.swept_box import SweptBox
     from flexcli.parts.effects import Setting
 
 __all__ = ["MOST_SHARE", "Ask", "CriticalShare", "EndStress", "JointModel", "RequirementError"]
@@ -168,6 +169,13 @@ class JointModel(ABC):
         ``locked`` or free.
         """
         raise NotAvailable("has no frequency at a temperature by this model: take --model exact")
+
+    def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
+        """Return the box around the joint of a case over its stroke, and what has no outline.
+
+        The box stands along the axes of cases.
+        """
+        raise NotAvailable("has no box around it by this model: take --model linear or exact")
 
     @abstractmethod
     def parasitic_shift(self, ask: Ask) -> Computed:

@@ -17,6 +17,7 @@ class Mass(Bound):
     """Bounds on the mass of the blades of one joint."""
 
     label: ClassVar[str] = "mass"
+    of_the_drawing: ClassVar[bool] = True
 
     min: _Mass | None = None
     max: _Mass | None = None

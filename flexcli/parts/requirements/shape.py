@@ -14,6 +14,8 @@ _Ratio = Annotated[float, QuantityOf("ratio", above=0.0)]
 
 
 class _Shape(Bound):
+    of_the_drawing: ClassVar[bool] = True
+
     min: _Ratio | None = None
     max: _Ratio | None = None
     equals: _Ratio | None = None

@@ -1,9 +1,16 @@
 """Answers that stand for any: a requirement is tried on them where no closed form can answer."""
 
+from typing import TYPE_CHECKING
+
+import numpy as np
+
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements.ask import Ask, CriticalShare, EndStress, JointModel
 from flexcli.results import ErrorRange
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["STAND_IN"]
 
@@ -35,6 +42,13 @@ class _StandIn(JointModel):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return 1."""
         return ((1.0, None),)
+
+    def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
+        """Return a box of 1 m; what has no layout in space says it."""
+        from flexcli.mechanics.space.swept_box import SweptBox
+
+        ask.geometry.space_layout(ask.material.elastic, ask.sizes)
+        return SweptBox(np.ones(3), 0.0), ()
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return 1."""

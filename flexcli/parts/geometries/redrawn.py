@@ -1,0 +1,162 @@
+"""Drawings whose sizes follow free parameters: what they are at values of these."""
+
+from abc import ABC, abstractmethod
+from collections import namedtuple
+from collections.abc import Iterator, Mapping
+from math import sqrt
+from typing import Any, Self
+
+import numpy as np
+from pydantic import ModelWrapValidatorHandler, PrivateAttr, ValidationError, model_validator
+
+from flexcli.formulas.quantity import Quantity
+from flexcli.parts.base import Part
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import Extent, Geometry, Sizes
+
+__all__ = ["DRAWING", "Drawn", "Follows"]
+
+DRAWING = "follows"
+"""Key under which a drawing is given how it follows free parameters; no spec can hold one."""
+
+
+class Follows(ABC):
+    """How a drawing follows its free parameters."""
+
+    extents: Mapping[str, Extent]
+    """Their ranges by name."""
+    dimensions: Mapping[str, str]
+    """What each of them measures."""
+
+    @abstractmethod
+    def at(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the drawing at values [SI], as a spec writes it."""
+
+    @abstractmethod
+    def numbers(self, values: Mapping[str, Any]) -> Iterator[tuple[tuple[str | int, ...], Any]]:
+        """Yield its numbers [SI] at values of one or of many designs, and where they stand."""
+
+
+class Drawn(Geometry):
+    """A geometry that the spec draws, with sizes of its own and, where some are free, parameters.
+
+    A drawing with free parameters stands in the middle of their ranges; :meth:`drawn` tells what
+    it is elsewhere.
+    """
+
+    _follows: Follows | None = PrivateAttr(None)
+    _last: tuple[Sizes, tuple[Geometry, Sizes]] | None = PrivateAttr(None)
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _told(cls, data: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        follows = data.get(DRAWING) if isinstance(data, dict) else None
+        if not isinstance(follows, Follows):
+            return handler(data)
+        found = handler({key: value for key, value in data.items() if key != DRAWING})
+        found._follows = follows
+        return found
+
+    @property
+    def parameters(self) -> Mapping[str, Extent]:
+        """Return the ranges of its free parameters."""
+        return self._follows.extents if self._follows is not None else {}
+
+    @property
+    @abstractmethod
+    def drawn_extents(self) -> dict[str, Extent]:
+        """Return the thicknesses by symbol and name of what has them."""
+
+    @abstractmethod
+    def drawn_label(self, name: str) -> str:
+        """Return what a thickness is, in words."""
+
+    @property
+    def extents(self) -> dict[str, Extent]:
+        """Return the thicknesses; with free parameters, these and what else is free."""
+        own = self.drawn_extents
+        if self._follows is None:
+            return own
+        return {**self.parameters, **{n: each for n, each in own.items() if each.fixed is None}}
+
+    def label(self, name: str) -> str:
+        """Return what a size is, in words."""
+        return f"parameter {name}" if name in self.parameters else self.drawn_label(name)
+
+    def dimension(self, name: str) -> str:
+        """Return what a size measures."""
+        if self._follows is None:
+            return super().dimension(name)
+        return self._follows.dimensions.get(name, super().dimension(name))
+
+    def place(self, name: str) -> tuple[str, ...]:
+        """Return where a size stands in the spec."""
+        return ("parameters", name) if name in self.parameters else self.drawn_place(name)
+
+    def drawn_place(self, name: str) -> tuple[str, ...]:
+        """Return where a thickness stands in the spec."""
+        return super().place(name)
+
+    def sized(self, values: Mapping[str, Quantity]) -> Sizes:
+        """Return the sizes; what is fixed stays so."""
+        found = {name: values.get(name, extent.fixed) for name, extent in self.extents.items()}
+        return namedtuple("DrawnSizes", found)(**found)
+
+    def probe(self) -> Sizes:
+        """Return sizes to try on what a requirement asks for: the middle of what is free."""
+        usual = super().probe()
+        middle = {
+            name: sqrt(extent.least * extent.most)
+            for name, extent in self.parameters.items()
+            if extent.least is not None and extent.most is not None
+        }
+        return usual._replace(**middle)
+
+    def drawn(self, sizes: Sizes) -> tuple[Geometry, Sizes]:
+        """Return the drawing at values of its free parameters, and its own sizes.
+
+        Raises
+        ------
+        NotAvailable
+            Where it cannot be drawn: a blade without length, or thicker than wide.
+
+        """
+        if self._follows is None:
+            return self, sizes
+        last = self._last
+        if last is None or last[0] is not sizes:  # all requirements ask for the same
+            drawing = self._at(self._follows, sizes)
+            own = {name: getattr(sizes, name) for name in drawing.free}
+            last = self._last = sizes, (drawing, drawing.sized(own))
+        return last[1]
+
+    def _at(self, follows: Follows, sizes: Sizes) -> Self:
+        values = {name: getattr(sizes, name) for name in follows.extents}
+        if any(np.ndim(value) for value in values.values()):
+            drawing = self.model_copy()
+            drawing._follows = None
+            for place, number in follows.numbers(values):
+                drawing = _replaced(drawing, place, number)
+            return drawing
+        try:
+            return type(self).model_validate(follows.at(values))
+        except ValidationError as error:
+            first = error.errors()[0]
+            where = ".".join(map(str, first["loc"]))
+            raise NotAvailable(f"cannot be drawn there: {where} {first['msg']}") from error
+
+
+def _replaced(part: Any, place: tuple[str | int, ...], number: Any) -> Any:
+    """Return a part of which a number is another, which may be one of many designs."""
+    if not place:
+        fixed = isinstance(part, Extent)
+        return Extent.model_construct(fixed=number, least=None, most=None) if fixed else number
+    step, rest = place[0], place[1:]
+    if isinstance(part, Part):
+        fields = type(part).model_fields.items()
+        name = next(name for name, field in fields if step in (name, field.alias))
+        return part.model_copy(update={name: _replaced(getattr(part, name), rest, number)})
+    if isinstance(part, Mapping):
+        return {**part, step: _replaced(part[step], rest, number)}
+    assert isinstance(step, int)
+    return (*part[:step], _replaced(part[step], rest, number), *part[step + 1 :])

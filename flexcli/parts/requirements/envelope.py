@@ -1,0 +1,50 @@
+"""Envelope: the box that blades and bodies fill, at rest and over the stroke."""
+
+from collections.abc import Iterator
+from math import isfinite
+from typing import ClassVar
+
+from flexcli.parts.base import PositiveLength, Shorthand
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.base import Limit, Requirement
+from flexcli.parts.scene import Scene
+from flexcli.results import ErrorRange
+
+__all__ = ["Envelope"]
+
+
+class Envelope(Requirement, Shorthand):
+    """The sides of a box along x, y and z in which the mechanism stays, wherever the box is."""
+
+    closed_form: ClassVar[bool] = False
+    label: ClassVar[str] = "envelope"
+    stands_for: ClassVar[str] = "sides"
+
+    sides: tuple[PositiveLength, PositiveLength, PositiveLength]
+    """Longest that it may be along x, y and z, e.g. ``[80 mm, 40 mm, 30 mm]``."""
+    cases: tuple[str, ...] | None = None
+    """Cases of whose strokes it is asked; all, if left out,
+    e.g. ``cases: [operation], sides: [80 mm, 40 mm, 30 mm]``.
+    """
+
+    def applies(self, scene: Scene) -> bool:
+        """Return whether it is asked of this case."""
+        return self.cases is None or scene.case in self.cases
+
+    def limits(self, ask: Ask) -> Iterator[Limit]:
+        """Yield each side of the box against the longest that it may be."""
+        try:
+            box, bare = ask.joint_model.envelope(ask)
+        except NotAvailable as error:
+            raise RequirementError(f"a {ask.geometry.name} {error}") from error
+        what = "at rest and over the stroke" if ask.scene.moves else "at rest"
+        without = f"; without the outline of {', '.join(bare)}, which has none" if bare else ""
+        for axis, side, most in zip("xyz", box.sides.tolist(), self.sides, strict=True):
+            known = isfinite(box.doubt) and side > 0.0
+            off = 2.0 * box.doubt / side if known else 0.0
+            yield Limit(
+                f"envelope {axis}", ask.scene.case, f"length along {axis} {what}{without}",
+                side, most, "m", "edges of blades and corners of bodies", variant="max",
+                error=ErrorRange(-min(off, 1.0), off) if known else None,
+            )  # fmt: skip
