@@ -28,6 +28,7 @@ __all__ = [
     "Inertia",
     "Length",
     "Mass",
+    "OfTable",
     "OneOrMore",
     "OrTable",
     "Part",
@@ -110,7 +111,7 @@ class OrTable:
     @staticmethod
     def schema() -> dict[str, Any]:
         """Return the JSON Schema of a table's name."""
-        suffix = r"\.([cC][sS][vV]|[tT][sS][vV]|[tT][xX][tT])$"
+        suffix = r"\.([cC][sS][vV]|[tT][sS][vV]|[tT][xX][tT]|[pP][aA][rR][qQ][uU][eE][tT])$"
         path = {"type": "string", "pattern": suffix, "examples": ["psd.csv"]}
         text = {"type": "string"}
         told = {
@@ -135,6 +136,15 @@ class OrTable:
             "additionalProperties": False,
         }
         return {"anyOf": [path, told]}
+
+
+class OfTable:
+    """A type marker of what only a table can give: in a spec the table is named."""
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return OrTable.schema()
 
 
 class QuantityOf:

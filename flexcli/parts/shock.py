@@ -1,14 +1,25 @@
-"""A shock of the base: a half-sine pulse, a sudden change of velocity, or a response spectrum."""
+"""A shock of the base: a half-sine, a change of velocity, a response spectrum, or a record."""
 
 from itertools import pairwise
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
+from flexcli.formulas.record_spectrum import shock_response_spectrum
 from flexcli.formulas.shock import half_sine_damped, srs_level, velocity_shock_acceleration
-from flexcli.parts.base import Duration, Frequency, OrTable, Part, QuantityOf, spec_error
+from flexcli.parts.base import (
+    Duration,
+    Frequency,
+    OfTable,
+    OrTable,
+    Part,
+    QuantityOf,
+    said,
+    spec_error,
+)
+from flexcli.parts.record import Record
 
 __all__ = ["HalfSine", "Shock", "SpectrumPoint"]
 
@@ -19,6 +30,14 @@ LARGEST_HALF_SINE = 1.7685
 
 RIGID = 200.0
 """Natural frequency times duration from which an oscillator follows a pulse within 1 %."""
+
+
+def _recorded(value: Any) -> Record:
+    if not isinstance(value, Record):
+        text = f"a table over time is expected here, not {said(value)}"
+        raise spec_error(text, "write base.csv, or {file: base.csv, units: [s, g]}")
+    return value
+
 
 PeakAcceleration = Annotated[float, QuantityOf("acceleration", above=0.0)]
 
@@ -54,6 +73,10 @@ class Shock(Part):
     """A shock response spectrum, two points or more, or a table of them, ``srs.csv``,
     e.g. ``srs: [{frequency: 10 Hz, acceleration: 5 g}, {frequency: 2 kHz, acceleration: 900 g}]``.
     """
+    record: Annotated[Record, BeforeValidator(_recorded), OfTable()] | None = None
+    """Measured acceleration of the base at equal steps of time, a table of time and acceleration,
+    straight lines between its samples, e.g. ``record: base.csv``.
+    """
     q: Annotated[float, QuantityOf("ratio", at_least=0.5)] = 10.0
     """Quality factor Q of the response,
     e.g. ``q: 10, half-sine: {acceleration: 30 g, duration: 11 ms}``.
@@ -65,10 +88,10 @@ class Shock(Part):
 
     @model_validator(mode="after")
     def _one_description(self) -> "Shock":
-        if sum((self.half_sine is not None, self.velocity is not None, bool(self.srs))) != 1:
-            raise spec_error(
-                "a shock is a half-sine, a velocity or an srs", "give one of the three"
-            )
+        given = (self.half_sine, self.velocity, self.srs or None, self.record)
+        if sum(each is not None for each in given) != 1:
+            text = "a shock is a half-sine, a velocity, an srs or a record"
+            raise spec_error(text, "give one of the four")
         if len(self.srs) == 1:
             raise spec_error("a spectrum needs two points or more", "add a point", at=("srs",))
         for index, (first, second) in enumerate(pairwise(self.srs)):
@@ -79,7 +102,7 @@ class Shock(Part):
         return self
 
     def worst_acceleration(self) -> float | None:
-        """Return the largest acceleration of any oscillator [m/s²]; a velocity has none."""
+        """Return the largest acceleration of any oscillator [m/s²], where it is known at once."""
         if self.half_sine is not None:
             return LARGEST_HALF_SINE * self.half_sine.acceleration
         return max(p.acceleration for p in self.srs) if self.srs else None
@@ -101,6 +124,11 @@ class Shock(Part):
             return np.where(rigid, self.half_sine.acceleration, pulse.maximax)
         if self.velocity is not None:
             return velocity_shock_acceleration(self.velocity, fn)
+        if self.record is not None:
+            _, _, pseudo = shock_response_spectrum(
+                self.record.acceleration, self.record.step, fn, self.q
+            )
+            return pseudo
         frequencies = np.array([p.frequency for p in self.srs])
         levels = np.array([p.acceleration for p in self.srs])
         return srs_level(fn, frequencies, levels)

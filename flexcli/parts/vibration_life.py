@@ -47,9 +47,7 @@ def life_curve(material: Material) -> tuple[tuple[float, float], ...]:
 
 
 class SineStress(NamedTuple):
-    """The stress of sines on a random one: the sum of their amplitudes [Pa], the highest of
-    their frequencies [Hz].
-    """
+    """Sines on a random stress: sum of their amplitudes [Pa], highest of their frequencies."""
 
     amplitude: float = 0.0
     frequency: float = 0.0

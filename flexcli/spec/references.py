@@ -57,7 +57,7 @@ REFERENCES: dict[tuple[str, ...], str] = {
 }
 """Where a design may name a spec instead of holding it."""
 
-TABLE_SUFFIXES = (".csv", ".tsv", ".txt")
+TABLE_SUFFIXES = (".csv", ".tsv", ".txt", ".parquet")
 TABLE_PLACES: dict[tuple[str, ...], str] = {
     ("asd", "points"): "asd",
     ("asd", "profile", "points"): "asd",
@@ -68,6 +68,8 @@ TABLE_PLACES: dict[tuple[str, ...], str] = {
     ("balance", "asd", "profile", "points"): "asd",
     ("shock", "srs"): "srs",
     ("cases", "*", "shock", "srs"): "srs",
+    ("shock", "record"): "record",
+    ("cases", "*", "shock", "record"): "record",
 }
 """Where a spec may name a table in place of points, and the kind of table."""
 
@@ -180,13 +182,14 @@ class _Resolver:
         self, document: Document, path: tuple[str, ...], kind: str, folder: Path
     ) -> tuple[Document, bool]:
         """Return a document with the rows of a table in place of its name, or what is wrong."""
-        from flexcli.spec.table_file import named_table, read_table
+        from flexcli.spec.table_file import named_table, read_table, recorded
 
         lines = dict(document.lines)
         try:
             name, columns = named_table(at(document.value, path), TABLE_SUFFIXES)
             file = self._data_file(folder, name, TABLE_SUFFIXES, "a table")
             table = read_table(file, kind, columns)
+            value = recorded(name, table) if kind == "record" else table.points()
         except SpecError as error:
             place, _ = document.position.closest(path)
             here = [
@@ -194,7 +197,7 @@ class _Resolver:
                 for f in error.findings
             ]
             return replace(document, findings=(*document.findings, *here)), False
-        value = with_value(document.value, path, table.points())
+        value = with_value(document.value, path, value)
         position = with_position(document.position, path, table.position())
         if file.resolve().is_relative_to(self.home):
             lines[table.file] = table.lines

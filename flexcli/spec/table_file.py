@@ -7,7 +7,7 @@ above the heading.
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from io import StringIO
+from io import BytesIO, StringIO
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,11 +16,20 @@ from numpy.typing import NDArray
 
 from flexcli.errors import Finding, SpecError, printable
 from flexcli.parts.base import said
+from flexcli.parts.record import Record
 from flexcli.spec.document import MAX_FINDINGS, Position
 from flexcli.spec.findings import nearest
 from flexcli.units import DIMENSIONS, QuantityError, parse_quantity
 
-__all__ = ["TABLES", "Columns", "TableFile", "is_over_time", "named_table", "read_table"]
+__all__ = [
+    "TABLES",
+    "Columns",
+    "TableFile",
+    "is_over_time",
+    "named_table",
+    "read_table",
+    "recorded",
+]
 
 MAX_BYTES = 500_000_000
 """Of a record, some twenty million samples."""
@@ -31,6 +40,9 @@ TABLES: dict[str, tuple[tuple[str, str], ...]] = {
     "record": (("time", "time"), ("acceleration", "acceleration")),
 }
 """What the two columns of each kind of table are, and what they measure."""
+
+UNEVEN = 1e-2
+"""Share of a step that a time may be off: files write it in a few digits."""
 
 STEP = "step"
 """Heading of a column that says where a level jumps."""
@@ -157,11 +169,40 @@ def read_table(path: Path, kind: str, told: Columns = Columns()) -> TableFile:  
     return _Reader(str(path), _text(path), kind, told).table()
 
 
+def recorded(name: str, table: TableFile) -> Record:
+    """Return the record of a table of time and acceleration; raise SpecError."""
+    time, acceleration = table.si.T
+    step = float(time[-1] - time[0]) / (time.size - 1)
+    off = np.abs(time - time[0] - step * np.arange(time.size)).max() / step
+    steps = np.abs(np.diff(time) / step - 1.0).max()
+    if off > UNEVEN * time.size**0.5 and steps > UNEVEN:
+        text = f"the samples are not at equal steps: one is {steps:.2g} of a step off"
+        raise SpecError([Finding(name, text, "resample it evenly")])
+    return Record(name, step, np.ascontiguousarray(acceleration))
+
+
 def is_over_time(path: Path, told: Columns) -> bool:
     """Return whether the first column of a table is a time, as its heading or its units tell."""
     if told.units:
         return _measures(told.units[0], "time")
     return _Reader(str(path), _text(path), "record", told).is_over_time()
+
+
+def _parquet_text(name: str, raw: bytes) -> str:
+    """Return the columns of a Parquet file as text, their names as its heading."""
+    try:
+        from pyarrow import csv, parquet
+    except ImportError as error:
+        hint = "pip install 'flexcli[study]', or save it as CSV"
+        raise SpecError([Finding(name, "Parquet needs the extra 'study'", hint)]) from error
+    found = BytesIO()
+    try:
+        table = parquet.read_table(BytesIO(raw))
+        csv.write_csv(table, found, csv.WriteOptions(include_header=False))
+    except (OSError, ValueError) as error:
+        text = f"cannot be read as Parquet: {printable(str(error))[:80]}"
+        raise SpecError([Finding(name, text, "give the path of a table")]) from error
+    return f"{','.join(table.column_names)}\n{found.getvalue().decode()}"
 
 
 def _text(path: Path) -> str:
@@ -174,6 +215,8 @@ def _text(path: Path) -> str:
     except OSError as error:
         text = f"cannot be read: {error.strerror}"
         raise SpecError([Finding(name, text, "give the path of a table")]) from error
+    if name.lower().endswith(".parquet"):
+        return _parquet_text(name, raw)
     if len(raw) > MAX_BYTES:
         text = f"is larger than {MAX_BYTES // 1_000_000} MB"
         raise SpecError([Finding(name, text, "cut the record into parts")])

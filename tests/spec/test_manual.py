@@ -87,6 +87,8 @@ def test_each_piece_of_yaml_is_taken_by_a_whole_spec(
     refused = []
     table = "frequency [Hz],level [g^2/Hz]\n20,0.01\n2000,0.01\n"
     (tmp_path / "psd.csv").write_text(table, encoding="utf-8")
+    record = "time [s],acceleration [g]\n0,0\n0.001,3\n0.002,0\n"
+    (tmp_path / "base.csv").write_text(record, encoding="utf-8")
     for row in filter(lambda row: row.example, manual):
         for spec in wholes(row):
             path = tmp_path / "spec.yaml"

@@ -73,7 +73,9 @@ def motions(design: DesignSpec, sizes: Sizes) -> Iterator[Motion]:
 
 def _short(case: Case) -> Case | None:
     """Return a case with its sine and its shock in time only, or nothing where it has neither."""
-    shock = None if case.shock is None or case.shock.srs else case.shock
+    shock = case.shock
+    if shock is not None and (shock.srs or shock.record is not None):
+        shock = None
     if case.sine is None and shock is None:
         return None
     return case.model_copy(

@@ -151,9 +151,18 @@ def _shock(name: str, shock: Shock, blade: ModalBlade, sign: int) -> Excitation:
         rate = -sign * blade.base * shock.velocity
         kind = f"velocity shock{_turned(sign)}"
         return Excitation(kind, periods * period, iter([silence]), rate=rate)
+    if shock.record is not None:
+        record, period = shock.record, 2.0 * pi / float(blade.angular[0])
+        samples = Samples(sign * record.acceleration, record.step)
+        kind = (
+            f"record {record.name}, {record.acceleration.size} samples, straight lines between, "
+            f"{period / record.step:.3g} a period of the blade{_turned(sign)}"
+        )
+        planned = record.duration + periods * period
+        return Excitation(kind, planned, iter([[samples, *silence]]))
     raise SolveError(
         "no-time", f"case '{name}': a response spectrum is no motion in time",
-        "give the shock as half-sine or velocity",
+        "give the shock as half-sine, velocity or record",
     )  # fmt: skip
 
 
