@@ -251,9 +251,6 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
     steady = case.acceleration
     beyond, share = _closed_share(case, geometry, forces, lasting)
     if case.temperature is not None:
-        if case.vibrates:
-            text = "a temperature beside a vibration is judged by nothing"
-            raise MechanismError("temperature", text, "give each a case of its own")
         _refuse_unknown_bodies(case.temperature, mechanism, geometry)
         beyond = WARM
     if force > 0.0 and mechanism is not None and found.name:

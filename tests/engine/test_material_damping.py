@@ -33,3 +33,25 @@ def test_a_stated_q_goes_before_the_materials():
     own = check(ASD % ", q: 50", LOSS)
     assert own.checks[0].demand == pytest.approx(check(ASD % ", q: 50", "").checks[0].demand)
     assert "material-damping" not in {note.code for note in own.warnings}
+
+
+SHAKEN = SPEC.replace("{{{case}}}", "{{{case}, q: 50}}").replace(
+    "{{extends: ti-6al-4v{loss}}}", "ti-6al-4v"
+)
+
+
+def test_the_stress_of_a_temperature_stands_beside_that_of_a_vibration():
+    asd = "asd: {profile: gevs-qualification}"
+    warm = "temperature: {bodies: {moving: 60 K}}"
+
+    def stress(case, requirement="dynamic-yield: 1"):
+        text = SHAKEN.format(case=case).replace("dynamic-yield: 1", requirement)
+        if "asd" not in case:
+            text = text.replace(", q: 50", "")
+        (check,) = flexcli.check(text).checks
+        return check
+
+    both = stress(f"{asd}, {warm}")
+    apart = stress(asd).demand + stress(warm, "yield: 1").demand
+    assert both.demand == pytest.approx(apart, rel=1e-3)
+    assert both.factor_range is not None

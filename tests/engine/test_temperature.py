@@ -101,10 +101,6 @@ def test_a_temperature_that_nothing_looks_at_is_not_judged():
         ("temperature: {bodies: {stage: 3 K}}", {}, "has no body 'stage'", "ground, moving"),
         ("temperature: {uniform: 20 degC}", {}, "degC", "K"),
         (
-            "temperature: {uniform: 3 K}, "
-            "sine: {acceleration: 1 g, frequency: 50 Hz}", {}, "beside a vibration", "case",
-        ),
-        (
             "temperature: {uniform: 3 K}",
             {"ti-6al-4v": "{name: t, youngs_modulus: 114 GPa, yield_strength: 800 MPa}"},
             "no thermal_expansion", "give it",

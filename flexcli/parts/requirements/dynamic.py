@@ -17,6 +17,7 @@ from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.requirements.buckling import borne
 from flexcli.parts.requirements.closed_form import least_blade_force
+from flexcli.parts.requirements.heated import standing
 from flexcli.parts.requirements.response_range import (
     Uncertain,
     between,
@@ -34,6 +35,10 @@ __all__ = ["DynamicBuckling", "DynamicLife", "DynamicYield"]
 
 
 AXIAL_TOO = "bending with the axial force"
+
+
+WARM = " and what the temperature strains"
+"""What the stress of a case with a temperature has besides."""
 
 
 class _Peak(NamedTuple):
@@ -107,12 +112,19 @@ def _duration(scene: Scene, vibration: Vibration) -> float:
 
 
 class DynamicYield(_Dynamic):
-    """Factor on the peak stress of the modes, against R_p0.2 unless said otherwise."""
+    """Factor on the peak stress of the modes, against R_p0.2 unless said otherwise.
+
+    With a temperature in the same case its stress stands beside.
+    """
 
     label: ClassVar[str] = "dynamic yield"
 
     allowable: Allowable = "yield-strength"
     """Strength that the stress is held against, e.g. ``fatigue-amplitude``."""
+
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return what shakes the base, and a temperature."""
+        return super().looks_at(scene) | (scene.loads & {LoadKind.TEMPERATURE})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the peak stress at every joint against the allowable."""
@@ -120,19 +132,40 @@ class DynamicYield(_Dynamic):
             strength = ask.material.strength(self.allowable.replace("-", "_"))
         except MissingProperty as missing:
             raise RequirementError(str(missing), f"give material.{missing.field}") from missing
+        still, still_error, changed = standing(ask)
+        kind = "von Mises" if ask.scene.vibrates_in_space else AXIAL_TOO
         for peak in self.peaks(ask, "stress", strength / self.factor):
+            error = compounded(peak.error, changed)
             yield Limit(
                 self.label,
                 ask.scene.case,
-                f"{peak.what} ({'von Mises' if ask.scene.vibrates_in_space else AXIAL_TOO})",
-                peak.value,
+                f"{peak.what}{WARM if still else ''} ({kind})",
+                peak.value + still,
                 strength,
                 "Pa",
                 f"{peak.source}; allowable: {self.allowable}",
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
-                error=peak.error,
+                error=_summed((peak.value, error), (still, still_error)),
             )
+
+
+def _summed(*parts: tuple[float, ErrorRange | None]) -> ErrorRange | None:
+    """Return the error of a sum of numbers that are no less than nothing, from theirs."""
+    whole, low, high = sum(value for value, _ in parts), 0.0, 0.0
+    for value, error in parts:
+        if value == 0.0:
+            continue
+        if error is None:
+            return None
+        low, high = low + value * error.low / whole, high + value * error.high / whole
+    return ErrorRange(low, high)
+
+
+def _refuse_temperature(ask: Ask, what: str) -> None:
+    if ask.scene.temperature is not None:
+        hint = "give the temperature a case of its own, or name other cases"
+        raise RequirementError(f"{what} beside a temperature is not computed", hint)
 
 
 def _of_plain_beams(error: ErrorRange | None, ask: Ask) -> ErrorRange | None:
@@ -161,6 +194,7 @@ class DynamicBuckling(_Dynamic):
                 f"nothing says what holds the blades' ends in case '{scene.case}'",
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
+        _refuse_temperature(ask, "the buckling under a vibration")
         critical = least_blade_force(ask)
         capacity, crushed = borne(critical, ask.material)
         per_force = ask.geometry.axial_stress(1.0, ask.sizes)
@@ -205,6 +239,7 @@ class DynamicLife(_Dynamic):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the duration of the vibration against the life of every joint."""
+        _refuse_temperature(ask, "a life under vibration")
         vibration = ask.scene.vibration
         assert vibration is not None  # it applies
         if beside := sorted(ask.scene.loads & SHAKES - RANDOM - SINES):

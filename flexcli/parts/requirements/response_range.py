@@ -111,6 +111,7 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
         When nothing that moves has a mass, or the joint is not made of blades in a plane.
 
     """
+    ask = ask._replace(scene=ask.scene.at_assembly())  # what heat strains is judged beside it
     if ask.scene.vibrates_in_space:
         return _in_space(ask, frequencies)
     geometry, elastic, sizes, scene = ask.geometry, ask.material.elastic, ask.sizes, ask.scene

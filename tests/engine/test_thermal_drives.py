@@ -1,0 +1,158 @@
+"""What heat does to a stage that an actuator of another expansion holds, and CalculiX's word."""
+
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+import flexcli
+from flexcli.formulas.handbook.actuator import thermal_stroke
+
+ACTUATED = """
+flexure: 1
+material: {youngs_modulus: 114 GPa, poisson_ratio: 0.3, thermal_expansion: 9e-6 1/K,
+           yield_strength: 800 MPa}
+geometry:
+  kind: layout
+  bodies:
+    actuator: {at: [5 mm, 0 mm]}
+    stage: {at: [30 mm, 0 mm]}
+  blades:
+    foot: {between: [ground, actuator], from: [0 mm, 0 mm], to: [5 mm, 0 mm], h: 0.5 mm, b: 5 mm}
+    head: {between: [actuator, stage], from: [25 mm, 0 mm], to: [30 mm, 0 mm], h: 0.5 mm, b: 5 mm}
+    left: {between: [ground, stage], from: [30 mm, -40 mm], to: [30 mm, -10 mm], h: 0.4 mm, b: 5 mm}
+    right: {between: [ground, stage], from: [50 mm, -40 mm], to: [50 mm, -10 mm],
+            h: 0.4 mm, b: 5 mm}
+  moving: stage
+  motion: {translation: 0 deg}
+cases: {hot: {temperature: {uniform: 20 K, expansion: {actuator: -5e-6 1/K, ground: 23.6e-6 1/K,
+                                                       stage: 23.6e-6 1/K}}}}
+requirements: {yield: 1, buckling: 1.5}
+"""
+
+
+def test_heat_moves_an_actuated_stage_by_what_two_springs_in_series_leave():
+    """The frame grows under the stage, and the actuator with its hinges does not follow."""
+    E, dT = 114e9, 20.0
+    moved = flexcli.check(ACTUATED).values["x_hot"].value
+    hinge, guide = E * 5e-3 * 0.5e-3 / 5e-3, 2.0 * 12.0 * E * 5e-3 * 0.4e-3**3 / 12.0 / 30e-3**3
+    # the column of actuator and hinges, 30 mm long, against the frame from the origin to the stage
+    column = (2.0 * 9e-6 * 5e-3 - 5e-6 * 20e-3) / 30e-3
+    told = thermal_stroke(
+        alpha=column, alpha_frame=23.6e-6, L=30e-3, dT=dT, k_T=hinge / 2.0, k=guide
+    )
+    # told is against the frame, moved from where the stage stood at assembly
+    assert moved == pytest.approx(told + 23.6e-6 * dT * 30e-3, rel=0.02)
+
+
+BRIDGE = """
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0.3, thermal_expansion: 9e-6 1/K}}
+geometry:
+  kind: layout
+  bodies: {{stage: {{at: [0 mm, 0 mm]}}}}
+  blades:
+    left: {{between: [ground, stage], from: [-{l} mm, 0 mm], to: [0 mm, 0 mm],
+           h: {h} mm, b: {b} mm}}
+    right: {{between: [stage, ground], from: [0 mm, 0 mm], to: [{l} mm, 0 mm],
+            h: {h} mm, b: {b} mm}}
+  moving: stage
+  motion: {{translation: 90 deg}}
+cases: {{hot: {{ends: clamped-clamped, temperature: {{uniform: {change} K,
+        expansion: {{ground: 0 1/K, stage: 0 1/K}}}}}}}}
+requirements: {{buckling: 1}}
+"""
+"""Two strips between a stage that neither turns nor moves aside, and walls that stay cold."""
+
+DECK = """*NODE, NSET=ALL
+{nodes}
+*ELEMENT, TYPE=C3D20R, ELSET=BLADE
+{elements}
+*MATERIAL, NAME=M
+*ELASTIC
+{E}, {nu}
+*EXPANSION
+{alpha}
+*DENSITY
+4430.
+*SOLID SECTION, ELSET=BLADE, MATERIAL=M
+*INITIAL CONDITIONS, TYPE=TEMPERATURE
+ALL, 0.
+*BOUNDARY
+START, 1, 3
+END, 1, 3
+*STEP, NLGEOM
+*STATIC
+*TEMPERATURE
+ALL, {change}
+*END STEP
+*STEP, PERTURBATION
+*FREQUENCY
+1
+*END STEP
+"""
+
+
+def bricks(l, h, b, nx=20, ny=1, nz=2):
+    """Return nodes and C3D20R elements of a strip, and the nodes of both ends."""
+    place = {}
+
+    def at(i, j, k):
+        return place.setdefault((i, j, k), len(place) + 1)
+
+    rows = []
+    for i in range(nx):
+        for j in range(ny):
+            for k in range(nz):
+                x, y, z = 2 * i, 2 * j, 2 * k
+                low = [(x, y, z), (x + 2, y, z), (x + 2, y + 2, z), (x, y + 2, z)]
+                high = [(p, q, r + 2) for p, q, r in low]
+                mid = [
+                    tuple((m + n) // 2 for m, n in zip(low[s], low[(s + 1) % 4], strict=True))
+                    for s in range(4)
+                ]
+                top = [(p, q, r + 2) for p, q, r in mid]
+                up = [(p, q, r + 1) for p, q, r in low]
+                rows.append([at(*each) for each in (*low, *high, *mid, *top, *up)])
+    nodes = {
+        number: (l * i / (2 * nx), h * j / (2 * ny), b * k / (2 * nz))
+        for (i, j, k), number in place.items()
+    }
+    return nodes, rows
+
+
+@pytest.mark.calculix
+@pytest.mark.skipif(shutil.which("ccx") is None, reason="CalculiX is not installed")
+def test_solids_buckle_at_the_temperature_that_is_told(tmp_path):
+    """Bricks between two walls, against the bridge of two such strips, its stage held."""
+    l, h, b, alpha, E, nu = 40e-3, 0.4e-3, 2e-3, 9e-6, 114e9, 0.3
+    spec = BRIDGE.format(l=l * 1e3, h=h * 1e3, b=b * 1e3, change=10.0)
+    (told,) = flexcli.check(spec).checks
+    nodes, rows = bricks(l, h, b)
+    sets = ""
+    for name, x in (("START", 0.0), ("END", l)):
+        members = [n for n, place in nodes.items() if np.isclose(place[0], x)]
+        sets += f"*NSET, NSET={name}\n" + "\n".join(f"{n}," for n in members) + "\n"
+    shares, squares = (0.8, 0.9), []
+    for share in shares:
+        text = DECK.format(
+            nodes="\n".join(f"{n}, {x!r}, {y!r}, {z!r}" for n, (x, y, z) in nodes.items()),
+            elements="\n".join(
+                f"{e}, " + ", ".join(map(str, row[:10])) + ",\n" + ", ".join(map(str, row[10:]))
+                for e, row in enumerate(rows, 1)
+            ),
+            E=E,
+            nu=nu,
+            alpha=alpha,
+            change=share * told.factor * 10.0,
+        )
+        (tmp_path / "strip.inp").write_text(text.replace("*MATERIAL", sets + "*MATERIAL", 1))
+        subprocess.run(["ccx", "strip"], cwd=tmp_path, check=True, capture_output=True, timeout=120)
+        lines = (tmp_path / "strip.dat").read_text().splitlines()
+        squares.append(next(float(x.split()[1]) for x in lines if x.split()[:1] == ["1"]))
+    # ω² falls to nothing at the critical temperature, in a straight line near it
+    critical = shares[1] + squares[1] * (shares[1] - shares[0]) / (squares[0] - squares[1])
+    low, high = (end / told.factor for end in told.factor_range)
+    assert low < critical < high
+    assert critical == pytest.approx(1.0, abs=0.02)
