@@ -7,6 +7,7 @@ above the heading.
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from importlib import import_module
 from io import BytesIO, StringIO
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -191,7 +192,7 @@ def is_over_time(path: Path, told: Columns) -> bool:
 def _parquet_text(name: str, raw: bytes) -> str:
     """Return the columns of a Parquet file as text, their names as its heading."""
     try:
-        from pyarrow import csv, parquet
+        csv, parquet = import_module("pyarrow.csv"), import_module("pyarrow.parquet")
     except ImportError as error:
         hint = "pip install 'flexcli[study]', or save it as CSV"
         raise SpecError([Finding(name, "Parquet needs the extra 'study'", hint)]) from error
