@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from math import inf, isnan
+from sys import intern
 from typing import Literal, TypeAlias
 
 from flexcli import api
@@ -51,6 +52,7 @@ def _row(point: Mapping[str, str], result: Result) -> Row:
     columns: list[Column] = []
 
     def cell(name: str, unit: str, label: str, value: float | str) -> None:
+        name = intern(name)  # one for all rows of a process
         columns.append(Column(name, unit, label))
         cells[name] = value
 

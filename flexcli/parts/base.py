@@ -13,7 +13,15 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from flexcli.units import DIMENSIONS, LARGEST, MAX_LENGTH, QuantityError, parse_quantity, show
+from flexcli.units import (
+    DIMENSIONS,
+    LARGEST,
+    MAX_LENGTH,
+    QuantityError,
+    number_and_unit,
+    parse_quantity,
+    show,
+)
 
 __all__ = [
     "Acceleration",
@@ -278,7 +286,9 @@ def or_free(quantity: QuantityOf) -> dict[str, Any]:
 def in_either(value: Any, *dimensions: str) -> tuple[float, str]:
     """Return a positive value with its SI unit, of whichever of the dimensions it has."""
     if isinstance(value, str):
-        for dimension in dimensions:
+        _, unit = number_and_unit(value) or (0.0, "")
+        # an everyday unit is known without the library of all others
+        for dimension in sorted(dimensions, key=lambda name: unit not in DIMENSIONS[name].units):
             try:
                 number = parse_quantity(value, dimension)
             except QuantityError:

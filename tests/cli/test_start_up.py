@@ -56,3 +56,13 @@ def test_it_loads_the_one_joint_that_the_spec_names_and_no_mechanism(loaded):
 def test_it_loads_no_solver_of_a_finer_model(loaded):
     solvers = {"equilibrium", "linear", "linear_buckling", "stability", "vibrating_layout"}
     assert not {f"flexcli.mechanics.{name}" for name in solvers} & set(loaded)
+
+
+def test_everyday_units_of_either_kind_load_no_library_of_units():
+    read = "from flexcli.parts.base import in_either; print(in_either('2 N/mm', *sys.argv[1:]))"
+    run = subprocess.run(
+        [sys.executable, "-c", f"import sys; {read}; print('pint' in sys.modules)",
+         "rotational stiffness", "stiffness"],
+        capture_output=True, text=True, check=True, timeout=60,
+    )  # fmt: skip
+    assert run.stdout.split("\n")[:2] == ["(2000.0, 'N/m')", "False"]
