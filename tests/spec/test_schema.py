@@ -66,7 +66,7 @@ BEYOND = {
         "robust against what", "is not of a blade", "there is no number",
         "^tolerances.*does not measure", "^tolerances.*has no unit", "as large as the number",
         "nothing is asked of",
-        "in its plane alone", "a load is one in a plane", "drawn in space", "carries no mechanism",
+        "in its plane alone", "a load is one in a plane", "carries no mechanism",
     ),
     "between bodies and blades of a layout": (
         "lies where", "not held to the ground", "this blade is thicker than wide",
