@@ -83,9 +83,6 @@ def _drawn(spec: "Loaded", view: View, case: str | None, *, stress: bool, joint:
     title = spec.part.title or found.kind
     if view is View.FRONT:
         return drawing_svg(found, title, stress=stress)
-    if found.is_a_view:
-        hint = "leave --view out"
-        raise SpecError([Finding(NAME, "a mechanism in space is drawn from one side", hint)])
     from flexcli.report.drawings.views import view_svg
 
     return view_svg(found, title, view.value)

@@ -30,7 +30,6 @@ from flexcli.results.drawing import (
     DrawnAngle,
     DrawnBlade,
     DrawnBody,
-    DrawnCut,
     DrawnEdge,
     DrawnForce,
     DrawnMass,
@@ -89,7 +88,9 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
     strength = stated_strength(design.material)
     cut = design.manufacturing.cut() if design.manufacturing is not None else None
     if geometry.in_space:
-        return _in_space(ask, given, tuple(notes), cut)
+        from flexcli.engine.draw_in_space import space_drawing
+
+        return space_drawing(ask, given, tuple(notes), cut)
     try:
         layout = geometry.layout(design.material.elastic, sizes)
     except NotAvailable:
@@ -133,40 +134,6 @@ def drawn_case(design: DesignSpec, sizes: Sizes, case: str | None) -> Ask:
     asks = design.asks(sizes, ExactModel())
     named = [a for a in asks if a.scene.case == case]
     return next(iter(named or [a for a in asks if a.scene.moves] or asks))
-
-
-def _in_space(
-    ask: Ask,
-    given: tuple[tuple[str, float], ...],
-    notes: tuple[str, ...],
-    cut: DrawnCut | None,
-) -> Drawing:
-    """Return a mechanism in space at rest, seen along one axis."""
-    from flexcli.engine.draw_in_space import VIEWS, seen, view_of
-
-    space = ask.geometry.space_layout(ask.material.elastic, ask.sizes)
-    view = view_of(space)
-    layout, hidden = seen(space, view)
-    right, up = VIEWS[view]
-    notes = (*notes, f"seen along {view}: {right} to the right, {up} upwards; lengths as they look")
-    if hidden:
-        notes = (*notes, f"{hidden} blades are seen end on, and left out")
-    turn = turning(0.0)
-    drive = space.drive.body
-    return Drawing(
-        kind=ask.geometry.name,
-        motion=ask.geometry.motion,
-        blades=tuple(drawn_blade(blade, turn) for blade in layout.blades),
-        bodies=drawn_bodies(layout, turn, drive),
-        sizes=given,
-        centre=_place(np.array(layout.body(drive).point)),
-        case=ask.scene.case,
-        unit=ask.geometry.travel_unit,
-        axes=VIEWS[view],
-        is_a_view=True,
-        notes=notes,
-        cut=cut,
-    )
 
 
 def turning(angle: float) -> Turn:

@@ -1,34 +1,210 @@
-"""A mechanism in space as it is drawn: seen along one axis, its blades as thick as they look."""
+"""A mechanism in space as it is drawn: from the front, the side and the corner, at rest and moved.
+
+Each view is a planar drawing of what is seen: blades as thick as they look, at rest. Moved blades
+are cubics between their ends, whose places and directions are those of the exact model.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from math import cos, radians, sin
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.draw import drawn_blade, drawn_bodies, turning
+from flexcli.engine.joint_models.space_stroke import at_travel
+from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.layout import Blade, Body, Layout
+from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
+from flexcli.mechanics.space.exact.rotation import matrix_of
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.requirements import Ask
+from flexcli.results.drawing import XY, Drawing, DrawnCut, DrawnState
 
-__all__ = ["VIEWS", "seen", "view_of"]
+__all__ = ["space_drawing"]
 
 Floats = NDArray[np.float64]
 
-VIEWS = {"z": ("x", "y"), "x": ("y", "z"), "y": ("x", "z")}
+AXES = {"z": ("x", "y"), "x": ("y", "z"), "y": ("x", "z")}
 """Axes to the right and up, by the axis that one looks along."""
+
+_C, _S = cos(radians(30.0)), sin(radians(30.0))
+
+CORNER = {"x": {"y": (-_C, -_S), "z": (_C, -_S), "x": (0.0, 1.0)},
+          "y": {"z": (-_C, -_S), "x": (_C, -_S), "y": (0.0, 1.0)},
+          "z": {"x": (-_C, -_S), "y": (_C, -_S), "z": (0.0, 1.0)}}  # fmt: skip
+"""Where the axes point as seen from the corner between all three, by the one that is upright."""
 
 END_ON = 1e-3
 """Share of its length that a blade is seen of, below which it is only seen end on."""
 
+EDGE_ON = 0.05
+"""Sine of the angle to its surface at which a blade is looked at, below which it is a line."""
 
-def view_of(layout: SpaceLayout) -> str:
-    """Return the axis to look along: that of a rotation, or one that a translation is across."""
+ALONG = np.linspace(0.0, 1.0, 25)
+"""Places along a moved blade."""
+
+
+class View(NamedTuple):
+    """Where on the page x, y and z point, as columns (2, 3), and the words for it."""
+
+    rows: Floats
+    words: str
+
+    @property
+    def axes(self) -> tuple[tuple[str, tuple[float, float]], ...]:
+        """Return the axes that are seen, with where they point."""
+        ways = [(float(x), float(y)) for x, y in self.rows.T]
+        return tuple((name, way) for name, way in zip("xyz", ways, strict=True) if any(way))
+
+    @property
+    def normal(self) -> Floats:
+        """Return the axis that one looks along, towards the eye."""
+        towards = np.cross(*self.rows)
+        return np.asarray(towards / np.linalg.norm(towards))
+
+
+def _along(axis: str) -> View:
+    right, up = AXES[axis]
+    rows = np.array([[float(a == b) for a in "xyz"] for b in (right, up)])
+    return View(rows, f"seen along {axis}: {right} to the right, {up} upwards")
+
+
+def _views(layout: SpaceLayout) -> dict[str, View]:
+    """Return the views; the front is along a rotation, or along what a translation is across."""
     size = dict(zip("xyz", np.abs(layout.drive.direction), strict=True))
     if layout.drive.turns:
-        return max(VIEWS, key=lambda axis: size[axis])
-    return min(VIEWS, key=lambda axis: round(size[axis], 3))
+        front = max(AXES, key=lambda axis: size[axis])
+    else:
+        front = min(AXES, key=lambda axis: round(size[axis], 3))
+    beside = max((axis for axis in AXES if axis != front), key=lambda axis: _shown(layout, axis))
+    corner = np.array([CORNER[AXES[front][1]][axis] for axis in "xyz"]).T
+    return {
+        "front": _along(front),
+        "side": _along(beside),
+        "isometric": View(corner, "seen from the corner between the axes"),
+    }
 
 
-def seen(layout: SpaceLayout, view: str) -> tuple[Layout, int]:
-    """Return a mechanism as a planar one seen along an axis, and how many blades are end on."""
-    rows = np.array([[float(a == axis) for a in "xyz"] for axis in VIEWS[view]])
+def _shown(layout: SpaceLayout, axis: str) -> int:
+    """Return how many blades are seen along an axis."""
+    return len(_flat(layout, _along(axis))[0].blades)
+
+
+def space_drawing(
+    ask: Ask,
+    given: tuple[tuple[str, float], ...],
+    notes: tuple[str, ...],
+    cut: DrawnCut | None,
+) -> Drawing:
+    """Return a mechanism in space from the front, with the other views in ``views``."""
+    space = ask.geometry.space_layout(ask.material.elastic, ask.sizes)
+    scene, found, missed = ask.scene, {}, ""
+    if scene.moves:
+        ends = (scene.middle + scene.travel, scene.middle - scene.travel)
+        try:
+            found = {travel: at_travel(ask, travel) for travel in dict.fromkeys(ends)}
+        except (NotAvailable, SolveError) as reason:
+            missed = str(reason)
+    drawn = {
+        name: _seen(ask, space, view, found, given, notes, cut, missed)
+        for name, view in _views(space).items()
+    }
+    return replace(drawn["front"], views={k: v for k, v in drawn.items() if k != "front"})
+
+
+def _seen(
+    ask: Ask,
+    space: SpaceLayout,
+    view: View,
+    moved: Mapping[float, SpaceEquilibrium],
+    given: tuple[tuple[str, float], ...],
+    notes: tuple[str, ...],
+    cut: DrawnCut | None,
+    missed: str,
+) -> Drawing:
+    """Return the mechanism as it is seen from one side."""
+    layout, hidden = _flat(space, view)
+    notes = (*notes, f"{view.words}; lengths as they look")
+    if hidden:
+        notes = (*notes, f"{hidden} blades are seen end on, and left out")
+    if moved:
+        notes = (*notes, "moved blades are cubics between their ends, turns of bodies as they look")
+    surfaces = dict(_surfaces(space, view))
+    lengths = {m.name: float(np.linalg.norm(np.subtract(m.end, m.start))) for m in space.blades}
+    turn = turning(0.0)
+    drive = space.drive.body
+    at = view.rows @ np.asarray(space.drive.point if space.drive.turns else space.body(drive).point)
+    return Drawing(
+        kind=ask.geometry.name,
+        motion=ask.geometry.motion,
+        blades=tuple(
+            replace(
+                drawn_blade(blade, turn),
+                surface=surfaces.get(blade.name, ()),
+                length=lengths[blade.name],
+            )
+            for blade in layout.blades
+        ),
+        bodies=drawn_bodies(layout, turn, drive),
+        sizes=given,
+        centre=(float(at[0]), float(at[1])),
+        case=ask.scene.case,
+        unit=ask.geometry.travel_unit,
+        states=tuple(_state(space, layout, view, *each) for each in moved.items()),
+        axes=view.axes,
+        missed=missed,
+        is_a_view=True,
+        notes=notes,
+        cut=cut,
+    )
+
+
+def _state(
+    space: SpaceLayout, layout: Layout, view: View, travel: float, state: SpaceEquilibrium
+) -> DrawnState:
+    """Return the mechanism at a travel, as it is seen."""
+    shown = {blade.name for blade in layout.blades}
+    axes = {}
+    for member in space.blades:
+        if member.name in shown:
+            line = _cubic(*_ends(state, member.first, member.start, member.axes[0]),
+                          *_ends(state, member.second, member.end, member.axes[0]),
+                          float(np.linalg.norm(np.subtract(member.end, member.start))))  # fmt: skip
+            axes[member.name] = tuple((float(x), float(y)) for x, y in line @ view.rows.T)
+    motions = {}
+    for body in space.bodies:
+        motion = state.motion_of(body.name, body.point)
+        x, y = view.rows @ motion[:3]
+        motions[body.name] = (float(x), float(y), float(view.normal @ motion[3:]))
+    return DrawnState(travel, axes, {}, motions)
+
+
+def _ends(
+    state: SpaceEquilibrium, body: str, end: tuple[float, float, float], along: Floats
+) -> tuple[Floats, Floats]:
+    """Return where an end of a blade went, and the way along the blade there."""
+    if body not in {each.name for each in state.layout.bodies}:
+        return np.asarray(end), along
+    shift = state.motion_of(body, end)[:3]
+    return np.asarray(end) + shift, np.asarray(matrix_of(state.quaternion(body)) @ along)
+
+
+def _cubic(start: Floats, out: Floats, end: Floats, into: Floats, length: float) -> Floats:
+    """Return places on the cubic from one place and direction to another (Hermite)."""
+    s = ALONG[:, None]
+    return np.asarray(
+        (2 * s**3 - 3 * s**2 + 1) * start + (s**3 - 2 * s**2 + s) * length * out
+        + (3 * s**2 - 2 * s**3) * end + (s**3 - s**2) * length * into
+    )  # fmt: skip
+
+
+def _flat(layout: SpaceLayout, view: View) -> tuple[Layout, int]:
+    """Return a mechanism as a planar one seen from a side, and how many blades are end on."""
+    rows = view.rows
     blades, hidden = [], 0
     for member in layout.blades:
         start, end = rows @ member.start, rows @ member.end
@@ -45,10 +221,23 @@ def seen(layout: SpaceLayout, view: str) -> tuple[Layout, int]:
             thick += abs(float(across @ member.axes[2])) * member.b
             deep = member.b
         ends = (float(start[0]), float(start[1])), (float(end[0]), float(end[1]))
-        profile = Constant(thick)
-        blades.append(Blade(member.name, member.first, member.second, *ends, profile, deep))
-    bodies = []
+        blades.append(Blade(member.name, member.first, member.second, *ends, Constant(thick), deep))
+    return Layout(tuple(_bodies(layout, rows)), tuple(blades), 1.0), hidden
+
+
+def _bodies(layout: SpaceLayout, rows: Floats) -> Iterator[Body]:
     for body in layout.bodies:
         (x, y), (p, q) = rows @ body.point, rows @ body.com
-        bodies.append(Body(body.name, (float(x), float(y)), body.mass, 0.0, (float(p), float(q))))
-    return Layout(tuple(bodies), tuple(blades), 1.0), hidden
+        yield Body(body.name, (float(x), float(y)), body.mass, 0.0, (float(p), float(q)))
+
+
+def _surfaces(layout: SpaceLayout, view: View) -> Iterator[tuple[str, tuple[XY, ...]]]:
+    """Yield the middle surfaces of blades, as they are seen, that are not seen edge on."""
+    for member in layout.blades:
+        if isinstance(member, SpaceRod) or abs(float(view.normal @ member.axes[1])) < EDGE_ON:
+            continue
+        half = 0.5 * member.b * member.axes[2]
+        start, end = np.asarray(member.start), np.asarray(member.end)
+        corners = (start - half, start + half, end + half, end - half)
+        seen = (view.rows @ corner for corner in corners)
+        yield member.name, tuple((float(x), float(y)) for x, y in seen)

@@ -129,7 +129,7 @@ def design_page(dossier: Dossier, date: str) -> str:
 def _pictured(drawn: Drawing, title: str) -> dict[str, Any]:
     """Return a drawing for wide and for narrow pages, of which a page shows one."""
     wide, narrow = (
-        _markup(_inline(drawing_svg(drawn, title, stress=bool(drawn.states), width=width)))
+        _markup(_inline(drawing_svg(drawn, title, stress=True, width=width)))
         for width in (WIDTH, NARROW)
     )
     return {"wide": wide, "narrow": narrow, "caption": caption(drawn)}

@@ -1,7 +1,7 @@
 """A mechanism as it is drawn: at rest and moved, in metres, in the axes of the spec."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from flexcli.results.shown import rendered
@@ -41,7 +41,8 @@ class DrawnBlade:
 
     ``outlines`` are closed, anticlockwise, one of each stretch that flexes, exactly. Where
     ``thickness`` is zero the blade is rigid, and the spec does not say how thick. ``width`` is that
-    across the plane, ``height`` that of its middle over the plane [m].
+    across the plane, ``height`` that of its middle over the plane [m]. Of one that is seen from
+    somewhere, ``surface`` are the corners of its middle surface, ``length`` how long it is [m].
     """
 
     name: str
@@ -52,6 +53,8 @@ class DrawnBlade:
     width: float
     height: float = 0.0
     outlines: tuple[tuple[DrawnEdge, ...], ...] = ()
+    surface: tuple[XY, ...] = ()
+    length: float | None = None
 
 
 class DrawnMass(NamedTuple):
@@ -140,8 +143,9 @@ class Drawing:
     end of the stroke, ``path`` is where the centre or moving point goes between them; ``unit`` is
     that of the travel, ``pivots`` the named centres of several joints, ``missed`` why a case has no
     states, ``cut`` how a wire makes it. A bar that twists is a blade on its axis; ``twists`` says
-    so. ``axes`` are those to the right and up; ``is_a_view`` says that it is of a mechanism in
-    space, seen along the third. Plain bodies are in proportion to ``joint_size`` [m], or to all.
+    so. ``axes`` are those that are seen and where they point; ``is_a_view`` says that it is of a
+    mechanism in space, seen from one side, ``views`` has those from others by name. Plain bodies
+    are in proportion to ``joint_size`` [m], or to all.
     """
 
     kind: str
@@ -159,8 +163,9 @@ class Drawing:
     lengths: tuple[DrawnLength, ...] = ()
     pivots: tuple[tuple[str, XY], ...] = ()
     missed: str = ""
-    axes: tuple[str, str] = ("x", "y")
+    axes: tuple[tuple[str, XY], ...] = (("x", (1.0, 0.0)), ("y", (0.0, 1.0)))
     is_a_view: bool = False
+    views: Mapping[str, "Drawing"] = field(default_factory=dict)
     joint_size: float | None = None
     twists: bool = False
     strength: float | None = None

@@ -1,5 +1,6 @@
 """What is drawn lies where the solver, statics and published shapes say that it lies."""
 
+import re
 from math import cos, hypot, sin
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from flexcli.engine.simulate import simulate
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.report.drawings.caption import magnification
+from flexcli.report.drawings.plane import drawing_svg
 from flexcli.spec.load import load
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -206,3 +208,39 @@ def test_a_payload_is_drawn_with_its_mass_at_the_centre_that_the_model_gives_it(
     found = mechanism_drawing(part, part.fixed_sizes())
     (mass,) = [mass for body in found.bodies for mass in body.masses]
     assert mass.mass == part.mechanism.mass
+
+
+@pytest.mark.parametrize("name", ["butterfly-pivot", "folded-stage", "leaf-spring-guide"])
+def test_a_mechanism_in_space_is_drawn_moved_from_every_side(name):
+    part = load(EXAMPLES / name / "flexure.yaml").part
+    front = drawing(part, part.fixed_sizes())
+    assert set(front.views) == {"side", "isometric"}
+    rotates = front.motion == "rotation"
+    drive = part.geometry.space_layout(part.material.elastic, part.fixed_sizes()).drive.body
+    for state in front.states:
+        u, v, phi = state.motions[drive]
+        # what is prescribed; the front shows all of it
+        gone = abs(phi) if rotates else hypot(u, v)
+        assert gone == pytest.approx(abs(state.travel), rel=1e-2)
+    for view in (front, *front.views.values()):
+        assert [state.travel for state in view.states] == [s.travel for s in front.states]
+        assert len(view.blades) > 1
+    bodies = {body.name: body for body in front.bodies if not body.is_ground}
+    for state in front.states:
+        for blade in front.blades:
+            for end, body in ((0, blade.first), (-1, blade.second)):
+                want = blade.axis[end]
+                if body in bodies:  # these stay in their plane
+                    want = moved(want, bodies[body], state.motions[body])
+                assert state.axes[blade.name][end] == pytest.approx(want, abs=1e-7)
+
+
+def test_a_view_states_no_length_that_it_does_not_show():
+    part = load(EXAMPLES / "tripod-mount" / "flexure.yaml").part
+    corner = drawing(part, part.fixed_sizes()).views["isometric"]
+    svg = drawing_svg(corner, "tripod")
+    lengths = set(re.findall(r">([\d.]+) mm<", svg))
+    seen = [hypot(*np.subtract(b.axis[-1], b.axis[0])) for b in corner.blades]
+    short = [s for s, b in zip(seen, corner.blades, strict=True) if s < 0.99 * b.length]
+    assert short
+    assert not lengths & {f"{s * 1e3:.4g}" for s in short}

@@ -98,12 +98,14 @@ def _forces(sheet: Sheet) -> None:
 
 
 def _measured(sheet: Sheet) -> Iterator[DrawnLength]:
-    """Yield the lengths of the mechanism, and that of its first blade."""
+    """Yield the lengths of the mechanism, and that of the first blade seen as long as it is."""
     yield from sheet.drawing.lengths
-    if sheet.drawing.blades:
-        blade = sheet.drawing.blades[0]
+    for blade in sheet.drawing.blades:
+        if blade.length is not None and _length(blade) < (1.0 - 1e-6) * blade.length:
+            continue
         name = "l" if _is_size(sheet, "l", _length(blade)) else ""
         yield DrawnLength(name, blade.axis[0], blade.axis[-1])
+        return
 
 
 def _dimension(sheet: Sheet, length: DrawnLength) -> None:

@@ -34,7 +34,7 @@ def drawing_svg(drawing: Drawing, title: str, *, stress: bool = False, width: fl
         draw_state(sheet, state, style)
     for blade in drawing.blades:
         draw_blade(sheet, blade)
-    coloured = stress and bool(drawing.states)
+    coloured = stress and any(state.stress for state in drawing.states)
     if coloured:
         draw_stress(sheet, drawing.states[0])
     _draw_foot(sheet, stress=coloured)
@@ -47,16 +47,16 @@ def _draw_foot(sheet: Sheet, *, stress: bool) -> None:
     """Draw scale bar, axes, what the overlay is and what its colours are."""
     page, drawing = sheet.page, sheet.drawing
     y = page.height - 14.0
-    length = _round_length(70.0 / sheet.scale)
+    length = _round_length(0.11 * page.width / sheet.scale)
     wide = length * sheet.scale
     page.path([(16.0, y - 4.0), (16.0, y), (16.0 + wide, y), (16.0 + wide, y - 4.0)], "edge")
     page.text(show(length, "m"), (24.0 + wide, y + 1.0), "start", "s")
-    x = page.width - 56.0
-    right, up = drawing.axes
-    for name, way in ((right, (1.0, 0.0)), (up, (0.0, -1.0))):
-        end = (x + 24.0 * way[0], y + 24.0 * way[1])
-        page.arrow((x, y), end, "thin", "head")
-        page.text(name, (end[0] + 5.0, end[1] + 4.0), "start", "s")
+    x, low = page.width - 56.0, min(way[1] for _, way in drawing.axes)
+    for name, (right, up) in drawing.axes:
+        start = (x, y + 24.0 * min(low, 0.0))
+        end = (start[0] + 24.0 * right, start[1] - 24.0 * up)
+        page.arrow(start, end, "thin", "head")
+        page.text(name, (end[0] + (5.0 if right >= 0.0 else -12.0), end[1] + 4.0), "start", "s")
     if stress:
         most = max(max(each) for each in drawing.states[0].stress.values())
         x = 0.5 * page.width - 66.0

@@ -56,6 +56,11 @@ def _ties(places: Sequence[Sequence[XY]]) -> Iterator[list[XY]]:
 
 def draw_blade(sheet: Sheet, blade: DrawnBlade) -> None:
     """Draw a blade at rest at its true thickness, but never thinner than is seen."""
+    if blade.surface:
+        corners = sheet.line(blade.surface)
+        sheet.page.path(corners, "face", closed=True)
+        sheet.labels.keep_off(corners, closed=True)
+        return
     edge = edge_of(blade)
     n = len(blade.axis)
     ends = sheet.line([blade.axis[0], blade.axis[-1]])

@@ -50,7 +50,7 @@ class Sheet:
         for body in self.drawing.bodies:
             yield from body.clamps
         for blade in self.drawing.blades:
-            yield from edge_of(blade)
+            yield from blade.surface or edge_of(blade)
             for state in self.drawing.states:
                 yield from self.bent(blade, state)
         for name, blocks_of in self.blocks.items():

@@ -7,6 +7,7 @@ from typing import NamedTuple, TypeAlias
 
 from flexcli.report.drawings.caption import caption
 from flexcli.report.drawings.outlines import blocks, edge_of, size_of
+from flexcli.report.drawings.plane import drawing_svg
 from flexcli.report.drawings.style import sheet_of
 from flexcli.report.svg import Box, Labels, Page
 from flexcli.results.drawing import XY, Drawing, DrawnBlade
@@ -18,6 +19,9 @@ XYZ: TypeAlias = tuple[float, float, float]
 
 WIDTH, HIGH, EDGE = 400.0, 300.0, 60.0
 """Width of the page, the height that the mechanism is fitted into, and around it [px]."""
+
+IN_SPACE = 460.0
+"""Width of the page of a mechanism in space [px]."""
 
 GROUND_DEPTH = 0.04
 """Thickness of the plate that stands for the ground, over the mechanism's size."""
@@ -54,7 +58,12 @@ class Face(NamedTuple):
 
 
 def view_svg(drawing: Drawing, title: str, view: str) -> str:
-    """Return the mechanism at rest as it is seen from the side or from the corner."""
+    """Return the mechanism at rest as it is seen from the side or from the corner.
+
+    One in space is drawn from there as from the front, moved as well.
+    """
+    if view in drawing.views:
+        return drawing_svg(drawing.views[view], title, width=IN_SPACE)
     seen = VIEWS[view]
     faces = sorted(_faces(drawing, seen), key=lambda face: face.near)
     places = [_flat(corner, seen) for face in faces for corner in face.corners]

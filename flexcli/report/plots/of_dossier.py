@@ -19,7 +19,7 @@ def plots(dossier: Dossier) -> Iterator[Plot]:
     for swept in dossier.space_sweeps:
         if len(swept.points) > 1:
             yield from space_stroke_plots(swept)
-    if dossier.drawing is not None and dossier.drawing.states:
+    if dossier.drawing is not None and any(s.stress for s in dossier.drawing.states):
         yield along_plot(dossier.drawing)
     for spectrum in dossier.spectra:
         yield spectrum_plot(spectrum)
