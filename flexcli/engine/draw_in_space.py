@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.draw import drawn_blade, drawn_bodies, turning
+from flexcli.engine.drawn_layout import drawn_blade, drawn_bodies, turning
 from flexcli.engine.joint_models.space_stroke import at_travel
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant

@@ -10,14 +10,8 @@ from math import cos, sin
 
 import numpy as np
 
-from flexcli.engine.draw import (
-    drawing,
-    drawn_blade,
-    drawn_bodies,
-    drawn_case,
-    drawn_states,
-    turning,
-)
+from flexcli.engine.draw import drawing, drawn_case
+from flexcli.engine.drawn_layout import drawn_blade, drawn_bodies, drawn_states, turning
 from flexcli.engine.joint_models.exact import TOLERANCE
 from flexcli.engine.joint_models.joint_states import blades_of
 from flexcli.engine.values import stated_strength
