@@ -207,7 +207,9 @@ def _scene_rows(setting: Setting) -> Iterator[EffectRow]:
         found = effect.indicator(setting)
         if found is not None:
             reason = f"{found.text}; the scene has it"
-            yield EffectRow(effect.name, True, found.value, 0.0, reason)
+            estimates = effect.estimates(setting)
+            most = max(estimates.values(), default=0.0)
+            yield EffectRow(effect.name, True, found.value, most, reason, estimates)
 
 
 def _excluded(setting: Setting, on: set[str]) -> Iterator[Note]:

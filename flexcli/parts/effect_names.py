@@ -22,6 +22,7 @@ class EffectName(StrEnum):
     THICK_NOTCH = "thick notch"
     BLADE_MASS = "blade mass"
     GRAVITY = "gravity"
+    EXPANSION = "expansion"
     RANDOM_VIBRATION = "random vibration"
     SHOCK = "shock"
     DAMPING = "damping"

@@ -156,3 +156,28 @@ def test_solids_buckle_at_the_temperature_that_is_told(tmp_path):
     low, high = (end / told.factor for end in told.factor_range)
     assert low < critical < high
     assert critical == pytest.approx(1.0, abs=0.02)
+
+
+WARM = """
+flexure: 1
+material: ti-6al-4v
+geometry: {kind: leaf-spring-stage, h: 0.2 mm, l: 20 mm, b: 10 mm, spacing: 20 mm, blades: 2}
+cases: {c: {stroke: {translation: 0.5 mm, cycles: 1e5}, temperature: {bodies: {moving: 400 K}}}}
+requirements: {yield: 1}
+"""
+
+
+def test_the_plan_tells_what_expansion_changes_and_the_audit_agrees():
+    result = flexcli.plan(WARM, audit=True)
+    (row,) = (row for row in result.plan.effects if row.name == "expansion")
+    (true,) = (row for row in result.audit if row.effect == "expansion")
+    # linear blades against exact ones: of an estimate no more is asked than its size
+    assert row.estimates["stress"] == pytest.approx(true.true, rel=0.1)
+    # no closed form and no linear model has it
+    assert result.plan.model == "exact"
+
+
+def test_a_spec_may_leave_expansion_out():
+    without = flexcli.check(WARM + "effects: {expansion: off}\n").checks[0]
+    never = flexcli.check(WARM.replace(", temperature: {bodies: {moving: 400 K}}", "")).checks[0]
+    assert without.demand == pytest.approx(never.demand)

@@ -38,6 +38,7 @@ HOW: dict[str, str] = {
     EffectName.ANTICLASTIC: "exact with and without the correction of the curved plate",
     EffectName.CLAMP_COMPLIANCE: "exact with and without the correction of the roots",
     EffectName.THICK_NOTCH: "exact with and without the correction of the plane body",
+    EffectName.EXPANSION: "exact with and without the temperature, over the larger of both",
     EffectName.BLADE_MASS: "modes with and without the blades' mass",
 }
 
@@ -112,6 +113,8 @@ def _change(effect: str, ask: Ask, name: str) -> float | None:
     if name not in NUMBERS:
         return None
     number, bends = NUMBERS[name], ask.scene.bends
+    if effect == EffectName.EXPANSION:
+        return _by_temperature(number, ask)
     if (name in ("stress", "shift") and not bends) or (name == "buckling" and not ask.scene.ends):
         return None
     if name == "sag" and not ask.scene.acceleration:
@@ -147,6 +150,16 @@ def _change(effect: str, ask: Ask, name: str) -> float | None:
     axial = number(AS_PRINTED, ask) - number(AS_PRINTED, calm)
     short = _exact(ALL._replace(extension=False))
     return number(short, ask) / (number(short, calm) + axial) - 1.0
+
+
+def _by_temperature(number: Number, ask: Ask) -> float | None:
+    """Return what a temperature changes, over the larger of both, nothing where there is none."""
+    if ask.scene.temperature is None:
+        return None
+    warm, cold = number(_exact(ALL), ask), 0.0
+    if ask.scene.bends:
+        cold = number(_exact(ALL), ask._replace(scene=ask.scene.at_assembly()))
+    return (warm - cold) / max(abs(warm), abs(cold))
 
 
 def _corrected_by(effect: str, ask: Ask, name: str) -> float | None:

@@ -5,6 +5,7 @@ from math import inf, log10
 from typing import NamedTuple
 
 from flexcli.engine.planning.coverage import COARSE, COVERAGE, FINE, OUTER
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import ModelEffect, Setting, estimate
 from flexcli.parts.elastic import NotAvailable
 from flexcli.results import QuantityKind
@@ -60,13 +61,17 @@ def candidates(
 ) -> Iterator[Candidate]:
     """Yield the models that the joint has, cheapest first, for what is on and reported."""
     wanted = [each for each in known if each.name in on]
+    warm = any(scene.temperature is not None for scene in setting.scenes)
+    cold = frozenset({EffectName.EXPANSION.value}) if warm else frozenset()
     if setting.geometry.closed_forms:
-        yield _closed_form(setting, names, wanted)
+        found = _closed_form(setting, names, wanted)
+        yield found._replace(missing=found.missing | cold)
     try:
         setting.geometry.layout(setting.material.elastic, setting.sizes)
     except NotAvailable:
         return
-    yield _of_beams("linear", setting, names, wanted, 0.0 if setting.blade else inf)
+    found = _of_beams("linear", setting, names, wanted, 0.0 if setting.blade else inf)
+    yield found._replace(missing=found.missing | cold)
     yield _of_beams("exact", setting, names, wanted, tolerance)
 
 

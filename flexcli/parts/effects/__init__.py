@@ -11,6 +11,7 @@ from flexcli.parts.effects.clamps import ClampCompliance, ClampStress, RootRadiu
 from flexcli.parts.effects.damping import DampedMotion
 from flexcli.parts.effects.end_stops import EndStops
 from flexcli.parts.effects.estimate import Estimate, estimate, left_by
+from flexcli.parts.effects.expansion import Expansion
 from flexcli.parts.effects.gravity import Gravity
 from flexcli.parts.effects.hinges import HingeLength, ThickNotch
 from flexcli.parts.effects.large_rotation import LargeRotation
@@ -53,6 +54,7 @@ MODEL_EFFECTS: tuple[ModelEffect, ...] = (
 
 SCENE_EFFECTS: tuple[SceneEffect, ...] = (
     Gravity(),
+    Expansion(),
     RandomVibration(),
     ShockLoad(),
     DampedMotion(),

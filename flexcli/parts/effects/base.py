@@ -102,6 +102,10 @@ class SceneEffect(Effect):
     shuts_out: ClassVar[frozenset[EffectName]] = frozenset()
     """Effects of the blades that the solver of such a scene cannot have beside it."""
 
+    def estimates(self, setting: Setting) -> Mapping[str, float]:
+        """Return what each number changes without it, where that can be told beforehand."""
+        return {}
+
 
 class ModelEffect(Effect):
     """What a model of the blades carries or leaves out."""
