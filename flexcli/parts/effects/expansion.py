@@ -65,7 +65,7 @@ def _warmed(setting: Setting, scene: Scene) -> "Layout":
 
 def _misfit(layout: "Layout") -> float:
     strains = (*layout.body_growth.values(), *layout.blade_growth.values())
-    return max(strains) - min(strains)
+    return float(max(strains) - min(strains))
 
 
 def _stress(layout: "Layout", held: object) -> float:
