@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Callable, Generator, Sequence
 from functools import partial
 from importlib import import_module
+from logging import CRITICAL, getLogger
 from pickle import dumps, loads
 from typing import Any, TypeVar
 
@@ -54,7 +55,8 @@ def over_workers(
                 yield do(of)
     except distributed.CancelledError as error:
         text = f"the scheduler {scheduler} was lost"
-        raise NoSolution("scheduler-lost", text, "run it again, with --resume") from error
+        hint = "start it and run this again; a sweep goes on by --resume"
+        raise NoSolution("scheduler-lost", text, hint) from error
     finally:
         client.close()
 
@@ -68,6 +70,7 @@ def _installed() -> Any:
 
 
 def _client(distributed: Any, scheduler: str) -> Any:
+    getLogger("distributed.client").setLevel(CRITICAL)  # what it logs is told here, in one line
     try:
         return distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:  # a TimeoutError is an OSError
