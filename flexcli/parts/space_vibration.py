@@ -17,7 +17,7 @@ from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.mechanics.space.modes import own_blade_frequency
 from flexcli.mechanics.space.states import BladeStress, SpaceState, Stresses, combined
 from flexcli.mechanics.space.vibrating import vibrating
-from flexcli.numerics.modes import Modes, natural_modes
+from flexcli.numerics.modes import natural_modes
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
@@ -212,7 +212,7 @@ def shape_error(
     modes = natural_modes(structure.stiffness, structure.mass)
     states, sizes = [], []
     for n, omega in enumerate(modes.angular):
-        one = _mode_alone(structure, modes, n)
+        one = structure.in_mode(float(omega), modes.shapes[:, n])
         size = reached * _stress(peaks(one)) if _is_moved(one, axes) else 0.0
         if size < TELLING * whole:
             continue
@@ -241,18 +241,6 @@ def _stress(peaks: Mapping[str, float]) -> float:
 
 def _is_moved(structure: Structure, axes: Iterable[str]) -> bool:
     return any(structure.pull[axis][0] ** 2 > TELLING * structure.moved[axis] for axis in axes)
-
-
-def _mode_alone(structure: Structure, modes: Modes, n: int) -> Structure:
-    """Return a structure that moves in one of its modes only."""
-    shape = modes.shapes[:, n]
-    return Structure(
-        np.ones((1, 1)),
-        np.array([[modes.angular[n] ** 2]]),
-        {axis: np.array([pull @ shape]) for axis, pull in structure.pull.items()},
-        structure.moved,
-        {name: (rows @ shape)[..., None] for name, rows in structure.outputs.items()},
-    )
 
 
 def _as_state(assembly: SpaceAssembly, omega: float, shape: Floats) -> SpaceState:

@@ -77,6 +77,16 @@ class Structure:
         }
         return replace(self, stiffness=self.stiffness * factor, outputs=outputs)
 
+    def in_mode(self, angular: float, shape: Floats) -> "Structure":
+        """Return the structure that moves in one of its modes alone, of unit modal mass."""
+        return Structure(
+            np.ones((1, 1)),
+            np.array([[angular**2]]),
+            {axis: np.array([pull @ shape]) for axis, pull in self.pull.items()},
+            self.moved,
+            {name: (rows @ shape)[..., None] for name, rows in self.outputs.items()},
+        )
+
     @property
     def motion_stiffness(self) -> float:
         """Return the static stiffness along the own motion, all else free [N/m or N·m/rad]."""

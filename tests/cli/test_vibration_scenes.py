@@ -321,3 +321,18 @@ def test_a_table_may_be_the_profile_of_an_axis(respond, tmp_path):
     assert peaks(by_table) == pytest.approx(
         peaks(respond(f"asd: {{profile: {flat(20, 2000)}, q: 20}}")), rel=1e-9
     )
+
+
+def test_a_plan_estimates_modes_blade_mass_and_build_up(flexure, tmp_path):
+    spec = STAGE.replace("density: 1 kg/m^3", "density: 2800 kg/m^3")
+    case = f"{{asd: {{profile: {flat(20, 2000)}, q: 20}}}}"
+    sweep = "{sweep: {acceleration: 1 g, from: 5 Hz, to: 200 Hz, rate: 30 oct/min}, q: 500}"
+    cases = f"  shake: {case}\n  sweep: {sweep}\n"
+    (tmp_path / "flexure.yaml").write_text(spec.replace("  shake: {CASE}\n", cases))
+    told = flexure("plan", "--format", "json")
+    rows = {row["name"]: row for row in json.loads(told.stdout)["effects"]}
+    assert rows["higher modes, shake"]["on"]
+    assert rows["blade mass, shake"]["on"]
+    # two blades of 1.7 g move a part of it with 500 g: a percent at most
+    assert 0.0 < rows["blade mass, shake"]["estimate"] < 0.01
+    assert rows["steady for transient, sweep"]["estimate"] > 1.0

@@ -2,6 +2,9 @@
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from math import log, pi
+
+import numpy as np
 
 from flexcli.engine import omitted_effects
 from flexcli.engine.models import model_series
@@ -9,19 +12,28 @@ from flexcli.engine.response_spectra import structure_of_case
 from flexcli.engine.vibration_notes import axial_share
 from flexcli.errors import SolveError
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
+from flexcli.formulas.sweep_build_up import sweep_build_up
+from flexcli.numerics.modes import natural_modes
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects.large_rotation import LargeRotation
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Ask, RequirementError
-from flexcli.parts.requirements.shaking import SHAKES, at_once
+from flexcli.parts.requirements.shaking import SHAKES, at_once, quality_of
 from flexcli.parts.response import random_outputs
+from flexcli.parts.space_vibration import likely_structures
 from flexcli.parts.structure import MOTIONS, Structure
 from flexcli.results import EffectRow
 
 __all__ = ["vibration_effects"]
 
 Peaks = Mapping[str, float]
+
+MOST_MODES = 12
+"""Lowest modes that are looked at by themselves."""
+
+TELLING = 0.01
+"""Share of the stress from which a mode is counted."""
 
 
 def vibration_effects(design: DesignSpec, sizes: Sizes) -> Iterator[EffectRow]:
@@ -42,6 +54,10 @@ def vibration_effects(design: DesignSpec, sizes: Sizes) -> Iterator[EffectRow]:
             yield from _peak_factor(ask, structure)
             yield from _large_motion(design, sizes, ask, peaks)
             yield from _stiffened(ask, structure)
+            yield from _higher_modes(ask, structure, peaks)
+            yield from _blade_mass(ask, peaks)
+            yield from _sweeping(ask, structure)
+            yield from _out_of_plane(ask, peaks)
 
 
 def _largest_peaks(ask: Ask, structure: Structure) -> Peaks:
@@ -51,10 +67,16 @@ def _largest_peaks(ask: Ask, structure: Structure) -> Peaks:
     return {name: max(peaks[name] for peaks in each) for name in each[0]}
 
 
-def _row(ask: Ask, effect: str, indicator: float, estimates: Peaks, reason: str) -> EffectRow:
+def _row(
+    ask: Ask, effect: str, indicator: float, estimates: Peaks, reason: str, *, on: bool = False
+) -> EffectRow:
     (name, most), *_ = estimates.items()
     text = f"{reason}; {name} by up to {most:.2g} of it"
-    return EffectRow(f"{effect}, {ask.scene.case}", False, indicator, most, text, estimates)
+    return EffectRow(f"{effect}, {ask.scene.case}", on, indicator, most, text, estimates)
+
+
+def _stress(peaks: Peaks) -> float:
+    return max(value for name, value in peaks.items() if name.startswith("stress"))
 
 
 def _against_miles(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
@@ -110,3 +132,69 @@ def _stiffened(ask: Ask, structure: Structure) -> Iterator[EffectRow]:
     if share is not None:
         text = f"axial force in a blade at {share:.2g} of the critical one, either way"
         yield _row(ask, "stress stiffening", share, {"frequency": 0.5 * share}, text)
+
+
+def _higher_modes(ask: Ask, structure: Structure, peaks: Peaks) -> Iterator[EffectRow]:
+    """Yield what all modes but the strongest are of the stress; the response has them all."""
+    modes, whole = natural_modes(structure.stiffness, structure.mass), _stress(peaks)
+    alone = {
+        float(omega) / (2.0 * pi): _stress(_largest_peaks(ask, structure.in_mode(omega, shape)))
+        for omega, shape in zip(modes.angular[:MOST_MODES], modes.shapes.T, strict=False)
+    }
+    if not whole or not alone:
+        return
+    strongest = max(alone, key=lambda f: alone[f])
+    telling = sum(size > TELLING * whole for size in alone.values())
+    text = f"{telling} modes make more than {TELLING:.0%} of the stress, most that at "
+    text += f"{strongest:.4g} Hz: without the others"
+    estimate = abs(1.0 - alone[strongest] / whole)
+    yield _row(ask, "higher modes", telling, {"stress": estimate}, text, on=True)
+
+
+def _blade_mass(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
+    """Yield what the blades' mass, and what they do inside, changes in the stress."""
+    if ask.material.density is None or not (whole := _stress(peaks)):
+        return
+    light = ask._replace(material=ask.material.model_copy(update={"density": None}))
+    without = _stress(_largest_peaks(light, structure_of_case(light)))
+    text = f"massless blades have {without / whole:.4g} times the stress"
+    yield _row(
+        ask, "blade mass", without / whole, {"stress": abs(without / whole - 1.0)}, text, on=True
+    )
+
+
+def _sweeping(ask: Ask, structure: Structure) -> Iterator[EffectRow]:
+    """Yield how far the strongest resonance builds up in the time that a sweep takes through it."""
+    sweep = ask.scene.sweep
+    if sweep is None:
+        return
+    modes = natural_modes(structure.stiffness, structure.mass)
+    share = (modes.shapes.T @ structure.pull[sweep.axis]) ** 2
+    low, high = sweep.band
+    f = modes.angular / (2.0 * pi)
+    inside = (f > low) & (f < high)
+    if not inside.any():
+        return
+    own = float(f[inside][int(np.argmax(share[inside]))])
+    Q = quality_of(ask.mechanism, ask.scene).largest
+    speed = sweep.rate.speed if sweep.rate.is_linear else sweep.rate.speed * own * log(2.0)
+    reached = sweep_build_up(Q, own, speed)
+    text = f"the mode at {own:.4g} Hz builds up to {reached:.4g} of its steady motion"
+    yield _row(ask, "steady for transient", reached, {"response": 1.0 / reached - 1.0}, text)
+
+
+def _out_of_plane(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
+    """Yield what the first axis' random vibration would do along z, where no case has it there."""
+    vibration, whole = ask.scene.vibration, _stress(peaks)
+    if vibration is None or ask.scene.vibrates_in_space or not whole:
+        return
+    first = vibration.alone(vibration.axes[0])
+    try:
+        found = likely_structures(ask.mechanism, ask.geometry, ask.material, ask.sizes, 0).own
+    except NotAvailable:
+        return
+    along_z = first.model_copy(update={"axis": "z"})
+    sizes = {name: out.rms for name, out in random_outputs(found, along_z).items()}
+    ratio = vibration.sigma * _stress(sizes) / whole
+    text = f"the base does not move along z; shaken so, {ratio:.3g} times the stress"
+    yield _row(ask, "out-of-plane motion", ratio, {"stress": ratio}, text)
