@@ -56,21 +56,16 @@ def accuracy(
 
     """
     started = perf_counter()
-    wanted = tuple(numbers(design, sizes))
-    tolerance, settled, unsettled = _settled(wanted)
-    if not settled:
-        text = f"a {design.geometry.name} {_why_not(wanted[0])}: there is nothing to compare with"
-        raise SolveError("one-model", text, "'flexure check' judges it by the model that it has")
-    models = series(design.geometry, tolerance)
     target = asked or design.accuracy or ACCURACY
-    times, remarks = timed(settled, models, runs), list[Note]()
-    ladder: Ladder = Ladder(settled, models, times, unsettled)
+    ladder, remarks = _ladder(design, sizes, runs), list[Note]()
+    models = ladder.models
     if is_solid:
         from flexcli.engine.comparing.solid_rung import with_solids
 
         ladder, remarks = with_solids(design, sizes, ladder, files)
     still = compared(ladder.settled, ladder.models, ladder.times, target, ladder.unsettled)
-    still = still._replace(is_solid=len(ladder.models) > len(models))
+    is_solid = len(ladder.models) > len(models)
+    still = still._replace(is_solid=is_solid, is_shell=design.geometry.in_space and not is_solid)
     in_time = accuracy_in_time(design, sizes, runs, target)
     found = still._replace(in_time=in_time)
     ladders = [each for each in (still, in_time) if each is not None]
@@ -95,6 +90,26 @@ def accuracy(
         ),
         accuracy=found,
     )
+
+
+def _ladder(design: DesignSpec, sizes: Sizes, runs: int) -> Ladder:
+    """Return the models that a design has, timed, and the numbers that they are compared in."""
+    if design.geometry.in_space:
+        from flexcli.engine.comparing.space_series import space_ladder
+
+        in_space = space_ladder(design, sizes, runs)
+        if in_space.settled:
+            return in_space
+        why = "has no sure number by shells"
+    else:
+        wanted = tuple(numbers(design, sizes))
+        tolerance, settled, unsettled = _settled(wanted)
+        if settled:
+            models = series(design.geometry, tolerance)
+            return Ladder(settled, models, timed(settled, models, runs), unsettled)
+        why = _why_not(wanted[0])
+    text = f"a {design.geometry.name} {why}: there is nothing to compare with"
+    raise SolveError("one-model", text, "'flexure check' judges it by the model that it has")
 
 
 def _settled(asked: Sequence[Number]) -> tuple[float, list[Settled[Number]], tuple[str, ...]]:

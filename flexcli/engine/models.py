@@ -52,7 +52,17 @@ def series_of(design: DesignSpec) -> tuple[str, ...]:
     """Return the names of the models that a design's geometry has, the cheapest first."""
     if design.geometry.in_space:
         return MODEL_SERIES[1:]
-    return MODEL_SERIES[:3] if design.geometry.closed_forms else MODEL_SERIES[1:3]
+    first = 0 if design.geometry.closed_forms else 1
+    return MODEL_SERIES[first : 4 if _asks_in_space(design) else 3]
+
+
+def _asks_in_space(design: DesignSpec) -> bool:
+    """Return whether a joint of the plane is asked for its support stiffness at a stroke.
+
+    While its sizes are sought, beams are fine enough.
+    """
+    asked = design.requirements.support or ()
+    return design.fixed_sizes() is not None and any(each.is_of_a_case for each in asked)
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:
@@ -96,6 +106,10 @@ def _joint_model(design: DesignSpec, model: str) -> JointModel:
         from flexcli.engine.joint_models.linear import LinearModel
 
         return Corrected(LinearModel(blades), heard, model, omitted=off)
+    if model == "shell":
+        from flexcli.engine.joint_models.exact_with_shells import ExactWithShells
+
+        return Corrected(ExactWithShells(blades), heard, model, omitted=off)
     from flexcli.engine.joint_models.exact import ExactModel
 
     return Corrected(ExactModel(blades), heard, model, omitted=off)

@@ -20,6 +20,11 @@ LEAVES_OUT = (
     "clamps that give) is in no column"
 )
 
+AGAINST_SHELLS = (
+    "errors are against thin shells; what those leave out (the edges of sections in torsion, shear "
+    "across the thickness, clamps that give) is in no column"
+)
+
 AGAINST_SOLIDS = (
     "errors are against solid elements between rigid clamps, each known to the difference of two "
     "meshes. 'corrected' is the model that decides, with all that the others leave out; a solid's "
@@ -41,7 +46,8 @@ def section(result: Result) -> Iterator[RenderableType]:
 def accuracy_tables(found: AccuracyResult) -> Iterator[RenderableType]:
     """Yield a table for each quantity, one of the whole, the curve and what to take."""
     yield from _series(found, "")
-    yield Line((AGAINST_SOLIDS if found.is_solid else LEAVES_OUT, "dim"))
+    against = AGAINST_SHELLS if found.is_shell else LEAVES_OUT
+    yield Line((AGAINST_SOLIDS if found.is_solid else against, "dim"))
     if found.in_time is not None:
         yield from _series(found.in_time, " in time")
         yield Line((LEAVES_OUT_IN_TIME, "dim"))

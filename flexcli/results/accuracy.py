@@ -56,7 +56,8 @@ class AccuracyResult(NamedTuple):
 
     It is empty where no model meets it. ``unsettled`` names quantities without a sure finest
     value, which take no part. ``in_time`` is the same of the design's motions between stops.
-    ``is_solid`` says that the finest are solid elements, else plane beams.
+    ``is_solid`` says that the finest are solid elements, ``is_shell`` that they are thin shells;
+    else they are plane beams.
     """
 
     accuracy: float
@@ -68,3 +69,4 @@ class AccuracyResult(NamedTuple):
     unsettled: tuple[str, ...]
     in_time: "AccuracyResult | None" = None
     is_solid: bool = False
+    is_shell: bool = False

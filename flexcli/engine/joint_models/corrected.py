@@ -37,6 +37,7 @@ class Corrected(JointModel):
         self.effects = tuple(effects)
         self.omitted = tuple(omitted)
         self.name = name or inner.name
+        self.at_stroke = inner.at_stroke
         self._known: Remembered[dict[EffectName, dict[str, Change]]] = Remembered()
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:

@@ -29,6 +29,7 @@ __all__ = [
     "at_travel",
     "compliance_along_cases",
     "driven_coordinate",
+    "forget",
     "is_compared",
     "support_at_stroke",
 ]
@@ -129,6 +130,11 @@ def at_travel(
         held_by = "by its temperature" if travel is None else "at its stroke with the drive locked"
         raise NotAvailable(f"buckles {held_by}")
     return known[key]
+
+
+def forget() -> None:
+    """Forget all equilibria, so that the next take their time."""
+    _KNOWN.clear()
 
 
 def driven_coordinate(layout: SpaceLayout) -> int:

@@ -102,7 +102,7 @@ class JointModel(ABC):
     """The effects that it carries, and could leave out."""
     always: ClassVar[frozenset[EffectName]] = frozenset()
     """The effects that it cannot leave out."""
-    at_stroke: ClassVar[str] = "exact beams in space, sections that curl and warp"
+    at_stroke: str = "exact beams in space, sections that curl and warp"
     """What its blades are at a stroke in space."""
 
     def carried(self, setting: "Setting") -> frozenset[EffectName]:

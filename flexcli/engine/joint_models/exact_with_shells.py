@@ -1,0 +1,22 @@
+"""The exact model of a joint of the plane, whose support stiffness at stroke is that of shells."""
+
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.space_shell import SHELLS, SpaceShellModel
+from flexcli.engine.joint_models.space_stroke import support_at_stroke
+from flexcli.parts.requirements import Ask
+from flexcli.results import ErrorRange
+
+__all__ = ["ExactWithShells"]
+
+
+class ExactWithShells(ExactModel):
+    """Exact beams in the plane, thin shells where a joint is solved in space."""
+
+    name = "shell"
+    at_stroke = SpaceShellModel.at_stroke
+
+    def support_at_stroke(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return the support stiffness at both ends of the stroke, by the joint in space."""
+        return support_at_stroke(ask, index, point, locked=locked, blades=SHELLS)
