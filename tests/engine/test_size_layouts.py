@@ -1,6 +1,8 @@
 """Layouts sized: against the joints that they draw, against brute force, and from other starts."""
 
 import itertools
+from math import exp, log
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,8 +10,11 @@ import pytest
 import flexcli
 from flexcli.engine.judge import judge
 from flexcli.engine.models import model_series
+from flexcli.engine.sizing.decided import judged_at, slopes_at
 from flexcli.errors import NoSolution
 from flexcli.results import Status
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 STAGE = """flexure: 1
 material: ti-6al-4v
@@ -129,6 +134,27 @@ def test_a_layout_is_sized_on_its_grid():
     assert l * h < 1.1 * ideal_l * ideal_h
 
 
+def test_slopes_are_those_of_finer_differences(guided):
+    spec, _ = guided
+    design = spec.part
+    models = model_series(design)
+    here = {"l": 50e-3, "h": 0.4e-3}
+
+    def shares(**factors):
+        at = design.geometry.sized({n: here[n] * factors.get(n, 1.0) for n in here})
+        used = judged_at(design, at, models).used
+        return {name: log(each.share) for name, each in used.items()}
+
+    found = slopes_at(design, judged_at(design, design.geometry.sized(here), models), models)
+    step = 4e-3
+    for k, name in enumerate(here):
+        one, two, three, four = (shares(**{name: exp(i * step)}) for i in (-2, -1, 1, 2))
+        for check, slope in found.items():
+            fourth = one[check] - 8.0 * two[check] + 8.0 * three[check] - four[check]
+            assert slope[k] == pytest.approx(fourth / (12.0 * step), rel=1e-6, abs=1e-6)
+
+
+@pytest.mark.slow
 def test_requirements_that_conflict_are_named_without_a_claim_of_proof():
     found = flexcli.size(GUIDED.format(**{**RANGES, "l": "[20 mm, 40 mm]", "fatigue": "20"}))
     assert found.status is Status.INFEASIBLE
@@ -182,3 +208,12 @@ def test_what_no_formula_tells_is_no_objective():
     text = GUIDED.format(**RANGES) + "size: {objective: least-stiffness}\n"
     with pytest.raises(NoSolution, match="stiffness"):
         flexcli.size(text)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("example", ["folded-stage", "butterfly-pivot", "tripod-mount"])
+def test_examples_that_leave_sizes_free_are_sized_to_pass(example):
+    spec = flexcli.load(EXAMPLES / example / "to-size.yaml")
+    found = flexcli.size(spec)
+    assert found.status is Status.PASS
+    assert flexcli.check(flexcli.sized(spec, found)).status is Status.PASS

@@ -120,16 +120,27 @@ def judged_at(
 def slopes_at(
     design: DesignSpec, place: Place, models: tuple[NamedModel, ...], *, rough: bool = False
 ) -> Slopes:
-    """Return the slopes of the corrections of what is near its limit or has no formula."""
+    """Return the slopes of the corrections of what is near its limit or has no formula.
+
+    They are differences: to one side, and of what is drawn, where all depends on them, to both
+    sides unless a ``rough`` answer does.
+    """
+    sides = (1.0,) if rough or design.geometry.closed_forms else (1.0, -1.0)
     names = place.near | place.alone
     questions = {place.used[name].question for name in names}
     found = {name: np.zeros(place.y.size) for name in place.used}
     for k, size in enumerate(design.geometry.free if names else ()):
-        x = float(getattr(place.sizes, size)) * (1.0 + STEP)
-        beside = place.sizes._replace(**{size: x})
-        there = judged_at(design, beside, models, place, questions, rough=rough)
-        for name in names & there.used.keys():
-            slope = (there.correction(name) - place.correction(name)) / log(1.0 + STEP)
+        x, there = float(getattr(place.sizes, size)), list[tuple[float, Place]]()
+        for side in sides:
+            beside = place.sizes._replace(**{size: x * (1.0 + side * STEP)})
+            judged = judged_at(design, beside, models, place, questions, rough=rough)
+            there.append((log(1.0 + side * STEP), judged))
+        for name in names:
+            known = [(y, each.correction(name)) for y, each in there if name in each.used]
+            if not known:
+                continue
+            last = known[1] if len(known) > 1 else (0.0, place.correction(name))
+            slope = (known[0][1] - last[1]) / (known[0][0] - last[0])
             if abs(slope) <= STEEPEST:
                 found[name][k] = slope
     return found

@@ -171,7 +171,7 @@ def settled(
         plain = design.corrected(corrections(design, place, known, 0.0))
         promised = shares(plain.closed_limits(sizes))
         off = _broken(there, promised)
-        agree = max(off.values(), default=0.0) <= agreed and step < 0.99 * width
+        agree = max(off.values(), default=0.0) <= agreed and step < 0.99 * width and not barred
         is_fresh = fresh is not None and float(np.abs(trial.y - fresh).max()) <= FRESH
         if agree and (is_fresh or not there.near):
             place = there
