@@ -1,7 +1,7 @@
 """The verb simulate in space: support stiffness in six axes at every travel of a stroke."""
 
 from dataclasses import replace
-from math import inf
+from math import inf, isfinite
 from time import perf_counter
 
 import numpy as np
@@ -11,6 +11,7 @@ from flexcli.engine import values as design_values
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.engine.joint_models.space_shell import SpaceShellModel
 from flexcli.engine.joint_models.space_stroke import (
+    StrokeErrors,
     along_cases,
     at_travel,
     compliance_along_cases,
@@ -20,6 +21,7 @@ from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
 from flexcli.engine.models import model_series
 from flexcli.engine.simulate import moving_cases
 from flexcli.errors import SolveError
+from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.support import driven_stiffness, vibration
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
@@ -101,14 +103,8 @@ def _point(ask: Ask, travel: float, model: SpaceExactModel) -> SpacePoint:
     layout = state.layout
     body = layout.body(layout.drive.body)
     motion = along_cases(ask) @ state.motion_of(body.name, body.point)
-    locked = compliance_along_cases(ask, state, CENTRE, locked=True)
     own = driven_coordinate(layout)
-    names = [f"k_{axis}" for axis in ("x", "y", "z", "theta_x", "theta_y", "theta_z")]
-    stiffness = {}
-    for i, name in enumerate(names):
-        block = slice(0, 3) if i < 3 else slice(3, 6)
-        held = locked[i, i] <= 1e-12 * np.trace(np.abs(locked)[block, block])
-        stiffness[name] = inf if held else float(1.0 / locked[i, i])
+    stiffness = _stiffnesses(ask, state)
     mass = any(each.mass > 0.0 for each in layout.bodies)
     stress, blade = model.largest_stress(state)
     errors = model.blades.errors(state)
@@ -122,5 +118,27 @@ def _point(ask: Ask, travel: float, model: SpaceExactModel) -> SpacePoint:
         frequency=float(vibration(state).frequency[0, 0]) if mass else None,
         stress=stress,
         blade=blade,
-        error=errors.support if errors is not None else None,
+        error=_support_error(ask, state, stiffness, errors),
     )
+
+
+def _stiffnesses(ask: Ask, state: SpaceEquilibrium) -> dict[str, float]:
+    """Return the support stiffness in six axes, the drive locked, endless where it is held."""
+    locked = compliance_along_cases(ask, state, CENTRE, locked=True)
+    stiffness = {}
+    for i, axis in enumerate(("x", "y", "z", "theta_x", "theta_y", "theta_z")):
+        block = slice(0, 3) if i < 3 else slice(3, 6)
+        held = locked[i, i] <= 1e-12 * np.trace(np.abs(locked)[block, block])
+        stiffness[f"k_{axis}"] = inf if held else float(1.0 / locked[i, i])
+    return stiffness
+
+
+def _support_error(
+    ask: Ask, state: SpaceEquilibrium, stiffness: dict[str, float], errors: StrokeErrors | None
+) -> float | None:
+    """Return the error of a support stiffness: of the blades, and of the level of nodes before."""
+    if state.coarser is None or errors is None:
+        return None
+    before = _stiffnesses(ask, state.coarser)
+    changes = (abs(before[name] / k - 1.0) for name, k in stiffness.items() if isfinite(k))
+    return errors.support + max(changes, default=0.0)

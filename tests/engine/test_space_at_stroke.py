@@ -3,6 +3,8 @@
 import pytest
 
 import flexcli
+from flexcli.engine.joint_models import space_stroke
+from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.errors import SpecError
 
 GUIDE = """
@@ -170,3 +172,16 @@ def test_a_sweep_in_space_has_the_support_stiffness_of_every_travel(tmp_path):
     assert rest.k_y == pytest.approx(2 * 200e9 * 50e-3 * 0.5e-3 / 0.1 * 1.012, rel=1e-3)
     assert rest.frequency is None
     assert there.blade in {"leaf-1", "leaf-2"}
+
+
+@pytest.mark.slow
+def test_a_sweep_tells_what_its_nodes_leave_of_a_support_stiffness(tmp_path, monkeypatch):
+    """Against nodes until a thousandth of the tolerance, where the beams' own 6 % is the same."""
+    spec = tmp_path / "flexure.yaml"
+    spec.write_text(guide("  yield: 1"), encoding="utf-8")
+    told = flexcli.simulate(spec, points=3).space_sweeps[0].points[-1]
+    finely = space_stroke.BEAMS._replace(tolerance=1e-8)
+    monkeypatch.setattr(SpaceExactModel, "blades", finely)
+    finer = flexcli.simulate(spec, points=3).space_sweeps[0].points[-1]
+    off = max(abs(told.k_theta_x / finer.k_theta_x - 1.0), abs(told.k_z / finer.k_z - 1.0))
+    assert 1e-6 < off < told.error - space_stroke.BEAM_ERROR
