@@ -83,7 +83,8 @@ def balance(design: DesignSpec, spec: str) -> Result:
         values |= sag_values(gravity, states[-1])
     solved = stage.balancing if stage else None
     sizes = design.fixed_sizes()
-    errors = omitted_effects.errors_of(design, sizes, AS_PRINTED) if sizes is not None else {}
+    known = sizes is not None
+    errors = omitted_effects.errors_of(design, sizes, AS_PRINTED, values) if known else {}
     return Result(
         command="balance",
         spec=spec,

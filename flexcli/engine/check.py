@@ -95,7 +95,7 @@ def judged(
     model: str | None = None,
 ) -> Result:
     """Return a judgement with the values of a design by the cheapest model, and its warnings."""
-    joint_model = _judging(design, found, model or design.model or _cheapest(design))
+    joint_model = _judging(design, found, model or design.model or _cheapest(design, found))
     values, notes = _values_of_any(design, sizes, joint_model)
     rows = omitted_effects.effects(design, sizes, joint_model)
     errors = [v.estimated_error for v in values.values() if v.estimated_error is not None]
@@ -145,7 +145,8 @@ def told_values(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> di
         text = f"a {design.geometry.name} {error}"
         remedy = "hold or support every body, or lessen the loads of the cases"
         raise NoSolution(f"{joint_model.name}-has-no-answer", text, remedy) from error
-    return design_values.with_errors(found, omitted_effects.errors_of(design, sizes, joint_model))
+    errors = omitted_effects.errors_of(design, sizes, joint_model, found)
+    return design_values.with_errors(found, errors)
 
 
 def _values_of_any(
@@ -174,8 +175,12 @@ def _judging(design: DesignSpec, found: Judgement, model: str) -> JointModel:
     return next(judged, NamedModel(design, model)).joint_model
 
 
-def _cheapest(design: DesignSpec) -> str:
-    return "closed-form" if "closed-form" in series_of(design) else "exact"
+def _cheapest(design: DesignSpec, found: Judgement) -> str:
+    """Return the closed form, else the linear model, or the exact one where linear did not do."""
+    first = series_of(design)[0]
+    if first == "closed-form":
+        return first
+    return first if {check.model for check in found.checks} <= {first, ""} else "exact"
 
 
 def _has_something_to_judge(design: DesignSpec) -> bool:

@@ -1,6 +1,6 @@
 """What the model of a design leaves out, and what a reviewer must know beside the margins."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import isfinite
 
 from flexcli.parts.design import DesignSpec
@@ -8,7 +8,7 @@ from flexcli.parts.effects import MODEL_EFFECTS, Setting
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import AS_PRINTED, JointModel
 from flexcli.parts.scene import Scene
-from flexcli.results import EffectRow, Note, QuantityKind
+from flexcli.results import EffectRow, Note, QuantityKind, Value
 from flexcli.units import show
 
 __all__ = ["NOTABLE", "effects", "errors_of", "reported", "setting", "warnings"]
@@ -79,13 +79,15 @@ def effects(
     return tuple(rows)
 
 
-def errors_of(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> dict[str, float]:
-    """Return the estimated error of a model's numbers by kind, the largest of all cases.
+def errors_of(
+    design: DesignSpec, sizes: Sizes, joint_model: JointModel, values: Mapping[str, Value]
+) -> dict[str, float]:
+    """Return the estimated error of a model's values by kind, the largest of all cases.
 
     A kind whose error nobody can estimate is not there.
     """
     asks, found = design.asks(sizes, joint_model), {}
-    for kind in QuantityKind:
+    for kind in dict.fromkeys(value.kind for value in values.values() if value.kind is not None):
         each = [joint_model.error(ask, kind) for ask in asks]
         known = [
             error.largest + ask.material.spread

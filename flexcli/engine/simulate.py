@@ -80,6 +80,7 @@ def simulate(
         return replace(result, sweeps=sweeps)
     reached = not any(sweep.missed for sweep in sweeps)
     effects = omitted_effects.effects(design, sizes, models[0].joint_model)
+    told = {**values, **_at_ends(design, sweeps)}
     errors = [p.estimated_error for sweep in sweeps for p in sweep.points]
     return Result(
         command="simulate",
@@ -87,8 +88,7 @@ def simulate(
         status=found.status if reached or found.status is not Status.PASS else Status.FAIL,
         title=design.title,
         values=design_values.with_errors(
-            {**values, **_at_ends(design, sweeps)},
-            omitted_effects.errors_of(design, sizes, models[0].joint_model),
+            told, omitted_effects.errors_of(design, sizes, models[0].joint_model, told)
         ),
         checks=found.checks,
         sweeps=sweeps,

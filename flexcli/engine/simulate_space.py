@@ -70,7 +70,7 @@ def simulate_in_space(design: DesignSpec, sizes: Sizes, spec: str, points: int) 
         status=found.status if reached or found.status is not Status.PASS else Status.FAIL,
         title=design.title,
         values=design_values.with_errors(
-            values, omitted_effects.errors_of(design, sizes, models[0].joint_model)
+            values, omitted_effects.errors_of(design, sizes, models[0].joint_model, values)
         ),
         checks=found.checks,
         space_sweeps=sweeps,

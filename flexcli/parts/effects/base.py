@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from flexcli.parts.bending import Bending, Change, Changes
 from flexcli.parts.effect_names import EffectName
+from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Blade, Geometry, NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
@@ -36,8 +37,7 @@ class Setting(NamedTuple):
     @property
     def bending(self) -> Bending:
         """Return how the blades bend at the largest travel of any case."""
-        elastic = self.material.elastic
-        return self.geometry.bending(elastic, self.sizes, self.largest_travel)
+        return _LAST.of(self)
 
     @property
     def slenderness(self) -> float | None:
@@ -70,6 +70,25 @@ class Setting(NamedTuple):
         except NotAvailable:
             return stroke
         return stroke + scene.push / stiffness
+
+
+class _Last:
+    """The bending that was asked last: every effect of a case asks for the same."""
+
+    def __init__(self) -> None:
+        self.known: tuple[Geometry, tuple[Elastic, Sizes, float], Bending] | None = None
+
+    def of(self, setting: Setting) -> Bending:
+        """Return that of a setting."""
+        asked = setting.material.elastic, setting.sizes, setting.largest_travel
+        last = self.known
+        if last is None or last[0] is not setting.geometry or last[1] != asked:
+            last = setting.geometry, asked, setting.geometry.bending(*asked)
+            self.known = last
+        return last[2]
+
+
+_LAST = _Last()
 
 
 class Indicator(NamedTuple):
