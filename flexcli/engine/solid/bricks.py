@@ -55,13 +55,15 @@ class Bricks:
 
     ``places`` (nodes, 3) are the nodes, ``elements`` (elements, 20) which of them; ``lattice``
     (2 n_s + 1, 2 n_t + 1, 2 n_z + 1) has the number of each node, −1 where there is none.
-    ``is_half`` says that only z ≥ 0 is filled, as far as the middle plane is one of symmetry.
+    ``is_half`` says that only z ≥ 0 is filled, as far as the middle plane is one of symmetry;
+    ``stiff`` (elements,) which of them stand for what does not flex.
     """
 
     places: Floats
     elements: Integers
     lattice: Integers
     is_half: bool
+    stiff: NDArray[np.bool_]
 
     def end(self, side: int) -> Integers:
         """Return the nodes of the first (0) or of the last (−1) cross-section."""
@@ -76,26 +78,41 @@ class Bricks:
         return self.lattice[:, side]
 
     @property
+    def stiff_share(self) -> float:
+        """Return how much of a blade bent to an S would bend in what does not flex, over the rest.
+
+        It is ∫ x²/h³ ds of the one over that of the other, x from the middle of the blade.
+        """
+        s, h = self.places[self.face(-1)[:, 0], 0], 2.0 * self.places[self.face(-1)[:, 0], 1]
+        each = np.diff(s[::2]) * (s[1::2] - (s[0] + s[-1]) / 2.0) ** 2 / h[1::2] ** 3
+        stiff = self.stiff.reshape(each.size, -1)[:, 0]
+        return float(each[stiff].sum() / each[~stiff].sum())
+
+    @property
     def volume(self) -> float:
-        """Return the volume that the bricks fill, counted whole [m³]."""
+        """Return the volume that the flexible bricks fill, counted whole [m³]."""
         x, w = np.polynomial.legendre.leggauss(3)
         u = np.stack(np.meshgrid(x, x, x, indexing="ij"), axis=-1).reshape(-1, 3)
         weight = np.einsum("i,j,k->ijk", w, w, w).ravel()
         slopes = np.stack([_slopes(at) for at in u])
-        jacobians = np.einsum("gnd,enk->egdk", slopes, self.places[self.elements])
+        jacobians = np.einsum("gnd,enk->egdk", slopes, self.places[self.elements[~self.stiff]])
         found = float(np.sum(np.linalg.det(jacobians) * weight))
         return 2.0 * found if self.is_half else found
 
 
 def bricks(
-    pieces: Sequence[Piece], b: float, *, fineness: int = 1, is_half: bool = False
+    stretches: Sequence[Sequence[Piece]],
+    b: float,
+    *,
+    fineness: int = 1,
+    is_half: bool = False,
 ) -> Bricks:
-    """Return the bricks that fill flexible pieces of a blade, one after the other.
+    """Return the bricks that fill the flexible stretches of a blade, and what is rigid between.
 
     Parameters
     ----------
-    pieces : sequence of Piece
-        Of one design, each beginning where the one before it ends.
+    stretches : sequence of sequence of Piece
+        Of one design; the pieces of a stretch each begin where the one before ends.
     b : float
         Width [m].
     fineness : int
@@ -104,7 +121,7 @@ def bricks(
         Fill one side of the middle plane only.
 
     """
-    s, h = _stations(pieces, fineness)
+    s, h, rigid = _whole(stretches, fineness)
     across = _steps(CONSTANT if np.allclose(h, h[0], rtol=1e-9) else VARIED, fineness)
     widths = _widths(b, float(h.min()))
     width = _steps(widths[widths >= 0.0] if is_half else widths, fineness)
@@ -118,7 +135,8 @@ def bricks(
         np.meshgrid(*(np.arange(0, n - 1, 2) for n in number.shape), indexing="ij"), axis=-1
     ).reshape(-1, 1, 3)
     at = first + CORNERS
-    return Bricks(places, number[at[..., 0], at[..., 1], at[..., 2]], number, is_half)
+    stiff = np.repeat(rigid, at.shape[0] // rigid.size)
+    return Bricks(places, number[at[..., 0], at[..., 1], at[..., 2]], number, is_half, stiff)
 
 
 def graded(l: float, first: float, middle: int = MIDDLE) -> Floats:
@@ -141,6 +159,24 @@ def graded(l: float, first: float, middle: int = MIDDLE) -> Floats:
     inner = max(1, ceil(left / widest - 1e-9))
     sizes = np.concatenate([growing, np.full(inner, left / inner), growing[::-1]])
     return np.concatenate([[0.0], np.cumsum(sizes)]) * (l / float(sizes.sum()))
+
+
+def _whole(
+    stretches: Sequence[Sequence[Piece]], fineness: int
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """Return place and thickness at each step along the blade, and which elements are rigid."""
+    s, h = _stations(stretches[0], fineness)
+    rigid = [np.zeros(s.size // 2, dtype=bool)]
+    for pieces in stretches[1:]:
+        after, thick = _stations(pieces, fineness)
+        l = float(after[0] - s[-1])
+        between = _steps(graded(l, FIRST * float(max(h[-1], thick[0]))) / l, fineness)
+        s, h = (
+            np.concatenate([own, own[-1] + between[1:-1] * (new[0] - own[-1]), new])
+            for own, new in ((s, after), (h, thick))
+        )
+        rigid += [np.ones(between.size // 2, dtype=bool), np.zeros(after.size // 2, dtype=bool)]
+    return s, h, np.concatenate(rigid)
 
 
 def _stations(pieces: Sequence[Piece], fineness: int) -> tuple[Floats, Floats]:

@@ -12,7 +12,16 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Load
 from flexcli.mechanics.mesh import column
 
-__all__ = ["MM", "Deck", "State", "buckling_deck", "compliance_deck", "modes_deck", "states_deck"]
+__all__ = [
+    "MM",
+    "Deck",
+    "State",
+    "buckling_deck",
+    "compliance_deck",
+    "modes_deck",
+    "softness",
+    "states_deck",
+]
 
 Integers = NDArray[np.intp]
 
@@ -23,6 +32,13 @@ TONNE = 1e-3
 
 STUB = 0.01
 """Side of the cube that holds a body from turning [m]."""
+
+RIGID = 1e3
+"""Modulus of what does not flex between the hinges of a blade, over that of the hinges. Of a rigid
+body CalculiX would lack part of the tangent, and of a stiffer one it finds no large turn."""
+
+WEIGHTLESS = 1e-9
+"""Density of it over that of the hinges; a step *FREQUENCY takes none of nothing."""
 
 A_LINE = 12
 """Node numbers on a line of a set."""
@@ -48,6 +64,11 @@ class Deck(NamedTuple):
 
     text: str
     bodies: Mapping[str, tuple[int, int]]
+
+
+def softness(model: SolidModel) -> float:
+    """Return the share by which what is not quite rigid softens the blades, bent to an S."""
+    return max(stretch.bricks.stiff_share for stretch in model.stretches) / RIGID
 
 
 def states_deck(model: SolidModel, states: Sequence[State], *, is_linear: bool = False) -> Deck:
@@ -174,11 +195,14 @@ def _head(
             lines.append(f"{number}, " + ", ".join(f"{x:.14g}" for x in place))
     element = 1
     for stretch in model.stretches:
-        lines.append("*ELEMENT, TYPE=C3D20R, ELSET=BLADES")
-        for nodes in stretch.bricks.elements + stretch.first_node + 1:
-            row = [str(element), *map(str, nodes.tolist())]
-            lines += [", ".join(row[:15]) + ",", ", ".join(row[15:])]
-            element += 1
+        for name, chosen in (("BLADES", ~stretch.bricks.stiff), ("MIDDLES", stretch.bricks.stiff)):
+            if not chosen.any():
+                continue
+            lines.append(f"*ELEMENT, TYPE=C3D20R, ELSET={name}")
+            for nodes in stretch.bricks.elements[chosen] + stretch.first_node + 1:
+                row = [str(element), *map(str, nodes.tolist())]
+                lines += [", ".join(row[:15]) + ",", ", ".join(row[15:])]
+                element += 1
     extra = 2 * len(model.bodies) + model.nodes + 1
     lines.append("*NODE, NSET=BODIES")
     for body in model.bodies:
@@ -204,10 +228,15 @@ def _head(
             f"*MASS, ELSET=MASS{number}", f"{mass * TONNE:.12g}",
         ]  # fmt: skip
         element += 1
-    lines += ["*MATERIAL, NAME=BLADES", "*ELASTIC", f"{E * MPA:.12g}, {E / (2.0 * G) - 1.0:.12g}"]
-    if density is not None:
-        lines += ["*DENSITY", f"{density * TONNE_MM3:.12g}"]
-    lines += ["*SOLID SECTION, ELSET=BLADES, MATERIAL=BLADES"]
+    has_middles = any(stretch.bricks.stiff.any() for stretch in model.stretches)
+    for name, stiffer, heavier in (
+        ("BLADES", 1.0, 1.0), *([("MIDDLES", RIGID, WEIGHTLESS)] if has_middles else []),
+    ):  # fmt: skip
+        nu = E / (2.0 * G) - 1.0
+        lines += [f"*MATERIAL, NAME={name}", "*ELASTIC", f"{E * stiffer * MPA:.12g}, {nu:.12g}"]
+        if density is not None:
+            lines += ["*DENSITY", f"{density * heavier * TONNE_MM3:.12g}"]
+        lines += [f"*SOLID SECTION, ELSET={name}, MATERIAL={name}"]
     for index, body in enumerate(model.bodies):
         nodes = np.concatenate(
             [body.nodes + 1, np.array(of_loads.get(body.name, []), dtype=np.intp)]

@@ -1,4 +1,4 @@
-"""A layout as solids: each flexible stretch of a blade in bricks, its ends on rigid bodies."""
+"""A layout as solids: each blade in bricks, its ends on rigid bodies."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -22,13 +22,12 @@ GAP = 1e-9
 
 
 class Stretch(NamedTuple):
-    """Bricks between two bodies, and where they stand: the blade's start [m] and direction [rad].
+    """A blade's bricks between two bodies, and where they stand: its start [m], direction [rad].
 
     ``first_node`` is the number of nodes before its own; ``z`` the height of its middle [m].
     """
 
     name: str
-    blade: str
     bodies: tuple[str, str]
     bricks: Bricks
     start: tuple[float, float]
@@ -60,8 +59,7 @@ class SolidBody(NamedTuple):
 class SolidModel:
     """The solids of one design, half of each where its middle plane is one of symmetry.
 
-    ``bodies`` are those of the layout in their order, then rigid stretches of blades; ``fixed``
-    are the nodes on the ground.
+    ``bodies`` are those of the layout in their order; ``fixed`` are the nodes on the ground.
     """
 
     layout: Layout
@@ -111,7 +109,6 @@ def solid_model(layout: Layout, *, fineness: int = 1, is_half: bool = False) -> 
         raise NotAvailable("needs material.poisson_ratio for a solid")
     known = {body.name for body in layout.bodies}
     tied: dict[str, list[Integers]] = {body.name: [] for body in layout.bodies}
-    rigid: list[SolidBody] = []
     fixed: list[Integers] = []
     stretches: list[Stretch] = []
     count = 0
@@ -120,36 +117,17 @@ def solid_model(layout: Layout, *, fineness: int = 1, is_half: bool = False) -> 
         l = float(np.hypot(end[0] - start[0], end[1] - start[1]))
         angle = float(np.arctan2(end[1] - start[1], end[0] - start[0]))
         groups = _stretches(blade.profile.pieces(l), l)
-        names = [blade.first, *(f"{blade.name} middle {k}" for k in range(1, len(groups)))]
-        names.append(blade.second)
-        for k, pieces in enumerate(groups):
-            solid = bricks(pieces, _one(blade.b), fineness=fineness, is_half=is_half)
-            name = blade.name if len(groups) == 1 else f"{blade.name} hinge {k + 1}"
-            stretch = Stretch(
-                name,
-                blade.name,
-                (names[k], names[k + 1]),
-                solid,
-                start,
-                angle,
-                _one(blade.z),
-                count,
-            )
-            stretches.append(stretch)
-            for body, side in zip(stretch.bodies, (0, -1), strict=True):
-                nodes = solid.end(side) + count
-                if body in known:
-                    tied[body].append(nodes)
-                elif body in names[1:-1]:
-                    tied.setdefault(body, []).append(nodes)
-                else:
-                    fixed.append(nodes)
-            count += solid.places.shape[0]
-            if k:
-                at = (stretches[-2].bricks.places[:, 0].max() + solid.places[:, 0].min()) / 2.0
-                point = (start[0] + at * float(np.cos(angle)), start[1] + at * float(np.sin(angle)))
-                rigid.append(SolidBody(names[k], point, np.zeros(0, dtype=np.intp)))
-    bodies = [_body(body) for body in layout.bodies] + rigid
+        solid = bricks(groups, _one(blade.b), fineness=fineness, is_half=is_half)
+        ends = (blade.first, blade.second)
+        stretches.append(Stretch(blade.name, ends, solid, start, angle, _one(blade.z), count))
+        for body, side in zip(ends, (0, -1), strict=True):
+            nodes = solid.end(side) + count
+            if body in known:
+                tied[body].append(nodes)
+            else:
+                fixed.append(nodes)
+        count += solid.places.shape[0]
+    bodies = [_body(body) for body in layout.bodies]
     whole = tuple(body._replace(nodes=np.concatenate(tied[body.name])) for body in bodies)
     return SolidModel(layout, tuple(stretches), whole, np.concatenate(fixed), is_half, count)
 
