@@ -1,8 +1,7 @@
 """Studies: one verb at many points of a spec, a row for each; above the verbs of the API."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import inf, isnan
-from sys import intern
 from typing import Literal, TypeAlias
 
 from flexcli import api
@@ -10,7 +9,7 @@ from flexcli.errors import SolveError, SpecError
 from flexcli.results import Check, Result
 from flexcli.results.study import Column, StudyResult, StudyRow
 
-__all__ = ["Row", "collected", "rows_of"]
+__all__ = ["Row", "collected", "rows_of", "shared"]
 
 Each = Literal["check", "verdict", "size", "simulate"]
 
@@ -22,12 +21,15 @@ def rows_of(
     source: api.Portable, each: Each, model: str | None, points: Sequence[Mapping[str, str]]
 ) -> list[Row]:
     """Return the rows of some points, each with its columns."""
-    rows = []
+    return [_row_at(source, each, model, point) for point in points]
+
+
+def shared(rows: Iterable[Row]) -> Iterator[Row]:
+    """Yield rows, whatever made them, that share their columns and the names of their cells."""
     known: dict[tuple[Column, ...], tuple[Column, ...]] = {}
-    for point in points:
-        row, columns = _row_at(source, each, model, point)
-        rows.append((row, known.setdefault(columns, columns)))  # told once, where they are alike
-    return rows
+    for row, own in rows:
+        columns = known.setdefault(own, own)
+        yield row._replace(cells={each.name: row.cells[each.name] for each in columns}), columns
 
 
 def _row_at(source: api.Portable, each: Each, model: str | None, point: Mapping[str, str]) -> Row:
@@ -52,7 +54,6 @@ def _row(point: Mapping[str, str], result: Result) -> Row:
     columns: list[Column] = []
 
     def cell(name: str, unit: str, label: str, value: float | str) -> None:
-        name = intern(name)  # one for all rows of a process
         columns.append(Column(name, unit, label))
         cells[name] = value
 

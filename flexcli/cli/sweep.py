@@ -46,10 +46,10 @@ SAVING = 20.0
 """Times what a save takes that pass before the next, however many rows there are."""
 
 BLOCK = 16
-"""Designs that a process is given at once."""
+"""Designs that a worker of a cluster is given at once."""
 
-EACH = 8
-"""Blocks of each process at least, so that all end together."""
+EACH = 64
+"""Blocks at least, so that all workers end together."""
 
 
 class Each(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
@@ -266,14 +266,15 @@ class _Sweep:
     def _made(self) -> "Generator[Row, None, None]":
         """Yield the rows that are not kept, in order, as far as they get done."""
         from flexcli.cli.jobs import over, usual_jobs
+        from flexcli.study import shared
 
         todo = [point for point in self.points if tuple(point.values()) not in self.kept]
         jobs = self.jobs or usual_jobs(len(todo))
-        is_alone = jobs < 2 and not self.scheduler
-        size = 1 if is_alone else max(1, min(BLOCK, len(todo) // (EACH * jobs)))
+        # a process of this machine ends with its design at Ctrl-C; a scheduler has many tasks
+        size = max(1, min(BLOCK, len(todo) // EACH)) if self.scheduler else 1
         blocks = [todo[start : start + size] for start in range(0, len(todo), size)]
         with closing(over(self.task, _not_done, blocks, jobs, self.scheduler)) as answers:
-            yield from chain.from_iterable(answers)
+            yield from shared(chain.from_iterable(answers))
 
     def _collected(self) -> "StudyResult":
         from flexcli.study import collected
