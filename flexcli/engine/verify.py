@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from flexcli.engine.joint_models.exact import ExactModel
-from flexcli.engine.models import model_series
+from flexcli.engine.models import NamedModel, model_series
 from flexcli.engine.solid import calculix
 from flexcli.engine.solid.deck import Deck, softness
 from flexcli.engine.solid.model import solid_model
@@ -116,7 +116,7 @@ def verify(
     begun = perf_counter()
     design, notes = _between_rigid_clamps(design, sizes)
     named = model_series(design, model)[-1]
-    asks = design.asks(sizes, named.joint_model)
+    asks = _at_assembly(design, sizes, named)
     try:
         whole = [
             solid_model(design.geometry.layout(design.material.elastic, sizes), fineness=k + 1)
@@ -164,8 +164,14 @@ def verify(
 
 def verifiable(design: DesignSpec, sizes: Sizes) -> tuple[str, ...]:
     """Return the names of the numbers that solid elements are asked for."""
-    asks = design.asks(sizes, model_series(design, None)[-1].joint_model)
+    asks = _at_assembly(design, sizes, model_series(design, None)[-1])
     return tuple(question.name for question in _questions(asks))
+
+
+def _at_assembly(design: DesignSpec, sizes: Sizes, model: NamedModel) -> list[Ask]:
+    """Return what is asked in every case, without its temperature: solids here have none."""
+    scenes = (scene.at_assembly() for scene in design.scenes())
+    return [design.ask(scene, sizes, model.joint_model) for scene in scenes]
 
 
 def _between_rigid_clamps(design: DesignSpec, sizes: Sizes) -> tuple[DesignSpec, list[Note]]:
