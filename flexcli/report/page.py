@@ -12,7 +12,6 @@ from flexcli import __version__
 from flexcli.errors import SolveError
 from flexcli.report.drawings.caption import caption
 from flexcli.report.drawings.plane import drawing_svg
-from flexcli.report.drawings.sheet import WIDTH
 from flexcli.report.drawings.style import STYLE
 from flexcli.report.drawings.views import view_svg
 from flexcli.report.margins_text import decisive, worst_first
@@ -37,8 +36,11 @@ STATUS = {
     Status.ERROR: "!",
 }  # fmt: skip
 
-NARROW = 368.0
-"""Width of a drawing on phones [px]."""
+WHOLE, WIDE, NARROW = 840.0, 528.0, 368.0
+"""Width of a drawing across the text, beside another, and on phones [px]."""
+
+WIDE_BAR = 1.5
+"""Width of a bar from which its value is marked in it, in per cent of the axis."""
 
 AXIS = (0.4, 8.0)
 """Ends of a bar's axis, as factors over the required one."""
@@ -105,8 +107,10 @@ def design_page(dossier: Dossier, date: str) -> str:
         "models": result.cost.model if result.cost is not None else "",
         "drawing_style": _markup(STYLE),
     }  # fmt: skip
-    shown = [drawn for drawn in (dossier.mechanism, dossier.drawing) if drawn is not None]
-    context["drawings"] = [_pictured(drawn, title) for drawn in shown]
+    shown = ((dossier.mechanism, WHOLE), (dossier.drawing, WIDE))
+    context["drawings"] = [
+        _pictured(drawn, title, width) for drawn, width in shown if drawn is not None
+    ]
     if dossier.drawing is not None:
         context["isometric"] = _markup(_inline(view_svg(dossier.drawing, title, "isometric")))
     if result.sizing is not None:
@@ -126,11 +130,11 @@ def design_page(dossier: Dossier, date: str) -> str:
     return str(_environment().get_template("design.html.j2").render(context))
 
 
-def _pictured(drawn: Drawing, title: str) -> dict[str, Any]:
+def _pictured(drawn: Drawing, title: str, width: float) -> dict[str, Any]:
     """Return a drawing for wide and for narrow pages, of which a page shows one."""
     wide, narrow = (
-        _markup(_inline(drawing_svg(drawn, title, stress=True, width=width)))
-        for width in (WIDTH, NARROW)
+        _markup(_inline(drawing_svg(drawn, title, stress=True, width=each)))
+        for each in (width, NARROW)
     )
     return {"wide": wide, "narrow": narrow, "caption": caption(drawn)}
 
@@ -285,6 +289,9 @@ def _bar(check: Check) -> str:
     start, end = at(low), at(high if isfinite(high) else AXIS[1])
     done = check.verdict in (Verdict.PASS, Verdict.FAIL)
     value = at(check.factor / check.required)
+    # a gap in a bar that is hardly wider would leave nothing of it
+    gap = f'<line class="gap" x1="{value:.2f}%" x2="{value:.2f}%" y1="8" y2="18"/>'
+    gap = gap if end - start > WIDE_BAR else ""
     ticks = "".join(
         f'<line class="tick" x1="{at(x):.2f}%" x2="{at(x):.2f}%" y1="2" y2="24"/>'
         for x in (0.5, 2, 5)
@@ -293,7 +300,7 @@ def _bar(check: Check) -> str:
         f'<svg class="bar" height="26" aria-hidden="true">{ticks}'
         f'<rect class="{"done" if done else "open"}" x="{start:.2f}%" y="8" height="10" '
         f'width="{max(end - start, 0.4):.2f}%"/>'
-        f'<line class="gap" x1="{value:.2f}%" x2="{value:.2f}%" y1="8" y2="18"/>'
+        f"{gap}"
         f'<line class="req" x1="{at(1.0):.2f}%" x2="{at(1.0):.2f}%" y1="0" y2="26"/></svg>'
     )
 

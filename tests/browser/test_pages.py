@@ -57,6 +57,13 @@ GRID = """() => {
 }"""
 """Where the sections of a page stand, their heads and what they have beside or below."""
 
+TINY = """least => [...document.querySelectorAll('svg text')]
+    .filter(e => e.getClientRects().length)
+    .map(e => [parseFloat(getComputedStyle(e).fontSize) * Math.hypot(e.getScreenCTM().a,
+               e.getScreenCTM().b), e.textContent])
+    .filter(([size, _]) => size < least)"""
+"""Text of drawings and plots that is smaller than so many pixels."""
+
 OVERLAPPING = """() => {
     const blocks = [...document.querySelectorAll(
         'h1, h2, h3, p, li, dt, dd, table, pre, figure > svg')]
@@ -174,6 +181,22 @@ def test_nothing_lies_over_anything_else(page, media, width):
     assert page.evaluate(OVERLAPPING) == []
 
 
+@pytest.mark.parametrize(
+    ("media", "width", "least"),
+    # type of 13 px stands beside it; paper is read from nearer
+    [
+        ("screen", PHONE, 9.5),
+        ("screen", TABLET, 9.5),
+        ("screen", LAPTOP, 9.5),
+        ("print", PAPER, 7.0),
+    ],
+)
+def test_text_of_drawings_and_plots_can_be_read(page, media, width, least):
+    page.emulate_media(media=media)
+    page.set_viewport_size({"width": width, "height": 900})
+    assert page.evaluate(TINY, least) == []
+
+
 @pytest.mark.parametrize(("width", "scheme"), [(PHONE, "dark"), (LAPTOP, "light")])
 def test_has_no_barrier_that_axe_finds(page, width, scheme):
     page.emulate_media(media="screen", color_scheme=scheme)
@@ -194,5 +217,7 @@ def test_the_checks_find_what_they_look_for(chromium):
     }
     assert any("wide" in found for found in opened.evaluate(WIDER))
     assert len(opened.evaluate(CUT)) == 1
+    opened.set_content(opened.content() + "<svg viewBox='0 0 900 9'><text y='9'>small</text></svg>")
+    assert [text for _, text in opened.evaluate(TINY, 9.5)] == ["small"]
     assert opened.evaluate(OVERLAPPING) == ["under | over"]
     opened.close()

@@ -17,10 +17,10 @@ __all__ = ["VIEWS", "view_svg"]
 
 XYZ: TypeAlias = tuple[float, float, float]
 
-WIDTH, HIGH, EDGE = 400.0, 300.0, 60.0
+WIDTH, HIGH, EDGE = 360.0, 280.0, 56.0
 """Width of the page, the height that the mechanism is fitted into, and around it [px]."""
 
-IN_SPACE = 460.0
+IN_SPACE = 360.0
 """Width of the page of a mechanism in space [px]."""
 
 GROUND_DEPTH = 0.04
