@@ -10,7 +10,7 @@ from time import perf_counter
 
 import numpy as np
 
-from flexcli.formulas.damage import damage_rates, spread
+from flexcli.formulas.damage import damage_rates
 from flexcli.formulas.spectral_moments import spectral_moments
 from flexcli.formulas.spectrum import spectral_level
 
@@ -87,10 +87,10 @@ def main():
                     else f"{'–':>15s}"
                 )
                 print(f"{k:4.0f} {method:18s} {rate:12.4e} {gap} {rate / counted:14.3f}")
-            found = spread(ours)
+            least, most = min(ours, key=ours.__getitem__), max(ours, key=ours.__getitem__)
             print(
                 f"{'':4s} rainflow {counted:.4e} ± {100 * scatter:.1f} %; spread "
-                f"{found.ratio:.2f} ({found.least_name} to {found.greatest_name})"
+                f"{ours[most] / ours[least]:.2f} ({least} to {most})"
             )
             if py_fatigue and rainflow:
                 other, _ = counted_rate(
