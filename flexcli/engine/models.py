@@ -50,19 +50,17 @@ def model_series(design: DesignSpec, model: str | None = None) -> tuple[NamedMod
 
 def series_of(design: DesignSpec) -> tuple[str, ...]:
     """Return the names of the models that a design's geometry has, the cheapest first."""
-    if design.geometry.in_space:
-        return MODEL_SERIES[1:]
     first = 0 if design.geometry.closed_forms else 1
-    return MODEL_SERIES[first : 4 if _asks_in_space(design) else 3]
+    return MODEL_SERIES[first : 4 if _has_shells(design) else 3]
 
 
-def _asks_in_space(design: DesignSpec) -> bool:
-    """Return whether a joint of the plane is asked for its support stiffness at a stroke.
+def _has_shells(design: DesignSpec) -> bool:
+    """Return whether a joint is drawn in space, or asked for its support stiffness at a stroke.
 
     While its sizes are sought, beams are fine enough.
     """
-    asked = design.requirements.support or ()
-    return design.fixed_sizes() is not None and any(each.is_of_a_case for each in asked)
+    asked = any(each.is_of_a_case for each in design.requirements.support or ())
+    return design.fixed_sizes() is not None and (design.geometry.in_space or asked)
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:
