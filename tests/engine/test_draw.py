@@ -9,6 +9,7 @@ import pytest
 from geometries_for_tests import MATERIAL, SAMPLES, spec
 from scipy.integrate import solve_bvp
 
+import flexcli
 from flexcli.engine.draw import drawing
 from flexcli.engine.draw_mechanism import mechanism_drawing
 from flexcli.engine.simulate import simulate
@@ -244,3 +245,11 @@ def test_a_view_states_no_length_that_it_does_not_show():
     short = [s for s, b in zip(seen, corner.blades, strict=True) if s < 0.99 * b.length]
     assert short
     assert not lengths & {f"{s * 1e3:.4g}" for s in short}
+
+
+def test_a_linkage_whose_flexures_were_sized_is_drawn_by_its_links():
+    path = EXAMPLES / "crank-linear-stage" / "flexure.yaml"
+    spec = flexcli.sized(path, flexcli.size(path, model="source"))
+    assert not spec.part.geometry.free
+    links = {body.name for body in flexcli.drawing(spec).bodies}
+    assert links == {"ground", "crank", "rod", "stage"}

@@ -146,7 +146,7 @@ class LinkageGeometry(Geometry):
     def place(self, name: str) -> tuple[str, ...]:
         """Return where a size stands: in the flexure of its joint."""
         joint = self._owner(name)
-        return "joints", joint, "flexure", name.removesuffix(f"_{joint}")
+        return "geometry", "joints", joint, "flexure", name.removesuffix(f"_{joint}")
 
     def _owner(self, name: str) -> str:
         return name.rpartition("_")[2]
