@@ -10,9 +10,9 @@ from flexcli.engine.comparing.model_series import (
     CONTROL_LEVELS,
     FINEST,
     Finest,
-    Ladder,
     NamedModel,
     Number,
+    SolvedSeries,
     numbers,
     series,
 )
@@ -57,47 +57,47 @@ def accuracy(
     """
     started = perf_counter()
     target = asked or design.accuracy or ACCURACY
-    ladder, remarks = _ladder(design, sizes, runs), list[Note]()
-    models = ladder.models
+    solved, remarks = _solved(design, sizes, runs), list[Note]()
+    models = solved.models
     if is_solid:
-        from flexcli.engine.comparing.solid_rung import with_solids
+        from flexcli.engine.comparing.solid_series import with_solids
 
-        ladder, remarks = with_solids(design, sizes, ladder, files)
-    still = compared(ladder.settled, ladder.models, ladder.times, target, ladder.unsettled)
-    is_solid = len(ladder.models) > len(models)
+        solved, remarks = with_solids(design, sizes, solved, files)
+    still = compared(solved.settled, solved.models, solved.times, target, solved.unsettled)
+    is_solid = len(solved.models) > len(models)
     still = still._replace(is_solid=is_solid, is_shell=design.geometry.in_space and not is_solid)
     in_time = accuracy_in_time(design, sizes, runs, target)
     found = still._replace(in_time=in_time)
-    ladders = [each for each in (still, in_time) if each is not None]
+    every = [each for each in (still, in_time) if each is not None]
     notes = [*remarks, *_notes(still, "")]
     if in_time is not None:
         notes += [*_notes(in_time, ", in time"), *time_notes(design)]
     return Result(
         command="accuracy",
         spec=spec,
-        status=Status.PASS if all(each.recommended for each in ladders) else Status.FAIL,
+        status=Status.PASS if all(each.recommended for each in every) else Status.FAIL,
         title=design.title,
         values={
             q.name: Value(q.finest, q.unit, q.label, each.finest)
-            for each in ladders
+            for each in every
             for q in each.quantities
         },
         warnings=tuple(notes),
         cost=Cost(
             perf_counter() - started,
-            "; ".join(each.finest for each in ladders),
-            max(q.bound for each in ladders for q in each.quantities),
+            "; ".join(each.finest for each in every),
+            max(q.bound for each in every for q in each.quantities),
         ),
         accuracy=found,
     )
 
 
-def _ladder(design: DesignSpec, sizes: Sizes, runs: int) -> Ladder:
+def _solved(design: DesignSpec, sizes: Sizes, runs: int) -> SolvedSeries:
     """Return the models that a design has, timed, and the numbers that they are compared in."""
     if design.geometry.in_space:
-        from flexcli.engine.comparing.space_series import space_ladder
+        from flexcli.engine.comparing.space_series import space_series
 
-        in_space = space_ladder(design, sizes, runs)
+        in_space = space_series(design, sizes, runs)
         if in_space.settled:
             return in_space
         why = "has no sure number by shells"
@@ -106,7 +106,7 @@ def _ladder(design: DesignSpec, sizes: Sizes, runs: int) -> Ladder:
         tolerance, settled, unsettled = _settled(wanted)
         if settled:
             models = series(design.geometry, tolerance)
-            return Ladder(settled, models, timed(settled, models, runs), unsettled)
+            return SolvedSeries(settled, models, timed(settled, models, runs), unsettled)
         why = _why_not(wanted[0])
     text = f"a {design.geometry.name} {why}: there is nothing to compare with"
     raise SolveError("one-model", text, "'flexure check' judges it by the model that it has")

@@ -126,7 +126,7 @@ def test_a_deck_that_ccx_cannot_read_says_why():
         run("*NODE\n1, 0., 0., 0.\n*STEP\n*STATIC\n*CLOAD\n7, 1, 1.\n*END STEP\n", "wrong")
 
 
-def test_solids_are_the_top_rung_of_accuracy_where_they_are_asked_for():
+def test_solids_are_the_finest_model_of_accuracy_where_they_are_asked_for():
     text = SPEC.format(
         geometry="{kind: guided-blade, h: 0.5 mm, l: 10 mm, b: 5 mm}", mechanism="", unit="N/m",
         case="{stroke: {translation: 0.5 mm}}", nu=0.3,

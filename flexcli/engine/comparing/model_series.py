@@ -20,9 +20,9 @@ __all__ = [
     "CONTROL_LEVELS",
     "FINEST",
     "Finest",
-    "Ladder",
     "NamedModel",
     "Number",
+    "SolvedSeries",
     "numbers",
     "series",
 ]
@@ -71,7 +71,7 @@ class Number(NamedTuple):
         return value if isfinite(value) else None
 
 
-class Ladder(NamedTuple):
+class SolvedSeries(NamedTuple):
     """Models on one design, the finest last, and the numbers that they are compared in.
 
     ``unsettled`` names the numbers without a sure value of the finest.

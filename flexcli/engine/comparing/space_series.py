@@ -7,7 +7,7 @@ from time import perf_counter
 import numpy as np
 
 from flexcli.engine.comparing.compared import Settled, Timed, relative_bound
-from flexcli.engine.comparing.model_series import Ladder, NamedModel, Number
+from flexcli.engine.comparing.model_series import NamedModel, Number, SolvedSeries
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_shell import SHELLS, SpaceShellModel
@@ -19,7 +19,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import AS_PRINTED, Ask, JointModel
 
-__all__ = ["space_ladder"]
+__all__ = ["space_series"]
 
 NEWTON = 1e-4
 """What Newton's method leaves of the finest shell's numbers, at most."""
@@ -50,7 +50,7 @@ SERIES = (
 )
 
 
-def space_ladder(design: DesignSpec, sizes: Sizes, runs: int) -> Ladder:
+def space_series(design: DesignSpec, sizes: Sizes, runs: int) -> SolvedSeries:
     """Return the models of a mechanism in space with their numbers and seconds.
 
     One equilibrium gives all numbers of a stroke: its time is in each of them, and once in all.
@@ -82,7 +82,7 @@ def space_ladder(design: DesignSpec, sizes: Sizes, runs: int) -> Ladder:
                 whole[run, i] += took
                 if value is not None:
                     values[i, j], seconds[run, i, j] = value, solved + took
-    return Ladder(settled, SERIES, Timed(values, seconds, whole), tuple(unsettled))
+    return SolvedSeries(settled, SERIES, Timed(values, seconds, whole), tuple(unsettled))
 
 
 def _solve(asks: list[Ask], joint_model: SpaceExactModel) -> None:

@@ -17,7 +17,7 @@ from flexcli.parts.geometries import Sizes
 from flexcli.parts.stops import Rigid
 from flexcli.results import AccuracyResult, Note
 
-__all__ = ["TimeNumber", "TimeRung", "accuracy_in_time", "bounded", "time_methods", "time_notes"]
+__all__ = ["TimeMethod", "TimeNumber", "accuracy_in_time", "bounded", "time_methods", "time_notes"]
 
 METHODS: tuple[Method, ...] = ("Radau", "DOP853")
 TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)
@@ -44,7 +44,7 @@ class TimeNumber(NamedTuple):
     unit: str
 
 
-class TimeRung(NamedTuple):
+class TimeMethod(NamedTuple):
     """A method by the name that reports give it."""
 
     name: str
@@ -73,14 +73,14 @@ def accuracy_in_time(
     return compared(settled, models, times, asked, tuple(unsettled))
 
 
-def time_methods() -> tuple[TimeRung, ...]:
+def time_methods() -> tuple[TimeMethod, ...]:
     """Return general integrators from coarse to fine, and the event-driven run."""
     general = [
-        TimeRung(f"{method} at {tolerance:.0e}", _general(method, tolerance))
+        TimeMethod(f"{method} at {tolerance:.0e}", _general(method, tolerance))
         for method in METHODS
         for tolerance in TOLERANCES
     ]
-    return (*general, TimeRung("event-driven", lambda motion: event_driven(motion)[0]))
+    return (*general, TimeMethod("event-driven", lambda motion: event_driven(motion)[0]))
 
 
 def _general(method: Method, tolerance: float) -> Callable[[Motion], TimePeaks]:
@@ -118,7 +118,7 @@ def _cut(pieces: Iterable[Piece]) -> Iterator[Piece]:
 
 def _timed(
     shaken: list[Motion],
-    models: tuple[TimeRung, ...],
+    models: tuple[TimeMethod, ...],
     runs: int,
     columns: list[tuple[int, int]],
 ) -> Timed:

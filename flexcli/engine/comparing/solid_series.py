@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.comparing.compared import UNSURE, Settled, Timed
-from flexcli.engine.comparing.model_series import Ladder
+from flexcli.engine.comparing.model_series import SolvedSeries
 from flexcli.engine.verify import verifiable, verify
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
@@ -21,15 +21,15 @@ SOLID = "solid"
 """What the finest model is called."""
 
 
-class _Rung(NamedTuple):
+class _Model(NamedTuple):
     """A model by the name that reports give it."""
 
     name: str
 
 
 def with_solids(
-    design: DesignSpec, sizes: Sizes, ladder: Ladder, files: MutableMapping[str, str] | None
-) -> tuple[Ladder, list[Note]]:
+    design: DesignSpec, sizes: Sizes, series: SolvedSeries, files: MutableMapping[str, str] | None
+) -> tuple[SolvedSeries, list[Note]]:
     """Return the models with two more, the deciding one and solids, and what to say of them.
 
     Errors are against the solids where they have a number that is sure to a tenth; other numbers
@@ -43,7 +43,7 @@ def with_solids(
 
     """
     same = set(verifiable(design, sizes)) - _otherwise(design)
-    asked = [each.number.name for each in ladder.settled if each.number.name in same]
+    asked = [each.number.name for each in series.settled if each.number.name in same]
     if not asked:
         text = "solids have none of its numbers in the same state"
         raise SolveError("no-solid", text, "flexure verify compares those that they have")
@@ -56,24 +56,24 @@ def with_solids(
             "no solid takes part: ccx is not installed (Debian: apt install calculix-ccx). Its "
             f"decks, which -o DIR writes: {', '.join(found.decks)}; each number on two meshes"
         )
-        return ladder, [*notes, Note("not-run", text)]
+        return series, [*notes, Note("not-run", text)]
     numbers = {number.name: number for number in found.numbers}
-    is_kept = [_is_sure(numbers.get(each.number.name)) for each in ladder.settled]
-    kept = [each for each, sure in zip(ladder.settled, is_kept, strict=True) if sure]
-    gone = [each for each, sure in zip(ladder.settled, is_kept, strict=True) if not sure]
+    is_kept = [_is_sure(numbers.get(each.number.name)) for each in series.settled]
+    kept = [each for each, sure in zip(series.settled, is_kept, strict=True) if sure]
+    gone = [each for each, sure in zip(series.settled, is_kept, strict=True) if not sure]
     if not kept:
         text = "no solid takes part: none of its numbers is sure to a tenth"
-        return ladder, [*notes, Note("no-sure-solid", text)]
+        return series, [*notes, Note("no-sure-solid", text)]
     solids = [numbers[each.number.name] for each in kept]
     settled = [
         Settled(each.number, _greatest(by.solid, by), float(by.solid_error or 0.0))
         for each, by in zip(kept, solids, strict=True)
     ]
     whole = sum(number.seconds - number.model_seconds for number in found.numbers)
-    rungs = [_Rung(f"{found.model}, corrected"), _Rung(SOLID)]
-    times = _with_rungs(ladder.times, np.flatnonzero(is_kept), solids, whole)
-    unsettled = (*ladder.unsettled, *(each.number.name for each in gone))
-    return Ladder(settled, [*ladder.models, *rungs], times, unsettled), notes
+    finer = [_Model(f"{found.model}, corrected"), _Model(SOLID)]
+    times = _with_models(series.times, np.flatnonzero(is_kept), solids, whole)
+    unsettled = (*series.unsettled, *(each.number.name for each in gone))
+    return SolvedSeries(settled, [*series.models, *finer], times, unsettled), notes
 
 
 def _otherwise(design: DesignSpec) -> set[str]:
@@ -101,7 +101,7 @@ def _greatest(value: float | None, number: VerifiedNumber) -> float:
     return np.nan if value is None else value / number.share
 
 
-def _with_rungs(
+def _with_models(
     times: Timed, columns: NDArray[np.intp], solids: Sequence[VerifiedNumber], whole: float
 ) -> Timed:
     """Return some columns of what was timed, with rows of the deciding model and of solids."""
