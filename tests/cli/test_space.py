@@ -70,16 +70,18 @@ def test_a_far_stroke_in_space_is_undecided_and_never_passes(tmp_path, flexure):
     assert found["fatigue", "operation"] == "undecided"
 
 
-@pytest.mark.parametrize("command", ["plan", "size", "accuracy", "verify"])
+@pytest.mark.parametrize("command", ["plan", "verify"])
 def test_a_verb_that_has_no_model_in_space_says_so(command, flexure):
     told = flexure(command, str(EXAMPLES / "folded-stage" / "flexure.yaml"))
     assert told.returncode == 2
     assert "space-layout" in told.stderr
 
 
-def test_a_mechanism_in_space_is_drawn_from_one_side(flexure):
+def test_a_mechanism_in_space_is_drawn_from_any_side(flexure):
     path = str(EXAMPLES / "tripod-mount" / "flexure.yaml")
     told = flexure("draw", path)
     assert told.returncode == 0
     assert told.stdout.count("2 mm") >= 1
-    assert flexure("draw", path, "--view", "isometric").returncode == 2
+    corner = flexure("draw", path, "--view", "isometric")
+    assert corner.returncode == 0
+    assert corner.stdout != told.stdout
