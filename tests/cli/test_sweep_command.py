@@ -73,6 +73,7 @@ def test_several_processes_give_the_same_file(flexure, spec, tmp_path):
     assert len(table(tmp_path / "1.csv")) == 4
 
 
+@pytest.mark.slow
 def test_a_spec_from_stdin_is_swept_in_several_processes(process, spec, tmp_path):
     vary = ["--vary", "geometry.h=0.1mm:0.2mm:8", "-j", "2", "-o"]
     with spec.open(encoding="utf-8") as stream:

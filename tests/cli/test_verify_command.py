@@ -84,6 +84,7 @@ def test_clamps_that_give_are_compared_as_rigid_ones(flexure, tmp_path):
     assert rows["giving.yaml"] == rows["flexure.yaml"]
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("no_ccx")
 def test_accuracy_with_solids_says_without_ccx_which_decks_there_are(flexure, tmp_path):
     told = flexure("accuracy", "--solid", "-o", "decks")

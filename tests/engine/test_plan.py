@@ -71,6 +71,7 @@ BEAMS_HAVE = ("shear", "axial extension")
 more than they need have no answer."""
 
 
+@pytest.mark.slow
 def test_nothing_that_a_plan_leaves_out_matters_and_little_of_the_rest_is_idle():
     left, wrong, switched, idle = 0, 0, 0, 0
     for design in scenes(36, seed=7):

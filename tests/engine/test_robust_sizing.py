@@ -54,6 +54,7 @@ def test_the_least_volume_of_the_worst_case_has_both_margins_used_up_at_their_co
         assert row.worst.share == pytest.approx(1.0, abs=5e-4)
 
 
+@pytest.mark.slow
 def test_a_share_of_the_parts_is_met_and_hardly_more():
     found = sized("{parts: 99 %}")
     assert found.status.value == "pass"

@@ -138,6 +138,7 @@ def test_a_grid_finer_than_needed_costs_nothing(step):
     assert np.prod(blade_of(result)) == pytest.approx(np.prod(ideal), rel=1e-4)
 
 
+@pytest.mark.slow
 def test_a_dimension_without_grid_stays_continuous_and_optimal():
     spec = grid_spec(rounding={"h": "10 um", "l": "0.5 mm"})
     result = size_as_printed(spec, "spec")

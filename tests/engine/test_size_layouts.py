@@ -69,6 +69,7 @@ def passes(design, l, h):
     return judge(*design.redrawn(at), model_series(design)).status is Status.PASS
 
 
+@pytest.mark.slow
 def test_a_drawn_stage_is_sized_as_the_joint_that_it_draws():
     joint = flexcli.size(STAGE.format(geometry=JOINT))
     drawn = flexcli.size(STAGE.format(geometry=DRAWING))
@@ -85,6 +86,7 @@ def guided():
     return spec, flexcli.size(spec)
 
 
+@pytest.mark.slow
 def test_no_passing_point_of_a_grid_betters_a_layout_sized_in_space(guided):
     spec, found = guided
     design = spec.part

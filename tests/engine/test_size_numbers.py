@@ -116,6 +116,7 @@ def conflicting(factor=2.5):
     return design(geometry, {"fatigue": factor, "buckling": 2.5}, cases)
 
 
+@pytest.mark.slow
 def test_a_conflict_names_the_same_requirements_and_relaxations():
     exact, numbers = both(conflicting())
     assert numbers.status.value == exact.status.value == "infeasible"
@@ -235,6 +236,7 @@ def test_sizes_off_the_domain_of_a_model_are_avoided():
     )
 
 
+@pytest.mark.slow
 def test_a_design_that_lacks_some_of_the_limits_is_avoided():
     spec = design(rcc(**BOUNDED), LOADS)
 

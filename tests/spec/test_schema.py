@@ -277,6 +277,7 @@ def test_of_500_typos_the_schema_alone_finds_95_percent(typos: Any) -> None:
     assert sum(not valid for _, valid, _ in typos) >= 0.95 * MUTANTS
 
 
+@pytest.mark.slow
 def test_a_typo_that_the_schema_lets_pass_is_beyond_any(typos: Any) -> None:
     assert not [texts for _, valid, texts in typos if valid and not all(map(reason, texts))]
 
