@@ -42,6 +42,7 @@ from flexcli.units import show, written
 if TYPE_CHECKING:
     from flexcli.results.dossier import Dossier
     from flexcli.results.drawing import Drawing
+    from flexcli.results.simulation import SupportSweeps
     from flexcli.spec.table_file import Columns
 
 __all__ = [
@@ -74,6 +75,7 @@ __all__ = [
     "sized",
     "spec_text",
     "stops",
+    "support_over_stroke",
     "tolerances",
     "validate",
     "verdicts",
@@ -542,6 +544,25 @@ def dossier(
     design: DesignSpec = sized(spec, found).part if spec.part.geometry.free else spec.part
     names = spec.part.geometry.free
     return gathered(design, design.geometry.sized({}), found, spec.document.text, names)
+
+
+def support_over_stroke(
+    source: Spec, *, points: int = 11, overrides: Overrides | None = None
+) -> "SupportSweeps":
+    """Follow what holds a joint over the stroke of every case: in six axes where it has blades.
+
+    Joints whose thickness varies, or of no known shear modulus, have the three of their plane.
+    Free sizes are chosen first.
+
+    Raises :class:`SolveError` where no case has a stroke, or the sizing chose no sizes.
+    """
+    from flexcli.engine.simulate_space import support_over_stroke as swept
+
+    spec = _design(source, overrides)
+    if spec.part.geometry.free:
+        spec = sized(spec, size(spec))
+    design: DesignSpec = spec.part
+    return swept(design, design.fixed_sizes(), points)
 
 
 def asd_response(

@@ -92,6 +92,8 @@ def _plots(path: Path, stated: list[str] | None, what: str | None) -> "list[Plot
     spec = read(path, stated)
     if what in ASKED:
         return _of_another_verb(spec, what)
+    if what == "support":
+        return _support(spec)
     from flexcli.report.plots.of_dossier import plots
     from flexcli.report.plots.sizes import tornado_plot
     from flexcli.report.plots.verdicts import margins_plot
@@ -102,6 +104,20 @@ def _plots(path: Path, stated: list[str] | None, what: str | None) -> "list[Plot
     if result.sizing is not None and result.sizing.sensitivities:
         found.append(tornado_plot(result.sizing))
     return [*found, *plots(gathered)]
+
+
+def _support(spec: "Loaded") -> "list[Plot]":
+    """Return support stiffness over the stroke, in six axes where the joint has them in space."""
+    from flexcli import api
+    from flexcli.report.plots.stroke import space_stroke_plots, stroke_plots
+
+    swept = api.support_over_stroke(spec)
+    for note in swept.notes:
+        typer.echo(f"in space, {note}", err=True)
+    if swept.in_plane:
+        typer.echo("so the plot has three axes, the joint's own in its plane", err=True)
+    in_space = [p for s in swept.in_space for p in space_stroke_plots(s)]
+    return [*in_space, *(p for s in swept.in_plane if len(s.points) > 1 for p in stroke_plots(s))]
 
 
 def _of_another_verb(spec: "Loaded", what: str) -> "list[Plot]":

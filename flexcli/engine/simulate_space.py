@@ -19,21 +19,27 @@ from flexcli.engine.joint_models.space_stroke import (
 )
 from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
 from flexcli.engine.models import model_series
-from flexcli.engine.simulate import moving_cases
+from flexcli.engine.simulate import moving_cases, strokes
 from flexcli.errors import SolveError
+from flexcli.formulas.rigid_motion import axes_about_z
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.support import driven_stiffness, vibration
+from flexcli.mechanics.space.layout import Drive
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements.support import DIRECTIONS
 from flexcli.results import Cost, Result, Status
 from flexcli.results.activity import doing
-from flexcli.results.simulation import SpacePoint, SpaceSweep
+from flexcli.results.simulation import SpacePoint, SpaceSweep, SupportSweeps
 
-__all__ = ["simulate_in_space", "strokes_in_space"]
+__all__ = ["simulate_in_space", "strokes_in_space", "support_over_stroke"]
 
 CENTRE = (0.0, 0.0, 0.0)
+
+ALIGNED = 1.0 - 1e-9
+"""Cosine between a drive and an axis of cases from which they are one: rounding of their angle."""
 
 
 def simulate_in_space(design: DesignSpec, sizes: Sizes, spec: str, points: int) -> Result:
@@ -81,30 +87,64 @@ def simulate_in_space(design: DesignSpec, sizes: Sizes, spec: str, points: int) 
 def strokes_in_space(design: DesignSpec, sizes: Sizes, points: int) -> tuple[SpaceSweep, ...]:
     """Return the sweep of every case that has a stroke, without a verdict."""
     joint_model = SpaceExactModel()
-    moving = moving_cases(design, sizes, joint_model, "translation: 1 mm")
+    turns = design.geometry.motion == "rotation"
+    stroke = "rotation: 5 deg" if turns else "translation: 1 mm"
+    moving = moving_cases(design, sizes, joint_model, stroke)
     return tuple(_sweep(ask, points, joint_model) for ask in moving)
+
+
+def support_over_stroke(design: DesignSpec, sizes: Sizes, points: int) -> SupportSweeps:
+    """Return what holds the joint over the stroke of every case, in space where it can be followed.
+
+    A joint of the plane can where it is made of blades of constant thickness whose shear modulus
+    is known; else it has the sweep in its plane.
+
+    Raises
+    ------
+    SolveError
+        When no case has a stroke, or the joint has no sweep in its plane either.
+
+    """
+    followed = strokes_in_space(design, sizes, points)
+    left = {sweep.case for sweep in followed if len(sweep.points) < 2}
+    swept = strokes(design, sizes, points) if left and not design.geometry.in_space else ()
+    return SupportSweeps(
+        tuple(sweep for sweep in followed if sweep.case not in left),
+        tuple(sweep for sweep in swept if sweep.case in left),
+        tuple(f"{sweep.case}: {sweep.missed}" for sweep in followed if sweep.missed),
+    )
 
 
 def _sweep(ask: Ask, points: int, model: SpaceExactModel) -> SpaceSweep:
     scene = ask.scene
     doing(f"the stroke of {scene.case}")
-    found, missed, why = [], 0, ""
+    found, missed, why, drive = list[SpacePoint](), 0, "", ""
     for travel in np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points):
         try:
-            found.append(_point(ask, float(travel), model))
+            state = at_travel(ask, float(travel), model.blades)
+            drive = _driven_axis(ask, state.layout.drive)
+            found.append(_point(ask, float(travel), state, drive, model))
         except (NotAvailable, SolveError) as error:
             missed, why = missed + 1, str(error)
     told = f"{missed} of {points} travels were not reached: {why}" if missed else ""
-    return SpaceSweep(scene.case, ask.geometry.motion, tuple(found), told)
+    return SpaceSweep(scene.case, ask.geometry.motion, tuple(found), told, drive)
 
 
-def _point(ask: Ask, travel: float, model: SpaceExactModel) -> SpacePoint:
-    state = at_travel(ask, travel, model.blades)
+def _driven_axis(ask: Ask, drive: Drive) -> str:
+    """Return the axis of cases that a drive moves along or about; empty where it is oblique."""
+    cosines = np.abs(axes_about_z(ask.geometry.axes) @ np.array(drive.direction))
+    i = int(np.argmax(cosines))
+    return DIRECTIONS[i + 3 * drive.turns] if cosines[i] >= ALIGNED else ""
+
+
+def _point(
+    ask: Ask, travel: float, state: SpaceEquilibrium, drive: str, model: SpaceExactModel
+) -> SpacePoint:
     layout = state.layout
     body = layout.body(layout.drive.body)
     motion = along_cases(ask) @ state.motion_of(body.name, body.point)
     own = driven_coordinate(layout)
-    stiffness = _stiffnesses(ask, state)
+    stiffness = _stiffnesses(ask, state, drive)
     mass = any(each.mass > 0.0 for each in layout.bodies)
     stress, blade = model.largest_stress(state)
     errors = model.blades.errors(state)
@@ -118,27 +158,35 @@ def _point(ask: Ask, travel: float, model: SpaceExactModel) -> SpacePoint:
         frequency=float(vibration(state).frequency[0, 0]) if mass else None,
         stress=stress,
         blade=blade,
-        error=_support_error(ask, state, stiffness, errors),
+        error=_support_error(ask, state, drive, stiffness, errors),
     )
 
 
-def _stiffnesses(ask: Ask, state: SpaceEquilibrium) -> dict[str, float]:
-    """Return the support stiffness in six axes, the drive locked, endless where it is held."""
+def _stiffnesses(ask: Ask, state: SpaceEquilibrium, drive: str) -> dict[str, float]:
+    """Return the support stiffness in six axes, the drive locked, endless where it is held.
+
+    A drive that turns holds a coordinate of the rotation vector: where the body tilts besides, that
+    leaves some 1e-9 of compliance about its axis, which is none.
+    """
     locked = compliance_along_cases(ask, state, CENTRE, locked=True)
     stiffness = {}
-    for i, axis in enumerate(("x", "y", "z", "theta_x", "theta_y", "theta_z")):
+    for i, axis in enumerate(DIRECTIONS):
         block = slice(0, 3) if i < 3 else slice(3, 6)
-        held = locked[i, i] <= 1e-12 * np.trace(np.abs(locked)[block, block])
+        held = axis == drive or locked[i, i] <= 1e-12 * np.trace(np.abs(locked)[block, block])
         stiffness[f"k_{axis}"] = inf if held else float(1.0 / locked[i, i])
     return stiffness
 
 
 def _support_error(
-    ask: Ask, state: SpaceEquilibrium, stiffness: dict[str, float], errors: StrokeErrors | None
+    ask: Ask,
+    state: SpaceEquilibrium,
+    drive: str,
+    stiffness: dict[str, float],
+    errors: StrokeErrors | None,
 ) -> float | None:
     """Return the error of a support stiffness: of the blades, and of the level of nodes before."""
     if state.coarser is None or errors is None:
         return None
-    before = _stiffnesses(ask, state.coarser)
+    before = _stiffnesses(ask, state.coarser, drive)
     changes = (abs(before[name] / k - 1.0) for name, k in stiffness.items() if isfinite(k))
     return errors.support + max(changes, default=0.0)

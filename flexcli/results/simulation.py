@@ -2,7 +2,14 @@
 
 from typing import NamedTuple
 
-__all__ = ["Deflection", "SpacePoint", "SpaceSweep", "SweepPoint", "SweepResult"]
+__all__ = [
+    "Deflection",
+    "SpacePoint",
+    "SpaceSweep",
+    "SupportSweeps",
+    "SweepPoint",
+    "SweepResult",
+]
 
 
 class SweepPoint(NamedTuple):
@@ -70,12 +77,17 @@ class SpacePoint(NamedTuple):
 
 
 class SpaceSweep(NamedTuple):
-    """The sweep of one case in space; ``missed`` says which travels were not reached, and why."""
+    """The sweep of one case in space; ``missed`` says which travels were not reached, and why.
+
+    ``drive`` is the axis of cases that the drive moves along or about (``x`` … ``theta_z``), empty
+    where it is oblique to them all.
+    """
 
     case: str
     motion: str
     points: tuple[SpacePoint, ...]
     missed: str = ""
+    drive: str = ""
 
 
 class Deflection(NamedTuple):
@@ -94,3 +106,14 @@ class SweepResult(NamedTuple):
     points: tuple[SweepPoint, ...]
     missed: str = ""
     deflections: tuple[Deflection, ...] = ()
+
+
+class SupportSweeps(NamedTuple):
+    """What holds a joint over the stroke of every case: in six axes, or in three of its plane.
+
+    ``in_plane`` has the cases that cannot be followed in space; ``notes`` says why.
+    """
+
+    in_space: tuple[SpaceSweep, ...]
+    in_plane: tuple[SweepResult, ...]
+    notes: tuple[str, ...]

@@ -9,6 +9,9 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 WITTRICK = EXAMPLES / "wittrick-crossing" / "flexure.yaml"
 NECKED = EXAMPLES / "necked-down-stage" / "flexure.yaml"
 
+UNKNOWN = "material: {youngs_modulus: 210 GPa, admissible_stress: 800 MPa}"
+"""A material of no known shear modulus."""
+
 
 def test_report_writes_a_page_and_ends_as_check_does(flexure, tmp_path):
     done = flexure("report", str(WITTRICK), "-o", "it.html")
@@ -52,3 +55,19 @@ def test_plot_lists_what_a_design_has_and_writes_one(flexure, tmp_path):
     wrong = flexure("plot", str(WITTRICK), "shfit")
     assert wrong.returncode == 2
     assert "margins" in wrong.stderr
+
+
+def test_support_over_the_stroke_is_plotted_in_six_axes_or_says_why_not(flexure, tmp_path):
+    axes = [f"{way} {axis}" for way in ("along", "about") for axis in "xyz"]
+    done = flexure("plot", str(WITTRICK), "support", "-o", "six.svg")
+    assert (done.returncode, done.stderr) == (0, "")
+    svg = (tmp_path / "six.svg").read_text(encoding="utf-8")
+    assert all(f">{axis}<" in svg for axis in axes)
+    spec = WITTRICK.read_text(encoding="utf-8").replace("material: steel-lecture", UNKNOWN)
+    (tmp_path / "flexure.yaml").write_text(spec, encoding="utf-8")
+    done = flexure("plot", "flexure.yaml", "support", "-o", "three.svg")
+    assert done.returncode == 0
+    assert "poisson_ratio" in done.stderr
+    svg = (tmp_path / "three.svg").read_text(encoding="utf-8")
+    drawn = [axis for axis in axes if f">{axis}<" in svg]
+    assert drawn == ["along x", "along y", "about z"]

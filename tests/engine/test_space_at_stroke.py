@@ -185,3 +185,72 @@ def test_a_sweep_tells_what_its_nodes_leave_of_a_support_stiffness(tmp_path, mon
     finer = flexcli.simulate(spec, points=3).space_sweeps[0].points[-1]
     off = max(abs(told.k_theta_x / finer.k_theta_x - 1.0), abs(told.k_z / finer.k_z - 1.0))
     assert 1e-6 < off < told.error - space_stroke.BEAM_ERROR
+
+
+STAGE = """
+flexure: 1
+material: {{youngs_modulus: 210 GPa, yield_strength: 800 MPa, poisson_ratio: {nu}}}
+geometry: {{kind: leaf-spring-stage, blades: 2, h: 0.2 mm, l: 50 mm, b: 10 mm, spacing: 40 mm,
+            drive: 20 mm}}
+cases: {{operation: {{stroke: {{translation: 5 mm}}}}}}
+requirements:
+  support:
+{wanted}
+"""
+
+OFF_THE_DRIVE = ("y", "z", "theta_x", "theta_y", "theta_z")
+
+
+def stage(tmp_path, nu):
+    """Return a stage that asks for its support at rest in all that its locked drive leaves."""
+    wanted = "\n".join(
+        f"    - {{direction: {d}, min: {'1 N*m/rad' if '_' in d else '1 N/m'}, drive: locked}}"
+        for d in OFF_THE_DRIVE
+    )
+    spec = tmp_path / "stage.yaml"
+    spec.write_text(STAGE.format(nu=nu, wanted=wanted), encoding="utf-8")
+    return spec
+
+
+def test_a_joint_of_the_plane_is_as_stiff_in_its_plane_as_in_space(tmp_path):
+    """Without Poisson's ratio no section curls, and both solvers have the same blades."""
+    spec = stage(tmp_path, nu=0)
+    (in_space,) = flexcli.support_over_stroke(spec, points=3).in_space
+    (in_plane,) = flexcli.simulate(spec, points=3).sweeps
+    assert in_space.drive == "x"
+    for one, other in zip(in_space.points, in_plane.points, strict=True):
+        # a stage moves along y of its own plane
+        assert one.k_y == pytest.approx(other.stiffness_x, rel=1e-6)
+        assert one.k_theta_z == pytest.approx(other.stiffness_phi, rel=1e-6)
+        assert one.stiffness == pytest.approx(other.stiffness_y, rel=1e-6)
+
+
+def test_a_joint_of_the_plane_has_its_linear_support_at_rest_in_all_axes(tmp_path):
+    spec = stage(tmp_path, nu=0.3)
+    (sweep,) = flexcli.support_over_stroke(spec, points=3).in_space
+    rest = sweep.points[1]
+    checks = flexcli.check(spec, model="linear").checks
+    wanted = [check for check in checks if check.name.startswith("support")]
+    for direction, check in zip(OFF_THE_DRIVE, wanted, strict=True):
+        # SI units of the least that is asked: the factor is the stiffness
+        assert getattr(rest, f"k_{direction}") == pytest.approx(check.factor, rel=1e-6), direction
+
+
+def test_a_pivot_with_blades_side_by_side_is_held_about_its_axis_at_every_travel(tmp_path):
+    """It tilts as it turns; along x it is as stiff as its requirement at full stroke says."""
+    spec = tmp_path / "flexure.yaml"
+    spec.write_text(PIVOT, encoding="utf-8")
+    (sweep,) = flexcli.support_over_stroke(spec, points=4).in_space
+    assert sweep.drive == "theta_z"
+    assert all(point.k_theta_z == float("inf") for point in sweep.points)
+    least = min(sweep.points[0].k_x, sweep.points[-1].k_x)
+    assert only(flexcli.check(spec)).factor * 0.4e6 == pytest.approx(least, rel=1e-6)
+
+
+def test_a_joint_of_no_known_shear_modulus_is_followed_in_its_plane(tmp_path):
+    spec = tmp_path / "flexure.yaml"
+    spec.write_text(PIVOT.replace(", poisson_ratio: 0.3", ""), encoding="utf-8")
+    swept = flexcli.support_over_stroke(spec, points=3)
+    assert not swept.in_space
+    assert len(swept.in_plane[0].points) == 3
+    assert "poisson_ratio" in swept.notes[0]

@@ -176,5 +176,8 @@ def test_a_stroke_in_space_has_all_six_support_stiffnesses_but_the_drives_own():
     said = texts(found["support"].svg)
     assert {"along x", "along z", "about x", "about y", "about z"} <= set(said)
     assert "along y" not in said, "the drive holds it"
+    driven = SpaceSweep("work", "translation", points, drive="y")
+    found |= {p.name: p for p in space_stroke_plots(driven)}
+    assert "along y" in texts(found["support"].svg), "its own stiffness, where the drive is along y"
     for plot in found.values():
         assert_legible(plot.svg)

@@ -15,6 +15,8 @@ __all__ = ["along_plot", "space_stroke_plots", "stroke_plots"]
 
 MODEL = "exact model."
 
+HELD = f"the drive held and all else free; along the drive it is its own; {MODEL}"
+
 
 def _travels(sweep: SweepResult | SpaceSweep) -> tuple[list[float], Axis]:
     """Return the travels as a person reads them, and their axis."""
@@ -56,7 +58,10 @@ def stroke_plots(sweep: SweepResult) -> Iterator[Plot]:
             "along x": [p.shift_x for p in points], "along y": [p.shift_y for p in points],
         }),
     )  # fmt: skip
-    yield from _support(sweep, {"x": "stiffness_x", "y": "stiffness_y"}, {"z": "stiffness_phi"})
+    yield from _support(
+        sweep, {"x": "stiffness_x", "y": "stiffness_y"}, {"z": "stiffness_phi"},
+        f"Of the body's point along the joint's own axes, motion out of its plane held; {HELD}",
+    )  # fmt: skip
 
 
 def space_stroke_plots(sweep: SpaceSweep) -> Iterator[Plot]:
@@ -75,8 +80,15 @@ def space_stroke_plots(sweep: SpaceSweep) -> Iterator[Plot]:
             f"along {axis}": [getattr(p, f"shift_{axis}") for p in points] for axis in "xyz"
         }),
     )  # fmt: skip
-    along, about = ({axis: f"{key}{axis}" for axis in "xyz"} for key in ("k_", "k_theta_"))
-    yield from _support(sweep, along, about)
+    own = {sweep.drive: "stiffness"}
+    along, about = (
+        {axis: own.get(f"{kind}{axis}", f"k_{kind}{axis}") for axis in "xyz"}
+        for kind in ("", "theta_")
+    )
+    yield from _support(
+        sweep, along, about,
+        f"Of the body's point along the axes of cases, other loads of the case aside; {HELD}",
+    )  # fmt: skip
 
 
 def _tangent(sweep: SweepResult | SpaceSweep) -> Plot:
@@ -89,7 +101,7 @@ def _tangent(sweep: SweepResult | SpaceSweep) -> Plot:
 
 
 def _support(
-    sweep: SweepResult | SpaceSweep, along: dict[str, str], about: dict[str, str]
+    sweep: SweepResult | SpaceSweep, along: dict[str, str], about: dict[str, str], caption: str
 ) -> Iterator[Plot]:
     """Yield what holds the body: stiffness along axes in ink, about them in violet."""
     travels, axis = _travels(sweep)
@@ -110,9 +122,7 @@ def _support(
         for name, values, colour, dash in found:
             chart.curve(travels, values, name, dash, colour)
         yield Plot(
-            "support", f"Support stiffness over the stroke, {sweep.case}",
-            "Of the body's point, the drive held and all else free; along the drive it is its own; "
-            f"{MODEL}", chart.svg(),
+            "support", f"Support stiffness over the stroke, {sweep.case}", caption, chart.svg(),
         )  # fmt: skip
 
 
