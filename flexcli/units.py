@@ -8,7 +8,7 @@ holds the table against Pint.
 
 import re
 from decimal import Context, Decimal, localcontext
-from functools import cache
+from functools import cache, lru_cache
 from math import inf
 from typing import Any, NamedTuple
 
@@ -185,6 +185,7 @@ def number_and_unit(text: str) -> tuple[float, str] | None:
     return None if match is None else (float(match[1]), match[2])
 
 
+@lru_cache(maxsize=4096)  # a drawing that follows free parameters is read at each of their values
 def parse_quantity(text: str, dimension: str) -> float:
     """Return the SI value of a quantity such as ``"0.2 mm"``.
 

@@ -319,8 +319,7 @@ class DesignSpec(Part):
         case, out = self.cases[name], self.switched_off(name)
         if out:
             case = case.model_copy(update={key: None for _, key in out})
-        geometry, _ = self.geometry.drawn(self.geometry.probe())
-        return scene_of(name, case, self.mechanism, geometry)
+        return scene_of(name, case, self.mechanism, self.geometry.in_the_middle())
 
     def scenes(self) -> list[Scene]:
         """Return every case in the terms of each joint."""

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from math import cos, sin
+from math import copysign, cos, hypot, sin
 from typing import Annotated, NamedTuple, TypeVar
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from flexcli.mechanics.layout import Layout
@@ -19,6 +20,9 @@ __all__ = ["Temperature"]
 Change = Annotated[float, QuantityOf("temperature change")]
 Slope = Annotated[float, QuantityOf("temperature gradient")]
 Coefficient = Annotated[float, QuantityOf("expansion")]
+
+ALONG_PIECE = np.array([[-1.0, 0.0, 1.0]])
+"""Of each piece of a blade, where its thickness is looked at: its ends and its middle."""
 
 AnyLayout = TypeVar("AnyLayout", Layout, SpaceLayout)
 
@@ -77,6 +81,11 @@ class Temperature(Part):
         return self
 
     @property
+    def rises(self) -> bool:
+        """Return whether it rises from place to place in the plane."""
+        return bool(self.gradient.x or self.gradient.y)
+
+    @property
     def names(self) -> frozenset[str]:
         """Return the bodies that it names."""
         return frozenset((*self.bodies, *self.expansion))
@@ -92,12 +101,7 @@ class Temperature(Part):
             Angle of the x of cases from that of the layout [rad].
 
         """
-        c, s = cos(axes), sin(axes)
-        slopes = (
-            c * self.gradient.x - s * self.gradient.y,
-            s * self.gradient.x + c * self.gradient.y,
-            self.gradient.z,
-        )
+        slopes = self._slopes(axes)
 
         def at(point: Iterable[float]) -> float:
             rises = (slope * place for slope, place in zip(slopes, point, strict=False))
@@ -128,6 +132,36 @@ class Temperature(Part):
             name: material.growth(change, self.assembly) for name, change in changes.blades.items()
         }
         return replace(layout, body_growth=bodies, blade_growth=blades)
+
+    def across_thickness(self, layout: Layout, material: Material, axes: float) -> float:
+        """Return the largest strain by which a blade's face would grow more than its middle [-].
+
+        The rise through its thickness would bend it so where it is free, and stresses it by that
+        where it is held: :meth:`warmed` leaves it out.
+        """
+        rise_x, rise_y, _ = self._slopes(axes)
+        changes, found = self.changes(layout, axes).blades, 0.0
+        for blade in layout.blades:
+            x, y = (float(e - s) for s, e in zip(blade.start, blade.end, strict=True))
+            l = hypot(x, y)
+            pieces = blade.profile.pieces(l)
+            h = max(float(np.max(piece.thickness(ALONG_PIECE))) for piece in pieces)
+            more = abs(rise_y * x - rise_x * y) / l * h / 2.0
+            # towards assembly, where the material is known
+            change = changes[blade.name]
+            other = change - copysign(more, change)
+            grown = (material.growth(each, self.assembly) for each in (change, other))
+            found = max(found, abs(next(grown) - next(grown)))
+        return found
+
+    def _slopes(self, axes: float) -> tuple[float, float, float]:
+        """Return the rise along the axes of the layout [K/m]."""
+        c, s = cos(axes), sin(axes)
+        return (
+            c * self.gradient.x - s * self.gradient.y,
+            s * self.gradient.x + c * self.gradient.y,
+            self.gradient.z,
+        )
 
     def of_blades(self, material: Material, layout: Layout | SpaceLayout, axes: float) -> Material:
         """Return the material of the blades at their temperatures."""

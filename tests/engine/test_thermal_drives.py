@@ -2,11 +2,13 @@
 
 import shutil
 import subprocess
+from itertools import product
 
 import numpy as np
 import pytest
 
 import flexcli
+from flexcli.engine.solid.calculix import run
 from flexcli.formulas.handbook.actuator import thermal_stroke
 
 ACTUATED = """
@@ -94,32 +96,49 @@ ALL, {change}
 """
 
 
-def bricks(l, h, b, nx=20, ny=1, nz=2):
-    """Return nodes and C3D20R elements of a strip, and the nodes of both ends."""
-    place = {}
+def bricks(xs, ys, zs, is_solid=lambda i, j: True):
+    """Return nodes and C3D20R elements, by their cells, between planes, where there is a solid."""
+    place, rows = {}, {}
 
     def at(i, j, k):
         return place.setdefault((i, j, k), len(place) + 1)
 
-    rows = []
-    for i in range(nx):
-        for j in range(ny):
-            for k in range(nz):
-                x, y, z = 2 * i, 2 * j, 2 * k
-                low = [(x, y, z), (x + 2, y, z), (x + 2, y + 2, z), (x, y + 2, z)]
-                high = [(p, q, r + 2) for p, q, r in low]
-                mid = [
-                    tuple((m + n) // 2 for m, n in zip(low[s], low[(s + 1) % 4], strict=True))
-                    for s in range(4)
-                ]
-                top = [(p, q, r + 2) for p, q, r in mid]
-                up = [(p, q, r + 1) for p, q, r in low]
-                rows.append([at(*each) for each in (*low, *high, *mid, *top, *up)])
+    for cell in product(*(range(len(planes) - 1) for planes in (xs, ys, zs))):
+        if not is_solid(*cell[:2]):
+            continue
+        x, y, z = (2 * index for index in cell)
+        low = [(x, y, z), (x + 2, y, z), (x + 2, y + 2, z), (x, y + 2, z)]
+        mid = [
+            tuple((m + n) // 2 for m, n in zip(low[s], low[(s + 1) % 4], strict=True))
+            for s in range(4)
+        ]
+        high, top = ([(p, q, r + 2) for p, q, r in each] for each in (low, mid))
+        up = [(p, q, r + 1) for p, q, r in low]
+        rows[cell] = [at(*each) for each in (*low, *high, *mid, *top, *up)]
+    halves = [np.interp(np.arange(2 * len(p) - 1) / 2, np.arange(len(p)), p) for p in (xs, ys, zs)]
     nodes = {
-        number: (l * i / (2 * nx), h * j / (2 * ny), b * k / (2 * nz))
-        for (i, j, k), number in place.items()
+        number: tuple(float(half[n]) for half, n in zip(halves, index, strict=True))
+        for index, number in place.items()
     }
     return nodes, rows
+
+
+def listed(nodes):
+    """Return the lines of nodes."""
+    return "\n".join(f"{n}, {x:.12g}, {y:.12g}, {z:.12g}" for n, (x, y, z) in nodes.items())
+
+
+def elements_of(rows, first=1):
+    """Return the lines of elements, numbered from ``first`` on."""
+    return "\n".join(
+        f"{e}, " + ", ".join(map(str, row[:10])) + ",\n" + ", ".join(map(str, row[10:]))
+        for e, row in enumerate(rows, first)
+    )
+
+
+def set_of(name, members):
+    """Return the lines of a set of nodes."""
+    return f"*NSET, NSET={name}\n" + "\n".join(f"{n}," for n in members) + "\n"
 
 
 @pytest.mark.calculix
@@ -129,19 +148,16 @@ def test_solids_buckle_at_the_temperature_that_is_told(tmp_path):
     l, h, b, alpha, E, nu = 40e-3, 0.4e-3, 2e-3, 9e-6, 114e9, 0.3
     spec = BRIDGE.format(l=l * 1e3, h=h * 1e3, b=b * 1e3, change=10.0)
     (told,) = flexcli.check(spec).checks
-    nodes, rows = bricks(l, h, b)
-    sets = ""
-    for name, x in (("START", 0.0), ("END", l)):
-        members = [n for n, place in nodes.items() if np.isclose(place[0], x)]
-        sets += f"*NSET, NSET={name}\n" + "\n".join(f"{n}," for n in members) + "\n"
+    nodes, rows = bricks(np.linspace(0.0, l, 21), [0.0, h], [0.0, b / 2.0, b])
+    sets = "".join(
+        set_of(name, [n for n, place in nodes.items() if np.isclose(place[0], x)])
+        for name, x in (("START", 0.0), ("END", l))
+    )
     shares, squares = (0.8, 0.9), []
     for share in shares:
         text = DECK.format(
-            nodes="\n".join(f"{n}, {x!r}, {y!r}, {z!r}" for n, (x, y, z) in nodes.items()),
-            elements="\n".join(
-                f"{e}, " + ", ".join(map(str, row[:10])) + ",\n" + ", ".join(map(str, row[10:]))
-                for e, row in enumerate(rows, 1)
-            ),
+            nodes=listed(nodes),
+            elements=elements_of(rows.values()),
             E=E,
             nu=nu,
             alpha=alpha,
@@ -156,6 +172,119 @@ def test_solids_buckle_at_the_temperature_that_is_told(tmp_path):
     low, high = (end / told.factor for end in told.factor_range)
     assert low < critical < high
     assert critical == pytest.approx(1.0, abs=0.02)
+
+
+FRAME = """
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0.3, thermal_expansion: 9e-6 1/K,
+           yield_strength: 800 MPa}}
+geometry:
+  kind: layout
+  bodies: {{stage: {{at: [0 mm, 20 mm]}}}}
+  blades:
+    left: {{between: [ground, stage], from: [-10 mm, 0 mm], to: [-10 mm, 20 mm],
+           h: 0.4 mm, b: 0.8 mm}}
+    right: {{between: [ground, stage], from: [10 mm, 0 mm], to: [10 mm, 20 mm],
+            h: 0.4 mm, b: 0.8 mm}}
+  moving: stage
+  motion: {{translation: 0 deg}}
+cases: {{hot: {{temperature: {{{change}, expansion: {{stage: {stage} 1/K, ground: 0 1/K}}}}}}}}
+requirements: {{yield: 1}}
+"""
+"""A stage on two blades, which it spreads where it grows, and leans on where one is longer."""
+
+FRAME_DECK = """*NODE, NSET=ALL
+{nodes}
+*ELEMENT, TYPE=C3D20R, ELSET=BLADES
+{blades}
+*ELEMENT, TYPE=C3D20R, ELSET=STAGE
+{stage}
+{fixed}*MATERIAL, NAME=OURS
+*ELASTIC
+114e9, 0.3
+*EXPANSION
+9e-6
+*MATERIAL, NAME=STIFF
+*ELASTIC
+114e12, 0.3
+*EXPANSION
+{alpha}
+*SOLID SECTION, ELSET=BLADES, MATERIAL=OURS
+*SOLID SECTION, ELSET=STAGE, MATERIAL=STIFF
+*INITIAL CONDITIONS, TYPE=TEMPERATURE
+ALL, 0.
+*BOUNDARY
+FIXED, 1, 3
+*STEP, NLGEOM
+*STATIC
+*TEMPERATURE
+{warm}
+*NODE FILE
+U
+*EL FILE
+S
+*END STEP
+"""
+
+
+@pytest.mark.calculix
+@pytest.mark.skipif(shutil.which("ccx") is None, reason="CalculiX is not installed")
+@pytest.mark.parametrize(
+    ("uniform", "slope", "stage"), [(100.0, 0.0, 24e-6), (-100.0, 0.0, 0.0), (100.0, 2e3, 0.0)]
+)
+def test_solids_bend_and_move_as_the_temperature_is_told_to(uniform, slope, stage):
+    """Blades and stage in bricks, each node as warm as its place."""
+    apart, l, h, b = 20e-3, 20e-3, 0.4e-3, 0.8e-3
+    change = f"uniform: {uniform} K"
+    if slope:
+        change += f", gradient: {{x: {slope} K/m}}"
+    result = flexcli.check(FRAME.format(change=change, stage=stage))
+    (told,), values = result.checks, result.values
+    inner, outer = (apart - h) / 2.0, (apart + h) / 2.0
+    cuts = 32
+    # short bricks at the clamps
+    ys = [*(l * (1.0 - np.cos(np.linspace(0.0, np.pi, cuts + 1))) / 2.0), l + 2e-3, l + 4e-3]
+    nodes, rows = bricks(
+        [-outer, -apart / 2.0, -inner, 0.0, inner, apart / 2.0, outer], ys, [0.0, b / 2.0, b],
+        lambda i, j: j >= cuts or i in (0, 1, 4, 5),
+    )  # fmt: skip
+    of_blades = [row for cell, row in rows.items() if cell[1] < cuts]
+    of_stage = [row for cell, row in rows.items() if cell[1] >= cuts]
+    text = FRAME_DECK.format(
+        nodes=listed(nodes),
+        blades=elements_of(of_blades),
+        stage=elements_of(of_stage, len(of_blades) + 1),
+        fixed=set_of("FIXED", [n for n, place in nodes.items() if place[1] == 0.0]),
+        alpha=stage,
+        warm="\n".join(f"{n}, {uniform + slope * x:.12g}" for n, (x, _, _) in nodes.items()),
+    )
+    solid = run(text, "frame")
+    (moved,), (stress,) = solid.fields("DISP"), solid.fields("STRESS")
+    left, centre, right = (
+        np.mean([moved[n] for n, place in nodes.items() if np.allclose(place[:2], (x, l))], axis=0)
+        for x in (-inner, 0.0, inner)
+    )
+    turned = (right[1] - left[1]) / (2.0 * inner)
+    # clamps keep the blades from growing across, which adds ν α ΔT over a thickness or so of length
+    near, none = 0.01, 1e-9
+    assert values["x_hot"].value == pytest.approx(centre[0], rel=near, abs=none)
+    assert values["y_hot"].value == pytest.approx(centre[1], rel=near, abs=none)
+    assert values["theta_hot"].value == pytest.approx(turned, rel=near, abs=none / apart)
+    # bending and pull are straight lines along a blade, which its clamps do not follow
+    worst = 0.0
+    for face in (-outer, -inner, inner, outer):
+        along = np.array(
+            [
+                (place[1], stress[n][1])
+                for n, place in nodes.items()
+                if np.isclose(place[0], face) and 0.25 * l < place[1] < 0.75 * l
+            ]
+        )
+        worst = max(worst, *np.abs(np.polyval(np.polyfit(*along.T, 1), (0.0, l))))
+    # what clamps leave where nothing else strains: a ten-thousandth of the stress of held blades
+    left_over = 1e-4 * 114e9 * 9e-6 * 100.0
+    low, high = (told.capacity / factor for factor in reversed(told.factor_range))
+    assert low - left_over < worst < high + left_over
 
 
 WARM = """

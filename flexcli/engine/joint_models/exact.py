@@ -196,10 +196,11 @@ class ExactModel(JointModel):
     def _judge_stress(self, ask: Ask) -> tuple[list[EndStress], float]:
         """Return them; the error is by how much they change from one level to the next.
 
-        What lies between the places at which the stress is sampled counts besides.
+        What lies between the places at which the stress is sampled counts besides, and what a
+        temperature that rises through the thickness of blades may add or relieve.
         """
         state = self.states(ask)
-        before = state.coarser
+        before, temperature, axes = state.coarser, ask.scene.temperature, ask.geometry.axes
         change, most, found = 0.0, 0.0, list[EndStress]()
         for blade in state.layout.blades:
             fine = blade_stress(state, blade.name, POINTS)
@@ -210,6 +211,9 @@ class ExactModel(JointModel):
                 coarse = blade_stress(before, blade.name, POINTS)
                 pairs = ((fine.left, coarse.left), (fine.right, coarse.right))
                 change = max(change, *(float(np.abs(a - b).max()) for a, b in pairs))
+        if temperature is not None and temperature.rises:
+            strain = temperature.across_thickness(state.layout, ask.material, axes)
+            change += ask.material.elastic.E * strain
         if before is None or (most == 0.0 and change > 0.0):
             return found, inf
         return found, (change / most if most else 0.0) + SAMPLED

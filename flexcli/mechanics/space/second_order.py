@@ -268,4 +268,8 @@ class _Quadratic:
 
 
 def _cross(a: Complexes, b: Complexes) -> Complexes:
-    return np.asarray(np.cross(a, b, axis=0))
+    # np.cross spends most of its time on its axes, and this is called for every blade and step
+    found: Complexes = np.stack(
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    )
+    return found

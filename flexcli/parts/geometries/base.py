@@ -250,6 +250,10 @@ class Geometry(Part):
         """Return it and its sizes as they are where parameters of a drawing have values."""
         return self, sizes
 
+    def in_the_middle(self) -> "Geometry":
+        """Return it as it is in the middle of the ranges of a drawing's free parameters."""
+        return self
+
     def sized(self, values: Mapping[str, Quantity]) -> Sizes:
         """Return the sizes of given values by symbol; what is fixed stays so."""
         return self.dimensions(

@@ -46,6 +46,7 @@ class Drawn(Geometry):
 
     _follows: Follows | None = PrivateAttr(None)
     _last: tuple[Sizes, tuple[Geometry, Sizes]] | None = PrivateAttr(None)
+    _middle: Geometry | None = PrivateAttr(None)
 
     @model_validator(mode="wrap")
     @classmethod
@@ -56,6 +57,12 @@ class Drawn(Geometry):
         found = handler({key: value for key, value in data.items() if key != DRAWING})
         found._follows = follows
         return found
+
+    def __copy__(self) -> Self:
+        """Return a copy, which may be given other parts: it has drawn nothing yet."""
+        copied = super().__copy__()
+        copied._last = copied._middle = None
+        return copied
 
     @property
     def parameters(self) -> Mapping[str, Extent]:
@@ -129,6 +136,21 @@ class Drawn(Geometry):
             own = {name: getattr(sizes, name) for name in drawing.free}
             last = self._last = sizes, (drawing, drawing.sized(own))
         return last[1]
+
+    def in_the_middle(self) -> Geometry:
+        """Return the drawing in the middle of the ranges of its free parameters.
+
+        Raises
+        ------
+        NotAvailable
+            Where it cannot be drawn.
+
+        """
+        if self._follows is None:
+            return self
+        if self._middle is None:
+            self._middle = self._at(self._follows, self.probe())
+        return self._middle
 
     def _at(self, follows: Follows, sizes: Sizes) -> Self:
         values = {name: getattr(sizes, name) for name in follows.extents}
