@@ -77,7 +77,8 @@ def motion_along(axes: ArrayLike) -> Floats:
     """
     rows = np.asarray(axes, dtype=np.float64)
     product = rows @ rows.swapaxes(-1, -2)
-    if not np.allclose(product, np.eye(3), rtol=0.0, atol=1e-9) or (np.linalg.det(rows) < 0).any():
+    is_orthonormal = bool((np.abs(product - np.eye(3)) <= 1e-9).all())
+    if not is_orthonormal or (np.linalg.det(rows) < 0).any():
         raise ValueError("axes must be three orthonormal rows of a right-handed frame")
     R = np.zeros((*rows.shape[:-2], 6, 6))
     R[..., :3, :3] = R[..., 3:, 3:] = rows

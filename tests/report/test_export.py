@@ -1,6 +1,7 @@
 """What is exported is read again, and measures as the spec says."""
 
 import io
+import re
 from math import hypot, pi
 from pathlib import Path
 
@@ -195,6 +196,34 @@ def test_a_step_has_a_named_part_of_each_size(drawn, tmp_path):
         assert np.abs(boxes - ends).max(axis=1).min() < NANOMETRE
     blades = sum(area(s.edges) * (s.high - s.low) for s in shapes if s.layer == BLADES)
     assert blades == pytest.approx(volume, rel=1e-12)
+
+
+def test_the_text_of_a_step_has_every_corner_in_millimetres(drawn):
+    """Its entities as ISO 10303-21 writes them, without the kernel that wrote them."""
+    pytest.importorskip("OCP")
+    from flexcli.report.export_solid import step
+
+    shapes = prisms(drawn[0])
+    text = re.sub(r"\s", "", step(shapes).decode("ascii"))
+    entities = dict(re.findall(r"#(\d+)=([^;]*);", text))
+    lengths = [entity for entity in entities.values() if "LENGTH_UNIT" in entity]
+    assert lengths
+    assert all("SI_UNIT(.MILLI.,.METRE.)" in entity for entity in lengths)
+    found = []
+    for entity in entities.values():
+        if at := re.fullmatch(r"VERTEX_POINT\('[^']*',#(\d+)\)", entity):
+            place = re.fullmatch(r"CARTESIAN_POINT\('[^']*',\((.*)\)\)", entities[at[1]])
+            found.append([float(x) for x in place[1].split(",")])
+    wanted = [
+        [*(c * MM for c in edge.start), height * MM]
+        for shape in shapes
+        for edge in shape.edges
+        for height in (shape.low, shape.high)
+    ]
+    assert len(found) == len(wanted)
+    apart = np.abs(np.subtract(np.array(found)[:, None], np.array(wanted))).max(axis=2)
+    assert apart.min(axis=0).max() < NANOMETRE
+    assert apart.min(axis=1).max() < NANOMETRE
 
 
 def test_an_stl_is_closed_and_as_long_as_single_precision_tells():
