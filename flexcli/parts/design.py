@@ -257,7 +257,7 @@ class DesignSpec(Part):
 
     @model_validator(mode="after")
     def _sizes_are_known(self) -> "DesignSpec":
-        sizes = tuple(self.geometry.extents)
+        sizes = (*self.geometry.extents, *self.parameters)
         for name in self.size.rounding:
             _refuse_unknown(name, sizes, ("size", "round", name))
         objective = self.size.objective

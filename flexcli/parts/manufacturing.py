@@ -37,10 +37,13 @@ class Manufacturing(Part):
     """Diameter of the wire, which no gap is narrower and half of which no inner radius is smaller
     than, e.g. ``0.25 mm``."""
     spark_gap: Annotated[float, QuantityOf("length", at_least=0.0)] | None = None
-    """What sparks take away on each side of the wire, e.g. ``20 um``."""
+    """What sparks take away on each side of the wire,
+    e.g. ``spark_gap: 20 um, process: wire-edm, wire: 0.25 mm``.
+    """
     slot: PositiveLength | None = None
     """Width of the slots that ``flexure export`` frees blades and bodies by; left out, the
-    narrowest that can be made, e.g. ``0.5 mm``."""
+    narrowest that can be made, e.g. ``slot: 0.5 mm, process: wire-edm, wire: 0.25 mm``.
+    """
     outlines: dict[str, Outline] = Field({})
     """Corners of bodies, and of the plate by the name of the ground, in the axes of ``flexure
     draw``; the others are plain blocks, e.g. ``{ground: [[-20 mm, -5 mm], [20 mm, -5 mm],

@@ -188,11 +188,11 @@ class Material(Part):
     """Poisson's ratio, e.g. ``0.34``."""
     crystal: Crystal | None = None
     """Stiffness of a cubic crystal, of which the moduli are by its orientation,
-    e.g. ``{c11: 165.7 GPa, c12: 63.9 GPa, c44: 79.6 GPa}``.
+    e.g. ``crystal: {c11: 165.7 GPa, c12: 63.9 GPa, c44: 79.6 GPa}``.
     """
     orthotropic: Orthotropic | None = None
     """Constants of an orthotropic sheet, of which the moduli are by its orientation,
-    e.g. ``{E_1: 140 GPa, E_2: 10 GPa, G_12: 5 GPa, nu_12: 0.3}``.
+    e.g. ``orthotropic: {E_1: 140 GPa, E_2: 10 GPa, G_12: 5 GPa, nu_12: 0.3}``.
     """
     orientation: Orientation | None = None
     """How the blades lie in the crystal or the sheet,

@@ -59,7 +59,7 @@ class Temperature(Part):
     """
     gradient: Gradient = Gradient()
     """Rise from place to place, taken at the middle of each blade and at each body's point,
-    e.g. ``{x: 40 K/m}``.
+    e.g. ``gradient: {x: 40 K/m}, uniform: -60 K``.
     """
     expansion: Mapping[str, Coefficient] = Field(default_factory=dict)
     """Thermal expansion of bodies that are of another material than the blades, the mean of this

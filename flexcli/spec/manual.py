@@ -200,8 +200,7 @@ def _snippet(place: _Place) -> dict[str, Any]:
         elif depth:
             value = {**_beside(place, depth), step: value}
         else:
-            alone = len(place.path) == 1
-            value = {step: value, **(place.schema.get(BESIDE, {}) if alone else {})}
+            value = {step: value, **_at(place, 0).get(BESIDE, {})}
     return dict(value)
 
 
