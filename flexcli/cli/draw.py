@@ -85,4 +85,4 @@ def _drawn(spec: "Loaded", view: View, case: str | None, *, stress: bool, joint:
         return drawing_svg(found, title, stress=stress)
     from flexcli.report.drawings.views import view_svg
 
-    return view_svg(found, title, view.value)
+    return view_svg(found, title, view.value, stress=stress)

@@ -1,6 +1,7 @@
 """The verb draw: the joint at rest and at the ends of its stroke, as the exact model has it."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import cos, sin
 from typing import Any
 
@@ -23,7 +24,7 @@ from flexcli.engine.values import stated_strength
 from flexcli.errors import SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import solve
-from flexcli.mechanics.layout import Layout, Load
+from flexcli.mechanics.layout import Body, Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.state import Equilibrium, Outcome
@@ -31,6 +32,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.parts.geometries.base import GROUND, MOVING
+from flexcli.parts.geometries.linkage import LinkageGeometry
 from flexcli.parts.requirements import Ask
 from flexcli.results.drawing import (
     XY,
@@ -40,6 +42,7 @@ from flexcli.results.drawing import (
     DrawnBody,
     DrawnEdge,
     DrawnForce,
+    DrawnMass,
     DrawnState,
 )
 
@@ -86,16 +89,36 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         from flexcli.engine.draw_in_space import space_drawing
 
         return space_drawing(ask, given, tuple(notes), cut)
-    try:
-        layout = geometry.layout(design.material.elastic, sizes)
-    except NotAvailable:
-        twists = geometry.strain == "twist"
-        blades, bodies = _bar(geometry, sizes) if twists else ((), _links(geometry))
+    if isinstance(geometry, LinkageGeometry):
+        from flexcli.engine.drawn_linkage import as_in_spec, linkage_drawing
+
+        at_rest = linkage_drawing(geometry, ask, given, tuple(notes), cut)
+        turn = as_in_spec(geometry)
+        try:
+            moved = _moved(ask, turn) if ask.scene.moves else ((), (), "")
+            if design.mechanism is not None:
+                layout = geometry.plane_layout(design.material.elastic, sizes)
+                carried = design.mechanism.carried_body(geometry, layout)
+        except NotAvailable as reason:
+            moved = ((), (), f"it {reason}")
+        states, path, missed = moved
+        return replace(
+            at_rest, states=states, path=path, missed=missed,
+            forces=tuple(_forces(ask, at_rest.centre, turn)),
+            bodies=tuple(
+                _loaded(body, carried, turn) if body.name == _moving(geometry) else body
+                for body in at_rest.bodies
+            ) if carried is not None else at_rest.bodies,
+            strength=strength[1] if strength is not None else None,
+        )  # fmt: skip
+    if geometry.strain == "twist":
+        blades, bodies = _bar(geometry, sizes)
         return Drawing(
             kind=geometry.name, motion=geometry.motion, blades=blades, bodies=bodies, sizes=given,
-            centre=(0.0, 0.0), case=ask.scene.case, unit=geometry.travel_unit, twists=twists,
+            centre=(0.0, 0.0), case=ask.scene.case, unit=geometry.travel_unit, twists=True,
             notes=tuple(notes), cut=cut,
         )  # fmt: skip
+    layout = geometry.layout(design.material.elastic, sizes)
     if design.mechanism is not None:
         carried = design.mechanism.carried_body(geometry, layout)
     turn = turning(-geometry.axes)
@@ -112,7 +135,7 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         unit=geometry.travel_unit,
         states=states,
         path=path,
-        forces=tuple(_forces(ask, layout, -geometry.axes)),
+        forces=tuple(_forces(ask, place_of(turn(centre)), turn)),
         angles=tuple(_angles(geometry)),
         missed=missed,
         strength=strength[1] if strength is not None else None,
@@ -158,14 +181,19 @@ def _moved(ask: Ask, turn: Turn) -> tuple[tuple[DrawnState, ...], tuple[XY, ...]
     return states, drawn_line(turn(path)), ""
 
 
-def _forces(ask: Ask, layout: Layout, angle: float) -> list[DrawnForce]:
-    """Return the forces of the case on the moving body."""
-    at = turning(angle)(numbers(layout.body(MOVING).point))
+def _loaded(body: DrawnBody, carried: Body, turn: Turn) -> DrawnBody:
+    """Return a body with the mass that is carried."""
+    mass = DrawnMass("", place_of(turn(numbers(carried.com))), float(np.ravel(carried.mass)[0]))
+    return replace(body, masses=(mass,))
+
+
+def _forces(ask: Ask, at: XY, turn: Turn) -> list[DrawnForce]:
+    """Return the forces of the case on the moving body, which act at a place of the drawing."""
     return [
         DrawnForce(
             ask.scene.force_name if len(ask.scene.forces) == 1 else f"F{k}",
-            place_of(at),
-            (cos(direction + angle), sin(direction + angle)),
+            at,
+            place_of(turn(np.array([cos(direction), sin(direction)]))),
             abs(force),
         )
         for k, (force, direction) in enumerate(ask.scene.forces, 1)
@@ -215,26 +243,3 @@ def _bar(geometry: Geometry, sizes: Any) -> tuple[tuple[DrawnBlade, ...], tuple[
         for name, ends in ((GROUND, ground), (_moving(geometry), moving))
     )
     return tuple(blades), bodies
-
-
-def _links(geometry: Any) -> tuple[DrawnBody, ...]:
-    """Return the links of a linkage with ideal joints, each by the places of its joints."""
-    found = []
-    for link in geometry.rigid.moving:
-        pins = tuple(
-            (float(joint.at[0]), float(joint.at[1]))
-            for joint in geometry.joints.values()
-            if link in joint.links
-        )
-        none = ((0.0, 0.0),) * len(pins)
-        found.append(DrawnBody(link, pins, none, (0.0,) * len(pins), pins[0]))
-    ground = tuple(
-        (float(joint.at[0]), float(joint.at[1]))
-        for joint in geometry.joints.values()
-        if geometry.ground in joint.links
-    )
-    down = ((0.0, -1.0),) * len(ground)
-    return (
-        DrawnBody(GROUND, ground, down, (0.0,) * len(ground), ground[0], is_ground=True),
-        *found,
-    )

@@ -1,7 +1,8 @@
 """A mechanism in space as it is drawn: from the front, the side and the corner, at rest and moved.
 
 Each view is a planar drawing of what is seen: blades as thick as they look, at rest. Moved blades
-are cubics between their ends, whose places and directions are those of the exact model.
+are cubics between their ends, whose places and directions are those of the exact model; the stress
+along them is that of its beams.
 """
 
 from collections.abc import Iterator, Mapping
@@ -13,12 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.drawn_layout import drawn_blade, drawn_bodies, turning
+from flexcli.engine.joint_models.space_exact import section_peaks
 from flexcli.engine.joint_models.space_stroke import at_travel
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.layout import Blade, Body, Layout
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.rotation import matrix_of
+from flexcli.mechanics.space.exact.stresses import blade_stresses
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
@@ -45,7 +48,7 @@ EDGE_ON = 0.05
 """Sine of the angle to its surface at which a blade is looked at, below which it is a line."""
 
 ALONG = np.linspace(0.0, 1.0, 25)
-"""Places along a moved blade."""
+"""Places along a moved blade, over its length, beside those where its stress is known."""
 
 
 class View(NamedTuple):
@@ -133,6 +136,10 @@ def _seen(
         notes = (*notes, f"{hidden} blades are seen end on, and left out")
     if moved:
         notes = (*notes, "moved blades are cubics between their ends, turns of bodies as they look")
+        notes = (
+            *notes,
+            "stress is von Mises' by exact beams, the largest of each section, of the stroke alone",
+        )
     surfaces = dict(_surfaces(space, view))
     lengths = {m.name: float(np.linalg.norm(np.subtract(m.end, m.start))) for m in space.blades}
     turn = turning(0.0)
@@ -168,19 +175,23 @@ def _state(
 ) -> DrawnState:
     """Return the mechanism at a travel, as it is seen."""
     shown = {blade.name for blade in layout.blades}
-    axes = {}
-    for member in space.blades:
+    axes, stress = {}, {}
+    for member, felt in zip(space.blades, blade_stresses(state), strict=True):
         if member.name in shown:
+            s = np.union1d(ALONG, felt.s)
+            length = float(np.linalg.norm(np.subtract(member.end, member.start)))
             line = _cubic(*_ends(state, member.first, member.start, member.axes[0]),
                           *_ends(state, member.second, member.end, member.axes[0]),
-                          float(np.linalg.norm(np.subtract(member.end, member.start))))  # fmt: skip
+                          length, s)  # fmt: skip
             axes[member.name] = tuple((float(x), float(y)) for x, y in line @ view.rows.T)
+            largest = np.abs(section_peaks(felt)).max(axis=1)
+            stress[member.name] = tuple(np.interp(s, felt.s, largest).tolist())
     motions = {}
     for body in space.bodies:
         motion = state.motion_of(body.name, body.point)
         x, y = view.rows @ motion[:3]
         motions[body.name] = (float(x), float(y), float(view.normal @ motion[3:]))
-    return DrawnState(travel, axes, {}, motions)
+    return DrawnState(travel, axes, stress, motions)
 
 
 def _ends(
@@ -193,9 +204,11 @@ def _ends(
     return np.asarray(end) + shift, np.asarray(matrix_of(state.quaternion(body)) @ along)
 
 
-def _cubic(start: Floats, out: Floats, end: Floats, into: Floats, length: float) -> Floats:
+def _cubic(
+    start: Floats, out: Floats, end: Floats, into: Floats, length: float, places: Floats
+) -> Floats:
     """Return places on the cubic from one place and direction to another (Hermite)."""
-    s = ALONG[:, None]
+    s = places[:, None]
     return np.asarray(
         (2 * s**3 - 3 * s**2 + 1) * start + (s**3 - 2 * s**2 + s) * length * out
         + (3 * s**2 - 2 * s**3) * end + (s**3 - s**2) * length * into

@@ -39,7 +39,7 @@ AT_REST = 33
 """Places on each piece of a blade at rest, enough to see the shape of a notch."""
 
 Turn: TypeAlias = Callable[[Floats], Floats]
-"""What turns places into the axes that are drawn."""
+"""What turns places into the axes that are drawn, or mirrors them."""
 
 
 def turning(angle: float) -> Turn:
@@ -166,13 +166,14 @@ def drawn_states(
 ) -> tuple[DrawnState, ...]:
     """Return equilibria by their rows, as they are drawn, with what the moving body is called."""
     lines = {blade.name: centre_line(state, blade.name) for blade in state.layout.blades}
+    hand = float(np.sign(np.linalg.det(turn(np.eye(2)))))
     found = []
     for i, travel in travels.items():
         motions = {}
         for k, body in enumerate(state.layout.bodies):
             x, y = turn(state.motions[i, k, :2])
             name = moving if body.name == MOVING else body.name
-            motions[name] = (float(x), float(y), float(state.motions[i, k, 2]))
+            motions[name] = (float(x), float(y), hand * float(state.motions[i, k, 2]))
         found.append(
             DrawnState(
                 travel=travel,

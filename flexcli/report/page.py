@@ -112,7 +112,9 @@ def design_page(dossier: Dossier, date: str) -> str:
         _pictured(drawn, title, width) for drawn, width in shown if drawn is not None
     ]
     if dossier.drawing is not None:
-        context["isometric"] = _markup(_inline(view_svg(dossier.drawing, title, "isometric")))
+        context["isometric"] = _markup(
+            _inline(view_svg(dossier.drawing, title, "isometric", stress=True))
+        )
     if result.sizing is not None:
         context |= _sizing(result)
     sections = {

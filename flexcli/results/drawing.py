@@ -15,6 +15,7 @@ __all__ = [
     "DrawnCut",
     "DrawnEdge",
     "DrawnForce",
+    "DrawnGuide",
     "DrawnLength",
     "DrawnMass",
     "DrawnState",
@@ -125,6 +126,19 @@ class DrawnForce:
     newtons: float
 
 
+class DrawnGuide(NamedTuple):
+    """A stage between two bodies: its name, its place, and the unit vector along which it moves.
+
+    One that ``is_ideal`` has no blades, and stands on the ground or (``on_ground`` false) a body.
+    """
+
+    name: str
+    at: XY
+    way: XY
+    is_ideal: bool
+    on_ground: bool
+
+
 @dataclass(frozen=True, eq=False)
 class DrawnAngle:
     """An angle at a place, from one direction to another [rad], with its name."""
@@ -141,7 +155,8 @@ class Drawing:
 
     ``sizes`` are (symbol, value [m]) as the spec names them; ``states`` are in the order + end, −
     end of the stroke, ``path`` is where the centre or moving point goes between them; ``unit`` is
-    that of the travel, ``pivots`` the named centres of several joints, ``missed`` why a case has no
+    that of the travel, ``pivots`` the named centres of several joints, ``guides`` what moves along
+    a line where the blades do not say so alone, ``missed`` why a case has no
     states, ``cut`` how a wire makes it. A bar that twists is a blade on its axis; ``twists`` says
     so. ``axes`` are those that are seen and where they point; ``is_a_view`` says that it is of a
     mechanism in space, seen from one side, ``views`` has those from others by name. Plain bodies
@@ -162,6 +177,7 @@ class Drawing:
     angles: tuple[DrawnAngle, ...] = ()
     lengths: tuple[DrawnLength, ...] = ()
     pivots: tuple[tuple[str, XY], ...] = ()
+    guides: tuple[DrawnGuide, ...] = ()
     missed: str = ""
     axes: tuple[tuple[str, XY], ...] = (("x", (1.0, 0.0)), ("y", (0.0, 1.0)))
     is_a_view: bool = False

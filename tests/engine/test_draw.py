@@ -253,3 +253,154 @@ def test_a_linkage_whose_flexures_were_sized_is_drawn_by_its_links():
     assert not spec.part.geometry.free
     links = {body.name for body in flexcli.drawing(spec).bodies}
     assert links == {"ground", "crank", "rod", "stage"}
+
+
+THIN = {
+    "geometry.joints.theta.flexure.h": "120um",
+    "geometry.joints.beta.flexure.h": "60um",
+    "geometry.joints.alpha.flexure.h": "330um",
+}
+
+
+@pytest.fixture(scope="module")
+def crank():
+    return flexcli.drawing(EXAMPLES / "crank-linear-stage" / "flexure.yaml", overrides=THIN)
+
+
+def test_a_linkage_is_drawn_where_its_spec_has_it(crank):
+    assert dict(crank.pivots) == {
+        "theta": (0.0, 0.0),
+        "beta": (0.0, 50e-3),
+        "alpha": (-50e-3, 50e-3),
+    }
+    assert crank.centre == (0.0, 0.0)
+    for name, place in crank.pivots:
+        own = [blade for blade in crank.blades if blade.name.startswith(name)]
+        assert len(own) == 2
+        for blade in own:  # a blade of δ = −0.5 crosses in its middle
+            middle = np.mean([blade.axis[0], blade.axis[-1]], axis=0)
+            np.testing.assert_allclose(middle, place, atol=1e-12)
+    (stage,) = crank.guides
+    assert stage.is_ideal
+    assert (stage.name, stage.way) == ("z", (1.0, 0.0))
+
+
+@pytest.fixture(scope="module")
+def led():
+    """Return the crank's linkage driven by its stage, of leaf springs, with a payload on it."""
+    pivot = {
+        "kind": "cross-spring", "delta": -0.5, "half_angle": "45 deg",
+        "h": "0.1 mm", "l": "15 mm", "b": "5 mm",
+    }  # fmt: skip
+    leaves = {
+        "kind": "leaf-spring-stage", "h": "0.1 mm", "l": "20 mm", "b": "5 mm", "spacing": "15 mm",
+    }  # fmt: skip
+    above, left = ["0 mm", "50 mm"], ["-50 mm", "50 mm"]
+    joints = {
+        "z": {"links": ["base", "stage"], "at": ["-80 mm", "50 mm"], "along": [1, 0],
+              "flexure": leaves},
+        "alpha": {"links": ["rod", "stage"], "at": left, "turned": "180 deg", "flexure": pivot},
+        "beta": {"links": ["rod", "crank"], "at": above, "flexure": pivot},
+        "theta": {"links": ["crank", "base"], "turned": "90 deg", "flexure": pivot},
+    }  # fmt: skip
+    geometry = {"kind": "linkage", "ground": "base", "input": "z", "joints": joints}
+    payload = {"kind": "payload", "mass": "50 g"}
+    part = design(geometry, {"work": {"stroke": {"translation": "1 mm"}}}, mechanism=payload)
+    return drawing(part, part.fixed_sizes())
+
+
+def test_a_linkage_led_by_its_stage_moves_along_it_in_the_drawing(led):
+    plus, minus = led.states
+    assert (plus.motions["stage"][0], minus.motions["stage"][0]) == pytest.approx((1e-3, -1e-3))
+    # to the right above the pivot is clockwise, by 1 mm over 50 mm and the square of that
+    assert plus.motions["crank"][2] == pytest.approx(-1.0 / 50.0, rel=0.02)
+    (mass,) = [m for body in led.bodies if body.name == "stage" for m in body.masses]
+    assert mass.mass == 50e-3
+
+
+@pytest.mark.parametrize("name", ["crank", "led"])
+def test_bent_blades_of_a_linkage_end_where_its_links_carry_them(name, request):
+    found = request.getfixturevalue(name)
+    bodies = {body.name: body for body in found.bodies if not body.is_ground}
+    assert len(found.states) == 2
+    for state in found.states:
+        for blade in found.blades:
+            for name, k in ((blade.first, 0), (blade.second, -1)):
+                want = blade.axis[k]
+                if name in bodies:
+                    want = moved(want, bodies[name], state.motions[name])
+                # the exact model's own tolerance is 1e-9 of the length
+                assert state.axes[blade.name][k] == pytest.approx(want, abs=1e-7 * 15e-3)
+
+
+def test_a_drawn_linkage_moves_as_its_rigid_links_do_but_for_the_shifts_of_its_pivots(crank):
+    for state in crank.states:
+        # theta joins crank and base: a positive turn is of the base against the crank
+        assert state.motions["crank"][2] == pytest.approx(-state.travel)
+        x, y, turn = state.motions["stage"]
+        assert (y, turn) == pytest.approx((0.0, 0.0), abs=1e-12)  # its ideal guide
+        sink = 50e-3 * (1.0 - cos(state.travel))
+        back = 50e-3 * sin(state.travel) + 50e-3 - np.sqrt(50e-3**2 - sink**2)
+        # no pivot of crossed blades shifts by more than a tenth of l θ²
+        assert x == pytest.approx(back, abs=3 * 0.1 * 15e-3 * state.travel**2)
+
+
+def test_a_linkage_with_pins_that_no_exact_model_takes_is_drawn_at_rest_and_says_why():
+    part = DesignSpec.model_validate(PINNED)
+    found = drawing(part, part.fixed_sizes())
+    assert not found.states
+    assert "ideal joint" in found.missed
+    assert [name for name, _ in found.pivots] == ["a", "c", "d", "e"]
+    assert {blade.name.split()[0] for blade in found.blades} == {"a"}
+    rod = next(body for body in found.bodies if body.name == "rod")
+    assert rod.clamps == ((0.0, 50e-3), (-50e-3, 60e-3))
+
+
+PINNED = {
+    "flexure": 1,
+    "material": {"youngs_modulus": "70 GPa", "poisson_ratio": 0.33, "yield_strength": "200 MPa"},
+    "geometry": {
+        "kind": "linkage", "ground": "base", "input": "a",
+        "joints": {
+            "a": {
+                "links": ["crank", "base"],
+                "flexure": {
+                    "kind": "cross-spring", "delta": -0.5, "half_angle": "45 deg",
+                    "h": "0.1 mm", "l": "15 mm", "b": "5 mm",
+                },
+            },
+            "c": {"links": ["rod", "crank"], "at": ["0 mm", "50 mm"]},
+            "d": {"links": ["rod", "rocker"], "at": ["-50 mm", "60 mm"]},
+            "e": {"links": ["rocker", "base"], "at": ["-50 mm", "0 mm"]},
+        },
+    },
+    "stroke": {"rotation": "5 deg"},
+    "requirements": {"yield": 1},
+}  # fmt: skip
+
+
+def test_the_stress_drawn_in_space_is_the_one_that_the_exact_model_judges():
+    path = EXAMPLES / "leaf-spring-guide" / "flexure.yaml"  # no loads beside its stroke
+    front = flexcli.drawing(path)
+    (judged,) = [c for c in flexcli.check(path, model="exact").checks if c.name.startswith("yield")]
+    for view in (front, *front.views.values()):
+        state = view.states[0]
+        assert state.stress.keys() == {blade.name for blade in view.blades}
+        for blade, stress in state.stress.items():
+            assert len(stress) == len(state.axes[blade])
+        most = max(max(stress) for stress in state.stress.values())
+        assert most == pytest.approx(judged.demand, rel=1e-6)
+
+
+def test_blades_of_a_folded_stage_are_stressed_at_their_clamps_by_their_bending():
+    part = load(EXAMPLES / "folded-stage" / "flexure.yaml").part
+    front = drawing(part, part.fixed_sizes())
+    E, h, l = part.material.elastic.E, 0.2e-3, 50e-3
+    travel = front.states[0].travel
+    for stress in front.states[0].stress.values():
+        # half of the stroke on each blade, 3 E h δ / l², at both clamps; between the cylindrical
+        # bending of a plate and that of a beam, 1/(1 − ν²)
+        bent = 3.0 * E * h * 0.5 * abs(travel) / l**2
+        for end in (0, -1):
+            assert 0.98 * bent < stress[end] < 1.15 * bent
+        assert min(stress) < 0.2 * bent  # bending changes sign in the middle; stretch is left

@@ -42,9 +42,9 @@ def sample(kind, **changes):
     return drawing(part, part.fixed_sizes())
 
 
-def example(path, draw=drawing):
+def example(path, draw=drawing, free=2e-3):
     design = load(path).part
-    sizes = design.geometry.sized(dict.fromkeys(design.geometry.free, 2e-3))
+    sizes = design.geometry.sized(dict.fromkeys(design.geometry.free, free))
     return draw(design, sizes)
 
 
@@ -55,13 +55,17 @@ DRAWN += [
     pytest.param(lambda p=path: example(p, mechanism_drawing), id=f"all of {path.parent.name}")
     for path in EXAMPLES if "parallel-stage" in path.read_text(encoding="utf-8")
 ]  # fmt: skip
+DRAWN += [
+    pytest.param(lambda p=path: example(p, free=1e-4), id=f"thin {path.parent.name}")
+    for path in EXAMPLES if "linkage" in path.read_text(encoding="utf-8")
+]  # fmt: skip
 
 
 def pages(found):
     for width in WIDTHS:
         yield drawing_svg(found, "a <joint> & more", stress=True, width=width)
     for view in VIEWS:
-        yield view_svg(found, "a <joint> & more", view)
+        yield view_svg(found, "a <joint> & more", view, stress=True)
 
 
 def labels(root):

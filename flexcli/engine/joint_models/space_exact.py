@@ -42,7 +42,7 @@ from flexcli.results import ErrorRange, QuantityKind
 if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
 
-__all__ = ["SpaceExactModel", "beam_peaks"]
+__all__ = ["SpaceExactModel", "beam_peaks", "section_peaks"]
 
 Floats = NDArray[np.float64]
 
@@ -283,10 +283,15 @@ def _shift(state: SpaceEquilibrium) -> float:
 
 def beam_peaks(stresses: Sequence[BladeStress]) -> dict[str, Floats]:
     """Return von Mises' stress at the corners and faces of beams, signed as the normal stress."""
-    found = {}
-    for blade in stresses:
-        faces = np.stack([blade.axial + side * blade.bend_thin for side in (1.0, -1.0)], axis=-1)
-        sheared = equivalent(faces, blade.shear[:, None] * np.ones(2))
-        signed = np.where(faces < 0.0, -sheared, sheared)
-        found[blade.name] = np.concatenate([blade.corner, signed], axis=1).ravel()
-    return found
+    return {blade.name: section_peaks(blade).ravel() for blade in stresses}
+
+
+def section_peaks(blade: BladeStress) -> Floats:
+    """Return von Mises' stress of each section of a beam, at its four corners and two faces [Pa].
+
+    It has the sign of the normal stress; the shape is (places, 6), for a rod (places, 4).
+    """
+    faces = np.stack([blade.axial + side * blade.bend_thin for side in (1.0, -1.0)], axis=-1)
+    sheared = equivalent(faces, blade.shear[:, None] * np.ones(2))
+    signed = np.where(faces < 0.0, -sheared, sheared)
+    return np.concatenate([blade.corner, signed], axis=1)

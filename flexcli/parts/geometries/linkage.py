@@ -30,6 +30,7 @@ __all__ = ["LinkageGeometry"]
 ROUNDING = 1e-9
 """Mean of a joint's range, over its amplitude, that counts as none."""
 
+Rows = tuple[tuple[float, float], tuple[float, float]]
 Place = tuple[Length, Length]
 Direction = tuple[float, float]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9]*$")]
@@ -315,13 +316,36 @@ class LinkageGeometry(Geometry):
         The input turns its moving link anticlockwise or takes it along y, in its own sense: for
         that the drawing may be turned or mirrored.
         """
-        driven = self.joints[self.input].links
-        if self.ground not in driven:
+        layout = self._flexible(elastic, sizes, {self.ground: GROUND, self.moving: MOVING})
+        guides = {MOVING if name == self.moving else name: held for name, held in self._guides()}
+        return _posed(replace(layout, guides=guides), self.pose)
+
+    @property
+    def moving(self) -> str:
+        """Return the link that the input moves against the ground."""
+        first, second = self.joints[self.input].links
+        if self.ground not in (first, second):
             raise NotAvailable("has an input between two moving links: no single body to drive")
-        moving = driven[0] if driven[1] == self.ground else driven[1]
-        named = {self.ground: GROUND, moving: MOVING}
+        return first if second == self.ground else second
+
+    @property
+    def pose(self) -> Rows:
+        """Return the rows of the matrix that takes places of the spec to those of the layout."""
+        moves = self.joints[self.input]
+        turn = 0.0 if moves.along is None else -moves.angle
+        side = -1.0 if moves.links[1] == self.ground else 1.0
+        return (cos(turn), -sin(turn)), (side * sin(turn), side * cos(turn))
+
+    def as_written(self, elastic: Elastic, sizes: Sizes) -> Layout:
+        """Return its flexures between links by their own names, where the spec has them.
+
+        Ideal joints are left out.
+        """
+        return self._flexible(elastic, sizes, {self.ground: GROUND})
+
+    def _flexible(self, elastic: Elastic, sizes: Sizes, named: Mapping[str, str]) -> Layout:
+        """Return the flexures between the links, some of which are called otherwise."""
         middle = self.joints[self.input].at
-        guides = {named.get(link, link): guide for link, guide in self._guides()}
         bodies = [Body(named.get(name, name), middle) for name in self.rigid.moving]
         blades = []
         for name, joint in self.joints.items():
@@ -349,10 +373,7 @@ class LinkageGeometry(Geometry):
                 )
                 for blade in part.blades
             ]
-        layout = Layout(tuple(bodies), tuple(blades), elastic.E, elastic.shear, guides=guides)
-        moves = self.joints[self.input]
-        turn = 0.0 if moves.along is None else -moves.angle
-        return _posed(layout, turn, mirrored=driven[1] == self.ground)
+        return Layout(tuple(bodies), tuple(blades), elastic.E, elastic.shear)
 
     def _guides(self) -> Iterator[tuple[str, tuple[bool, bool, bool]]]:
         """Yield the links on ideal stages to the ground, and which of (x, y, φ) these hold."""
@@ -383,16 +404,16 @@ class LinkageGeometry(Geometry):
         return found
 
 
-def _posed(layout: Layout, angle: float, *, mirrored: bool) -> Layout:
-    """Return a layout turned by an angle about the origin, then mirrored at the x axis."""
-    c, s, side = cos(angle), sin(angle), -1.0 if mirrored else 1.0
-    if layout.guides and abs(s * c) > ROUNDING:
+def _posed(layout: Layout, pose: Rows) -> Layout:
+    """Return a layout turned about the origin and mirrored."""
+    (xx, xy), (yx, yy) = pose
+    if layout.guides and abs(xx * xy) > ROUNDING:
         raise NotAvailable("has an ideal joint oblique to its input: give it a flexure")
-    crosswise = abs(s) > abs(c)
+    crosswise = abs(xy) > abs(xx)
 
     def place(point: Point) -> Point:
         x, y = point
-        return c * x - s * y, side * (s * x + c * y)
+        return xx * x + xy * y, yx * x + yy * y
 
     return replace(
         layout,

@@ -47,6 +47,8 @@ def _centres(sheet: Sheet) -> None:
     for name, place in centres:
         if name:
             sheet.label(name, sheet.at(place), "")
+    for guide in drawing.guides:
+        sheet.label(guide.name, sheet.at(guide.at), "")
 
 
 def _path(sheet: Sheet) -> None:

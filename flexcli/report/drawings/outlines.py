@@ -6,7 +6,7 @@ from math import cos, hypot, pi, sin
 
 from flexcli.results.drawing import XY, Drawing, DrawnBlade, DrawnBody
 
-__all__ = ["along", "blocks", "edge_of", "size_of"]
+__all__ = ["CLAMP", "INTO", "along", "blocks", "edge_of", "size_of"]
 
 CLAMP, INTO = 0.09, 0.13
 """Half the width of a clamp, and the depth of a body behind it, over the mechanism's size."""

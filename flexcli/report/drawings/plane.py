@@ -11,6 +11,7 @@ from flexcli.report.drawings.shapes import (
     draw_blade,
     draw_body,
     draw_ground,
+    draw_guide,
     draw_state,
     draw_stress,
 )
@@ -30,6 +31,8 @@ def drawing_svg(drawing: Drawing, title: str, *, stress: bool = False, width: fl
             draw_ground(sheet, body)
         else:
             draw_body(sheet, body)
+    for guide in drawing.guides:
+        draw_guide(sheet, guide)
     for state, style in zip(drawing.states, ("plus", "minus"), strict=False):
         draw_state(sheet, state, style)
     for blade in drawing.blades:
@@ -59,13 +62,13 @@ def _draw_foot(sheet: Sheet, *, stress: bool) -> None:
         page.text(name, (end[0] + (5.0 if right >= 0.0 else -12.0), end[1] + 4.0), "start", "s")
     if stress:
         most = max(max(each) for each in drawing.states[0].stress.values())
-        x = 0.5 * page.width - 66.0
-        page.text("stress  0", (x, y), "start", "s")
+        x, above = 16.0, y - 19.0
+        page.text("stress  0", (x, above), "start", "s")
         for k, colour in enumerate(HEAT):
             at = x + 58.0 + 8.0 * k
-            swatch = [(at, y - 4.0), (at + 8.0, y - 4.0)]
+            swatch = [(at, above - 4.0), (at + 8.0, above - 4.0)]
             page.path(swatch, "heat", paint=f'stroke="{colour}"')
-        page.text(show(most, "Pa"), (x + 120.0, y), "start", "s")
+        page.text(show(most, "Pa"), (x + 120.0, above), "start", "s")
     x, y = 16.0, y - 38.0
     for state, style in zip(drawing.states, ("plus", "minus"), strict=False):
         page.path([(x, y - 4.0), (x + 26.0, y - 4.0)], style)

@@ -4,12 +4,15 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import hypot
 
-from flexcli.report.drawings.outlines import edge_of
+from flexcli.report.drawings.outlines import CLAMP, INTO, edge_of
 from flexcli.report.drawings.sheet import Sheet
 from flexcli.report.drawings.style import HEAT
-from flexcli.results.drawing import XY, DrawnBlade, DrawnBody, DrawnState
+from flexcli.results.drawing import XY, DrawnBlade, DrawnBody, DrawnGuide, DrawnState
 
-__all__ = ["draw_blade", "draw_body", "draw_ground", "draw_state", "draw_stress"]
+__all__ = ["draw_blade", "draw_body", "draw_ground", "draw_guide", "draw_state", "draw_stress"]
+
+RAIL, APART = 10.0, 8.0
+"""How far the rails of an ideal stage reach beyond its block, and are from it [px]."""
 
 THIN_BLADE = 1.2
 """Least width at which a blade is drawn [px]."""
@@ -18,18 +21,35 @@ THIN_BLADE = 1.2
 def draw_ground(sheet: Sheet, body: DrawnBody) -> None:
     """Draw a line with hatching behind it at every clamp."""
     for place, (wx, wy), depth in zip(body.clamps, body.ways, body.depths, strict=True):
-        x, y = sheet.at(place)
-        half = max(18.0, 0.75 * depth * sheet.scale)
-        tx, ty = wy, wx  # along the clamp on the page, whose y is down
-        ends = [(x - half * tx, y - half * ty), (x + half * tx, y + half * ty)]
-        sheet.page.path(ends, "edge")
-        sheet.labels.keep_off(ends)
-        steps = max(round(2.0 * half / 6.5), 2)
-        for k in range(steps):
-            share = -half + (k + 0.5) * 2.0 * half / steps
-            sx, sy = x + share * tx, y + share * ty
-            lean = (0.707 * (wx + tx), 0.707 * (-wy + ty))
-            sheet.page.path([(sx, sy), (sx + 8.0 * lean[0], sy + 8.0 * lean[1])], "thin")
+        _draw_edge(sheet, sheet.at(place), (wx, wy), max(18.0, 0.75 * depth * sheet.scale))
+
+
+def _draw_edge(sheet: Sheet, at: XY, way: XY, half: float, *, hatched: bool = True) -> None:
+    """Draw an edge across a direction, hatched on that side, about a place of the page."""
+    (x, y), (wx, wy) = at, way
+    tx, ty = wy, wx  # along the edge on the page, whose y is down
+    ends = [(x - half * tx, y - half * ty), (x + half * tx, y + half * ty)]
+    sheet.page.path(ends, "edge")
+    sheet.labels.keep_off(ends)
+    steps = max(round(2.0 * half / 6.5), 2) if hatched else 0
+    for k in range(steps):
+        share = -half + (k + 0.5) * 2.0 * half / steps
+        sx, sy = x + share * tx, y + share * ty
+        lean = (0.707 * (wx + tx), 0.707 * (-wy + ty))
+        sheet.page.path([(sx, sy), (sx + 8.0 * lean[0], sy + 8.0 * lean[1])], "thin")
+
+
+def draw_guide(sheet: Sheet, guide: DrawnGuide) -> None:
+    """Draw which way a stage moves, and the rails of an ideal one."""
+    (x, y), (wx, wy) = sheet.at(guide.at), guide.way
+    size = (sheet.drawing.joint_size or sheet.size) * sheet.scale
+    half, apart = INTO * size + RAIL, CLAMP * size + APART
+    for end in (1.0, -1.0):
+        tip = (x + end * half * wx, y - end * half * wy)
+        sheet.page.arrow((x, y), tip, "thin", "head")
+        sheet.labels.keep_off([(x, y), tip])
+    for nx, ny in ((-wy, wx), (wy, -wx)) if guide.is_ideal else ():
+        _draw_edge(sheet, (x + apart * nx, y - apart * ny), (nx, ny), half, hatched=guide.on_ground)
 
 
 def draw_body(sheet: Sheet, body: DrawnBody) -> None:

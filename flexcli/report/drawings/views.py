@@ -57,13 +57,13 @@ class Face(NamedTuple):
     style: str
 
 
-def view_svg(drawing: Drawing, title: str, view: str) -> str:
+def view_svg(drawing: Drawing, title: str, view: str, *, stress: bool = False) -> str:
     """Return the mechanism at rest as it is seen from the side or from the corner.
 
-    One in space is drawn from there as from the front, moved as well.
+    One in space is drawn from there as from the front, moved as well, by stress if asked.
     """
     if view in drawing.views:
-        return drawing_svg(drawing.views[view], title, width=IN_SPACE)
+        return drawing_svg(drawing.views[view], title, stress=stress, width=IN_SPACE)
     seen = VIEWS[view]
     faces = sorted(_faces(drawing, seen), key=lambda face: face.near)
     places = [_flat(corner, seen) for face in faces for corner in face.corners]
