@@ -13,7 +13,8 @@ from flexcli.units import shown_unit
 
 __all__ = ["along_plot", "space_stroke_plots", "stroke_plots"]
 
-MODEL = "exact model."
+MODEL = "exact beams."
+IN_PLANE = "exact beams, plate widening left out."
 
 HELD = f"the drive held and all else free; along the drive it is its own; {MODEL}"
 
@@ -44,16 +45,16 @@ def stroke_plots(sweep: SweepResult) -> Iterator[Plot]:
     rotates, points, case = sweep.motion == "rotation", sweep.points, sweep.case
     yield Plot(
         "stress", f"Stress over the stroke, {case}",
-        f"Largest stress at the faces, and that of bending alone; {MODEL}",
+        f"Largest stress at the faces, and that of bending alone; {IN_PLANE}",
         _over(sweep, "stress", "Pa", {
             "with the axial force": [p.total for p in points],
             "bending": [p.bending for p in points],
         }),
     )  # fmt: skip
-    yield _tangent(sweep)
+    yield _tangent(sweep, IN_PLANE)
     yield Plot(
         "shift", f"Shift of the centre, {case}" if rotates else f"Shift, {case}",
-        f"Motion of the moving body's point along x and y of the joint; {MODEL}",
+        f"Motion of the moving body's point along x and y of the joint; {IN_PLANE}",
         _over(sweep, "shift", "m", {
             "along x": [p.shift_x for p in points], "along y": [p.shift_y for p in points],
         }),
@@ -72,7 +73,7 @@ def space_stroke_plots(sweep: SpaceSweep) -> Iterator[Plot]:
         f"Largest of the blades' von Mises' stresses, as beams bear it; {MODEL}",
         _over(sweep, "stress", "Pa", {"": [p.stress for p in points]}),
     )  # fmt: skip
-    yield _tangent(sweep)
+    yield _tangent(sweep, MODEL)
     yield Plot(
         "shift", f"Shift, {case}",
         f"Motion of the moving body's point along the axes of cases; {MODEL}",
@@ -91,11 +92,11 @@ def space_stroke_plots(sweep: SpaceSweep) -> Iterator[Plot]:
     )  # fmt: skip
 
 
-def _tangent(sweep: SweepResult | SpaceSweep) -> Plot:
+def _tangent(sweep: SweepResult | SpaceSweep, model: str) -> Plot:
     unit = "N*m/rad" if sweep.motion == "rotation" else "N/m"
     return Plot(
         "stiffness", f"Stiffness over the stroke, {sweep.case}",
-        f"Tangent stiffness along the motion, all else free; {MODEL}",
+        f"Tangent stiffness along the motion, all else free; {model}",
         _over(sweep, "stiffness", unit, {"": [p.stiffness for p in sweep.points]}),
     )  # fmt: skip
 
@@ -142,5 +143,5 @@ def along_plot(drawing: Drawing) -> Plot:
         chart.rule(y=strength / size, name="strength", colour="fail")
     return Plot(
         "along", "Stress along the blades",
-        f"Larger of both faces at the + end of {drawing.case}; {MODEL}", chart.svg(),
+        f"Larger of both faces at the + end of {drawing.case}; {IN_PLANE}", chart.svg(),
     )  # fmt: skip
