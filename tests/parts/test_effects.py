@@ -146,6 +146,17 @@ def test_blade_mass_is_rayleighs_share():
     assert change.value == pytest.approx((1.0 + ratio) ** -0.5 - 1.0, rel=2e-3)
 
 
+def test_blade_mass_changes_a_frequency_and_a_sag_alone():
+    heavy = design_of(
+        STAGE, MOVE,
+        material={"name": "titanium", **TITANIUM, "density": "4430 kg/m^3"},
+        mechanism={"kind": "payload", "mass": "10 g"},
+        case={"acceleration": {"level": "1 g", "axis": "y"}},
+    )  # fmt: skip
+    effect = named("blade mass")
+    assert effect.all_changes(setting_of(heavy)).keys() == effect.only == {"frequency", "sag"}
+
+
 def test_effects_have_names_of_their_own_and_each_model_effect_one_carrier_at_least():
     assert len({effect.key for effect in EFFECTS}) == len(EFFECTS)
     names = {effect.name for effect in MODEL_EFFECTS}
@@ -199,6 +210,7 @@ def test_every_kind_of_joint_is_estimated(kind):
         indicator = effect.indicator(setting)
         estimates = effect.estimates(setting)
         assert all(estimate >= 0.0 for estimate in estimates.values())
+        assert estimates.keys() <= effect.only
         assert indicator is not None or not estimates
 
 

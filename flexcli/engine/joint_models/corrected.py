@@ -122,7 +122,7 @@ class Corrected(JointModel):
         missing, applied, beside, whole = self._missing(setting), [], [], True
         low = high = 1.0
         for effect in (*self.effects, *self.omitted):
-            if effect.indicator(setting) is None:
+            if kind not in effect.only or effect.indicator(setting) is None:
                 continue
             change = self._changes(ask, effect).get(kind)
             if change is None:
@@ -173,7 +173,7 @@ class Corrected(JointModel):
     ) -> float:
         factor, setting = 1.0, _setting(ask)
         for effect in self._added(setting):
-            if effect.name in carried:
+            if kind not in effect.only or effect.name in carried:
                 continue
             change = self._changes(ask, effect).get(kind)
             factor *= 1.0 + (change.value or 0.0) if change is not None else 1.0

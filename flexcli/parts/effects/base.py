@@ -12,6 +12,7 @@ from flexcli.parts.geometries import Blade, Geometry, NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.scene import Scene
+from flexcli.results import QuantityKind
 
 if TYPE_CHECKING:
     from flexcli.parts.stops import Stops
@@ -137,6 +138,8 @@ class ModelEffect(Effect):
     """Whether its bounds are of all that it changes, not of leading terms."""
     spans_what_it_needs: ClassVar[bool] = False
     """Whether its changes take all that a property which is not given may be."""
+    only: ClassVar[frozenset[QuantityKind]] = frozenset(QuantityKind)
+    """The numbers that it may change; for others its changes are not found, which may take time."""
 
     @abstractmethod
     def changes(self, setting: Setting) -> Changes:

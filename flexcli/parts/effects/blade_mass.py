@@ -5,6 +5,7 @@ from typing import ClassVar
 from flexcli.parts.bending import Changes
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
+from flexcli.results import QuantityKind
 
 __all__ = ["BladeMass"]
 
@@ -19,6 +20,7 @@ class BladeMass(ModelEffect):
     name: ClassVar[EffectName] = EffectName.BLADE_MASS
     needs: ClassVar[str] = "density"
     is_whole: ClassVar[bool] = True
+    only: ClassVar[frozenset[QuantityKind]] = frozenset({QuantityKind.FREQUENCY, QuantityKind.SAG})
 
     def __init__(self) -> None:
         self._last: tuple[Setting, Changes] | None = None
