@@ -113,6 +113,14 @@ def test_other_ranges_of_the_same_problem_lead_to_the_same_optimum():
         assert other == pytest.approx(first, rel=1e-5)
 
 
+def test_a_sized_layout_keeps_its_grid_and_its_objective():
+    size = "size: {objective: {minimize: l}, round: {h: 10 um}}\n"
+    given = {"parameters.l": "55 mm", "parameters.h": "500 um"}
+    spec = flexcli.load(GUIDED.format(**RANGES) + size, overrides=given)
+    assert not spec.part.geometry.free
+    assert flexcli.size(spec).status is flexcli.check(spec).status
+
+
 def test_a_sized_layout_is_written_in_place_and_passes_a_check(guided, tmp_path):
     spec, found = guided
     text = flexcli.spec_text(flexcli.sized(spec, found), tmp_path)

@@ -164,6 +164,9 @@ class SizingProgram:
         given = self.sizes._asdict()
         if name in given:
             return Term(ONE, 1.0, sign * log(given[name]))
+        if name not in self.rows and name != "k_pivot":
+            remedy = f"leave {name} free, or make the volume least"
+            raise NoSolution("given", f"{name} is given: nothing makes it less", remedy)
         if name not in self.rows:
             raise NoSolution(
                 "no-formula",
