@@ -222,9 +222,8 @@ def first_critical(search: Stretch, low: Point, high: Point) -> CriticalPoint:
     """Return the first critical point between two points of a path, stable and unstable.
 
     Where ``P v = 0``: by the linear eigenvalue problem on the straight line through P at the two
-    newest points, between sides that the inertia count tells apart. A side that stands still is
-    brought near by a point as far beyond the crossing as the other side is before it, then by
-    halves; so it is where no such line crosses between the sides.
+    newest points, between sides that the inertia count tells apart, and by halves where
+    no such line crosses between them.
 
     Parameters
     ----------
@@ -250,27 +249,23 @@ def first_critical(search: Stretch, low: Point, high: Point) -> CriticalPoint:
 
     """
     aside = _ASIDE * search.length
-    older, newest, halve, still, whole = low, high, False, False, high.s - low.s
+    older, newest, halve = low, high, False
     for _ in range(_MOST):
         s, _ = crossing(older, newest, low.s, high.s)
-        width = high.s - low.s
-        if width <= 2.0 * aside:
+        if high.s - low.s <= 2.0 * aside:
             return _between(low, high)
-        off = abs((s - older.s) * (s - newest.s)) / whole  # what the bend of P leaves of the error
         if halve or not np.isfinite(s):
-            older, newest = newest, search.at((low.s + high.s) / 2.0, low, high)
-            halve = still = False
-        elif min(s - low.s, high.s - s, off) <= aside:
+            older, newest, halve = newest, search.at((low.s + high.s) / 2.0, low, high), False
+        elif min(s - low.s, high.s - s) <= aside:
             before, after = search.at(s - aside, low, high), search.at(s + aside, low, high)
             if before.unstable == 0 < after.unstable:
                 return _between(before, after)
             older, newest, halve = low, before if before.unstable else after, True
         else:
-            beyond = 2.0 * s - newest.s
-            place = beyond if still and low.s < beyond < high.s else s
-            older, newest = newest, search.at(place, low, high)
-            stays = max(newest.s - low.s, high.s - newest.s) > 0.9 * width
-            halve, still = still and stays, stays
+            width = high.s - low.s
+            older, newest = newest, search.at(s, low, high)
+            # an end that stands still is brought nearer by halves
+            halve = max(newest.s - low.s, high.s - newest.s) > 0.9 * width
         low, high = (low, newest) if newest.unstable else (newest, high)
     raise lost_path()
 
