@@ -174,6 +174,65 @@ def test_solids_buckle_at_the_temperature_that_is_told(tmp_path):
     assert critical == pytest.approx(1.0, abs=0.02)
 
 
+WALLS = """
+flexure: 1
+material: {{youngs_modulus: 114 GPa, poisson_ratio: 0.3, thermal_expansion: 9e-6 1/K,
+           density: 4430 kg/m^3}}
+geometry:
+  kind: space-layout
+  bodies: {{stage: {{at: [0 mm, 0 mm, 0 mm], mass: 1 kg,
+                    inertia: [1e-6 kg*m^2, 1e-6 kg*m^2, 1e-6 kg*m^2]}}}}
+  blades: {{strip: {{between: [ground, stage], from: [-20 mm, 0 mm, 0 mm], to: [0 mm, 0 mm, 0 mm],
+                    h: {h} mm, b: {b} mm, width: z, mirror: [x]}}}}
+  moving: stage
+  motion: {{translation: y}}
+cases: {{hot: {{temperature: {{uniform: {change} K, expansion: {{ground: 0 1/K, stage: 0 1/K}}}}}}}}
+requirements: {{frequency: {{min: 1 Hz}}}}
+"""
+"""A heavy stage between two strips and walls: its frequency is that of their stiffness."""
+
+PUSHED = """*STEP, NLGEOM
+*STATIC
+*BOUNDARY
+END, 2, 2, {push}
+*NODE PRINT, NSET=END, TOTALS=ONLY
+RF
+*END STEP
+"""
+
+
+@pytest.mark.calculix
+@pytest.mark.skipif(shutil.which("ccx") is None, reason="CalculiX is not installed")
+@pytest.mark.parametrize(("thick", "wide"), [(0.05, 0.2), (0.1, 0.3), (0.05, 1.5)])
+def test_solids_of_thick_and_wide_blades_soften_in_heat_as_far_as_is_told(thick, wide):
+    l, E, nu, alpha = 20e-3, 114e9, 0.3, 9e-6
+    h, b, push = thick * l, wide * l, 2e-6
+    # a fifth of the strain at which a strip between its walls buckles
+    change = 0.2 * np.pi**2 * thick**2 / 3.0 / alpha
+    checks = flexcli.check(WALLS.format(h=h * 1e3, b=b * 1e3, change=change)).checks
+    cold, hot = (each for each in checks if each.name.startswith("frequency"))
+    cuts = l * (1.0 - np.cos(np.linspace(0.0, np.pi, 25))) / 2.0
+    nodes, rows = bricks(cuts, [0.0, h / 2.0, h], np.linspace(0.0, b, 5))
+    sets = "".join(
+        set_of(name, [n for n, place in nodes.items() if np.isclose(place[0], x)])
+        for name, x in (("START", 0.0), ("END", l))
+    )
+    stiffness = []
+    for warmer in (0.0, change):
+        text = DECK.format(
+            nodes=listed(nodes), elements=elements_of(rows.values()), E=E, nu=nu, alpha=alpha,
+            change=warmer,
+        )  # fmt: skip
+        text = text.replace("*MATERIAL", sets + "*MATERIAL", 1)
+        text = text[: text.index("*STEP, PERTURBATION")] + PUSHED.format(push=push)
+        *_, last = (line.split() for line in run(text, "strip").dat.splitlines() if line.strip())
+        stiffness.append(float(last[1]) / push)
+    softer = (stiffness[1] / stiffness[0]) ** 0.5
+    low, high = (end / hot.factor * hot.capacity / cold.capacity for end in hot.factor_range)
+    assert low < softer < high
+    assert high - low < 1.0 - softer
+
+
 FRAME = """
 flexure: 1
 material: {{youngs_modulus: 114 GPa, poisson_ratio: 0.3, thermal_expansion: 9e-6 1/K,

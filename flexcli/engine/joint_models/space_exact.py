@@ -13,13 +13,12 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
-    BEAM_ERROR,
     BEAMS,
     Blades,
     StrokeErrors,
     at_travel,
     driven_coordinate,
-    is_compared,
+    strain_error,
     support_at_stroke,
 )
 from flexcli.errors import SolveError
@@ -242,10 +241,10 @@ def _changed(
     What the strain changes is known as well as a support stiffness is by beams.
     """
     warm, cold = (at_travel(ask, travel, warm=each) for each in (True, False))
-    ratio = number(warm) / number(cold)
-    if not (is_compared(warm) and is_compared(cold)):
+    ratio, share = number(warm) / number(cold), strain_error(warm)
+    if share is None:
         return Told(ratio, None)
-    off = max(BEAM_ERROR * abs(ratio - 1.0) / min(ratio, 1.0), ROUNDING)
+    off = max(share * abs(ratio - 1.0) / min(ratio, 1.0), ROUNDING)
     return Told(ratio, ErrorRange(-off, off))
 
 
