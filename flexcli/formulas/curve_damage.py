@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = ["curve_damage_rate", "cycles_on_curve"]
+__all__ = ["curve_damage_rate", "cycles_on_curve", "damage_of_a_cycle"]
 
 Floats = NDArray[np.float64]
 # Amplitudes from 1e-6 to 60 scales, panels growing by half: a^k p(a) is then smooth on each.
@@ -76,10 +76,43 @@ def curve_damage_rate(
     count = int(np.ceil(np.log(high / low) / np.log(_GROWTH))) + 1
     edges = np.concatenate([np.geomspace(low, high, count), corners, [endurance]])
     edges = np.unique(np.clip(edges, max(low, endurance), max(high, endurance)))
+    return cycle_rate * damage_of_a_cycle(density, edges, points)
+
+
+def damage_of_a_cycle(
+    density: Callable[[Floats], Floats], edges: Floats, points: tuple[tuple[float, float], ...]
+) -> float:
+    """Give the mean damage of a cycle, ``∫ p(a)/N(a) da``, by Gauss's rule between edges.
+
+    Parameters
+    ----------
+    density : callable
+        p(a) of the stress AMPLITUDE, array [Pa] → array [1/Pa].
+    edges : array, shape (n,)
+        Amplitudes, rising, between which p(a)/N(a) is smooth: 16 nodes each, [Pa].
+    points : tuple of (float, float)
+        The life curve, two points or more: cycles rising [-], AMPLITUDE falling [Pa].
+
+    Returns
+    -------
+    float
+        [-].
+
+    Raises
+    ------
+    ValueError
+        When the curve does not fall.
+
+    Examples
+    --------
+    >>> even = np.array([1.0, 2.0])
+    >>> round(damage_of_a_cycle(np.ones_like, even, ((1e2, 10.0), (1e6, 1.0))) * 1e6, 6)
+    6.2
+    """
     x, w = gauss_rule(_NODES)
     amplitude = edges[:-1, None] + np.diff(edges)[:, None] * x
     damage = (density(amplitude) / cycles_on_curve(amplitude, points)) @ w
-    return float(cycle_rate * (damage @ np.diff(edges)))
+    return float(damage @ np.diff(edges))
 
 
 def cycles_on_curve(amplitude: float | Floats, points: tuple[tuple[float, float], ...]) -> Floats:

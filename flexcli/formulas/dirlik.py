@@ -140,8 +140,7 @@ def dirlik_density(amplitude: ArrayLike, moments: Moments) -> Floats:
 
     Examples
     --------
-    >>> from flexcli.formulas.spectral_moments import spectral_moments
-    >>> m = spectral_moments([10, 100], [1.0, 1.0])
+    >>> m = Moments(100.0, 1e4, 2e6, 2e11)
     >>> a = np.linspace(0, 100, 200001)
     >>> round(float(np.sum(dirlik_density(a, m)) * 100 / 200000), 3)
     1.0

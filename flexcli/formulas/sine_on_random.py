@@ -6,8 +6,7 @@ Stress is an AMPLITUDE everywhere, never a range: half of peak to valley.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from flexcli.formulas.curve_damage import cycles_on_curve
-from flexcli.numerics.quadrature import gauss_rule
+from flexcli.formulas.curve_damage import cycles_on_curve, damage_of_a_cycle
 
 __all__ = ["rice_damage_rate", "rice_density"]
 
@@ -106,7 +105,4 @@ def rice_damage_rate(
     edges = np.concatenate([sine + sigma * steps, sigma * np.geomspace(1e-6, 1.0, 35), corners])
     most = sine + REACH * sigma
     edges = np.unique(np.clip(edges, 1e-6 * sigma, most))
-    x, w = gauss_rule(16)
-    a = edges[:-1, None] + np.diff(edges)[:, None] * x
-    damage = (rice_density(a, sigma, sine) / cycles_on_curve(a, points)) @ w
-    return float(cycle_rate * (damage @ np.diff(edges)))
+    return cycle_rate * damage_of_a_cycle(lambda a: rice_density(a, sigma, sine), edges, points)

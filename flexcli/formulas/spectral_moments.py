@@ -3,12 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from flexcli.formulas.spectrum import Scale
-from flexcli.formulas.spectrum_integrals import spectral_moment
-
-__all__ = ["Moments", "spectral_moments"]
+__all__ = ["Moments"]
 
 Floats = NDArray[np.float64]
 # Rounding in the moments may put a bandwidth parameter this far above its bound of one.
@@ -61,39 +58,3 @@ class Moments:
     def alpha2(self) -> Floats:
         """Irregularity factor m_2/sqrt(m_0 m_4) = ν_0/ν_p, 1 for a single frequency [-]."""
         return np.minimum(1.0, self.m2 / np.sqrt(self.m0 * self.m4))
-
-    def scaled(self, factor: ArrayLike) -> "Moments":
-        """Return the moments of the stress times `factor` (mean-stress correction, margin)."""
-        square = np.asarray(factor, dtype=np.float64) ** 2
-        return Moments(self.m0 * square, self.m1 * square, self.m2 * square, self.m4 * square)
-
-
-def spectral_moments(frequency: ArrayLike, level: ArrayLike, *, scale: Scale = "log") -> Moments:
-    """Give the four moments of a stress density given by breakpoints.
-
-    m_n = ∫ f^n G df, n = 0, 1, 2, 4
-
-    Parameters
-    ----------
-    frequency, level : arrays, shape (n,)
-        One-sided stress density, [Hz] and [Pa²/Hz].
-    scale : "log" or "linear"
-        Axes in which it is straight between breakpoints.
-
-    Returns
-    -------
-    Moments
-        [Pa² Hz^n].
-
-    Raises
-    ------
-    ValueError
-        When the profile is not sound or has no area.
-
-    Examples
-    --------
-    >>> round(float(spectral_moments([100, 200], [1e12, 1e12]).crossing_rate), 1)
-    152.8
-    """
-    m0, m1, m2, m4 = spectral_moment(frequency, level, [0, 1, 2, 4], scale=scale)
-    return Moments(m0, m1, m2, m4)

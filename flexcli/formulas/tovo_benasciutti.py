@@ -89,8 +89,7 @@ def tovo_benasciutti_density(amplitude: ArrayLike, moments: Moments) -> Floats:
 
     Examples
     --------
-    >>> from flexcli.formulas.spectral_moments import spectral_moments
-    >>> m = spectral_moments([10, 100], [1.0, 1.0])
+    >>> m = Moments(1.0, 100.0, 2e4, 2e9)
     >>> bool(tovo_benasciutti_density(5.0, m) > 0)
     True
 

@@ -3,12 +3,11 @@
 import numpy as np
 import pytest
 from scipy.special import gamma, gammainc
-from stresses import SPECTRA
+from stresses import SPECTRA, spectral_moments
 
 from flexcli.formulas.curve_damage import curve_damage_rate
 from flexcli.formulas.dirlik import dirlik_damage_rate, dirlik_density
 from flexcli.formulas.narrow_band import narrow_band_damage_rate, rayleigh_density
-from flexcli.formulas.spectral_moments import spectral_moments
 from flexcli.formulas.tovo_benasciutti import (
     tovo_benasciutti_damage_rate,
     tovo_benasciutti_density,

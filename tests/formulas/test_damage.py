@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 import rainflow
-from stresses import ROUNDING, SPECTRA
+from stresses import ROUNDING, SPECTRA, spectral_moments, times
 
 from flexcli.formulas.damage import METHODS, damage_rates
 from flexcli.formulas.dirlik import dirlik_damage_rate
 from flexcli.formulas.narrow_band import narrow_band_damage_rate
-from flexcli.formulas.spectral_moments import Moments, spectral_moments
+from flexcli.formulas.spectral_moments import Moments
 from flexcli.formulas.spectrum import spectral_level
 from flexcli.formulas.tovo_benasciutti import tovo_benasciutti_damage_rate
 from flexcli.formulas.wirsching_light import wirsching_light_damage_rate
@@ -66,7 +66,7 @@ def test_rainflow_of_a_record_agrees_with_dirlik_and_tovo_benasciutti(spectrum):
 @pytest.mark.parametrize(("name", "method"), METHODS)
 def test_the_unit_of_stress_scales_out(name, method):
     moments, k = spectral_moments(*SPECTRA["flat"]), 6.4
-    in_pascal = moments.scaled(1e6)
+    in_pascal = times(1e6, moments)
     assert float(method(in_pascal, k, 1e20 * 1e6**k)) == pytest.approx(
         float(method(moments, k, 1e20)), rel=ROUNDING
     )
@@ -74,7 +74,7 @@ def test_the_unit_of_stress_scales_out(name, method):
 
 @pytest.mark.parametrize(("name", "method"), METHODS)
 def test_methods_broadcast_over_designs_and_exponents(name, method):
-    moments = spectral_moments(*SPECTRA["flat"]).scaled(np.array([[1.0], [2.0], [3.0]]))
+    moments = times(np.array([[1.0], [2.0], [3.0]]), spectral_moments(*SPECTRA["flat"]))
     rates = method(moments, np.array([3.0, 8.0]), 1.0)
     assert rates.shape == (3, 2)
     np.testing.assert_allclose(rates[1] / rates[0], [2.0**3, 2.0**8], rtol=ROUNDING)

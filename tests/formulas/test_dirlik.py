@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings
 from scipy.integrate import quad
 from scipy.special import gamma
-from stresses import ROUNDING, SPECTRA, spectra
+from stresses import ROUNDING, SPECTRA, spectra, spectral_moments
 
 from flexcli.formulas import dirlik as module
 from flexcli.formulas.dirlik import dirlik_damage_rate, dirlik_density
-from flexcli.formulas.spectral_moments import Moments, spectral_moments
+from flexcli.formulas.spectral_moments import Moments
 
 
 @pytest.mark.slow

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 from scipy.integrate import quad
-from stresses import SPECTRA
+from stresses import SPECTRA, spectral_moments
 
 from flexcli.formulas.narrow_band import narrow_band_damage_rate, rayleigh_density
-from flexcli.formulas.spectral_moments import Moments, spectral_moments
+from flexcli.formulas.spectral_moments import Moments
 
 QUADRATURE = 1e-9
 

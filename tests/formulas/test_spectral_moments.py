@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+from stresses import spectral_moments
 
-from flexcli.formulas.spectral_moments import Moments, spectral_moments
+from flexcli.formulas.spectral_moments import Moments
 
 
 def test_bandwidth_of_ideal_low_pass_noise():

@@ -1,9 +1,8 @@
 """Wirsching and Light's factor on the narrow-band rate."""
 
-from stresses import SPECTRA
+from stresses import SPECTRA, spectral_moments
 
 from flexcli.formulas.narrow_band import narrow_band_damage_rate
-from flexcli.formulas.spectral_moments import spectral_moments
 from flexcli.formulas.wirsching_light import wirsching_light_damage_rate
 
 
