@@ -7,41 +7,7 @@ imported when the first of them is asked for.
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from flexcli.api import (
-        Loaded,
-        accuracy,
-        asd_combine,
-        asd_envelope,
-        asd_equal_damage,
-        asd_fds,
-        asd_grms,
-        asd_list,
-        asd_notch,
-        asd_response,
-        asd_scale,
-        asd_show,
-        asd_srs,
-        asd_tolerance,
-        asd_worst_case,
-        balance,
-        check,
-        dossier,
-        drawing,
-        exported,
-        is_sized,
-        load,
-        plan,
-        simulate,
-        size,
-        sized,
-        spec_text,
-        stops,
-        support_over_stroke,
-        tolerances,
-        validate,
-        verdicts,
-        verify,
-    )
+    from flexcli.api import *
 
 __version__ = "0.2.0"
 
