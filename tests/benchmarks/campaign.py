@@ -1,59 +1,117 @@
 """Random specs over every kind of joint, near their limits: no bug, no unsafe pass, few undecided.
 
-Run: python tests/benchmarks/campaign.py [specs] [--first SEED] [--kinds KIND …] [--found FILE].
-Each spec is judged once with easy requirements; one of its printed numbers, 3 % up or down, becomes
-the requirement, and a pass is held against the finest model. Prints what came of them by kind, and
-writes the smallest spec of each kind of sin.
+Run: python tests/benchmarks/campaign.py [specs] [--first SEED] [--kinds KIND …] [--rows FILE].
+Each spec is judged with easy requirements; its printed numbers, each 3 % up or down, become the
+requirements, which are judged by default and by the finest model. Prints what came of them by kind
+and by requirement, which model decided, and what deciding cost over asking the finest model of
+everything. Each spec adds a line to FILE (JSON) as it is done, so that a run which was stopped goes
+on where it was; with 0 specs the tables are those of the file.
 """
 
 import argparse
+import json
+import signal
 import sys
 from collections import Counter, defaultdict
 from pathlib import Path
+from time import process_time
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-import yaml
 from twins.campaign import KINDS, tried
 
 SINS = (
-    "", "undecided", "lacks a property", "unsafe pass", "finding", "traceback", "error",
-    "nothing to ask",
+    "", "undecided", "lacks a property", "unsafe pass", "false fail", "finding", "exit 101",
+    "error", "too long", "nothing to ask",
 )  # fmt: skip
-INNOCENT = ("", "nothing to ask")
+
+
+class TooLong(BaseException):
+    """A spec took longer than it may."""
+
+
+def row_of(seed, kinds, longest):
+    """Return what came of a seed's spec, as one line of the file."""
+
+    def stop(*_):
+        raise TooLong
+
+    signal.signal(signal.SIGVTALRM, stop)
+    signal.setitimer(signal.ITIMER_VIRTUAL, longest)
+    started = process_time()
+    try:
+        found = tried(seed, kinds)
+    except TooLong:
+        kind = kinds[seed % len(kinds)]
+        return {"seed": seed, "kind": kind, "outcomes": [{"requirement": "", "sin": "too long"}]}
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
+    row = {"seed": seed, "kind": found.kind, "spent": process_time() - started}
+    row["seconds"] = [each.seconds if each else 0.0 for each in (found.said, found.finest)]
+    outcomes = [
+        {
+            "requirement": each.requirement, "sin": each.sin, "said": each.said.verdict,
+            "models": each.said.models, "factors": each.said.factors, "ranges": each.said.ranges,
+            "finest": each.finest.verdict, "best": each.finest.factors,
+            "best_ranges": each.finest.ranges, "text": each.said.text[-200:],
+        }
+        for each in found.outcomes
+    ] or [{"requirement": "", "sin": found.sin, "text": found.said.bug[-400:]}]  # fmt: skip
+    if any(each["sin"] not in ("", "nothing to ask") for each in outcomes):
+        row["spec"] = found.spec
+    return row | {"outcomes": outcomes}
+
+
+def table(counts, title):
+    """Print one line a key: how often each sin."""
+    width = max([len(key) for key in counts] + [len(title)])
+    print(f"\n{title:{width}} " + " ".join(f"{s or 'right':>16}" for s in SINS))
+    for key in sorted(counts):
+        print(f"{key:{width}} " + " ".join(f"{counts[key][s]:16}" for s in SINS))
+
+
+def tables(rows):
+    """Print what came of all rows of a file."""
+    kinds, asked, decided = defaultdict(Counter), defaultdict(Counter), Counter()
+    for row in rows:
+        for each in row["outcomes"]:
+            kinds[row["kind"]][each["sin"]] += 1
+            asked[each["requirement"]][each["sin"]] += 1
+            asked["all"][each["sin"]] += 1
+            decided.update(each.get("models", ()))
+    table(kinds, "kind")
+    table(asked, "requirement")
+    print(f"\n{len(rows)} specs; rows decided by {dict(decided)}")
+    timed = [row["seconds"] for row in rows if all(row.get("seconds", [0.0]))]
+    if timed:
+        said, finest = (sum(each) for each in zip(*timed, strict=True))
+        ratios = sorted(best / ours for ours, best in timed)
+        middle = ratios[len(ratios) // 2]
+        print(f"the finest model everywhere costs {finest / said:.2f} times what deciding does;")
+        print(f"in the middle spec {middle:.2f} times")
 
 
 def main():
-    """Try the specs and print the table."""
+    """Try the specs and print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("specs", type=int, nargs="?", default=2000)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--kinds", nargs="*", default=KINDS)
-    parser.add_argument("--found", type=Path)
+    parser.add_argument("--rows", type=Path)
+    parser.add_argument("--longest", type=float, default=120.0, help="time of one spec [s]")
     args = parser.parse_args()
-    counts, examples, decided = defaultdict(Counter), {}, Counter()
+    rows = []
+    if args.rows and args.rows.exists():
+        rows = [json.loads(line) for line in args.rows.read_text().splitlines()]
+    known = {row["seed"] for row in rows}
     for seed in range(args.first, args.first + args.specs):
-        found = tried(seed, tuple(args.kinds))
-        counts[found.kind][found.sin] += 1
-        counts["all"][found.sin] += 1
-        decided.update(found.said.models)
-        if found.sin not in INNOCENT:
-            text = yaml.safe_dump(
-                found.spec, sort_keys=False, width=10_000, default_flow_style=None
-            )
-            last = found.said.text.strip().splitlines()[-1:] or [""]
-            key = (found.sin, found.kind, found.requirement, last[0][:60])
-            best = found.finest.factors if found.finest else ""
-            head = f"# seed {seed}: {' '.join(key)}; said {found.said.factors} finest {best}\n"
-            if key not in examples or len(text) < len(examples[key][1]):
-                examples[key] = (head, text)
-    width = max(map(len, counts))
-    print(f"{'kind':{width}} " + " ".join(f"{s or 'right':>16}" for s in SINS))
-    for kind in sorted(counts):
-        print(f"{kind:{width}} " + " ".join(f"{counts[kind][s]:16}" for s in SINS))
-    print("rows decided by", dict(decided))
-    if args.found:
-        args.found.write_text("---\n".join(h + t for _, (h, t) in sorted(examples.items())))
+        if seed in known:
+            continue
+        rows.append(row_of(seed, tuple(args.kinds), args.longest))
+        if args.rows:
+            with args.rows.open("a") as file:
+                file.write(json.dumps(rows[-1], default=float) + "\n")
+    tables(rows)
 
 
 if __name__ == "__main__":

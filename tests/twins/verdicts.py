@@ -4,7 +4,7 @@ import json
 import tempfile
 import traceback
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 from typing import NamedTuple
 
 import yaml
@@ -35,47 +35,67 @@ class Said(NamedTuple):
     places: tuple = ()
 
 
-def checked(spec, name, model=None):
-    """Return what ``flexure check`` says of a requirement of a spec (a mapping)."""
+class Answer(NamedTuple):
+    """What ``flexure check`` printed as JSON, its exit code and how long it took [s].
+
+    ``seconds`` are those of the processor: they don't grow when the machine is shared.
+    """
+
+    found: dict
+    exit_code: int
+    seconds: float
+    bug: str = ""
+
+    def about(self, name):
+        """Return what was said of one requirement."""
+        if self.bug:
+            return Said(ERROR, "bug", 101, (), (), (), self.seconds, {}, self.bug)
+        found, label = self.found, spoken(name)
+        every = found.get("checks", [])
+        rows = [
+            row for row in every
+            if spoken(row["name"]).startswith(label) and row["verdict"] != "not judged"
+        ]  # fmt: skip
+        verdicts = {row["verdict"] for row in rows}
+        verdict = "fail" if "fail" in verdicts else UNDECIDED
+        if verdicts == {"pass"}:
+            verdict = "pass"
+        if not rows or self.exit_code == 2:
+            verdict = "pass" if found["status"] == "pass" else ERROR if not rows else verdict
+        return Said(
+            verdict,
+            found["status"],
+            self.exit_code,
+            tuple(row["model"] for row in rows),
+            tuple(row["factor"] for row in rows),
+            tuple(row.get("factor_range") for row in rows),
+            self.seconds,
+            (found.get("cost") or {}).get("by_model", {}),
+            "; ".join(f["text"] for f in found.get("findings", [])),
+            tuple(every),
+            tuple(note["code"] for note in found.get("warnings", [])),
+            tuple(f["path"] for f in found.get("findings", [])),
+        )
+
+
+def answer(spec, model=None):
+    """Return what ``flexure check`` says of a spec (a mapping)."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "spec.yaml")
         path.write_text(yaml.safe_dump(spec, sort_keys=False, width=10_000))
         words = ["check", str(path), "--format", "json"]
-        started = perf_counter()
+        started = process_time()
         result = CliRunner().invoke(command_line(), words + (["--model", model] if model else []))
-        seconds = perf_counter() - started
-    bug = result.exception is not None and not isinstance(result.exception, SystemExit)
-    if bug:
+        seconds = process_time() - started
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
         text = "".join(traceback.format_exception(result.exception))
-        return Said(ERROR, "bug", 101, (), (), (), seconds, {}, text)
-    found = json.loads(result.stdout)
-    label = spoken(name)
-    every = found.get("checks", [])
-    rows = [
-        row for row in every
-        if spoken(row["name"]).startswith(label) and row["verdict"] != "not judged"
-    ]  # fmt: skip
-    verdicts = {row["verdict"] for row in rows}
-    verdict = "fail" if "fail" in verdicts else UNDECIDED
-    if verdicts == {"pass"}:
-        verdict = "pass"
-    if not rows or result.exit_code == 2:
-        verdict = "pass" if found["status"] == "pass" else ERROR if not rows else verdict
-    findings = "; ".join(f["text"] for f in found.get("findings", []))
-    return Said(
-        verdict,
-        found["status"],
-        result.exit_code,
-        tuple(row["model"] for row in rows),
-        tuple(row["factor"] for row in rows),
-        tuple(row.get("factor_range") for row in rows),
-        seconds,
-        (found.get("cost") or {}).get("by_model", {}),
-        findings,
-        tuple(every),
-        tuple(note["code"] for note in found.get("warnings", [])),
-        tuple(f["path"] for f in found.get("findings", [])),
-    )
+        return Answer({}, 101, seconds, text)
+    return Answer(json.loads(result.stdout), result.exit_code, seconds)
+
+
+def checked(spec, name, model=None):
+    """Return what ``flexure check`` says of a requirement of a spec (a mapping)."""
+    return answer(spec, model).about(name)
 
 
 def spoken(name):
