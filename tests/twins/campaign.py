@@ -352,8 +352,11 @@ OPEN = {
 """Notes on what the spec does not give: a property of the material, or the blades' distance."""
 
 
-def tried(seed, kinds=KINDS):
-    """Return what comes of a seed's spec, every requirement 3 % above or below its factor."""
+def near_its_limits(seed, kinds=KINDS):
+    """Return a seed's spec, every requirement 3 % above or below its factor.
+
+    It is the outcome instead where there is nothing to ask.
+    """
     found = scene(seed, kinds)
     rng = np.random.default_rng(seed + 10**6)
     while True:
@@ -378,15 +381,22 @@ def tried(seed, kinds=KINDS):
         if rows:
             row = rows[int(rng.integers(len(rows)))]
             blocks[name] = _near(easy, row, 1.0 + NEAR * rng.choice([-1.0, 1.0]))
-    spec = {**found.spec, "requirements": blocks}
-    if not blocks:
-        return Tried(found.kind, spec, first, None, sin=NOT_ASKED)
+    sin = CLEAN if blocks else NOT_ASKED
+    return Tried(found.kind, {**found.spec, "requirements": blocks}, first, None, sin=sin)
+
+
+def tried(seed, kinds=KINDS):
+    """Return what comes of a seed's spec with all its requirements near their limits."""
+    found = near_its_limits(seed, kinds)
+    if found.sin:
+        return found
+    spec = found.spec
     said, finest = answer(spec), answer(spec, "exact")
     if finest.exit_code == 2 and said.exit_code != 2:
         finest = said  # a joint that closed forms alone describe
-    if BUG in (said.bug and BUG, finest.bug and BUG):
-        return Tried(found.kind, spec, said if said.bug else finest, None, sin=BUG)
-    outcomes = (_outcome(spec, name, said, finest) for name in blocks)
+    if said.bug or finest.bug:
+        return found._replace(said=said if said.bug else finest, sin=BUG)
+    outcomes = (_outcome(spec, name, said, finest) for name in spec["requirements"])
     return Tried(found.kind, spec, said, finest, tuple(outcomes))
 
 
