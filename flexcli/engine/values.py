@@ -60,6 +60,10 @@ def values(
     for ask in asks:
         found.update(_sag(ask))
         found.update(_warm(ask))
+    if design.actuator is not None:
+        from flexcli.engine.drive_values import drive_values
+
+        found.update(drive_values(design, sizes))
     return found
 
 

@@ -37,12 +37,14 @@ from flexcli.results import EXACT, Check
 if TYPE_CHECKING:
     from flexcli.mechanics.layout import Layout
     from flexcli.mechanics.space.layout import SpaceLayout
+    from flexcli.parts.actuator import Actuator
     from flexcli.parts.balancing import BalanceOptions
     from flexcli.parts.manufacturing import Manufacturing
     from flexcli.parts.stops import Stops
     from flexcli.parts.study import Study
     from flexcli.parts.tolerances import Robust, Tolerance
 else:
+    Actuator = Annotated[Any, Named("flexcli.parts.actuator:Actuator")]
     BalanceOptions = Annotated[Any, Named("flexcli.parts.balancing:BalanceOptions")]
     Manufacturing = Annotated[Any, Named("flexcli.parts.manufacturing:Manufacturing")]
     Stops = Annotated[Any, Named("flexcli.parts.stops:Stops")]
@@ -95,6 +97,10 @@ class DesignSpec(Part):
     """
     mechanism: AnyMechanism | None = None
     """Bodies that the joints carry, e.g. ``{kind: payload, mass: 20 g, inertia: 5e-6 kg*m^2}``."""
+    actuator: Actuator | None = None
+    """What drives the stroke, whose force at the stroke ``drive`` judges,
+    e.g. ``{blocking_force: 5.5 N, free_stroke: 85 um, drives: both-ways}``.
+    """
     cases: dict[str, Case] = Field(min_length=1)
     """What the flexure lives through, by names of your own; a single case may stand at the top
     level,
@@ -242,6 +248,12 @@ class DesignSpec(Part):
         return tuple(found)
 
     @model_validator(mode="after")
+    def _actuator_fits(self) -> "DesignSpec":
+        if self.actuator is not None:
+            self.actuator.refuse_misfit(self.geometry, self.mechanism)
+        return self
+
+    @model_validator(mode="after")
     def _stops_fit(self) -> "DesignSpec":
         if self.stops is not None:
             self.stops.refuse_misfit(self.material, self.geometry, self.mechanism)
@@ -370,7 +382,7 @@ class DesignSpec(Part):
                     material = temperature.of_blades(material, layout, geometry.axes)
             except NotAvailable as error:
                 raise SolveError("outside-material", str(error), "give it there too") from error
-        return Ask(material, geometry, self.mechanism, own, scene, joint_model)
+        return Ask(material, geometry, self.mechanism, own, scene, joint_model, self.actuator)
 
     def asks(self, sizes: Sizes, joint_model: JointModel) -> list[Ask]:
         """Return what is asked in every case."""
@@ -550,7 +562,9 @@ class DesignSpec(Part):
             try:
                 # whatever its temperature makes of the material
                 geometry, sizes = self.geometry.drawn(probe)
-                ask = Ask(self.material, geometry, self.mechanism, sizes, scene, STAND_IN)
+                ask = Ask(
+                    self.material, geometry, self.mechanism, sizes, scene, STAND_IN, self.actuator
+                )
                 list(requirement.judged(ask))
             except RequirementError as error:
                 yield Problem(path, str(error), error.hint)

@@ -66,6 +66,8 @@ BEYOND = {
         "robust against what", "is not of a blade", "there is no number",
         "^tolerances.*does not measure", "^tolerances.*has no unit", "as large as the number",
         "nothing is asked of",
+        "follow from two of them", "actuator grows", "nobody says how it grows", "has no arm",
+        "no actuator that drives",
         "in its plane alone", "a load is one in a plane", "carries no mechanism",
     ),
     "between bodies and blades of a layout": (

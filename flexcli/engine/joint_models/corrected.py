@@ -9,7 +9,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
-from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
+from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -61,6 +61,32 @@ class Corrected(JointModel):
     def stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the motion [N·m/rad or N/m]."""
         return self.inner.stiffness(ask) * self._factor(ask, QuantityKind.STIFFNESS)
+
+    def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
+        """Return the efforts at the ends of the stroke, corrected as the stiffness is.
+
+        What beside the stiffness at rest makes an effort, large travel and loads, may be corrected
+        or not. Curvature that flattens blades makes more of it, as of their moments.
+        """
+        factor = self._factor(ask, QuantityKind.STIFFNESS)
+        plain = float(self.inner.stiffness(ask)) if factor != 1.0 else 0.0
+        flat = self._flattened(ask)
+        found = []
+        for travel, effort, known, load in self.inner.effort(ask):
+            error = None if known is None else self._left(ask, QuantityKind.STIFFNESS, known)
+            if error is not None and effort != 0.0:
+                beside = abs(1.0 - plain * abs(travel) / effort) * abs(factor - 1.0)
+                error += ErrorRange(-beside, beside + flat)
+            found.append(DriveEffort(travel, effort * factor, error, load))
+        return tuple(found)
+
+    def _flattened(self, ask: Ask) -> float:
+        """Return by how much curvature at most raises the moments of a travel [-]."""
+        for effect in (*self.effects, *self.omitted):
+            if effect.name is EffectName.ANTICLASTIC and effect.indicator(_setting(ask)):
+                change = self._changes(ask, effect).get(QuantityKind.STRESS)
+                return 0.0 if change is None else change.bound
+        return 0.0
 
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return that of the model: it is in its errors what it leaves out."""

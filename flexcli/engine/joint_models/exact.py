@@ -29,7 +29,7 @@ from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import held_stiffness
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical, Held
-from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
+from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -125,6 +125,27 @@ class ExactModel(JointModel):
         """Return the equilibria of a case."""
         find = lambda: over_stroke(ask, self.effects, self.tolerance, self.levels)  # noqa: E731
         return self._known_states.of("states", ask, find)
+
+    def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
+        """Return what holds the joint at both ends of the stroke, under the case's loads."""
+        states, scene = self.states(ask), ask.scene
+        ends = (scene.middle + scene.travel, scene.middle - scene.travel)
+        body, axis = states.layout.index(MOVING), driven_axis(ask.geometry)
+        sagged = states.motions[:, body, axis] - np.tile(ends, states.designs // 2)
+        held = states.reactions[:, body, axis]
+        before = None if states.coarser is None else states.coarser.reactions[:, body, axis]
+        pushed = np.abs(sagged) * self._stiffness(ask)[0] if np.any(sagged) else sagged
+        found = []
+        for end, travel in enumerate(ends):
+            sense = -1.0 if travel < 0.0 else 1.0
+            efforts, loads = sense * held[end::2], pushed[end::2]
+            worst = int(np.argmax(efforts + loads))
+            effort, load, error = float(efforts[worst]), float(loads[worst]), None
+            if before is not None and effort != 0.0:
+                off = float(np.max(np.abs(before - held)[end::2])) / abs(effort)
+                error = ErrorRange(-off, off)
+            found.append(DriveEffort(travel, effort, error, load))
+        return tuple(found)
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration, the joint free but for its guide."""

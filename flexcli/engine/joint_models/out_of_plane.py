@@ -13,7 +13,7 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Setting
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
-from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
+from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_states import Told, across_stress
 from flexcli.results import ErrorRange, QuantityKind
@@ -53,6 +53,12 @@ class OutOfPlane(JointModel):
     def stiffness(self, ask: Ask) -> Computed:
         """Return the planar model's."""
         return self.inner.stiffness(ask)
+
+    def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
+        """Return the planar model's, where nothing acts out of the plane besides."""
+        if ask.scene.across_by:
+            raise NotAvailable("has no force at stroke under loads out of its plane")
+        return self.inner.effort(ask)
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the planar model's, which has that along z."""

@@ -33,7 +33,7 @@ from flexcli.mechanics.space.states import Acting
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.own_motion import TAKES_PART
-from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare, EndStress
+from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare, DriveEffort, EndStress
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_states import Told, acting_groups
 from flexcli.results import ErrorRange, QuantityKind
@@ -92,6 +92,20 @@ class SpaceExactModel(SpaceLinearModel):
         what = f"warm frequency, {'locked' if locked else 'free'}"
         number = _lowest if locked else _own_frequency
         return self._told.of(what, ask, lambda: _changed(ask, number, 0.0 if locked else None))
+
+    def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
+        """Return what the drive holds at both ends of the stroke, other loads aside."""
+        if not _is_motion_alone(ask):
+            raise NotAvailable("has no force at stroke under other loads in space")
+        found, scene = [], ask.scene
+        ends = (scene.middle + scene.travel, scene.middle - scene.travel)
+        for travel, state in zip(ends, self._ends(ask), strict=True):
+            effort, known, error = _effort(state), self.blades.errors(state), None
+            if state.coarser is not None and known is not None and effort != 0.0:
+                off = float(abs(_effort(state.coarser) / effort - 1.0) + known.support)
+                error = ErrorRange(-off, off)
+            found.append(DriveEffort(travel, -effort if travel < 0.0 else effort, error))
+        return tuple(found)
 
     def support_at_stroke(
         self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
@@ -268,6 +282,11 @@ def _own_frequency(state: SpaceEquilibrium) -> float:
     frequency = found.frequency[0]
     compliance = (row / frequency) ** 2
     return float(frequency[np.flatnonzero(compliance > TAKES_PART * compliance.sum())[0]])
+
+
+def _effort(state: SpaceEquilibrium) -> float:
+    """Return what holds the drive at an equilibrium [N or N·m]."""
+    return float(state.reactions.ravel()[driven_coordinate(state.layout)])
 
 
 def _shift(state: SpaceEquilibrium) -> float:

@@ -12,6 +12,7 @@ from flexcli.parts.requirements.ask import (
     MOST_SHARE,
     Ask,
     CriticalShare,
+    DriveEffort,
     EndStress,
     JointModel,
     RequirementError,
@@ -26,6 +27,7 @@ __all__ = [
     "Ask",
     "Bound",
     "CriticalShare",
+    "DriveEffort",
     "EndStress",
     "JointModel",
     "Limit",
@@ -65,6 +67,7 @@ DynamicYield: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.dynamic:Dynamic
 DynamicBuckling: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.dynamic:DynamicBuckling")]
 DynamicLife: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.dynamic:DynamicLife")]
 Stiffness: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.stiffness:Stiffness")]
+Drive: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.drive:Drive")]
 Frequency: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.frequency:Frequency")]
 Sag: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.sag:Sag")]
 Mass: TypeAlias = Annotated[Requirement, Named(f"{_HERE}.mass:Mass")]
@@ -107,6 +110,10 @@ class Requirements(Part):
     """Factor on the fatigue life under random vibration, e.g. ``4``."""
     stiffness: Several[Stiffness] | None = None
     """Bounds on the stiffness of a joint along its motion, e.g. ``{max: 15 N*m/rad}``."""
+    drive: Several[Drive] | None = None
+    """Factor on the force at the ends of the stroke against what the actuator has left there,
+    e.g. ``1.5``.
+    """
     frequency: Several[Frequency] | None = None
     """Bounds on the frequency of the mechanism's own motion, e.g. ``{min: 20 Hz}``."""
     sag: Several[Sag] | None = None

@@ -15,9 +15,18 @@ from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
+    from flexcli.parts.actuator import Actuator
     from flexcli.parts.effects import Setting
 
-__all__ = ["MOST_SHARE", "Ask", "CriticalShare", "EndStress", "JointModel", "RequirementError"]
+__all__ = [
+    "MOST_SHARE",
+    "Ask",
+    "CriticalShare",
+    "DriveEffort",
+    "EndStress",
+    "JointModel",
+    "RequirementError",
+]
 
 
 class RequirementError(ValueError):
@@ -62,6 +71,20 @@ MOST_SHARE = 5.0
 """Largest share of its loads and temperature at which a mechanism is looked at."""
 
 
+class DriveEffort(NamedTuple):
+    """What holds a joint at an end of its stroke: its travel [rad or m], the effort [N·m or N].
+
+    The effort is positive where the joint pushes back towards rest, and ``error`` is its own.
+    ``load`` is what the loads of the case put on the drive besides, as if they had not moved the
+    joint before [N·m or N].
+    """
+
+    travel: float
+    effort: float
+    error: ErrorRange | None
+    load: float = 0.0
+
+
 class CriticalShare(NamedTuple):
     """The share of the loads of a case that buckles a mechanism [-], and how it is held.
 
@@ -82,6 +105,7 @@ class Ask(NamedTuple):
     sizes: Sizes
     scene: Scene
     joint_model: "JointModel"
+    actuator: "Actuator | None" = None
 
     @property
     def clamps_give(self) -> float:
@@ -143,6 +167,10 @@ class JointModel(ABC):
         mode = own_mode(ask.mechanism, self.stiffness(ask), ask.geometry, elastic, ask.sizes)
         factor = self.frequency_factor(ask)
         return mode.stiffness * (factor**2 / (mode.mass * (2.0 * pi) ** 2))
+
+    def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
+        """Return what holds each joint at both ends of the case's stroke, with its error."""
+        raise NotAvailable("has no force at stroke by this model: take --model exact")
 
     def support_at_stroke(
         self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool

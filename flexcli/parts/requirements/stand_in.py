@@ -6,7 +6,13 @@ import numpy as np
 
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.geometries.base import Critical
-from flexcli.parts.requirements.ask import Ask, CriticalShare, EndStress, JointModel
+from flexcli.parts.requirements.ask import (
+    Ask,
+    CriticalShare,
+    DriveEffort,
+    EndStress,
+    JointModel,
+)
 from flexcli.results import ErrorRange
 
 if TYPE_CHECKING:
@@ -36,6 +42,10 @@ class _StandIn(JointModel):
         """Return 1 where a model in space finds it; what says that nothing moves, says it."""
         known = ask.geometry.in_space and ask.geometry.has_masses
         return 1.0 if known else super().frequency_squared(ask)
+
+    def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
+        """Return 1 at a travel of 1."""
+        return (DriveEffort(1.0, 1.0, None),)
 
     def support_at_stroke(
         self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool

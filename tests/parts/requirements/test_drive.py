@@ -1,0 +1,160 @@
+"""An actuator drives the stroke: its force there against the joint's, by independent routes."""
+
+import pytest
+import yaml
+
+import flexcli
+from flexcli.formulas.handbook.actuator import actuator_stroke, thermal_stroke
+from flexcli.results import Status, Verdict
+
+BENDER = {"blocking_force": "5.5 N", "free_stroke": "85 um", "drives": "both-ways"}
+STAGE = {
+    "kind": "leaf-spring-stage", "h": "0.337 mm", "l": "12 mm", "b": "3 mm", "blades": 4,
+    "spacing": "3 mm",
+}  # fmt: skip
+TITANIUM = {"youngs_modulus": "114 GPa", "poisson_ratio": 0.34, "thermal_expansion": "8.6e-6 1/K"}
+
+
+def spec(geometry, stroke, actuator=BENDER, material=TITANIUM, factor=1.2, more=(), **case):
+    return yaml.safe_dump(
+        {
+            "flexure": 1,
+            "material": material,
+            "geometry": geometry,
+            "actuator": actuator,
+            "cases": {"work": {"stroke": stroke, **case}},
+            "requirements": {"drive": factor},
+            **dict(more),
+        }
+    )
+
+
+def drive(*of, **more):
+    (check,) = (c for c in flexcli.check(spec(*of, **more)).checks if c.name == "drive")
+    return check
+
+
+@pytest.mark.parametrize(("load", "deflection"), [(1.0, 0.30172), (2.0, 0.49346), (10.0, 0.81061)])
+def test_the_force_at_a_large_stroke_is_that_of_the_elastica(load, deflection):
+    # Mattiasson (1981), cantilever under an end load P l²/EI, to five digits
+    E, h, l, b = 200e9, 1e-4, 0.1, 1e-3
+    geometry = {"kind": "cantilever", "h": f"{h} m", "l": f"{l} m", "b": f"{b} m"}
+    force = load * E * b * h**3 / 12.0 / l**2
+    line = {"blocking_force": f"{100 * force} N", "free_stroke": "1 m"}
+    stroke = {"translation": [f"{deflection * l / 2} m", f"{deflection * l} m"]}
+    material = {"youngs_modulus": f"{E} Pa", "poisson_ratio": 0.0}
+    found = drive(geometry, stroke, line, material)
+    # dP/P over dw/w is up to 8 at the largest load, where 5e-6 is a rounded digit
+    assert found.demand == pytest.approx(force, rel=1e-3)
+    assert found.capacity == pytest.approx(100.0 * force * (1.0 - deflection * l), rel=1e-9)
+
+
+def test_what_it_reaches_is_where_both_springs_balance():
+    values = flexcli.check(spec(STAGE, {"translation": "50 um"})).values
+    told, stiffness = values["s_reached"], values["k_stage"]
+    by_springs = actuator_stroke(F_b=5.5, s_0=85e-6, k=stiffness.value)
+    assert values["k_T"].value == pytest.approx(by_springs.k_T)
+    # a stroke of l/200: what it adds to the stiffness at rest is of order 1e-5
+    doubt = told.estimated_error + stiffness.estimated_error + 1e-4
+    assert told.value == pytest.approx(float(by_springs.stroke), rel=doubt)
+
+
+def test_a_stack_does_not_pull_and_a_stroke_beyond_its_own_fails():
+    stack = {**BENDER, "drives": "one-way"}
+    back = drive(STAGE, {"translation": "50 um"}, stack)
+    assert (back.verdict, back.factor) == (Verdict.FAIL, 0.0)
+    assert "does not drive" in back.quantity
+    assert drive(STAGE, {"translation": ["0 um", "50 um"]}, stack).passed
+    assert drive(STAGE, {"translation": ["0 um", "90 um"]}, stack).verdict is Verdict.FAIL
+
+
+def test_an_arm_turns_a_moment_into_a_force_and_an_angle_into_a_stroke():
+    pivot = {"kind": "rcc", "p": "2 mm", "half_angle": "45 deg",
+             "h": "0.2 mm", "l": "20 mm", "b": "2 mm"}  # fmt: skip
+    actuator = {**BENDER, "arm": "10 mm"}
+    result = flexcli.check(spec(pivot, {"rotation": "1 mrad"}, actuator))
+    (found,) = result.checks
+    K = result.values["k_pivot"]
+    assert found.capacity == pytest.approx(5.5 * (1.0 - 10e-6 / 85e-6), rel=1e-9)
+    off = K.estimated_error + 1e-5  # θ² and what it changes
+    assert found.demand == pytest.approx(K.value * 1e-3 / 10e-3, rel=off)
+
+
+def test_four_pivots_between_levers_take_the_force_of_their_stage():
+    stage = {
+        "kind": "parallel-stage", "height": "20 mm",
+        "solid-1": {"mass": "10 g", "com": "10 mm", "inertia": "1e-6 kg*m^2"},
+        "solid-2": {"mass": "50 g"},
+        "solid-3": {"mass": "10 g", "com": "10 mm", "inertia": "1e-6 kg*m^2"},
+    }  # fmt: skip
+    pivot = {"kind": "rcc", "p": "2 mm", "half_angle": "45 deg",
+             "h": "0.2 mm", "l": "20 mm", "b": "2 mm"}  # fmt: skip
+    result = flexcli.check(spec(pivot, {"translation": "50 um"}, more={"mechanism": stage}))
+    (found,) = result.checks
+    K = result.values["k_pivot"]
+    force = 4.0 * K.value / 20e-3**2 * 50e-6
+    assert found.demand == pytest.approx(force, rel=K.estimated_error + 1e-4)
+
+
+def test_an_acceleration_along_the_stroke_counts_on_top():
+    more = {"mechanism": {"kind": "payload", "mass": "20 g"}}
+    alone = drive(STAGE, {"translation": "20 um"}, more=more)
+    shaken = drive(
+        STAGE, {"translation": "20 um"}, more=more, acceleration={"level": "10 m/s^2", "axis": "x"}
+    )
+    assert shaken.demand - alone.demand == pytest.approx(20e-3 * 10.0, rel=1e-3)
+
+
+def test_what_heat_grows_counts_against_the_free_stroke_and_moves_the_stage():
+    grows = {**BENDER, "length": "20 mm", "thermal_expansion": "-5e-6 1/K"}
+    heat = {"uniform": "20 K", "expansion": {"ground": "23.6e-6 1/K"}}
+    asked = spec(STAGE, {"translation": "20 um"}, grows, temperature=heat)
+    result = flexcli.check(asked)
+    (found,) = result.checks
+    growth = 28.6e-6 * 20e-3 * 20.0
+    assert found.capacity == pytest.approx(5.5 * (1.0 - (20e-6 + growth) / 85e-6), rel=1e-9)
+    told = result.values["s_thermal_work"]
+    by_formula = thermal_stroke(
+        alpha=-5e-6, alpha_frame=23.6e-6, L=20e-3, dT=20.0,
+        k_T=5.5 / 85e-6, k=result.values["k_stage"].value,
+    )  # fmt: skip
+    assert told.value == pytest.approx(float(by_formula), rel=5e-3)
+
+
+@pytest.mark.slow
+def test_wide_blades_in_the_plane_and_as_shells_agree_within_what_both_tell():
+    # b = l: a plate that curls neither at rest nor at its stroke
+    plane = {"kind": "leaf-spring-stage", "h": "0.2 mm", "l": "20 mm", "b": "20 mm", "blades": 2,
+             "spacing": "30 mm"}  # fmt: skip
+    blade = {"between": ["ground", "stage"], "h": "0.2 mm", "b": "20 mm", "width": "z"}
+    space = {
+        "kind": "space-layout",
+        "bodies": {"stage": {"at": ["0 mm", "20 mm", "0 mm"]}},
+        "blades": {
+            name: {**blade, "from": [x, "0 mm", "0 mm"], "to": [x, "20 mm", "0 mm"]}
+            for name, x in (("left", "-15 mm"), ("right", "15 mm"))
+        },
+        "moving": "stage",
+        "motion": {"translation": "x"},
+    }
+    line = {"blocking_force": "100 N", "free_stroke": "20 mm", "drives": "both-ways"}
+    stroke = {"translation": "1 mm"}
+    flat = drive(plane, stroke, line)
+    shells = drive(space, stroke, line, more={"model": "shell"})
+    assert flat.factor_range[0] <= shells.factor_range[1]
+    assert shells.factor_range[0] <= flat.factor_range[1]
+    assert flat.factor_range[1] / flat.factor_range[0] < 1.05, "an error that tells something"
+
+
+def test_a_model_without_the_force_at_a_stroke_decides_nothing():
+    asked = spec(STAGE, {"translation": "20 um"}, more={"model": "linear"})
+    assert flexcli.check(asked).status is Status.UNDECIDED
+
+
+def test_loads_beside_a_stroke_that_no_model_has_leave_it_undecided():
+    asked = spec(
+        STAGE, {"translation": "20 um"}, more={"mechanism": {"kind": "payload", "mass": "20 g"}},
+        acceleration={"level": "1 g", "axis": "z"},
+    )  # fmt: skip
+    verdicts = {check.name: check.verdict for check in flexcli.check(asked).checks}
+    assert verdicts["drive"] is Verdict.UNDECIDED
