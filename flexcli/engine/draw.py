@@ -46,7 +46,7 @@ from flexcli.results.drawing import (
     DrawnState,
 )
 
-__all__ = ["drawing", "drawn_case"]
+__all__ = ["drawing", "drawn_case", "strength_shown"]
 
 Floats = NDArray[np.float64]
 
@@ -72,76 +72,90 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         When there is no such case.
 
     """
-    ask = drawn_case(design, sizes, case)
-    geometry, notes = design.geometry, []
-    if getattr(geometry, "spacing", 1.0) is None:
-        apart = geometry.length(sizes) / 2.0
-        geometry = geometry.model_copy(update={"spacing": apart})
-        ask = ask._replace(geometry=geometry)
-        notes.append("the distance from blade to blade is not in the spec")
-    carried = None
+    ask, notes = _with_spacing(drawn_case(design, sizes, case), sizes)
     if design.mechanism is not None and design.mechanism.joints > 1:
-        notes.append(f"one of the {design.mechanism.joints} joints alone")
+        notes = (*notes, f"one of the {design.mechanism.joints} joints alone")
+    geometry = ask.geometry
     given = tuple((name, float(size)) for name, size in sizes._asdict().items())
-    strength = stated_strength(design.material)
     cut = design.manufacturing.cut() if design.manufacturing is not None else None
     if geometry.in_space:
         from flexcli.engine.draw_in_space import space_drawing
 
-        return space_drawing(ask, given, tuple(notes), cut)
+        return space_drawing(ask, given, notes, cut)
     if isinstance(geometry, LinkageGeometry):
-        from flexcli.engine.drawn_linkage import as_in_spec, linkage_drawing
+        from flexcli.engine.drawn_linkage import linkage_drawing
 
-        at_rest = linkage_drawing(geometry, ask, given, tuple(notes), cut)
-        turn = as_in_spec(geometry)
-        try:
-            moved = _moved(ask, turn) if ask.scene.moves else ((), (), "")
-            if design.mechanism is not None:
-                layout = geometry.plane_layout(design.material.elastic, sizes)
-                carried = design.mechanism.carried_body(geometry, layout)
-        except NotAvailable as reason:
-            moved = ((), (), f"it {reason}")
-        states, path, missed = moved
-        return replace(
-            at_rest, states=states, path=path, missed=missed,
-            forces=tuple(_forces(ask, at_rest.centre, turn)),
-            bodies=tuple(
-                _loaded(body, carried, turn) if body.name == _moving(geometry) else body
-                for body in at_rest.bodies
-            ) if carried is not None else at_rest.bodies,
-            strength=strength[1] if strength is not None else None,
-        )  # fmt: skip
+        at_rest = linkage_drawing(geometry, ask, given, notes, cut)
+        return _moved_linkage(geometry, at_rest, ask, design, sizes)
     if geometry.strain == "twist":
         blades, bodies = _bar(geometry, sizes)
         return Drawing(
             kind=geometry.name, motion=geometry.motion, blades=blades, bodies=bodies, sizes=given,
             centre=(0.0, 0.0), case=ask.scene.case, unit=geometry.travel_unit, twists=True,
-            notes=tuple(notes), cut=cut,
+            notes=notes, cut=cut,
         )  # fmt: skip
     layout = geometry.layout(design.material.elastic, sizes)
-    if design.mechanism is not None:
-        carried = design.mechanism.carried_body(geometry, layout)
+    carried = design.mechanism.carried_body(geometry, layout) if design.mechanism else None
     turn = turning(-geometry.axes)
     states, path, missed = _moved(ask, turn) if ask.scene.moves else ((), (), "")
-    centre = numbers(layout.body(MOVING).point)
+    centre = place_of(turn(numbers(layout.body(MOVING).point)))
     return Drawing(
         kind=geometry.name,
         motion=geometry.motion,
         blades=tuple(drawn_blade(blade, turn) for blade in layout.blades),
         bodies=drawn_bodies(layout, turn, _moving(geometry), carried),
         sizes=given,
-        centre=place_of(turn(centre)),
+        centre=centre,
         case=ask.scene.case,
         unit=geometry.travel_unit,
         states=states,
         path=path,
-        forces=tuple(_forces(ask, place_of(turn(centre)), turn)),
+        forces=tuple(_forces(ask, centre, turn)),
         angles=tuple(_angles(geometry)),
         missed=missed,
-        strength=strength[1] if strength is not None else None,
-        notes=tuple(notes),
+        strength=strength_shown(design),
+        notes=notes,
         cut=cut,
     )
+
+
+def _with_spacing(ask: Ask, sizes: Sizes) -> tuple[Ask, tuple[str, ...]]:
+    """Return the case with a distance from blade to blade to draw, and a word where it had none."""
+    geometry = ask.geometry
+    if getattr(geometry, "spacing", 1.0) is not None:
+        return ask, ()
+    drawn = geometry.model_copy(update={"spacing": geometry.length(sizes) / 2.0})
+    return ask._replace(geometry=drawn), ("the distance from blade to blade is not in the spec",)
+
+
+def _moved_linkage(
+    geometry: LinkageGeometry, at_rest: Drawing, ask: Ask, design: DesignSpec, sizes: Sizes
+) -> Drawing:
+    """Return the drawing of a linkage with its stroke and what it carries, where it is solved."""
+    from flexcli.engine.drawn_linkage import as_in_spec
+
+    turn, bodies = as_in_spec(geometry), at_rest.bodies
+    try:
+        states, path, missed = _moved(ask, turn) if ask.scene.moves else ((), (), "")
+        if design.mechanism is not None:
+            layout = geometry.plane_layout(design.material.elastic, sizes)
+            carried = design.mechanism.carried_body(geometry, layout)
+            bodies = tuple(
+                _loaded(body, carried, turn) if carried and body.name == geometry.moving else body
+                for body in bodies
+            )
+    except NotAvailable as reason:
+        states, path, missed = (), (), f"it {reason}"
+    return replace(
+        at_rest, states=states, path=path, missed=missed, bodies=bodies,
+        forces=tuple(_forces(ask, at_rest.centre, turn)), strength=strength_shown(design),
+    )  # fmt: skip
+
+
+def strength_shown(design: DesignSpec) -> float | None:
+    """Return the strength against which stresses are coloured [Pa], where the material has one."""
+    stated = stated_strength(design.material)
+    return stated[1] if stated is not None else None
 
 
 def drawn_case(design: DesignSpec, sizes: Sizes, case: str | None) -> Ask:

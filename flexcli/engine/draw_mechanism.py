@@ -10,11 +10,10 @@ from math import cos, sin
 
 import numpy as np
 
-from flexcli.engine.draw import drawing, drawn_case
+from flexcli.engine.draw import drawing, drawn_case, strength_shown
 from flexcli.engine.drawn_layout import drawn_blade, drawn_bodies, drawn_states, turning
 from flexcli.engine.joint_models.exact import TOLERANCE
 from flexcli.engine.joint_models.joint_states import blades_of
-from flexcli.engine.values import stated_strength
 from flexcli.errors import SolveError
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Layout
@@ -93,7 +92,6 @@ def mechanism_drawing(design: DesignSpec, sizes: Sizes, case: str | None = None)
         bodies[name] = _reaching(bodies[name], masses)
         if side == 0 and len(masses) > 1:
             lengths.append(DrawnLength("arm", (0.0, masses[1].at[1]), (0.0, 0.0)))
-    strength = stated_strength(design.material)
     return Drawing(
         kind=stage.kind,
         motion="translation",
@@ -108,7 +106,7 @@ def mechanism_drawing(design: DesignSpec, sizes: Sizes, case: str | None = None)
         pivots=tuple((at.name, (float(at.point[0]), float(at.point[1]))) for at in pivots),
         missed=missed,
         joint_size=reach,
-        strength=strength[1] if strength is not None else None,
+        strength=strength_shown(design),
         notes=(
             "the distance from lever to lever is not in the spec",
             *((f"{scene.lock} is locked",) if scene.lock else ()),
