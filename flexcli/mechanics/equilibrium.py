@@ -13,9 +13,11 @@ tells how far the path bends, and the stroke is cut where that is too far to be 
 A second solution with more nodes gives the error, design by design, until it is small enough.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from importlib.util import find_spec
 from time import perf_counter
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,20 +38,40 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 
+Steps: TypeAlias = Callable[[Floats, Floats, Integers], Floats]
+"""Newton's steps of the designs ``rows`` at x and shares λ of the way."""
+
+COMPILED = 5000
+"""Designs of a batch from which the compiled steps save more than their loading takes."""
+
+
+def _plain(assembly: Assembly, demand: Demand) -> Steps:
+    """Return what gives Newton's steps by arrays of the whole batch."""
+    return lambda x, share, rows: assembly.step(x, share, rows, demand)
+
+
 class _Planar(NamedTuple):
-    """Blades in the plane and what is asked of them (``Discretised``)."""
+    """Blades in the plane and what is asked of them (``Discretised``).
+
+    ``made`` makes Newton's steps of an assembly and its demand.
+    """
 
     assembly: Assembly
     demand: Demand
+    made: Callable[[Assembly, Demand], Steps]
+    step: Steps
+
+    @classmethod
+    def of(
+        cls, assembly: Assembly, demand: Demand, made: Callable[[Assembly, Demand], Steps]
+    ) -> "_Planar":
+        """Return blades and what is asked of them."""
+        return cls(assembly, demand, made, made(assembly, demand))
 
     @property
     def nodes(self) -> int:
         """Return the Gauss nodes on a piece."""
         return self.assembly.nodes
-
-    def step(self, x: Floats, share: Floats, rows: Integers) -> Floats:
-        """Return Newton's steps."""
-        return self.assembly.step(x, share, rows, self.demand)
 
     def length_of(self, x: Floats, step: Floats) -> Floats:
         """Return the lengths of steps [-]."""
@@ -62,7 +84,7 @@ class _Planar(NamedTuple):
 
     def at_nodes(self, nodes: int) -> "_Planar":
         """Return the same at another number of nodes."""
-        return _Planar(at_nodes(self.assembly, nodes), self.demand)
+        return _Planar.of(at_nodes(self.assembly, nodes), self.demand, self.made)
 
     def finer(self, fine: "_Planar", x: Floats) -> Floats:
         """Return unknowns interpolated to the nodes of a finer one."""
@@ -131,7 +153,8 @@ def solve(
     if start is not None:
         for part in start.parts:
             x[part.rows] = finer(part.assembly, coarse, part.x)
-    found = refined(_Planar(coarse, demand), x, tolerance, levels)
+    planar = _Planar.of(coarse, demand, _steps_of(coarse, designs))
+    found = refined(planar, x, tolerance, levels)
     return Equilibrium(
         layout=layout,
         effects=effects,
@@ -144,6 +167,22 @@ def solve(
         parts=tuple(reached.at.part(reached) for reached in found.parts),
         coarser_parts=tuple(reached.at.part(reached) for reached in found.coarser),
     )
+
+
+def _steps_of(assembly: Assembly, designs: int) -> Callable[[Assembly, Demand], Steps]:
+    """Return what makes Newton's steps: compiled where Numba is there and the batch pays for it.
+
+    Nothing else decides, so that a batch has the same digits in any process.
+    """
+    if designs < COMPILED or len(assembly.meshes) > 1 or find_spec("numba") is None:
+        return _plain
+    try:
+        compiled: Callable[[Assembly, Demand], Steps] = import_module(
+            "flexcli.mechanics.compiled_step"
+        ).steps_of
+    except RuntimeError:  # there is no folder to keep the machine code in
+        return _plain
+    return compiled
 
 
 def difference(coarse: Assembly, fine: Assembly, x: Floats, y: Floats, scale: Floats) -> Floats:
