@@ -61,9 +61,13 @@ def plan(
         When the joint does not have the model insisted on, or none at all.
 
     """
+    asked = design.accuracy or accuracy or inf
+    if design.geometry.in_space:
+        from flexcli.engine.planning.in_space import plan_in_space
+
+        return plan_in_space(design, sizes, model, asked)
     setting = omitted_effects.setting(design, sizes)
     names = omitted_effects.reported(design, setting)
-    asked = design.accuracy or accuracy or inf
     known = list(_known(design, setting, names))
     on = _wanted(known, asked)
     tolerance = tolerance_for(setting, names, asked)
@@ -89,7 +93,7 @@ def plan(
 
 
 def planned_model(found: Plan) -> JointModel:
-    """Return the model of a plan, with the effects that are on and no others."""
+    """Return the model of a plan in the plane, with the effects that are on and no others."""
     on = set(found.on)
     inner: JointModel = AS_PRINTED
     if found.model != "closed-form":

@@ -4,6 +4,7 @@ from dataclasses import replace
 from math import isfinite
 
 from flexcli.engine import values as design_values
+from flexcli.engine.models import NamedModel
 from flexcli.engine.plan import plan, planned_model
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
@@ -26,8 +27,10 @@ def with_planned_values(
     They stay as they are, with a note, where that model has no answer.
     """
     found = plan(design, sizes, model)
+    in_space = design.geometry.in_space
     try:
-        values = design_values.values(design, sizes, planned_model(found))
+        by = NamedModel(design, found.model).joint_model if in_space else planned_model(found)
+        values = design_values.values(design, sizes, by)
     except (NotAvailable, SolveError) as error:
         text = f"the {found.model} model of the plan has no answer: {error}"
         note = Note("planned-model-has-no-answer", text)

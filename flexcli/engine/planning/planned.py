@@ -6,7 +6,7 @@ from flexcli.engine.plan import ACCURACY, plan
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements.shaking import SHAKES
-from flexcli.results import AuditRow, Cost, Note, Result, Status, Value
+from flexcli.results import AuditRow, Cost, Note, Plan, Result, Status, Value
 
 __all__ = ["planned"]
 
@@ -23,9 +23,7 @@ def planned(
     found = plan(design, sizes, model, ACCURACY)
     rows: tuple[AuditRow, ...] = ()
     if audit:
-        from flexcli.engine.planning.audit import audit as audited
-
-        rows = audited(design, sizes, found)
+        rows = _audited(design, sizes, found)
     if any(design.scene(name).loads & SHAKES for name in design.cases):
         from flexcli.engine.planning.vibration_effects import vibration_effects
 
@@ -46,3 +44,14 @@ def planned(
         plan=found,
         audit=rows,
     )
+
+
+def _audited(design: DesignSpec, sizes: Sizes, found: Plan) -> tuple[AuditRow, ...]:
+    """Return the audit of a plan, in its plane or in space."""
+    if design.geometry.in_space:
+        from flexcli.engine.planning.in_space import audit_in_space
+
+        return audit_in_space(design, sizes, found)
+    from flexcli.engine.planning.audit import audit
+
+    return audit(design, sizes, found)

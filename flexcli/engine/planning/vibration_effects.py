@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from math import log, pi
+from dataclasses import replace
+from math import inf, isfinite, log, pi
 
 import numpy as np
 
@@ -19,8 +20,10 @@ from flexcli.parts.effects.large_rotation import LargeRotation
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Ask, RequirementError
+from flexcli.parts.requirements.response_range import uncertain_structure
 from flexcli.parts.requirements.shaking import SHAKES, at_once, quality_of
 from flexcli.parts.response import random_outputs
+from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_vibration import likely_structures
 from flexcli.parts.structure import MOTIONS, Structure
 from flexcli.results import EffectRow
@@ -71,7 +74,8 @@ def _row(
     ask: Ask, effect: str, indicator: float, estimates: Peaks, reason: str, *, on: bool = False
 ) -> EffectRow:
     (name, most), *_ = estimates.items()
-    text = f"{reason}; {name} by up to {most:.2g} of it"
+    told = f"by up to {most:.2g} of it" if isfinite(most) else "by nobody knows how much"
+    text = f"{reason}; {name} {told}"
     return EffectRow(f"{effect}, {ask.scene.case}", on, indicator, most, text, estimates)
 
 
@@ -115,6 +119,9 @@ def _large_motion(design: DesignSpec, sizes: Sizes, ask: Ask, peaks: Peaks) -> I
     travel = next((peaks[name] for name in MOTIONS if name in peaks), 0.0) * ratio
     if travel == 0.0:
         return
+    if ask.scene.vibrates_in_space:
+        yield from _second_order(ask)
+        return
     scene = ask.scene.without_loads()._replace(travel=travel, mean_travel=0.0, middle=0.0)
     setting = omitted_effects.setting(design, sizes)._replace(scenes=(scene,))
     effect = LargeRotation()
@@ -126,12 +133,33 @@ def _large_motion(design: DesignSpec, sizes: Sizes, ask: Ask, peaks: Peaks) -> I
             yield _row(ask, "large rotation", found.value, {"stress": stress}, text)
 
 
+def _second_order(ask: Ask) -> Iterator[EffectRow]:
+    """Yield what the motion of the peak changes in the stress of a mechanism in space."""
+    error = uncertain_structure(ask, ()).shape_error(lambda s: _largest_peaks(ask, s), 1.0)
+    estimate = inf if error is None else error.largest
+    text = "second order of the modes at their peaks, and what their springs may be off by"
+    yield _row(ask, "large rotation", estimate, {"stress": estimate}, text)
+
+
 def _stiffened(ask: Ask, structure: Structure) -> Iterator[EffectRow]:
     """Yield what the axial force of the peak changes in the frequency: to first order ½ P/P_cr."""
-    share = axial_share(ask, structure)
+    in_space = ask.geometry.in_space
+    share = _share_in_space(ask, structure) if in_space else axial_share(ask, structure)
     if share is not None:
         text = f"axial force in a blade at {share:.2g} of the critical one, either way"
         yield _row(ask, "stress stiffening", share, {"frequency": 0.5 * share}, text)
+
+
+def _share_in_space(ask: Ask, structure: Structure) -> float:
+    """Return the largest peak axial force of a blade over π²EI/l², as between guided ends."""
+    assembly = joint_in_space(ask.geometry, ask.material, ask.sizes).assembly
+    blades = list(zip(assembly.layout.blades, assembly.members, strict=True))
+    axial = {blade.name: structure.outputs[f"force {blade.name}"][:, 0] for blade, _ in blades}
+    peaks = _largest_peaks(ask, replace(structure, outputs=axial))
+    return max(
+        peaks[blade.name] * member.l / (pi**2 * float(member.springs.stiffness[4:].min()))
+        for blade, member in blades
+    )
 
 
 def _higher_modes(ask: Ask, structure: Structure, peaks: Peaks) -> Iterator[EffectRow]:
