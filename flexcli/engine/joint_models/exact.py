@@ -1,6 +1,7 @@
 """The exact model of a joint: geometrically exact blades between its bodies, at full stroke."""
 
 from collections.abc import Sequence
+from functools import partial
 from math import cos, inf, isfinite, nan, pi
 from typing import TYPE_CHECKING
 
@@ -123,7 +124,7 @@ class ExactModel(JointModel):
 
     def states(self, ask: Ask) -> Equilibrium:
         """Return the equilibria of a case."""
-        find = lambda: over_stroke(ask, self.effects, self.tolerance, self.levels)  # noqa: E731
+        find = partial(over_stroke, ask, self.effects, self.tolerance, self.levels)
         return self._known_states.of("states", ask, find)
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:

@@ -5,6 +5,7 @@ stroke leaves out of a linear model is estimated by its second order, and unknow
 not small.
 """
 
+from functools import partial
 from math import isfinite
 from typing import TYPE_CHECKING
 
@@ -101,7 +102,7 @@ class SpaceLinearModel(JointModel):
         return self._stresses.of("stress", ask, lambda: stress_places(_joint(ask), ask.scene))
 
     def _frequency(self, ask: Ask) -> Told:
-        find = lambda: own_frequency(ask.geometry, ask.material, ask.sizes)  # noqa: E731
+        find = partial(own_frequency, ask.geometry, ask.material, ask.sizes)
         found = self._told.of("frequency", ask, find)
         if ask.scene.temperature is None:
             return found
