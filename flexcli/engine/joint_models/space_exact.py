@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.space_frequency import locked_frequency
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
     BEAMS,
@@ -112,6 +113,12 @@ class SpaceExactModel(SpaceLinearModel):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return the support stiffness at both ends of the stroke, the drive locked or free."""
         return support_at_stroke(ask, index, point, locked=locked, blades=self.blades)
+
+    def parasitic_frequency_at_stroke(
+        self, ask: Ask
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return the lowest frequency at both ends of the stroke, the drive locked."""
+        return tuple(locked_frequency(ask, state, self.blades) for state in self._ends(ask))
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return how far the driven point, or the axis, leaves its path at the stroke's ends."""

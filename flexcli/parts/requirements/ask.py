@@ -183,6 +183,12 @@ class JointModel(ABC):
         """
         raise NotAvailable("has no support stiffness at stroke by this model: take --model exact")
 
+    def parasitic_frequency_at_stroke(
+        self, ask: Ask
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return the lowest frequency at both ends of the case's stroke, the drive locked [Hz]."""
+        raise NotAvailable("has no frequency at stroke by this model: take --model exact")
+
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return the shares of loads and temperature together that buckle a mechanism.
 

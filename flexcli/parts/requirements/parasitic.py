@@ -1,8 +1,9 @@
 """Parasitic motion and frequency of a mechanism in space: what it does beside its stroke."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from math import isfinite
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 
@@ -73,7 +74,10 @@ class ParasiticMotion(MotionBound):
 
 
 class ParasiticFrequency(Bound):
-    """Bounds on the lowest frequency with the drive locked at rest: of all but its own motion."""
+    """Bounds on the lowest frequency with the drive locked: of all but its own motion.
+
+    That is at rest, or at both ends of each case's stroke.
+    """
 
     label: ClassVar[str] = "parasitic frequency"
     closed_form: ClassVar[bool] = False
@@ -82,24 +86,59 @@ class ParasiticFrequency(Bound):
     min: _Hertz | None = None
     max: _Hertz | None = None
     equals: _Hertz | None = None
+    at: Literal["rest", "full-stroke"] = "rest"
+    """Where it is asked: at rest, or at both ends of each stroke, without the other loads of the
+    case, e.g. ``full-stroke``.
+    """
+
+    @property
+    def is_of_a_case(self) -> bool:
+        """Return whether it is asked at the ends of each stroke."""
+        return self.at == "full-stroke"
+
+    def applies(self, scene: Scene) -> bool:
+        """Return whether the case has a stroke, where that is asked about."""
+        return self.at == "rest" or scene.moves
+
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return the stroke, where it is asked there."""
+        return frozenset() if self.at == "rest" else frozenset({LoadKind.STROKE})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the frequency."""
         if not ask.geometry.in_space:
             hint = "draw it as a space-layout, whose bodies have all their inertia"
             raise RequirementError(f"a {ask.geometry.name} {IN_SPACE}", hint)
+        if self.at == "full-stroke":
+            for value, error in ask.joint_model.parasitic_frequency_at_stroke(ask):
+                yield from self._bounds(
+                    value, error, ask.scene.case, "at full stroke", ask.joint_model.at_stroke
+                )
+            return
         try:
             found = parasitic_frequency(ask.geometry, ask.material, ask.sizes)
             if ask.scene.temperature is not None:
                 found = found.times(*ask.joint_model.warm_frequency_ratio(ask, locked=True))
         except NotAvailable as error:
             raise RequirementError(f"a {ask.geometry.name} {error}") from error
-        yield from self.bounds(
-            found.value,
-            case=self.case_of(ask.scene),
-            quantity="lowest frequency, drive locked at rest",
+        case, source = self.case_of(ask.scene), "modes of bodies and blades in space"
+        yield from self._bounds(found.value, found.error, case, "at rest", source)
+
+    def _bounds(
+        self, value: float, error: ErrorRange | None, case: str, where: str, source: str
+    ) -> Iterator[Limit]:
+        """Yield the bounds on a frequency."""
+        for limit in self.bounds(
+            value,
+            case=case,
+            quantity=f"lowest frequency, drive locked {where}",
             unit="Hz",
-            source="modes of bodies and blades in space",
+            source=source,
             kind=QuantityKind.SUPPORT,
-            error=found.error,
-        )
+            error=error,
+        ):
+            yield (
+                limit
+                if self.at == "rest"
+                else replace(limit, requirement=f"{limit.requirement} at stroke")
+            )

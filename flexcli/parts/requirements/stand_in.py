@@ -53,6 +53,12 @@ class _StandIn(JointModel):
         """Return 1."""
         return ((1.0, None),)
 
+    def parasitic_frequency_at_stroke(
+        self, ask: Ask
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return 1."""
+        return ((1.0, None),)
+
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return a box of 1 m; what has no layout in space says it."""
         from flexcli.mechanics.space.swept_box import SweptBox

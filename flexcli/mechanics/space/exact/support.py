@@ -6,6 +6,7 @@ not hold is free to follow, under loads that keep their size and direction.
 """
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from flexcli.mechanics.space.layout import Vector
 from flexcli.numerics.stack import solve_stack
 
 __all__ = [
+    "PointMass",
     "body_stiffness",
     "driven_stiffness",
     "support_compliance",
@@ -137,7 +139,18 @@ def unstable_when_free(state: SpaceEquilibrium, free: Sequence[int]) -> int:
     return inertia_count(state.variation, follow, state.part.assembly.blades)
 
 
-def vibration(state: SpaceEquilibrium, *, free: Sequence[int] = ()) -> Vibration:
+class PointMass(NamedTuple):
+    """A mass [kg] that moves with a body, its place at rest, its inertia about any axis [kg m²]."""
+
+    body: str
+    place: Vector
+    mass: float
+    inertia: float
+
+
+def vibration(
+    state: SpaceEquilibrium, *, free: Sequence[int] = (), besides: Sequence[PointMass] = ()
+) -> Vibration:
     """Return the small vibrations of the bodies about an equilibrium, blades without mass.
 
     Parameters
@@ -146,6 +159,8 @@ def vibration(state: SpaceEquilibrium, *, free: Sequence[int] = ()) -> Vibration
         The mechanism in equilibrium, its bodies with mass.
     free : sequence of int
         Coordinates freed, as in :func:`support_compliance`; none of them: drive locked.
+    besides : sequence of PointMass
+        What moves with the bodies besides their own mass, such as halves of blades.
 
     Returns
     -------
@@ -166,6 +181,10 @@ def vibration(state: SpaceEquilibrium, *, free: Sequence[int] = ()) -> Vibration
         if body.mass > 0.0:
             at = motion_at(_arm(state, i, body.com) * assembly.length)
             own = at.T @ own @ at
+        for point in besides:
+            if point.body == body.name:
+                at = motion_at(_arm(state, i, point.place) * assembly.length)
+                own += at.T @ np.diag([point.mass] * 3 + [point.inertia] * 3) @ at
         rows = slice(6 * i, 6 * i + 6)
         basis = state.linearised.basis[i]
         M[rows, rows] = basis.T @ own @ basis
