@@ -13,7 +13,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import SolveError
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
+from flexcli.mechanics.layout import Load
+from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.space.freedoms import misfit
 from flexcli.mechanics.space.layout import SpaceRod, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
@@ -31,7 +34,7 @@ from flexcli.mechanics.space.states import (
 )
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.geometries.base import Geometry, Sizes
+from flexcli.parts.geometries.base import MOVING, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.own_motion import DENSEST, TAKES_PART
 from flexcli.parts.requirements.ask import Ask
@@ -45,6 +48,7 @@ __all__ = [
     "Told",
     "across_stress",
     "acting_groups",
+    "beyond_first_order",
     "largest_misfit_stress",
     "left_by_temperature",
     "motions",
@@ -228,6 +232,70 @@ def sag(joint: SpaceJoint, scene: Scene) -> Told:
     work = sqrt(float(row @ _answer(joint, row)) * energy)
     error = joint.form_error(found, work)
     return Told(found, None if error is None else error + ErrorRange(-more, more))
+
+
+def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) -> float | None:
+    """Return by what share of itself a deflection at rest may differ from that of first order.
+
+    Parameters
+    ----------
+    ask : Ask
+        The joint, without a stroke.
+    moved, load : array
+        Motion (6,) [m, rad] of the moving body's point to first order, and the wrench there (6,)
+        [N, N·m], along the axes of cases.
+    sought : array
+        Row (6,) that takes the motion to the deflection.
+
+    Returns
+    -------
+    share : float or None
+        Nothing where it is not small, so that no order tells it.
+
+    Notes
+    -----
+    The second order where it is known, of blades of constant thickness; else 1/(1 − s) of the
+    share s of the wrench at which straight blades buckle in the plane, whichever way it acts, and
+    the square of the body's rotation.
+
+    """
+    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    first = float(sought @ moved)
+    if first == 0.0:
+        return None
+    if joint.is_uniform and not ask.geometry.is_guided:
+        along = motion_along(axes_about_z(ask.geometry.axes))
+        body = joint.layout.body(joint.layout.drive.body)
+        state = action(joint.assembly, Acting(0.0, along.T @ load, body.point, np.zeros(3)))
+        after = state.following()
+        two = along @ joint.assembly.motion(body.name, body.point) @ after.coordinates
+        more = _third_order(after) + abs(float(sought @ two) / first)
+        return more / (1.0 - more) if more <= KNOWN else None
+    try:
+        share = _share_of_buckling(ask, load)
+    except NotAvailable:  # not in a plane
+        return None
+    more = TURNS * float(moved[3:] @ moved[3:]) + share
+    return more / (1.0 - more) if more <= KNOWN else None
+
+
+def _share_of_buckling(ask: Ask, load: Floats) -> float:
+    """Return a wrench over that at which straight blades buckle, whichever way it acts [-].
+
+    Blades narrower than thick are taken to buckle across their width.
+    """
+    layout = ask.geometry.plane_layout(ask.material.elastic, ask.sizes)
+    x, y, _ = motion_along(axes_about_z(-ask.geometry.axes))[:3, :3] @ load[:3]
+    held = {MOVING: (None, None, 0.0 if ask.geometry.is_guided else None)}
+    point, least = layout.body(MOVING).point, inf
+    for sign in (1.0, -1.0):
+        push = Load(MOVING, point, (sign * float(x), sign * float(y)), sign * float(load[5]))
+        try:
+            least = min(least, linear_critical(layout, held, [push]).factor)
+        except SolveError:
+            continue
+    narrow = max((h / b for _, h, b in ask.geometry.sections(ask.sizes)), default=1.0)
+    return max(1.0, float(narrow) ** 2) / least
 
 
 def _answer(joint: SpaceJoint, load: Floats) -> Floats:

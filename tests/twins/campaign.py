@@ -111,7 +111,12 @@ class _Writer:
         if "acceleration" in whole and mechanism and mechanism["kind"] == "payload":
             easy["sag"] = {"max": "1e3 m"}
         if "wrench" in whole:
-            easy["deflection"] = {"direction": self.one("x", "y", "z"), "max": "1e3 m"}
+            drawn = self.one(
+                "x", "y", "z"
+            )  # what no force acts along is rounding, or of next order
+            along = [axis for axis in whole["wrench"] if len(axis) == 1]
+            direction = drawn if drawn in along else along[0]
+            easy["deflection"] = {"direction": direction, "max": "1e3 m"}
         if self.rng.random() < 0.15:
             easy["support"] = [{"direction": self.one("x", "y", "z"), "min": "1e-12 N/m"}]
         if "asd" in whole or "shock" in whole:

@@ -114,6 +114,12 @@ class Corrected(JointModel):
         """Return the support stiffness at both ends of the stroke, which needs no correction."""
         return self.inner.support_at_stroke(ask, index, point, locked=locked)
 
+    def deflections(
+        self, ask: Ask, point: tuple[float, float, float], direction: str
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return those of the inner model, which need no correction."""
+        return self.inner.deflections(ask, point, direction)
+
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the critical forces, those in the plane corrected by what they do not carry."""
         return tuple(self._corrected(ask, c) for c in self.inner.critical(ask))

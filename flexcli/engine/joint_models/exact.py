@@ -169,6 +169,14 @@ class ExactModel(JointModel):
 
         return support_at_stroke(ask, index, point, locked=locked)
 
+    def deflections(
+        self, ask: Ask, point: tuple[float, float, float], direction: str
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return how far the wrench moves a point, by exact beams in space."""
+        from flexcli.engine.joint_models.space_deflection import deflections
+
+        return deflections(ask, point, direction)
+
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return the box around the joint in space, and the bodies that have no outline."""
         from flexcli.engine.joint_models.space_box import exact_box

@@ -68,6 +68,12 @@ class OutOfPlane(JointModel):
         """Return the planar model's."""
         return self.inner.parasitic_shift(ask)
 
+    def deflections(
+        self, ask: Ask, point: tuple[float, float, float], direction: str
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return those of the inner model, which need no correction."""
+        return self.inner.deflections(ask, point, direction)
+
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the planar model's: of forces in the plane."""
         return self.inner.critical(ask)

@@ -189,6 +189,16 @@ class JointModel(ABC):
         """Return the lowest frequency at both ends of the case's stroke, the drive locked [Hz]."""
         raise NotAvailable("has no frequency at stroke by this model: take --model exact")
 
+    def deflections(
+        self, ask: Ask, point: tuple[float, float, float], direction: str
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return how far the wrench of a case moves a point, beyond first order, and the errors.
+
+        That is with either sign of the wrench, at rest or at both ends of the stroke, the drive
+        free: from where the point is without it, along an axis of cases or about it [m or rad].
+        """
+        raise NotAvailable("has no deflection beyond first order by this model: take exact")
+
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return the shares of loads and temperature together that buckle a mechanism.
 

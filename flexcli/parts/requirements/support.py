@@ -29,6 +29,7 @@ from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
+from flexcli.parts.space_states import beyond_first_order
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -66,6 +67,8 @@ HELD = 1e-14
 """Share of the compliance below which a direction is one that a guide or the drive holds."""
 
 SOURCE = "linear blades between rigid clamps, assembled in space at rest"
+
+EXACT = "exact beams in space under the wrench, and their tangent at stroke"
 
 
 def compliance_of(
@@ -394,21 +397,34 @@ class Deflection(MotionBound):
         return frozenset({LoadKind.WRENCH})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
-        """Yield the deflection, with either sign, against its bound."""
+        """Yield the deflection, whichever way it goes, against its bound."""
         assert ask.scene.wrench is not None  # it applies
+        try:
+            found, source = ask.joint_model.deflections(ask, self.point, self.direction), EXACT
+        except NotAvailable:
+            found, source = (self._at_rest(ask),), SOURCE
+        for value, error in found:
+            yield from self.bounds_in_direction(
+                abs(value),
+                case=ask.scene.case,
+                quantity=f"{self.spoken} under the wrench, drive free",
+                source=source,
+                error=error,
+            )
+
+    def _at_rest(self, ask: Ask) -> tuple[float, ErrorRange | None]:
+        """Return the deflection of straight blades and its error.
+
+        Over a stroke the stiffness changes, by how much a linear model does not know.
+        """
         C, load = compliance(ask, CENTRE), np.array(ask.scene.wrench)
         sought = motion_at(self.point)[DIRECTIONS.index(self.direction)]
         moved = float(sought @ C @ load)
-        error = None
+        error: ErrorRange | None = None
         if not ask.scene.moves:
-            # over a stroke the stiffness falls, by nobody here knows how much
             work = float(np.sqrt((sought @ C @ sought) * (load @ C @ load)))
-            error = space_joint(ask).form_error(moved, work, ask.clamps_give)
-        for sign in (1.0, -1.0):
-            yield from self.bounds_in_direction(
-                sign * moved,
-                case=ask.scene.case,
-                quantity=f"{self.spoken} under the wrench, drive free",
-                source=SOURCE,
-                error=error,
-            )
+            more = beyond_first_order(ask, C @ load, sought, load)
+            springs = space_joint(ask).form_error(moved, work, ask.clamps_give)
+            if springs is not None and more is not None:
+                error = springs + ErrorRange(-more, more)
+        return moved, error

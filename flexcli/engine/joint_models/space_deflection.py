@@ -1,0 +1,131 @@
+"""How far a wrench moves a joint in space: exact beams under it, and their tangent at a stroke."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.engine.joint_models.space_stroke import (
+    BEAMS,
+    along_cases,
+    at_travel,
+    compliance_along_cases,
+)
+from flexcli.errors import SolveError
+from flexcli.formulas.rigid_motion import motion_at
+from flexcli.mechanics.space.exact.demand import drive_frame
+from flexcli.mechanics.space.exact.equilibrium import solve
+from flexcli.mechanics.space.layout import SpaceLoad
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, compliance_of
+from flexcli.parts.space_joint import joint_in_space
+from flexcli.results import ErrorRange
+
+__all__ = ["deflections"]
+
+Floats = NDArray[np.float64]
+
+STROKE_ERROR = 0.15
+"""Of what a stroke changes in a deflection, by beams: against shells within 0.07 of the largest change
+in any direction.
+
+Crossed and remote pivots and stages, b/l 0.3 to 2.5, h/l 0.005 and 0.02, at 3 and 30 mrad, or 0.003
+and 0.03 of the length."""
+
+LOAD_ERROR = 0.05
+"""The same of what the size of a load changes, besides what beams are off at rest."""
+
+MOST = 1.0
+"""Change over the number at rest beyond which that is not known any more."""
+
+
+ROUNDING = 1e-9
+"""Share of a compliance without units below which a direction is held."""
+
+
+def deflections(
+    ask: Ask, point: tuple[float, float, float], direction: str
+) -> tuple[tuple[float, ErrorRange | None], ...]:
+    """Return how far the wrench of a case, either way, moves a point along an axis of cases.
+
+    To the deflection of the joint at rest by its best springs, what the size of the wrench changes
+    and what the stroke changes are added, both by exact beams; each is known to a share of itself.
+
+    Raises
+    ------
+    NotAvailable
+        When the blades are of varying thickness, or there is no stable equilibrium.
+
+    """
+    scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
+    if scene.temperature is not None:
+        raise NotAvailable("has no deflection by exact beams beside a temperature")
+    assert scene.wrench is not None  # of a case that has one
+    load, sought = np.array(scene.wrench), motion_at(point)[DIRECTIONS.index(direction)]
+    best = compliance_of(ask)
+    first, work = float(sought @ best @ load), _size(best, sought, load)
+    error = joint.form_error(first, work, ask.clamps_give)
+    try:
+        rest = compliance_along_cases(ask, at_travel(ask, 0.0), CENTRE, locked=False)
+        ends = (scene.middle + scene.travel, scene.middle - scene.travel) if scene.moves else ()
+        there = [
+            compliance_along_cases(ask, at_travel(ask, travel), CENTRE, locked=False)
+            for travel in dict.fromkeys(ends)
+        ]
+        bent = {sign: _moved(ask, sign * load, sought) for sign in (1.0, -1.0)}
+    except SolveError as failed:
+        raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
+    found: list[tuple[float, ErrorRange | None]] = []
+    beams = LOAD_ERROR + _largest_share(best - rest, rest)
+    for sign, moved in bent.items():
+        own = moved - sign * float(sought @ rest @ load)
+        for C in there or [rest]:
+            turned = sign * float(sought @ (C - rest) @ load)
+            value = sign * first + own + turned
+            share = _largest_share(C - rest, rest)
+            # a load amplifies as 1/(1 − s), s its share of what buckles the joint
+            off = beams * abs(own) * (1.0 + abs(own) / work) + STROKE_ERROR * share * work
+            off += abs(own) * share  # what both do to each other
+            if error is None or value == 0.0 or abs(own) + share * work > MOST * work:
+                found.append((value, None))
+                continue
+            low, high = sorted((sign * first * error.low, sign * first * error.high))
+            ends_of = sorted(((low - off) / value, (high + off) / value))
+            found.append((value, ErrorRange(*ends_of)))
+    return tuple(found)
+
+
+def _moved(ask: Ask, load: Floats, sought: Floats) -> float:
+    """Return how far a wrench moves what is sought from rest, the drive free [m or rad]."""
+    layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
+    along, body = along_cases(ask), layout.body(layout.drive.body)
+    wrench = (along.T @ load).tolist()
+    acting = SpaceLoad(body.name, body.point, tuple(wrench[:3]), tuple(wrench[3:]))
+    held: list[float | None] = [None] * 6
+    if ask.geometry.is_guided:
+        held[5] = 0.0  # the frame's third axis is z
+    state = solve(
+        layout, {body.name: held}, loads=[acting], frames=drive_frame(layout.drive),
+        tolerance=BEAMS.tolerance, levels=BEAMS.levels, made=BEAMS.made,
+    ).checked()  # fmt: skip
+    if state.unstable:
+        raise NotAvailable("buckles under its wrench with the drive free")
+    return float(sought @ along @ state.motion_of(body.name, body.point))
+
+
+def _size(C: Floats, one: Floats, other: Floats) -> float:
+    """Return the largest that a form of a compliance may be, by Schwarz."""
+    return float(np.sqrt((one @ C @ one) * (other @ C @ other)))
+
+
+def _largest_share(change: Floats, C: Floats) -> float:
+    """Return the largest share of a compliance that a change is, of any load in any direction."""
+    values, axes = np.linalg.eigh(C / np.sqrt(_outer(C)))
+    kept = values > ROUNDING * values[-1]
+    root = axes[:, kept] / np.sqrt(values[kept])
+    return float(np.abs(np.linalg.eigvalsh(root.T @ (change / np.sqrt(_outer(C))) @ root)).max())
+
+
+def _outer(C: Floats) -> Floats:
+    """Return the products of the diagonal, which make a compliance free of units; 1 for none."""
+    diagonal = np.where(np.diag(C) > 0.0, np.diag(C), 1.0)
+    return np.asarray(np.outer(diagonal, diagonal))

@@ -1,0 +1,66 @@
+"""Deflections under a wrench that nearly buckles, and at a stroke, against beam columns."""
+
+from math import pi, sqrt, tan, tanh
+
+import pytest
+
+from twins.verdicts import checked
+
+E, H, B, L = 114e9, 0.1e-3, 1e-3, 20e-3
+EI = E * B * H**3 / 12.0
+
+PLATE = 0.02
+"""What clamps make a blade of b/l = 0.05 stiffer than a beam, at most, and as much again."""
+
+
+def spec(kind, case, limit, direction="x"):
+    sizes = {"kind": kind, "h": f"{H} m", "b": f"{B} m", "l": f"{L} m"}
+    return {
+        "flexure": 1,
+        "title": "loaded across and along",
+        "material": {
+            "name": "m", "youngs_modulus": f"{E} Pa", "poisson_ratio": 0.34,
+            "density": "4430 kg/m^3", "yield_strength": "880 MPa",
+        },
+        "geometry": sizes,
+        "cases": {"work": case},
+        "requirements": {"deflection": {"direction": direction, "max": f"{limit!r} m"}},
+    }  # fmt: skip
+
+
+def columns(share, across):
+    """Return the tip's deflections of a cantilever under a force of a share of Euler's, ±."""
+    force = share * pi**2 * EI / (4.0 * L**2)
+    u = sqrt(force / EI) * L
+    return force, across / force * L * (tan(u) / u - 1.0), across / force * L * (1 - tanh(u) / u)
+
+
+@pytest.mark.parametrize("share", [0.05, 0.3, 0.6])
+def test_a_force_along_a_cantilever_that_may_push_makes_more_of_its_deflection(share):
+    across = 1e-5
+    force, pushed, pulled = columns(share, across)
+    assert pulled < across * L**3 / (3.0 * EI) < pushed
+    wrench = {"wrench": {"x": f"{across} N", "y": f"{force} N"}}
+    error = PLATE / (1.0 - share)
+    small = checked(spec("cantilever", wrench, pushed * (1.0 - 3.0 * error)), "deflection")
+    assert small.verdict == "fail", small
+    wide = checked(spec("cantilever", wrench, pushed * (1.0 + 4.0 * error)), "deflection")
+    assert wide.verdict == "pass", wide
+
+
+def test_a_stroke_far_below_a_thickness_changes_no_deflection_out_of_the_plane():
+    """k_z of a cantilever that bends across its width: 3 E I_z/l³, with shear below 1 %."""
+    case = {"stroke": {"translation": "0.2 um"}, "wrench": {"z": "0.01 N"}}
+    bent = 0.01 * L**3 / (3.0 * E * H * B**3 / 12.0)
+    for limit, verdict in ((0.96 * bent, "fail"), (1.04 * bent, "pass")):
+        said = checked(spec("cantilever", case, limit, "z"), "deflection")
+        assert said.verdict == verdict, said
+
+
+def test_a_stroke_of_many_thicknesses_softens_a_stage_along_its_blades():
+    """Blades bent by w pull straight: w²/h² counts beside one, far more than what is asked."""
+    case = {"stroke": {"translation": "1 mm"}, "wrench": {"y": "1 mN"}}
+    straight = 1e-3 * L / (2.0 * E * B * H)
+    stage = spec("leaf-spring-stage", case, 2.0 * straight, "y")
+    stage["geometry"] |= {"blades": 2, "spacing": "20 mm"}
+    assert checked(stage, "deflection").verdict != "pass"
