@@ -25,8 +25,8 @@ __all__ = ["deflections"]
 Floats = NDArray[np.float64]
 
 STROKE_ERROR = 0.15
-"""Of what a stroke changes in a deflection, by beams: against shells within 0.07 of the largest change
-in any direction.
+"""Of what a stroke changes in a deflection, by beams: against shells, within 0.07 of the largest
+change in any direction.
 
 Crossed and remote pivots and stages, b/l 0.3 to 2.5, h/l 0.005 and 0.02, at 3 and 30 mrad, or 0.003
 and 0.03 of the length."""
