@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from flexcli.parts.case import Case
 from flexcli.parts.elastic import Elastic
+from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries import Geometry, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING
 from flexcli.parts.mechanisms import Mechanism, MechanismError
@@ -143,6 +144,13 @@ class Scene(NamedTuple):
     def states_ends(self) -> bool:
         """Return whether the case itself says what holds the blades' ends."""
         return self.ends is not None and self.ends_why == STATED
+
+    @property
+    def keeps_turn(self) -> bool:
+        """Return whether the ends or the lock of the case keep the body from turning."""
+        if self.lock is not None and not self.states_ends:
+            return True
+        return self.ends is not None and ENDS[self.ends].turn
 
     @property
     def push(self) -> float:

@@ -3,6 +3,7 @@
 from typing import ClassVar
 
 from flexcli.parts.bending import Change, Changes, Factor, WideBlades
+from flexcli.parts.bending.wide import wide_guided
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.geometries import Geometry, Sizes
@@ -47,7 +48,7 @@ class PlateWidening(ModelEffect):
         if any(scene.blade_force for scene in setting.scenes):
             found["buckling"] = _buckling(wide, setting, known)
         if setting.largest_travel:
-            found["stress"] = wide.stress.change(known)
+            found["stress"] = _stress(wide, setting, known)
             if wide.shift is not None:
                 found["shift"] = _shift(*wide.shift, setting, known)
         elif any(scene.is_loaded for scene in setting.scenes):
@@ -57,6 +58,18 @@ class PlateWidening(ModelEffect):
             value, error = wide.sag
             found["sag"] = Change(value if known else None, abs(value) + error, error, -1)
         return found
+
+
+def _stress(wide: WideBlades, setting: Setting, known: bool) -> Change:
+    """Return the change of the stress, of an S shape where a case keeps a free tip from turning."""
+    geometry, blade = setting.geometry, setting.blade
+    keeps = geometry.turns_freely and any(scene.keeps_turn for scene in setting.scenes)
+    if blade is None or not keeps:
+        return wide.stress.change(known)
+    if float(geometry.fillet(setting.sizes)):
+        change = wide.stress.change(known)
+        return change._replace(error=max(change.error, wide.stiffness.other))
+    return wide_guided(blade, setting.poisson_bound).stress.change(known)
 
 
 def wide_of(setting: Setting) -> WideBlades | None:

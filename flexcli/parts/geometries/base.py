@@ -198,6 +198,8 @@ class Geometry(Part):
     """Axis along which a weight bends it as its stroke does."""
     in_space: ClassVar[bool] = False
     """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
+    turns_freely: ClassVar[bool] = False
+    """Whether its formulas leave the body free to turn as it moves, which a case may not."""
     keeps_level: ClassVar[bool] = False
     """Whether its closed forms take the body as kept from turning, however far apart its blades
     stand."""

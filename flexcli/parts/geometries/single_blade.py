@@ -66,6 +66,7 @@ class Cantilever(SagsAlongStroke, _SingleBlade):
 
     motion: ClassVar[str] = "translation"
     cards: ClassVar[tuple[Card, ...]] = blade.FORCE_CARDS
+    turns_freely: ClassVar[bool] = True
 
     kind: Literal["cantilever"]
 

@@ -26,6 +26,9 @@ class AsPrinted(JointModel):
         """Return that of their digits where all that they leave out has an estimate."""
         if kind in UNTOLD or not _is_estimated(ask, kind):
             return None
+        turned = ask.geometry.turns_freely and ask.scene.keeps_turn and ask.scene.bends
+        if turned and kind is QuantityKind.STRESS:
+            return None  # bent to an S where the formula has a free tip
         return FLOOR
 
     def stiffness(self, ask: Ask) -> Computed:

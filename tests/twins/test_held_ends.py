@@ -1,0 +1,31 @@
+"""What a case holds of a body counts in its stress, whichever model decides."""
+
+import pytest
+
+from twins.verdicts import checked
+
+E, H, B, L, X = 114e9, 0.3e-3, 3e-3, 20e-3, 0.5e-3
+
+PLATE = 0.02
+"""What clamps make a blade of b/l = 0.15 stiffer than a beam, and what 0.1 N adds."""
+
+
+@pytest.mark.parametrize("held", [{"ends": "clamped-guided"}, {"ends": "clamped-clamped"}])
+def test_a_tip_that_a_case_keeps_from_turning_bends_its_blade_to_an_s(held):
+    """3 E h x/l², twice that of a free tip."""
+    stress = 3.0 * E * H * X / L**2
+    for share, verdict in ((1.0 + 3.0 * PLATE, "pass"), (1.0 - 3.0 * PLATE, "fail")):
+        spec = {
+            "flexure": 1,
+            "title": "a tip kept from turning",
+            "material": {
+                "name": "m", "youngs_modulus": f"{E} Pa", "poisson_ratio": 0.34,
+                "density": "4430 kg/m^3", "yield_strength": f"{share * stress} Pa",
+            },
+            "geometry": {"kind": "cantilever", "h": f"{H} m", "l": f"{L} m", "b": f"{B} m"},
+            "cases": {
+                "work": {"stroke": {"translation": f"{X} m"}, "load": {"force": "1 mN"}, **held}
+            },
+            "requirements": {"yield": 1.0},
+        }  # fmt: skip
+        assert checked(spec, "yield").verdict == verdict, share
