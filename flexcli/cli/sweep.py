@@ -1,5 +1,6 @@
 """``flexure sweep``: one verb at many points of a spec, a row for each."""
 
+import sys
 from collections.abc import Generator, Mapping, Sequence
 from contextlib import closing
 from enum import Enum
@@ -23,8 +24,8 @@ from flexcli.cli.common import (
     finish,
     read,
 )
-from flexcli.cli.files import ForceOption, write_or_end
-from flexcli.errors import Finding, SpecError
+from flexcli.cli.files import ForceOption, write_or_end, write_picture
+from flexcli.errors import Finding, SolveError, SpecError
 from flexcli.results import Cost, Result, Status
 
 if TYPE_CHECKING:
@@ -104,6 +105,12 @@ def run(
         Path | None,
         typer.Option("--output", "-o", help="Save every value and check as .csv or .parquet."),
     ] = None,
+    picture: Annotated[
+        Path | None,
+        typer.Option(
+            "--plot", help="Draw margins, or the first --value, over what varies, as SVG or PNG."
+        ),
+    ] = None,
     resume: Annotated[
         bool, typer.Option("--resume", help="Keep the rows of the .csv that are done already.")
     ] = False,
@@ -137,12 +144,18 @@ def run(
             loaded, asked, model.value if model else None, output, force=force,
             resume=resume, jobs=jobs, scheduler=scheduler, shown=tuple(shown or ()),
         ).done()  # fmt: skip
+        if picture is not None and found.rows:
+            _draw(found, picture, force=force)
         models = dict.fromkeys(row.model for row in found.rows if row.model)
         cost = Cost(perf_counter() - started, ", ".join(models) or "no", None)
         return Result(NAME, str(spec), _status(found), study=found, cost=cost)
 
     if output is not None and output.suffix not in (".csv", ".parquet"):
         _refuse(spec, f"{output} is neither .csv nor .parquet", "name it .csv", style)
+    if picture is not None and picture.suffix not in (".svg", ".png"):
+        _refuse(spec, f"{picture} is neither .svg nor .png", "name it .svg", style)
+    if picture is not None and picture.exists() and not force:
+        _refuse(spec, f"{picture} exists", "--force replaces it", style)
     if resume and (output is None or output.suffix != ".csv"):
         _refuse(spec, "only rows of a .csv can be kept", "add -o FILE.csv", style)
     finish(NAME, [attempt(NAME, spec, verb)], style, many=False)
@@ -158,6 +171,19 @@ def _status(found: "StudyResult") -> Status:
     if Status.UNDECIDED.value in there or len(found.rows) < found.points:
         return Status.UNDECIDED
     return Status.PASS
+
+
+def _draw(found: "StudyResult", path: Path, *, force: bool) -> None:
+    from flexcli.report.plots.chart import standalone
+    from flexcli.report.plots.study import study_plot
+
+    try:
+        plot = study_plot(found)
+    except SolveError as error:  # the rows are there all the same
+        sys.stderr.write(f"flexure: nothing was written to {path}: {error.text}: {error.remedy}\n")
+        return
+    write_picture(standalone(plot.svg), path, force=force)
+    sys.stderr.write(f"{path}: {plot.caption}\n")
 
 
 def _refuse(spec: Path, text: str, hint: str, style: Format) -> None:

@@ -4,6 +4,7 @@ import csv
 import json
 from importlib import import_module
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -191,3 +192,65 @@ def test_a_sample_is_spread_in_its_ranges_and_the_same_again(sample):
         assert sum(1 + k / 2 <= x < 1.5 + k / 2 for x in lengths) == 8
         assert sum(10.0**k <= x < 10.0 ** (k + 1) for x in forces) == 8
     assert sum(point["c"] == "x" for point in points) == 16
+
+
+def circles(svg):
+    """Return the marks of a plot, as (x, y, fill)."""
+    found = ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}circle")
+    return [(float(c.get("cx")), float(c.get("cy")), c.get("fill")) for c in found]
+
+
+def test_a_plot_marks_every_design_by_how_it_ended(flexure, spec, tmp_path):
+    done = flexure("sweep", str(spec), "--vary", "geometry.h=0.1mm:0.4mm:4", "-o", "h.csv",
+                   "--plot", "h.svg", "-j", "1")  # fmt: skip
+    statuses = [row["status"] for row in table(tmp_path / "h.csv")]
+    marks = sorted(circles((tmp_path / "h.svg").read_text(encoding="utf-8")))
+    assert len(marks) == 4
+    fills = {status: {mark[2] for mark, s in zip(marks, statuses, strict=True) if s == status}
+             for status in set(statuses)}  # fmt: skip
+    assert all(len(each) == 1 for each in fills.values())
+    assert len(set.union(*fills.values())) == len(fills)
+    assert f"pass ({statuses.count('pass')})" in done.stderr
+    # the margins of what is nearest its limit fall or stand lower where a design fails
+    least = {status: max(m[1] for m, s in zip(marks, statuses, strict=True) if s == status)
+             for status in ("pass", "fail")}  # fmt: skip
+    assert least["fail"] > least["pass"]  # SVG counts downwards
+
+
+def test_a_plot_of_a_value_has_a_curve_for_each_word(flexure, spec, tmp_path):
+    flexure("sweep", str(spec), "--vary", "geometry.h=0.1mm:0.4mm:4", "--vary",
+            "material=ti-6al-4v,6061-t6", "--value", "k_stage", "--plot", "k.svg",
+            "-j", "1")  # fmt: skip
+    text = (tmp_path / "k.svg").read_text(encoding="utf-8")
+    assert all(word in text for word in ("ti-6al-4v", "6061-t6", "k_stage, N/mm", "geometry.h, mm"))
+    assert len(circles(text)) == 8
+
+
+def test_a_plot_of_two_numbers_is_a_map(flexure, spec, tmp_path):
+    done = flexure("sweep", str(spec), "--vary", "geometry.h=0.1mm:0.4mm:4", "--vary",
+                   "geometry.l=30mm:50mm:3", "--plot", "map.svg", "-j", "1")  # fmt: skip
+    marks = circles((tmp_path / "map.svg").read_text(encoding="utf-8"))
+    assert len({round(x, 1) for x, _, _ in marks}) == 4
+    assert len({round(y, 1) for _, y, _ in marks}) == 3
+    assert "factor over the required one from" in done.stderr.casefold()
+
+
+def test_what_cannot_be_plotted_leaves_the_table(flexure, spec, tmp_path):
+    done = flexure("sweep", str(spec), "--vary", "material=ti-6al-4v,6061-t6", "--plot", "m.svg",
+                   "-j", "1")  # fmt: skip
+    assert "designs pass" in done.stdout
+    assert "nothing was written to m.svg" in done.stderr
+    assert not (tmp_path / "m.svg").exists()
+
+
+@pytest.mark.parametrize(("name", "there", "text"), [("m.pdf", False, ".svg nor .png"),
+                                                     ("m.svg", True, "--force")])  # fmt: skip
+def test_a_plot_that_cannot_be_written_is_said_before_the_work(
+    flexure, spec, tmp_path, name, there, text
+):
+    if there:
+        (tmp_path / name).write_text("mine", encoding="utf-8")
+    done = flexure("sweep", str(spec), "--vary", "geometry.h=0.1mm:0.4mm:4", "--plot", name)
+    assert done.returncode == 2
+    assert text in done.stderr + done.stdout
+    assert not there or (tmp_path / name).read_text(encoding="utf-8") == "mine"
