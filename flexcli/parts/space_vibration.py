@@ -15,13 +15,15 @@ from flexcli.mechanics.layout import Body
 from flexcli.mechanics.space.layout import SpaceBody, SpaceLayout, SpaceLoad
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.mechanics.space.modes import own_blade_frequency
+from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.space.states import BladeStress, SpaceState, Stresses, combined
 from flexcli.mechanics.space.vibrating import vibrating
 from flexcli.numerics.modes import natural_modes
-from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
+from flexcli.parts.mechanisms.base import OutOfPlane
 from flexcli.parts.own_motion import DENSEST
 from flexcli.parts.space_joint import RIGID, SpaceJoint
 from flexcli.parts.space_states import state_error
@@ -83,65 +85,95 @@ class Likely(NamedTuple):
 
 
 def likely_structures(
-    mechanism: Mechanism | None, geometry: Geometry, material: Material, sizes: Sizes, steps: int
+    mechanism: Mechanism | None,
+    geometry: Geometry,
+    material: Material,
+    sizes: Sizes,
+    steps: int,
+    lock: str | None = None,
 ) -> Likely:
     """Return a mechanism as a structure in space, and others between the errors of its springs.
 
     A material without a density may be as heavy as any; a body that is drawn in its plane may have
-    any inertia about the axes in it, up to that of a radius of gyration as long as a blade.
+    any inertia about the axes in it that is not stated, up to that of a radius of gyration as long
+    as a blade, or as what it is between pivots. A body that is locked is held in every direction.
 
     Raises
     ------
     NotAvailable
-        When it has no masses, or is not a joint of blades alone that stands free.
+        When it has no masses, or is not made of blades alone that stand free.
 
     """
-    spread = (0.0,) if geometry.in_space else GYRATIONS
-    density = material.density
+    density, elastic = material.density, material.elastic
+    several = mechanism is not None and mechanism.joints > 1
+    turn, reach, spread = geometry.axes, 0.0, (0.0,) if geometry.in_space else GYRATIONS
+    if several:
+        assert mechanism is not None
+        whole = mechanism.out_of_plane(geometry.blades_layout(elastic, sizes), lock)
+        turn, reach = 0.0, whole.reach
+        spread = (0.0,) if whole.is_stated else GYRATIONS
+    elif not geometry.in_space:
+        _refuse_guided(geometry, elastic, sizes)
+        reach = geometry.length(sizes)
 
     def assembled(rho: float, gyration: float) -> SpaceJoint:
-        layout = geometry.space_layout(material.elastic, sizes, rho)
+        if several:
+            return SpaceJoint(_on_pivots(whole, rho, gyration * reach))
+        layout = geometry.space_layout(elastic, sizes, rho)
         if geometry.in_space:
             return SpaceJoint(layout)
-        return SpaceJoint(_loaded(layout, mechanism, geometry, gyration * geometry.length(sizes)))
+        return SpaceJoint(_loaded(layout, mechanism, geometry, gyration * reach))
 
-    _refuse_guided(mechanism, geometry, material, sizes)
     joint = assembled(0.0 if density is None else density.value, spread[0])
     if not any(body.mass for body in joint.layout.bodies):
         raise NotAvailable("has no body with a mass: give its bodies theirs")
-    own = space_structure(joint.assembly, geometry.axes)
+
+    def structure(assembly: SpaceAssembly) -> Structure:
+        found = space_structure(assembly, turn)
+        return found.without_motion() if lock is not None else found
+
+    own = structure(joint.assembly)
     if not joint.is_known or (
         not geometry.in_space and geometry.has_limbs(material.elastic, sizes)
     ):
         return Likely(joint, own, None, (1.0, 1.0))
     low, high = 1.0 + joint.low, np.minimum(1.0 + joint.high, RIGID)
     shares = np.linspace(0.0, 1.0, steps)[:, None]
-    others = [
-        space_structure(joint.assembly.scaled(f), geometry.axes)
-        for f in low ** (1.0 - shares) * high**shares
-    ]
+    others = [structure(joint.assembly.scaled(f)) for f in low ** (1.0 - shares) * high**shares]
     weights = (DENSEST,) if density is None else ()
     for rho, gyration in [(rho, spread[0]) for rho in weights] + [
         (0.0 if density is None else density.value, each) for each in spread[1:]
     ]:
         other = assembled(rho, gyration).assembly
-        others += [space_structure(other.scaled(f), geometry.axes) for f in (low, high)]
+        others += [structure(other.scaled(f)) for f in (low, high)]
     known = high[high < RIGID]
     return Likely(joint, own, tuple(others), (float(low.min()), float(known.max(initial=1.0))))
 
 
-def _refuse_guided(
-    mechanism: Mechanism | None, geometry: Geometry, material: Material, sizes: Sizes
-) -> None:
+def _refuse_guided(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> None:
     """Raise :class:`NotAvailable` for what does not stand free on the blades of one joint."""
-    if geometry.in_space:
-        return
-    if mechanism is not None and mechanism.joints > 1:
-        raise NotAvailable("is one of several joints: no model shakes these out of their plane")
-    if geometry.is_guided or geometry.keeps_level:
+    if geometry.is_guided:
         raise NotAvailable("is guided by what nobody knows out of its plane")
-    if geometry.layout(material.elastic, sizes).guides:
+    if geometry.layout(elastic, sizes).guides:
         raise NotAvailable("has ideal guides, which nobody knows out of their plane")
+
+
+def _on_pivots(whole: OutOfPlane, density: float, gyration: float) -> SpaceLayout:
+    """Return a mechanism on several joints from its plane, with inertia about x and y.
+
+    What is not stated is that of a radius of gyration [m].
+    """
+    first = whole.layout.bodies[0].name
+    if whole.layout.G is None:
+        raise NotAvailable("needs material.poisson_ratio for its shear and torsion")
+    found = from_plane(whole.layout, first, turns=True, density=density)
+    bodies = []
+    for body in found.bodies:
+        about_x, about_y = whole.inertia.get(body.name) or (body.mass * gyration**2,) * 2
+        about_z = body.inertia[2][2]
+        inertia = ((about_x, 0.0, 0.0), (0.0, about_y, 0.0), (0.0, 0.0, about_z))
+        bodies.append(body._replace(inertia=inertia))
+    return SpaceLayout(tuple(bodies), found.blades, found.drive, found.springs)
 
 
 def _loaded(

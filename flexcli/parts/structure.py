@@ -77,6 +77,11 @@ class Structure:
         }
         return replace(self, stiffness=self.stiffness * factor, outputs=outputs)
 
+    def without_motion(self) -> "Structure":
+        """Return the structure without a motion of its own, as where it is locked."""
+        outputs = {name: rows for name, rows in self.outputs.items() if name not in MOTIONS}
+        return replace(self, outputs=outputs, motion=None)
+
     def in_mode(self, angular: float, shape: Floats) -> "Structure":
         """Return the structure that moves in one of its modes alone, of unit modal mass."""
         return Structure(

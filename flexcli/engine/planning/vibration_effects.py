@@ -218,7 +218,8 @@ def _out_of_plane(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
         return
     first = vibration.alone(vibration.axes[0])
     try:
-        found = likely_structures(ask.mechanism, ask.geometry, ask.material, ask.sizes, 0).own
+        lock = ask.scene.lock
+        found = likely_structures(ask.mechanism, ask.geometry, ask.material, ask.sizes, 0, lock).own
     except NotAvailable:
         return
     along_z = first.model_copy(update={"axis": "z"})

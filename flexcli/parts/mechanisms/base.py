@@ -1,14 +1,15 @@
 """What a mechanism offers: how the joint's motion and load follow from those of the bodies."""
 
 from abc import abstractmethod
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, NamedTuple
 
 from pydantic import model_validator
 
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import Part, QuantityOf, spec_error
-from flexcli.parts.elastic import Elastic
+from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.stroke import Stroke
 from flexcli.results import Note, Value
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from flexcli.mechanics.single_freedom import SingleFreedom
     from flexcli.parts.structure import Structure
 
-__all__ = ["Damping", "Mechanism", "MechanismError", "Mode"]
+__all__ = ["Damping", "Mechanism", "MechanismError", "Mode", "OutOfPlane"]
 
 
 class MechanismError(ValueError):
@@ -35,6 +36,23 @@ class Mode:
     def __init__(self, stiffness: Quantity, mass: float) -> None:
         self.stiffness: Computed = stiffness
         self.mass = mass
+
+
+class OutOfPlane(NamedTuple):
+    """A mechanism on several joints as it moves out of its plane, where it is drawn.
+
+    ``inertia`` has the moments of bodies about x and y through their centres of mass, where they
+    are stated [kg·m²]; ``reach`` is a length of such a body [m].
+    """
+
+    layout: Layout
+    inertia: Mapping[str, tuple[float, float]]
+    reach: float
+
+    @property
+    def is_stated(self) -> bool:
+        """Return whether every body's inertia is stated."""
+        return all(body.name in self.inertia for body in self.layout.bodies if body.mass)
 
 
 class Damping(Part):
@@ -150,6 +168,17 @@ class Mechanism(Part):
         ``balanced`` mounts the balancing masses; ``shift`` is the parasitic motion of a joint per
         squared travel.
         """
+
+    def out_of_plane(self, joint: Layout, lock: str | None) -> OutOfPlane:
+        """Return its bodies on copies of a joint, as a motion out of its plane has to know them.
+
+        Raises
+        ------
+        NotAvailable
+            When the spec does not say enough of them.
+
+        """
+        raise NotAvailable("carries what nobody knows out of its plane")
 
     def shaken_by(self, geometry: Geometry) -> Literal["translation", "rotation"]:
         """Return which motion of the base the transfer function is asked for."""

@@ -1,6 +1,6 @@
 """Parallel stage of rigid bodies: two levers on the base carry a third body on four pivots."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from math import inf
 from typing import Annotated, Any, ClassVar, Literal
@@ -15,9 +15,9 @@ from flexcli.mechanics import parallel_stage as planar
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.mechanics.single_freedom import Expansion, SingleFreedom, expand
 from flexcli.parts.base import Angle, Mass, QuantityOf, Shorthand, spec_error
-from flexcli.parts.elastic import Elastic
+from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
-from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
+from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode, OutOfPlane
 from flexcli.parts.mechanisms.force_balance import Balancing, Unknown, balance
 from flexcli.parts.mechanisms.free_value import Free, OrFree
 from flexcli.parts.mechanisms.stage_bodies import BalancingMass, InertiaTensor, Lever, Platform
@@ -348,6 +348,21 @@ class ParallelStage(Mechanism):
         bodies, joints = self.placed(lock, apart)
         return on_joints(bodies, joints, joint), joints
 
+    def out_of_plane(self, joint: Layout, lock: str | None) -> OutOfPlane:
+        """Return both levers on their pivots, solid 2 held in every direction by its lock."""
+        if lock is None:
+            text = "is between levers whose distance, out of their plane, the spec does not have"
+            raise NotAvailable(text)
+        layout, _ = self.layout(joint, lock, 0.0)
+        sides = zip((self.solid_1, self.solid_3), self._balances, self.stage().levers, strict=True)
+        inertia = {}
+        for body, (solid, added, lever) in zip(layout.bodies, sides, strict=False):
+            tensors = [solid.inertia] if added is None else [solid.inertia, added.inertia]
+            found = _tilting(tensors, lever.bodies, body)
+            if found is not None:
+                inertia[body.name] = found
+        return OutOfPlane(layout, inertia, self.height)
+
     def blades_in_motion(
         self, geometry: Geometry, elastic: Elastic, sizes: Sizes, density: float
     ) -> float:
@@ -431,6 +446,22 @@ class ParallelStage(Mechanism):
         found["tau_coupling_init"] = Value(init, "kg", f"{text} before balancing", source=SOURCE)
         found["tau_coupling"] = Value(final, "kg", f"{text} after balancing", source=SOURCE)
         return found
+
+
+def _tilting(
+    tensors: Sequence[InertiaTensor], bodies: Sequence[Body], whole: Body
+) -> tuple[float, float] | None:
+    """Return the inertia of several bodies as one about x and y through its centre [kg·m²].
+
+    There is none where one of them does not state its own.
+    """
+    about_x = about_y = 0.0
+    for tensor, body in zip(tensors, bodies, strict=False):
+        if tensor.xx is None or tensor.yy is None:
+            return None
+        about_x += tensor.xx + body.mass * (body.com[1] - whole.com[1]) ** 2
+        about_y += tensor.yy + body.mass * (body.com[0] - whole.com[0]) ** 2
+    return about_x, about_y
 
 
 def _both(first: Free, *others: Free) -> Free:

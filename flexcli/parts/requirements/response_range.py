@@ -153,11 +153,10 @@ def _in_space(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
 
     stands_in = ask.joint_model is STAND_IN
     try:
-        if ask.scene.lock is not None:
-            raise NotAvailable("with a locked body has no model out of its plane")
         joint, own, others, (low, high) = likely_structures(
-            ask.mechanism, ask.geometry, ask.material, ask.sizes, 0 if stands_in else STEPS
-        )
+            ask.mechanism, ask.geometry, ask.material, ask.sizes, 0 if stands_in else STEPS,
+            ask.scene.lock,
+        )  # fmt: skip
     except NotAvailable as error:
         hint = "draw it as a space-layout, or take z out of the case"
         raise RequirementError(f"a {ask.geometry.name} {error}", hint) from error
