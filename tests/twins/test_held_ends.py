@@ -29,3 +29,30 @@ def test_a_tip_that_a_case_keeps_from_turning_bends_its_blade_to_an_s(held):
             "requirements": {"yield": 1.0},
         }  # fmt: skip
         assert checked(spec, "yield").verdict == verdict, share
+
+
+@pytest.mark.parametrize(("direction", "verdict"), [("180 deg", "pass"), ("0 deg", "fail")])
+def test_a_mean_that_a_directed_force_presses_earns_nothing_and_costs_nothing(direction, verdict):
+    """Amplitude 6 EI x/(l² W) alone where the force pushes; half of N/(h b) more where it pulls."""
+    amplitude = 3.0 * E * H * X / L**2 / 5.0
+    force = 0.4 * amplitude * H * B
+    spec = {
+        "flexure": 1,
+        "title": "pressed or pulled",
+        "material": {
+            "name": "m", "youngs_modulus": f"{E} Pa", "poisson_ratio": 0.34,
+            "density": "4430 kg/m^3", "tensile_strength": f"{4.0 * amplitude} Pa",
+            "fatigue_amplitude": {
+                "value": f"{2.0 * amplitude} Pa", "cycles": 1e7, "stress_ratio": -1,
+            },
+        },
+        "geometry": {"kind": "guided-blade", "h": f"{H} m", "l": f"{L} m", "b": f"{B} m"},
+        "cases": {
+            "work": {
+                "stroke": {"translation": f"{X / 5.0} m", "cycles": 1e7},
+                "load": {"force": f"{force} N", "direction": direction},
+            }
+        },
+        "requirements": {"fatigue": {"factor": 1.8, "mean_stress": "goodman"}},
+    }  # fmt: skip
+    assert checked(spec, "fatigue").verdict == verdict

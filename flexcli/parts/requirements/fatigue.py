@@ -9,7 +9,7 @@ from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.results import QuantityKind
+from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["Fatigue"]
 
@@ -69,6 +69,7 @@ class Fatigue(FactorRequirement):
                     joint=stress.joint,
                     driver="stroke" if method == "none" else scene.driver,
                     kind=QuantityKind.STRESS,
+                    error=self._error(stress, ask, strength, method, demand),
                 )
         except MissingProperty as missing:
             raise RequirementError(
@@ -87,6 +88,26 @@ class Fatigue(FactorRequirement):
         if stress.reverses and lacking is not None and getattr(ask.material, lacking) is None:
             return "larger end"
         return self.mean_stress
+
+    def _error(
+        self, stress: EndStress, ask: Ask, strength: float, method: str, demand: Computed
+    ) -> ErrorRange | None:
+        """Return the error of a formula's demand where a directed force may push its blades.
+
+        Formulas take every axial stress as a pull; one that pushes adds to no mean. Else nothing:
+        the error is that of the stress.
+        """
+        axial = stress.axial
+        if not (ask.scene.directed and isinstance(axial, float) and isinstance(demand, float)):
+            return None
+        if stress.is_at_face or axial <= 0.0 or demand <= 0.0:
+            return None
+        known = ask.joint_model.error(ask, QuantityKind.STRESS)
+        if known is None:
+            return None
+        pushed = stress._replace(axial=-axial, is_at_face=True)
+        least, power = self._equivalent(pushed, ask, strength, method)
+        return known + ErrorRange(min((float(least) / demand) ** (1.0 / power) - 1.0, 0.0), 0.0)
 
     def _equivalent(
         self, stress: EndStress, ask: Ask, strength: float, method: str
