@@ -3,13 +3,14 @@
 from collections.abc import Callable, Iterator, MutableMapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import isfinite
+from math import isfinite, sqrt
 from time import perf_counter
 from typing import NamedTuple
 
 import numpy as np
 
 from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.joint_states import warmed
 from flexcli.engine.models import NamedModel, model_series
 from flexcli.engine.solid import calculix
 from flexcli.engine.solid.deck import Deck, softness
@@ -29,6 +30,7 @@ from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask, JointModel
 from flexcli.parts.requirements.support import DIRECTIONS, compliance_of
 from flexcli.parts.space_joint import joint_in_space
+from flexcli.parts.temperature import held_across
 from flexcli.results import (
     Cost,
     ErrorRange,
@@ -51,6 +53,9 @@ TANGENT = 1e-4
 BESIDE_CLAMP = 2.0
 """Thicknesses from a clamp to where stresses are compared: what its corner does fades by some
 e⁻⁴ a thickness."""
+
+HELD_STRESS = 5e-3
+"""Share of the stress of a blade that its clamps hold across that is left there along it."""
 
 Found = tuple[float, ErrorRange | None]
 
@@ -116,7 +121,7 @@ def verify(
     begun = perf_counter()
     design, notes = _between_rigid_clamps(design, sizes)
     named = model_series(design, model)[-1]
-    asks = _at_assembly(design, sizes, named)
+    asks = _asks(design, sizes, named)
     try:
         whole = [
             solid_model(design.geometry.layout(design.material.elastic, sizes), fineness=k + 1)
@@ -164,14 +169,25 @@ def verify(
 
 def verifiable(design: DesignSpec, sizes: Sizes) -> tuple[str, ...]:
     """Return the names of the numbers that solid elements are asked for."""
-    asks = _at_assembly(design, sizes, model_series(design, None)[-1])
+    asks = _asks(design, sizes, model_series(design, None)[-1])
     return tuple(question.name for question in _questions(asks))
 
 
-def _at_assembly(design: DesignSpec, sizes: Sizes, model: NamedModel) -> list[Ask]:
-    """Return what is asked in every case, without its temperature: solids here have none."""
-    scenes = (scene.at_assembly() for scene in design.scenes())
-    return [design.ask(scene, sizes, model.joint_model) for scene in scenes]
+class _Asked(NamedTuple):
+    """What is asked in a case, and at assembly: the same where the case has no temperature."""
+
+    case: Ask
+    cold: Ask
+
+
+def _asks(design: DesignSpec, sizes: Sizes, model: NamedModel) -> list[_Asked]:
+    """Return what is asked in every case."""
+    return [
+        _Asked(
+            *(design.ask(each, sizes, model.joint_model) for each in (scene, scene.at_assembly()))
+        )
+        for scene in design.scenes()
+    ]
 
 
 def _between_rigid_clamps(design: DesignSpec, sizes: Sizes) -> tuple[DesignSpec, list[Note]]:
@@ -287,9 +303,9 @@ class _Bench:
         return run
 
 
-def _questions(asks: list[Ask]) -> Iterator[_Question]:
-    """Yield what is compared: at rest once, then case by case."""
-    first = asks[0]
+def _questions(asks: list[_Asked]) -> Iterator[_Question]:
+    """Yield what is compared: at rest and assembly once, then case by case."""
+    first = asks[0].cold
     turns = first.geometry.motion == "rotation"
     unit, effort = ("N*m/rad", "moment") if turns else ("N/m", "force")
     model = _Model(first.joint_model)
@@ -304,8 +320,34 @@ def _questions(asks: list[Ask]) -> Iterator[_Question]:
             "f_0", "natural frequency", "Hz", first, lambda: model.frequency(first),
             lambda solid: solid.frequency(), "modes", "lowest mode that moves the body",
         )  # fmt: skip
-    for ask in asks:
-        yield from _case(ask, model, many=len(asks) > 1)
+    for asked in asks:
+        if asked.case.scene.temperature is not None:
+            yield from _warm(asked, model, unit, effort)
+        yield from _case(asked, model, many=len(asks) > 1)
+
+
+def _warm(asked: _Asked, model: "_Model", unit: str, effort: str) -> Iterator[_Question]:
+    """Yield the stiffness at a temperature, and the frequency that is its own and of its masses."""
+    ask, cold = asked
+    case, turns = ask.scene.case, ask.geometry.motion == "rotation"
+    yield _Question(
+        f"k_{'pivot' if turns else 'stage'}_{case}", "stiffness at its temperature", unit, ask,
+        lambda: model.of(ask, QuantityKind.STIFFNESS, ask.joint_model.stiffness(ask)),
+        lambda solid: solid.warm_stiffness(), f"warm-{case}",
+        f"change of the {effort} over that of the motion, steps 1 and 2", lambda: TANGENT, case,
+    )  # fmt: skip
+    if not _has_mass(cold):
+        return
+
+    def solid(numbers: SolidNumbers) -> float:
+        rest = SolidNumbers(cold, numbers.runner, numbers.fineness)
+        return rest.frequency() * sqrt(numbers.warm_stiffness() / rest.stiffness())
+
+    yield _Question(
+        f"f_0_{case}", "frequency at its temperature", "Hz", ask, lambda: model.frequency(ask),
+        solid, f"warm-{case}", "that at assembly, times the root of what the stiffness changes by",
+        lambda: TANGENT, case,
+    )  # fmt: skip
 
 
 def _supports(ask: Ask) -> Iterator[_Question]:
@@ -341,35 +383,38 @@ def _has_mass(ask: Ask) -> bool:
     return True
 
 
-def _case(ask: Ask, model: "_Model", *, many: bool) -> Iterator[_Question]:
+def _case(asked: _Asked, model: "_Model", *, many: bool) -> Iterator[_Question]:
+    ask = asked.case
     scene, end = ask.scene, f"_{ask.scene.case}" if many else ""
     alone = ask._replace(scene=scene.without_loads())
     turns = ask.geometry.motion == "rotation"
     unit = "N*m/rad" if turns else "N/m"
-    if scene.moves:
-        deck = f"stroke-{scene.case}"
-        if isinstance(model.inner, ExactModel):
-            yield _Question(
-                f"k_end{end}", "stiffness at full stroke", unit, alone,
-                lambda: model.stiffness_at_end(alone), lambda solid: solid.stiffness_at_end(),
-                deck, "change of the effort over that of the motion, steps 1 and 3",
-                lambda: TANGENT, scene.case,
-            )  # fmt: skip
+    deck = f"stroke-{scene.case}"
+    at_stroke = scene.moves and isinstance(model.inner, ExactModel)
+    if at_stroke:
+        yield _Question(
+            f"k_end{end}", "stiffness at full stroke", unit, alone,
+            lambda: model.stiffness_at_end(alone), lambda solid: solid.stiffness_at_end(),
+            deck, "change of the effort over that of the motion, steps 1 and 3",
+            lambda: TANGENT, scene.case,
+        )  # fmt: skip
+    if scene.moves or scene.temperature is not None:
+        when = "largest of all steps" if scene.temperature is not None else "step 2"
         yield _Question(
             f"shift{end}", "parasitic shift", "m", alone,
             lambda: model.of(alone, QuantityKind.SHIFT, alone.joint_model.parasitic_shift(alone)),
-            lambda solid: solid.shift(), deck, "motion of the moving body, step 2",
+            lambda solid: solid.shift(), deck, f"motion of the moving body, {when}",
             lambda: model.law_in_shift(alone), scene.case,
         )  # fmt: skip
-        if isinstance(model.inner, ExactModel):
-            yield _Question(
-                f"k_across{end}", "stiffness across it", "N/m", alone,
-                lambda: model.across_at_end(alone),
-                lambda solid: solid.across_at_end(model.across_force(alone)),
-                f"across-{scene.case}", "two forces along x over their motion",
-                lambda: TANGENT, scene.case,
-            )  # fmt: skip
-    if scene.moves or scene.is_loaded:
+    if at_stroke:
+        yield _Question(
+            f"k_across{end}", "stiffness across it", "N/m", alone,
+            lambda: model.across_at_end(alone),
+            lambda solid: solid.across_at_end(model.across_force(alone)),
+            f"across-{scene.case}", "two forces along x over their motion",
+            lambda: TANGENT, scene.case,
+        )  # fmt: skip
+    if scene.moves or scene.is_loaded or scene.temperature is not None:
         place = _Lazy(lambda: model.stress_place(ask))
         yield _Question(
             f"sigma{end}", "stress at a face", "Pa", ask, lambda: model.stress(ask, place.value),
@@ -379,7 +424,8 @@ def _case(ask: Ask, model: "_Model", *, many: bool) -> Iterator[_Question]:
             lambda: model.share_at(ask, place.value),
         )  # fmt: skip
     if scene.forces and scene.ends is not None:
-        rest = ask._replace(scene=scene._replace(travel=0.0, mean_travel=0.0, middle=0.0))
+        cold = asked.cold
+        rest = cold._replace(scene=cold.scene._replace(travel=0.0, mean_travel=0.0, middle=0.0))
         yield _Question(
             f"F_cr{end}", "critical force at rest", "N", rest,
             lambda: model.critical(rest), lambda solid: solid.critical(model.critical(rest)[0]),
@@ -477,9 +523,14 @@ class _Model:
         return abs(self._along(ask, place)) / exact
 
     def law_in_stress(self, ask: Ask) -> float:
-        """Return what the law of finite strain of a solid may change in a stress: the strain."""
+        """Return what the law of finite strain of a solid may change in a stress: the strain.
+
+        What clamps hold a blade from growing across is not quite gone where it is compared.
+        """
         worst = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
-        return PRINTED + worst / ask.material.elastic.E
+        strain = worst / ask.material.elastic.E
+        held = 0.0 if ask.scene.temperature is None else held_across(warmed(ask))
+        return PRINTED + strain + HELD_STRESS * held / strain
 
     def law_in_shift(self, ask: Ask) -> float:
         """Return what the law of finite strain of a solid may change in a shift, relative.

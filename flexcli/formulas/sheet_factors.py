@@ -12,6 +12,7 @@ __all__ = [
     "axial_factor",
     "bending_factor",
     "guided_factor",
+    "held_growth",
 ]
 
 Floats = NDArray[np.float64]
@@ -136,6 +137,45 @@ def guided_factor(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> Fl
     return np.asarray((1.0 + Phi) / (1.0 / held + Phi * (1.0 - even / 6.0)))
 
 
+def held_growth(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> Floats:
+    """Return how much longer a blade grows for what its clamps keep it from growing across [-].
+
+    ``ν ρ`` with the ρ of ``axial_factor``: clamps that hold a strain across of ε lengthen a blade
+    by ν ρ ε l. By Betti's theorem that is the work of what keeps a stretched one from narrowing.
+
+    Parameters
+    ----------
+    b, l : array_like
+        Width and length [m].
+    poisson_ratio : array_like
+        ν [-].
+
+    Returns
+    -------
+    share : array
+        From 0 (narrow) to ν (wide) [-].
+
+    Notes
+    -----
+    As exact as ``axial_factor``; clamps that hold different strains count by their mean.
+
+    Examples
+    --------
+    >>> round(float(held_growth(b=0.5, l=1.0, poisson_ratio=0.3)), 3)
+    0.039
+
+    References
+    ----------
+    Derived here, from ``axial_factor``.
+
+    """
+    nu = np.asarray(poisson_ratio, dtype=np.float64)
+    stiffer = axial_factor(b=b, l=l, poisson_ratio=nu)
+    # 1/k = 1 − ν² ρ
+    with np.errstate(invalid="ignore"):
+        return np.where(nu > 0.0, (1.0 - 1.0 / stiffer) / nu, 0.0)
+
+
 def _kept_from_narrowing(odds: Floats, poisson_ratio: ArrayLike) -> Floats:
     """Return 1/(1 − ν² ρ) from ρ/(1 − ρ)."""
     nu = np.asarray(poisson_ratio, dtype=np.float64)
@@ -147,6 +187,7 @@ _FITTED = (Range("b/l", most=5.0, why="wider blades were not compared"),)
 
 CARDS = (
     Card("sheet-axial", axial_factor, _SHEET, _FITTED),
+    Card("sheet-held-growth", held_growth, _SHEET, _FITTED),
     Card("sheet-bending", bending_factor, _SHEET, _FITTED),
     Card("sheet-guided", guided_factor, _SHEET, _FITTED),
 )

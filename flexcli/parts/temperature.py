@@ -8,14 +8,17 @@ from typing import Annotated, NamedTuple, TypeVar
 import numpy as np
 from pydantic import Field, model_validator
 
-from flexcli.mechanics.layout import Layout
-from flexcli.mechanics.space.layout import SpaceLayout
+from flexcli.formulas.profile import Constant
+from flexcli.formulas.sheet_factors import held_growth
+from flexcli.mechanics.layout import Blade, Layout
+from flexcli.mechanics.mesh import column
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, SpaceRod
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.geometries.base import GROUND
 from flexcli.parts.material import Material
 from flexcli.parts.over_temperature import Kelvin
 
-__all__ = ["Temperature"]
+__all__ = ["Temperature", "held_across", "held_lengths", "held_share"]
 
 Change = Annotated[float, QuantityOf("temperature change")]
 Slope = Annotated[float, QuantityOf("temperature gradient")]
@@ -23,6 +26,9 @@ Coefficient = Annotated[float, QuantityOf("expansion")]
 
 ALONG_PIECE = np.array([[-1.0, 0.0, 1.0]])
 """Of each piece of a blade, where its thickness is looked at: its ends and its middle."""
+
+HELD_ERROR = 0.1
+"""Error of what clamps that hold a blade across make it longer, relative."""
 
 AnyLayout = TypeVar("AnyLayout", Layout, SpaceLayout)
 
@@ -32,6 +38,55 @@ class Changes(NamedTuple):
 
     blades: dict[str, float]
     bodies: dict[str, float]
+
+
+def held_share(blade: Blade | SpaceBlade | SpaceRod, nu: float) -> float:
+    """Return how much longer a blade gets for each strain across it that its clamps hold [-].
+
+    Where its thickness varies that is not known, and little: it is held in short stretches.
+    """
+    if isinstance(blade, SpaceRod) or not isinstance(blade.profile, Constant):
+        return 0.0
+    l = hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
+    return float(held_growth(b=blade.b, l=l, poisson_ratio=nu))
+
+
+def held_across(layout: Layout | SpaceLayout) -> float:
+    """Return the largest strain by which a clamp of a warmed layout keeps a blade from growing.
+
+    It is that across the blade; what it makes the blade longer is in its growth, and hardly counts.
+    """
+    return max(
+        abs(float(column(layout.blade_growth[blade.name])[0] - column(layout.body_growth[body])[0]))
+        for blade in layout.blades
+        for body in (blade.first, blade.second)
+    )
+
+
+def held_lengths(layout: Layout, nu: float) -> float:
+    """Return how far what clamps hold across leaves the lengths of all blades unsure [m].
+
+    It is a tenth of what it makes them longer, and what their thickness, held too, does besides.
+    """
+    doubt = 0.0
+    for blade in layout.blades:
+        l = hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
+        own, first, second = (
+            float(column(strain)[0])
+            for strain in (
+                layout.blade_growth[blade.name],
+                layout.body_growth[blade.first],
+                layout.body_growth[blade.second],
+            )
+        )
+        unsure = HELD_ERROR * held_share(blade, nu) * l + nu * _thickest(blade, l)
+        doubt += abs(own - (first + second) / 2.0) * unsure
+    return doubt
+
+
+def _thickest(blade: Blade, l: float) -> float:
+    pieces = blade.profile.pieces(l)
+    return max(float(np.max(piece.thickness(ALONG_PIECE))) for piece in pieces)
 
 
 class Gradient(Part):
@@ -119,7 +174,8 @@ class Temperature(Part):
     def warmed(self, layout: AnyLayout, material: Material, axes: float) -> AnyLayout:
         """Return a layout whose blades and bodies have grown.
 
-        A body grows about its reference point, the ground about the origin of the layout.
+        A body grows about its reference point, the ground about the origin of the layout. What
+        clamps keep a blade from growing across makes it longer.
         """
         changes = self.changes(layout, axes)
         bodies = {
@@ -128,9 +184,11 @@ class Temperature(Part):
             else material.growth(change, self.assembly)
             for name, change in changes.bodies.items()
         }
-        blades = {
-            name: material.growth(change, self.assembly) for name, change in changes.blades.items()
-        }
+        blades = {}
+        for blade in layout.blades:
+            own = material.growth(changes.blades[blade.name], self.assembly)
+            held = own - (bodies[blade.first] + bodies[blade.second]) / 2.0
+            blades[blade.name] = own + held * held_share(blade, material.elastic.nu or 0.0)
         return replace(layout, body_growth=bodies, blade_growth=blades)
 
     def across_thickness(self, layout: Layout, material: Material, axes: float) -> float:
@@ -144,9 +202,7 @@ class Temperature(Part):
         for blade in layout.blades:
             x, y = (float(e - s) for s, e in zip(blade.start, blade.end, strict=True))
             l = hypot(x, y)
-            pieces = blade.profile.pieces(l)
-            h = max(float(np.max(piece.thickness(ALONG_PIECE))) for piece in pieces)
-            more = abs(rise_y * x - rise_x * y) / l * h / 2.0
+            more = abs(rise_y * x - rise_x * y) / l * _thickest(blade, l) / 2.0
             # towards assembly, where the material is known
             change = changes[blade.name]
             other = change - copysign(more, change)

@@ -1,6 +1,7 @@
 """Decks of solid elements: the bricks fill the blade, and CalculiX would read every line."""
 
 import re
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -17,7 +18,8 @@ H, L, B = 0.4e-3, 20e-3, 3e-3
 KEYWORDS = {
     "*NODE", "*ELEMENT", "*NSET", "*MATERIAL", "*ELASTIC", "*DENSITY", "*SOLID SECTION", "*MASS",
     "*RIGID BODY", "*BOUNDARY", "*STEP", "*STATIC", "*BUCKLE", "*FREQUENCY", "*CONTROLS", "*CLOAD",
-    "*NODE PRINT", "*NODE FILE", "*EL FILE", "*END STEP",
+    "*NODE PRINT", "*NODE FILE", "*EL FILE", "*END STEP", "*ORIENTATION", "*EXPANSION",
+    "*INITIAL CONDITIONS", "*TEMPERATURE",
 }  # fmt: skip
 """Of CalculiX's manual, version 2.20."""
 
@@ -45,7 +47,10 @@ def decks(is_half):
     layout = pivot(mass=0.1)
     model = solid_model(layout, is_half=is_half)
     state = State({"moving": (None, None, 0.05)}, [PUSH])
+    growth = {"body_growth": {"ground": 2e-3, "moving": -1e-3}}
+    warm = replace(layout, blade_growth={b.name: 1e-3 for b in layout.blades}, **growth)
     return model, {
+        "warm": states_deck(solid_model(warm, is_half=is_half), [state, state]),
         "states": states_deck(model, [state, state]),
         "small": states_deck(model, [state], is_linear=True),
         "support": compliance_deck(model, "moving", guided=True),

@@ -44,8 +44,9 @@ def test_heat_moves_an_actuated_stage_by_what_two_springs_in_series_leave():
     told = thermal_stroke(
         alpha=column, alpha_frame=23.6e-6, L=30e-3, dT=dT, k_T=hinge / 2.0, k=guide
     )
-    # told is against the frame, moved from where the stage stood at assembly
-    assert moved == pytest.approx(told + 23.6e-6 * dT * 30e-3, rel=0.02)
+    # told is against the frame, moved from where the stage stood at assembly; the guides turn the
+    # stage a little, and what clamps hold across is in no spring
+    assert moved == pytest.approx(told + 23.6e-6 * dT * 30e-3, abs=1e-3 * abs(told))
 
 
 BRIDGE = """

@@ -160,3 +160,39 @@ def test_blades_with_stiff_middles_reach_their_stroke_and_agree_there():
         assert number.agrees
         assert number.apart == pytest.approx(0.0, abs=MESH + number.solid_error), number.name
         assert number.solid_error < 5.0 * MESH
+
+
+COLD = """\
+flexure: 1
+material: ti-6al-4v
+geometry: {kind: leaf-spring-stage, blades: 2, spacing: 20 mm, h: 0.2 mm, l: 20 mm, b: 4 mm}
+mechanism: {kind: payload, mass: 100 g}
+cases:
+  cold: {temperature: {uniform: -60 K, expansion: {moving: 23.6e-6 1/K}}}
+  sun: {stroke: {translation: 0.5 mm}, temperature: {bodies: {moving: 12 K}, gradient: {y: 40 K/m}}}
+requirements: {stiffness: {min: 1 N/m}}
+"""
+
+
+def test_solids_grow_as_the_temperature_of_the_case_says():
+    # what a mesh, a plate of this width and clamps that hold it across leave
+    most = {
+        "k_stage_cold": 5e-3, "f_0_cold": 5e-3, "shift_cold": 0.01, "k_end_sun": 5e-3,
+        "sigma_sun": 5e-3,
+    }  # fmt: skip
+    found = flexcli.verify(COLD, only=tuple(most)).verification.numbers
+    assert {number.name for number in found} == set(most)
+    for number in found:
+        assert number.agrees, number.name
+        assert number.apart == pytest.approx(0.0, abs=most[number.name]), number.name
+
+
+def test_wide_blades_that_their_clamps_hold_across_grow_along_themselves():
+    narrow, wide = (
+        flexcli.verify(text, only=("shift_cold",)).verification.numbers[0]
+        for text in (COLD, COLD.replace("b: 4 mm", "b: 16 mm"))
+    )
+    assert wide.agrees
+    assert wide.apart == pytest.approx(0.0, abs=0.01)
+    # beams of either width would be as long
+    assert abs(wide.solid) > 1.1 * abs(narrow.solid)

@@ -34,3 +34,10 @@ def test_factors_run_from_beam_to_plane_strain():
         assert factor(b=0.0, l=1.0, poisson_ratio=0.3) == 1.0
         assert factor(b=1e6, l=1.0, poisson_ratio=0.3) == pytest.approx(1.0 / 0.91, rel=1e-4)
     assert sheets.guided_factor(b=1e6, l=1.0, poisson_ratio=0.3) == pytest.approx(1.2, rel=1e-4)
+
+
+def test_a_blade_held_across_grows_by_poissons_ratio_where_it_is_wide_and_not_where_narrow():
+    narrow, wide = sheets.held_growth(b=[1e-6, 5.0], l=1.0, poisson_ratio=0.3)
+    assert narrow == pytest.approx(0.0, abs=1e-6)
+    assert 0.8 * 0.3 < wide < 0.3
+    assert sheets.held_growth(b=1.0, l=1.0, poisson_ratio=0.0) == 0.0

@@ -31,6 +31,7 @@ from flexcli.mechanics.tangent import held_stiffness
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical, Held
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
+from flexcli.parts.temperature import held_lengths
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -47,6 +48,9 @@ SAMPLED = 1e-6
 
 RIGHT = 1e-9
 """Cosine of an angle that counts as a right one."""
+
+NU_UNKNOWN = 0.5
+"""Poisson's ratio where the material gives none: the largest."""
 
 BLADE_SPRINGS = 1e-8
 """Of a compliance in space: rounding, and the nodes of the blades' springs."""
@@ -199,7 +203,10 @@ class ExactModel(JointModel):
         free: Held = None, None, 0.0 if geometry.is_guided else None
         held = [geometry.held(reach), geometry.held(-reach)] if scene.moves else [free]
         # what the temperature bends is not the same at both ends
-        return max((self._shift_at(ask, each) for each in held), key=lambda found: abs(found[0]))
+        ends = (self._shift_at(ask, each) for each in held)
+        shift, error = max(ends, key=lambda found: abs(found[0]))
+        doubt = held_lengths(warmed(ask), ask.material.elastic.nu or NU_UNKNOWN)
+        return shift, error + (doubt / abs(shift) if shift else inf)
 
     def _shift_at(self, ask: Ask, held: Held) -> tuple[float, float]:
         layout = warmed(ask)

@@ -1,12 +1,14 @@
 """CalculiX decks of a solid model, in mm, N, MPa and t: its bodies as rigid, step by step."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from math import cos, hypot, sin
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.solid.bricks import CORNERS
+from flexcli.engine.solid.growth import Spacer, grows, spacers_of, strains_of
 from flexcli.engine.solid.model import SolidBody, SolidModel
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Load
@@ -39,6 +41,16 @@ body CalculiX would lack part of the tangent, and of a stiffer one it finds no l
 
 WEIGHTLESS = 1e-9
 """Density of it over that of the hinges; a step *FREQUENCY takes none of nothing."""
+
+BRICK_NODES = 22
+"""Nodes of a brick beside the blades, and the two that state the motion of its far face."""
+
+SPACER = 5e3
+"""Side of the cube by which a clamp moves as its body grows, over that motion: the second order of
+so small a strain does not matter, and of a longer cube rounding is felt."""
+
+SPACER_STIFFNESS = 1e4
+"""Stiffness of it over that of the stiffest blade along itself."""
 
 A_LINE = 12
 """Node numbers on a line of a set."""
@@ -74,7 +86,8 @@ def softness(model: SolidModel) -> float:
 def states_deck(model: SolidModel, states: Sequence[State], *, is_linear: bool = False) -> Deck:
     """Return a deck that goes through states one after the other from rest.
 
-    They are as far from it as they are; ``is_linear``: small motions, each from rest.
+    They are as far from it as they are; ``is_linear``: small motions, each from rest. A layout that
+    grows does so on the way to the first.
     """
     numbers, points = _numbered(model), _load_points(states[0].loads)
     head = _head(model, numbers, points)
@@ -87,6 +100,7 @@ def states_deck(model: SolidModel, states: Sequence[State], *, is_linear: bool =
             *(["*STEP", "*STATIC"] if is_linear else way),
             *(["*BOUNDARY", *held] if held else []),
             *(["*CLOAD, OP=NEW", *loads] if loads else []),
+            *(_warming(model) if index == 0 else []),
             "*NODE PRINT, NSET=TIED, FREQUENCY=100000", "U, RF",
             "*NODE FILE, NSET=FACES, FREQUENCY=100000", "U",
             "*EL FILE, NSET=FACES, FREQUENCY=100000", "S",
@@ -147,7 +161,7 @@ def buckling_deck(
     for index, (name, stiffness) in enumerate((turning or {}).items()):
         body = next(body for body in model.bodies if body.name == name)
         head += _stub(index, body, numbers[name], stiffness * model.share, node, element + 1)
-        node, element = node + 22, element + 1
+        node, element = node + BRICK_NODES, element + 1
     if held:
         head += ["*BOUNDARY", *held]
     step = [
@@ -183,7 +197,6 @@ def _head(
     density: float | None = None,
 ) -> list[str]:
     """Return nodes, elements, material, rigid bodies and what never moves."""
-    E, G = (float(column(x)[0]) for x in (model.layout.E, model.layout.G))
     lines = [
         "** bricks between rigid bodies, in mm, N, MPa, t" + (
             "; half of each blade, halves of forces and masses" if model.is_half else ""
@@ -194,11 +207,12 @@ def _head(
         for number, place in enumerate(stretch.places * MM, stretch.first_node + 1):
             lines.append(f"{number}, " + ", ".join(f"{x:.14g}" for x in place))
     element = 1
-    for stretch in model.stretches:
+    for index, stretch in enumerate(model.stretches):
         for name, chosen in (("BLADES", ~stretch.bricks.stiff), ("MIDDLES", stretch.bricks.stiff)):
             if not chosen.any():
                 continue
-            lines.append(f"*ELEMENT, TYPE=C3D20R, ELSET={name}")
+            elset = f"{name}{index}" if grows(model.layout) else name
+            lines.append(f"*ELEMENT, TYPE=C3D20R, ELSET={elset}")
             for nodes in stretch.bricks.elements[chosen] + stretch.first_node + 1:
                 row = [str(element), *map(str, nodes.tolist())]
                 lines += [", ".join(row[:15]) + ",", ", ".join(row[15:])]
@@ -228,21 +242,18 @@ def _head(
             f"*MASS, ELSET=MASS{number}", f"{mass * TONNE:.12g}",
         ]  # fmt: skip
         element += 1
-    has_middles = any(stretch.bricks.stiff.any() for stretch in model.stretches)
-    for name, stiffer, heavier in (
-        ("BLADES", 1.0, 1.0), *([("MIDDLES", RIGID, WEIGHTLESS)] if has_middles else []),
-    ):  # fmt: skip
-        nu = E / (2.0 * G) - 1.0
-        lines += [f"*MATERIAL, NAME={name}", "*ELASTIC", f"{E * stiffer * MPA:.12g}, {nu:.12g}"]
-        if density is not None:
-            lines += ["*DENSITY", f"{density * heavier * TONNE_MM3:.12g}"]
-        lines += [f"*SOLID SECTION, ELSET={name}, MATERIAL={name}"]
+    lines += _materials(model, density)
+    spacers = list(spacers_of(model))
+    apart = {int(node) for spacer in spacers for node in spacer.nodes}
     for index, body in enumerate(model.bodies):
-        nodes = np.concatenate(
-            [body.nodes + 1, np.array(of_loads.get(body.name, []), dtype=np.intp)]
-        )
-        lines += [*_set(f"BODY{index}", nodes)]
-        lines += [_rigid(f"BODY{index}", numbers[body.name])]
+        clamped = [node + 1 for node in body.nodes.tolist() if node not in apart]
+        nodes = np.array([*clamped, *of_loads.get(body.name, [])], dtype=np.intp)
+        if nodes.size:
+            lines += [*_set(f"BODY{index}", nodes)]
+            lines += [_rigid(f"BODY{index}", numbers[body.name])]
+    for index, spacer in enumerate(spacers):
+        lines += _spacer(index, spacer, numbers.get(spacer.body), model, extra, element)
+        extra, element = extra + BRICK_NODES, element + 1
     tied = [body.nodes + 1 for body in model.bodies]
     own = np.array([node for both in numbers.values() for node in both])
     lines += [*_set("TIED", np.concatenate([own, *tied])), *_set("GROUND", model.fixed + 1)]
@@ -260,9 +271,115 @@ def _head(
         lines += ["MIDDLE, 3, 3"]
         for ref, rot in numbers.values():
             lines += [f"{ref}, 3, 3", f"{rot}, 1, 2"]
+    if grows(model.layout):
+        moving = any(spacer.body in numbers for spacer in spacers)
+        lines += ["*INITIAL CONDITIONS, TYPE=TEMPERATURE", "BLADES, 0."]
+        lines += ["SPACERS, 0."] if moving else []
     for body_name, held in model.layout.guides.items():
         lines += [_fixed(numbers[body_name], axis, 0.0) for axis in range(3) if held[axis]]
     return lines
+
+
+def _materials(model: SolidModel, density: float | None) -> Iterator[str]:
+    """Yield the material of what flexes and of what does not, blade by blade where they grow."""
+    E, G = (float(column(x)[0]) for x in (model.layout.E, model.layout.G))
+    nu = E / (2.0 * G) - 1.0
+    stiff = [stretch.bricks.stiff for stretch in model.stretches]
+    for name, has, stiffer, heavier in (
+        ("BLADES", [not each.all() for each in stiff], 1.0, 1.0),
+        ("MIDDLES", [bool(each.any()) for each in stiff], RIGID, WEIGHTLESS),
+    ):
+        elastic = ["*ELASTIC", f"{E * stiffer * MPA:.12g}, {nu:.12g}"]
+        if density is not None:
+            elastic += ["*DENSITY", f"{density * heavier * TONNE_MM3:.12g}"]
+        if not grows(model.layout):
+            if any(has):
+                yield from (f"*MATERIAL, NAME={name}", *elastic)
+                yield f"*SOLID SECTION, ELSET={name}, MATERIAL={name}"
+            continue
+        for index, stretch in enumerate(model.stretches):
+            if not has[index]:
+                continue
+            own, c, s = f"{name}{index}", cos(stretch.angle), sin(stretch.angle)
+            along, across = strains_of(model, stretch)
+            yield f"*ORIENTATION, NAME={own}, SYSTEM=RECTANGULAR"
+            yield f"{c:.14g}, {s:.14g}, 0., {-s:.14g}, {c:.14g}, 0."
+            yield from (f"*MATERIAL, NAME={own}", *elastic, "*EXPANSION, TYPE=ORTHO")
+            yield f"{along:.12g}, {across:.12g}, {across:.12g}"
+            yield f"*SOLID SECTION, ELSET={own}, MATERIAL={own}, ORIENTATION={own}"
+
+
+def _warming(model: SolidModel) -> Iterator[str]:
+    """Yield what a step needs to let everything grow: a unit of temperature, clamps of the base."""
+    if not grows(model.layout):
+        return
+    yield from ("*TEMPERATURE", "BLADES, 1.")
+    spacers = list(spacers_of(model))
+    moving = {body.name for body in model.bodies}
+    if any(spacer.body in moving for spacer in spacers):
+        yield "SPACERS, 1."
+    for index, spacer in enumerate(spacers):
+        if spacer.body not in moving:
+            yield "*BOUNDARY"
+            for axis, moved in enumerate(spacer.moved, 1):
+                yield f"CLAMP{index}, {axis}, {axis}, {moved * MM:.14g}"
+
+
+def _spacer(
+    index: int,
+    spacer: Spacer,
+    nodes: tuple[int, int] | None,
+    model: SolidModel,
+    first: int,
+    element: int,
+) -> list[str]:
+    """Return a stiff brick that moves a clamp of a body away from it as the body grows.
+
+    A clamp of the base has none: it is moved as the base is.
+    """
+    if nodes is None:
+        return [*_set(f"CLAMP{index}", spacer.nodes + 1)]
+    long, (x, y) = SPACER * hypot(*spacer.moved), (c * MM for c in spacer.place)
+    lines, near, far = _brick(first, element, f"SPACER{index}", (x, y), long * MM, nset="SPACERS")
+    ref, rot = first + 20, first + 21
+    # of a shear the far face moves twice the strain's component
+    strain = (spacer.moved[0] / long, 0.0, 0.0, spacer.moved[1] / (2.0 * long), 0.0, 0.0)
+    E = SPACER_STIFFNESS * _axial(model) / long * MPA
+    held = [f"{ref}, 3, 3", f"{rot}, 1, 2"] if model.is_half else []
+    return [
+        "*NODE", f"{ref}, {x:.14g}, {y:.14g}, 0.", f"{rot}, {x:.14g}, {y:.14g}, 0.",
+        *lines, f"*MATERIAL, NAME=SPACER{index}", "*ELASTIC", f"{E:.12g}, 0.",
+        "*EXPANSION, TYPE=ANISO", ", ".join(f"{each:.12g}" for each in strain),
+        f"*SOLID SECTION, ELSET=SPACER{index}, MATERIAL=SPACER{index}",
+        *_set(f"NEAR{index}", near), _rigid(f"NEAR{index}", nodes),
+        *_set(f"CLAMP{index}", np.concatenate([spacer.nodes + 1, far])),
+        _rigid(f"CLAMP{index}", (ref, rot)), *(["*BOUNDARY", *held] if held else []),
+    ]  # fmt: skip
+
+
+def _axial(model: SolidModel) -> float:
+    """Return the stiffness of the stiffest blade along itself, as thick as it is anywhere [N/m]."""
+    E, found = float(column(model.layout.E)[0]), 0.0
+    for stretch in model.stretches:
+        size = np.ptp(stretch.bricks.places, axis=0)
+        found = max(found, float(E * size[1] * size[2] / size[0]))
+    return found
+
+
+def _brick(
+    first: int, element: int, name: str, at: tuple[float, float], side: float, nset: str = ""
+) -> tuple[list[str], Integers, Integers]:
+    """Return the lines of a cube on one side of a place, and the nodes of its near and far face."""
+    places = np.array([*at, 0.0]) + (CORNERS / 2.0 - np.array([0.0, 0.5, 0.5])) * side
+    own = first + np.arange(20)
+    near, far = (own[CORNERS[:, 0] == end] for end in (0, 2))
+    lines = [
+        "*NODE" + (f", NSET={nset}" if nset else ""),
+        *(f"{n}, {a:.14g}, {b:.14g}, {c:.14g}" for n, (a, b, c) in zip(own, places, strict=True)),
+        f"*ELEMENT, TYPE=C3D20, ELSET={name}",
+        ", ".join(map(str, [element, *own[:14]])) + ",", ", ".join(map(str, own[14:])),
+    ]  # fmt: skip
+    return lines, near, far
 
 
 def _rigid(name: str, nodes: tuple[int, int]) -> str:
@@ -295,16 +412,11 @@ def _stub(
     side = STUB * MM
     E = stiffness * MM * side / (side**4 / 12.0)
     x, y = (c * MM for c in body.point)
-    places = np.array([x, y, 0.0]) + (CORNERS / 2.0 - np.array([0.0, 0.5, 0.5])) * side
-    own = last + 1 + np.arange(20)
-    near, far = (own[CORNERS[:, 0] == end] for end in (0, 2))
+    lines, near, far = _brick(last + 1, element, f"STUB{index}", (x, y), side)
     ref, rot = last + 21, last + 22
     return [
-        "*NODE",
-        *(f"{n}, {a:.14g}, {b:.14g}, {c:.14g}" for n, (a, b, c) in zip(own, places, strict=True)),
-        f"{ref}, {x + side:.14g}, {y:.14g}, 0.", f"{rot}, {x + side:.14g}, {y:.14g}, 0.",
-        f"*ELEMENT, TYPE=C3D20, ELSET=STUB{index}",
-        ", ".join(map(str, [element, *own[:14]])) + ",", ", ".join(map(str, own[14:])),
+        *lines,
+        "*NODE", f"{ref}, {x + side:.14g}, {y:.14g}, 0.", f"{rot}, {x + side:.14g}, {y:.14g}, 0.",
         f"*MATERIAL, NAME=STUB{index}", "*ELASTIC", f"{E:.12g}, 0.",
         f"*SOLID SECTION, ELSET=STUB{index}, MATERIAL=STUB{index}",
         *_set(f"NEAR{index}", near), _rigid(f"NEAR{index}", nodes),

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.buckling import PushScene, ends_held, push_scene
 from flexcli.engine.joint_models.holds import driven_axis
-from flexcli.engine.joint_models.joint_states import layout_of, over_travels
+from flexcli.engine.joint_models.joint_states import layout_of, over_travels, warmed
 from flexcli.engine.solid.deck import MM, State, buckling_deck, compliance_deck, modes_deck
 from flexcli.engine.solid.model import SolidModel, solid_model
 from flexcli.engine.solid.states import FaceStress, Runner, SolidStates, solid_states
 from flexcli.formulas.profile import Constant, NeckedDown, Tabulated
 from flexcli.mechanics.demand import Held
-from flexcli.mechanics.layout import Body, Layout, Load
+from flexcli.mechanics.layout import Body, Layout, Load, Number
 from flexcli.mechanics.mesh import column
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
@@ -33,6 +33,9 @@ SMALL = 1e-6
 
 BESIDE = 0.01
 """Of a stroke: to either side of its end lie the states whose forces give the stiffness there."""
+
+NEAR = 2e-4
+"""Rotation, or travel over the blades' length, to either side of where a temperature leaves it."""
 
 SETTLED = 1e-4
 """Change of a load factor, relative, at which what a turning body adds to it is found."""
@@ -110,10 +113,22 @@ class SolidNumbers:
         return float((effort[2] - effort[0]) / (travel[2] - travel[0]))
 
     def shift(self) -> float:
-        """Return the shift at the end of the stroke, positive towards −x of the layout [m]."""
-        state = self.states()
+        """Return the shift at the end of the stroke, positive towards −x of the layout [m].
+
+        With a temperature it is the larger one of both ends, or what that leaves without a stroke.
+        """
+        scene = self.ask.scene
+        if scene.temperature is None:
+            return self._shift_of(self.states(), 1)
+        if not scene.moves:
+            return self._shift_of(self._left(), 0)
+        reach = scene.travel + scene.mean_travel
+        state = self._solve(warmed(self.ask), self._driven(np.array([reach, -reach])), ())
+        return max((self._shift_of(state, index) for index in (0, 1)), key=abs)
+
+    def _shift_of(self, state: SolidStates, index: int) -> float:
         body = state.model.layout.body(MOVING)
-        x, y, phi = state.motions[1, state.model.layout.index(MOVING)]
+        x, y, phi = state.motions[index, state.model.layout.index(MOVING)]
         if self.ask.geometry.motion == "translation":
             return -float(x)
         # the centre is the layout's origin
@@ -122,9 +137,30 @@ class SolidNumbers:
         y += sin(phi) * a + (cos(phi) - 1.0) * b
         return float(np.copysign(np.hypot(x, y), -x))
 
+    def _left(self) -> SolidStates:
+        """Return the joint as its temperature leaves it, the drive free."""
+        held: Held = {MOVING: (None, None, 0.0 if self.ask.geometry.is_guided else None)}
+        return self._solve(warmed(self.ask), held, ())
+
+    def _driven(self, travels: Floats) -> Held:
+        """Return what a drive holds at travels."""
+        held: list[Number | None] = list(self.ask.geometry.held(0.0))
+        held[driven_axis(self.ask.geometry)] = travels
+        return {MOVING: (held[0], held[1], held[2])}
+
+    def warm_stiffness(self) -> float:
+        """Return the stiffness along the motion where the temperature leaves the joint."""
+        layout, axis = warmed(self.ask), driven_axis(self.ask.geometry)
+        body = layout.index(MOVING)
+        small = NEAR * (1.0 if axis == 2 else _longest(layout))
+        travels = self._left().motions[0, body, axis] + small * np.array([-1.0, 1.0])
+        state = self._solve(layout, self._driven(travels), ())
+        effort = state.reactions[:, body, axis]
+        return float(effort[1] - effort[0]) / (2.0 * small)
+
     def across_at_end(self, force: float) -> float:
         """Return the stiffness along the layout's x at the end of the stroke, the drive held."""
-        scene, layout = self.ask.scene, layout_of(self.ask)
+        scene, layout = self.ask.scene, warmed(self.ask)
         held: Held = {MOVING: self.ask.geometry.held(scene.middle + scene.travel)}
         point = layout.body(MOVING).point
         loads = [Load(MOVING, point, (np.array([-force, force]), 0.0))]
