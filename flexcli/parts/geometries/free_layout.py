@@ -11,6 +11,7 @@ from pydantic_core import InitErrorDetails
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Blade, Body, Layout, Number, Point, Support
 from flexcli.numerics.collocation import gauss_nodes
+from flexcli.parts.base import spec_error
 from flexcli.parts.bending import Thick, WideBlades
 from flexcli.parts.bending.thick import thick_linked
 from flexcli.parts.bending.wide import wide_by_shapes, wide_drawn
@@ -80,6 +81,19 @@ class FreeLayout(Drawn, ClampedBlades):
     """How the peak of the stress in a notch counts: by Neuber's deep notch, of fillets by their
     own factor, or not at all, e.g. ``none``.
     """
+
+    @model_validator(mode="before")
+    @classmethod
+    def _is_plane(cls, data: Any) -> Any:
+        bodies = data.get("bodies") if isinstance(data, dict) else None
+        for name, body in bodies.items() if isinstance(bodies, dict) else ():
+            place = body.get("at") if isinstance(body, dict) else None
+            if isinstance(place, list | tuple) and len(place) == 3:
+                raise spec_error(
+                    "three coordinates do not lie in the plane of a layout",
+                    "write kind: space-layout, or x and y alone", at=("bodies", name, "at"),
+                )  # fmt: skip
+        return data
 
     @model_validator(mode="after")
     def _fits_together(self) -> "FreeLayout":

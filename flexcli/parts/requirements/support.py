@@ -184,6 +184,17 @@ class Support(Bound):
         kinds = ("ratio", "stiffness", "rotational stiffness")
         return None if data is None else in_either(data, *kinds)
 
+    @model_validator(mode="before")
+    @classmethod
+    def _names_its_direction(cls, data: Any) -> Any:
+        if isinstance(data, dict) and "about" in data and "direction" not in data:
+            axis = data["about"] if data["about"] in ("x", "y", "z") else "x"
+            raise spec_error(
+                "a direction of turning has a name of its own",
+                f"write direction: theta_{axis}", at=("about",),
+            )  # fmt: skip
+        return data
+
     @model_validator(mode="after")
     def _in_its_unit(self) -> "Support":
         if self.over is not None and turns(self.over) != turns(self.direction):
