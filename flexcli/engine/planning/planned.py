@@ -28,6 +28,10 @@ def planned(
         from flexcli.engine.planning.vibration_effects import vibration_effects
 
         found = found._replace(effects=(*found.effects, *vibration_effects(design, sizes)))
+    if design.stops is not None:
+        from flexcli.engine.planning.stop_effects import stop_effects
+
+        found = found._replace(effects=(*found.effects, *stop_effects(design, sizes)))
     wrong = any(row.right is False for row in rows)
     return Result(
         command="plan",

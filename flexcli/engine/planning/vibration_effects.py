@@ -3,9 +3,10 @@
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
-from math import inf, isfinite, log, pi
+from math import hypot, inf, isfinite, log, pi
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexcli.engine import omitted_effects
 from flexcli.engine.models import model_series
@@ -30,10 +31,15 @@ from flexcli.results import EffectRow
 
 __all__ = ["vibration_effects"]
 
+Floats = NDArray[np.float64]
+
 Peaks = Mapping[str, float]
 
 MOST_MODES = 12
 """Lowest modes that are looked at by themselves."""
+
+HALF = 0.5
+"""Share of its energy from which a mode is one of the inside of blades."""
 
 TELLING = 0.01
 """Share of the stress from which a mode is counted."""
@@ -165,25 +171,49 @@ def _share_in_space(ask: Ask, structure: Structure) -> float:
 def _higher_modes(ask: Ask, structure: Structure, peaks: Peaks) -> Iterator[EffectRow]:
     """Yield what all modes but the strongest are of the stress; the response has them all."""
     modes, whole = natural_modes(structure.stiffness, structure.mass), _stress(peaks)
-    alone = {
-        float(omega) / (2.0 * pi): _stress(_largest_peaks(ask, structure.in_mode(omega, shape)))
+    alone = [
+        _stress(_largest_peaks(ask, structure.in_mode(float(omega), shape)))
         for omega, shape in zip(modes.angular[:MOST_MODES], modes.shapes.T, strict=False)
-    }
+    ]
     if not whole or not alone:
         return
-    strongest = max(alone, key=lambda f: alone[f])
-    telling = sum(size > TELLING * whole for size in alone.values())
+    strongest = max(range(len(alone)), key=lambda n: alone[n])
+    telling = sum(size > TELLING * whole for size in alone)
     text = f"{telling} modes make more than {TELLING:.0%} of the stress, most that at "
-    text += f"{strongest:.4g} Hz: without the others"
+    text += f"{modes.angular[strongest] / (2.0 * pi):.4g} Hz: without the others"
     estimate = abs(1.0 - alone[strongest] / whole)
     yield _row(ask, "higher modes", telling, {"stress": estimate}, text, on=True)
+    if ask.material.density is None:
+        return
+    own = structure_of_case(_light(ask)).mass.shape[0]
+    inner = [n for n in range(len(alone)) if _inside(structure, modes.shapes[:, n], own) > HALF]
+    if inner:
+        size = hypot(*(alone[n] for n in inner)) / whole
+        first = float(modes.angular[inner[0]]) / (2.0 * pi)
+        text = f"{len(inner)} of the {len(alone)} lowest modes move a blade inside more than its "
+        text += f"ends, from {first:.4g} Hz on"
+        yield _row(ask, "blade modes", first, {"stress": size}, text, on=True)
+
+
+def _inside(structure: Structure, shape: Floats, bodies: int) -> float:
+    """Return the share of a mode's kinetic energy inside blades, beyond that of their ends [-].
+
+    ``shape`` is of unit modal mass; the coordinates of the ``bodies`` come first.
+    """
+    inner = shape[bodies:]
+    return float(inner @ structure.mass[bodies:, bodies:] @ inner)
+
+
+def _light(ask: Ask) -> Ask:
+    """Return the same with blades of no mass."""
+    return ask._replace(material=ask.material.model_copy(update={"density": None}))
 
 
 def _blade_mass(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
     """Yield what the blades' mass, and what they do inside, changes in the stress."""
     if ask.material.density is None or not (whole := _stress(peaks)):
         return
-    light = ask._replace(material=ask.material.model_copy(update={"density": None}))
+    light = _light(ask)
     without = _stress(_largest_peaks(light, structure_of_case(light)))
     text = f"massless blades have {without / whole:.4g} times the stress"
     yield _row(

@@ -1,0 +1,49 @@
+"""What a plan tells of a vibration besides its modes: the inside of blades, and stops that give."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import yaml
+
+import flexcli
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "boundary-control" / "flexure.yaml"
+E, RHO = 71.7e9, 2810.0
+
+
+def rows(source):
+    return {row.name: row for row in flexcli.plan(source).effects}
+
+
+def leaves(h):
+    return yaml.safe_dump(
+        {
+            "flexure": 1,
+            "material": {"youngs_modulus": f"{E} Pa", "density": f"{RHO} kg/m^3",
+                         "poisson_ratio": 0.33, "yield_strength": "500 MPa"},
+            "geometry": {"kind": "leaf-spring-stage", "h": f"{h} m", "l": "60 mm", "b": "15 mm",
+                         "spacing": "20 mm"},
+            "mechanism": {"kind": "payload", "mass": "50 g"},
+            "cases": {"launch": {"asd": {"profile": "gevs-acceptance", "q": 20, "axis": "x"}}},
+            "requirements": {"dynamic-yield": 1.25},
+        }
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("h", [0.1e-3, 0.3e-3])
+def test_blades_move_inside_from_the_frequency_of_one_between_held_ends(h):
+    found = rows(leaves(h))["blade modes, launch"]
+    beam = 22.3733 / (2 * np.pi) * h / np.sqrt(12.0) / 60e-3**2 * np.sqrt(E / RHO)
+    # up to 1/√(1 − ν²) as a plate, and a little less where the stage gives
+    assert 0.98 * beam < found.indicator < 1.06 * beam
+    assert 0.0 < found.estimate < 1.0
+
+
+def test_a_ball_gives_by_hertz_at_the_force_of_statics():
+    found = rows(EXAMPLE)["end stops, contact"]
+    place = flexcli.stops(EXAMPLE, simulate=False).stops.chosen
+    modulus, radius = 53.2e9, 50e-3  # of the contact, as chapter 9 has them
+    deep = (9.0 * place.R_stop**2 / (16.0 * radius * modulus**2)) ** (1.0 / 3.0)
+    assert found.indicator == pytest.approx(deep / place.delta_G, rel=2e-3)
+    assert found.estimates["travel"] < 0.012, "less than the run between both contacts tells"
