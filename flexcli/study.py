@@ -1,15 +1,27 @@
-"""Studies: one verb at many points of a spec, a row for each; above the verbs of the API."""
+"""Studies: one verb at many points of a spec, a row for each; above the verbs of the API.
+
+Verdicts of designs that differ in nothing but numbers are found together
+(:mod:`flexcli.numerics.rows`), one at a time where something is found for one design alone.
+"""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from math import inf, isnan
-from typing import Literal, TypeAlias
+from dataclasses import replace
+from itertools import groupby
+from math import inf, isclose, isnan
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
 
 from flexcli import api
 from flexcli.errors import SolveError, SpecError
+from flexcli.numerics.rows import each_alike, is_of_many, one_alone
+from flexcli.parts.base import Texts
 from flexcli.results import Check, Result
 from flexcli.results.study import Column, StudyResult, StudyRow
+from flexcli.units import number_and_unit
 
-__all__ = ["Row", "collected", "rows_of", "shared"]
+__all__ = ["Row", "block_of", "collected", "rows_of", "shared"]
 
 Each = Literal["check", "verdict", "size", "simulate"]
 
@@ -17,11 +29,100 @@ Row: TypeAlias = tuple[StudyRow, tuple[Column, ...]]
 """A design of a study, and the columns of its cells."""
 
 
+BLOCK = 1024
+"""Designs that are judged together, which bounds the memory of a pass; always the same ones, so
+that no digit hangs on how many processes there are."""
+
+PROBE = 8
+"""Designs that tell whether those of a study can be judged together."""
+
+SAME = 1e-6
+"""Difference of a factor (relative) from that of a design alone that is none."""
+
+
+def block_of(
+    source: api.Portable, each: Each, model: str | None, points: Sequence[Mapping[str, str]]
+) -> int:
+    """Return how many designs of a study are one task: many where they are judged together."""
+    if each != "verdict" or len(points) <= PROBE:
+        return 1
+    passes = _passes(source, model, points[:: len(points) // PROBE][:PROBE])
+    return BLOCK if any(found is not None for _, found in passes) else 1
+
+
 def rows_of(
     source: api.Portable, each: Each, model: str | None, points: Sequence[Mapping[str, str]]
 ) -> list[Row]:
     """Return the rows of some points, each with its columns."""
-    return [_row_at(source, each, model, point) for point in points]
+    if each != "verdict" or len(points) == 1:
+        return [_row_at(source, each, model, point) for point in points]
+    rows: dict[int, Row] = {}
+    for which, found in _passes(source, model, points):
+        if found is not None:
+            together = [_row(points[i], _of_one(found, k)) for k, i in enumerate(which)]
+            middle = len(which) // 2
+            if _are_same(together[middle], _row_at(source, each, model, points[which[middle]])):
+                rows |= zip(which, together, strict=True)
+                continue
+        rows |= {i: _row_at(source, each, model, points[i]) for i in which}
+    return [rows[i] for i in range(len(points))]
+
+
+def _passes(
+    source: api.Portable, model: str | None, points: Sequence[Mapping[str, str]]
+) -> Iterator[tuple[list[int], Result | None]]:
+    """Yield the places of designs that are judged in one pass, and what it found for them."""
+
+    def form(place: int) -> list[str]:
+        return ["" if number_and_unit(text) else text for text in points[place].values()]
+
+    for _, like in groupby(sorted(range(len(points)), key=form), key=form):
+        places = np.array(list(like))
+
+        def judged(which: NDArray[np.intp], places: NDArray[np.intp] = places) -> Result:
+            one_of = points[places[0]]
+            texts = {name: [points[i][name] for i in places[which]] for name in one_of}
+            spec = source.at(
+                {name: Texts(all_) if number_and_unit(one_of[name]) else one_of[name]
+                 for name, all_ in texts.items()}
+            )  # fmt: skip
+            if spec.part.geometry.free or spec.part.stops is not None:
+                one_alone()
+            return api.verdicts(spec, model=model)
+
+        for which, found in each_alike(judged, len(places)):
+            yield places[which].tolist(), found
+
+
+def _of_one(found: Result, place: int) -> Result:
+    """Return what a pass found for one of its designs."""
+
+    def of_one(value: Any) -> Any:
+        return float(np.asarray(value)[place]) if is_of_many(value) else value
+
+    return replace(
+        found,
+        checks=tuple(
+            check._replace(factor=of_one(check.factor), required=of_one(check.required))
+            for check in found.checks
+        ),
+    )
+
+
+def _are_same(one: Row, other: Row) -> bool:
+    """Return whether a design that was judged with others is as it is alone."""
+    (row, columns), (alone, expected) = one, other
+    return (
+        columns == expected
+        and (row.status, row.model, row.reason) == (alone.status, alone.model, alone.reason)
+        and all(_is_same(x, alone.cells[name]) for name, x in row.cells.items())
+    )
+
+
+def _is_same(x: float | str, y: float | str) -> bool:
+    if isinstance(x, str) or isinstance(y, str):
+        return x == y
+    return isclose(x, y, rel_tol=SAME) or (isnan(x) and isnan(y))
 
 
 def shared(rows: Iterable[Row]) -> Iterator[Row]:

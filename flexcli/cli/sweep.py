@@ -292,15 +292,21 @@ class _Sweep:
     def _made(self) -> "Generator[Row, None, None]":
         """Yield the rows that are not kept, in order, as far as they get done."""
         from flexcli.cli.jobs import over, usual_jobs
-        from flexcli.study import shared
+        from flexcli.study import block_of, shared
 
-        todo = [point for point in self.points if tuple(point.values()) not in self.kept]
-        jobs = self.jobs or usual_jobs(len(todo))
-        # a process of this machine ends with its design at Ctrl-C; a scheduler has many tasks
-        size = max(1, min(BLOCK, len(todo) // EACH)) if self.scheduler else 1
-        blocks = [todo[start : start + size] for start in range(0, len(todo), size)]
-        with closing(over(self.task, _not_done, blocks, jobs, self.scheduler)) as answers:
-            yield from shared(chain.from_iterable(answers))
+        size = block_of(*self.task.args, self.points)
+        if size == 1 and self.scheduler:  # which has many tasks
+            size = max(1, min(BLOCK, len(self.points) // EACH))
+        blocks = [self.points[start : start + size] for start in range(0, len(self.points), size)]
+        # a block that is kept in part is done again, for its designs were judged together
+        todo = [block for block in blocks if any(map(self._is_open, block))]
+        jobs = self.jobs or usual_jobs(sum(map(len, todo)))
+        with closing(over(self.task, _not_done, todo, jobs, self.scheduler)) as answers:
+            made = shared(chain.from_iterable(answers))
+            yield from (row for row in made if self._is_open(row[0].point))
+
+    def _is_open(self, point: "Mapping[str, str]") -> bool:
+        return tuple(point.values()) not in self.kept
 
     def _collected(self) -> "StudyResult":
         from flexcli.study import collected

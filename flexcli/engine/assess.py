@@ -1,15 +1,19 @@
 """Judge sizes by every requirement: one design into checks, or many at once into factors."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from math import inf
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.numerics.rows import Rows, is_of_many
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.requirements import Limit
 from flexcli.results import Check, Verdict
+
+Floats = NDArray[np.float64]
 
 __all__ = [
     "CHUNK",
@@ -49,7 +53,11 @@ def required(limit: Limit) -> float:
 
 def checks(limits: Iterable[Limit]) -> tuple[Check, ...]:
     """Return one check for each requirement, case and variant, decided by its worst limit."""
-    return worst_of_each(map(_check, limits))
+    found = tuple(limits)
+    if not any(is_of_many(x) for limit in found for x in (limit.demand, limit.capacity)):
+        return worst_of_each(map(_check, found))
+    names = dict.fromkeys(limit.name for limit in found)
+    return tuple(_check_of_many([each for each in found if each.name == name]) for name in names)
 
 
 def worst_of_each(checks: Iterable[Check]) -> tuple[Check, ...]:
@@ -81,6 +89,98 @@ def _check(limit: Limit) -> Check:
         path=limit.path,
         is_target=limit.tolerance is not None,
         kind=limit.kind,
+    )
+
+
+def _check_of_many(limits: Sequence[Limit]) -> Check:
+    """Return the check of many designs that limits of one name make, each decided by its worst.
+
+    What the text says of the first limit may be of another in some designs.
+    """
+    columns = [_of_many(limit) for limit in limits]
+    shape = np.broadcast_shapes(*(x.shape for column in columns for x in column))
+    worst = _OfMany(*(np.broadcast_to(x, shape) for x in columns[0]))
+    for column in columns[1:]:
+        below = (column.rank == worst.rank) & (column.order < worst.order)
+        below |= column.rank < worst.rank
+        worst = _OfMany(*(np.where(below, x, y) for x, y in zip(column, worst, strict=True)))
+    rank, known = Rows.of(worst.rank), Rows.of(worst.known)
+    between = (Rows.of(worst.least), Rows.of(worst.most)) if known else None
+    said = Verdict.FAIL if rank == Verdict.FAIL.rank else Verdict.UNDECIDED
+    if rank == Verdict.PASS.rank:
+        said = Verdict.PASS
+    first = limits[0]
+    return Check(
+        name=first.title,
+        case=first.case,
+        quantity=first.quantity,
+        demand=Rows.of(worst.demand),
+        capacity=Rows.of(worst.capacity),
+        unit=first.unit,
+        factor=Rows.of(worst.factor),
+        required=required(first),
+        verdict=said,
+        source=first.source,
+        factor_range=between,
+        path=first.path,
+        is_target=first.tolerance is not None,
+        kind=first.kind,
+    )
+
+
+class _OfMany(NamedTuple):
+    """What a limit says of many designs (designs,), as :class:`Check` has it.
+
+    ``order`` is what decides between limits of one verdict, whose ``rank`` comes first.
+    """
+
+    demand: Floats
+    capacity: Floats
+    factor: Floats
+    known: NDArray[np.bool_]
+    least: Floats
+    most: Floats
+    rank: NDArray[np.intp]
+    order: Floats
+
+
+def _of_many(limit: Limit) -> _OfMany:
+    root, asked = 1.0 / limit.power, required(limit)
+    demand, capacity = np.asarray(limit.demand), np.asarray(limit.capacity)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        size = (np.abs(capacity) / demand) ** root
+        plain = np.where(demand > 0.0, np.sign(capacity) * size, np.inf)
+        found = plain
+        if limit.tolerance is not None:
+            found = np.where(plain > 0.0, np.minimum(plain, 1.0 / plain), plain)
+        least, most = (np.full(found.shape, np.nan),) * 2
+        if limit.error is not None:
+            low, high = (np.maximum(1.0 + np.asarray(error), 0.0) for error in limit.error)
+            if limit.in_capacity:
+                ends = plain * low, plain * high
+            else:
+                ends = tuple(np.where(e > 0.0, plain / e, np.inf) for e in (high, low))
+            least, most = np.minimum(*ends), np.maximum(*ends)
+            if limit.tolerance is not None:
+                inside = np.minimum(least, 1.0 / least), np.minimum(most, 1.0 / most)
+                beyond = np.where((least <= 1.0) & (most >= 1.0), 1.0, np.maximum(*inside))
+                zero = least <= 0.0
+                capped = np.clip(most, 0.0, 1.0)
+                least = np.where(zero, 0.0, np.minimum(*inside))
+                most = np.where(zero, capped, beyond)
+    enough, is_known = asked * (1.0 - ROUNDING), limit.error is not None
+    rank = np.where(most >= enough, Verdict.UNDECIDED.rank, Verdict.FAIL.rank)
+    rank = np.where(least >= enough, Verdict.PASS.rank, rank)
+    rank = rank if is_known else np.full(rank.shape, Verdict.UNDECIDED.rank)
+    return _OfMany(
+        np.maximum(demand, 0.0) ** root,
+        np.sign(capacity) * np.abs(capacity) ** root,
+        found,
+        np.full(found.shape, is_known),
+        least,
+        most,
+        rank,
+        least if is_known else found,
     )
 
 

@@ -4,12 +4,11 @@
 between the hinges; δ ≥ 0 is a remote centre of compliance, δ = −½ the symmetric cross pivot.
 """
 
-from math import cos
-
 import numpy as np
 
 from flexcli.formulas.card import Card, Range, Table
 from flexcli.formulas.quantity import Computed, Quantity
+from flexcli.numerics.rows import cos
 from flexcli.results import QuantityKind
 
 __all__ = [

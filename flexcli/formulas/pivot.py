@@ -8,13 +8,14 @@ which the closed forms are 1 and 5 % off were measured with the exact solver by
 """
 
 from collections.abc import Callable
-from math import atan2, cos, pi, radians, sin, sqrt
+from math import pi, radians
 
 import numpy as np
 
 from flexcli.formulas.card import SLENDER, Card, Range, Table
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import second_moment
+from flexcli.numerics.rows import atan2, cos, sin, sqrt
 from flexcli.results import QuantityKind
 
 __all__ = [

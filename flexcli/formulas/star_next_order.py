@@ -5,13 +5,14 @@ c = (9δ² + 9δ + 1)/15. Two blades let the centre shift; more hold it, and str
 n [EI/l²] grows with (θ l/h)² until the blades straighten or bow out.
 """
 
-from math import atan2, cos, pi, sin
+from math import pi
 
 import numpy as np
 
 from flexcli.formulas.beam_column import s_bending, uniform_bending
 from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.quantity import Computed, Quantity
+from flexcli.numerics.rows import atan2, cos, sin
 
 __all__ = ["CARDS", "held_shares", "stress_change", "tension"]
 

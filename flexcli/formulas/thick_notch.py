@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.notch import elliptic_stiffness
+from flexcli.numerics.rows import number, smaller
 
 __all__ = ["CARDS", "DEEPEST", "THICKEST", "Softening", "softening"]
 
@@ -69,10 +70,10 @@ def softening(*, e: float, depth: float, l: float) -> Softening:
     Fitted here to finite elements of high order for plane bodies.
 
     """
-    C = 1.0 / float(elliptic_stiffness(E=1.0, b=1.0, e=e, l=l, depth=depth))
+    C = 1.0 / number(elliptic_stiffness(E=1.0, b=1.0, e=e, l=l, depth=depth))
     ratio = e / (l**2 / (4.0 * depth))
-    fit = min(OF_ROUND + OF_SHAPE * abs(1.0 - l / (2.0 * depth)), MOST_OF_SHAPE)
-    blocks = OF_BLOCKS / (1.0 + SHALLOW * min(e / depth, 5.0)) / (e + 2.0 * depth) ** 2
+    fit = smaller(OF_ROUND + OF_SHAPE * abs(1.0 - l / (2.0 * depth)), MOST_OF_SHAPE)
+    blocks = OF_BLOCKS / (1.0 + SHALLOW * smaller(e / depth, 5.0)) / (e + 2.0 * depth) ** 2
     return Softening(OF_THROAT * ratio * C, fit * ratio * C + blocks)
 
 

@@ -1,10 +1,11 @@
 """Two crossed blades joined where they cross: two pivots of p = 0, one after the other."""
 
-from math import cos, pi, radians
+from math import pi, radians
 
 from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import second_moment
+from flexcli.numerics.rows import cos
 from flexcli.results import QuantityKind
 
 __all__ = ["CARDS", "unseparated_shift", "unseparated_stiffness", "unseparated_stresses"]

@@ -1,6 +1,6 @@
 """What every part is made of: a frozen model, and quantities that carry their units."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import isfinite
 from typing import Annotated, Any, ClassVar, TypeAlias
 
@@ -13,6 +13,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
+from flexcli.numerics.rows import Rows
 from flexcli.units import (
     DIMENSIONS,
     LARGEST,
@@ -47,6 +48,7 @@ __all__ = [
     "Shorthand",
     "Stiffness",
     "Stress",
+    "Texts",
     "in_either",
     "or_free",
     "said",
@@ -155,6 +157,13 @@ class OfTable:
         return OrTable.schema()
 
 
+class Texts:
+    """What a spec says at one place of each of many designs."""
+
+    def __init__(self, texts: Sequence[str]) -> None:
+        self.texts = texts
+
+
 class QuantityOf:
     """A type marker: a text with a unit in the spec, an SI float in the model."""
 
@@ -220,9 +229,11 @@ class QuantityOf:
             ("below", self.below, self.below is None or number < self.below),
         )
 
-    def read(self, value: Any) -> float:
+    def read(self, value: Any) -> Any:
         """Return the SI value of what the spec says, or raise what is wrong with it."""
         expected = DIMENSIONS[self.dimension]
+        if isinstance(value, Texts):
+            return Rows.of([self.read(text) for text in value.texts])
         if isinstance(value, str):
             number = self._parsed(value)
         elif isinstance(value, bool) or not isinstance(value, int | float):

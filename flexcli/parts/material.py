@@ -8,6 +8,7 @@ from pydantic import GetJsonSchemaHandler, PrivateAttr, model_validator
 from pydantic_core import CoreSchema
 
 from flexcli.formulas.fatigue import amplitude_at_life, fully_reversed_amplitude
+from flexcli.numerics.rows import number
 from flexcli.parts.base import (
     Count,
     Density,
@@ -426,7 +427,7 @@ class Material(Part):
         given = getattr(self, field)
         if given is None:
             raise MissingProperty(field, "this requirement compares with it")
-        return float(given.value)
+        return number(given.value)
 
     def reversed_amplitude(self, cycles: float) -> tuple[float, str]:
         """Return the fully reversed stress amplitude [Pa] borne for a life, and where it is from.

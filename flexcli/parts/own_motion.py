@@ -1,7 +1,5 @@
 """The mechanism's own motion: its mode among all that bodies and heavy blades can do."""
 
-from math import cos, sin
-
 import numpy as np
 
 from flexcli.errors import SolveError
@@ -9,6 +7,7 @@ from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.hanging_mass import hanging_mass as hanging_in
 from flexcli.mechanics.layout import Layout
 from flexcli.numerics.modes import natural_modes
+from flexcli.numerics.rows import cos, number, sin
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import MOVING, Geometry, Sizes
 from flexcli.parts.mechanisms import Mechanism, MechanismError, Mode
@@ -99,7 +98,7 @@ def own_angular(structure: Structure) -> float:
     taking = np.flatnonzero(compliance > TAKES_PART * whole)
     if not taking.size:
         raise MechanismError("mechanism", "the body that moves has no mass or inertia", HINT)
-    return float(modes.angular[taking[0]])
+    return number(modes.angular[taking[0]])
 
 
 def hanging_mass(

@@ -3,10 +3,10 @@
 from collections.abc import Iterable, Mapping
 from enum import StrEnum
 from itertools import product
-from math import atan2, copysign, cos, hypot, sin
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
+from flexcli.numerics.rows import atan2, copysign, cos, hypot, number, sin
 from flexcli.parts.case import Case
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.ends import ENDS
@@ -138,7 +138,7 @@ class Scene(NamedTuple):
     @property
     def moves(self) -> bool:
         """Return whether the case has a stroke."""
-        return self.travel > 0.0 or self.mean_travel > 0.0
+        return bool(self.travel > 0.0 or self.mean_travel > 0.0)
 
     @property
     def states_ends(self) -> bool:
@@ -221,7 +221,7 @@ class Scene(NamedTuple):
     def driver(self) -> str:
         """Return what the stresses of the case grow with."""
         return " and ".join(
-            ["stroke"] * self.moves + ["force"] * (self.blade_force > 0.0 or self.push > 0.0)
+            ["stroke"] * self.moves + ["force"] * bool(self.blade_force > 0.0 or self.push > 0.0)
         )
 
     @property
@@ -536,7 +536,7 @@ def _locked(
     forces = mechanism.locked_forces(lock, level)
     name = max(forces, key=lambda key: forces[key])
     # the stroke's axis, seen from the pivots' own
-    angle = -float(getattr(mechanism, "bisector", 0.0))
+    angle = -number(getattr(mechanism, "bisector", 0.0))
     wrench = _clean((forces[name] * cos(angle), forces[name] * sin(angle), 0.0, 0.0, 0.0, 0.0))
     return _Inertial(name, forces, (wrench,), ((0.0, 0.0, 0.0),), kinds)
 
@@ -599,7 +599,7 @@ def _accelerations(
         worst_rms = 0.0
         for axis, applied in vibration.by_axis().items():
             worst = applied.worst_case(vibration.q.largest)
-            rms = float(worst.response)
+            rms = number(worst.response)
             load(kind, vibration.sigma * rms, (axis,), f"F_{vibration.sigma:g}sigma")
             if rms <= worst_rms:
                 continue

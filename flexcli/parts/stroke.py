@@ -5,6 +5,7 @@ from typing import Any, ClassVar, Generic, TypeVar
 from pydantic import AliasChoices, AliasPath, Field, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
+from flexcli.numerics.rows import number
 from flexcli.parts.base import Angle, Count, Length, Part, QuantityOf, spec_error
 
 __all__ = ["Stroke"]
@@ -78,13 +79,13 @@ class Stroke(Part):
     def amplitude(self) -> float:
         """Return half of the travel [m or rad]."""
         start, end = self._ends
-        return float(abs(end - start) / 2.0)
+        return number(abs(end - start) / 2.0)
 
     @property
     def middle(self) -> float:
         """Return the middle of the travel, with its sign [m or rad]."""
         start, end = self._ends
-        return float(end + start) / 2.0
+        return number(end + start) / 2.0
 
     @property
     def mean(self) -> float:

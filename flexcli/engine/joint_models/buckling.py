@@ -19,6 +19,7 @@ from flexcli.mechanics.stability import Critical as Reached
 from flexcli.mechanics.stability import critical_load, inertia_count_held
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import blade_stress
+from flexcli.numerics.rows import one_alone
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.ends import ENDS, Hold
 from flexcli.parts.geometries.base import MOVING, Critical
@@ -162,6 +163,7 @@ def _crushed(ask: Ask, found: Reached) -> tuple[float, str]:
 
 def push_scene(ask: Ask, push: Push) -> PushScene:
     """Return the joint under a unit force, turned until an axis lies across what it must hold."""
+    one_alone()
     assert ask.scene.ends is not None  # the requirement asks for them
     hold, layout, angle = ENDS[ask.scene.ends], layout_of(ask), push.direction
     hold = hold._replace(turn=hold.turn or ask.geometry.is_guided)

@@ -1,11 +1,11 @@
 """A model with corrections for effects that it does not carry itself: each by its formula, once."""
 
 from collections.abc import Sequence
-from math import isfinite
 from typing import TYPE_CHECKING
 
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.formulas.quantity import Computed
+from flexcli.numerics.rows import isfinite, larger, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
@@ -171,15 +171,17 @@ class Corrected(JointModel):
                 applied.append(change)
                 whole = whole and effect.is_whole
                 if effect in self.omitted and change.value is not None:
-                    low *= 1.0 + min(change.value, 0.0)
-                    high *= 1.0 + max(change.value, 0.0)
+                    low *= 1.0 + smaller(change.value, 0.0)
+                    high *= 1.0 + larger(change.value, 0.0)
             else:  # carried, at one value of the property that is not given
                 found += ErrorRange(-change.error, change.error)
         # bounds that are of all that an effect changes leave nothing to what stands beside it
         left = left_by(applied, () if whole else beside)
-        if left is None or not isfinite((found + left).largest):
+        if left is None:
             return None
         found += left
+        if not (isfinite(found.low) and isfinite(found.high)):
+            return None
         return ErrorRange((1.0 + found.low) * low - 1.0, (1.0 + found.high) * high - 1.0)
 
     def _changes(self, ask: Ask, effect: ModelEffect) -> dict[str, Change]:
@@ -223,7 +225,7 @@ def _whole_range(
     """Return all that an effect may change that corrects nothing."""
     most = effect.estimates(setting).get(kind, change.bound)
     if change.value is not None:
-        most = max(most, abs(change.value) + change.error)
+        most = larger(most, abs(change.value) + change.error)
     sign = change.sign
     if sign == 0 and change.value is not None and change.error == 0.0:
         sign = 1 if change.value > 0.0 else -1

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from functools import partial
-from math import cos, inf, isfinite, nan, pi
+from math import cos, inf, nan, pi
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,6 +28,7 @@ from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import held_stiffness
+from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, states_of
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical, Held
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
@@ -116,7 +117,7 @@ class ExactModel(JointModel):
         for nodes in self.levels:
             before = found
             state = at_rest(ask, self.effects, self.tolerance, (nodes,))
-            found = float(driven_stiffness(state, ask)[0])
+            found = of_each(driven_stiffness(state, ask))
             error = abs(before / found - 1.0) if isfinite(before) else inf
             if error <= self.tolerance:
                 break
@@ -124,7 +125,7 @@ class ExactModel(JointModel):
 
     def stiffness_at_end(self, ask: Ask) -> float:
         """Return the tangent of the effort at the end of the stroke, under the case's forces."""
-        return float(driven_stiffness(self.states(ask), ask)[0])
+        return of_each(driven_stiffness(self.states(ask), ask))
 
     def states(self, ask: Ask) -> Equilibrium:
         """Return the equilibria of a case."""
@@ -241,13 +242,14 @@ class ExactModel(JointModel):
         change, most, found = 0.0, 0.0, list[EndStress]()
         for blade in state.layout.blades:
             fine = blade_stress(state, blade.name, POINTS)
-            faces = {"left": fine.left, "right": fine.right}
+            faces = {"left": states_of(fine.left), "right": states_of(fine.right)}
             found.extend(worst_of_stroke(ask, blade.name, faces))
-            most = max(most, *(float(np.abs(face).max()) for face in faces.values()))
+            most = larger(most, *(largest_of_each(np.abs(face)) for face in faces.values()))
             if before is not None:
                 coarse = blade_stress(before, blade.name, POINTS)
                 pairs = ((fine.left, coarse.left), (fine.right, coarse.right))
-                change = max(change, *(float(np.abs(a - b).max()) for a, b in pairs))
+                changes = (states_of(np.abs(a - b)) for a, b in pairs)
+                change = larger(change, *map(largest_of_each, changes))
         if temperature is not None and temperature.rises:
             strain = temperature.across_thickness(state.layout, ask.material, axes)
             change += ask.material.elastic.E * strain
@@ -276,9 +278,9 @@ def _is_along_stroke(ask: Ask) -> bool:
 def _shift_of(state: Equilibrium, ask: Ask) -> float:
     """Return the shift of a pivot's centre, or of a stage's point along its blades [m]."""
     if ask.geometry.motion == "translation":
-        return -float(point_motion(state, MOVING, state.layout.body(MOVING).point)[0, 0])
-    x, y = point_motion(state, MOVING, (0.0, 0.0))[0]
-    return float(np.copysign(np.hypot(x, y), -x))
+        return -of_each(point_motion(state, MOVING, state.layout.body(MOVING).point)[:, 0])
+    x, y = point_motion(state, MOVING, (0.0, 0.0)).T
+    return of_each(np.copysign(np.hypot(x, y), -x))
 
 
 def driven_stiffness(state: Equilibrium, ask: Ask) -> Floats:

@@ -1,11 +1,14 @@
 """Where along a blade the stress of a stroke is worst, from the stress at both of its ends."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas.profile import per_design
 from flexcli.mechanics.layout import Blade
+from flexcli.numerics.rows import number
 from flexcli.parts.requirements import Ask, EndStress
 
 __all__ = ["POINTS", "blade_places", "worst_of_stroke"]
@@ -24,18 +27,22 @@ WEIGHTS = (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0)
 def blade_places(blade: Blade, l: float) -> tuple[Floats, Floats]:
     """Return places along the flexible pieces of a blade of length l and thickness there [m]."""
     u = np.linspace(-1.0, 1.0, POINTS)
-    pieces = blade.profile.pieces(l)
+    pieces = blade.profile.pieces(per_design(l))
     position, thickness = (
-        np.concatenate([np.broadcast_to(function(u), u.shape) for function in functions])
+        np.concatenate([_spread(function(u), u.shape) for function in functions], axis=-1)
         for functions in ([p.position for p in pieces], [p.thickness for p in pieces])
     )
     return position, thickness
 
 
+def _spread(values: Floats, shape: tuple[int, ...]) -> Floats:
+    return np.broadcast_to(values, np.broadcast_shapes(np.shape(values), shape))
+
+
 def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterator[EndStress]:
     """Yield the worst places of a blade's faces, from stresses (states, places) [Pa].
 
-    States are those of a case (:func:`flexcli.engine.joint_models.joint_states.of_case`): pairs of
+    Of many designs they are (states, designs, places). States are those of a case (:func:`flexcli.engine.joint_models.joint_states.of_case`): pairs of
     the two ends of the stroke where there is one. What the loads of the case pull on average, the
     same at both faces, is told apart as axial: no part of what a wide blade's bending does.
     """
@@ -47,11 +54,12 @@ def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterat
         (ones, others), (pulls, other_pulls) = in_pairs
         for one, other, pull, last in zip(ones, others, pulls, other_pulls, strict=True):
             for place in _worst(one, other):
-                axial = float(pull[place] + last[place]) / 2.0
+                start, end, pulled, also = (_at(s, place) for s in (one, other, pull, last))
+                axial = number(pulled + also) / 2.0
                 yield EndStress(
                     f"{blade}, {face} face",
-                    float(abs(one[place] - other[place])) / 2.0,
-                    float(one[place] + other[place]) / 2.0 - axial,
+                    number(abs(start - end)) / 2.0,
+                    number(start + end) / 2.0 - axial,
                     axial,
                     joint,
                     is_at_face=True,
@@ -59,8 +67,13 @@ def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterat
                 )
 
 
-def _worst(one: Floats, other: Floats) -> Iterator[int]:
-    """Yield the places of a face where the stress, the amplitude or what stands for both is most.
+def _at(stress: Floats, place: Any) -> Floats:
+    """Return the stress at a place, which may be another in each design."""
+    return np.take_along_axis(stress, np.asarray(place)[..., None], axis=-1)[..., 0]
+
+
+def _worst(one: Floats, other: Floats) -> Iterable[Any]:
+    """Return the places of a face where the stress, the amplitude or what stands for both is most.
 
     Between the greatest amplitude and the greatest tension lies what a mean stress method may
     find the worst: a few weights of the mean find it.
@@ -68,4 +81,5 @@ def _worst(one: Floats, other: Floats) -> Iterator[int]:
     amplitude, mean = np.abs(one - other) / 2.0, (one + other) / 2.0
     sought = [amplitude + np.abs(mean)]
     sought += [amplitude + weight * np.maximum(mean, 0.0) for weight in WEIGHTS]
-    yield from dict.fromkeys(int(np.argmax(each)) for each in sought)
+    places = [np.argmax(each, axis=-1) for each in sought]
+    return dict.fromkeys(map(int, places)) if one.ndim == 1 else places

@@ -18,6 +18,7 @@ from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.stability import critical_load
 from flexcli.mechanics.state import Equilibrium
+from flexcli.numerics.rows import all_of_each, one_alone, over_states
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements import Ask
@@ -84,7 +85,8 @@ def of_case(ask: Ask, solver: Solver[Found]) -> Found:
     if not scene.moves:
         return _states(ask, solver, None, signs)
     ends = np.array([scene.middle + scene.travel, scene.middle - scene.travel])
-    return _states(ask, solver, np.tile(ends, len(signs)), np.repeat(signs, 2, axis=0))
+    travels = np.concatenate([ends] * len(signs))
+    return _states(ask, solver, travels, np.repeat(signs, 2, axis=0))
 
 
 def over_travels(ask: Ask, solver: Solver[Found], travels: Floats | None) -> Found:
@@ -107,8 +109,15 @@ def _signs(scene: Scene) -> Floats:
 
 
 def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floats) -> Found:
-    """Return the states at travels, under loads with signs (states, groups)."""
-    scene, geometry, layout = ask.scene, ask.geometry, warmed(ask)
+    """Return the states at travels, under loads with signs (states, groups).
+
+    Of many designs travels are (states,) or (states, designs), and the states (states·designs,).
+    """
+    geometry, states = ask.geometry, len(signs)
+    designs, (scene, layout) = over_states(states, ask.scene, warmed(ask))
+    signs = np.repeat(signs, designs, axis=0)
+    if travels is not None:
+        travels = travels.ravel() if travels.ndim > 1 else np.repeat(travels, designs)
     held: Held
     angle = _facing(scene)
     if travels is None:
@@ -133,6 +142,7 @@ def paths(ask: Ask) -> Iterator[tuple[float | None, Layout, Held, list[Load]]]:
 
     The travels are both ends of a stroke, none without one; loads have each sense they may have.
     """
+    one_alone()
     scene, geometry = ask.scene, ask.geometry
     ends = (scene.middle + scene.travel, scene.middle - scene.travel)
     across = hold_of(scene).across and not scene.moves
@@ -264,12 +274,12 @@ def solved(layout: Layout, held: Held, *, loads: Sequence[Load] = (), **how: Any
     """
     try:
         state = solve(layout, held, loads=loads, **how)
-        if loads and _moves(held) and not state.converged.all():
+        if loads and _moves(held) and not all_of_each(state.converged):
             moved = solve(layout, held, **how)
-            if moved.converged.all():
+            if all_of_each(moved.converged):
                 state = solve(layout, held, loads=loads, start=moved, **how)
         stands = state.converged & (state.unstable == 0)
-        if loads and not stands.all():
+        if not all_of_each(stands) and loads:
             _prove_buckled(layout, held, loads, int(np.argmin(stands)), how.get("effects"))
         state = state.checked()
     except SolveError as error:
@@ -286,6 +296,7 @@ def _prove_buckled(
 
     What is held stands still where it is meanwhile. A path that is lost proves nothing.
     """
+    one_alone()
 
     def one(number: Any) -> float | None:
         return None if number is None else float(np.ravel(number)[min(which, np.size(number) - 1)])

@@ -1,7 +1,7 @@
 """The linear model of a joint: exact beams under small motion, with shear and stretching."""
 
 from collections.abc import Iterator, Sequence
-from math import inf, isfinite, nan
+from math import inf, nan
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -14,11 +14,13 @@ from flexcli.engine.joint_models.holds import driven_axis
 from flexcli.engine.joint_models.joint_states import blades_of, layout_of, of_case
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE, covered
+from flexcli.formulas.profile import per_design
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.linear import NODES, LinearSolution, linear
 from flexcli.mechanics.mesh import Effects
+from flexcli.numerics.rows import all_of_each, isfinite, larger, of_each, states_of
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import AS_PRINTED, Ask, EndStress, JointModel
@@ -93,11 +95,11 @@ class LinearModel(JointModel):
             held = {MOVING: ask.geometry.held(1.0)}
             solution = linear(layout, held, effects=blades, nodes=nodes)
             _refuse_several(solution)
-            found = float(solution.reactions[0, layout.index(MOVING), axis])
+            found = of_each(solution.reactions[:, layout.index(MOVING), axis])
             error = abs(before / found - 1.0) if isfinite(before) else inf
             if error <= SETTLED:
                 break
-        return found, nodes, max(error, ROUNDING)
+        return found, nodes, larger(error, ROUNDING)
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
@@ -129,16 +131,15 @@ class LinearModel(JointModel):
         found = of_case(ask, lambda layout, held, loads: self._solved(layout, held, loads, nodes))
         for index, blade in enumerate(found.layout.blades):
             force = found.end_forces[:, index]
-            start, end = np.array(blade.start), np.array(blade.end)
-            l = float(np.hypot(*(end - start)))
-            along = (end - start) / l
+            x, y = (b - a for a, b in zip(blade.start, blade.end, strict=True))
+            l = np.hypot(x, y)
             s, h = blade_places(blade, l)
-            N = force[:, :2] @ along
-            V = force[:, :2] @ np.array([-along[1], along[0]])
-            M = force[:, 2:] + V[:, None] * (l - s)
-            bends, pulls = blade.peak
-            axial, bending = pulls * N[:, None] / (blade.b * h), bends * 6.0 * M / (blade.b * h**2)
-            faces = {"left": axial - bending, "right": axial + bending}
+            N = (force[:, 0] * x + force[:, 1] * y) / l
+            V = (force[:, 1] * x - force[:, 0] * y) / l
+            M = force[:, 2:] + V[:, None] * (per_design(l) - s)
+            b, bends, pulls = map(per_design, (blade.b, *blade.peak))
+            axial, bending = pulls * N[:, None] / (b * h), bends * 6.0 * M / (b * h**2)
+            faces = {"left": states_of(axial - bending), "right": states_of(axial + bending)}
             yield from worst_of_stroke(ask, blade.name, faces)
 
     def _solved(self, layout: Layout, held: Held, loads: Sequence[Load], nodes: int) -> "_State":
@@ -163,5 +164,5 @@ def _refuse_temperature(ask: Ask) -> None:
 
 
 def _refuse_several(found: LinearSolution) -> None:
-    if not found.unique.all():
+    if not all_of_each(found.unique):
         raise NotAvailable("has no unique linear solution: hold or support every body")

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
+from flexcli.numerics.rows import found_once
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
 
@@ -25,7 +26,7 @@ class Remembered(Generic[Answer]):
         known = next((a for name, of, a in self._known if name == what and _same(of, ask)), None)
         if known is None:
             try:
-                known = find()
+                known = found_once(find)
             except NotAvailable as error:
                 known = error
             self._known = [*self._known[1 - MOST :], (what, ask, known)]

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from math import inf
 from typing import ClassVar, NamedTuple, TypeAlias
 
+from flexcli.numerics.rows import larger, number
 from flexcli.results import ErrorRange
 
 __all__ = [
@@ -53,7 +54,7 @@ at sharp notches."""
 
 def whole(value: float, error: float = 0.0) -> Change:
     """Return a change of which the value is all that there is, but for an error."""
-    return Change(float(value), abs(float(value)), float(error))
+    return Change(number(value), abs(number(value)), number(error))
 
 
 def together(one: Change, other: Change) -> Change:
@@ -83,7 +84,7 @@ class Factor(NamedTuple):
         """Return it as a change; where ν is not known, it was taken as ½ and is a bound."""
         if not nu_known:
             return Change(None, self.high - 1.0, 0.0, 1)
-        error = max(self.high - self.value, self.value - self.low) / self.value
+        error = larger(self.high - self.value, self.value - self.low) / self.value
         return Change(self.value - 1.0, self.high - 1.0, error, other=self.other)
 
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import ClassVar
 
 from flexcli.formulas import pivot, pivot_next_order, thick_blades, unseparated_next_order
+from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
 from flexcli.parts.bending.pair import Pair
 
@@ -27,13 +28,13 @@ class Joined(Bending):
             for share, p in zip(self.shares, (-crossing * l, 0.0), strict=True)
         )
         self.leading = tuple(
-            float(pivot.parasitic_shift(theta=part.theta, **part.blade)) for part in self.parts
+            number(pivot.parasitic_shift(theta=part.theta, **part.blade)) for part in self.parts
         )
 
     @property
     def ratio(self) -> float:
         """Return the larger of both parts."""
-        return max(part.ratio for part in self.parts)
+        return larger(part.ratio for part in self.parts)
 
     def shear(self, poisson_ratio: float) -> Changes:
         """Return what softer parts change, which share the moment and not the rotation."""
@@ -44,7 +45,7 @@ class Joined(Bending):
         if "shift" not in found:
             return found
         # what stretching shifts across shears away
-        soft = 2.4 * (1.0 + poisson_ratio) * (self.h / self.l / min(self.shares)) ** 2
+        soft = 2.4 * (1.0 + poisson_ratio) * (self.h / self.l / smaller(self.shares)) ** 2
         first, across = sum(self.leading), self._across
         lost = abs(self.parts[0].theta * across[1]) / first + (sum(across) / first) ** 2
         shift = found["shift"]
@@ -59,14 +60,14 @@ class Joined(Bending):
         )
         if "shift" not in found:
             return found
-        shift, widens = found["shift"], max(part.widens for part in self.parts)
+        shift, widens = found["shift"], larger(part.widens for part in self.parts)
         return {**found, "shift": shift._replace(error=shift.error + 2.0 * widens**2)}
 
     @property
     def _across(self) -> list[float]:
         """Return what stretching shifts each part's centre across the bisector [m]."""
         return [
-            float(
+            number(
                 thick_blades.pivot_shift_across(
                     h=self.h, theta=part.theta, poisson_ratio=-1.0, **part.blade
                 )
@@ -83,19 +84,21 @@ class Joined(Bending):
         if not self.theta:
             return {}
         stress = [found.value or 0.0 for found in self._rotated]
-        size = max(found.bound for found in self._rotated)
+        size = larger(found.bound for found in self._rotated)
         first = sum(self.leading)
-        along = float(unseparated_next_order.next_shift(l=self.l, **self.turn)) / first
+        along = number(unseparated_next_order.next_shift(l=self.l, **self.turn)) / first
         across = sum(
-            float(pivot_next_order.shift_across(theta=part.theta, **part.blade))
+            number(pivot_next_order.shift_across(theta=part.theta, **part.blade))
             for part in self.parts
         )
         across -= self.parts[0].theta * self.leading[1]  # the far part shifts along a turned axis
         shift = Pair.shifted(along, across / first)
-        size_of_shift = max(shift.bound, *(part.rotation()["shift"].bound for part in self.parts))
+        size_of_shift = larger(
+            shift.bound, *(part.rotation()["shift"].bound for part in self.parts)
+        )
         error = shift.error + 1.2 * size_of_shift**2 + self.theta**2 * size_of_shift
         return {
-            "stress": Change(max(stress), size, 1.6 * size**2 + abs(self.theta) * size),
+            "stress": Change(larger(stress), size, 1.6 * size**2 + abs(self.theta) * size),
             "shift": Change(shift.value, size_of_shift, error),
         }
 
@@ -105,19 +108,19 @@ class Joined(Bending):
             return {}
         bends = [found.value or 0.0 for found in self._rotated]
         pulls = [part.tension()["stress"].bound for part in self.parts]
-        both = max(b + p for b, p in zip(bends, pulls, strict=True))
-        return {"stress": Change(both - max(bends), max(pulls))}
+        both = larger(b + p for b, p in zip(bends, pulls, strict=True))
+        return {"stress": Change(both - larger(bends), larger(pulls))}
 
     @property
     def _rotated(self) -> list[Change]:
         """Return the next order of each part's stress, at the moment that both share."""
-        whole_moment = float(unseparated_next_order.moment_change(**self.turn))
+        whole_moment = number(unseparated_next_order.moment_change(**self.turn))
         found = []
         for part in self.parts:
-            own = float(pivot_next_order.moment_change(theta=part.theta, **part.blade))
+            own = number(pivot_next_order.moment_change(theta=part.theta, **part.blade))
             stress = part.rotation()["stress"]
             value = (stress.value or 0.0) + whole_moment - own
-            found.append(Change(value, max(stress.bound, abs(value))))
+            found.append(Change(value, larger(stress.bound, abs(value))))
         return found
 
     def load(self, n: float) -> Changes:
@@ -139,7 +142,7 @@ class Joined(Bending):
         each = [changes(part) for part in self.parts]
         own = [1.0 + (found["stiffness"].value or 0.0) for found in each]
         stiffness = 1.0 / sum(s / k for s, k in zip(self.shares, own, strict=True))
-        softened = 1.5 * max(part["stiffness"].error for part in each)
+        softened = 1.5 * larger(part["stiffness"].error for part in each)
         found = {"stiffness": whole(stiffness - 1.0, softened)}
         if not self.theta:
             return found
@@ -148,9 +151,9 @@ class Joined(Bending):
             t * (1.0 + (part["stress"].value or 0.0)) for t, part in zip(turns, each, strict=True)
         ]
         found["stress"] = Change(
-            max(stress) - 1.0,
-            max(*(abs(s - 1.0) for s in stress), *(part["stress"].bound for part in each)),
-            softened + max(part["stress"].error for part in each),
+            larger(stress) - 1.0,
+            larger(*(abs(s - 1.0) for s in stress), *(part["stress"].bound for part in each)),
+            softened + larger(part["stress"].error for part in each),
         )
         first, moved = sum(self.leading), coupled
         for t, part, own_shift in zip(turns, self.parts, self.leading, strict=True):

@@ -1,9 +1,9 @@
 """Stages and pivots of rigid limbs between notch hinges."""
 
-from math import tan
 from typing import ClassVar, NamedTuple
 
 from flexcli.formulas import hinged_next_order
+from flexcli.numerics.rows import number, tan
 from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
 
 __all__ = ["Hinge", "LimbPivot", "LimbStage"]
@@ -87,8 +87,8 @@ class LimbStage(_Limbs):
             return {}
         stroke = {"l": 1.0, "x": self.travel}
         reach = self.hinge.reach
-        stress = float(hinged_next_order.stage_turn_change(**stroke))
-        shift = float(hinged_next_order.stage_shift_change(**stroke))
+        stress = number(hinged_next_order.stage_turn_change(**stroke))
+        shift = number(hinged_next_order.stage_shift_change(**stroke))
         return {
             "stress": whole(stress, 2.0 * reach * self.ratio),
             "shift": whole(shift, 2.0 * reach * self.ratio),
@@ -137,8 +137,8 @@ class LimbPivot(_Limbs):
         """Return the next order in θ of stress and shift, of pins with springs."""
         if not self.travel:
             return {}
-        stress = float(hinged_next_order.pivot_turn_change(**self.turn))
-        shift = float(hinged_next_order.pivot_shift_change(**self.turn))
+        stress = number(hinged_next_order.pivot_turn_change(**self.turn))
+        shift = number(hinged_next_order.pivot_shift_change(**self.turn))
         reach, theta = self.hinge.reach, abs(self.travel)
         slope = abs(self.gamma) / tan(self.half_angle) + tan(self.half_angle) * abs(
             self.gamma**2 - 1.0

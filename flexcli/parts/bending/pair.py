@@ -1,11 +1,12 @@
 """Pivots of two crossing blades, or of pairs of them: a body that turns about their centre."""
 
-from math import inf, pi, tan
+from math import inf, pi
 from typing import ClassVar
 
 from flexcli.formulas import pivot, pivot_next_order, thick_blades
 from flexcli.formulas.beam_column import s_bending, uniform_bending
 from flexcli.formulas.section import shear_parameter
+from flexcli.numerics.rows import larger, number, tan
 from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
 
 __all__ = ["Pair", "under_tension"]
@@ -32,7 +33,7 @@ class Pair(Bending):
     def ratio(self) -> float:
         """Return θ, or what the next order of the stress is of the first where that is more."""
         turn = {**self.blade, "theta": self.theta}
-        return max(abs(self.theta), float(pivot_next_order.stress_bound(**turn)))
+        return larger(abs(self.theta), number(pivot_next_order.stress_bound(**turn)))
 
     def shear(self, poisson_ratio: float) -> Changes:
         """Return what softer S-shaped bending changes, exactly at small rotation."""
@@ -60,12 +61,12 @@ class Pair(Bending):
         """Return what shear changes in the shift along the bisector, over that shift."""
         Phi = shear_parameter(depth=self.h, l=self.blade["l"], poisson_ratio=poisson_ratio)
         curved = 3.0 * self.gamma**2 / 20.0
-        return self._of_leading(-curved * float(thick_blades.shear_factor(Phi) - 1.0))
+        return self._of_leading(-curved * number(thick_blades.shear_factor(Phi) - 1.0))
 
     @property
     def stretched_along(self) -> float:
         """Return what stretching changes in the shift along the bisector, over that shift."""
-        return self._of_leading(float(thick_blades.pivot_stretch(h=self.h, **self.blade)))
+        return self._of_leading(number(thick_blades.pivot_stretch(h=self.h, **self.blade)))
 
     def stretched(self, n: float, direction: float | None) -> Changes:
         """Return up to 6ε tan α/(θ(1 + 3|γ|)), ε = n(h/l)²/12, of a force along the bisector.
@@ -82,9 +83,9 @@ class Pair(Bending):
         return {"stress": Change(share / 2.0, share, 0.75 * share)}
 
     def pulled(self, n: float) -> Changes:
-        """Return up to 3 (h/l) max(tan α, cot α): the stretching of one blade bends the other.
+        """Return up to 3 (h/l) larger(tan α, cot α): the stretching of one blade bends the other.
 
-        A body that moves by ε l along one blade moves up to ε l max(tan α, cot α) across the
+        A body that moves by ε l along one blade moves up to ε l larger(tan α, cot α) across the
         other, which bends it in an S by 3 (h/l) that times E ε.
         """
         return {"stress": Change(0.0, self._bent, self._bent, 1)}
@@ -102,27 +103,27 @@ class Pair(Bending):
     @property
     def _bent(self) -> float:
         tangent = tan(self.blade["half_angle"])
-        return 3.0 * self.h / self.blade["l"] * max(tangent, 1.0 / tangent)
+        return 3.0 * self.h / self.blade["l"] * larger(tangent, 1.0 / tangent)
 
     def rotation(self) -> Changes:
         """Return the next order in θ of stress and shift."""
         if not self.theta:
             return {}
         turn = {**self.blade, "theta": self.theta}
-        stress = float(pivot_next_order.stress_change(**turn))
-        bound = float(pivot_next_order.stress_bound(**turn))
-        first = float(pivot.parasitic_shift(**turn))
+        stress = number(pivot_next_order.stress_change(**turn))
+        bound = number(pivot_next_order.stress_bound(**turn))
+        first = number(pivot.parasitic_shift(**turn))
         if first == 0.0:
             shift = Change(None, inf)
         else:
             along = pivot_next_order.shift_parts(**turn)
-            across = float(pivot_next_order.shift_across(**turn)) / first
-            bends = float(along.bound) / abs(first)
-            shift = self.shifted(float(along.total) / first, across, bends)
+            across = number(pivot_next_order.shift_across(**turn)) / first
+            bends = number(along.bound) / abs(first)
+            shift = self.shifted(number(along.total) / first, across, bends)
             shift = shift._replace(error=shift.error + 1.2 * shift.bound**2)
         # the next order, in exact solutions: at most 1.3 of the square of this one's size
         error = 1.6 * bound**2 + abs(self.theta) * bound
-        return {"stress": Change(stress, max(bound, abs(stress)), error), "shift": shift}
+        return {"stress": Change(stress, larger(bound, abs(stress)), error), "shift": shift}
 
     def tension(self) -> Changes:
         """Return σ = N/(h b) of N = 6γθ cot α EI/l² over the bending: γ cot α (h/l)/(1 + 3|γ|)."""
@@ -160,8 +161,8 @@ class Pair(Bending):
     def _across(self) -> float:
         """Return the shift across that stretching makes over that along; Φ = 0 for ν = −1."""
         turn = {**self.blade, "theta": self.theta}
-        first = abs(float(pivot.parasitic_shift(**turn)))
-        across = abs(float(thick_blades.pivot_shift_across(h=self.h, poisson_ratio=-1.0, **turn)))
+        first = abs(number(pivot.parasitic_shift(**turn)))
+        across = abs(number(thick_blades.pivot_shift_across(h=self.h, poisson_ratio=-1.0, **turn)))
         return across / first if first else inf
 
     def _of_leading(self, bracket: float) -> float:
@@ -187,7 +188,7 @@ def under_tension(n: float, gamma: float) -> float:
         return inf
     most = 1.0 + 3.0 * abs(gamma)
     moments = (
-        float(uniform_bending(sign * n)) + 3.0 * abs(gamma) * float(s_bending(sign * n))
+        number(uniform_bending(sign * n)) + 3.0 * abs(gamma) * number(s_bending(sign * n))
         for sign in (1.0, -1.0)
     )
-    return max(abs(moment / most - 1.0) for moment in moments)
+    return larger(abs(moment / most - 1.0) for moment in moments)

@@ -6,6 +6,7 @@ from typing import ClassVar
 
 from flexcli.formulas import held_blades, star_next_order
 from flexcli.formulas.section import shear_parameter
+from flexcli.numerics.rows import number
 from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
 
 __all__ = ["Star"]
@@ -69,10 +70,10 @@ class Star(Bending):
             return {}
         if not self.even:
             return {"stress": UNKNOWN}
-        n = float(star_next_order.tension(**self.blade))
+        n = number(star_next_order.tension(**self.blade))
         if not WEAK[0] < n < WEAK[1]:
             return {"stress": UNKNOWN}
-        bends = float(star_next_order.stress_change(angles=self.angles, **self.blade))
+        bends = number(star_next_order.stress_change(angles=self.angles, **self.blade))
         most = 1.0 + 3.0 * abs(self.gamma)
         pulls = abs(n) * self.slender / (6.0 * abs(self.theta) * most)
         size = abs(bends) + pulls

@@ -6,6 +6,7 @@ from typing import ClassVar
 from flexcli.formulas import necked_stage, stage_next_order, thick_blades
 from flexcli.formulas.beam_column import s_bending
 from flexcli.formulas.section import shear_parameter
+from flexcli.numerics.rows import number
 from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
 
 __all__ = ["Necked", "Straight"]
@@ -85,7 +86,7 @@ class Straight(Bending):
         guided = n * self.halves**2
         if not guided < pi**2:  # pushed, it buckles
             return {"stress": UNKNOWN}
-        value = float(s_bending(guided)) - 1.0
+        value = number(s_bending(guided)) - 1.0
         # the force moves with the stage, which the blades hold upright
         error = n * (0.5 * self.ratio + self.lever * self.h / self.l / 6.0)
         return {"stress": Change(value, value, value * self.ratio + error)}

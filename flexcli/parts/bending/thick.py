@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from flexcli.formulas.quantity import Numbers
 from flexcli.formulas.thick_notch import DEEPEST, THICKEST, softening
+from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending.base import Factor, Thick
 
 __all__ = ["thick_fillets", "thick_linked", "thick_notch"]
@@ -16,16 +17,16 @@ def thick_notch(
 
     ``uneven`` is the share of its bending by moments that are not the same all along.
     """
-    e, depth, l = float(e), float(depth), float(l)
+    e, depth, l = number(e), number(depth), number(l)
     ratio = 4.0 * depth * e / l**2
     known = ratio <= THICKEST and e <= DEEPEST * depth
-    return Thick(ratio, _factor(e, depth, l, float(turn), uneven) if known else None)
+    return Thick(ratio, _factor(e, depth, l, number(turn), uneven) if known else None)
 
 
 def thick_fillets(*, h: Numbers, r: Numbers, turn: Numbers) -> Thick:
     """Return the factor of a blade with fillets, whose stiffness at E b = 1 is ``turn`` [m²]."""
-    h, r = float(h), float(r)
-    return Thick(h / r, _factor(h, r, 2.0 * r, float(turn), 0.0))
+    h, r = number(h), number(r)
+    return Thick(h / r, _factor(h, r, 2.0 * r, number(turn), 0.0))
 
 
 def thick_linked(each: Sequence[Thick | None]) -> Thick | None:
@@ -33,12 +34,12 @@ def thick_linked(each: Sequence[Thick | None]) -> Thick | None:
     found = [thick for thick in each if thick is not None]
     if not found:
         return None
-    ratio = max(thick.ratio for thick in found)
+    ratio = larger(thick.ratio for thick in found)
     factors = [Factor(1.0, 1.0, 1.0) if thick is None else thick.factor for thick in each]
     known = [factor for factor in factors if factor is not None]
     if len(known) < len(factors):
         return Thick(ratio, None)
-    low, high = min(f.low for f in known), max(f.high for f in known)
+    low, high = smaller(f.low for f in known), larger(f.high for f in known)
     return Thick(ratio, Factor((low + high) / 2.0, low, high))
 
 

@@ -13,6 +13,7 @@ from flexcli.formulas.profile import Profile
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment
 from flexcli.mechanics.layout import Layout
+from flexcli.numerics.rows import larger, number, one_by_one, smaller
 from flexcli.parts.bending.base import Factor, WideBlades
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
@@ -46,7 +47,7 @@ def wide_pivot(
     A pair has a shift; the sag of a pivot may bend its blades across their width.
     """
     _, l, b = blade = _floats(blade)
-    delta = float(delta)
+    delta = number(delta)
     stiffness = _any_shape(_factor(plates.pivot_factor, blade, nu, delta=delta), blade, nu)
     stress = _factor(plates.end_moment_factor, blade, nu, delta=delta)
     gamma = 1.0 + 2.0 * delta
@@ -57,7 +58,7 @@ def wide_pivot(
     held |= {ends: _hull(held.values(), at=held[ends]) for ends in held if ends != LOCKED}
     sag = None
     if sags_wide:
-        inverse = 1.0 / float(sheets.guided_factor(b=b, l=l, poisson_ratio=nu))
+        inverse = 1.0 / number(sheets.guided_factor(b=b, l=l, poisson_ratio=nu))
         sag = inverse - 1.0, sheets.GUIDED_ERROR
     return WideBlades(b / l, stiffness, stress, held, shift, sag, bends)
 
@@ -77,7 +78,7 @@ def wide_cantilever(blade: Blade, nu: float) -> WideBlades:
     """Return the factors of a blade that a force bends at its free tip."""
     _, l, b = blade = _floats(blade)
     factor = _factor(plates.cantilever_factor, blade, nu)
-    change = float(plate_shortening.cantilever_shift_factor(b=b, l=l, poisson_ratio=nu)) - 1.0
+    change = number(plate_shortening.cantilever_shift_factor(b=b, l=l, poisson_ratio=nu)) - 1.0
     shift = change, 0.2 * sum(_shortening(blade, nu))
     stiffness = _any_shape(factor, blade, nu)
     return WideBlades(b / l, stiffness, factor, _held(blade, nu), shift, None, (3.0 / l**2, 0.0))
@@ -105,17 +106,17 @@ def wide_halves(blade: Blade, nu: float, crossing: float) -> WideBlades:
     )
     whole = _factor(plates.pivot_factor, blade, nu, delta=0.0)
     # the cross is thin, and holds its sections by the other blade alone
-    stiffness = Factor(value, min(low, whole.low), high)
+    stiffness = Factor(value, smaller(low, whole.low), high)
     ends = [_factor(plates.end_moment_factor, part, nu, delta=0.0) for part in parts]
-    stress = _hull([*ends, stiffness], at=Factor(max(e.value for e in ends), 1.0, 1.0))
+    stress = _hull([*ends, stiffness], at=Factor(larger(e.value for e in ends), 1.0, 1.0))
     shifts = [_pivot_shift(1.0, *_shortening(part, nu)) for part in parts]
     # each half turns by its own share, and their shifts may cancel
-    most = CANCELS * max(abs(value) + error for value, error in shifts)
+    most = CANCELS * larger(abs(value) + error for value, error in shifts)
     held = _held(blade, nu)
-    flat = Factor(1.0, 1.0, 1.0 + float(plates.bound(nu)))
+    flat = Factor(1.0, 1.0, 1.0 + number(plates.bound(nu)))
     held = {ends: _hull([flat], at=held[ends]) for ends in held}
     bends = 4.0 / blade.l, -2.0 / blade.l  # at the cross and at the ends of either half
-    widest = blade.b / min(part.l for part in parts)
+    widest = blade.b / smaller(part.l for part in parts)
     return WideBlades(widest, stiffness, stress, held, (0.0, most), None, bends)
 
 
@@ -125,9 +126,9 @@ def wide_necks(neck: Blade, nu: float, *, l: Numbers) -> WideBlades:
     The force is at half the height of the stage.
     """
     h, l_c, b = neck = _floats(neck)
-    l = float(l)
+    l = number(l)
     stiffness = _factor(plates.limb_hinge_factor, neck, nu, arm=(l - l_c) / 2.0)
-    buckles = _between(float(plates.pure_bending_factor(b=b, l=l_c, poisson_ratio=nu, h=h)), nu)
+    buckles = _between(number(plates.pure_bending_factor(b=b, l=l_c, poisson_ratio=nu, h=h)), nu)
     pure, _ = _shortening(neck, nu)
     share = 2.0 * l_c / l  # of the path, most of which is that of the rigid middle
     held = dict.fromkeys(EFFECTIVE_LENGTH, buckles)
@@ -149,22 +150,26 @@ def wide_notch(
     ``turn`` is its stiffness at E = 1, ``uneven`` the share of its bending by moments that are
     not the same all along, as a force across the limb between two hinges makes them.
     """
-    from flexcli.mechanics.wide_hinge import wide_hinge
+    from flexcli.mechanics.wide_hinge import WideHinge, wide_hinge
 
-    e, b = float(throat), float(b)
-    numbers = tuple(float(each) for each in vars(profile).values())
+    e, b = number(throat), number(b)
+    numbers = tuple(number(each) for each in vars(profile).values())
+
+    def hinge(l: float, b: float, nu: float, *numbers: float) -> WideHinge:
+        return wide_hinge(type(profile), numbers, l, b, nu)
+
     thin, thick = (
-        wide_hinge(type(profile), numbers, float(length), width, nu)
-        for width in (b, float(plates.effective_width(b=b, h=e)))
+        one_by_one(hinge, number(length), width, nu, *numbers)
+        for width in (b, number(plates.effective_width(b=b, h=e)))
     )
-    widening, bends = float(plates.bound(nu)), float(second_moment(b, e)) / float(turn)
+    widening, bends = number(plates.bound(nu)), number(second_moment(b, e)) / number(turn)
     factor = _as_a_solid(thick.stiffness, e / b, e / bends, widening)
     low, high = factor.low - uneven * widening, factor.high + uneven * widening
-    factor = factor._replace(low=max(1.0, low), high=high)
+    factor = factor._replace(low=larger(1.0, low), high=high)
     held = dict.fromkeys(EFFECTIVE_LENGTH, factor._replace(high=1.0 + widening))
     moves = (thin.shift, thick.shift)
     middle = sum(moves) / 2.0 - 1.0
-    spread = abs(moves[0] - moves[1]) / 2.0 + 0.3 * max(abs(m - 1.0) for m in moves)
+    spread = abs(moves[0] - moves[1]) / 2.0 + 0.3 * larger(abs(m - 1.0) for m in moves)
     # of limbs the path of the whole counts, which their hinges shorten by a share of it
     shift = (0.0, abs(middle) + spread) if uneven else (middle, spread)
     return WideBlades(b / bends, factor, factor, held, shift)
@@ -177,9 +182,11 @@ def _as_a_solid(plate: float, t: float, depth: float, widening: float) -> Factor
     a throat as deep as it bends long (``depth``) spreads its own stress when it is kept flat.
     """
     over, share = plate - 1.0, 0.14 * depth**2
-    away = min(RITZ_ERROR, plates.OF_WIDENING * over) + over * (0.75 * t + share)
-    value = 1.0 + over * max(1.0 - 0.65 * t, 0.35)
-    return Factor(value, max(1.0, value - away), min(1.0 + widening * (1.0 + share), value + away))
+    away = smaller(RITZ_ERROR, plates.OF_WIDENING * over) + over * (0.75 * t + share)
+    value = 1.0 + over * larger(1.0 - 0.65 * t, 0.35)
+    return Factor(
+        value, larger(1.0, value - away), smaller(1.0 + widening * (1.0 + share), value + away)
+    )
 
 
 def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool) -> WideBlades:
@@ -191,21 +198,21 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
     found, most, path = [], 0.0, 0.0
     for given, constant in blades:
         blade = _floats(given)
-        most = max(most, blade.b / blade.l)
+        most = larger(most, blade.b / blade.l)
         pure = _factor(plates.pure_bending_factor, blade, nu)
         if constant:
             bent = _factor(plates.guided_factor, blade, nu)
             found.append(Factor((pure.value + bent.value) / 2.0, pure.low, bent.high))
-            path = max(path, *_shortening(blade, nu))
+            path = larger(path, *_shortening(blade, nu))
         else:
             found.append(_between(pure.low, nu))
-            path = float(plates.bound(nu)) / 5.0
+            path = number(plates.bound(nu)) / 5.0
     hull = _hull(found)
     stiffness = _hull([hull, Factor(1.0, 1.0, 1.0)]) if springs else hull
-    flat = 1.0 + float(plates.bound(nu))
+    flat = 1.0 + number(plates.bound(nu))
     # what one blade takes more of than another adds to its own factor; curvature flattens it
     spread = stiffness.high - stiffness.low
-    stress = Factor(stiffness.value, max(1.0 - spread, stiffness.low - spread), flat + spread)
+    stress = Factor(stiffness.value, larger(1.0 - spread, stiffness.low - spread), flat + spread)
     buckles = dict.fromkeys(EFFECTIVE_LENGTH, Factor(stiffness.value, 1.0, flat))
     return WideBlades(most, stiffness, stress, buckles, (0.0, CANCELS * path))
 
@@ -225,16 +232,16 @@ def wide_by_shapes(
     if not solution.unique.all():
         return plain
     axis = next(i for i in (2, 1) if held[i])
-    whole = float(solution.reactions[0, layout.index(MOVING), axis])
+    whole = number(solution.reactions[0, layout.index(MOVING), axis])
     more = less = 0.0  # of twice the energy
     each, bends, curved, most_bent = [], (0.0, 0.0), 0.0, blades[0]
     for blade, strip, force in zip(blades, layout.blades, solution.end_forces[0], strict=True):
         h, l, b = blade
         x, y = np.subtract(strip.end, strip.start)
-        last = float(force[2])
-        first = last + float(force[1] * x - force[0] * y)
+        last = number(force[2])
+        first = last + number(force[1] * x - force[0] * y)
         even, odd = (first + last) / 2.0, (first - last) / 2.0
-        compliance = l / float(second_moment(b, h))
+        compliance = l / number(second_moment(b, h))
         pure, bent = (
             _factor(f, blade, nu) for f in (plates.pure_bending_factor, plates.guided_factor)
         )
@@ -259,11 +266,11 @@ def wide_by_shapes(
     at = _hull(each)
     spread = at.high - at.low
     # what one blade takes more of than another adds to its own factor
-    stress = Factor(at.value, max(1.0 - spread, at.low - spread), at.high + spread)
+    stress = Factor(at.value, larger(1.0 - spread, at.low - spread), at.high + spread)
     middle, least = (low + high) / 2.0, plain.stiffness.low
-    most = 1.0 + float(plates.bound(nu))
-    other = max(most / middle - 1.0, 1.0 - least / middle)
-    stiffness = Factor(middle, max(1.0, low), high, other)
+    most = 1.0 + number(plates.bound(nu))
+    other = larger(most / middle - 1.0, 1.0 - least / middle)
+    stiffness = Factor(middle, larger(1.0, low), high, other)
     return plain._replace(stiffness=stiffness, stress=stress, bends=bends, bent=tuple(most_bent))
 
 
@@ -276,7 +283,7 @@ def wide_linked(each: Sequence[WideBlades | None]) -> WideBlades | None:
     stiffness = _hull([*(w.stiffness for w in found), *rigid])
     stress = _hull([*(w.stress for w in found), *rigid])
     held = {ends: _hull(w.buckling[ends] for w in found) for ends in EFFECTIVE_LENGTH}
-    return WideBlades(max(w.ratio for w in found), stiffness, stress, held)
+    return WideBlades(larger(w.ratio for w in found), stiffness, stress, held)
 
 
 def _any_shape(factor: Factor, blade: Blade, nu: float) -> Factor:
@@ -285,19 +292,19 @@ def _any_shape(factor: Factor, blade: Blade, nu: float) -> Factor:
     Of all shapes between clamps pure bending curls the most, and a flat plate not at all.
     """
     least = _factor(plates.pure_bending_factor, blade, nu).low
-    most = 1.0 + float(plates.bound(nu))
-    return factor._replace(other=max(most / factor.value - 1.0, 1.0 - least / factor.value))
+    most = 1.0 + number(plates.bound(nu))
+    return factor._replace(other=larger(most / factor.value - 1.0, 1.0 - least / factor.value))
 
 
 def _floats(blade: Blade) -> Blade:
-    return Blade(float(blade.h), float(blade.l), float(blade.b))  # without fillets
+    return Blade(number(blade.h), number(blade.l), number(blade.b))  # without fillets
 
 
 def _shortening(blade: Blade, nu: float) -> tuple[float, float]:
     """Return how much more than a beam a blade shortens, bent to an arc and to an S [-]."""
     at: dict[str, Any] = {"b": blade.b, "l": blade.l, "poisson_ratio": nu}
-    pure = float(plate_shortening.pure_shortening_factor(**at)) - 1.0
-    return pure, float(plate_shortening.s_shortening_factor(**at)) - 1.0
+    pure = number(plate_shortening.pure_shortening_factor(**at)) - 1.0
+    return pure, number(plate_shortening.s_shortening_factor(**at)) - 1.0
 
 
 def _held(blade: Blade, nu: float) -> dict[str, Factor]:
@@ -308,33 +315,33 @@ def _held(blade: Blade, nu: float) -> dict[str, Factor]:
 def _factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor:
     """Return a factor of a formula with its error, between beam and flat plate."""
     at = {"b": blade.b, "l": blade.l, "poisson_ratio": nu, **more}
-    value, thin = float(formula(h=blade.h, **at)), float(formula(**at))
-    return _with_error(value, float(plates.factor_error(value, thin)), nu)
+    value, thin = number(formula(h=blade.h, **at)), number(formula(**at))
+    return _with_error(value, number(plates.factor_error(value, thin)), nu)
 
 
 def _buckling(blade: Blade, nu: float, ends: str) -> Factor:
     at: dict[str, Any] = {"b": blade.b, "l": blade.l, "poisson_ratio": nu, "ends": ends}
-    value = float(plate_buckling.buckling_factor(h=blade.h, **at))
-    thin = float(plate_buckling.buckling_factor(**at))
+    value = number(plate_buckling.buckling_factor(h=blade.h, **at))
+    thin = number(plate_buckling.buckling_factor(**at))
     fit = plate_buckling.BUCKLING_ERROR[ends]
-    return _with_error(value, float(plates.factor_error(value, thin, fit)), nu)
+    return _with_error(value, number(plates.factor_error(value, thin, fit)), nu)
 
 
 def _with_error(value: float, error: float, nu: float) -> Factor:
-    flat = 1.0 + float(plates.bound(nu))
-    return Factor(value, max(1.0, value - error), min(flat, value + error))
+    flat = 1.0 + number(plates.bound(nu))
+    return Factor(value, larger(1.0, value - error), smaller(flat, value + error))
 
 
 def _between(low: float, nu: float) -> Factor:
     """Return what is at least a factor and at most that of a plate kept flat."""
-    flat = 1.0 + float(plates.bound(nu))
+    flat = 1.0 + number(plates.bound(nu))
     return Factor((low + flat) / 2.0, low, flat)
 
 
 def _hull(factors: Iterable[Factor], at: Factor | None = None) -> Factor:
     """Return the range of all, about its middle or a given value."""
     found: Sequence[Factor] = tuple(factors)
-    low, high = min(f.low for f in found), max(f.high for f in found)
+    low, high = smaller(f.low for f in found), larger(f.high for f in found)
     return Factor((low + high) / 2.0 if at is None else at.value, low, high)
 
 

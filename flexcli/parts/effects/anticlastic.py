@@ -2,9 +2,12 @@
 
 from typing import ClassVar
 
+import numpy as np
+
 from flexcli.formulas.plate_factors import bound
 from flexcli.formulas.plate_flattening import flat_width, held_and_curved, secant_factor
 from flexcli.numerics.quadrature import gauss_rule
+from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending import Change, Changes
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
@@ -33,7 +36,7 @@ class Anticlastic(ModelEffect):
         if ends is None:
             return None
         h, _, b = _blade(setting)
-        searle = b**2 * max(abs(end) for end in ends) / h
+        searle = b**2 * larger(abs(end) for end in ends) / h
         return Indicator(searle, f"b²κ/h = {searle:.2g}")
 
     def changes(self, setting: Setting) -> Changes:
@@ -43,16 +46,18 @@ class Anticlastic(ModelEffect):
             return {}
         h, _, b = _blade(setting)
         nu, held = setting.poisson_bound, wide.stress.value
-        most = (1.0 + float(bound(nu))) / held - 1.0
+        most = (1.0 + number(bound(nu))) / held - 1.0
         if self.lacks(setting):
-            return {"stress": Change(None, max(most, 0.0), 0.0, 1)}
+            return {"stress": Change(None, larger(most, 0.0), 0.0, 1)}
         place, weight = gauss_rule(_NODES)
-        curvature = ends[0] + (ends[1] - ends[0]) * place
-        beta = flat_width(b=b, h=h, curvature=curvature, poisson_ratio=nu)
+        first, last, b, h, along = (np.asarray(x)[..., None] for x in (*ends, b, h, nu))
+        curvature = first + (last - first) * place
+        beta = flat_width(b=b, h=h, curvature=curvature, poisson_ratio=along)
         share = weight * curvature**2
-        curved = float(secant_factor(beta=beta, poisson_ratio=nu) @ share / share.sum())
-        value = float(held_and_curved(held=held, curved=curved, poisson_ratio=nu)) / held - 1.0
-        return {"stress": Change(value, min(2.0 * value, max(most, value)), value)}
+        rises = secant_factor(beta=beta, poisson_ratio=along)
+        curved = number((rises * share).sum(axis=-1) / share.sum(axis=-1))
+        value = number(held_and_curved(held=held, curved=curved, poisson_ratio=nu)) / held - 1.0
+        return {"stress": Change(value, smaller(2.0 * value, larger(most, value)), value)}
 
 
 def _blade(setting: Setting) -> tuple[float, float, float]:
@@ -60,7 +65,7 @@ def _blade(setting: Setting) -> tuple[float, float, float]:
     wide = wide_of(setting)
     blade = (wide.bent if wide is not None else None) or setting.blade
     assert blade is not None  # those that have curvatures
-    h, l, b = (float(size) for size in blade)
+    h, l, b = (number(size) for size in blade)
     return h, l, b
 
 

@@ -1,10 +1,11 @@
 """Axial load: a force along the blades stiffens or softens their bending."""
 
 from collections.abc import Sequence
-from math import cos, inf, isfinite, pi
+from math import inf, pi
 from typing import ClassVar
 
 from flexcli.formulas.section import second_moment
+from flexcli.numerics.rows import cos, isfinite, larger, number
 from flexcli.parts.bending import UNKNOWN, Change, Changes, together, whole
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
@@ -36,8 +37,8 @@ class AxialLoad(ModelEffect):
         stress = found.get("stress")
         if stress is not None and stress.value is not None and _pushes(setting):
             # compression relieves the moments by less than n/(π² − n), guided or free to turn
-            relief = float(n / (pi**2 - n)) if n < pi**2 else inf
-            found["stress"] = Change(0.0, relief, stress.error + max(relief, stress.value))
+            relief = number(n / (pi**2 - n)) if n < pi**2 else inf
+            found["stress"] = Change(0.0, relief, stress.error + larger(relief, stress.value))
         still = [s for s in setting.scenes if s.blade_force and not s.bends]
         if still:
             for name, more in bending.amplified(load_number(setting, still)).items():
@@ -70,4 +71,4 @@ def load_number(setting: Setting, scenes: Sequence[Scene]) -> float:
     if setting.blade is None:
         return inf
     h, l, b = setting.blade
-    return float(max(loads) * l**2 / (setting.material.elastic.E * second_moment(b, h)))
+    return number(larger(loads) * l**2 / (setting.material.elastic.E * second_moment(b, h)))

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from math import inf
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
+from flexcli.numerics.rows import larger, number
 from flexcli.parts.bending import Bending, Change, Changes
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic
@@ -67,7 +68,7 @@ class Setting(NamedTuple):
         if scene.push == 0.0:
             return stroke
         try:
-            stiffness = float(self.geometry.stiffness(self.material.elastic, self.sizes))
+            stiffness = number(self.geometry.stiffness(self.material.elastic, self.sizes))
         except NotAvailable:
             return stroke
         return stroke + scene.push / stiffness
@@ -172,7 +173,7 @@ class ModelEffect(Effect):
             return {name: change.bound for name, change in self.all_changes(setting).items()}
         ratio = setting.bending.ratio
         return {
-            name: _grown(change.bound, max(change.bound, ratio))
+            name: _grown(change.bound, larger(change.bound, ratio))
             for name, change in self.all_changes(setting).items()
         }
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import ClassVar, Generic, TypeVar
 
 from flexcli.formulas import clamps
+from flexcli.numerics.rows import larger, number
 from flexcli.parts.bending import UNKNOWN, Change, Changes, FilletedRoots, Giving, whole
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
@@ -34,16 +35,16 @@ class ClampStress(ModelEffect):
         wide, blade, nu = wide_of(setting), setting.blade, setting.poisson_bound
         if wide is None or wide.bends is None or blade is None or not setting.largest_travel:
             return None
-        h, l, b = (float(size) for size in blade)
+        h, l, b = (number(size) for size in blade)
         if b < 3.0 * h:
             return None
         first, second = wide.bends
         pure, bent = abs(first + second), abs(first - second)
         at = {"b": b, "l": l, "poisson_ratio": nu}
-        peak = pure * float(clamps.pure_bending_peak(**at))
-        peak += bent * float(clamps.s_shape_peak(**at))
+        peak = pure * number(clamps.pure_bending_peak(**at))
+        peak += bent * number(clamps.s_shape_peak(**at))
         over = peak / (pure + bent) / wide.stress.value
-        equivalent = float(clamps.at_clamp(peak=over, poisson_ratio=nu))
+        equivalent = number(clamps.at_clamp(peak=over, poisson_ratio=nu))
         text = (
             f"in mid-width at the clamp σ_x is {over - 1.0:+.0%}, von Mises {equivalent - 1.0:+.0%}"
             " against the nominal stress, which leaves it out"
@@ -161,13 +162,13 @@ def _sags_along_stroke(setting: Setting) -> bool:
 
 def _within(value: float, low: float, high: float) -> Change:
     """Return the change to a factor that lies within a range."""
-    error = max(high - value, value - low) / value
-    return Change(value - 1.0, max(1.0 - low, high - 1.0), error)
+    error = larger(high - value, value - low) / value
+    return Change(value - 1.0, larger(1.0 - low, high - 1.0), error)
 
 
 def _between(low: float, high: float) -> Change:
     """Return a change of which but a range is known: as a number of no change where it has 0."""
     if low <= 0.0 <= high:
-        size = max(-low, high)
+        size = larger(-low, high)
         return Change(0.0, size, size, -1 if high == 0.0 else 0)
     return _within(1.0 + (low + high) / 2.0, 1.0 + low, 1.0 + high)

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable, Sequence
 from itertools import combinations
-from math import isfinite, prod
+from math import prod
 from typing import NamedTuple
 
+from flexcli.numerics.rows import isfinite, larger, smaller
 from flexcli.parts.bending import FLOOR, Change
 from flexcli.parts.effects.base import ModelEffect, Setting
 from flexcli.results import ErrorRange, QuantityKind
@@ -77,8 +78,8 @@ def left_by(changes: Sequence[Change], beside: Sequence[Change] = ()) -> ErrorRa
         high += 0.0 if one_sided < 0 else alone
     pairs = [*combinations(changes, 2), *((one, other) for one in changes for other in beside)]
     both = sum(
-        min(BETWEEN * one.bound * other.bound, one.other, other.other)
+        smaller(BETWEEN * one.bound * other.bound, one.other, other.other)
         for one, other in pairs
         if one.bound and other.bound
     )
-    return ErrorRange(-low - both, high + both) if max(low, high) + both < MOST else None
+    return ErrorRange(-low - both, high + both) if larger(low, high) + both < MOST else None

@@ -2,6 +2,7 @@
 
 from typing import ClassVar
 
+from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending import Change, Changes, Factor, WideBlades
 from flexcli.parts.bending.wide import wide_guided
 from flexcli.parts.effect_names import EffectName
@@ -80,7 +81,7 @@ def wide_of(setting: Setting) -> WideBlades | None:
 def _without_fillets(geometry: Geometry, sizes: Sizes, nu: float) -> WideBlades | None:
     """Return the factors of blades that may be shorter by the fillets at their roots."""
     found = geometry.wide_blades(sizes, nu)
-    radius = float(geometry.fillet(sizes))
+    radius = number(geometry.fillet(sizes))
     if found is None or not radius:
         return found
     short = geometry.wide_blades(sizes._replace(l=sizes.l - 2.0 * radius), nu)
@@ -97,7 +98,7 @@ def _without_fillets(geometry: Geometry, sizes: Sizes, nu: float) -> WideBlades 
 
 def _either(one: Factor, other: Factor) -> Factor:
     """Return the first factor, which may be the second."""
-    return one._replace(low=min(one.low, other.low), high=max(one.high, other.high))
+    return one._replace(low=smaller(one.low, other.low), high=larger(one.high, other.high))
 
 
 class _Last:
@@ -128,7 +129,7 @@ def _buckling(wide: WideBlades, setting: Setting, known: bool) -> Change:
         asked = list(wide.buckling.values())
     if len(asked) == 1:
         return asked[0].change(known)
-    low, high = min(f.low for f in asked), max(f.high for f in asked)
+    low, high = smaller(f.low for f in asked), larger(f.high for f in asked)
     middle = asked[0]._replace(value=(low + high) / 2.0, low=low, high=high)
     return middle.change(known)
 
@@ -141,6 +142,6 @@ def _shift(value: float, error: float, setting: Setting, known: bool) -> Change:
     bending, whole = setting.bending, 1.0
     next_order = bending.rotation().get("shift") if bending is not None else None
     if next_order is not None and next_order.value is not None:
-        whole = max(whole, abs(1.0 + next_order.value))
+        whole = larger(whole, abs(1.0 + next_order.value))
     bound = (abs(value) + error) / whole
     return Change(value, bound, error) if known and whole <= LEADS else Change(None, bound)

@@ -5,6 +5,7 @@ from typing import ClassVar
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.section import shear_parameter
 from flexcli.formulas.thick_blades import buckling_change
+from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending import Change, Changes
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
@@ -46,12 +47,12 @@ def _changes(setting: Setting, nu: float) -> Changes:
     held = [s.ends for s in setting.scenes if s.blade_force and s.ends]
     if held and blade is not None:
         phi = shear_parameter(depth=blade.h, l=blade.l, poisson_ratio=nu)
-        k = min(EFFECTIVE_LENGTH[ends] for ends in held)
-        value = float(buckling_change(Phi=phi, effective_length=k))
+        k = smaller(EFFECTIVE_LENGTH[ends] for ends in held)
+        value = number(buckling_change(Phi=phi, effective_length=k))
         found["buckling"] = Change(value, abs(value), value**2)
     if setting.geometry.sag_bends_width and blade is not None:
-        phi = float(shear_parameter(depth=blade.b, l=blade.l, poisson_ratio=nu))
-        found["sag"] = Change(phi, phi, PLANE_STRESS * min(1.0, float(blade.b / blade.l)))
+        phi = number(shear_parameter(depth=blade.b, l=blade.l, poisson_ratio=nu))
+        found["sag"] = Change(phi, phi, PLANE_STRESS * smaller(1.0, number(blade.b / blade.l)))
     return found
 
 
@@ -61,4 +62,4 @@ def _between(one: Change, other: Change) -> Change:
         return one if one.value is None else other
     value = (one.value + other.value) / 2.0
     apart = abs(one.value - other.value) / 2.0 / (1.0 + value)
-    return Change(value, max(one.bound, other.bound), max(one.error, other.error) + apart)
+    return Change(value, larger(one.bound, other.bound), larger(one.error, other.error) + apart)

@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from math import hypot, inf, pi
+from math import inf, pi
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
@@ -13,6 +13,7 @@ from pydantic_core import CoreSchema
 from flexcli.formulas.card import Card, Range, outside
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Layout, Point
+from flexcli.numerics.rows import hypot, number
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, or_free, spec_error
 from flexcli.parts.bending import Bending, FilletedRoots, Giving, Thick, WideBlades
 from flexcli.parts.bending.unknown import NotEstimated
@@ -368,7 +369,7 @@ class Geometry(Part):
         width = getattr(sizes, "b", None)
         if width is None:
             return ()
-        return tuple(("", float(h), float(width)) for h in self.thicknesses(sizes).values())
+        return tuple(("", number(h), number(width)) for h in self.thicknesses(sizes).values())
 
     def radii(self, sizes: Sizes) -> dict[str, Computed]:
         """Return the inner radii of its outline by name, 0 for a sharp corner [m]."""
@@ -496,11 +497,11 @@ class Geometry(Part):
     def slenderness(self, sizes: Sizes) -> float | None:
         """Return thickness over length of the blade that is thickest against its own [-]."""
         blade = self.blade(sizes)
-        return None if blade is None else float(blade.h / blade.l)
+        return None if blade is None else number(blade.h / blade.l)
 
     def length(self, sizes: Sizes) -> float:
         """Return the length that a stroke is compared with [m]."""
-        return float(sizes.l)
+        return number(sizes.l)
 
     def indicators(self, sizes: Sizes, travel: float) -> dict[str, Computed]:
         """Return what the validity of its closed forms is stated in, at the largest travel."""
@@ -530,7 +531,7 @@ class Geometry(Part):
         The one source for what is warned of and for what nobody judges by: the closed forms of
         ``kind`` have no known error outside of theirs.
         """
-        at = {name: float(value) for name, value in self.indicators(sizes, travel).items()}
+        at = {name: number(value) for name, value in self.indicators(sizes, travel).items()}
         return [(limits, at[limits.quantity]) for limits in outside(self.ranges(kind), at)]
 
     def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
@@ -568,7 +569,7 @@ class Geometry(Part):
         for blade in self.blades_layout(elastic, sizes).blades:
             l = hypot(*np.subtract(blade.end, blade.start))
             ends = [np.ravel(piece.position(PIECE)) for piece in blade.profile.pieces(l)]
-            if sum(float(end - start) for start, end in ends) < (1.0 - ROUNDING) * l:
+            if sum(number(end - start) for start, end in ends) < (1.0 - ROUNDING) * l:
                 return True
         return False
 

@@ -10,6 +10,7 @@ from flexcli.formulas import fillet, notch
 from flexcli.formulas import profile as shapes
 from flexcli.formulas.notch_compliance import planar_compliance
 from flexcli.formulas.quantity import Computed, Numbers, Quantity
+from flexcli.numerics.rows import number, smaller
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, spec_error
 from flexcli.parts.bending.base import Thick
 from flexcli.parts.bending.thick import thick_fillets, thick_notch
@@ -53,8 +54,8 @@ class BladeProfile(Part):
 
     def turn(self, size: Numbers, l: float) -> float:
         """Return the rotational stiffness of a length at E b = 1, as a beam [m²]."""
-        C = planar_compliance(self.shape(float(size)), E=1.0, l=l, b=1.0, a=l / 2.0)
-        return 1.0 / float(C[..., 2, 2])
+        C = planar_compliance(self.shape(number(size)), E=1.0, l=l, b=1.0, a=l / 2.0)
+        return 1.0 / number(C[..., 2, 2])
 
     def misfit(self, l: float) -> str:
         """Return why the profile does not fit on a length [m], nothing where it does."""
@@ -189,7 +190,7 @@ class TabulatedProfile(BladeProfile):
 
     def thinnest(self, size: Quantity) -> Computed:
         """Return the least thickness of the table [m]."""
-        return min(self.h)
+        return smaller(self.h)
 
 
 AnyProfile: TypeAlias = Annotated[

@@ -14,6 +14,7 @@ from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Number, Point
+from flexcli.numerics.rows import number
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.bending import FilletedRoots, Giving
 from flexcli.parts.elastic import Elastic
@@ -46,7 +47,7 @@ class ClampedBlades(Geometry):
 
     def giving_clamps(self, sizes: Sizes, nu: float) -> Giving | None:
         """Return what roots in one piece with bodies change, and fillets beyond their beam."""
-        is_rigid, radius = self.clamps in (None, "rigid"), float(self.fillet(sizes))
+        is_rigid, radius = self.clamps in (None, "rigid"), number(self.fillet(sizes))
         if is_rigid and not radius:
             return None
         from flexcli.parts.bending.giving import Roots, giving_clamps

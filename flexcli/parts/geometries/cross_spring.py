@@ -1,6 +1,5 @@
 """Generalised cross-spring pivot: two blades that cross, or would, at any place."""
 
-from math import tan
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
@@ -9,6 +8,7 @@ from flexcli.formulas import pivot
 from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.pivot import SYMMETRIC_CARDS, stiffness_ratio, stroke_ratio
 from flexcli.formulas.quantity import Computed
+from flexcli.numerics.rows import number, tan
 from flexcli.parts.base import Length, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
@@ -92,13 +92,13 @@ class CrossSpringPivot(PairFormulas, BladePivot):
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return δ, the shift across, and ratios to the symmetric pivot."""
-        delta = float(self.offset(sizes) / sizes.l)
+        delta = number(self.offset(sizes) / sizes.l)
         return {
             **super().values(elastic, sizes, travel),
             "stiffness_ratio": Value(
                 stiffness_ratio(delta), "", "stiffness over that of the symmetric pivot"
             ),
             "stroke_ratio": Value(
-                float(stroke_ratio(delta)), "", "stroke over that of the symmetric pivot"
+                number(stroke_ratio(delta)), "", "stroke over that of the symmetric pivot"
             ),
         }

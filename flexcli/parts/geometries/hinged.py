@@ -1,7 +1,7 @@
 """Stages and pivots of rigid limbs that have a right-circular notch hinge at each end."""
 
 from collections.abc import Mapping
-from math import cos, pi, sin
+from math import pi
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
@@ -14,6 +14,7 @@ from flexcli.formulas.profile import Notch, per_design
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
+from flexcli.numerics.rows import cos, number, sin
 from flexcli.parts.base import Length, PositiveLength, QuantityOf, spec_error
 from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.limbs import Hinge, LimbPivot, LimbStage
@@ -82,25 +83,25 @@ class _Hinged(Geometry):
 
     def hinge_in_limbs(self, sizes: LimbSizes) -> Hinge:
         """Return a hinge in lengths of the limb."""
-        e, r, l, _ = map(float, sizes)
+        e, r, l, _ = map(number, sizes)
         C = circular_compliance(E=1.0, b=1.0, e=e, r=r)
-        stretch = float(C.along / C.turn) ** 0.5 / l
+        stretch = number(C.along / C.turn) ** 0.5 / l
         return Hinge(
-            reach=float(bending_reach(across=C.across, turn=C.turn)) / l,
+            reach=number(bending_reach(across=C.across, turn=C.turn)) / l,
             sheared=2.4**0.5 * stretch,
             stretch=stretch,
-            spread=2.0 * float(hinge_shift.circular_shift(e=e, r=r, theta=1.0)) / l,
+            spread=2.0 * number(hinge_shift.circular_shift(e=e, r=r, theta=1.0)) / l,
             throat=e / l,
             peak=e * r / l**2,
         )
 
     def wide_blades(self, sizes: LimbSizes, nu: float) -> WideBlades | None:
         """Return the factors of the throats."""
-        e, r, l, b = map(float, sizes)
+        e, r, l, b = map(number, sizes)
         turn, _ = self.hinge(Elastic(1.0), sizes)
         C = circular_compliance(E=1.0, b=1.0, e=e, r=r)
         # a force across the limb bends its hinges by a moment that is not the same all along
-        reach = float(bending_reach(across=C.across, turn=C.turn)) / l
+        reach = number(bending_reach(across=C.across, turn=C.turn)) / l
         at = {"throat": e, "length": 2.0 * r, "b": b, "turn": turn, "uneven": 4.0 * reach**2}
         return wide_notch(nu, Notch(e, r), **at)
 
@@ -110,11 +111,11 @@ class _Hinged(Geometry):
 
     def thick_notches(self, sizes: LimbSizes) -> Thick | None:
         """Return the factor of the hinges, which turn the limbs by moments that are not even."""
-        e, r, l, b = map(float, sizes)
+        e, r, l, b = map(number, sizes)
         turn, c = self.hinge(Elastic(1.0), sizes)
-        uneven = 4.0 * (float(c) / l) ** 2
+        uneven = 4.0 * (number(c) / l) ** 2
         found = thick.thick_notch(e=e, depth=r, l=2.0 * r, turn=turn / b, uneven=uneven)
-        return found._replace(path=2.0 * float(c) / l)
+        return found._replace(path=2.0 * number(c) / l)
 
     def throat_stress(self, sizes: LimbSizes, moment: Quantity) -> Computed:
         """Return the stress in a throat that bears a moment [Pa]."""
@@ -145,7 +146,7 @@ class _Hinged(Geometry):
 
     def slenderness(self, sizes: LimbSizes) -> float | None:
         """Return e/(2r), thickness over length of a hinge [-]."""
-        return float(sizes.e / (2.0 * sizes.r))
+        return number(sizes.e / (2.0 * sizes.r))
 
     def reach(self, sizes: LimbSizes) -> Computed:
         """Return how far a hinge bends about its centre over the length of a limb [-]."""
@@ -197,7 +198,7 @@ class HingedStage(SagsAlongStroke, _Hinged):
 
     def bending(self, elastic: Elastic, sizes: LimbSizes, travel: float) -> Bending:
         """Return that of parallel limbs."""
-        return LimbStage(hinge=self.hinge_in_limbs(sizes), travel=travel / float(sizes.l))
+        return LimbStage(hinge=self.hinge_in_limbs(sizes), travel=travel / number(sizes.l))
 
     def volume(self, sizes: LimbSizes) -> Computed:
         """Return the volume of the hinges [m³]; the limbs are bodies."""
@@ -234,7 +235,7 @@ class HingedStage(SagsAlongStroke, _Hinged):
     def values(self, elastic: Elastic, sizes: LimbSizes, travel: float) -> dict[str, Value]:
         """Return the stiffness of one hinge."""
         K, _ = self.hinge(elastic, sizes)
-        return {"k_hinge": Value(float(K), "N*m/rad", "rotational stiffness of a hinge")}
+        return {"k_hinge": Value(number(K), "N*m/rad", "rotational stiffness of a hinge")}
 
 
 class HingedPivot(_Hinged):
@@ -284,7 +285,7 @@ class HingedPivot(_Hinged):
 
     def bending(self, elastic: Elastic, sizes: LimbSizes, travel: float) -> Bending:
         """Return that of two limbs that point at one centre."""
-        delta, hinge = float(self.offset(sizes) / sizes.l), self.hinge_in_limbs(sizes)
+        delta, hinge = number(self.offset(sizes) / sizes.l), self.hinge_in_limbs(sizes)
         return LimbPivot(hinge=hinge, delta=delta, theta=travel, half_angle=self.half_angle)
 
     def volume(self, sizes: LimbSizes) -> Computed:
@@ -319,9 +320,11 @@ class HingedPivot(_Hinged):
         p = self.offset(sizes)
         gain = hinged_pivot.admissible_rotation(gamma=1.0, l=sizes.l, p=p)
         return {
-            "delta": Value(float(p / sizes.l), "", "place of the centre, p/l", estimated_error=0.0),
-            "k_hinge": Value(float(K), "N*m/rad", "rotational stiffness of a hinge"),
+            "delta": Value(
+                number(p / sizes.l), "", "place of the centre, p/l", estimated_error=0.0
+            ),
+            "k_hinge": Value(number(K), "N*m/rad", "rotational stiffness of a hinge"),
             "theta_per_gamma": Value(
-                float(np.asarray(gain)), "", "rotation of the pivot over its most turned hinge"
+                number(np.asarray(gain)), "", "rotation of the pivot over its most turned hinge"
             ),
         }

@@ -1,11 +1,12 @@
 """Closed forms of how a joint of equal blades buckles, with what they may be off by."""
 
 from collections.abc import Callable, Sequence
-from math import cos, inf, isfinite, pi, sin
+from math import inf, pi
 
 from flexcli.formulas.buckling import thick_load
 from flexcli.formulas.joint_buckling import held_load, shares, sway, turning_load
 from flexcli.formulas.section import second_moment, shear_parameter
+from flexcli.numerics.rows import cos, isfinite, larger, number, one_by_one, sin
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.ends import ENDS
@@ -51,18 +52,24 @@ def pivot_critical(
     except ValueError as error:
         raise NotAvailable(f"is not held against that force: {error}") from error
 
-    def load(axial: float, shear: float) -> float:
+    def load(axial: float, shear: float, delta: float) -> float:
         if hold.hinged or hold.turn:
             named = "pinned-pinned" if hold.hinged else "clamped-clamped"
             return held_load(tensions=tensions, ends=named, axial=axial, shear=shear)
-        return turning_load(tensions=tensions, delta=p / l, axial=axial, shear=shear)
+        return turning_load(tensions=tensions, delta=delta, axial=axial, shear=shear)
 
-    strain = max(abs(t) for t in tensions)
+    strain = larger(abs(t) for t in tensions)
     first = SWAY * (1.0 + sway(angles=angles, shares=tensions) ** 2)
     known = hold.turn or _is_mirrored(angles, direction)
     how = "turns away or its blades bow" if not hold.turn else "its blades bow"
     return _critical(
-        elastic, sizes, load, strain, (first, first) if known else None, f"{hold.spoken}; {how}"
+        elastic,
+        sizes,
+        load,
+        p / l,
+        strain,
+        (first, first) if known else None,
+        f"{hold.spoken}; {how}",
     )
 
 
@@ -91,25 +98,27 @@ def row_critical(
             square = sum(y**2 for y in places) / blades if places is not None else 0.0
             tilt = (TILT * l**2 / (4.0 * square), 0.0) if square else None
 
-    def load(axial: float, shear: float) -> float:
+    def load(axial: float, shear: float, _: float) -> float:
         return blades * thick_load(ends=held, axial=axial, shear=shear) if push else inf
 
-    return _critical(elastic, sizes, load, 1.0 / blades, tilt, hold.spoken)
+    return _critical(elastic, sizes, load, 0.0, 1.0 / blades, tilt, hold.spoken)
 
 
 def _critical(
     elastic: Elastic,
     sizes: Blade,
-    load: Callable[[float, float], float],
+    load: Callable[[float, float, float], float],
+    delta: float,
     strain: float,
     changes: tuple[float, float] | None,
     spoken: str,
 ) -> Critical:
     """Return a load in units EI/l² as a force; ``changes`` are its errors over its strain."""
-    h, l, b = float(sizes.h), float(sizes.l), float(sizes.b)
+    h, l, b = number(sizes.h), number(sizes.l), number(sizes.b)
     axial, unit = (h / l) ** 2 / 12.0, elastic.E * second_moment(b, h) / l**2
     ratios = (0.0, 0.5) if elastic.nu is None else (elastic.nu,)
-    each = [load(axial, shear_parameter(depth=h, l=l, poisson_ratio=nu) / 12.0) for nu in ratios]
+    shear = [shear_parameter(depth=h, l=l, poisson_ratio=nu) / 12.0 for nu in ratios]
+    each = [one_by_one(load, axial, s, delta) for s in shear]
     F = (each[0] + each[-1]) / 2.0
     error = None
     if changes is not None and not isfinite(F):
@@ -117,10 +126,10 @@ def _critical(
     elif changes is not None:
         unsure = abs(each[0] - each[-1]) / (2.0 * F)
         low, high = (change * axial * strain * F + unsure + SAME for change in changes)
-        error = ErrorRange(-low, high) if max(low, high) < WIDE else None
+        error = ErrorRange(-low, high) if larger(low, high) < WIDE else None
     source = f"beams with shear and stretching, {spoken}"
     way = "in the plane"
-    return Critical(way, float(F * unit), source, strain / (h * b), error, CARRIED)
+    return Critical(way, number(F * unit), source, strain / (h * b), error, CARRIED)
 
 
 def _is_mirrored(angles: Sequence[float], direction: float) -> bool:

@@ -8,6 +8,7 @@ from flexcli.formulas import stage
 from flexcli.formulas.card import Card
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.layout import Body, Layout
+from flexcli.numerics.rows import number
 from flexcli.parts.base import Length, PositiveLength
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.straight import Straight
@@ -55,7 +56,7 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of guided blades."""
-        h, l, _ = map(float, self.blade(sizes))
+        h, l, _ = map(number, self.blade(sizes))
         return Straight(h=h, l=l, travel=travel, lever=lever(l, self.spacing))
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
@@ -113,7 +114,7 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         """Return the layout with blades as far apart as long where the spec does not say."""
         if self.spacing is not None:
             return self.layout(elastic, sizes)
-        return self.model_copy(update={"spacing": float(sizes.l)}).layout(elastic, sizes)
+        return self.model_copy(update={"spacing": number(sizes.l)}).layout(elastic, sizes)
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return how far the drive turns the stage at full stroke, and where it would not."""
@@ -124,6 +125,6 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
             E=elastic.E, h=h, l=l, b=b, places=self.places(), drive=self.drive, x=travel
         )
         return {
-            "phi_drive": Value(float(turn), "rad", "rotation of the stage at full stroke"),
-            "drive_best": Value(float(l) / 2.0, "m", "drive height that does not turn the stage"),
+            "phi_drive": Value(number(turn), "rad", "rotation of the stage at full stroke"),
+            "drive_best": Value(number(l) / 2.0, "m", "drive height that does not turn the stage"),
         }

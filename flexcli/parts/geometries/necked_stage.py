@@ -14,6 +14,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.formulas.section import axial_stress
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
+from flexcli.numerics.rows import number
 from flexcli.parts.base import PositiveLength, spec_error
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.straight import Necked
@@ -106,7 +107,7 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
 
     def bending(self, elastic: Elastic, sizes: NeckedSizes, travel: float) -> Bending:
         """Return that of guided blades that are stiff in the middle."""
-        h, l, xi = float(sizes.h), float(sizes.l), float(sizes.xi)
+        h, l, xi = number(sizes.h), number(sizes.l), number(sizes.xi)
         return Necked(h=h, l=l, travel=travel, xi=xi, lever=lever(l, self.spacing))
 
     def wide_blades(self, sizes: NeckedSizes, nu: float) -> WideBlades | None:
@@ -178,7 +179,7 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
         if not push:
             error = ErrorRange(0.0, 0.0)
             return Critical("in the plane", inf, source, stress, error, CARRIED)
-        strain = float(found.force) / (elastic.E * sizes.h * sizes.b)
+        strain = number(found.force) / (elastic.E * sizes.h * sizes.b)
         sheared = strain * 2.0 * (1.0 + (0.5 if elastic.nu is None else elastic.nu)) * 1.2
         known = ErrorRange(-sheared, strain) if hold.turn else None
         force = self.blades * found.force
@@ -190,7 +191,7 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
 
     def slenderness(self, sizes: NeckedSizes) -> float | None:
         """Return thickness over length of a hinge [-]."""
-        return float(sizes.h / sizes.l_c)
+        return number(sizes.h / sizes.l_c)
 
     def layout(self, elastic: Elastic, sizes: NeckedSizes) -> Layout:
         """Return the blades along x; the stage's point is at half their height."""
@@ -209,7 +210,7 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
         )
         return {
             "xi": Value(
-                float(sizes.xi), "", "share of the blade that bends, 2 l_c/l", estimated_error=0.0
+                number(sizes.xi), "", "share of the blade that bends, 2 l_c/l", estimated_error=0.0
             ),
-            "k_along": Value(float(along), "N/m", "stiffness along the blades at rest"),
+            "k_along": Value(number(along), "N/m", "stiffness along the blades at rest"),
         }

@@ -13,6 +13,7 @@ from flexcli.formulas.profile import Filleted, Notch, Profile, per_design
 from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
+from flexcli.numerics.rows import number
 from flexcli.parts.base import spec_error
 from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.arc import Arc
@@ -123,13 +124,13 @@ class NotchGeometry(Geometry):
 
     def wide_blades(self, sizes: Any, nu: float) -> WideBlades | None:
         """Return the factors of the throat."""
-        profile, length = self.profile(sizes._make(map(float, sizes)))
+        profile, length = self.profile(sizes._make(map(number, sizes)))
         throat, turn = self.throat(sizes)[0], self.stiffness(Elastic(1.0), sizes)
         return wide_notch(nu, profile, throat=throat, length=length, b=sizes.b, turn=turn)
 
     def turn(self, sizes: Any) -> float:
         """Return the rotational stiffness of the beam at E b = 1 [m²]."""
-        return float(self.stiffness(Elastic(1.0), sizes)) / float(sizes.b)
+        return number(self.stiffness(Elastic(1.0), sizes)) / number(sizes.b)
 
     def axial_share(self, direction: float) -> float:
         """Return 1: all of a force along the hinge goes through the throat."""
@@ -150,11 +151,11 @@ class NotchGeometry(Geometry):
 
     def slenderness(self, sizes: Any) -> float | None:
         """Return thickness of the throat over length of the hinge [-]."""
-        return float(self.throat(sizes)[0]) / self.length(sizes)
+        return number(self.throat(sizes)[0]) / self.length(sizes)
 
     def length(self, sizes: Any) -> float:
         """Return the length of the hinge [m]."""
-        return float(self.profile(sizes)[1])
+        return number(self.profile(sizes)[1])
 
     def layout(self, elastic: Elastic, sizes: Any) -> Layout:
         """Return the hinge along x, its middle in the origin."""
@@ -171,8 +172,8 @@ class NotchGeometry(Geometry):
         C = self.compliance(elastic, sizes)
         factor, _ = self.peaks(sizes)
         return {
-            "k_along": Value(float(1.0 / C[..., 0, 0]), "N/m", "stiffness along the hinge"),
-            "K_t": Value(float(factor), "", "stress concentration factor in the throat"),
+            "k_along": Value(number(1.0 / C[..., 0, 0]), "N/m", "stiffness along the hinge"),
+            "K_t": Value(number(factor), "", "stress concentration factor in the throat"),
         }
 
 

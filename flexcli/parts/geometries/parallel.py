@@ -1,9 +1,9 @@
 """What blades or limbs that stand side by side share: places, axial force, sag along the stroke."""
 
-from math import cos, sin
 from typing import ClassVar
 
 from flexcli.formulas.quantity import Computed
+from flexcli.numerics.rows import cos, sin
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 

@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from itertools import combinations
-from math import cos, pi, sin
+from math import pi
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -12,6 +12,7 @@ from flexcli.formulas.card import Card
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.thick_blades import s_bending_share
 from flexcli.mechanics.layout import Body, Layout, Point
+from flexcli.numerics.rows import cos, larger, number, sin
 from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.bending import Bending, WideBlades
@@ -123,7 +124,7 @@ class PivotFormulas(CentredBlades):
 
     def s_bending_share(self, sizes: Blade) -> float:
         """Return 3(1 + 2δ)²/(1 + 3(1 + 2δ)²): the rest is uniform bending, free of shear."""
-        return float(s_bending_share(self.offset(sizes) / sizes.l))
+        return number(s_bending_share(self.offset(sizes) / sizes.l))
 
     def axial_share(self, direction: float) -> float:
         """Return the largest axial force in a blade per force on the pivot in its plane [-]."""
@@ -133,19 +134,19 @@ class PivotFormulas(CentredBlades):
         self, elastic: Elastic, sizes: Blade, ends: str, direction: float
     ) -> Critical:
         """Return the force at the centre at which the pivot turns away or a blade bows [N]."""
-        p = float(self.offset(sizes))
+        p = number(self.offset(sizes))
         return pivot_critical(elastic, sizes, p, self.blade_angles, ends, direction)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
         """Return the factors of its blades; several directions have no one shift."""
-        delta = float(self.offset(sizes)) / float(sizes.l)
+        delta = number(self.offset(sizes)) / number(sizes.l)
         return wide_pivot(sizes, nu, delta=delta, pair=False, sags_wide=self.sag_bends_width)
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return δ."""
         return {
             "delta": Value(
-                float(self.offset(sizes) / sizes.l),
+                number(self.offset(sizes) / sizes.l),
                 "",
                 "place of the centre, p/l",
                 estimated_error=0.0,
@@ -176,18 +177,18 @@ class PairFormulas(PivotFormulas, BladePair):
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of two blades from one plane to another."""
-        h, l, _ = map(float, self.blade(sizes))
-        p = float(self.offset(sizes))
+        h, l, _ = map(number, self.blade(sizes))
+        p = number(self.offset(sizes))
         return Pair(h=h, l=l, p=p, theta=travel, half_angle=self.half_angle)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
         """Return the factors of its blades, that of the shift along the bisector with them."""
-        delta = float(self.offset(sizes)) / float(sizes.l)
+        delta = number(self.offset(sizes)) / number(sizes.l)
         return wide_pivot(sizes, nu, delta=delta, pair=True)
 
     def shift_change(self, sizes: Blade, pure: float, bent: float) -> float | None:
         """Return that of 5 − 9γ², of which −5/2 and −9γ² are the shortenings of both shapes."""
-        square = (1.0 + 2.0 * float(self.offset(sizes)) / float(sizes.l)) ** 2
+        square = (1.0 + 2.0 * number(self.offset(sizes)) / number(sizes.l)) ** 2
         left = 5.0 - 9.0 * square
         return -(2.5 * pure + 9.0 * square * bent) / left if left else None
 
@@ -204,7 +205,7 @@ class PairFormulas(PivotFormulas, BladePair):
                 h=h, l=l, p=p, theta=travel, half_angle=self.half_angle, poisson_ratio=elastic.nu
             )
         text = "parasitic shift across the bisector, by θ³ and by stretching"
-        return {**found, "shift_across": Value(abs(float(across)), "m", text)}
+        return {**found, "shift_across": Value(abs(number(across)), "m", text)}
 
 
 def on_ray(angle: float, reach: tuple[Quantity, Quantity]) -> tuple[Point, Point]:
@@ -216,6 +217,6 @@ def on_ray(angle: float, reach: tuple[Quantity, Quantity]) -> tuple[Point, Point
 def largest_share(angles: tuple[float, ...], direction: float) -> float:
     """Return the largest axial force in a blade per force on the centre in the plane [-]."""
     try:
-        return max(abs(share) for share in pivot.axial_share(angles, direction))
+        return larger(abs(share) for share in pivot.axial_share(angles, direction))
     except ValueError as error:
         raise NotAvailable("has blades too parallel to share a force") from error

@@ -8,6 +8,7 @@ from flexcli.formulas.hinge_shift import BLADE_CARDS, blade_shift
 from flexcli.formulas.quantity import Computed
 from flexcli.formulas.stage import shortening
 from flexcli.mechanics.layout import Body, Layout, Point
+from flexcli.numerics.rows import number
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.arc import Arc
 from flexcli.parts.bending.straight import Straight
@@ -81,7 +82,7 @@ class Cantilever(SagsAlongStroke, _SingleBlade):
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of half a guided blade."""
-        h, l, _ = map(float, self.blade(sizes))
+        h, l, _ = map(number, self.blade(sizes))
         return Straight(h=h, l=l, travel=travel, halves=2)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
@@ -116,7 +117,7 @@ class GuidedBlade(_SingleBlade):
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of a guided blade."""
-        h, l, _ = map(float, self.blade(sizes))
+        h, l, _ = map(number, self.blade(sizes))
         return Straight(h=h, l=l, travel=travel)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:

@@ -6,6 +6,7 @@ from pydantic import Field, model_validator
 
 from flexcli.formulas import pivot
 from flexcli.formulas.quantity import Computed
+from flexcli.numerics.rows import number
 from flexcli.parts.base import Angle, Length, QuantityOf, spec_error
 from flexcli.parts.bending import Bending
 from flexcli.parts.bending.star import Star
@@ -21,8 +22,8 @@ class StarFormulas(PivotFormulas):
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of blades in any directions."""
-        h, l, _ = map(float, self.blade(sizes))
-        p = float(self.offset(sizes))
+        h, l, _ = map(number, self.blade(sizes))
+        p = number(self.offset(sizes))
         return Star(h=h, l=l, p=p, theta=travel, angles=self.blade_angles)
 
 

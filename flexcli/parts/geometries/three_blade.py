@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal
 from flexcli.formulas import pivot, three_blade
 from flexcli.formulas.card import Card
 from flexcli.formulas.quantity import Computed
+from flexcli.numerics.rows import number
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Blade
@@ -64,4 +65,4 @@ class ThreeBladePivot(StarFormulas, BladePivot):
             E=elastic.E, G=elastic.shear, h=h, l=l, b=b, blades=self.blade_count
         )
         text = "stiffness along z with the shear across the width"
-        return {**found, "k_z_shear": Value(float(stiffness), "N/m", text)}
+        return {**found, "k_z_shear": Value(number(stiffness), "N/m", text)}

@@ -9,6 +9,7 @@ from flexcli.formulas import unseparated as joined
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.layout import Body, Layout
+from flexcli.numerics.rows import number, smaller
 from flexcli.parts.base import QuantityOf, spec_error
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.joined import Joined
@@ -66,7 +67,7 @@ class UnseparatedPivot(BladePair):
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
         """Return that of two pivots in series."""
-        h, l, _ = map(float, self.blade(sizes))
+        h, l, _ = map(number, self.blade(sizes))
         return Joined(h=h, l=l, crossing=self.crossing, theta=travel, half_angle=self.half_angle)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
@@ -89,7 +90,7 @@ class UnseparatedPivot(BladePair):
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in, with l/h of the shorter part."""
-        part = min(self.crossing, 1.0 - self.crossing) * sizes.l / sizes.h
+        part = smaller(self.crossing, 1.0 - self.crossing) * sizes.l / sizes.h
         return {**super().indicators(sizes, travel), "part l/h": part}
 
     def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
@@ -116,9 +117,9 @@ class UnseparatedPivot(BladePair):
         stroke = stress / self.end_stresses(elastic, sizes, 1.0)["crossing"]
         return {
             "stiffness_ratio": Value(
-                float(stiffer), "", "stiffness over that of the same blades, separated"
+                number(stiffer), "", "stiffness over that of the same blades, separated"
             ),
             "stroke_ratio": Value(
-                float(stroke), "", "stroke over that of the same blades, separated"
+                number(stroke), "", "stroke over that of the same blades, separated"
             ),
         }

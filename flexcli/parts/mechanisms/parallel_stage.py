@@ -14,6 +14,7 @@ from flexcli.formulas.transfer import natural_frequency
 from flexcli.mechanics import parallel_stage as planar
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.mechanics.single_freedom import Expansion, SingleFreedom, expand
+from flexcli.numerics.rows import number
 from flexcli.parts.base import Angle, Mass, QuantityOf, Shorthand, spec_error
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
@@ -382,7 +383,7 @@ class ParallelStage(Mechanism):
         motion[[2, 5]], motion[6] = -1.0 / self.height, 1.0
         size = light.mass.shape[0]
         motion[size:] = 0.0
-        return float(motion @ heavy.mass @ motion - motion[:size] @ light.mass @ motion[:size])
+        return number(motion @ heavy.mass @ motion - motion[:size] @ light.mass @ motion[:size])
 
     def hanging_mass(self) -> float:
         """Refuse: the sag of a parallel stage depends on how it stands."""
@@ -390,7 +391,7 @@ class ParallelStage(Mechanism):
 
     def values(self, joint_stiffness: float, geometry: Geometry) -> dict[str, Value]:
         """Return equivalent stiffness, masses and frequencies before and after balancing."""
-        k_eq = float(self.mode(joint_stiffness, geometry).stiffness)
+        k_eq = number(self.mode(joint_stiffness, geometry).stiffness)
         init, final = (self.equivalent_mass(balanced=on) for on in (False, True))
         found = self.balance_values() if self.coupling_limit() is not None else {}
         found |= self.mass_values()

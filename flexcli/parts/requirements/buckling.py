@@ -7,6 +7,7 @@ import numpy as np
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, johnson_stress
 from flexcli.formulas.quantity import Computed
+from flexcli.numerics.rows import number
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.material import Material
@@ -99,15 +100,15 @@ def borne(critical: Critical, material: Material) -> tuple[Computed, str]:
         return force, ""
     if isinstance(critical.stress, float) and critical.stress == 0.0:  # across the blades
         return force, ""
-    strength = float(given.value)
+    strength = number(given.value)
     stress = np.asarray(critical.stress, dtype=np.float64)
     elastic = np.asarray(force, dtype=np.float64) * stress
     found = johnson_stress(elastic, strength) / stress
     if np.ndim(found):
         return found, ""
-    if float(elastic) <= strength / 2.0:
+    if number(elastic) <= strength / 2.0:
         return force, ""
-    return float(found), "; blades yield first, J. B. Johnson's parabola"
+    return number(found), "; blades yield first, J. B. Johnson's parabola"
 
 
 def _error(critical: Critical, material: Material) -> ErrorRange | None:
@@ -115,9 +116,9 @@ def _error(critical: Critical, material: Material) -> ErrorRange | None:
     if critical.error is None:
         return None
     middle, _ = borne(critical, material)
-    if not np.isfinite(float(middle)):
+    if not np.isfinite(number(middle)):
         return critical.error
     ends = (borne(critical._replace(force=critical.force * (1.0 + e)), material)[0]
             for e in critical.error)  # fmt: skip
-    low, high = (float(end) / float(middle) - 1.0 for end in ends)
+    low, high = (number(end) / number(middle) - 1.0 for end in ends)
     return ErrorRange(low, high)

@@ -1,10 +1,11 @@
 """Closed forms that judge: those of the sources, and better ones where the sources' are rough."""
 
 from collections.abc import Iterator
-from math import isfinite, pi, remainder
+from math import pi, remainder
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.section import shear_parameter
+from flexcli.numerics.rows import Rows, isfinite, larger, number
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.ends import ENDS
@@ -34,7 +35,7 @@ class ClosedForm(AsPrinted):
 
         Where there is no form of the joint's own, those of its most loaded blade alone.
         """
-        if not all(isinstance(size, float) for size in ask.sizes):
+        if not all(isinstance(size, float | Rows) for size in ask.sizes):
             return super().critical(ask)
         try:
             return tuple(_each(ask))
@@ -96,11 +97,11 @@ def least_blade_force(ask: Ask) -> Critical:
             )
         except NotAvailable:
             continue
-        if joint.stress is not None and isfinite(float(joint.force)):
+        if joint.stress is not None and isfinite(number(joint.force)):
             found.append(joint._replace(force=joint.force * joint.stress / per_force))
     if not found:
         found = list(ask.geometry.critical(elastic, ask.sizes, ends))
-    least = min(found, key=lambda critical: float(critical.force))
+    least = min(found, key=lambda critical: number(critical.force))
     return least._replace(stress=per_force)
 
 
@@ -119,14 +120,14 @@ def across_width(ask: Ask) -> Iterator[Critical]:
     for critical in found:
         if critical.way != ACROSS_WIDTH or isinstance(critical.force, Signomial):
             continue
-        h, l, b = (float(size) for size in blade)
+        h, l, b = (number(size) for size in blade)
         phi = shear_parameter(depth=b, l=l, poisson_ratio=0.5 if elastic.nu is None else elastic.nu)
-        n = float(critical.force) * 12.0 * l**2 / (elastic.E * h * b**3)
+        n = number(critical.force) * 12.0 * l**2 / (elastic.E * h * b**3)
         softer = n * phi / 12.0 / (1.0 + n * phi / 12.0)
         least = EFFECTIVE_LENGTH[scene.ends] / STIFFEST
         high = 0.0 if ENDS[scene.ends].hinged else least**2 - 1.0
         stress = scene.axial_share / (h * b)
         force = critical.force / scene.axial_share
         low = (1.0 - softer) / (1.0 + ask.clamps_give) - 1.0
-        error = ErrorRange(low, max(high, 0.0))
+        error = ErrorRange(low, larger(high, 0.0))
         yield Critical(ACROSS_WIDTH, force, critical.source, stress, error)

@@ -1,0 +1,332 @@
+"""Numbers of many designs at once, which go through code that is written for one design.
+
+A :class:`Rows` stands where a design has a number: arithmetic is done for all designs together,
+and where the code decides by a number, all of them must decide alike. Where they do not,
+:class:`Diverged` ends the pass, and :func:`each_alike` begins one for the designs on either side.
+So a design takes the very way that it would take alone; what cannot be done for many raises
+``TypeError``, never takes one design's number for all.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from contextvars import ContextVar
+from dataclasses import fields, is_dataclass, replace
+from functools import reduce
+from typing import Any, TypeAlias, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = [
+    "Diverged",
+    "Rows",
+    "all_of_each",
+    "atan2",
+    "copysign",
+    "cos",
+    "each_alike",
+    "exp",
+    "found_once",
+    "hypot",
+    "is_of_many",
+    "isfinite",
+    "larger",
+    "largest_of_each",
+    "log",
+    "number",
+    "of_each",
+    "one_alone",
+    "one_by_one",
+    "over_states",
+    "sin",
+    "smaller",
+    "sqrt",
+    "states_of",
+    "tan",
+]
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.intp]
+Bools = NDArray[np.bool_]
+Number: TypeAlias = Any
+"""A float, or the :class:`Rows` of many designs."""
+
+Answer = TypeVar("Answer")
+
+LENGTH = 131
+"""Designs of a pass at least: fewer are filled up by the last. More than any list of places,
+directions or nodes that a formula goes through, so that none is taken for a list of designs."""
+
+FEW = 3
+"""Designs that each had better be done alone."""
+
+
+class Diverged(Exception):
+    """Designs decide differently: ``which`` take the way of true (designs,)."""
+
+    def __init__(self, which: Bools) -> None:
+        super().__init__("designs take different ways")
+        self.which = which
+
+
+class Rows(NDArray[np.float64]):
+    """A number of each of many designs (designs,)."""
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @classmethod
+    def of(cls, numbers: Any) -> "Rows":
+        """Return numbers, one a design."""
+        return np.asarray(numbers).view(cls)
+
+    def __bool__(self) -> bool:
+        if self.ndim != 1:
+            raise TypeError("numbers of designs in an array have no truth")
+        which = np.asarray(self) != 0
+        first = bool(which[0])
+        if bool((which == first).all()):
+            return first
+        raise Diverged(which)
+
+    def __eq__(self, other: object) -> Any:
+        if isinstance(other, np.ndarray) and other.shape != self.shape:
+            return False  # of another pass
+        return super().__eq__(other)
+
+    def __ne__(self, other: object) -> Any:
+        if isinstance(other, np.ndarray) and other.shape != self.shape:
+            return True
+        return super().__ne__(other)
+
+    def _refuse(self, *_: Any) -> Any:
+        raise TypeError("many designs have no single number")
+
+    __float__ = __int__ = __index__ = __complex__ = __iter__ = __len__ = _refuse
+
+    def __format__(self, _: str) -> str:
+        return "…"  # of many designs, in words that are told of none
+
+    __str__ = __repr__ = lambda _: "…"
+
+    def __getitem__(self, key: Any) -> Any:
+        keys = key if isinstance(key, tuple) else (key,)
+        if all(each is None or each is Ellipsis or each == slice(None) for each in keys):
+            return np.asarray(self)[key]  # with further axes, of what a formula goes through
+        return self._refuse()
+
+    def _itself(self, *_: Any, **how: Any) -> Any:
+        """Return itself: of one design there is one, the largest and the sum of all."""
+        return self if self.ndim == 1 else self._refuse()
+
+    any = all = max = min = sum = mean = item = _itself
+
+
+def number(value: Any) -> Number:
+    """Return a value as a float, or as the numbers of many designs that it is of."""
+    return Rows.of(value) if is_of_many(value) else float(value)
+
+
+def of_each(values: Floats) -> Number:
+    """Return the number of one design, of an array (designs,) of them, or those of many."""
+    return Rows.of(values) if len(values) > 1 else float(values[0])
+
+
+def states_of(values: Floats) -> Floats:
+    """Return an array (states·designs, …) as (states, designs, …); of one design as it is."""
+    now = _PASS.get()
+    if now is None or len(values) % now.designs:
+        return values
+    return values.reshape(-1, now.designs, *values.shape[1:])
+
+
+def all_of_each(truths: Bools) -> Number:
+    """Return whether an array (states·designs,) is true in all states."""
+    found = states_of(truths).all(axis=0)
+    return Rows.of(found) if found.ndim else bool(found)
+
+
+def largest_of_each(values: Floats) -> Number:
+    """Return the largest of an array (states, places), or (states, designs, places) of many."""
+    return number(values.max(axis=(0, -1)))
+
+
+def is_of_many(value: Any) -> bool:
+    """Return whether a number is one of many designs."""
+    return isinstance(value, np.ndarray) and value.ndim > 0
+
+
+def _of_either(plain: Callable[..., Any], many: Callable[..., Any]) -> Callable[..., Number]:
+    """Return a function of floats by the standard library, of many designs by NumPy."""
+
+    def function(*values: Number) -> Number:
+        if any(map(is_of_many, values)):
+            return Rows.of(many(*values))
+        return plain(*values)
+
+    return function
+
+
+cos = _of_either(math.cos, np.cos)
+sin = _of_either(math.sin, np.sin)
+tan = _of_either(math.tan, np.tan)
+sqrt = _of_either(math.sqrt, np.sqrt)
+exp = _of_either(math.exp, np.exp)
+log = _of_either(math.log, np.log)
+copysign = _of_either(math.copysign, np.copysign)
+hypot = _of_either(math.hypot, np.hypot)
+atan2 = _of_either(math.atan2, np.arctan2)
+isfinite = _of_either(math.isfinite, np.isfinite)
+
+
+def larger(*values: Any) -> Number:
+    """Return the largest of numbers, or of those that a single one goes through."""
+    return _reduced(max, np.maximum, values)
+
+
+def smaller(*values: Any) -> Number:
+    """Return the smallest of numbers, or of those that a single one goes through."""
+    return _reduced(min, np.minimum, values)
+
+
+def _reduced(plain: Callable[[Any], Any], many: Any, values: tuple[Any, ...]) -> Number:
+    each = tuple(values[0]) if len(values) == 1 else values
+    return Rows.of(reduce(many, each)) if any(map(is_of_many, each)) else plain(each)
+
+
+class _Pass:
+    """What a pass over designs has found at length, so that a later one of some of them has it."""
+
+    def __init__(self, designs: int, known: "list[tuple[int, Any]]") -> None:
+        self.designs = designs
+        self.known = known
+        self.place = self.depth = 0
+
+    def of(self, find: Callable[[], Answer]) -> Answer:
+        """Return an answer, found once on the way that all its designs took."""
+        begun = self.place
+        if begun < len(self.known) and self.known[begun][0] == self.depth:
+            self.place += 1
+            return self.known[begun][1]
+        self.depth += 1
+        try:
+            found = find()
+        finally:
+            self.depth -= 1
+        # in the place of what was found on the way to it
+        self.known[begun:] = [(self.depth, found)]
+        self.place = begun + 1
+        return found
+
+    def of_some(self, which: Integers) -> "list[tuple[int, Any]]":
+        """Return what is known of some of the designs."""
+        return [(depth, _taken(each, which, self.designs)) for depth, each in self.known]
+
+
+_PASS: ContextVar[_Pass | None] = ContextVar("_PASS", default=None)
+
+
+def found_once(find: Callable[[], Answer]) -> Answer:
+    """Return what takes long to find: numbers, or tuples and lists of them.
+
+    A pass that ends since its designs take different ways leaves it to those after it.
+    """
+    now = _PASS.get()
+    return find() if now is None else now.of(find)
+
+
+def one_by_one(find: Callable[..., Any], *numbers: Number) -> Any:
+    """Return what a function of floats finds: of many designs for each set of numbers once.
+
+    It gives a float, or a tuple of them.
+    """
+    if not any(map(is_of_many, numbers)):
+        return find(*numbers)
+    table = np.stack(np.broadcast_arrays(*(np.asarray(x, np.float64) for x in numbers)), axis=-1)
+    each, place = np.unique(table, axis=0, return_inverse=True)
+    found = [find(*row) for row in each.tolist()]
+    if isinstance(found[0], tuple):
+        kind = type(found[0])
+        columns = (Rows.of(np.array(column)[place]) for column in zip(*found, strict=True))
+        return kind(*columns) if hasattr(kind, "_fields") else tuple(columns)
+    return Rows.of(np.array(found)[place])
+
+
+def one_alone() -> None:
+    """Raise ``TypeError`` in a pass over many designs: what follows is written for one."""
+    if _PASS.get() is not None:
+        raise TypeError("is found for one design alone")
+
+
+def _taken(value: Any, which: Integers, designs: int) -> Any:
+    """Return of a value of so many designs, whatever it is made of, what is of some of them."""
+    if isinstance(value, np.ndarray):
+        return (
+            value.take(which, axis=0) if value.ndim and len(np.asarray(value)) == designs else value
+        )
+    if isinstance(value, list):
+        return [_taken(each, which, designs) for each in value]
+    if isinstance(value, tuple):
+        each = (_taken(x, which, designs) for x in value)
+        return type(value)(*each) if hasattr(value, "_fields") else tuple(each)
+    if isinstance(value, dict):
+        return {name: _taken(each, which, designs) for name, each in value.items()}
+    if is_dataclass(value) and not isinstance(value, type):
+        each = {field.name: getattr(value, field.name) for field in fields(value)}
+        return replace(value, **_taken(each, which, designs))
+    return value
+
+
+def over_states(states: int, *values: Any) -> tuple[int, tuple[Any, ...]]:
+    """Return of how many designs values are, and them for each state of each (states·designs, …).
+
+    Values of one design are left as they are.
+    """
+    now = _PASS.get()
+    if now is None:
+        return 1, values
+    which = np.tile(np.arange(now.designs), states)
+    found = tuple(_taken(value, which, now.designs) for value in values)
+    return now.designs, found
+
+
+def each_alike(
+    do: Callable[[Integers], Answer], designs: int
+) -> Iterator[tuple[Integers, Answer | None]]:
+    """Yield the places of designs that take the same way, and the answer of a pass over them.
+
+    ``do`` is given places, some more than once. No answer is there for so few that each had better
+    be done alone, nor where something cannot be done for many.
+    """
+    todo: list[tuple[Integers, list[tuple[int, Any]]]] = [(np.arange(designs), [])]
+    while todo:
+        which, known = todo.pop()
+        if len(which) <= FEW:
+            yield which, None
+            continue
+        some = _filled_up(which)
+        now = _Pass(len(some), known)
+        try:
+            answer = _passed(do, some, now)
+        except Diverged as ways:
+            for side in (ways.which, ~ways.which):
+                there = np.flatnonzero(side[: len(which)])
+                todo.append((which[there], now.of_some(_filled_up(there))))
+        except Exception:  # noqa: BLE001 - whatever it is, each design alone tells
+            yield which, None
+        else:
+            yield which, answer
+
+
+def _passed(do: Callable[[Integers], Answer], some: Integers, now: _Pass) -> Answer:
+    """Return the answer of a pass; what is no number or without end ends it."""
+    token = _PASS.set(now)
+    try:
+        with np.errstate(divide="raise", over="raise", invalid="raise"):
+            return do(some)
+    finally:
+        _PASS.reset(token)
+
+
+def _filled_up(which: Integers) -> Integers:
+    """Return places, the last of them again and again where they are few."""
+    return np.pad(which, (0, max(0, LENGTH - len(which))), mode="edge")
