@@ -115,7 +115,7 @@ class Portable(NamedTuple):
         document = spec.document
         return cls(document.text, document.file, document.changed)
 
-    def at(self, point: Mapping[str, str]) -> Loaded:
+    def at(self, point: Mapping[str, Any]) -> Loaded:
         """Return the spec with the values of a point, or raise SpecError."""
         document = parse_document(self.text, self.file)
         return validated(document, Path(self.file).parent, {**self.changed, **point})

@@ -82,10 +82,11 @@ def _passes(
         def judged(which: NDArray[np.intp], places: NDArray[np.intp] = places) -> Result:
             one_of = points[places[0]]
             texts = {name: [points[i][name] for i in places[which]] for name in one_of}
-            spec = source.at(
-                {name: Texts(all_) if number_and_unit(one_of[name]) else one_of[name]
-                 for name, all_ in texts.items()}
-            )  # fmt: skip
+            point: dict[str, Any] = {
+                name: Texts(each) if number_and_unit(one_of[name]) else one_of[name]
+                for name, each in texts.items()
+            }
+            spec = source.at(point)
             if spec.part.geometry.free or spec.part.stops is not None:
                 one_alone()
             return api.verdicts(spec, model=model)

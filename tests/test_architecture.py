@@ -30,7 +30,7 @@ LAYERS = {
     "report": BASE,
     "spectra": BASE | {"spec", "engine"},
     "api": BASE | {"parts", "spec", "engine", "report", "spectra"},
-    "study": BASE | {"api"},
+    "study": BASE | {"numerics", "parts", "api"},
     "cli": BASE | {"parts", "spec", "engine", "report", "api", "study"},
     "": {"api"},
 }

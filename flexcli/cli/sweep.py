@@ -258,7 +258,8 @@ class _Sweep:
         self.asked, self.output, self.shown = asked, output, shown
         self.points = points_of(asked)
         self.rows: list[Row] = []
-        self.task = partial(rows_of, Portable.of(spec), asked.each, model)
+        self.made_by = Portable.of(spec), asked.each, model
+        self.task = partial(rows_of, *self.made_by)
         self.jobs, self.scheduler = jobs, scheduler
         self.kept = _kept(output) if resume and output is not None and output.exists() else {}
         self.may_replace = force or resume
@@ -294,7 +295,7 @@ class _Sweep:
         from flexcli.cli.jobs import over, usual_jobs
         from flexcli.study import block_of, shared
 
-        size = block_of(*self.task.args, self.points)
+        size = block_of(*self.made_by, self.points)
         if size == 1 and self.scheduler:  # which has many tasks
             size = max(1, min(BLOCK, len(self.points) // EACH))
         blocks = [self.points[start : start + size] for start in range(0, len(self.points), size)]

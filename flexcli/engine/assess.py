@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from math import inf
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +12,6 @@ from flexcli.numerics.rows import Rows, is_of_many
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.requirements import Limit
 from flexcli.results import Check, Verdict
-
-Floats = NDArray[np.float64]
 
 __all__ = [
     "CHUNK",
@@ -134,44 +132,37 @@ class _OfMany(NamedTuple):
     ``order`` is what decides between limits of one verdict, whose ``rank`` comes first.
     """
 
-    demand: Floats
-    capacity: Floats
-    factor: Floats
-    known: NDArray[np.bool_]
-    least: Floats
-    most: Floats
-    rank: NDArray[np.intp]
-    order: Floats
+    demand: NDArray[Any]
+    capacity: NDArray[Any]
+    factor: NDArray[Any]
+    known: NDArray[Any]
+    least: NDArray[Any]
+    most: NDArray[Any]
+    rank: NDArray[Any]
+    order: NDArray[Any]
 
 
 def _of_many(limit: Limit) -> _OfMany:
     root, asked = 1.0 / limit.power, required(limit)
     demand, capacity = np.asarray(limit.demand), np.asarray(limit.capacity)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        size = (np.abs(capacity) / demand) ** root
-        plain = np.where(demand > 0.0, np.sign(capacity) * size, np.inf)
-        found = plain
-        if limit.tolerance is not None:
-            found = np.where(plain > 0.0, np.minimum(plain, 1.0 / plain), plain)
-        least, most = (np.full(found.shape, np.nan),) * 2
+    plain = _factors(replace(limit, tolerance=None))
+    found = plain if limit.tolerance is None else _factors(limit)
+    least = most = np.full(found.shape, np.nan)
+    with np.errstate(divide="ignore", invalid="ignore"):
         if limit.error is not None:
             low, high = (np.maximum(1.0 + np.asarray(error), 0.0) for error in limit.error)
-            if limit.in_capacity:
-                ends = plain * low, plain * high
-            else:
-                ends = tuple(np.where(e > 0.0, plain / e, np.inf) for e in (high, low))
-            least, most = np.minimum(*ends), np.maximum(*ends)
+            one, other = plain * low, plain * high
+            if not limit.in_capacity:
+                one, other = (np.where(e > 0.0, plain / e, np.inf) for e in (high, low))
+            least, most = np.minimum(one, other), np.maximum(one, other)
             if limit.tolerance is not None:
                 inside = np.minimum(least, 1.0 / least), np.minimum(most, 1.0 / most)
                 beyond = np.where((least <= 1.0) & (most >= 1.0), 1.0, np.maximum(*inside))
-                zero = least <= 0.0
-                capped = np.clip(most, 0.0, 1.0)
-                least = np.where(zero, 0.0, np.minimum(*inside))
-                most = np.where(zero, capped, beyond)
+                most = np.where(least <= 0.0, np.clip(most, 0.0, 1.0), beyond)
+                least = np.where(least <= 0.0, 0.0, np.minimum(*inside))
     enough, is_known = asked * (1.0 - ROUNDING), limit.error is not None
     rank = np.where(most >= enough, Verdict.UNDECIDED.rank, Verdict.FAIL.rank)
     rank = np.where(least >= enough, Verdict.PASS.rank, rank)
-    rank = rank if is_known else np.full(rank.shape, Verdict.UNDECIDED.rank)
     return _OfMany(
         np.maximum(demand, 0.0) ** root,
         np.sign(capacity) * np.abs(capacity) ** root,
@@ -179,7 +170,7 @@ def _of_many(limit: Limit) -> _OfMany:
         np.full(found.shape, is_known),
         least,
         most,
-        rank,
+        rank if is_known else np.full(rank.shape, Verdict.UNDECIDED.rank),
         least if is_known else found,
     )
 
@@ -253,16 +244,18 @@ def factors(design: DesignSpec, **sizes: NDArray[np.float64]) -> dict[str, NDArr
             design.geometry.sized({name: x[part] for name, x in flat.items()})
         ):
             margins = found.setdefault(limit.name, np.full(size, np.inf))
-            np.minimum(margins[part], _margin(limit), out=margins[part])
+            np.minimum(margins[part], _factors(limit) / required(limit), out=margins[part])
     return {name: margins.reshape(shape) for name, margins in found.items()}
 
 
-def _margin(limit: Limit) -> NDArray[np.float64]:
+def _factors(limit: Limit) -> NDArray[np.float64]:
+    """Return the factor of safety of many designs, as :func:`factor` does of one."""
     demand = np.asarray(limit.demand, dtype=np.float64)
     capacity = np.asarray(limit.capacity, dtype=np.float64)
     with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = np.where(demand > 0.0, np.abs(capacity) / demand, np.inf)
-    ratio = np.copysign(ratio if limit.power == 1 else ratio ** (1.0 / limit.power), capacity)
-    if limit.tolerance is not None:
-        ratio = np.minimum(ratio, 1.0 / ratio)
-    return np.asarray(ratio / required(limit))
+        ratio = np.abs(capacity) / demand
+        ratio = ratio if limit.power == 1 else ratio ** (1.0 / limit.power)
+        ratio = np.where(demand <= 0.0, np.inf, np.copysign(ratio, capacity))
+        if limit.tolerance is not None:
+            ratio = np.where(ratio > 0.0, np.minimum(ratio, 1.0 / ratio), ratio)
+    return ratio

@@ -102,7 +102,7 @@ def planar_compliance(
             break
     else:
         raise ArithmeticError(f"the profile is too sharp for {_MOST_NODES} nodes to a piece")
-    along, across, coupling, turn = sums / (E * b)
+    along, across, coupling, turn = sums / np.asarray(E * b)
     C = np.zeros((*along.shape, 3, 3))
     C[..., 0, 0], C[..., 1, 1], C[..., 2, 2] = along, across, turn
     C[..., 1, 2] = C[..., 2, 1] = coupling

@@ -8,7 +8,7 @@ So a design takes the very way that it would take alone; what cannot be done for
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from dataclasses import fields, is_dataclass, replace
 from functools import reduce
@@ -48,8 +48,8 @@ __all__ = [
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 Bools = NDArray[np.bool_]
-Number: TypeAlias = Any
-"""A float, or the :class:`Rows` of many designs."""
+Number: TypeAlias = float
+"""A float; of many designs their :class:`Rows`, which code takes as it takes a float."""
 
 Answer = TypeVar("Answer")
 
@@ -72,10 +72,10 @@ class Diverged(Exception):
 class Rows(NDArray[np.float64]):
     """A number of each of many designs (designs,)."""
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None
 
     @classmethod
-    def of(cls, numbers: Any) -> "Rows":
+    def of(cls, numbers: Any) -> Any:
         """Return numbers, one a design."""
         return np.asarray(numbers).view(cls)
 
@@ -123,15 +123,16 @@ class Rows(NDArray[np.float64]):
 
 def number(value: Any) -> Number:
     """Return a value as a float, or as the numbers of many designs that it is of."""
-    return Rows.of(value) if is_of_many(value) else float(value)
+    found: Number = Rows.of(value) if is_of_many(value) else float(value)
+    return found
 
 
 def of_each(values: Floats) -> Number:
     """Return the number of one design, of an array (designs,) of them, or those of many."""
-    return Rows.of(values) if len(values) > 1 else float(values[0])
+    return number(values) if len(values) > 1 else float(values[0])
 
 
-def states_of(values: Floats) -> Floats:
+def states_of(values: NDArray[Any]) -> NDArray[Any]:
     """Return an array (states·designs, …) as (states, designs, …); of one design as it is."""
     now = _PASS.get()
     if now is None or len(values) % now.designs:
@@ -142,7 +143,7 @@ def states_of(values: Floats) -> Floats:
 def all_of_each(truths: Bools) -> Number:
     """Return whether an array (states·designs,) is true in all states."""
     found = states_of(truths).all(axis=0)
-    return Rows.of(found) if found.ndim else bool(found)
+    return bool(found) if found.ndim == 0 else number(found)
 
 
 def largest_of_each(values: Floats) -> Number:
@@ -155,12 +156,13 @@ def is_of_many(value: Any) -> bool:
     return isinstance(value, np.ndarray) and value.ndim > 0
 
 
-def _of_either(plain: Callable[..., Any], many: Callable[..., Any]) -> Callable[..., Number]:
+def _of_either(plain: Callable[..., Answer], many: Callable[..., Any]) -> Callable[..., Answer]:
     """Return a function of floats by the standard library, of many designs by NumPy."""
 
-    def function(*values: Number) -> Number:
+    def function(*values: Any) -> Answer:
         if any(map(is_of_many, values)):
-            return Rows.of(many(*values))
+            found: Answer = Rows.of(many(*values))
+            return found
         return plain(*values)
 
     return function
@@ -190,48 +192,41 @@ def smaller(*values: Any) -> Number:
 
 def _reduced(plain: Callable[[Any], Any], many: Any, values: tuple[Any, ...]) -> Number:
     each = tuple(values[0]) if len(values) == 1 else values
-    return Rows.of(reduce(many, each)) if any(map(is_of_many, each)) else plain(each)
+    found: Number = Rows.of(reduce(many, each)) if any(map(is_of_many, each)) else plain(each)
+    return found
 
 
 class _Pass:
-    """What a pass over designs has found at length, so that a later one of some of them has it."""
+    """A pass over so many designs, and what was found at length: by name, and about what."""
 
-    def __init__(self, designs: int, known: "list[tuple[int, Any]]") -> None:
+    def __init__(self, designs: int, known: Sequence[tuple[str, Any, Any]]) -> None:
         self.designs = designs
-        self.known = known
-        self.place = self.depth = 0
+        self.known = list(known)
 
-    def of(self, find: Callable[[], Answer]) -> Answer:
-        """Return an answer, found once on the way that all its designs took."""
-        begun = self.place
-        if begun < len(self.known) and self.known[begun][0] == self.depth:
-            self.place += 1
-            return self.known[begun][1]
-        self.depth += 1
-        try:
-            found = find()
-        finally:
-            self.depth -= 1
-        # in the place of what was found on the way to it
-        self.known[begun:] = [(self.depth, found)]
-        self.place = begun + 1
-        return found
-
-    def of_some(self, which: Integers) -> "list[tuple[int, Any]]":
+    def of_some(self, which: Integers) -> list[tuple[str, Any, Any]]:
         """Return what is known of some of the designs."""
-        return [(depth, _taken(each, which, self.designs)) for depth, each in self.known]
+        return [_taken(each, which, self.designs) for each in self.known]
 
 
 _PASS: ContextVar[_Pass | None] = ContextVar("_PASS", default=None)
 
 
-def found_once(find: Callable[[], Answer]) -> Answer:
-    """Return what takes long to find: numbers, or tuples and lists of them.
+def found_once(name: str, about: Any, find: Callable[[], Answer]) -> Answer:
+    """Return what takes long to find: numbers, in tuples, lists and records.
 
-    A pass that ends since its designs take different ways leaves it to those after it.
+    Where a pass ends since its designs take different ways, those after it have it from there: by
+    its name, and what it is about.
     """
     now = _PASS.get()
-    return find() if now is None else now.of(find)
+    if now is None:
+        return find()
+    for known, of, answer in now.known:
+        if known == name and of == about:
+            there: Answer = answer
+            return there
+    found = find()
+    now.known.append((name, about, found))
+    return found
 
 
 def one_by_one(find: Callable[..., Any], *numbers: Number) -> Any:
@@ -268,11 +263,11 @@ def _taken(value: Any, which: Integers, designs: int) -> Any:
     if isinstance(value, tuple):
         each = (_taken(x, which, designs) for x in value)
         return type(value)(*each) if hasattr(value, "_fields") else tuple(each)
-    if isinstance(value, dict):
+    if isinstance(value, Mapping):
         return {name: _taken(each, which, designs) for name, each in value.items()}
     if is_dataclass(value) and not isinstance(value, type):
-        each = {field.name: getattr(value, field.name) for field in fields(value)}
-        return replace(value, **_taken(each, which, designs))
+        parts = {field.name: getattr(value, field.name) for field in fields(value)}
+        return replace(value, **_taken(parts, which, designs))
     return value
 
 
@@ -297,7 +292,7 @@ def each_alike(
     ``do`` is given places, some more than once. No answer is there for so few that each had better
     be done alone, nor where something cannot be done for many.
     """
-    todo: list[tuple[Integers, list[tuple[int, Any]]]] = [(np.arange(designs), [])]
+    todo: list[tuple[Integers, list[tuple[str, Any, Any]]]] = [(np.arange(designs), [])]
     while todo:
         which, known = todo.pop()
         if len(which) <= FEW:
@@ -311,7 +306,7 @@ def each_alike(
             for side in (ways.which, ~ways.which):
                 there = np.flatnonzero(side[: len(which)])
                 todo.append((which[there], now.of_some(_filled_up(there))))
-        except Exception:  # noqa: BLE001 - whatever it is, each design alone tells
+        except Exception:  # whatever it is, each design alone tells
             yield which, None
         else:
             yield which, answer

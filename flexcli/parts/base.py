@@ -1,9 +1,10 @@
 """What every part is made of: a frozen model, and quantities that carry their units."""
 
 from collections.abc import Mapping, Sequence
-from math import isfinite
+from math import isfinite, nan
 from typing import Annotated, Any, ClassVar, TypeAlias
 
+import numpy as np
 from pydantic import (
     BaseModel,
     ConfigDict,
@@ -13,7 +14,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from flexcli.numerics.rows import Rows
+from flexcli.numerics.rows import Diverged, Rows
 from flexcli.units import (
     DIMENSIONS,
     LARGEST,
@@ -229,11 +230,11 @@ class QuantityOf:
             ("below", self.below, self.below is None or number < self.below),
         )
 
-    def read(self, value: Any) -> Any:
+    def read(self, value: Any) -> float:
         """Return the SI value of what the spec says, or raise what is wrong with it."""
         expected = DIMENSIONS[self.dimension]
         if isinstance(value, Texts):
-            return Rows.of([self.read(text) for text in value.texts])
+            return self._read_each(value.texts)
         if isinstance(value, str):
             number = self._parsed(value)
         elif isinstance(value, bool) or not isinstance(value, int | float):
@@ -252,6 +253,22 @@ class QuantityOf:
             number = self._parsed(repr(value))
         self._refuse_outside(number, value)
         return number
+
+    def _read_each(self, texts: Sequence[str]) -> float:
+        """Return the values of many designs; those that cannot be read take another way."""
+        found, fails = [], []
+        for text in texts:
+            try:
+                found.append(self.read(text))
+            except PydanticCustomError as error:
+                fails.append(error)
+                found.append(nan)
+        if len(fails) == len(texts):
+            raise fails[0]
+        if fails:
+            raise Diverged(np.isnan(found))
+        each: float = Rows.of(found)
+        return each
 
     def _parsed(self, text: str) -> float:
         try:

@@ -28,7 +28,7 @@ from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import held_stiffness
-from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, states_of
+from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, one_alone, states_of
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical, Held
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
@@ -77,9 +77,9 @@ class ExactModel(JointModel):
         self.covers = covered("exact", self.effects)
         self.tolerance = tolerance
         self.levels = levels
-        self._known_stresses: Remembered[tuple[list[EndStress], float]] = Remembered()
+        self._known_stresses: Remembered[tuple[list[EndStress], float]] = Remembered("exact")
         self._known_states: Remembered[Equilibrium] = Remembered()
-        self._known_pairs: Remembered[tuple[float, float]] = Remembered()
+        self._known_pairs: Remembered[tuple[float, float]] = Remembered("exact")
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the solver's own error: by how much its last two levels of nodes differ.
@@ -134,6 +134,7 @@ class ExactModel(JointModel):
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
         """Return what holds the joint at both ends of the stroke, under the case's loads."""
+        one_alone()
         states, scene = self.states(ask), ask.scene
         ends = (scene.middle + scene.travel, scene.middle - scene.travel)
         body, axis = states.layout.index(MOVING), driven_axis(ask.geometry)

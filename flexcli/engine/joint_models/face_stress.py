@@ -42,9 +42,10 @@ def _spread(values: Floats, shape: tuple[int, ...]) -> Floats:
 def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterator[EndStress]:
     """Yield the worst places of a blade's faces, from stresses (states, places) [Pa].
 
-    Of many designs they are (states, designs, places). States are those of a case (:func:`flexcli.engine.joint_models.joint_states.of_case`): pairs of
-    the two ends of the stroke where there is one. What the loads of the case pull on average, the
-    same at both faces, is told apart as axial: no part of what a wide blade's bending does.
+    Of many designs they are (states, designs, places). States are those of a case
+    (:func:`flexcli.engine.joint_models.joint_states.of_case`): pairs of the two ends of the stroke
+    where there is one. What the loads of the case pull on average, the same at both faces, is told
+    apart as axial: no part of what a wide blade's bending does.
     """
     scene, joint = ask.scene, ask.geometry.joint_of(blade)
     reverses = scene.mean_travel == 0.0 and not scene.is_loaded

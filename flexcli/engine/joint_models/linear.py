@@ -54,8 +54,8 @@ class LinearModel(JointModel):
     def __init__(self, effects: Effects | None = None) -> None:
         self.effects = Effects() if effects is None else effects
         self.covers = covered("linear", self.effects)
-        self._known: Remembered[list[EndStress]] = Remembered()
-        self._known_stiffness: Remembered[tuple[float, int, float]] = Remembered()
+        self._known: Remembered[list[EndStress]] = Remembered("linear")
+        self._known_stiffness: Remembered[tuple[float, int, float]] = Remembered("linear")
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the error of a linear solution: that of its nodes, which its stiffness tells.

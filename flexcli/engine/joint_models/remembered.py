@@ -16,9 +16,13 @@ MOST = 32
 
 
 class Remembered(Generic[Answer]):
-    """Answers by what was asked and of which case, the latest of them; that there is none too."""
+    """Answers by what was asked and of which case, the latest of them; that there is none too.
 
-    def __init__(self) -> None:
+    Those of a named model are kept for other passes over some of the same designs.
+    """
+
+    def __init__(self, model: str = "") -> None:
+        self.model = model
         self._known: list[tuple[str, Ask, Answer | NotAvailable]] = []
 
     def of(self, what: str, ask: Ask, find: Callable[[], Answer]) -> Answer:
@@ -26,7 +30,8 @@ class Remembered(Generic[Answer]):
         known = next((a for name, of, a in self._known if name == what and _same(of, ask)), None)
         if known is None:
             try:
-                known = found_once(find)
+                named = f"{what} of {self.model}"
+                known = found_once(named, ask.scene, find) if self.model else find()
             except NotAvailable as error:
                 known = error
             self._known = [*self._known[1 - MOST :], (what, ask, known)]

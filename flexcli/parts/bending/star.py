@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from flexcli.formulas import held_blades, star_next_order
 from flexcli.formulas.section import shear_parameter
-from flexcli.numerics.rows import number
+from flexcli.numerics.rows import number, one_by_one
 from flexcli.parts.bending.base import UNKNOWN, Bending, Change, Changes, whole
 
 __all__ = ["Star"]
@@ -92,7 +92,11 @@ class Star(Bending):
         return {"stress": UNKNOWN} if n else {}
 
     def _at_rest(self, Phi: float, slender: float) -> held_blades.AtRest:
-        return held_blades.at_rest(slender=slender, gamma=self.gamma, angles=self.angles, Phi=Phi)
+        def at_rest(slender: float, gamma: float, Phi: float) -> held_blades.AtRest:
+            return held_blades.at_rest(slender=slender, gamma=gamma, angles=self.angles, Phi=Phi)
+
+        found: held_blades.AtRest = one_by_one(at_rest, slender, self.gamma, Phi)
+        return found
 
 
 STIFF = 1e-6

@@ -50,12 +50,13 @@ class Anticlastic(ModelEffect):
         if self.lacks(setting):
             return {"stress": Change(None, larger(most, 0.0), 0.0, 1)}
         place, weight = gauss_rule(_NODES)
-        first, last, b, h, along = (np.asarray(x)[..., None] for x in (*ends, b, h, nu))
+        first, last, width, thick, ratio = (np.asarray(x)[..., None] for x in (*ends, b, h, nu))
         curvature = first + (last - first) * place
-        beta = flat_width(b=b, h=h, curvature=curvature, poisson_ratio=along)
+        beta = flat_width(b=width, h=thick, curvature=curvature, poisson_ratio=ratio)
         share = weight * curvature**2
-        rises = secant_factor(beta=beta, poisson_ratio=along)
-        curved = number((rises * share).sum(axis=-1) / share.sum(axis=-1))
+        rises = secant_factor(beta=beta, poisson_ratio=ratio)
+        taken = (rises[..., None, :] @ share[..., :, None])[..., 0, 0]
+        curved = number(taken / share.sum(axis=-1))
         value = number(held_and_curved(held=held, curved=curved, poisson_ratio=nu)) / held - 1.0
         return {"stress": Change(value, smaller(2.0 * value, larger(most, value)), value)}
 
