@@ -7,7 +7,7 @@ Verdicts of designs that differ in nothing but numbers are found together
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
-from math import inf, isclose, isnan
+from math import inf, isclose, isnan, nan
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -59,10 +59,10 @@ def rows_of(
     rows: dict[int, Row] = {}
     for which, found in _passes(source, model, points):
         if found is not None:
-            together = [_row(points[i], _of_one(found, k)) for k, i in enumerate(which)]
+            designs = [_of_one(found, place) for place in range(len(which))]
             middle = len(which) // 2
-            if _are_same(together[middle], _row_at(source, each, model, points[which[middle]])):
-                rows |= zip(which, together, strict=True)
+            if _is_as_alone(designs[middle], source, model, points[which[middle]]):
+                rows |= {i: _row(points[i], one) for i, one in zip(which, designs, strict=True)}
                 continue
         rows |= {i: _row_at(source, each, model, points[i]) for i in which}
     return [rows[i] for i in range(len(points))]
@@ -101,29 +101,37 @@ def _of_one(found: Result, place: int) -> Result:
     def of_one(value: Any) -> Any:
         return float(np.asarray(value)[place]) if is_of_many(value) else value
 
-    return replace(
-        found,
-        checks=tuple(
-            check._replace(factor=of_one(check.factor), required=of_one(check.required))
-            for check in found.checks
-        ),
-    )
+    def check_of_one(check: Check) -> Check:
+        between = check.factor_range
+        return check._replace(
+            factor=of_one(check.factor),
+            required=of_one(check.required),
+            factor_range=between and (of_one(between[0]), of_one(between[1])),
+        )
+
+    return replace(found, checks=tuple(map(check_of_one, found.checks)))
 
 
-def _are_same(one: Row, other: Row) -> bool:
+def _is_as_alone(
+    one: Result, source: api.Portable, model: str | None, point: Mapping[str, str]
+) -> bool:
     """Return whether a design that was judged with others is as it is alone."""
-    (row, columns), (alone, expected) = one, other
-    return (
-        columns == expected
-        and (row.status, row.model, row.reason) == (alone.status, alone.model, alone.reason)
-        and all(_is_same(x, alone.cells[name]) for name, x in row.cells.items())
+    try:
+        alone = api.verdicts(source.at(point), model=model)
+    except (SpecError, SolveError):
+        return False
+    return len(one.checks) == len(alone.checks) and all(
+        (check.full_name, check.verdict, check.model) == (own.full_name, own.verdict, own.model)
+        and all(
+            isclose(x, y, rel_tol=SAME) or (isnan(x) and isnan(y))
+            for x, y in zip(_numbers(check), _numbers(own), strict=True)
+        )
+        for check, own in zip(one.checks, alone.checks, strict=True)
     )
 
 
-def _is_same(x: float | str, y: float | str) -> bool:
-    if isinstance(x, str) or isinstance(y, str):
-        return x == y
-    return isclose(x, y, rel_tol=SAME) or (isnan(x) and isnan(y))
+def _numbers(check: Check) -> tuple[float, float, float]:
+    return (check.factor, *(check.factor_range or (nan, nan)))
 
 
 def shared(rows: Iterable[Row]) -> Iterator[Row]:

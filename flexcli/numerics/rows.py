@@ -25,14 +25,12 @@ __all__ = [
     "copysign",
     "cos",
     "each_alike",
-    "exp",
     "found_once",
     "hypot",
     "is_of_many",
     "isfinite",
     "larger",
     "largest_of_each",
-    "log",
     "number",
     "of_each",
     "one_alone",
@@ -172,8 +170,6 @@ cos = _of_either(math.cos, np.cos)
 sin = _of_either(math.sin, np.sin)
 tan = _of_either(math.tan, np.tan)
 sqrt = _of_either(math.sqrt, np.sqrt)
-exp = _of_either(math.exp, np.exp)
-log = _of_either(math.log, np.log)
 copysign = _of_either(math.copysign, np.copysign)
 hypot = _of_either(math.hypot, np.hypot)
 atan2 = _of_either(math.atan2, np.arctan2)

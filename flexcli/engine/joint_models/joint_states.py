@@ -173,6 +173,7 @@ def warmed(ask: Ask) -> Layout:
 
 def _left_by_temperature(ask: Ask, effects: Effects) -> Floats:
     """Return how far the temperature of a case alone moves its body (x, y, φ) [m, m, rad]."""
+    one_alone()
     layout = warmed(ask)
     guided = 0.0 if ask.geometry.is_guided else None
     held = {MOVING: (None, None, guided)}

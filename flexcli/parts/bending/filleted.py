@@ -5,7 +5,7 @@ import numpy as np
 from flexcli.formulas.notch_compliance import planar_compliance
 from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.linear import LinearSolution, linear
-from flexcli.numerics.rows import larger, number, smaller
+from flexcli.numerics.rows import one_alone
 from flexcli.parts.bending.base import FilletedRoots
 from flexcli.parts.bending.giving import Shift, shift_within
 from flexcli.parts.geometries.base import MOVING, Held
@@ -23,23 +23,20 @@ def filleted_roots(
 
     ``held`` is a unit travel of the moving body. Nothing where the joint has no unique motion.
     """
+    one_alone()
     axis = next(i for i in (2, 1) if held[i])
     numbers = []
     for layout in (plain, filleted):
         solution = linear(layout, {MOVING: held})
         if not solution.unique.all():
             return None
-        drive = number(solution.reactions[0, layout.index(MOVING), axis])
+        drive = float(solution.reactions[0, layout.index(MOVING), axis])
         numbers.append((drive, _largest_stress(layout, solution)))
     (drive, stress), (stiffer, peak) = numbers
     arcs = [_turn(new) / _turn(old) - 1.0 for old, new in _pairs(plain, filleted)]
-    ratio = larger(_radius_share(blade) for blade in filleted.blades)
+    ratio = max(_radius_share(blade) for blade in filleted.blades)
     return FilletedRoots(
-        ratio,
-        stiffer / drive,
-        peak / stress,
-        shift_within(smaller(arcs), larger(arcs), shift),
-        smaller(arcs),
+        ratio, stiffer / drive, peak / stress, shift_within(min(arcs), max(arcs), shift), min(arcs)
     )
 
 
@@ -48,19 +45,19 @@ def _pairs(plain: Layout, filleted: Layout) -> list[tuple[Blade, Blade]]:
 
 
 def _length(blade: Blade) -> float:
-    return number(np.hypot(*np.subtract(blade.end, blade.start)))
+    return float(np.hypot(*np.subtract(blade.end, blade.start)))
 
 
 def _radius_share(blade: Blade) -> float:
     """Return r/l."""
     l = _length(blade)
-    return number(blade.profile.pieces(l)[1].position(np.array(-1.0))) / l
+    return float(blade.profile.pieces(l)[1].position(np.array(-1.0))) / l
 
 
 def _turn(blade: Blade) -> float:
     """Return the rotation of a blade per moment at its end, at E b = 1 [1/m²]."""
     l = _length(blade)
-    return number(planar_compliance(blade.profile, E=1.0, l=l, b=1.0, a=l)[2, 2])
+    return float(planar_compliance(blade.profile, E=1.0, l=l, b=1.0, a=l)[2, 2])
 
 
 def _largest_stress(layout: Layout, solution: LinearSolution) -> float:
@@ -73,5 +70,5 @@ def _largest_stress(layout: Layout, solution: LinearSolution) -> float:
         for piece in blade.profile.pieces(l):
             moment = force[2] + across * (l - piece.position(PLACES))
             stress = 6.0 * np.abs(moment) / (blade.b * piece.thickness(PLACES) ** 2)
-            found = larger(found, number(blade.peak[0]) * number(stress.max()))
+            found = max(found, float(blade.peak[0]) * float(stress.max()))
     return found

@@ -11,7 +11,7 @@ from flexcli.formulas.notch_compliance import planar_compliance
 from flexcli.formulas.profile import Filleted, Notch
 from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.linear import linear
-from flexcli.numerics.rows import larger, number, smaller
+from flexcli.numerics.rows import one_alone
 from flexcli.parts.bending.base import Factor, Giving
 from flexcli.parts.geometries.base import MOVING, PIECE, ROUNDING, Held
 
@@ -95,23 +95,24 @@ def giving_clamps(
         shares; nothing where nobody knows.
 
     """
+    one_alone()
     strips = [_strip(blade, roots) for blade in layout.blades]
     softer = [_softer(strip, BENDS) for strip in strips]
     whole = [_softer(strip, slice(None)) for strip in strips]
     # what one blade takes more of than another under loads, or where bodies between them follow
-    spread = larger(whole) - smaller(whole)
-    lowest = 1.0 / (1.0 + larger(softer))
+    spread = max(whole) - min(whole)
+    lowest = 1.0 / (1.0 + max(softer))
     low, high = _bounds(layout, held, strips) or (lowest, 1.0)
-    least = smaller(_arc(strip.blade, strip.least) for strip in strips)
-    most = larger(_arc(strip.blade, strip.most) for strip in strips)
+    least = min(_arc(strip.blade, strip.least) for strip in strips)
+    most = max(_arc(strip.blade, strip.most) for strip in strips)
     return Giving(
-        larger(strip.slender for strip in strips),
+        max(strip.slender for strip in strips),
         Factor((low + high) / 2.0, low, high),
         (lowest - 1.0, spread if len(layout.bodies) > 1 else 0.0),
-        spread + larger(softer),
-        Factor(larger((1.0 + (least + most) / 2.0) ** -2, lowest), lowest, 1.0),
+        spread + max(softer),
+        Factor(max((1.0 + (least + most) / 2.0) ** -2, lowest), lowest, 1.0),
         shift_within(least, most, shift),
-        larger(*whole, *(strip.out for strip in strips)),
+        max(*whole, *(strip.out for strip in strips)),
     )
 
 
@@ -119,15 +120,15 @@ def _bounds(layout: Layout, held: Held, strips: list[_Strip]) -> tuple[float, fl
     """Return between which the stiffness along the motion falls, nothing where it has none."""
     solution = linear(layout, {MOVING: held})
     axis = next(i for i in (2, 1) if held[i])
-    whole = number(solution.reactions[0, layout.index(MOVING), axis])
+    whole = float(solution.reactions[0, layout.index(MOVING), axis])
     if not solution.unique.all() or not whole > 0.0:
         return None
     by_force, by_motion = 0.0, 0.0  # of twice the energy
     for blade, strip, force in zip(layout.blades, strips, solution.end_forces[0], strict=True):
         f = _along(blade, force)
-        by_force += number(f @ strip.most @ f)
+        by_force += float(f @ strip.most @ f)
         q = strip.blade @ f
-        by_motion += number(q @ np.linalg.solve(strip.blade + strip.least, q) - f @ q)
+        by_motion += float(q @ np.linalg.solve(strip.blade + strip.least, q) - f @ q)
     return 1.0 / (1.0 + by_force / whole), 1.0 + by_motion / whole
 
 
@@ -136,24 +137,24 @@ def giving_linked(each: Sequence[Giving | None]) -> Giving | None:
     found = [giving for giving in each if giving is not None]
     if not found:
         return None
-    high = 1.0 if len(found) < len(each) else larger(g.stiffness.high for g in found)
-    low = smaller(g.stiffness.low for g in found)
-    held = smaller(g.buckling.low for g in found)
+    high = 1.0 if len(found) < len(each) else max(g.stiffness.high for g in found)
+    low = min(g.stiffness.low for g in found)
+    held = min(g.buckling.low for g in found)
     return Giving(
-        larger(g.ratio for g in found),
+        max(g.ratio for g in found),
         Factor((low + high) / 2.0, low, high),
         (low - 1.0, high - low),
-        larger(g.loaded for g in found) + high - low,
+        max(g.loaded for g in found) + high - low,
         Factor((held + 1.0) / 2.0, held, 1.0),
-        (smaller(g.shift[0] for g in found), larger(g.shift[1] for g in found)),
-        larger(g.softest for g in found),
+        (min(g.shift[0] for g in found), max(g.shift[1] for g in found)),
+        max(g.softest for g in found),
     )
 
 
 def _strip(blade: Blade, roots: Roots) -> _Strip:
     """Return the compliance of a blade and what its roots add."""
     x, y = np.subtract(blade.end, blade.start)
-    l, b = number(np.hypot(x, y)), number(blade.b)
+    l, b = float(np.hypot(x, y)), float(blade.b)
     beam = planar_compliance(blade.profile, E=1.0, l=l, b=b, a=l, G=0.5 / (1.0 + roots.nu))
     places = list(_places(blade, l, roots))
     least, most = np.zeros((3, 3)), np.zeros((3, 3))
@@ -169,9 +170,9 @@ def _strip(blade: Blade, roots: Roots) -> _Strip:
         most += at.T @ soft @ at / b
         axial, wide = found.stretch * h / reach, (l / b) ** 2
         sheared = 3.0 * axial * (wide + ACROSS / 3.0) / (wide + SHEARED)
-        out += larger(axial, sheared)
+        out += max(axial, sheared)
     thickest = max((place[2] for place in places), default=0.0)
-    return _Strip(beam, least, most, thickest / number(reach), out)
+    return _Strip(beam, least, most, thickest / float(reach), out)
 
 
 def _places(blade: Blade, l: float, roots: Roots) -> Iterator[tuple[float, float, float, float]]:
@@ -182,7 +183,7 @@ def _places(blade: Blade, l: float, roots: Roots) -> Iterator[tuple[float, float
     where blades meet.
     """
     if roots.fillet:
-        h = number(blade.profile.pieces(l)[1].thickness(PIECE)[0])
+        h = float(blade.profile.pieces(l)[1].thickness(PIECE)[0])
         yield from ((0.0, 1.0, h, 1.0), (l, -1.0, h, 1.0))
         return
     pieces = blade.profile.pieces(l)
@@ -195,7 +196,7 @@ def _places(blade: Blade, l: float, roots: Roots) -> Iterator[tuple[float, float
             if not np.isclose(list(beside), own[index], rtol=0.0, atol=ROUNDING * l).any():
                 body = blade.first if own[index] < l / 2.0 else blade.second
                 share = 1.0 if open_ and body not in roots.joined else 0.0
-                yield number(own[index]), inward, number(thickness[index]), share
+                yield float(own[index]), inward, float(thickness[index]), share
 
 
 def _along(blade: Blade, force: Floats) -> Floats:
@@ -208,12 +209,12 @@ def _along(blade: Blade, force: Floats) -> Floats:
 def _softer(strip: _Strip, which: slice) -> float:
     """Return by how much any compliance of a blade in its plane, or in bending, rises at most."""
     blade, most = strip.blade[which, which], strip.most[which, which]
-    return number(np.linalg.eigvals(np.linalg.solve(blade, most)).real.max())
+    return float(np.linalg.eigvals(np.linalg.solve(blade, most)).real.max())
 
 
 def _arc(blade: Floats, roots: Floats) -> float:
     """Return by how much the rotation of a blade that a moment bends rises."""
-    return number(roots[2, 2] / blade[2, 2])
+    return float(roots[2, 2] / blade[2, 2])
 
 
 def shift_within(least: float, most: float, shift: Shift) -> tuple[float, float]:
@@ -225,7 +226,7 @@ def shift_within(least: float, most: float, shift: Shift) -> tuple[float, float]
         if change is None:
             return -CANCELS * abs(pure), CANCELS * abs(pure)
         found += [change, change * (1.0 + OF_NEXT)]
-    return smaller(found), larger(found)
+    return min(found), max(found)
 
 
 def _shortening(more: float) -> tuple[float, float]:

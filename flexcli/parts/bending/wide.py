@@ -13,7 +13,7 @@ from flexcli.formulas.profile import Profile
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment
 from flexcli.mechanics.layout import Layout
-from flexcli.numerics.rows import larger, number, one_by_one, smaller
+from flexcli.numerics.rows import larger, number, one_alone, one_by_one, smaller
 from flexcli.parts.bending.base import Factor, WideBlades
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
@@ -228,6 +228,7 @@ def wide_by_shapes(
     """
     from flexcli.mechanics.linear import linear
 
+    one_alone()
     solution = linear(layout, {MOVING: held})
     if not solution.unique.all():
         return plain
