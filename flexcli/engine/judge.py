@@ -187,16 +187,18 @@ def finest(
     first: Mapping[int, int] | None = None,
     *,
     known: bool = False,
+    near: tuple[DesignSpec, Sizes] | None = None,
 ) -> tuple[dict[str, Used], frozenset[int]]:
     """Return what each check uses, and the questions that are open: no model has their numbers.
 
     By a model that is sure of it where it is near its limit; the low end of the factor counts, of
     a target its value. ``only`` are the questions to ask, by their place; all if left out.
     ``first`` tells by question which model is asked first. A number whose error nobody knows
-    counts as it is, unless they all shall be ``known``: then its question is open.
+    counts as it is, unless they all shall be ``known``: then its question is open. ``near`` is a
+    design from which this one differs a little, where that difference is what is asked for.
     """
     names, open_ = [model.name for model in models], set()
-    series, found = _Series(design, sizes, models), {}
+    series, found = _Series(design, sizes, models, near), {}
     scenes = design.scenes()
     for index, (requirement, scene) in enumerate(design.questions(scenes)):
         if only is not None and index not in only:
@@ -230,10 +232,17 @@ def _share(check: Check) -> float:
 class _Series:
     """The models in turn, and the time that each took."""
 
-    def __init__(self, design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...]) -> None:
+    def __init__(
+        self,
+        design: DesignSpec,
+        sizes: Sizes,
+        models: tuple[NamedModel, ...],
+        near: tuple[DesignSpec, Sizes] | None = None,
+    ) -> None:
         self.design = design
         self.sizes = sizes
         self.models = models
+        self.near = near
         self.seconds: dict[str, float] = {}
 
     def climbed(
@@ -280,14 +289,22 @@ class _Series:
         yield from best.values()
 
     def _limits(self, requirement: Requirement, scene: Scene, model: NamedModel) -> Iterator[Limit]:
-        return limits_by(self.design, self.sizes, requirement, scene, model)
+        return limits_by(self.design, self.sizes, requirement, scene, model, self.near)
 
 
 def limits_by(
-    design: DesignSpec, sizes: Sizes, requirement: Requirement, scene: Scene, model: NamedModel
+    design: DesignSpec,
+    sizes: Sizes,
+    requirement: Requirement,
+    scene: Scene,
+    model: NamedModel,
+    near: tuple[DesignSpec, Sizes] | None = None,
 ) -> Iterator[Limit]:
     """Yield the limits of a requirement in a case by one model, each with its error."""
     ask = design.ask(scene, sizes, model.joint_model)
+    if near is not None:
+        known, at = near
+        ask = ask._replace(near=known.ask(scene, at, model.joint_model))
     errors: dict[QuantityKind, ErrorRange | None] = {}
     spread, kinds = ask.material.spread, (QuantityKind.SUPPORT, QuantityKind.RESPONSE)
     in_space = design.geometry.in_space or bool(scene.across_by)

@@ -16,7 +16,7 @@ from flexcli.engine.sizing.program import SizingProgram, sizing_program
 from flexcli.engine.sizing.runaway import refuse_runaway
 from flexcli.engine.sizing.scouting import best_settled
 from flexcli.engine.sizing.stock import StockChoice, from_stock, points_about
-from flexcli.engine.sizing.trust_region import AGREED, Settled, least_eased
+from flexcli.engine.sizing.trust_region import AGREED, UNKNOWN, Settled, least_eased
 from flexcli.errors import NoSolution
 from flexcli.numerics.solution import Outcome, Solution
 from flexcli.parts.design import DesignSpec
@@ -31,6 +31,11 @@ __all__ = ["UNSETTLED", "size"]
 UNSETTLED = "not proved: the rounds settled on no choice, and a better one may exist"
 """How sure a choice is that the models that judge still move."""
 
+AT_THE_EDGE = (
+    "not proved: beside it is what no model knows the error of, and better ones may be there"
+)
+"""How sure a choice is beyond which the models that judge do not know their errors."""
+
 ROUNDED = 1e-3
 """Difference of a check by the models that judge and by the corrected formulas at which they agree
 enough where the sizes are rounded, and judged anew."""
@@ -40,8 +45,9 @@ REGION = 0.1
 corrected formulas choose."""
 
 SLOPES = (
-    "slopes of the checks are differences over ±0.1 % of each size: within 1e-6 where small motion "
-    "judges, some per cent by exact beams in space, whose numbers are known to 1e-5"
+    "slopes of the checks are differences over ±0.1 % of each size, at strokes in space of what "
+    "the solution becomes by its implicit derivative: within 1e-6 where small motion judges, 1e-4 "
+    "where exact beams in space do"
 )
 """How good the slopes are by which what is drawn is chosen."""
 
@@ -121,8 +127,10 @@ def _decided(
     if not found.unsettled:
         return result
     if sizing is not None:
-        sizing = replace(sizing, certificate=UNSETTLED, sensitivities=())
+        sizing = replace(sizing, certificate=_unsure(found), sensitivities=())
     text = f"the sizing did not settle in {found.unsettled[0]}: its choice may not be the optimum"
+    if found.unsettled[0] == UNKNOWN:
+        text = f"the sizing ended at {UNKNOWN}: its choice may not be the optimum"
     remark = Note("did-not-settle", text)
     return replace(result, sizing=sizing, warnings=(remark, *result.warnings))
 
@@ -264,7 +272,7 @@ def _settled_and_judged(
     if found.unsettled and found.is_kept and not design.size.rounding:
         # beside it may be what no model knows the error of
         ended = (_design(design, "where it ended", found.place.sizes),)
-        sizing = SizingResult(_told(design.size.objective), UNSETTLED, designs=ended)
+        sizing = SizingResult(_told(design.size.objective), _unsure(found), designs=ended)
         return _judged(design, spec, _Choice(found.place.sizes, sizing), series, model)
     program = program.about(found.place.sizes, REGION)
     return _chosen_and_judged(corrected, spec, series, model, program, found)
@@ -300,6 +308,10 @@ def _chosen_and_judged(
         told = replace(chosen.sizing, certificate=_local(alone, series), remarks=remarks)
         chosen = replace(chosen, sizing=told)
     return _judged(design, spec, chosen, series, model)
+
+
+def _unsure(found: Settled) -> str:
+    return AT_THE_EDGE if found.unsettled[0] == UNKNOWN else UNSETTLED
 
 
 def _local(found: Settled, series: tuple[NamedModel, ...]) -> str:

@@ -92,12 +92,15 @@ class SpaceJoint:
         return ErrorRange(middle - half, middle + half)
 
 
-class _Last:
-    """The joint that was asked last: all requirements of a design ask for the same."""
+MOST = 4
+"""Joints kept: a design and one beside it, each warm and cold."""
+
+
+class _Latest:
+    """The joints that were asked last: all requirements of a design ask for the same."""
 
     def __init__(self) -> None:
-        self.asked: tuple[Geometry, Material, Sizes, Temperature | None] | None = None
-        self.found: SpaceJoint | None = None
+        self.known: list[tuple[SpaceJoint, Geometry, Material, Sizes, Temperature | None]] = []
 
     def of(
         self,
@@ -107,20 +110,21 @@ class _Last:
         temperature: "Temperature | None",
     ) -> SpaceJoint:
         """Return the joint of a design, found once."""
-        last = self.asked
-        same = last is not None and last[0] is geometry and last[1] is material
-        same = same and last is not None and last[2] == sizes and last[3] is temperature
-        if not same or self.found is None:
-            density = material.density.value if material.density is not None else 0.0
-            layout = geometry.space_layout(material.elastic, sizes, density)
-            if temperature is not None:
-                layout = temperature.warmed(layout, material, geometry.axes)
-            self.found = SpaceJoint(layout)
-            self.asked = geometry, material, sizes, temperature
-        return self.found
+        for i, (joint, drawn, made_of, own, at) in enumerate(self.known):
+            same = drawn is geometry and made_of is material and at is temperature
+            if same and own == sizes:
+                self.known.append(self.known.pop(i))
+                return joint
+        density = material.density.value if material.density is not None else 0.0
+        layout = geometry.space_layout(material.elastic, sizes, density)
+        if temperature is not None:
+            layout = temperature.warmed(layout, material, geometry.axes)
+        joint = SpaceJoint(layout)
+        self.known = [*self.known[1 - MOST :], (joint, geometry, material, sizes, temperature)]
+        return joint
 
 
-_LAST = _Last()
+_LATEST = _Latest()
 
 
 def joint_in_space(
@@ -138,6 +142,6 @@ def joint_in_space(
 
     """
     try:
-        return _LAST.of(geometry, material, sizes, temperature)
+        return _LATEST.of(geometry, material, sizes, temperature)
     except SolveError as error:
         raise NotAvailable(f"has no stiffness: {error}") from error

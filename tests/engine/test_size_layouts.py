@@ -10,7 +10,7 @@ import pytest
 import flexcli
 from flexcli.engine.judge import judge
 from flexcli.engine.models import model_series
-from flexcli.engine.sizing.decided import judged_at, slopes_at
+from flexcli.engine.sizing.decided import STEP, judged_at, slopes_at
 from flexcli.errors import NoSolution
 from flexcli.results import Status
 
@@ -162,6 +162,45 @@ def test_slopes_are_those_of_finer_differences(guided):
         for check, slope in found.items():
             fourth = one[check] - 8.0 * two[check] + 8.0 * three[check] - four[check]
             assert slope[k] == pytest.approx(fourth / (12.0 * step), rel=1e-6, abs=1e-6)
+
+
+STROKES = """requirements:
+  parasitic_shift: {max: 0.1 mm}
+  support: {direction: z, min: 1 N/um, at: full-stroke}
+"""
+
+
+def test_slopes_of_exact_beams_in_space_are_those_of_solutions_on_both_sides():
+    text = GUIDED.format(**RANGES).replace("model: linear", "model: exact")
+    kept = [line for line in text.splitlines(True) if not line.startswith("requirements")]
+    design = flexcli.load("".join(kept) + STROKES).part
+    models, here = model_series(design), {"l": 60e-3, "h": 0.3e-3}
+    found = slopes_at(design, judged_at(design, design.geometry.sized(here), models), models)
+    assert len(found) == 2
+    for k, name in enumerate(here):
+        above, below = (
+            judged_at(design, design.geometry.sized({**here, name: here[name] * x}), models).used
+            for x in (1.0 + STEP, 1.0 - STEP)
+        )
+        for check, slope in found.items():
+            change = log(above[check].share / below[check].share)
+            # implicit derivatives are even in the step but for its cube
+            assert slope[k] == pytest.approx(change / log((1.0 + STEP) / (1.0 - STEP)), abs=STEP**2)
+
+
+@pytest.mark.slow
+def test_a_layout_is_sized_up_to_where_the_model_knows_its_error_and_says_so():
+    # the error of a support stiffness at a stroke is known up to b/l = 0.5; b is 20 mm
+    text = GUIDED.format(**RANGES).replace("model: linear", "model: exact")
+    asked = """requirements:
+  frequency: {min: 35 Hz}
+  support: {direction: z, min: 0.1 N/um, at: full-stroke}
+"""
+    kept = [line for line in text.splitlines(True) if not line.startswith("requirements")]
+    found = flexcli.size("".join([*kept, asked]))
+    assert sizes(found, "l") == pytest.approx([40e-3], rel=2e-4)
+    assert "no model knows the error" in found.sizing.certificate
+    assert "did-not-settle" in {note.code for note in found.warnings}
 
 
 @pytest.mark.slow

@@ -47,4 +47,5 @@ def _same(one: Ask, other: Ask) -> bool:
         and one.mechanism is other.mechanism
         and one.sizes == other.sizes
         and one.scene == other.scene
+        and (one.near is None) == (other.near is None)
     )

@@ -12,7 +12,7 @@ from flexcli.formulas.rigid_motion import axes_about_z, motion_along
 from flexcli.mechanics.refinement import LEVELS
 from flexcli.mechanics.space.exact.beams import beams_of
 from flexcli.mechanics.space.exact.demand import drive_frame
-from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
+from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, beside, solve
 from flexcli.mechanics.space.exact.members import MembersOf
 from flexcli.mechanics.space.exact.support import support_compliance
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod, Vector
@@ -73,7 +73,7 @@ EULER_SHEAR = 10.5
 ROUNDING = 0.02
 """What a stroke of a fifth of the length moves besides, along the blade."""
 
-_KNOWN: WeakKeyDictionary[SpaceJoint, dict[tuple[str, float | None], SpaceEquilibrium]]
+_KNOWN: WeakKeyDictionary[SpaceJoint, dict[tuple[str, float | None, bool], SpaceEquilibrium]]
 _KNOWN = WeakKeyDictionary()
 
 
@@ -107,7 +107,7 @@ def at_travel(
     """Return the joint at a travel of its drive, all else free but for a guide; by beams if unsaid.
 
     Without a travel the drive is free: the joint is as its temperature leaves it, which it has
-    where it is ``warm``.
+    where it is ``warm``. Where the ask is ``near`` another, what a small change makes of that one.
 
     Raises
     ------
@@ -120,7 +120,7 @@ def at_travel(
     heat = ask.scene.temperature if warm else None
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes, heat)
     blades = BEAMS if blades is None else blades
-    known, key = _KNOWN.setdefault(joint, {}), (blades.name, travel)
+    known, key = _KNOWN.setdefault(joint, {}), (blades.name, travel, ask.near is not None)
     if key not in known:
         layout = joint.layout
         held: list[float | None] = [None] * 6
@@ -128,16 +128,20 @@ def at_travel(
             # the frame's third axis is z
             held[5] = 0.0
         held[3 if layout.drive.turns else 0] = travel
-        state = solve(
-            layout,
-            {layout.drive.body: held},
-            frames=drive_frame(layout.drive),
-            tolerance=blades.tolerance,
-            levels=blades.levels,
-            made=blades.made,
-        )
-        known[key] = state.checked()
-    if known[key].unstable:
+        motion, frames = {layout.drive.body: held}, drive_frame(layout.drive)
+        if ask.near is None:
+            known[key] = solve(
+                layout,
+                motion,
+                frames=frames,
+                tolerance=blades.tolerance,
+                levels=blades.levels,
+                made=blades.made,
+            ).checked()
+        else:
+            about = at_travel(ask.near._replace(scene=ask.scene), travel, blades, warm=warm)
+            known[key] = beside(about, layout, motion, frames=frames, made=blades.made)
+    if ask.near is None and known[key].unstable:
         held_by = "by its temperature" if travel is None else "at its stroke with the drive locked"
         raise NotAvailable(f"buckles {held_by}")
     return known[key]

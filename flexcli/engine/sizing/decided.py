@@ -51,7 +51,7 @@ class Place(NamedTuple):
     """A design, what each check uses there by the models that judge, and by the formulas.
 
     ``y`` are the logarithms of the free sizes, in the order of the geometry; ``open`` the questions
-    that no model has numbers for.
+    that no model has numbers for; ``drawn`` is the design with these sizes, and its own sizes.
     """
 
     sizes: Sizes
@@ -59,6 +59,7 @@ class Place(NamedTuple):
     used: Mapping[str, Used]
     plain: Mapping[str, float]
     open: frozenset[int]
+    drawn: tuple[DesignSpec, Sizes] | None
 
     def correction(self, name: str) -> float:
         """Return by what the formulas of a check are wrong, as a logarithm; all of it without."""
@@ -83,6 +84,7 @@ def judged_at(
     only: Iterable[int] | None = None,
     *,
     rough: bool = False,
+    near: Place | None = None,
 ) -> Place:
     """Return a design judged, each check by the model that was sure of it before.
 
@@ -101,6 +103,8 @@ def judged_at(
         A design near by, whose models are asked first.
     only : iterable of int, optional
         The questions that are asked; all if left out.
+    near : Place, optional
+        A design from whose solutions exact models go on, where differences from it are asked for.
 
     """
     hints: dict[int, int] = {}
@@ -110,11 +114,14 @@ def judged_at(
     asked = None if only is None else frozenset(only)
     try:
         sure = not (rough or design.geometry.closed_forms)
-        used, open_ = finest(*design.redrawn(sizes), models, asked, hints, known=sure)
+        drawn = design.redrawn(sizes)
+        about = None if near is None else near.drawn
+        used, open_ = finest(*drawn, models, asked, hints, known=sure, near=about)
     except NotAvailable:  # there is nothing to judge
         count = sum(1 for _ in design.questions(design.scenes()))
         used, open_ = {}, frozenset(range(count)) if asked is None else asked
-    return Place(sizes, y, used, shares(design.closed_limits(sizes)), open_)
+        drawn = None
+    return Place(sizes, y, used, shares(design.closed_limits(sizes)), open_, drawn)
 
 
 def slopes_at(
@@ -123,7 +130,7 @@ def slopes_at(
     """Return the slopes of the corrections of what is near its limit or has no formula.
 
     They are differences: to one side, and of what is drawn, where all depends on them, to both
-    sides unless a ``rough`` answer does.
+    sides unless a ``rough`` answer does. Exact beams in space are not solved anew beside the place.
     """
     sides = (1.0,) if rough or design.geometry.closed_forms else (1.0, -1.0)
     names = place.near | place.alone
@@ -133,7 +140,7 @@ def slopes_at(
         x, there = float(getattr(place.sizes, size)), list[tuple[float, Place]]()
         for side in sides:
             beside = place.sizes._replace(**{size: x * (1.0 + side * STEP)})
-            judged = judged_at(design, beside, models, place, questions, rough=rough)
+            judged = judged_at(design, beside, models, place, questions, rough=rough, near=place)
             there.append((log(1.0 + side * STEP), judged))
         for name in names:
             known = [(y, each.correction(name)) for y, each in there if name in each.used]

@@ -33,7 +33,7 @@ from flexcli.parts.sizing import Correction
 from flexcli.results import EXACT
 from flexcli.results.activity import doing
 
-__all__ = ["AGREED", "Settled", "least_eased", "settled"]
+__all__ = ["AGREED", "UNKNOWN", "Settled", "least_eased", "settled"]
 
 Floats = NDArray[np.float64]
 
@@ -54,7 +54,11 @@ NARROWEST = 1e-6
 """Half-width of a region in which nothing better is looked for."""
 
 UNKNOWN = "what no model knows the error of beside it"
-"""What keeps rounds from going on where no check is off what was promised."""
+"""What keeps rounds from going on where nothing else does."""
+
+EDGE = 1e-4
+"""Distance, in logarithms, at which a design is as near as need be to one that leaves a question
+open which it does not."""
 
 STALLED, PROGRESS = 7, 0.8
 """Rounds in which violations must fall to this share, where they alone count."""
@@ -141,7 +145,7 @@ def settled(
     """
     fresh: Floats | None = None
     off: dict[str, float] = {}
-    barred = False
+    edge: Floats | None = None
     width = FIRST_ALONE if place.alone else WIDEST
 
     def ended(*unsettled: str) -> Settled:
@@ -168,6 +172,7 @@ def settled(
         refuse_runaway(design, sizes)
         there = judged_at(design, sizes, models, place) if step > 0.0 else place
         barred = bool(there.open - place.open)
+        edge = trial.y if barred else edge
         plain = design.corrected(corrections(design, place, known, 0.0))
         promised = shares(plain.closed_limits(sizes))
         off = _broken(there, promised)
@@ -194,9 +199,12 @@ def settled(
             width = 0.5 * step
             if width < NARROWEST:
                 break
+        if edge is not None:
+            apart = float(np.abs(edge - place.y).max())
+            if apart <= max(EDGE, agreed):
+                return ended(UNKNOWN)
+            width = min(width, 0.5 * apart)
     worst = sorted(off, key=lambda name: -off[name])
-    if barred and not worst:
-        worst = [UNKNOWN]
     return ended(*([name for name in worst if off[name] > agreed] or worst))
 
 

@@ -97,7 +97,11 @@ class CriticalShare(NamedTuple):
 
 
 class Ask(NamedTuple):
-    """What a requirement is judged on: floats for a check, signomials for a sizing."""
+    """What a requirement is judged on: floats for a check, signomials for a sizing.
+
+    ``near`` is the same of a design from which this one differs a little, where what is asked for
+    is how numbers change from there: models may go on from its solutions.
+    """
 
     material: Material
     geometry: Geometry
@@ -106,6 +110,7 @@ class Ask(NamedTuple):
     scene: Scene
     joint_model: "JointModel"
     actuator: "Actuator | None" = None
+    near: "Ask | None" = None
 
     @property
     def clamps_give(self) -> float:

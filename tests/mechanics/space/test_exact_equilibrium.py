@@ -20,7 +20,7 @@ from flexcli.mechanics import equilibrium as planar
 from flexcli.mechanics.layout import Blade, Body, Layout
 from flexcli.mechanics.refinement import Outcome
 from flexcli.mechanics.space.exact.demand import Frame, drive_frame
-from flexcli.mechanics.space.exact.equilibrium import solve
+from flexcli.mechanics.space.exact.equilibrium import beside, solve
 from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.exact.support import body_stiffness
 from flexcli.mechanics.space.layout import Drive, Isotropic, SpaceBlade, SpaceLayout, SpaceLoad
@@ -266,6 +266,21 @@ def test_the_path_leads_to_one_state_from_rest_and_from_another_state():
     other = solve(askew(), {"one": (1e-3, None, None, None, 0.02, None)}).checked()
     again = solve(askew(), held, loads=LOADS, start=other).checked()
     assert again.coordinates == pytest.approx(there.coordinates, rel=1e-8, abs=1e-12)
+
+
+def test_what_a_state_becomes_is_off_by_the_square_of_the_change():
+    held, levels = {"out": (None, None, None, None, None, 0.2)}, {"levels": (12,)}
+    known = solve(in_both(Constant(0.1e-3), 5e-3)[1], held, **levels)
+
+    def off(change):
+        _, layout = in_both(Constant(0.1e-3 * (1.0 + change)), 5e-3, delta=0.2 + change)
+        become = beside(known, layout, held, frames={})
+        true = solve(layout, held, **levels)
+        return abs(become.reactions[0, 5] / true.reactions[0, 5] - 1.0)
+
+    steps = np.array([4e-2, 2e-2, 1e-2, 5e-3])
+    rates = np.diff(np.log([off(step) for step in steps])) / np.diff(np.log(steps))
+    assert rates == pytest.approx(2.0, abs=0.2)
 
 
 def test_loads_and_springs_are_in_balance_with_the_blades():

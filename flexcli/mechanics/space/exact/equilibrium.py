@@ -36,7 +36,7 @@ from flexcli.mechanics.space.exact.second_variation import (
 from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector
 
-__all__ = ["SpaceEquilibrium", "SpacePart", "solve", "started"]
+__all__ = ["SpaceEquilibrium", "SpacePart", "beside", "solve", "started"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -296,6 +296,45 @@ def solve(
         seconds=perf_counter() - begun,
         part=last.at.part(last),
         coarser_part=found.coarser[0].at.part(found.coarser[0]) if found.coarser else None,
+    )
+
+
+def beside(
+    state: SpaceEquilibrium,
+    layout: SpaceLayout,
+    held: Held,
+    *,
+    frames: Mapping[str, Frame],
+    made: MembersOf = beams_of,
+) -> SpaceEquilibrium:
+    """Return what an equilibrium becomes where the numbers of its layout change a little.
+
+    One step of Newton's method from the known unknowns, at the same nodes. Half the difference of
+    numbers at changes ±δp is their implicit derivative times δp,
+    ``∂g/∂p − ∂g/∂x (∂R/∂x)⁻¹ ∂R/∂p``: what the step leaves of R is even in δp.
+
+    Parameters
+    ----------
+    state : SpaceEquilibrium
+        An equilibrium without loads of its own.
+    layout : SpaceLayout
+        The same bodies and blades, with other numbers.
+    held, frames, made
+        As in :func:`solve`; what is held may differ a little too.
+
+    """
+
+    def changed(part: SpacePart) -> SpacePart:
+        level = part.assembly.members.level
+        assembly = assemble(layout, state.effects, level, frames, made)
+        length, force = assembly.length, assembly.force
+        demand = demand_of(layout, held, (), assembly.points, length, force)
+        x = part.x + assembly.step(part.x, 1.0, demand)
+        return SpacePart(assembly, demand, x, 1.0)
+
+    coarser = None if state.coarser_part is None else changed(state.coarser_part)
+    return replace(
+        state, layout=layout, frames=frames, part=changed(state.part), coarser_part=coarser
     )
 
 
