@@ -4,7 +4,9 @@ A run with confidence c says that one exposure more shows no higher peak with th
 every repeat runs the case and then that one exposure, all with seeds of their own, and the share
 of those that stay below is set against c, with the binomial scatter of so many repeats.
 
-    python tests/benchmarks/stops_confidence.py [REPEATS]
+    python tests/benchmarks/stops_confidence.py [REPEATS [FIRST]]
+
+FIRST is the number of the first repeat, so that many can be run in parts.
 """
 
 import sys
@@ -19,7 +21,7 @@ from flexcli.engine.stopping.statics import task_of
 
 SPEC = Path(__file__).parents[2] / "examples" / "boundary-control-random" / "flexure.yaml"
 EXPOSURE = "0.25 s"
-CONFIDENCES = (0.5, 0.75, 0.9)
+CONFIDENCES = (0.5, 0.75, 0.9, 0.95)
 ONE = 0.5  # of which one exposure is enough
 
 DESIGN = flexcli.load(SPEC, overrides={"cases.launch.asd.duration": EXPOSURE}).part
@@ -35,13 +37,13 @@ def peak(seed: int, confidence: float) -> float:
     return float(run.told(lambda _: True).travel)
 
 
-def main(repeats: int) -> None:
+def main(repeats: int, first: int) -> None:
     """Print a row for each confidence."""
-    print(f"{repeats} repeats of {EXPOSURE} exposures of {SPEC.parent.name}")
+    print(f"{repeats} repeats of {EXPOSURE} exposures of {SPEC.parent.name}, from number {first}")
     print("confidence  stayed below  expected scatter  within 2 of it  seconds")
     for confidence in CONFIDENCES:
         begun, below = perf_counter(), 0
-        for repeat in range(repeats):
+        for repeat in range(first, first + repeats):
             run = peak(2 * repeat, confidence)
             below += peak(2 * repeat + 1, ONE) <= run
         share, scatter = below / repeats, sqrt(confidence * (1.0 - confidence) / repeats)
@@ -51,4 +53,5 @@ def main(repeats: int) -> None:
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 200)
+    given = [int(each) for each in sys.argv[1:]]
+    main(*given, *(200, 0)[len(given) :])
