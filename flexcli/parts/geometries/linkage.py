@@ -186,7 +186,15 @@ class LinkageGeometry(Geometry):
 
     def deflections(self, start: float, end: float) -> dict[str, Extremes]:
         """Return the extremes of every joint's deflection over a range of the input."""
-        return extremes(self._followed(start, end), start, end)
+        known = self._known_deflections
+        if (start, end) not in known:
+            known[start, end] = extremes(self._followed(start, end), start, end)
+        return known[start, end]
+
+    @cached_property
+    def _known_deflections(self) -> dict[tuple[float, float], dict[str, Extremes]]:
+        """Return those found so far, by the range: every stress and value of a case asks."""
+        return {}
 
     def stiffness(self, elastic: Elastic, sizes: Sizes) -> Computed:
         """Return the stiffness that the joints reflect to the input at rest."""
