@@ -1,6 +1,6 @@
 """Wide blades of every joint: between beam and plate, by the formulas, and in what direction."""
 
-from math import sqrt
+from math import cos, radians, sin, sqrt
 from typing import Any
 
 import numpy as np
@@ -11,8 +11,10 @@ from flexcli.engine import omitted_effects
 from flexcli.formulas import plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas.plate_flattening import flat_width, secant_factor
+from flexcli.parts.bending.wide import wide_halves, wide_pivot
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect, Setting
+from flexcli.parts.geometries import Blade
 
 NU = 0.33
 FLAT = 1.0 / (1.0 - NU**2) - 1.0
@@ -256,3 +258,38 @@ def test_where_the_leading_shift_vanishes_the_change_is_a_range_of_what_is_left(
     assert far.value is None
     assert far.bound < 0.5 * near.bound
     assert near.bound < 5.0
+
+
+@pytest.mark.parametrize("delta", [0.3, -0.2, -1.0 / 3.0, -0.7])
+@pytest.mark.parametrize("b", [0.002, 0.03])
+def test_a_drawn_pair_shifts_by_what_the_closed_form_of_the_pair_says(delta, b):
+    """Of crossed blades, worked out from how each blade of the drawing bends."""
+    l, half_angle = 0.02, radians(40.0)
+
+    def end(r, angle):
+        return [f"{r * cos(angle)} m", f"{r * sin(angle)} m"]
+
+    blades = {
+        name: {
+            "between": ["ground", "st"], "from": end((1.0 + delta) * l, angle),
+            "to": end(delta * l, angle), "h": "10 um", "b": f"{b} m",
+        }
+        for name, angle in (("a", half_angle), ("c", -half_angle))
+    }  # fmt: skip
+    drawn = setting_of({
+        "kind": "layout", "bodies": {"st": {"at": ["0 m", "0 m"]}}, "blades": blades,
+        "moving": "st", "motion": "rotation",
+    }, TURN)  # fmt: skip
+    pair = wide_pivot(Blade(1e-5, l, b), 0.34, delta=delta, pair=True)
+    found = drawn.geometry.wide_blades(drawn.sizes, 0.34)
+    assert found.shift[0] == pytest.approx(pair.shift[0], rel=1e-4)
+    assert found.shift[1] < 0.03
+
+
+def test_joined_blades_shift_as_their_halves_do_where_these_are_alike():
+    """In the middle both halves turn by as much, so that each changes as one pivot of p = 0."""
+    blade = Blade(1e-5, 0.02, 0.004)
+    half = wide_pivot(blade._replace(l=0.01), 0.34, delta=0.0, pair=True)
+    value, error = wide_halves(blade, 0.34, 0.5).shift
+    assert value == pytest.approx(half.shift[0], rel=1e-9)
+    assert abs(value) <= error < 0.1

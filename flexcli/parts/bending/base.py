@@ -106,6 +106,9 @@ class WideBlades(NamedTuple):
     """Curvatures at both ends of a blade of constant thickness, over the travel [1/m or 1/m²]."""
     bent: tuple[float, float, float] | None = None
     """h, l and b of the blade that these are of, where the joint has more than one shape [m]."""
+    first: tuple[float, float] = (0.0, 0.0)
+    """What the centre moves to first order, over the second order of a unit travel [rad or m], and
+    the largest change of that [-]."""
 
 
 class FilletedRoots(NamedTuple):

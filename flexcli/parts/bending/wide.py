@@ -1,11 +1,12 @@
 """Wide blades: how much stiffer the blades or hinges of a joint are than the beams of them."""
 
 from collections.abc import Iterable, Sequence
+from math import inf, pi
 from typing import Any
 
 import numpy as np
 
-from flexcli.formulas import plate_buckling, plate_shortening
+from flexcli.formulas import pivot, plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
@@ -15,6 +16,7 @@ from flexcli.formulas.section import second_moment
 from flexcli.mechanics.layout import Layout
 from flexcli.numerics.rows import larger, number, one_alone, one_by_one, smaller
 from flexcli.parts.bending.base import Factor, WideBlades
+from flexcli.parts.bending.drawn_shift import shift_by_shapes
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
 __all__ = [
@@ -35,6 +37,10 @@ RITZ_ERROR = 1e-3
 
 CANCELS = 10.0
 """Times that a layout's shift may be smaller than the shortening of a blade that makes it."""
+
+OF_CROSS = 1.0
+"""Share of what the plates of joined blades change in their shift that the cross may undo: it is
+thin, and holds their sections by the other blade alone."""
 
 LOCKED = "clamped-clamped"
 
@@ -109,15 +115,39 @@ def wide_halves(blade: Blade, nu: float, crossing: float) -> WideBlades:
     stiffness = Factor(value, smaller(low, whole.low), high)
     ends = [_factor(plates.end_moment_factor, part, nu, delta=0.0) for part in parts]
     stress = _hull([*ends, stiffness], at=Factor(larger(e.value for e in ends), 1.0, 1.0))
-    shifts = [_pivot_shift(1.0, *_shortening(part, nu)) for part in parts]
-    # each half turns by its own share, and their shifts may cancel
-    most = CANCELS * larger(abs(value) + error for value, error in shifts)
+    shift = _halves_shift(shares, parts, [factor.value for factor in each], nu)
     held = _held(blade, nu)
     flat = Factor(1.0, 1.0, 1.0 + number(plates.bound(nu)))
     held = {ends: _hull([flat], at=held[ends]) for ends in held}
     bends = 4.0 / blade.l, -2.0 / blade.l  # at the cross and at the ends of either half
     widest = blade.b / smaller(part.l for part in parts)
-    return WideBlades(widest, stiffness, stress, held, (0.0, most), None, bends)
+    return WideBlades(widest, stiffness, stress, held, shift, None, bends)
+
+
+def _halves_shift(
+    shares: tuple[float, float], parts: Sequence[Blade], each: Sequence[float], nu: float
+) -> tuple[float, float]:
+    """Return the change of the shift of two pivots in series and its error, of the leading term.
+
+    Each shifts by what its own blades shorten and by the square of its share of the rotation, which
+    the stiffer one loses; the two may all but cancel.
+    """
+    places = (-parts[0].l, 0.0)
+    leading = [
+        number(pivot.parasitic_shift(theta=share, l=part.l, p=p, half_angle=pi / 4.0))
+        for share, part, p in zip(shares, parts, places, strict=True)
+    ]
+    whole, lost = sum(leading), each[0] / each[1] - 1.0
+    if whole == 0.0:
+        return 0.0, inf
+    # a part that is stiffer by ε turns by ε times the share of the other less
+    turns = (-2.0 * lost * shares[1], 2.0 * lost * shares[0])
+    value = error = 0.0
+    for own, part, turn in zip(leading, parts, turns, strict=True):
+        moved, off = _pivot_shift(1.0, *_shortening(part, nu))
+        value += own * (moved + turn) / whole
+        error += abs(own / whole) * (off + lost**2 + OF_CROSS * (abs(turn) + abs(moved)))
+    return value, error
 
 
 def wide_necks(neck: Blade, nu: float, *, l: Numbers) -> WideBlades:
@@ -272,7 +302,14 @@ def wide_by_shapes(
     most = 1.0 + number(plates.bound(nu))
     other = larger(most / middle - 1.0, 1.0 - least / middle)
     stiffness = Factor(middle, larger(1.0, low), high, other)
-    return plain._replace(stiffness=stiffness, stress=stress, bends=bends, bent=tuple(most_bent))
+    found = plain._replace(stiffness=stiffness, stress=stress, bends=bends, bent=tuple(most_bent))
+    astray = shift_by_shapes(blades, nu, layout, held, solution)
+    if astray is None:
+        return found
+    pulled = larger(
+        number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu)) for _, l, b in blades)
+    beside = astray.first, larger(high, pulled) - 1.0
+    return found._replace(shift=(astray.value, astray.error), first=beside)
 
 
 def wide_linked(each: Sequence[WideBlades | None]) -> WideBlades | None:
@@ -351,5 +388,5 @@ def _pivot_shift(gamma: float, pure: float, bent: float) -> tuple[float, float]:
     left = 5.0 - 9.0 * gamma**2
     moved = 2.5 * pure + 9.0 * gamma**2 * bent
     if left == 0.0:
-        return 0.0, float("inf") if moved else 0.0
+        return 0.0, inf if moved else 0.0
     return -moved / left, 0.2 * moved / abs(left)

@@ -1,5 +1,6 @@
 """Plate widening: a wide blade cannot curl across its width and is stiffer than a beam."""
 
+from math import inf
 from typing import ClassVar
 
 from flexcli.numerics.rows import larger, number, smaller
@@ -14,6 +15,9 @@ __all__ = ["PlateWidening", "wide_of"]
 LOADED = 0.25
 """Share of its change of stiffness by which a wide blade's stress under forces may differ: solid
 blades stretched by a force had 1 % more, at b/l = 0.6, where the stiffness has 9 %."""
+
+MIXED = 0.3
+"""First order of a shift over its second beyond which neither leads."""
 
 LEADS = 1.5
 """Shift over its leading term up to which the change of that is the change of the shift."""
@@ -51,7 +55,7 @@ class PlateWidening(ModelEffect):
         if setting.largest_travel:
             found["stress"] = _stress(wide, setting, known)
             if wide.shift is not None:
-                found["shift"] = _shift(*wide.shift, setting, known)
+                found["shift"] = _shift(*_beside_first(wide, setting), setting, known)
         elif any(scene.is_loaded for scene in setting.scenes):
             spread = LOADED * (wide.stiffness.high - 1.0)
             found["stress"] = Change(0.0, spread, spread)
@@ -67,9 +71,9 @@ def _stress(wide: WideBlades, setting: Setting, known: bool) -> Change:
     keeps = geometry.turns_freely and any(scene.keeps_turn for scene in setting.scenes)
     if blade is None or not keeps:
         return wide.stress.change(known)
-    if float(geometry.fillet(setting.sizes)):
+    if number(geometry.fillet(setting.sizes)):
         change = wide.stress.change(known)
-        return change._replace(error=max(change.error, wide.stiffness.other))
+        return change._replace(error=larger(change.error, wide.stiffness.other))
     return wide_guided(blade, setting.poisson_bound).stress.change(known)
 
 
@@ -132,6 +136,23 @@ def _buckling(wide: WideBlades, setting: Setting, known: bool) -> Change:
     low, high = smaller(f.low for f in asked), larger(f.high for f in asked)
     middle = asked[0]._replace(value=(low + high) / 2.0, low=low, high=high)
     return middle.change(known)
+
+
+def _beside_first(wide: WideBlades, setting: Setting) -> tuple[float, float]:
+    """Return the change of a shift of second order beside what is of first, and its error.
+
+    Both may point the same way or against each other.
+    """
+    assert wide.shift is not None  # it was looked at
+    (value, error), (first, changes) = wide.shift, wide.first
+    if first == 0.0:
+        return value, error
+    share = first / setting.largest_travel
+    if share < MIXED:
+        return value, error + share * (changes + abs(value) + error) / (1.0 - share)
+    apart = abs(1.0 - share)
+    most = changes * share + abs(value) + error
+    return 0.0, most / apart if most < apart else inf
 
 
 def _shift(value: float, error: float, setting: Setting, known: bool) -> Change:

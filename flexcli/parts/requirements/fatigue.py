@@ -5,6 +5,7 @@ from typing import ClassVar, Literal
 
 from flexcli.formulas.fatigue import goodman_amplitude, swt_amplitude_squared
 from flexcli.formulas.quantity import Computed
+from flexcli.numerics.rows import is_of_many, number, smaller
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
@@ -98,7 +99,8 @@ class Fatigue(FactorRequirement):
         the error is that of the stress.
         """
         axial = stress.axial
-        if not (ask.scene.directed and isinstance(axial, float) and isinstance(demand, float)):
+        plain = all(isinstance(x, float) or is_of_many(x) for x in (axial, demand))
+        if not (ask.scene.directed and plain):
             return None
         if stress.is_at_face or axial <= 0.0 or demand <= 0.0:
             return None
@@ -107,7 +109,7 @@ class Fatigue(FactorRequirement):
             return None
         pushed = stress._replace(axial=-axial, is_at_face=True)
         least, power = self._equivalent(pushed, ask, strength, method)
-        return known + ErrorRange(min((float(least) / demand) ** (1.0 / power) - 1.0, 0.0), 0.0)
+        return known + ErrorRange(smaller((number(least) / demand) ** (1.0 / power) - 1.0, 0.0), 0.0)
 
     def _equivalent(
         self, stress: EndStress, ask: Ask, strength: float, method: str
