@@ -306,8 +306,7 @@ def wide_by_shapes(
     astray = shift_by_shapes(blades, nu, layout, held, solution)
     if astray is None:
         return found
-    pulled = larger(
-        number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu)) for _, l, b in blades)
+    pulled = larger(number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu)) for _, l, b in blades)
     beside = astray.first, larger(high, pulled) - 1.0
     return found._replace(shift=(astray.value, astray.error), first=beside)
 

@@ -109,7 +109,9 @@ class Fatigue(FactorRequirement):
             return None
         pushed = stress._replace(axial=-axial, is_at_face=True)
         least, power = self._equivalent(pushed, ask, strength, method)
-        return known + ErrorRange(smaller((number(least) / demand) ** (1.0 / power) - 1.0, 0.0), 0.0)
+        return known + ErrorRange(
+            smaller((number(least) / demand) ** (1.0 / power) - 1.0, 0.0), 0.0
+        )
 
     def _equivalent(
         self, stress: EndStress, ask: Ask, strength: float, method: str
