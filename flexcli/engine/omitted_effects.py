@@ -149,7 +149,8 @@ def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[
     temperature, known = scene.temperature, design.material.over_temperature
     if layout is None or temperature is None:
         return
-    asked = temperature.temperatures(layout, design.geometry.axes)
+    geometry = design.geometry
+    asked = temperature.temperatures(layout, geometry.axes, geometry.body_materials)
     most = max(abs(T - temperature.assembly) for T in asked)
     given = known.model_dump(exclude_none=True) if known is not None else {}
     if known is not None and (beyond := known.continued(asked)):

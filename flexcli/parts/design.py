@@ -530,14 +530,22 @@ class DesignSpec(Part):
         if not self.material.expands:
             hint = "give it, e.g. 8.6e-6 1/K"
             yield Problem(path, "the material has no thermal_expansion", hint)
-        known = self.material.over_temperature
         layout = self.drawn(self.geometry.probe())
-        if known is None or layout is None:
+        if layout is None:
             return
-        asked = temperature.temperatures(layout, self.geometry.axes)
-        if beyond := known.refused(asked):
-            text = f"the material is not given from {min(asked):g} to {max(asked):g} K"
-            yield Problem(path, text, f"it has {', '.join(beyond)} over temperature")
+        axes, others = self.geometry.axes, self.geometry.body_materials
+        for body, material in others.items():
+            if not material.expands and body not in temperature.expansion:
+                hint = "give it one, or temperature.expansion of the body"
+                yield Problem(path, f"the material of {body} has no thermal_expansion", hint)
+        bodies = temperature.changes(layout, axes).bodies
+        asked = [(self.material, temperature.temperatures(layout, axes, others))]
+        asked += [(m, (temperature.assembly + bodies[body],)) for body, m in others.items()]
+        for material, reached in asked:
+            known = material.over_temperature
+            if known is not None and (beyond := known.refused(reached)):
+                text = f"the material is not given from {min(reached):g} to {max(reached):g} K"
+                yield Problem(path, text, f"it has {', '.join(beyond)} over temperature")
 
     def _requirement_problems(
         self, path: tuple[str | int, ...], requirement: Any, probe: Sizes, scenes: list[Scene]

@@ -118,7 +118,8 @@ class _Latest:
         density = material.density.value if material.density is not None else 0.0
         layout = geometry.space_layout(material.elastic, sizes, density)
         if temperature is not None:
-            layout = temperature.warmed(layout, material, geometry.axes)
+            others = geometry.body_materials
+            layout = temperature.warmed(layout, material, geometry.axes, others)
         joint = SpaceJoint(layout)
         self.known = [*self.known[1 - MOST :], (joint, geometry, material, sizes, temperature)]
         return joint

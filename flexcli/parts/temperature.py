@@ -1,6 +1,6 @@
 """A change of temperature from assembly, of blades and bodies, and how far each would grow."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from math import copysign, cos, hypot, sin
 from typing import Annotated, NamedTuple, TypeVar
@@ -171,17 +171,24 @@ class Temperature(Part):
             {name: at(point) + self.bodies.get(name, 0.0) for name, point in points.items()},
         )
 
-    def warmed(self, layout: AnyLayout, material: Material, axes: float) -> AnyLayout:
+    def warmed(
+        self,
+        layout: AnyLayout,
+        material: Material,
+        axes: float,
+        of_bodies: Mapping[str, Material] | None = None,
+    ) -> AnyLayout:
         """Return a layout whose blades and bodies have grown.
 
         A body grows about its reference point, the ground about the origin of the layout. What
-        clamps keep a blade from growing across makes it longer.
+        clamps keep a blade from growing across makes it longer. ``of_bodies`` are the materials of
+        bodies that are of another than the blades.
         """
-        changes = self.changes(layout, axes)
+        changes, others = self.changes(layout, axes), of_bodies or {}
         bodies = {
             name: self.expansion[name] * change
             if name in self.expansion
-            else material.growth(change, self.assembly)
+            else others.get(name, material).growth(change, self.assembly)
             for name, change in changes.bodies.items()
         }
         blades = {}
@@ -224,9 +231,14 @@ class Temperature(Part):
         each = self.changes(layout, axes).blades.values()
         return material.at(self.assembly, self.assembly + min(each), self.assembly + max(each))
 
-    def temperatures(self, layout: Layout | SpaceLayout, axes: float) -> tuple[float, ...]:
-        """Return the temperatures that the material is asked for: of assembly, blades, bodies."""
-        changes = self.changes(layout, axes)
-        own = [change for name, change in changes.bodies.items() if name not in self.expansion]
+    def temperatures(
+        self, layout: Layout | SpaceLayout, axes: float, others: Collection[str] = ()
+    ) -> tuple[float, ...]:
+        """Return the temperatures that the material is asked for: of assembly, blades, bodies.
+
+        ``others`` are bodies of another material.
+        """
+        changes, apart = self.changes(layout, axes), {*self.expansion, *others}
+        own = [change for name, change in changes.bodies.items() if name not in apart]
         found = (0.0, *changes.blades.values(), *own)
         return tuple(self.assembly + change for change in dict.fromkeys(found))

@@ -54,6 +54,7 @@ REFERENCES: dict[tuple[str, ...], str] = {
     **{("cases", "*", "axes", axis, "asd"): "asd" for axis in "xyz"},
     ("balance", "asd", "profile"): "asd",
     ("stops", "contact", "material"): "material",
+    ("geometry", "bodies", "*", "material"): "material",
 }
 """Where a design may name a spec instead of holding it."""
 

@@ -23,6 +23,7 @@ from flexcli.results import ErrorRange, QuantityKind, Value
 
 if TYPE_CHECKING:
     from flexcli.mechanics.space.layout import SpaceLayout
+    from flexcli.parts.material import Material
 
 Floats = NDArray[np.float64]
 
@@ -306,6 +307,11 @@ class Geometry(Part):
 
         Names and places are those of its layout in space.
         """
+        return {}
+
+    @property
+    def body_materials(self) -> dict[str, "Material"]:
+        """Return the materials of its bodies that are not of that of the blades, by name."""
         return {}
 
     @property

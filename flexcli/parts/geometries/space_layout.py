@@ -34,6 +34,7 @@ from flexcli.parts.geometries.space_parts import (
     Placed,
     SpaceMotion,
 )
+from flexcli.parts.material import Material
 from flexcli.results import Value
 
 __all__ = ["SpaceDrawing"]
@@ -173,6 +174,12 @@ class SpaceDrawing(Drawn):
             for name, body in self.bodies.items()
             if body.box is not None
         }
+
+    @property
+    def body_materials(self) -> dict[str, Material]:
+        """Return the materials of its bodies that are not of that of the blades, by name."""
+        stated = {name: body.material for name, body in self.bodies.items()}
+        return {name: material for name, material in stated.items() if material is not None}
 
     @property
     def drawn_extents(self) -> dict[str, Extent]:

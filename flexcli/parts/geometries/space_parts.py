@@ -21,6 +21,7 @@ from flexcli.parts.base import (
 )
 from flexcli.parts.geometries.base import Extent
 from flexcli.parts.geometries.layout_parts import Name, distance, refuse_no_blade
+from flexcli.parts.material import Material
 
 __all__ = [
     "Axis",
@@ -117,11 +118,27 @@ class DrawnSpaceBody(Part):
     """
     density: Density | None = None
     """Density of the box, e.g. ``density: 2810 kg/m^3, box: [20 mm, 40 mm, 10 mm]``."""
+    material: Material | None = None
+    """Material of the body, where it is not that of the blades: inline, the name of a shipped one,
+    or a path. A box has its density, and the body grows as it does,
+    e.g. ``material: 7075-t6, box: [20 mm, 40 mm, 10 mm]``.
+    """
 
     @model_validator(mode="after")
     def _mass_is_one(self) -> "DrawnSpaceBody":
-        if (self.box is None) != (self.density is None):
-            raise spec_error("a box and its density go together", "give both, or mass and inertia")
+        if self.density is not None and self.material is not None:
+            raise spec_error(
+                "the density is given twice", "keep density or material", at=("density",)
+            )
+        if self.material is not None and self.material.density is None and self.box is not None:
+            raise spec_error("its material has no density", "give it one, or mass and inertia")
+        if (self.density is not None and self.box is None) or (
+            self.box is not None and self._density is None
+        ):
+            raise spec_error(
+                "a box and its density go together",
+                "give both, a box and a material, or mass and inertia",
+            )
         if self.box is not None and (self.mass or self.inertia is not None):
             raise spec_error("the mass is given twice", "give mass and inertia, or box and density")
         if self.inertia is not None:
@@ -136,11 +153,17 @@ class DrawnSpaceBody(Part):
         return self
 
     @property
+    def _density(self) -> float | None:
+        """Return the density of its box [kg/m³]."""
+        of_material = self.material.density if self.material is not None else None
+        return of_material.value if of_material is not None else self.density
+
+    @property
     def weight(self) -> float:
         """Return its mass [kg]."""
-        if self.box is None or self.density is None:
+        if self.box is None or self._density is None:
             return self.mass
-        return float(np.prod(self.box)) * self.density
+        return float(np.prod(self.box)) * self._density
 
     @property
     def tensor(self) -> Matrix3:
