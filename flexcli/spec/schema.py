@@ -144,7 +144,10 @@ def _referring(schema: dict[str, Any], definitions: dict[str, Any]) -> dict[str,
     def put(node: Any, path: tuple[str, ...], kind: str) -> None:
         for inner in _alternatives(node, definitions):
             if path[0] == "*":
-                put(inner["additionalProperties"], path[1:], kind)
+                # names of one's own may have to look like a name
+                named = inner.get("patternProperties", {}).values()
+                for each in named or (inner["additionalProperties"],):
+                    put(each, path[1:], kind)
             elif path[0] in inner.get("properties", {}):
                 here = inner["properties"]
                 if path[1:]:
