@@ -1,11 +1,21 @@
 """Materials: strength at a life, stress ratios, and refusing what nobody gave."""
 
+from pathlib import Path
+
 import pytest
 from pydantic import ValidationError
 
+import flexcli
 from flexcli.parts.material import Material, MissingProperty
+from flexcli.spec.shipped import shipped_names, shipped_path
 
 ROUNDING = 1e-12
+
+PART = """\
+geometry: {kind: leaf-spring-stage, h: 0.2 mm, l: 20 mm, b: 4 mm, spacing: 20 mm, blades: 2}
+cases: {a: {stroke: {translation: 0.1 mm}}}
+requirements: {yield: 1}
+"""
 
 
 def material(**given):
@@ -105,3 +115,26 @@ def test_a_value_with_a_status_must_name_its_source():
 def test_implausible_strengths_are_refused(given):
     with pytest.raises(ValidationError):
         material(**given)
+
+
+CURVED = [
+    name for name in shipped_names("material")
+    if "over_temperature" in (shipped_path("material", name) or Path()).read_text()
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CURVED)
+def test_shipped_curves_over_temperature_meet_the_values_of_their_handbook(name):
+    ours = flexcli.load(f"flexure: 1\nmaterial: {name}\n" + PART).part.material
+    room, near = 293.0, 280.0
+    # expansion falls towards the cold: from 280 to 293 K it is a little below the mean to 100 °C
+    slope = -ours.growth(near - room, room) / (room - near)
+    assert 0.8 < slope / ours.thermal_expansion.value < 1.02
+    contracted = [ours.growth(T - room, room) for T in (240.0, 160.0, 80.0)]
+    assert 0.0 > contracted[0] > contracted[1] > contracted[2]
+    if ours.over_temperature.youngs_modulus is not None:
+        ((_, modulus),) = [p for p in ours.over_temperature.youngs_modulus.points if p[0] >= room][
+            :1
+        ]
+        # two laboratories and heats
+        assert modulus == pytest.approx(ours.youngs_modulus.value, rel=0.09)
