@@ -528,11 +528,14 @@ def exported(
     else:
         hint = nearest(to, ("step", "dxf", "stl"))
         raise SpecError([Finding("to", f"there is no format '{to}'", hint)])
-    drawn = drawing(source, overrides=overrides)
-    if drawn.cut is None or plain:
-        from flexcli.report.prisms import prisms
+    from flexcli.report.prisms import in_one_plane, prisms
 
-        return written_as(prisms(drawn)), drawn.notes
+    drawn = drawing(source, overrides=overrides)
+    is_plate = drawn.cut is not None and not plain
+    if to == "dxf" or is_plate:
+        drawn = in_one_plane(drawn)
+    if not is_plate:
+        return written_as(prisms(drawn)), () if drawn.in_space else drawn.notes
     from flexcli.report.slots import cut_plate
 
     plate, notes = cut_plate(drawn)

@@ -17,7 +17,7 @@ from flexcli.engine.drawn_layout import drawn_blade, drawn_bodies, turning
 from flexcli.engine.joint_models.space_exact import section_peaks
 from flexcli.engine.joint_models.space_stroke import at_travel
 from flexcli.errors import SolveError
-from flexcli.formulas.profile import Constant
+from flexcli.formulas.profile import Constant, Profile
 from flexcli.mechanics.layout import Blade, Body, Layout
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.rotation import matrix_of
@@ -25,7 +25,15 @@ from flexcli.mechanics.space.exact.stresses import blade_stresses
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
-from flexcli.results.drawing import XY, Drawing, DrawnCut, DrawnState
+from flexcli.results.drawing import (
+    XY,
+    Drawing,
+    DrawnBlade,
+    DrawnCut,
+    DrawnEdge,
+    DrawnInSpace,
+    DrawnState,
+)
 
 __all__ = ["space_drawing"]
 
@@ -46,6 +54,9 @@ END_ON = 1e-3
 
 EDGE_ON = 0.05
 """Sine of the angle to its surface at which a blade is looked at, below which it is a line."""
+
+ROUNDING = 1e-9
+"""Of a cosine that is one."""
 
 ALONG = np.linspace(0.0, 1.0, 25)
 """Places along a moved blade, over its length, beside those where its stress is known."""
@@ -116,7 +127,30 @@ def space_drawing(
         name: _seen(ask, space, view, found, given, notes, cut, missed)
         for name, view in _views(space).items()
     }
-    return replace(drawn["front"], views={k: v for k, v in drawn.items() if k != "front"})
+    views = {k: v for k, v in drawn.items() if k != "front"}
+    return replace(drawn["front"], views=views, in_space=tuple(_in_space(space)))
+
+
+def _in_space(layout: SpaceLayout) -> Iterator[DrawnInSpace]:
+    """Yield blades in the plane across their width, and rods in that across themselves."""
+    for member in layout.blades:
+        l = float(np.linalg.norm(np.subtract(member.end, member.start)))
+        axes, ends = member.axes, ((0.0, 0.0), (l, 0.0))
+        if isinstance(member, SpaceRod):
+            axes = axes[[1, 2, 0]]
+            r = member.d / 2.0
+            corners = [(r, 0.0), (0.0, r), (-r, 0.0), (0.0, -r)]
+            quarters = zip(corners, [*corners[1:], corners[0]], strict=True)
+            around = tuple(DrawnEdge(one, other, (0.0, 0.0)) for one, other in quarters)
+            drawn = DrawnBlade(
+                member.name, member.first, member.second, (), (member.d,), l, l / 2.0, (around,)
+            )
+        else:
+            blade = Blade(member.name, member.first, member.second, *ends, member.profile, member.b)
+            drawn = drawn_blade(blade, turning(0.0))
+        x, y, z = ((float(a), float(b), float(c)) for a, b, c in axes)
+        u, v, w = (float(c) for c in member.start)
+        yield DrawnInSpace(drawn, (x, y, z), (u, v, w))
 
 
 def _seen(
@@ -226,6 +260,7 @@ def _flat(layout: SpaceLayout, view: View) -> tuple[Layout, int]:
             hidden += 1
             continue
         across = np.array([start[1] - end[1], end[0] - start[0]]) / length @ rows
+        profile: Profile | None = None
         if isinstance(member, SpaceRod):
             thick, deep = member.d, member.d
         else:
@@ -233,8 +268,12 @@ def _flat(layout: SpaceLayout, view: View) -> tuple[Layout, int]:
             thick = abs(float(across @ member.axes[1])) * h
             thick += abs(float(across @ member.axes[2])) * member.b
             deep = member.b
+            if abs(float(across @ member.axes[1])) > 1.0 - ROUNDING:  # seen along its width
+                profile = member.profile
         ends = (float(start[0]), float(start[1])), (float(end[0]), float(end[1]))
-        blades.append(Blade(member.name, member.first, member.second, *ends, Constant(thick), deep))
+        height = float(view.normal @ (np.add(member.start, member.end) / 2.0))
+        profile = profile or Constant(thick)
+        blades.append(Blade(member.name, member.first, member.second, *ends, profile, deep, height))
     return Layout(tuple(_bodies(layout, rows)), tuple(blades), 1.0), hidden
 
 

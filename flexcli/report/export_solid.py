@@ -74,4 +74,10 @@ def _solid(shape: Prism) -> Any:
     make, gp = part("BRepPrimAPI"), part("gp")
     through = gp.gp_Vec(0.0, 0.0, (shape.high - shape.low) * MM)
     plane = face(shape.edges, shape.holes, shape.low)
-    return make.BRepPrimAPI_MakePrism(plane, through).Shape()
+    solid = make.BRepPrimAPI_MakePrism(plane, through).Shape()
+    if not shape.axes:
+        return solid
+    x, _, z = (gp.gp_Dir(*axis) for axis in shape.axes)
+    there, placed = gp.gp_Trsf(), gp.gp_Ax3(gp.gp_Pnt(*(c * MM for c in shape.origin)), z, x)
+    there.SetTransformation(placed, gp.gp_Ax3())
+    return part("BRepBuilderAPI").BRepBuilderAPI_Transform(solid, there, True).Shape()

@@ -1,13 +1,15 @@
 """What of a drawing can be cut: outlines with a depth, of blades and of the blocks beside them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from math import hypot
+from operator import mul
 from typing import NamedTuple, TypeAlias
 
 from flexcli.errors import SolveError
 from flexcli.report.drawings.outlines import blocks
-from flexcli.results.drawing import XY, Drawing, DrawnBlade, DrawnEdge
+from flexcli.results.drawing import XY, Drawing, DrawnBlade, DrawnEdge, DrawnInSpace
 
 __all__ = [
     "BLADES",
@@ -20,6 +22,7 @@ __all__ = [
     "Edges",
     "Prism",
     "anticlockwise",
+    "in_one_plane",
     "is_round",
     "outline",
     "prisms",
@@ -41,6 +44,12 @@ ROUND = 1e-9
 
 THICKER = 4.0
 """Thickness of the rigid middle of a blade, which no spec states, over that of its hinges."""
+
+
+GROUND_NAME = "ground"
+
+BESIDE, BEHIND = 1.5, 0.1
+"""Half the thickness of a block at a clamp in space over that of the blade, its depth over l."""
 
 
 class Arc(NamedTuple):
@@ -67,7 +76,8 @@ def is_round(edge: DrawnEdge | Arc) -> bool:
 class Prism(NamedTuple):
     """A closed outline [m], from a depth to another across the plane, with a name and a layer.
 
-    ``holes`` are the closed outlines within it, clockwise.
+    ``holes`` are the closed outlines within it, clockwise. ``axes`` are x and y of its plane and
+    its normal, as rows, ``origin`` [m] where they are; nothing for the plane of the drawing.
     """
 
     name: str
@@ -76,6 +86,28 @@ class Prism(NamedTuple):
     low: float
     high: float
     holes: tuple[Edges, ...] = ()
+    axes: tuple[tuple[float, float, float], ...] = ()
+    origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+def in_one_plane(drawing: Drawing) -> Drawing:
+    """Return a mechanism as it is seen across the plane that all its blades stand on.
+
+    Raises
+    ------
+    SolveError
+        When there is none.
+
+    """
+    for view in (drawing, *drawing.views.values()) if drawing.in_space else ():
+        normal = [float(axis not in dict(view.axes)) for axis in "xyz"]
+        stand = (abs(sum(map(mul, normal, each.axes[2]))) for each in drawing.in_space)
+        if len(view.blades) == len(drawing.in_space) and min(stand) > 1.0 - ROUND:
+            return replace(view, in_space=())
+    if drawing.in_space:
+        text = "its blades and rods stand across no common plane: they have no outlines in one"
+        raise SolveError("no-prisms", text, "write STEP, which has them in space")
+    return drawing
 
 
 def prisms(drawing: Drawing) -> tuple[Prism, ...]:
@@ -87,11 +119,9 @@ def prisms(drawing: Drawing) -> tuple[Prism, ...]:
         When nothing of the drawing is a blade with an outline.
 
     """
-    found = [
-        Prism(name if len(blade.outlines) == 1 else f"{name} hinge {k}", BLADES, edges, *span)
-        for blade, name, span in ((blade, blade.name, span_of(blade)) for blade in drawing.blades)
-        for k, edges in enumerate(blade.outlines, 1)
-    ]
+    if drawing.in_space:
+        return tuple(part for each in drawing.in_space for part in _placed(each))
+    found = [part for blade in drawing.blades for part in _hinges(blade)]
     if not found:
         text = f"a {drawing.kind} draws no blades that are prisms across its plane"
         raise SolveError("no-prisms", text, "see flexure draw for what it draws")
@@ -107,6 +137,38 @@ def prisms(drawing: Drawing) -> tuple[Prism, ...]:
         for corners in blocks(drawing, body)
     ]
     return (*found, *middles, *bodies)
+
+
+def _hinges(blade: DrawnBlade) -> list[Prism]:
+    """Return what of a blade flexes."""
+    name, whole = blade.name, len(blade.outlines) == 1
+    return [
+        Prism(name if whole else f"{name} hinge {k}", BLADES, edges, *span_of(blade))
+        for k, edges in enumerate(blade.outlines, 1)
+    ]
+
+
+def _placed(each: DrawnInSpace) -> Iterator[Prism]:
+    """Yield a blade or rod in space, its rigid middle, and a block behind each of its clamps."""
+    blade, (low, high) = each.blade, span_of(each.blade)
+    parts = _hinges(blade)
+    for corners in rigid_middles(blade):
+        parts.append(Prism(f"{blade.name} middle", BODIES, outline(corners), low, high))
+    half = BESIDE * max(blade.thickness)
+    for body, end in ((blade.first, -1.0), (blade.second, 1.0)):
+        layer = GROUND if body == GROUND_NAME else BODIES
+        if blade.axis:
+            (x, _), l = blade.axis[0 if end < 0.0 else -1], blade.axis[-1][0]
+            far = x + end * BEHIND * l
+            corners = [(x, -half), (far, -half), (far, half), (x, half)]
+            parts.append(Prism(body, layer, outline(corners), low, high))
+        else:  # a rod is drawn across itself
+            square = [(-half, -half), (half, -half), (half, half), (-half, half)]
+            at = low if end < 0.0 else high
+            under, over = sorted((at, at + end * BEHIND * high))
+            parts.append(Prism(body, layer, outline(square), under, over))
+    for part in parts:
+        yield part._replace(axes=each.axes, origin=each.origin)
 
 
 def span_of(blade: DrawnBlade) -> tuple[float, float]:

@@ -16,6 +16,7 @@ __all__ = [
     "DrawnEdge",
     "DrawnForce",
     "DrawnGuide",
+    "DrawnInSpace",
     "DrawnLength",
     "DrawnMass",
     "DrawnState",
@@ -56,6 +57,17 @@ class DrawnBlade:
     outlines: tuple[tuple[DrawnEdge, ...], ...] = ()
     surface: tuple[XY, ...] = ()
     length: float | None = None
+
+
+class DrawnInSpace(NamedTuple):
+    """A blade or rod in its own plane, and where that stands.
+
+    ``axes`` are the plane's x and y and the normal, as rows; ``origin`` [m] is their place.
+    """
+
+    blade: DrawnBlade
+    axes: tuple[tuple[float, float, float], ...]
+    origin: tuple[float, float, float]
 
 
 class DrawnMass(NamedTuple):
@@ -182,6 +194,7 @@ class Drawing:
     axes: tuple[tuple[str, XY], ...] = (("x", (1.0, 0.0)), ("y", (0.0, 1.0)))
     is_a_view: bool = False
     views: Mapping[str, "Drawing"] = field(default_factory=dict)
+    in_space: tuple[DrawnInSpace, ...] = ()
     joint_size: float | None = None
     twists: bool = False
     strength: float | None = None

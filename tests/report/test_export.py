@@ -248,3 +248,91 @@ def test_a_round_bar_and_a_linkage_of_pins_are_no_prisms():
     )
     with pytest.raises(SolveError, match="draws no blades"):
         prisms(flexcli.joint_drawing(bar))
+
+
+FREE = ("mercury-three-blade-pivot", "rocket-parallel-stage")
+"""Examples whose sizes are chosen, to an end."""
+
+READ = sorted(
+    path.parent.name
+    for path in EXAMPLES.glob("*/flexure.yaml")
+    if path.parent.name != "crank-linear-stage"
+)
+"""All but the one that has no sizes, as what it is asked has none."""
+
+IN_SPACE = (
+    "butterfly-pivot",
+    "folded-stage",
+    "kinematic-mount",
+    "leaf-spring-guide",
+    "tripod-mount",
+)
+
+
+@pytest.mark.parametrize("name", READ)
+def test_every_example_is_read_again_and_has_the_volume_of_its_design(name, tmp_path):
+    pytest.importorskip("OCP")
+    from OCP.BRepCheck import BRepCheck_Analyzer
+    from OCP.BRepGProp import BRepGProp
+    from OCP.GProp import GProp_GProps
+    from OCP.STEPControl import STEPControl_Reader
+    from OCP.TopAbs import TopAbs_SOLID
+    from OCP.TopExp import TopExp_Explorer
+
+    spec = flexcli.load(EXAMPLES / name / "flexure.yaml")
+    if name in FREE:
+        spec = flexcli.sized(spec, flexcli.size(spec))
+    parts = prisms(flexcli.drawing(spec))
+    path = tmp_path / "parts.step"
+    path.write_bytes(flexcli.exported(spec, "step")[0])
+    reader = STEPControl_Reader()
+    assert reader.ReadFile(str(path)).name == "IFSelect_RetDone"
+    reader.TransferRoots()
+    explorer, volumes = TopExp_Explorer(reader.OneShape(), TopAbs_SOLID), []
+    while explorer.More():
+        assert BRepCheck_Analyzer(explorer.Current()).IsValid()
+        mass = GProp_GProps()
+        BRepGProp.VolumeProperties_s(explorer.Current(), mass, 1e-9)
+        volumes.append(mass.Mass())
+        explorer.Next()
+    assert len(volumes) == len(parts)
+    geometry, mechanism = spec.part.geometry, spec.part.mechanism
+    flexes = sum(v for v, part in zip(volumes, parts, strict=True) if part.layer == BLADES)
+    joints = 1 if mechanism is None else mechanism.joints
+    wanted = joints * float(geometry.volume(geometry.sized({}))) * MM**3
+    # volumes are integrated: exact for flat faces, to some 1e-9 for curved ones
+    assert flexes == pytest.approx(wanted, rel=1e-7)
+
+
+@pytest.mark.parametrize("name", IN_SPACE)
+def test_a_step_in_space_has_every_corner_of_blades_and_rods_where_it_is(name):
+    """Read as ISO 10303-21 writes it, without the kernel that wrote it."""
+    pytest.importorskip("OCP")
+    content, _ = flexcli.exported(EXAMPLES / name / "flexure.yaml", "step")
+    text = re.sub(r"\s", "", content.decode("ascii"))
+    entities = dict(re.findall(r"#(\d+)=([^;]*);", text))
+    found = []
+    for entity in entities.values():
+        if at := re.fullmatch(r"VERTEX_POINT\('[^']*',#(\d+)\)", entity):
+            place = re.fullmatch(r"CARTESIAN_POINT\('[^']*',\((.*)\)\)", entities[at[1]])
+            found.append([float(x) for x in place[1].split(",")])
+    part = flexcli.load(EXAMPLES / name / "flexure.yaml").part
+    layout = part.geometry.space_layout(part.material.elastic, part.geometry.sized({}))
+    wanted = []
+    for member in layout.blades:
+        _, y, z = member.axes
+        d = getattr(member, "d", None)
+        if d is None:
+            h, b = float(member.profile.h), member.b
+            corners = [s * h / 2.0 * y + t * b / 2.0 * z for s in (-1, 1) for t in (-1, 1)]
+        else:
+            corners = [s * d / 2.0 * way for s in (-1, 1) for way in (y, z)]
+        wanted += [np.asarray(end) + c for end in (member.start, member.end) for c in corners]
+    apart = np.abs(np.array(found)[:, None] - MM * np.array(wanted)).max(axis=2)
+    assert apart.min(axis=0).max() < NANOMETRE
+
+
+def test_what_stands_on_no_plane_has_no_outline_in_one():
+    pytest.importorskip("ezdxf")
+    with pytest.raises(SolveError, match="no common plane"):
+        flexcli.exported(EXAMPLES / "tripod-mount" / "flexure.yaml", "dxf")
