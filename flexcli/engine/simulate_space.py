@@ -8,10 +8,10 @@ import numpy as np
 
 from flexcli.engine import omitted_effects
 from flexcli.engine import values as design_values
+from flexcli.engine.joint_models.space_errors import StrokeErrors
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.engine.joint_models.space_shell import SpaceShellModel
 from flexcli.engine.joint_models.space_stroke import (
-    StrokeErrors,
     along_cases,
     at_travel,
     compliance_along_cases,

@@ -43,6 +43,7 @@ from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.results import ErrorRange
 
 __all__ = [
+    "WARPING_ERROR",
     "Motion",
     "Place",
     "Told",

@@ -5,7 +5,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.joint_models.space_stroke import at_travel, is_compared
+from flexcli.engine.joint_models.space_errors import beam_errors
+from flexcli.engine.joint_models.space_stroke import at_travel
 from flexcli.errors import SolveError
 from flexcli.formulas.rigid_motion import axes_about_z
 from flexcli.mechanics.space.swept_box import SweptBox, swept_box
@@ -19,9 +20,6 @@ __all__ = ["exact_box", "linear_box"]
 Floats = NDArray[np.float64]
 
 Poses = tuple[Sequence[tuple[float, Floats]], float]
-
-BEAMS = 0.02
-"""Error of a motion beside the stroke by beams against solids, as a share of it."""
 
 
 def linear_box(ask: Ask) -> tuple[SweptBox, tuple[str, ...]]:
@@ -56,6 +54,7 @@ def _exact_poses(ask: Ask) -> Poses:
             raise NotAvailable(f"has no exact equilibrium: {error}") from error
         motion = np.array([state.motion_of(b.name, b.point) for b in state.layout.bodies])
         most = float(np.linalg.norm(motion[:, :3], axis=1).max())
-        doubt = max(doubt, BEAMS * most if is_compared(state) else np.inf)
+        known = beam_errors(state)
+        doubt = max(doubt, known.shift * most if known is not None else np.inf)
         found.append((travel, motion))
     return found, doubt

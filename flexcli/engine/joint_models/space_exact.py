@@ -1,9 +1,9 @@
-"""The exact model of a mechanism in space: geometrically exact beams at the ends of its strokes.
+"""The exact model of a mechanism in space: geometrically exact beams at stroke and under loads.
 
-About rest it is the linear model; so it is under other loads than a stroke.
+About rest it is the linear model.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import product
 from math import inf
 from typing import TYPE_CHECKING
@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.space_errors import StrokeErrors, strain_error
 from flexcli.engine.joint_models.space_frequency import locked_frequency
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
     BEAMS,
     Blades,
-    StrokeErrors,
+    Loads,
     at_travel,
     driven_coordinate,
-    strain_error,
     support_at_stroke,
 )
 from flexcli.errors import SolveError
@@ -29,14 +29,15 @@ from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.stresses import BladeStress, blade_stresses
 from flexcli.mechanics.space.exact.support import support_compliance, vibration
-from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector
-from flexcli.mechanics.space.states import Acting
+from flexcli.mechanics.space.inertia import blade_masses
+from flexcli.mechanics.space.layout import SpaceLoad, Vector
+from flexcli.mechanics.space.states import Acting, Stresses
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.own_motion import TAKES_PART
 from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare, DriveEffort, EndStress
-from flexcli.parts.space_joint import joint_in_space
-from flexcli.parts.space_states import Told, acting_groups
+from flexcli.parts.space_joint import SpaceJoint, joint_in_space
+from flexcli.parts.space_states import WARPING_ERROR, Told, acting_groups
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -63,10 +64,8 @@ class SpaceExactModel(SpaceLinearModel):
         warm = ask.scene.temperature is not None
         if kind is QuantityKind.SHIFT and (ask.scene.moves or warm):
             return self._at_ends(ask, lambda errors: errors.shift, _shift)
-        if kind is QuantityKind.STRESS and _is_motion_alone(ask):
-            return self._at_ends(
-                ask, lambda errors: errors.stress, lambda state: self.largest_stress(state)[0]
-            )
+        if kind is QuantityKind.STRESS:
+            return self._stress_error(ask)
         if kind is QuantityKind.STIFFNESS and warm:
             own = super().error(ask, kind)
             try:
@@ -96,9 +95,10 @@ class SpaceExactModel(SpaceLinearModel):
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
         """Return what the drive holds at both ends of the stroke, other loads aside."""
-        if not _is_motion_alone(ask):
-            raise NotAvailable("has no force at stroke under other loads in space")
         found, scene = [], ask.scene
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        if not scene.moves or acting_groups(joint, scene):
+            raise NotAvailable("has no force at stroke under other loads in space")
         ends = (scene.middle + scene.travel, scene.middle - scene.travel)
         for travel, state in zip(ends, self._ends(ask), strict=True):
             effort, known, error = _effort(state), self.blades.errors(state), None
@@ -125,19 +125,20 @@ class SpaceExactModel(SpaceLinearModel):
         return max(_shift(state) for state in self._ends(ask))
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
-        """Return the stress of a stroke, or what the linear model says of other loads too."""
-        if not _is_motion_alone(ask):
-            return super().stresses(ask)
-        states = self._ends(ask)
-        first, last = (self.signed_stresses(state) for state in (states[0], states[-1]))
+        """Return the stress of stroke, loads and temperature together.
+
+        The loads act either way; a stroke is from where they leave the joint with its drive free.
+        """
         found: list[EndStress] = []
-        for name, one in first.items():
-            amplitude, mean = np.abs(one - last[name]) / 2.0, (one + last[name]) / 2.0
-            sought = (amplitude + np.abs(mean), amplitude)
-            found.extend(
-                EndStress(name, float(amplitude[i]), float(mean[i]), 0.0, is_at_face=True)
-                for i in dict.fromkeys(int(np.argmax(each)) for each in sought)
-            )
+        for ends in self._loaded_ends(ask):
+            first, last = (self.signed_stresses(state) for state in (ends[0], ends[-1]))
+            for name, one in first.items():
+                amplitude, mean = np.abs(one - last[name]) / 2.0, (one + last[name]) / 2.0
+                sought = (amplitude + np.abs(mean), amplitude)
+                found.extend(
+                    EndStress(name, float(amplitude[i]), float(mean[i]), 0.0, is_at_face=True)
+                    for i in dict.fromkeys(int(np.argmax(each)) for each in sought)
+                )
         return self.stress_kind, found
 
     def signed_stresses(self, state: SpaceEquilibrium) -> dict[str, Floats]:
@@ -149,6 +150,10 @@ class SpaceExactModel(SpaceLinearModel):
         found = self.signed_stresses(state)
         return max((float(np.max(np.abs(each))), name) for name, each in found.items())
 
+    def warped(self, state: SpaceEquilibrium) -> float:
+        """Return the largest stress of restrained warping, whose spread beams do not know [Pa]."""
+        return max(float(np.max(each.warping)) for each in blade_stresses(state))
+
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return the box around it by exact beams, and the bodies that have no outline."""
         from flexcli.engine.joint_models.space_box import exact_box
@@ -159,15 +164,29 @@ class SpaceExactModel(SpaceLinearModel):
         """Return the shares of the loads that buckle it: drive locked at a stroke, else free."""
         return tuple(_critical_shares(ask, self.blades))
 
-    def _ends(self, ask: Ask) -> tuple[SpaceEquilibrium, ...]:
-        """Return the joint at both ends of its stroke, or as its temperature leaves it."""
+    def _ends(self, ask: Ask, loads: Loads = ()) -> tuple[SpaceEquilibrium, ...]:
+        """Return the joint at both ends of its stroke, or as loads and temperature leave it."""
         scene = ask.scene
         if not scene.moves:
-            return (at_travel(ask, None, self.blades),)
-        return (
-            at_travel(ask, scene.middle + scene.travel, self.blades),
-            at_travel(ask, scene.middle - scene.travel, self.blades),
+            return (at_travel(ask, None, self.blades, loads=loads),)
+        sag = self._sag_of_drive(ask, loads) if loads else 0.0
+        return tuple(
+            at_travel(ask, travel + sag, self.blades, loads=loads)
+            for travel in (scene.middle + scene.travel, scene.middle - scene.travel)
         )
+
+    def _sag_of_drive(self, ask: Ask, loads: Loads) -> float:
+        """Return how far loads move the free drive of the joint [m or rad]."""
+        under, free = (at_travel(ask, None, self.blades, loads=each) for each in (loads, ()))
+        own = driven_coordinate(under.layout)
+        return float((under.coordinates - free.coordinates).ravel()[own])
+
+    def _loaded_ends(self, ask: Ask) -> Iterator[tuple[SpaceEquilibrium, ...]]:
+        """Yield the joint at the ends of its stroke, its loads acting in one sense or another."""
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+        groups = [_loads(joint, each) for each in acting_groups(joint, ask.scene)]
+        for signs in product((1.0, -1.0), repeat=len(groups)):
+            yield self._ends(ask, tuple(_signed(groups, signs)))
 
     def _at_ends(
         self,
@@ -177,16 +196,52 @@ class SpaceExactModel(SpaceLinearModel):
     ) -> ErrorRange | None:
         """Return an error with what a number changes from the level before."""
         try:
-            states = self._ends(ask)
+            most = _most_off(self._ends(ask), self.blades, error, number)
         except (NotAvailable, SolveError):
             return None
-        most = 0.0
-        for state in states:
-            found, known = number(state), self.blades.errors(state)
-            if state.coarser is None or known is None or found == 0.0:
-                return None
-            most = max(most, abs(number(state.coarser) / found - 1.0) + error(known))
+        return None if most is None else ErrorRange(-most, most)
+
+    def _stress_error(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of the largest stress: of blades and level, and of the blades' weight.
+
+        That acts on the bodies; what it does between the ends of a blade counts as if it were
+        largest where the stress is.
+        """
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+        beside = sum(_stress_of_weight(joint, each) for each in acting_groups(joint, ask.scene))
+        most, unsure, largest = 0.0, beside, 0.0
+        try:
+            for ends in self._loaded_ends(ask):
+                known = _most_off(
+                    ends, self.blades, lambda errors: errors.stress,
+                    lambda state: self.largest_stress(state)[0],
+                )  # fmt: skip
+                if known is None:
+                    return None
+                most = max(most, known)
+                for state in ends:
+                    largest = max(largest, self.largest_stress(state)[0])
+                    unsure = max(unsure, beside + WARPING_ERROR * self.warped(state))
+        except (NotAvailable, SolveError):
+            return None
+        most += unsure / largest
         return ErrorRange(-most, most)
+
+
+def _most_off(
+    states: Iterable[SpaceEquilibrium],
+    blades: Blades,
+    error: Callable[[StrokeErrors], float],
+    number: Callable[[SpaceEquilibrium], float],
+) -> float | None:
+    """Return the largest error of a number in states, with what it changes from level to level."""
+    most = 0.0
+    for state in states:
+        found, known = number(state), blades.errors(state)
+        if state.coarser is None or known is None or found == 0.0:
+            return None
+        most = max(most, abs(number(state.coarser) / found - 1.0) + error(known))
+    return most
 
 
 def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
@@ -194,7 +249,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     scene = ask.scene
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes, scene.temperature)
     layout, drive = joint.layout, joint.layout.drive
-    groups = [_loads(layout, each) for each in acting_groups(joint, scene)]
+    groups = [_loads(joint, each) for each in acting_groups(joint, scene)]
     levels, tolerance = blades.critical
     senses: list[tuple[float, ...]] = [(1.0, -1.0)] * len(groups)
     if any(scene.stated):
@@ -206,11 +261,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
         own = driven_coordinate(layout) % 6
         held = {drive.body: [travel if i == own else None for i in range(6)]} if start else None
         for signs in product(*senses):
-            pattern = [
-                load._replace(force=_times(sign, load.force), moment=_times(sign, load.moment))
-                for sign, group in zip(signs, groups, strict=True)
-                for load in group
-            ]
+            pattern = list(_signed(groups, signs))
             spoken = "drive locked at its stroke" if start else "drive free"
             try:
                 found = critical_load(
@@ -227,31 +278,54 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
             yield CriticalShare(found.factor, spoken, ErrorRange(-off, off) if known else None)
 
 
-def _loads(layout: SpaceLayout, acting: Acting) -> list[SpaceLoad]:
-    """Return a wrench on the moving body and an acceleration of the bodies as loads."""
-    found = []
+def _loads(joint: SpaceJoint, acting: Acting) -> list[SpaceLoad]:
+    """Return a wrench on the moving body and an acceleration as loads.
+
+    The mass of a blade weighs by halves on the bodies at its ends.
+    """
+    layout, found = joint.layout, list[SpaceLoad]()
     if np.any(acting.wrench):
         force, moment = _times(1.0, acting.wrench[:3]), _times(1.0, acting.wrench[3:])
         found.append(SpaceLoad(layout.drive.body, acting.point, force, moment))
     if np.any(acting.acceleration):
+        moving = {body.name for body in layout.bodies}
+        weighing = [(body.name, body.com, body.mass) for body in layout.bodies]
+        for blade, mass in zip(layout.blades, blade_masses(joint.assembly), strict=True):
+            ends = ((blade.first, blade.start), (blade.second, blade.end))
+            weighing += [(name, at, float(mass) / 2.0) for name, at in ends if name in moving]
         found += [
-            SpaceLoad(body.name, body.com, _times(body.mass, acting.acceleration))
-            for body in layout.bodies
-            if body.mass > 0.0
+            SpaceLoad(name, at, _times(mass, acting.acceleration))
+            for name, at, mass in weighing
+            if mass > 0.0
         ]
     return found
+
+
+def _signed(groups: Iterable[Sequence[SpaceLoad]], signs: Iterable[float]) -> Iterator[SpaceLoad]:
+    """Yield groups of loads, each in its sense."""
+    for sign, group in zip(signs, groups, strict=True):
+        for load in group:
+            yield load._replace(force=_times(sign, load.force), moment=_times(sign, load.moment))
+
+
+def _stress_of_weight(joint: SpaceJoint, acting: Acting) -> float:
+    """Return the largest stress of the blades' weight between ends that do not move [Pa]."""
+    if not np.any(acting.acceleration):
+        return 0.0
+    masses = blade_masses(joint.assembly)
+    weights = np.array(
+        [
+            member.axes @ acting.acceleration * mass / member.l
+            for member, mass in zip(joint.assembly.members, masses, strict=True)
+        ]
+    )
+    found = Stresses(joint.assembly).of(np.zeros(len(joint.assembly.rows)), weights)
+    return max(float(np.max(equivalent(each.normal, each.shear))) for each in found)
 
 
 def _times(factor: float, vector: Sequence[float] | Floats) -> Vector:
     x, y, z = (factor * float(each) for each in vector)
     return x, y, z
-
-
-def _is_motion_alone(ask: Ask) -> bool:
-    """Return whether a stroke and a temperature are all that acts."""
-    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-    moved = ask.scene.moves or ask.scene.temperature is not None
-    return moved and not acting_groups(joint, ask.scene)
 
 
 def _changed(

@@ -304,6 +304,7 @@ def beside(
     layout: SpaceLayout,
     held: Held,
     *,
+    loads: Sequence[SpaceLoad] = (),
     frames: Mapping[str, Frame],
     made: MembersOf = beams_of,
 ) -> SpaceEquilibrium:
@@ -316,10 +317,10 @@ def beside(
     Parameters
     ----------
     state : SpaceEquilibrium
-        An equilibrium without loads of its own.
+        An equilibrium on a path from rest.
     layout : SpaceLayout
         The same bodies and blades, with other numbers.
-    held, frames, made
+    held, loads, frames, made
         As in :func:`solve`; what is held may differ a little too.
 
     """
@@ -328,7 +329,7 @@ def beside(
         level = part.assembly.members.level
         assembly = assemble(layout, state.effects, level, frames, made)
         length, force = assembly.length, assembly.force
-        demand = demand_of(layout, held, (), assembly.points, length, force)
+        demand = demand_of(layout, held, loads, assembly.points, length, force)
         x = part.x + assembly.step(part.x, 1.0, demand)
         return SpacePart(assembly, demand, x, 1.0)
 

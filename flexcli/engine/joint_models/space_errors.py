@@ -1,0 +1,213 @@
+"""How far beams and shells at stroke are off: bounds of what they were seen to be, and their range.
+
+Beams were held against shells, and both against CalculiX's solids, over the range of ``SEEN``
+(``tests/benchmarks/blades_at_stroke.py``). Outside of it nobody knows.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.formulas.card import Range
+from flexcli.formulas.profile import Constant
+from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
+from flexcli.mechanics.space.exact.rotation import conjugate, matrix_of, product, vector_of
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, Vector
+
+__all__ = ["SEEN", "Bend", "StrokeErrors", "beam_errors", "shell_errors", "strain_error"]
+
+Floats = NDArray[np.float64]
+
+
+class StrokeErrors(NamedTuple):
+    """Relative errors at a stroke beside that of the level: of what blades are made of."""
+
+    support: float
+    shift: float
+    stress: float
+    critical: float
+
+
+class Bend(NamedTuple):
+    """How far a blade or rod is deformed, its end against its start.
+
+    ``curve`` is the largest curvature of a cubic centre line with these ends across its
+    thickness, times the length [-]; ``twist`` the turn about it [rad]; ``shift`` that of its end
+    over its length [-].
+    """
+
+    curve: float
+    twist: float
+    shift: float
+
+
+SEEN = {
+    "slender": Range("h/l", 0.0, 0.02, "shear across the thickness is in no comparison"),
+    "width": Range("b/l", 0.0, 1.5, "beams were held against shells from 0.1 to 1.5, rods besides"),
+    "poisson": Range("ν", 0.0, 0.45, "sections curl by its square"),
+    "shift": Range("shift of a blade's end over l", 0.0, 0.306, "guides up to 0.3 l, pivots 30°"),
+    "curve": Range("curvature times l", 0.0, 1.84, "guides up to a stroke of 0.3 l"),
+    "curl": Range("b² κ/h", 0.0, 1650.0, "b/l = 1.5, h/l = 1/400, a stroke of 0.3 l"),
+    "twist": Range("b² φ/(h l)", 0.0, 4.4, "coaxial blades, up to where wide ones buckle"),
+}
+"""Where beams were held against shells and solids."""
+
+STRAINED, STRAINED_AT = 0.06, 0.3
+"""Of what thermal forces change of a stiffness, what beams may be off, at this ν; by its square."""
+
+WIDE, THICK, LONGEST = 2.0, 0.1, 0.204
+"""Largest b/l, h/l and shift of a blade's end over l for which is told what thermal forces change.
+
+Bridges between walls, to four fifths of what buckles them, against CalculiX's solids: the change is
+within 4 % of its own at h/l 0.02 to 0.1 and b/l 0.2 to 1.5.
+"""
+
+EULER_SHEAR = 10.5
+"""Share of (h/l)² by which shear lowers Euler's load of a clamped beam, 4π² E/(12 κ G), ν = 1/3."""
+
+ROUNDING = 1e-9
+"""Of a quantity at the very end of its range."""
+
+SOLIDS = 0.012
+"""Error of a support stiffness by thin shells, against solids of guides and pivots, b/l from 0.1
+to 1.5: within 0.006, the solids themselves by their mesh within 0.008."""
+
+SETTLED = 0.021
+"""Beams over shells where no section curls: seen up to 0.0165 at ν = 0, and −0.021 where blades
+of b ≤ 0.4 l bend little."""
+
+CURL = 5.0
+"""Of b² κ/h, from which on the errors of sections that curl are as large as they get."""
+
+SUPPORT_CURLED, MOMENT_CURLED = 0.36, 0.15
+"""Times ν², what beams are too stiff where a section curls over a length no longer than its width:
+in support and in their moments. Seen with what is told beside: 0.050 of the one at ν = 0.3 and
+0.077 at ν = 0.45, 0.014 and 0.033 of the other."""
+
+MOMENTS = 0.015
+"""Nominal stress besides, where nothing curls: moments within 0.007 of shells' at ν = 0.3."""
+
+SHIFTED = 0.025
+"""Besides, of the motion beside a stroke: what is left of it where blades shorten alike (a folded
+stage) was 0.0225 off, that of guides and pivots 0.007."""
+
+LOADED = 0.05
+"""Of a critical share besides the support stiffness: blades weigh by halves on their ends."""
+
+EDGE = 0.63
+"""Share of h/b by which the edges of a section lessen Saint-Venant's b h³/3 of a thin strip."""
+
+SHEAR = 3.2
+"""Share of (h/l)² by which shear across the thickness softens an S shape, E/(κ G) at ν = 1/3."""
+
+THICKEST, STOUTEST = 0.05, 0.2
+"""Largest h/l and h/b for which a thin shell's error is told."""
+
+RIM = 0.03
+"""Error of the stress at a clamp besides: polynomials swing there by a hundredth or two."""
+
+
+def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
+    """Return the errors of exact beams; nothing outside of what was looked at."""
+    curling = 0.0
+    for blade in state.layout.blades:
+        bend, l = _bend(state, blade), _length(blade)
+        if isinstance(blade, SpaceRod):
+            felt = {"slender": blade.d / l, "shift": bend.shift, "curve": bend.curve}
+        elif isinstance(blade.profile, Constant):
+            b, h, nu = blade.b, float(blade.profile.h), blade.material.nu
+            wide = b**2 / (h * l)
+            felt = {
+                "slender": h / l, "width": b / l, "poisson": nu, "shift": bend.shift,
+                "curve": bend.curve, "curl": wide * bend.curve, "twist": wide * bend.twist,
+            }  # fmt: skip
+            curling = max(curling, nu**2 * min(wide * (bend.curve + bend.twist) / CURL, 1.0))
+        else:
+            return None
+        if any(value > SEEN[name].most * (1.0 + ROUNDING) for name, value in felt.items()):
+            return None
+    support = SOLIDS + SETTLED + SUPPORT_CURLED * curling
+    moments = SOLIDS + MOMENT_CURLED * curling
+    return StrokeErrors(support, moments + SHIFTED, moments + MOMENTS, support + LOADED)
+
+
+def strain_error(state: SpaceEquilibrium) -> float | None:
+    """Return by what share of itself what thermal forces change of a stiffness may be off.
+
+    Thicker blades and rods shear as they bend. Nothing where nobody compared.
+    """
+    most = 0.0
+    for blade in state.layout.blades:
+        l, nu = _length(blade), blade.material.nu
+        if isinstance(blade, SpaceRod):
+            wide, thick = 0.0, blade.d / l
+        elif isinstance(blade.profile, Constant):
+            wide, thick = blade.b / l, float(blade.profile.h) / l
+        else:
+            return None
+        if wide > WIDE or thick > THICK + ROUNDING or _bend(state, blade).shift > LONGEST:
+            return None
+        bent = STRAINED * max(1.0, (nu / STRAINED_AT) ** 2)
+        most = max(most, bent + EULER_SHEAR * thick**2)
+    return most
+
+
+def shell_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
+    """Return the errors of thin shells: what they carry of neither shear nor edges.
+
+    That against solids grows in proportion beyond the range in which they were compared.
+    """
+    thin, beyond = 0.0, 1.0
+    for blade in state.layout.blades:
+        if isinstance(blade, SpaceRod):
+            continue
+        if not isinstance(blade.profile, Constant):
+            return None
+        h, l = float(blade.profile.h), _length(blade)
+        if h > THICKEST * l or h > STOUTEST * blade.b:
+            return None
+        thin = max(thin, EDGE * h / blade.b + SHEAR * (h / l) ** 2)
+        felt = {
+            "width": blade.b / l,
+            "poisson": blade.material.nu,
+            "shift": _bend(state, blade).shift,
+        }
+        beyond = max(beyond, *(value / SEEN[name].most for name, value in felt.items()))
+    support = SOLIDS * beyond + thin
+    return StrokeErrors(support, support, support + RIM, support + LOADED)
+
+
+def _bend(state: SpaceEquilibrium, blade: SpaceBlade | SpaceRod) -> Bend:
+    """Return how far a blade or rod is deformed in a state; a rod bends in any direction."""
+    first, second = _turn(state, blade.first), _turn(state, blade.second)
+    l, axes = _length(blade), blade.axes
+    apart = np.subtract(blade.end, blade.start)
+    shifted = _shift(state, blade.second, blade.end) - _shift(state, blade.first, blade.start)
+    # as seen from the start, along the blade's own axes
+    t = axes @ (matrix_of(conjugate(first)) @ (apart + shifted) - apart) / l
+    theta = axes @ vector_of(product(conjugate(first), second))
+    # w″ l at both ends of w = (3t − θ) x² + (θ − 2t) x³
+    curve = max(abs(6.0 * t[1] - 2.0 * theta[2]), abs(6.0 * t[1] - 4.0 * theta[2]))
+    if isinstance(blade, SpaceRod):
+        other = max(abs(6.0 * t[2] + 2.0 * theta[1]), abs(6.0 * t[2] + 4.0 * theta[1]))
+        curve = float(np.hypot(curve, other))
+    return Bend(float(curve), float(abs(theta[0])), float(np.linalg.norm(t)))
+
+
+def _length(blade: SpaceBlade | SpaceRod) -> float:
+    return float(np.linalg.norm(np.subtract(blade.end, blade.start)))
+
+
+def _turn(state: SpaceEquilibrium, body: str) -> Floats:
+    """Return the rotation of a body as a quaternion; the ground has none."""
+    if body not in {each.name for each in state.layout.bodies}:
+        return np.array([1.0, 0.0, 0.0, 0.0])
+    return state.quaternion(body)
+
+
+def _shift(state: SpaceEquilibrium, body: str, point: Vector) -> Floats:
+    """Return how far a point moved; those of the ground do not."""
+    if body not in {each.name for each in state.layout.bodies}:
+        return np.zeros(3)
+    return state.motion_of(body, point)[:3]
