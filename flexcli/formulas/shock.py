@@ -11,9 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from flexcli.formulas.arguments import positive
+from flexcli.formulas.card import Card
 from flexcli.formulas.spectrum import checked_profile, spectral_level
 
 __all__ = [
+    "CARDS",
     "PulseResponse",
     "half_sine_damped",
     "srs_level",
@@ -181,19 +183,20 @@ def _speed(V: ArrayLike) -> Floats:
 def velocity_shock_acceleration(V: ArrayLike, fn: ArrayLike) -> Floats:
     """Give the acceleration an undamped oscillator passes on when its base changes velocity.
 
-    a = V · 2π f_n; in units of gravity, G_t = V (2π f_n)/g.
+    ``a = 2π f_n V``; in units of gravity ``G_t = a/g``. It deflects by ``V/(2π f_n)``, and on a
+    blade V is less below the tip by ``φ(x/L)``, the bent shape.
 
     Parameters
     ----------
     V : array, any shape
-        Sudden change of velocity, [m/s].
+        Sudden change of velocity [m/s].
     fn : array that broadcasts with `V`
-        Natural frequency, [Hz].
+        Natural frequency [Hz].
 
     Returns
     -------
     array
-        Peak acceleration, [m/s²].
+        Peak acceleration [m/s²].
 
     Raises
     ------
@@ -254,3 +257,8 @@ def srs_level(fn: ArrayLike, frequency: ArrayLike, level: ArrayLike) -> Floats:
             f"the table spans {f[0]:g} to {f[-1]:g} Hz, asked {asked.min():g} to {asked.max():g} Hz"
         )
     return spectral_level(asked, f, s, side="upper")
+
+
+CARDS: tuple[Card, ...] = (
+    Card("velocity-shock", velocity_shock_acceleration, {"V": 1.0, "fn": 100.0}),
+)
