@@ -110,3 +110,19 @@ def test_every_example_has_expected_numbers(folder):
 
 def test_the_units_of_expected_numbers_are_known():
     assert {DIMENSIONS[d].si for d in DIMENSION_OF.values()} == set(DIMENSION_OF)
+
+
+@pytest.mark.parametrize("name", ["triple-crossed-pivot", "coupled-linkage-pivot"])
+def test_a_crossed_pivot_of_its_size_fails_for_its_shift(name):
+    shifts = []
+    for file, code in (("flexure.yaml", 0), ("crossed.yaml", 1)):
+        result = CliRunner().invoke(
+            command_line(), ["check", str(ROOT / name / file), "--format", "json"]
+        )
+        assert result.exit_code == code, result.output
+        checks = json.loads(result.stdout)["checks"]
+        (check,) = (c for c in checks if c["name"].startswith("parasitic shift"))
+        assert check["verdict"] == ("fail" if code else "pass")
+        shifts.append(check["demand"])
+    # the README tells 0.21 of it with three planes, and none by symmetry in one
+    assert shifts[0] <= 0.25 * shifts[1]
