@@ -21,9 +21,18 @@ from flexcli.results import Check, Result
 from flexcli.results.study import Column, StudyResult, StudyRow
 from flexcli.units import number_and_unit
 
-__all__ = ["Row", "block_of", "collected", "rows_of", "shared"]
+__all__ = ["JUDGING", "Row", "block_of", "collected", "rows_of", "shared"]
 
-Each = Literal["check", "verdict", "size", "simulate"]
+Each = Literal["check", "verdict", "size", "simulate", "balance", "response", "stops"]
+
+JUDGING = {"check": api.check, "verdict": api.verdicts, "size": api.size}
+"""What is done at each point by the models that judge."""
+
+OTHERS = {
+    "simulate": api.simulate, "balance": api.balance, "response": api.asd_response,
+    "stops": api.stops,
+}  # fmt: skip
+"""What else may be done at each point, by models of its own."""
 
 Row: TypeAlias = tuple[StudyRow, tuple[Column, ...]]
 """A design of a study, and the columns of its cells."""
@@ -146,11 +155,7 @@ def _row_at(source: api.Portable, each: Each, model: str | None, point: Mapping[
     """Return the row of one point; what goes wrong is its reason."""
     try:
         spec = source.at(point)
-        if each == "simulate":
-            result = api.simulate(spec)
-        else:
-            verb = {"size": api.size, "verdict": api.verdicts}.get(each, api.check)
-            result = verb(spec, model=model)
+        result = OTHERS[each](spec) if each in OTHERS else JUDGING[each](spec, model=model)
     except SpecError as error:
         reason = "; ".join(f"{found.path or found.file}: {found.text}" for found in error.findings)
         return StudyRow(point, "error", "", "", reason, {}), ()

@@ -60,6 +60,9 @@ class Each(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
     VERDICT = "verdict"
     SIZE = "size"
     SIMULATE = "simulate"
+    BALANCE = "balance"
+    RESPONSE = "response"
+    STOPS = "stops"
 
 
 class Sample(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
@@ -85,7 +88,9 @@ def run(
     each: Annotated[
         Each | None,
         typer.Option(
-            "--each", help="Do this at each point; left out, check. A verdict has no values."
+            "--each",
+            help="Do this at each point; left out, check. A verdict has no values; a response is "
+            "that of asd response.",
         ),
     ] = None,
     sample: Annotated[
@@ -136,10 +141,14 @@ def run(
         "seed": seed,
     }
     started = perf_counter()
+    from flexcli.study import JUDGING
 
     def verb() -> Result:
         loaded = read(spec, stated)
         asked = _study(spec, loaded, vary, options)
+        if model is not None and asked.each not in JUDGING:
+            text = f"{asked.each} has models of its own"
+            raise SpecError([Finding("--model", text, "leave it out, or check each design")])
         found = _Sweep(
             loaded, asked, model.value if model else None, output, force=force,
             resume=resume, jobs=jobs, scheduler=scheduler, shown=tuple(shown or ()),

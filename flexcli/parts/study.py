@@ -94,8 +94,10 @@ class Study(Part):
     """Places of the spec, by their paths, and their values,
     e.g. ``{geometry.h: {from: 0.1 mm, to: 0.3 mm, points: 5}}``.
     """
-    each: Literal["check", "verdict", "size", "simulate"] = "check"
-    """What is done at each point, e.g. ``size``; a verdict is a check without values."""
+    each: Literal["check", "verdict", "size", "simulate", "balance", "response", "stops"] = "check"
+    """What is done at each point, e.g. ``size``; a verdict is a check without values, a response
+    that of the modes to vibration and shock.
+    """
     sample: Literal["grid", "sobol", "latin-hypercube"] = "grid"
     """All combinations, or points spread over the ranges, e.g. ``sobol``."""
     points: Annotated[int, Field(strict=True, ge=1, le=MOST)] = 64

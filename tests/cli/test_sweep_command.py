@@ -254,3 +254,31 @@ def test_a_plot_that_cannot_be_written_is_said_before_the_work(
     assert done.returncode == 2
     assert text in done.stderr + done.stdout
     assert not there or (tmp_path / name).read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.parametrize(
+    ("each", "example", "vary", "verb"),
+    [
+        ("balance", "force-balanced-stage", "mechanism.height=18mm,20mm", flexcli.balance),
+        ("response", "boundary-control-random", "geometry.b=10mm,12mm", flexcli.asd_response),
+        ("stops", "boundary-control", "geometry.b=10mm,12mm", flexcli.stops),
+    ],
+)
+def test_a_row_has_the_values_of_any_verb(flexure, tmp_path, each, example, vary, verb):
+    spec = Path(__file__).parents[2] / "examples" / example / "flexure.yaml"
+    flexure("sweep", str(spec), "--each", each, "--vary", vary, "-o", "rows.csv", "-j", "1")
+    path, _, values = vary.partition("=")
+    for row, value in zip(table(tmp_path / "rows.csv"), values.split(","), strict=True):
+        found = verb(spec, overrides={path: value})
+        assert row["status"] == found.status.value
+        assert found.values
+        for name, one in found.values.items():
+            told = row[f"{name} [{one.unit}]" if one.unit else name]
+            assert float(told) == pytest.approx(one.value, rel=1e-9)
+
+
+def test_a_model_is_refused_where_none_is_chosen(flexure, spec):
+    done = flexure("sweep", str(spec), "--each", "simulate", "--model", "linear",
+                   "--vary", "geometry.h=0.1mm,0.2mm")  # fmt: skip
+    assert done.returncode == 2
+    assert "simulate has models of its own" in done.stderr
