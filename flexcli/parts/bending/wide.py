@@ -16,7 +16,6 @@ from flexcli.formulas.section import second_moment
 from flexcli.mechanics.layout import Layout
 from flexcli.numerics.rows import larger, number, one_alone, one_by_one, smaller
 from flexcli.parts.bending.base import Factor, WideBlades
-from flexcli.parts.bending.drawn_shift import shift_by_shapes
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
 __all__ = [
@@ -257,6 +256,7 @@ def wide_by_shapes(
     beams the energy of the plates is an upper bound, with their forces a lower.
     """
     from flexcli.mechanics.linear import linear
+    from flexcli.parts.bending.drawn_shift import shift_by_shapes
 
     one_alone()
     solution = linear(layout, {MOVING: held})
