@@ -17,6 +17,7 @@ from flexcli.engine.planning.candidates import (
     carries,
     error_of,
     errors_of,
+    not_reached,
     tolerance_for,
 )
 from flexcli.engine.planning.coverage import COVERAGE
@@ -234,5 +235,4 @@ def _notes(known: list[Known], model: Candidate, on: set[str], asked: float) -> 
         yield Note("effect-not-in-model", text)
     error = error_of(model, [k for k in known if k.asked != "off"], on)
     if error > asked:
-        text = f"accuracy {asked:.2g} is not reached: the error may be {error:.2g}"
-        yield Note("accuracy-not-reached", text)
+        yield not_reached(asked, error)

@@ -1,16 +1,25 @@
 """The models that a plan chooses from: what each would leave out of a design, and be off by."""
 
 from collections.abc import Iterator, Mapping
-from math import inf, log10
+from math import inf, isfinite, log10
 from typing import NamedTuple
 
 from flexcli.engine.planning.coverage import COARSE, COVERAGE, FINE, OUTER
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import ModelEffect, Setting, estimate
 from flexcli.parts.elastic import NotAvailable
-from flexcli.results import QuantityKind
+from flexcli.results import Note, QuantityKind
 
-__all__ = ["Candidate", "Known", "candidates", "carries", "error_of", "errors_of", "tolerance_for"]
+__all__ = [
+    "Candidate",
+    "Known",
+    "candidates",
+    "carries",
+    "error_of",
+    "errors_of",
+    "not_reached",
+    "tolerance_for",
+]
 
 
 class Known(NamedTuple):
@@ -145,3 +154,10 @@ def _of_beams(
                 if name in errors:
                     errors[name] += change.error
     return Candidate(model, cost, errors, frozenset(missing))
+
+
+def not_reached(asked: float, error: float) -> Note:
+    """Return the note that no model is as accurate as is asked."""
+    most = f"may be {100.0 * error:.3g} %" if isfinite(error) else "is unknown"
+    text = f"an accuracy of {100.0 * asked:.3g} % is not reached: the error {most}"
+    return Note("accuracy-not-reached", text)

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from math import inf
 
 from flexcli.engine.models import NamedModel, series_of
+from flexcli.engine.planning.candidates import not_reached
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
@@ -52,8 +53,7 @@ def plan_in_space(design: DesignSpec, sizes: Sizes, model: str | None, asked: fl
     most = max(found[chosen].values())
     notes = []
     if most > asked:
-        text = f"accuracy {asked:.2g} is not reached: the error may be {most:.2g}"
-        notes.append(Note("accuracy-not-reached", text))
+        notes.append(not_reached(asked, most))
     return Plan(
         accuracy=asked,
         reported=tuple(kind.value for kind in kinds),
