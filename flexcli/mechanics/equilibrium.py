@@ -41,8 +41,9 @@ Integers = NDArray[np.intp]
 Steps: TypeAlias = Callable[[Floats, Floats, Integers], Floats]
 """Newton's steps of the designs ``rows`` at x and shares λ of the way."""
 
-COMPILED = 5000
-"""Designs of a batch from which the compiled steps save more than their loading takes."""
+COMPILED = 1500
+"""States of a batch from which steps are compiled: a sweep of some 4000 designs saves what their
+loading takes, and judges a thousand at a time, each at both ends of its stroke."""
 
 
 def _plain(assembly: Assembly, demand: Demand) -> Steps:

@@ -1,5 +1,6 @@
 """Section forces of a blade: axial force, shear and moment at any place of a flexible piece."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -10,7 +11,7 @@ from flexcli.mechanics.mesh import Segment, column, pick
 from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.collocation import gauss_nodes, integration_to, interpolation_matrix
 
-__all__ = ["Section", "flexible_pieces", "section_forces"]
+__all__ = ["Section", "along_piece", "applied", "flexible_pieces", "section_forces"]
 
 Floats = NDArray[np.float64]
 
@@ -48,7 +49,7 @@ def section_forces(
         Number of the blade.
     segment : Segment
         One of ``flexible_pieces``.
-    u : array, shape (designs of the part, points)
+    u : array, shape (designs of the part or 1, points)
         Places on the segment, from −1 to 1.
 
     Returns
@@ -66,19 +67,16 @@ def section_forces(
     f = local(mesh, rows, rotations[k], q).f[:, a]
     q, psi_at, w = q[:, a], rotations[k][:, a], _of_blade(mesh.w, a, part)
     nodes = slice(segment.first, segment.first + segment.nodes)
-    psi = np.sum(interpolation_matrix(segment.nodes, u) * psi_at[:, None, nodes], axis=-1)
+    psi = applied(interpolation_matrix(segment.nodes, u), psi_at[:, nodes])
     weights = gauss_nodes(segment.nodes)[1]
     rest = (weights - integration_to(segment.nodes, u)) / weights
     f_ds = w * f
-    M = q[:, 2, None] + np.sum(rest * f_ds[:, None, nodes], axis=-1)
+    M = q[:, 2, None] + applied(rest, f_ds[:, nodes])
     M += np.sum(f_ds[:, nodes.stop :], axis=-1, keepdims=True)
     n_x, n_y = q[:, 0, None], q[:, 1, None]
     l, EI = (_of_blade(v[..., None], a, part) for v in (mesh.l, mesh.EI))
-    # a piece knows the numbers of all designs
-    everywhere = np.zeros((state.designs, u.shape[1]))
-    everywhere[rows] = u
     s, h = (
-        np.broadcast_to(function(everywhere), everywhere.shape)[rows]
+        along_piece(function, state, part, u)
         for function in (segment.piece.position, segment.piece.thickness)
     )
     b = pick(column(assembly.layout.blades[blade].b), rows)[:, None]
@@ -91,6 +89,26 @@ def section_forces(
         Q=(n_y * np.cos(psi) - n_x * np.sin(psi)) * EI / l**2,
         M=M * EI / l,
     )
+
+
+def applied(matrices: Floats, values: Floats) -> Floats:
+    """Return matrices (designs or 1, points, n) times values (designs, n), (designs, points)."""
+    if matrices.shape[0] == 1:
+        # no BLAS: a design has the same digits alone and among others
+        return np.asarray(np.einsum("pk,nk->np", matrices[0], values))
+    return np.asarray(np.sum(matrices * values[:, None], axis=-1))
+
+
+def along_piece(
+    function: Callable[[Floats], Floats], state: Equilibrium, part: Part, u: Floats
+) -> Floats:
+    """Return a function of a piece at u (designs of a part or 1, points), for those designs."""
+    # a piece knows the numbers of all designs
+    everywhere = u
+    if u.shape[0] > 1:
+        everywhere = np.zeros((state.designs, u.shape[1]))
+        everywhere[part.rows] = u
+    return np.broadcast_to(function(everywhere), (state.designs, u.shape[1]))[part.rows]
 
 
 def _place(part: Part, blade: int) -> tuple[int, int]:

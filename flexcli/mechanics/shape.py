@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from flexcli.mechanics.element import turned
 from flexcli.mechanics.mesh import SHEAR_FACTOR, Segment, column, pick
 from flexcli.mechanics.points import point_motion
-from flexcli.mechanics.section_forces import flexible_pieces, section_forces
+from flexcli.mechanics.section_forces import along_piece, applied, flexible_pieces, section_forces
 from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.collocation import gauss_nodes, integration_to
 
@@ -84,7 +84,7 @@ def _of_part(
 ) -> tuple[Floats, ...]:
     """Return s, x, y in the frame of the start, stress and h (designs of the part, places)."""
     rows = part.rows.size
-    u = np.tile(np.linspace(-1.0, 1.0, points), (rows, 1))
+    u = np.linspace(-1.0, 1.0, points)[None]
     at = np.zeros((rows, 3))  # s, x, y reached
     found: list[Floats] = []
     turn = np.zeros(rows)
@@ -118,10 +118,9 @@ def _straight_to(at: Floats, s: Floats, psi: Floats) -> Floats:
 def _piece(state: Equilibrium, part: Part, blade: int, segment: Segment, u: Floats) -> Floats:
     """Return s, x, y from the piece's start, stress, h and ψ at u (designs, 6, points)."""
     assert segment.piece is not None  # a flexible one
-    nodes = np.tile(gauss_nodes(_NODES)[0], (part.rows.size, 1))
-    x_u, y_u = _rates(state, part, blade, segment, nodes)
     to = integration_to(_NODES, u)
-    x, y = (np.sum(to * rate[:, None, :], axis=-1) for rate in (x_u, y_u))
+    rates = _rates(state, part, blade, segment, gauss_nodes(_NODES)[0][None])
+    x, y = (applied(to, rate) for rate in rates)
     section = section_forces(state, part, blade, segment, u)
     bends, pulls = (pick(column(k), part.rows)[:, None] for k in state.layout.blades[blade].peak)
     bending = bends * 6.0 * section.M / (section.b * section.h**2)
@@ -135,15 +134,13 @@ def _rates(
     """Return dx/du and dy/du of the bent axis [m]."""
     section, layout = section_forces(state, part, blade, segment, u), state.layout
     area = section.b * section.h
-    epsilon, gamma = np.zeros(u.shape), np.zeros(u.shape)
+    epsilon = gamma = np.zeros(u.shape)
     if state.effects.extension:
         epsilon = section.N / (pick(column(layout.E), part.rows)[:, None] * area)
     if state.effects.shear and layout.G is not None:
         gamma = section.Q / (SHEAR_FACTOR * pick(column(layout.G), part.rows)[:, None] * area)
-    everywhere = np.zeros((state.designs, u.shape[1]))
-    everywhere[part.rows] = u
     assert segment.piece is not None  # a flexible one
-    slope = np.broadcast_to(segment.piece.slope(everywhere), everywhere.shape)[part.rows]
+    slope = along_piece(segment.piece.slope, state, part, u)
     cos, sin = np.cos(section.psi), np.sin(section.psi)
     return (
         slope * ((1.0 + epsilon) * cos - gamma * sin),

@@ -78,9 +78,8 @@ def blade_stress(state: Equilibrium, blade: str, points: int = _POINTS) -> Blade
 
     """
     index = [b.name for b in state.layout.blades].index(blade)
-    values = []
+    values, u = [], np.linspace(-1.0, 1.0, points)[None]
     for part in state.parts:
-        u = np.tile(np.linspace(-1.0, 1.0, points), (part.rows.size, 1))
         found = [
             _stress(state, part, index, segment, u) for segment in flexible_pieces(part, index)
         ]
