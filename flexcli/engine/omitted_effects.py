@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from math import isfinite
+from typing import TYPE_CHECKING
 
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, Setting
@@ -10,6 +11,10 @@ from flexcli.parts.requirements import AS_PRINTED, JointModel
 from flexcli.parts.scene import Scene
 from flexcli.results import EffectRow, Note, QuantityKind, Value
 from flexcli.units import show
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.layout import Layout
+    from flexcli.mechanics.space.layout import SpaceLayout
 
 __all__ = ["NOTABLE", "effects", "errors_of", "reported", "setting", "warnings"]
 
@@ -159,6 +164,7 @@ def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[
         )
         text += f"{', '.join(beyond)}; taken by thermal_expansion, and as it is there"
         yield Note("beyond-points", text)
+    yield from _held_across(design, layout, scene)
     if most <= NEAR:
         return
     parts = {
@@ -174,6 +180,27 @@ def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[
     if missing:
         text = f"case '{scene.case}' is {most:.3g} K from assembly: {'; '.join(missing)}"
         yield Note("at-assembly", f"{text}; material.over_temperature would give more")
+
+
+def _held_across(
+    design: DesignSpec, layout: "Layout | SpaceLayout", scene: Scene
+) -> Iterator[Note]:
+    """Yield how far clamps stress blades that they keep from growing across, where it is much."""
+    from flexcli.parts.temperature import held_across
+
+    geometry, material, temperature = design.geometry, design.material, scene.temperature
+    if temperature is None or not material.expands:
+        return
+    warm = temperature.warmed(layout, material, geometry.axes, geometry.body_materials)
+    stress = material.elastic.E * held_across(warm)
+    strengths = [
+        given.value for given in (material.yield_strength, material.tensile_strength) if given
+    ]
+    if stress > NOTABLE * min(strengths, default=0.0):
+        text = f"case '{scene.case}': clamps keep blades from growing across, by some "
+        text += f"{show(stress, 'Pa', 3)} there, which is in no stress that is judged; bodies that "
+        text += "expand as the blades do have none"
+        yield Note("held-across", text)
 
 
 def _by(estimate: float) -> str:

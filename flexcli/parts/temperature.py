@@ -30,7 +30,7 @@ ALONG_PIECE = np.array([[-1.0, 0.0, 1.0]])
 HELD_ERROR = 0.1
 """Error of what clamps that hold a blade across make it longer, relative."""
 
-AnyLayout = TypeVar("AnyLayout", Layout, SpaceLayout)
+AnyLayout = TypeVar("AnyLayout", bound=Layout | SpaceLayout)
 
 
 class Changes(NamedTuple):

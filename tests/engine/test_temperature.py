@@ -1,5 +1,6 @@
 """A case with a temperature: what is judged, what it moves, what is refused."""
 
+import re
 from math import pi, tan, tanh
 
 import pytest
@@ -241,6 +242,20 @@ def test_tangential_blades_bend_by_what_the_ring_shrinks_around_the_mirror():
     assert stress.demand == pytest.approx(max(at_start, at_end), rel=0.15)
     for axis in "xyz":
         assert result.values[f"{axis}_c"].value == pytest.approx(0.0, abs=1e-12)
+
+
+def test_what_clamps_hold_across_is_told_where_it_is_much_of_the_strength():
+    def told(case):
+        notes = mount(f"temperature: {{{case}}}", "yield: 1").warnings
+        return [note.text for note in notes if note.code == "held-across"]
+
+    (text,) = told("uniform: -200 K, expansion: {mirror: 0 1/K, ground: 23.6e-6 1/K}")
+    # between the bench and the blades it is most: E (23.6 − 8.6)e-6 · 200 K, and what it lengthens
+    most = float(re.search(r"some (\d+) MPa", text)[1])
+    assert most == pytest.approx(E * 15e-6 * 200.0 / 1e6, rel=0.02)
+    assert told("uniform: -200 K") == []
+    # a strain of 4.3e-5 is 5 MPa, of 880 MPa
+    assert told("uniform: -5 K, expansion: {mirror: 0 1/K}") == []
 
 
 def test_a_gradient_across_a_mount_moves_its_centre_along_any_axis():
