@@ -125,7 +125,8 @@ class ExactModel(JointModel):
 
     def stiffness_at_end(self, ask: Ask) -> float:
         """Return the tangent of the effort at the end of the stroke, under the case's forces."""
-        return of_each(driven_stiffness(self.states(ask), ask))
+        one_alone()
+        return float(driven_stiffness(self.states(ask), ask)[0])
 
     def states(self, ask: Ask) -> Equilibrium:
         """Return the equilibria of a case."""
