@@ -21,8 +21,8 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from twins.campaign import KINDS, tried
 
 SINS = (
-    "", "undecided", "lacks a property", "unsafe pass", "false fail", "finding", "exit 101",
-    "error", "too long", "nothing to ask",
+    "", "undecided", "lacks a property", "leaves out", "unsafe pass", "false fail", "finding",
+    "exit 101", "error", "too long", "nothing to ask",
 )  # fmt: skip
 
 

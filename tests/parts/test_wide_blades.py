@@ -10,8 +10,9 @@ from geometries_for_tests import SAMPLES, geometry, spec
 from flexcli.engine import omitted_effects
 from flexcli.formulas import plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
+from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.plate_flattening import flat_width, secant_factor
-from flexcli.parts.bending.wide import wide_halves, wide_pivot
+from flexcli.parts.bending.wide import SHORTEST, wide_halves, wide_pivot
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect, Setting
 from flexcli.parts.geometries import Blade
@@ -293,3 +294,13 @@ def test_joined_blades_shift_as_their_halves_do_where_these_are_alike():
     value, error = wide_halves(blade, 0.34, 0.5).shift
     assert value == pytest.approx(half.shift[0], rel=1e-9)
     assert abs(value) <= error < 0.1
+
+
+@pytest.mark.parametrize("ends", EFFECTIVE_LENGTH)
+@pytest.mark.parametrize("x", [0.01, 0.1, 0.5, 2.0])
+@pytest.mark.parametrize("nu", [0.2, 0.45])
+def test_no_shape_between_clamps_is_flatter_than_an_arc_of_four_times_the_width(ends, x, nu):
+    """What bounds the buckling of hinges and drawn blades, of which no shape is known."""
+    arc = plates.pure_bending_factor(b=SHORTEST * x, l=1.0, poisson_ratio=nu)
+    assert plate_buckling.buckling_factor(b=x, l=1.0, poisson_ratio=nu, ends=ends) < arc
+    assert plates.guided_factor(b=x, l=1.0, poisson_ratio=nu) < arc

@@ -349,6 +349,7 @@ class Tried(NamedTuple):
 CLEAN = ""
 BUG = "exit 101"
 LACKS = "lacks a property"
+OMITS = "leaves out"
 NOT_ASKED = "nothing to ask"
 OPEN = {
     "needs-poisson-ratio": "poisson_ratio", "needs-density": "density", "limbs-without-mass": None,
@@ -424,6 +425,7 @@ def _outcome(spec, name, said, finest):
         sin = FALSE_FAIL
     elif ours.verdict == UNDECIDED:
         sin = LACKS if _lacks(ours, spec, name) else UNDECIDED
+        sin = OMITS if sin == UNDECIDED and _omits(spec, name) else sin
     elif ours.verdict == ERROR:
         sin = ERROR
     return Outcome(name, ours, best, sin)
@@ -441,6 +443,15 @@ def _lacks(said, spec, name):
     if "spacing" in missing:
         spec["geometry"] = {**spec["geometry"], "spacing": spec["geometry"]["l"]}
     return checked(spec, name).verdict != UNDECIDED
+
+
+def _omits(spec, name):
+    """Return whether an effect that the spec itself leaves out would decide."""
+    if "off" not in spec.get("effects", {}).values():
+        return False
+    whole = {key: value for key, value in spec.items() if key != "effects"}
+    whole["requirements"] = {name: spec["requirements"][name]}
+    return checked(whole, name).verdict != UNDECIDED
 
 
 def _key(name, easy):

@@ -37,6 +37,10 @@ RITZ_ERROR = 1e-3
 CANCELS = 10.0
 """Times that a layout's shift may be smaller than the shortening of a blade that makes it."""
 
+SHORTEST = 4.0
+"""How many times wider a blade in pure bending is that is kept as flat as one in any shape between
+clamps: guided 2.9 at most, and buckled with any ends 2.6."""
+
 OF_CROSS = 1.0
 """Share of what the plates of joined blades change in their shift that the cross may undo: it is
 thin, and holds their sections by the other blade alone."""
@@ -187,15 +191,19 @@ def wide_notch(
     def hinge(l: float, b: float, nu: float, *numbers: float) -> WideHinge:
         return wide_hinge(type(profile), numbers, l, b, nu)
 
-    thin, thick = (
+    effective = number(plates.effective_width(b=b, h=e))
+    thin, thick, short = (
         one_by_one(hinge, number(length), width, nu, *numbers)
-        for width in (b, number(plates.effective_width(b=b, h=e)))
+        for width in (b, effective, SHORTEST * effective)
     )
     widening, bends = number(plates.bound(nu)), number(second_moment(b, e)) / number(turn)
     factor = _as_a_solid(thick.stiffness, e / b, e / bends, widening)
     low, high = factor.low - uneven * widening, factor.high + uneven * widening
     factor = factor._replace(low=larger(1.0, low), high=high)
-    held = dict.fromkeys(EFFECTIVE_LENGTH, factor._replace(high=1.0 + widening))
+    buckles = _as_a_solid(short.stiffness, e / b, e / bends, widening)
+    held = dict.fromkeys(
+        EFFECTIVE_LENGTH, factor._replace(low=1.0, high=larger(high, buckles.high))
+    )
     moves = (thin.shift, thick.shift)
     middle = sum(moves) / 2.0 - 1.0
     spread = abs(moves[0] - moves[1]) / 2.0 + 0.3 * larger(abs(m - 1.0) for m in moves)
@@ -224,7 +232,7 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
     Each is given where it is thinnest, and whether its thickness is the same all along; springs
     that are no blades take their share.
     """
-    found, most, path = [], 0.0, 0.0
+    found, most, path, kept = [], 0.0, 0.0, 1.0
     for given, constant in blades:
         blade = _floats(given)
         most = larger(most, blade.b / blade.l)
@@ -232,9 +240,12 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
         if constant:
             bent = _factor(plates.guided_factor, blade, nu)
             found.append(Factor((pure.value + bent.value) / 2.0, pure.low, bent.high))
+            short = _factor(plates.pure_bending_factor, blade._replace(b=SHORTEST * blade.b), nu)
+            kept = larger(kept, short.high)
             path = larger(path, *_shortening(blade, nu))
         else:
             found.append(_between(pure.low, nu))
+            kept = 1.0 + number(plates.bound(nu))
             path = number(plates.bound(nu)) / 5.0
     hull = _hull(found)
     stiffness = _hull([hull, Factor(1.0, 1.0, 1.0)]) if springs else hull
@@ -242,7 +253,7 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
     # what one blade takes more of than another adds to its own factor; curvature flattens it
     spread = stiffness.high - stiffness.low
     stress = Factor(stiffness.value, larger(1.0 - spread, stiffness.low - spread), flat + spread)
-    buckles = dict.fromkeys(EFFECTIVE_LENGTH, Factor(stiffness.value, 1.0, flat))
+    buckles = dict.fromkeys(EFFECTIVE_LENGTH, Factor(stiffness.value, 1.0, kept))
     return WideBlades(most, stiffness, stress, buckles, (0.0, CANCELS * path))
 
 
