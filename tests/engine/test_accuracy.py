@@ -8,6 +8,7 @@ import pytest
 from geometries_for_tests import MATERIAL, SAMPLES, spec
 from strategies import crossed, design, rcc, stage
 
+import flexcli
 from flexcli.engine import accuracy as verb
 from flexcli.engine.accuracy import Settled, Timed, accuracy, compared, timed
 from flexcli.engine.comparing.model_series import (
@@ -226,3 +227,26 @@ def test_json_has_every_model_of_every_quantity(found):
     assert all(keys == set(r) for q in rows["quantities"] for r in q["readings"])
     assert content["values"]["k_pivot"]["model"] == rows["finest"] == found.finest
     assert content["cost"]["estimated_error"] == max(q["bound"] for q in rows["quantities"])
+
+
+def test_the_stiffness_at_rest_is_that_at_assembly():
+    # blades between walls that stay cold, half way to where they buckle
+    text = """
+flexure: 1
+material: {youngs_modulus: 113.8 GPa, poisson_ratio: 0.342, thermal_expansion: 8.6e-6 1/K}
+geometry:
+  kind: layout
+  bodies: {stage: {at: [0 mm, 0 mm]}}
+  blades:
+    left: {between: [ground, stage], from: [-40 mm, 0 mm], to: [0 mm, 0 mm], h: 0.2 mm, b: 2 mm}
+    right: {between: [stage, ground], from: [0 mm, 0 mm], to: [40 mm, 0 mm], h: 0.2 mm, b: 2 mm}
+  moving: stage
+  motion: {translation: 90 deg}
+cases: {hot: {temperature: {uniform: 1.2 K, expansion: {ground: 0 1/K, stage: 0 1/K}}}}
+requirements: {buckling: 1.5}
+"""
+    part = flexcli.load(text).part
+    stiffness = next(iter(numbers(part, part.geometry.sized({}))))
+    guided = 2.0 * 12.0 * 113.8e9 * 2e-3 * 0.2e-3**3 / 12.0 / 40e-3**3
+    # hot it is half as stiff; the blades shear a little
+    assert stiffness.by(Finest()) == pytest.approx(guided, rel=2e-3)

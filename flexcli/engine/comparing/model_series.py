@@ -106,11 +106,12 @@ def series(geometry: Geometry, tolerance: float = FINEST[0]) -> tuple[NamedModel
 
 
 def numbers(design: DesignSpec, sizes: Sizes) -> Iterator[Number]:
-    """Yield what is reported of a design's joint: at rest, then case by case."""
+    """Yield what is reported of a design's joint: at rest and assembly, then case by case."""
     geometry, asks = design.geometry, design.asks(sizes, AS_PRINTED)
     turns = geometry.motion == "rotation"
     stiffness, unit = ("k_pivot", "N*m/rad") if turns else ("k_stage", "N/m")
-    yield Number(stiffness, "stiffness at rest", unit, _by(asks[0], _stiffness))
+    rest = design.ask(asks[0].scene.at_assembly(), sizes, AS_PRINTED)
+    yield Number(stiffness, "stiffness at rest", unit, _by(rest, _stiffness))
     for ask in asks:
         scene = ask.scene
         end = f"_{scene.case}" if len(asks) > 1 else ""
