@@ -49,6 +49,7 @@ __all__ = [
     "Told",
     "across_stress",
     "acting_groups",
+    "bent_by_gradient",
     "beyond_first_order",
     "largest_misfit_stress",
     "left_by_temperature",
@@ -84,6 +85,9 @@ TURNS = 2.0
 
 INNER = 0.8
 """Frequency over that of a blade between held ends up to which blades follow their ends."""
+
+TWOFOLD = 2.0
+"""Times what uneven sections do at rest: how much they may do at a stroke."""
 
 WEIGHTS = (0.0, 0.25, 0.5, 0.75, 1.0, 2.0, 4.0)
 """Of the mean stress beside the amplitude, among which a place is the worst for some method."""
@@ -156,7 +160,7 @@ def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[Motion, ...]:
     axes = motion_along(axes_about_z(turn))
     body = joint.layout.body(joint.layout.drive.body)
     to_point = axes @ joint.assembly.motion(body.name, body.point)
-    found = []
+    bent, found = bent_by_gradient(joint, scene)[1], []
     for travel in (scene.middle + scene.travel, scene.middle - scene.travel):
         state = action(joint.assembly, Acting(travel, np.zeros(6), body.point, np.zeros(3)))
         if joint.layout.grows:
@@ -172,8 +176,32 @@ def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[Motion, ...]:
         length = max(member.l for member in joint.assembly.members)
         floor = THIRD * after.rotation**3
         growth = joint.layout.body_growth.get(body.name, 0.0)
-        found.append(Motion(one, two, share, (length * floor, floor), growth))
+        turned = float(np.linalg.norm(bent[3:]))
+        shifted = float(np.linalg.norm(bent[:3])) + length * turned
+        floors = (length * floor + shifted, floor + turned)
+        found.append(Motion(one, two, share, floors, growth))
     return tuple(found)
+
+
+def bent_by_gradient(joint: SpaceJoint, scene: Scene) -> tuple[float, Floats]:
+    """Return what sections of uneven temperature add at most: stress [Pa], motion of the drive.
+
+    That is of the driven point, shift [m] and turn [rad] (6,). States give each blade the
+    temperature of its middle. Its section's would bend it where it is free, and stresses it where
+    it is held, as of a plate in both directions. Beside a stroke, at which other motions are softer
+    than at rest, all counts twofold.
+    """
+    assembly, drive = joint.assembly, joint.layout.drive
+    misfits = assembly.curl()
+    if not misfits.any():
+        return 0.0, np.zeros(6)
+    moved = assembly.moved(misfits=misfits[:, None], travel=np.zeros(1) if scene.moves else None)
+    of_blades = Stresses(assembly).of(moved.forces[:, 0], np.zeros((len(assembly.members), 3)))
+    each = zip(of_blades, joint.layout.blades, strict=True)
+    stress = max(_largest(found) / (1.0 - blade.material.nu) for found, blade in each)
+    times = TWOFOLD if scene.moves else 1.0
+    motion = assembly.motion(drive.body, drive.point) @ moved.coordinates[:, 0]
+    return times * stress, times * np.abs(motion)
 
 
 def left_by_temperature(ask: Ask) -> tuple[float, ...]:
@@ -339,7 +367,13 @@ def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRa
         ends = [scene.middle + scene.travel, scene.middle - scene.travel]
         states = [combined(parts, [end, *loads]) for end in ends]
         errors.append(_error(joint, states, stresses))
-    return found, _hull(errors)
+    whole, bent = _hull(errors), bent_by_gradient(joint, scene)[0]
+    if whole is None or bent == 0.0:
+        return found, whole
+    most = max((place.amplitude + abs(place.mean) for place in found), default=0.0)
+    if bent > KNOWN * most:
+        return found, None
+    return found, whole + ErrorRange(-bent / most, bent / most)
 
 
 def across_stress(joint: SpaceJoint, scene: Scene) -> Told:

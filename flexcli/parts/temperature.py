@@ -6,6 +6,7 @@ from math import copysign, cos, hypot, sin
 from typing import Annotated, NamedTuple, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
 from flexcli.formulas.profile import Constant
@@ -19,6 +20,8 @@ from flexcli.parts.material import Material
 from flexcli.parts.over_temperature import Kelvin
 
 __all__ = ["Temperature", "held_across", "held_lengths", "held_share"]
+
+Floats = NDArray[np.float64]
 
 Change = Annotated[float, QuantityOf("temperature change")]
 Slope = Annotated[float, QuantityOf("temperature gradient")]
@@ -196,7 +199,15 @@ class Temperature(Part):
             own = material.growth(changes.blades[blade.name], self.assembly)
             held = own - (bodies[blade.first] + bodies[blade.second]) / 2.0
             blades[blade.name] = own + held * held_share(blade, material.elastic.nu or 0.0)
-        return replace(layout, body_growth=bodies, blade_growth=blades)
+        if not isinstance(layout, SpaceLayout):
+            return replace(layout, body_growth=bodies, blade_growth=blades)
+        slopes, curl = np.array(self._slopes(axes)), {}
+        for blade in layout.blades if slopes.any() else ():
+            change, more = changes.blades[blade.name], _rise_in_section(blade, slopes)
+            rate = self._growth_towards_assembly(material, change, more) / more if more else 0.0
+            x, y, z = (rate * slopes).tolist()
+            curl[blade.name] = (x, y, z)
+        return replace(layout, body_growth=bodies, blade_growth=blades, blade_curl=curl)
 
     def across_thickness(self, layout: Layout, material: Material, axes: float) -> float:
         """Return the largest strain by which a blade's face would grow more than its middle [-].
@@ -210,12 +221,17 @@ class Temperature(Part):
             x, y = (float(e - s) for s, e in zip(blade.start, blade.end, strict=True))
             l = hypot(x, y)
             more = abs(rise_y * x - rise_x * y) / l * _thickest(blade, l) / 2.0
-            # towards assembly, where the material is known
-            change = changes[blade.name]
-            other = change - copysign(more, change)
-            grown = (material.growth(each, self.assembly) for each in (change, other))
-            found = max(found, abs(next(grown) - next(grown)))
+            found = max(found, self._growth_towards_assembly(material, changes[blade.name], more))
         return found
+
+    def _growth_towards_assembly(self, material: Material, change: float, less: float) -> float:
+        """Return how much less a blade would grow that is less warm, or less cold [-].
+
+        It is towards assembly, where the material is known.
+        """
+        other = change - copysign(less, change)
+        grown = (material.growth(each, self.assembly) for each in (change, other))
+        return abs(next(grown) - next(grown))
 
     def _slopes(self, axes: float) -> tuple[float, float, float]:
         """Return the rise along the axes of the layout [K/m]."""
@@ -242,3 +258,13 @@ class Temperature(Part):
         own = [change for name, change in changes.bodies.items() if name not in apart]
         found = (0.0, *changes.blades.values(), *own)
         return tuple(self.assembly + change for change in dict.fromkeys(found))
+
+
+def _rise_in_section(blade: SpaceBlade | SpaceRod, slopes: Floats) -> float:
+    """Return how much warmer a corner of a section gets than its middle [K]."""
+    _, y, z = np.abs(blade.axes @ slopes)
+    if isinstance(blade, SpaceRod):
+        return float(np.hypot(y, z)) * blade.d / 2.0
+    l = float(np.linalg.norm(np.subtract(blade.end, blade.start)))
+    h = max(float(np.max(piece.thickness(ALONG_PIECE))) for piece in blade.profile.pieces(l))
+    return float(y * h + z * blade.b) / 2.0

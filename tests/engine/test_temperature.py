@@ -332,3 +332,54 @@ def test_nothing_is_taken_beyond_the_points():
     (found,) = refused.value.findings
     assert "73 to 293 K" in found.text
     assert "80 to 293 K" in found.hint
+
+
+WIDE_BRIDGE = """
+flexure: 1
+material: {{youngs_modulus: 200 GPa, yield_strength: 400 MPa, poisson_ratio: 0.3,
+           thermal_expansion: 12e-6 1/K}}
+geometry:
+  kind: space-layout
+  bodies: {{middle: {{at: [0 mm, 0 mm, 0 mm]}}}}
+  blades:
+    arm: {{between: [ground, middle], from: [60 mm, 0 mm, 0 mm], to: [10 mm, 0 mm, 0 mm],
+          h: 0.5 mm, b: 40 mm, width: z, mirror: [x]}}
+  moving: middle
+  motion: {{translation: y}}
+cases:
+  day: {{temperature: {{{change}gradient: {{{axis}: 500 K/m}}}}}}
+requirements: {{{requirement}}}
+"""
+
+
+@pytest.mark.parametrize(("axis", "half"), [("z", 20e-3), ("y", 0.25e-3)])
+def test_a_gradient_across_a_held_section_is_in_the_range_of_its_stress(axis, half):
+    """E α g b/2 beside what the blade bears of the change of its middle, held at both ends."""
+    text = WIDE_BRIDGE.format(axis=axis, change="uniform: -20 K, ", requirement="yield: 1")
+    (check,) = flexcli.check(text, model="exact").checks
+    bent = 200e9 * 12e-6 * 500.0 * half
+    low, high = check.factor_range
+    assert low <= 400e6 / (check.demand + bent)
+    assert low > 400e6 / (1.1 * check.demand + 1.6 * bent)
+    assert check.factor < high
+
+
+@pytest.mark.parametrize(("factor", "verdict"), [(10, "pass"), (17, "undecided")])
+def test_a_gradient_alone_across_held_sections_counts(factor, verdict):
+    """Its middle is as warm as at assembly: 24 MPa of bending are all that there is."""
+    text = WIDE_BRIDGE.format(axis="z", change="", requirement=f"yield: {factor}")
+    (check,) = flexcli.check(text).checks
+    assert check.verdict.value == verdict
+
+
+@pytest.mark.parametrize(("most", "verdict"), [(5, "undecided"), (30, "pass")])
+def test_a_blade_that_a_gradient_bends_moves_its_end_by_no_more_than_is_told(most, verdict):
+    """A free strip is bent to the curvature α g: its end moves by α g l²/2, 7.5 µm."""
+    lone = WIDE_BRIDGE.replace(", mirror: [x]", "")
+    wanted = f"parasitic_motion: {{direction: z, max: {most} um}}"
+    (check,) = (
+        c
+        for c in flexcli.check(lone.format(axis="z", change="", requirement=wanted)).checks
+        if c.name.startswith("parasitic")
+    )
+    assert check.verdict.value == verdict

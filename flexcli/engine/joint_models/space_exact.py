@@ -37,7 +37,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.own_motion import TAKES_PART
 from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare, DriveEffort, EndStress
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
-from flexcli.parts.space_states import WARPING_ERROR, Told, acting_groups
+from flexcli.parts.space_states import WARPING_ERROR, Told, acting_groups, bent_by_gradient
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ class SpaceExactModel(SpaceLinearModel):
         """Return the error of its numbers: of its blades, and of their level."""
         warm = ask.scene.temperature is not None
         if kind is QuantityKind.SHIFT and (ask.scene.moves or warm):
-            return self._at_ends(ask, lambda errors: errors.shift, _shift)
+            return self._shift_error(ask)
         if kind is QuantityKind.STRESS:
             return self._stress_error(ask)
         if kind is QuantityKind.STIFFNESS and warm:
@@ -201,6 +201,16 @@ class SpaceExactModel(SpaceLinearModel):
             return None
         return None if most is None else ErrorRange(-most, most)
 
+    def _shift_error(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of the motion beside the stroke, uneven sections counted."""
+        found = self._at_ends(ask, lambda errors: errors.shift, _shift)
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+        bent = float(np.linalg.norm(bent_by_gradient(joint, ask.scene)[1][:3]))
+        if found is None or bent == 0.0:
+            return found
+        least = min(_shift(state) for state in self._ends(ask))
+        return found + ErrorRange(-bent / least, bent / least)
+
     def _stress_error(self, ask: Ask) -> ErrorRange | None:
         """Return the error of the largest stress: of blades and level, and of the blades' weight.
 
@@ -209,6 +219,7 @@ class SpaceExactModel(SpaceLinearModel):
         """
         joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
         beside = sum(_stress_of_weight(joint, each) for each in acting_groups(joint, ask.scene))
+        beside += bent_by_gradient(joint, ask.scene)[0]
         most, unsure, largest = 0.0, beside, 0.0
         try:
             for ends in self._loaded_ends(ask):

@@ -154,7 +154,8 @@ class SpaceLayout:
 
     ``body_growth`` and ``blade_growth`` are the free strains that a temperature gives bodies and
     blades by name [-]: a body grows about its point, the ground about the origin, a blade along
-    itself.
+    itself. ``blade_curl`` is by how much that strain rises from place to place in the section of a
+    blade [1/m]: states leave it out, :meth:`SpaceAssembly.curl` tells what it would do.
     """
 
     bodies: tuple[SpaceBody, ...]
@@ -163,6 +164,7 @@ class SpaceLayout:
     springs: tuple[SpaceSpring, ...] = ()
     body_growth: Mapping[str, float] = field(default_factory=dict)
     blade_growth: Mapping[str, float] = field(default_factory=dict)
+    blade_curl: Mapping[str, Vector] = field(default_factory=dict)
 
     @property
     def grows(self) -> bool:

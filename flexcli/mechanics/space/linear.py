@@ -131,6 +131,20 @@ class SpaceAssembly:
             found[6 * k : 6 * k + 6] = end[:, :3] @ member.axes @ (second - first)
         return found
 
+    def curl(self) -> Floats:
+        """Return the deformations of springs of blades that a temperature bends, nothing moving.
+
+        A free blade whose strain rises by g across itself is bent to the curvature −g.
+        """
+        found = np.zeros(len(self.rows))
+        for k, (blade, member) in enumerate(zip(self.layout.blades, self.members, strict=True)):
+            _, y, z = member.axes @ np.array(self.layout.blade_curl.get(blade.name, (0.0,) * 3))
+            l = member.l
+            seat = np.array([0.0, y * l**2 / 2.0, z * l**2 / 2.0, 0.0, -z * l, y * l])
+            end = deformation_rows(member.springs, np.array([l, 0.0, 0.0]))
+            found[6 * k : 6 * k + 6] = end @ seat
+        return found
+
     def load(self, load: SpaceLoad) -> Floats:
         """Return a load on the coordinates, shape (coordinates,)."""
         found = np.zeros(self.size)
