@@ -3,6 +3,7 @@
 from flexcli.formulas.handbook import (
     actuator,
     contact_load,
+    guide_support,
     impact,
     large_stroke,
     loaded_pivot,
@@ -16,6 +17,7 @@ __all__ = ["CARDS"]
 CARDS = (
     *actuator.CARDS,
     *contact_load.CARDS,
+    *guide_support.CARDS,
     *impact.CARDS,
     *large_stroke.CARDS,
     *loaded_pivot.CARDS,
