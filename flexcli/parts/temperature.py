@@ -19,7 +19,7 @@ from flexcli.parts.geometries.base import GROUND
 from flexcli.parts.material import Material
 from flexcli.parts.over_temperature import Kelvin
 
-__all__ = ["Temperature", "held_across", "held_lengths", "held_share"]
+__all__ = ["Temperature", "held_across", "held_bending", "held_lengths", "held_share"]
 
 Floats = NDArray[np.float64]
 
@@ -85,6 +85,25 @@ def held_lengths(layout: Layout, nu: float) -> float:
         unsure = HELD_ERROR * held_share(blade, nu) * l + nu * _thickest(blade, l)
         doubt += abs(own - (first + second) / 2.0) * unsure
     return doubt
+
+
+def held_bending(layout: Layout, nu: float) -> float:
+    """Return by what share what clamps hold across may change how stiffly blades bend [-].
+
+    It pulls a blade flat across or lets it curl, between a beam and a plate that cannot: the more,
+    the larger strain · (b/h)² is. CalculiX had 0.7 % where this has 3 %.
+    """
+    doubt = 0.0
+    for blade in layout.blades:
+        l = hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
+        own = float(column(layout.blade_growth[blade.name])[0])
+        held = max(
+            abs(own - float(column(layout.body_growth[body])[0]))
+            for body in (blade.first, blade.second)
+        )
+        slender = float(column(blade.b)[0]) / _thickest(blade, l)
+        doubt = max(doubt, min(1.0, HELD_ERROR * held * slender**2))
+    return doubt * nu**2 / (1.0 - nu**2)
 
 
 def _thickest(blade: Blade, l: float) -> float:

@@ -32,7 +32,7 @@ from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, on
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical, Held
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
-from flexcli.parts.temperature import held_lengths
+from flexcli.parts.temperature import held_bending, held_lengths
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -121,6 +121,8 @@ class ExactModel(JointModel):
             error = abs(before / found - 1.0) if isfinite(before) else inf
             if error <= self.tolerance:
                 break
+        if ask.scene.temperature is not None:
+            error += held_bending(warmed(ask), ask.material.elastic.nu or NU_UNKNOWN)
         return found, error
 
     def stiffness_at_end(self, ask: Ask) -> float:
