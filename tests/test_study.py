@@ -27,7 +27,10 @@ SAME = 1e-8
 """Of a factor: equilibria are solved to 1e-9, by steps that may differ in their last."""
 
 
-def study(kind, seed, model=None):
+MASS = {"mechanism": {"kind": "payload", "mass": "0.1 kg", "inertia": "1e-5 kg*m^2"}}
+
+
+def study(kind, seed, model=None, **more):
     """Return a spec of a joint, and designs that differ in all its numbers."""
     rng, turns = np.random.default_rng(seed), geometry(kind).motion == "rotation"
     stroke = {"rotation": "5 deg"} if turns else {"translation": "0.5 mm"}
@@ -35,11 +38,13 @@ def study(kind, seed, model=None):
         {
             "flexure": 1,
             "material": MATERIAL,
-            "geometry": said(kind),
+            "geometry": said(kind) | more.get("geometry", {}),
+            **more.get("parts", {}),
             "cases": {"operation": {"stroke": stroke}},
             "requirements": {
                 "yield": 1.5,
                 "stiffness": {"max": "0.2 N*m/rad" if turns else "1 N/mm"},
+                **more.get("requirements", {}),
             },
         }
     )
@@ -74,6 +79,10 @@ def study(kind, seed, model=None):
 def test_designs_judged_together_are_as_each_alone(kind, model):
     of, points = study(kind, 7, model)
     assert block_of(*of, points) > 1
+    assert_as_alone(of, points)
+
+
+def assert_as_alone(of, points):
     together = rows_of(*of, points)
     for place in range(0, DESIGNS, 5):
         row, columns = together[place]
@@ -83,6 +92,20 @@ def test_designs_judged_together_are_as_each_alone(kind, model):
         for name, cell in alone.cells.items():
             there = row.cells[name]
             assert there == cell or isclose(there, cell, rel_tol=SAME), name
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"geometry": {"clamps": "monolithic"}},
+        {"geometry": {"root_radius": "0.3 mm"}},
+        {"parts": MASS, "requirements": {"frequency": {"min": "5 Hz"}}},
+    ],
+)
+def test_what_is_found_of_each_alone_stands_among_what_is_found_together(more):
+    of, points = study("rcc", 5, **more)
+    assert block_of(*of, points) > 1
+    assert_as_alone(of, points)
 
 
 def test_designs_that_cannot_be_judged_together_are_judged():

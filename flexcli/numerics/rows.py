@@ -24,6 +24,7 @@ __all__ = [
     "atan2",
     "copysign",
     "cos",
+    "design_by_design",
     "each_alike",
     "found_once",
     "hypot",
@@ -195,8 +196,9 @@ def _reduced(plain: Callable[[Any], Any], many: Any, values: tuple[Any, ...]) ->
 class _Pass:
     """A pass over so many designs, and what was found at length: by name, and about what."""
 
-    def __init__(self, designs: int, known: Sequence[tuple[str, Any, Any]]) -> None:
-        self.designs = designs
+    def __init__(self, which: Integers, known: Sequence[tuple[str, Any, Any]]) -> None:
+        self.some = _filled_up(which)
+        self.distinct, self.designs = len(which), len(self.some)
         self.known = list(known)
 
     def of_some(self, which: Integers) -> list[tuple[str, Any, Any]]:
@@ -240,6 +242,80 @@ def one_by_one(find: Callable[..., Any], *numbers: Number) -> Any:
         columns = (Rows.of(np.array(column)[place]) for column in zip(*found, strict=True))
         return kind(*columns) if hasattr(kind, "_fields") else tuple(columns)
     return Rows.of(np.array(found)[place])
+
+
+def design_by_design(find: Callable[..., Answer], *values: Any, name: str, about: Any) -> Answer:
+    """Return what is found of one design after the other, from values whatever they are made of.
+
+    It is made of numbers, tuples, records and mappings, alike in all designs but for the numbers,
+    and found once (:func:`found_once`).
+    """
+    now = _PASS.get()
+    if now is None:
+        return find(*values)
+    return found_once(name, about, lambda: _each_by_itself(find, values, now))
+
+
+def _each_by_itself(find: Callable[..., Answer], values: tuple[Any, ...], now: _Pass) -> Answer:
+    token = _PASS.set(None)
+    try:
+        found = [
+            find(*(_of_one(value, place, now.designs) for value in values))
+            for place in range(now.distinct)
+        ]
+    finally:
+        _PASS.reset(token)
+    together: Answer = _of_all(found, now.designs)
+    return together
+
+
+def _of_one(value: Any, place: int, designs: int) -> Any:
+    """Return of a value of so many designs what is of one of them."""
+    if isinstance(value, np.ndarray):
+        return float(np.asarray(value)[place]) if value.shape == (designs,) else value
+    if isinstance(value, tuple):
+        each = [_of_one(x, place, designs) for x in value]
+        return type(value)(*each) if hasattr(value, "_fields") else tuple(each)
+    if isinstance(value, Mapping):
+        return {name: _of_one(each, place, designs) for name, each in value.items()}
+    if hasattr(value, "model_copy"):
+        return _part_of_one(value, place, designs)
+    return value
+
+
+def _part_of_one(part: Any, place: int, designs: int) -> Any:
+    """Return of a pydantic model of so many designs that of one of them."""
+    own = {name: getattr(part, name) for name in type(part).model_fields}
+    changed = {name: _of_one(each, place, designs) for name, each in own.items()}
+    changed = {name: each for name, each in changed.items() if each is not own[name]}
+    if not changed:
+        return part
+    found = part.model_copy(update=changed)
+    for name in found.__dict__.keys() - own.keys():  # cached, of all designs
+        del found.__dict__[name]
+    return found
+
+
+def _of_all(found: Sequence[Any], designs: int) -> Any:
+    """Return as one what was found of each design."""
+    first = found[0]
+    if any(each is None for each in found):
+        none = np.array([each is None for each in found])
+        if none.all():
+            return None
+        raise Diverged(np.pad(none, (0, designs - len(none)), mode="edge"))
+    if isinstance(first, tuple):
+        columns = [_of_all(column, designs) for column in zip(*found, strict=True)]
+        return type(first)(*columns) if hasattr(first, "_fields") else tuple(columns)
+    if isinstance(first, Mapping):
+        if any(each.keys() != first.keys() for each in found):
+            raise TypeError("designs have other things")
+        return {name: _of_all([each[name] for each in found], designs) for name in first}
+    if isinstance(first, float):
+        return Rows.of(np.pad(np.array(found), (0, designs - len(found)), mode="edge"))
+    if any(each != first for each in found):
+        raise TypeError("designs have other words")
+    return first
 
 
 def one_alone() -> None:
@@ -294,10 +370,9 @@ def each_alike(
         if len(which) <= FEW:
             yield which, None
             continue
-        some = _filled_up(which)
-        now = _Pass(len(some), known)
+        now = _Pass(which, known)
         try:
-            answer = _passed(do, some, now)
+            answer = _passed(do, now)
         except Diverged as ways:
             for side in (ways.which, ~ways.which):
                 there = np.flatnonzero(side[: len(which)])
@@ -308,12 +383,12 @@ def each_alike(
             yield which, answer
 
 
-def _passed(do: Callable[[Integers], Answer], some: Integers, now: _Pass) -> Answer:
+def _passed(do: Callable[[Integers], Answer], now: _Pass) -> Answer:
     """Return the answer of a pass; what is no number or without end ends it."""
     token = _PASS.set(now)
     try:
         with np.errstate(divide="raise", over="raise", invalid="raise"):
-            return do(some)
+            return do(now.some)
     finally:
         _PASS.reset(token)
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, GetJsonSchemaHandler, field_validator, model_validator
 from pydantic_core import CoreSchema
 
+from flexcli.numerics.rows import Rows, number
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.named import marked
 from flexcli.units import (
@@ -291,11 +292,11 @@ def _number_at(part: Any, path: tuple[str | int, ...]) -> Place | None:
         inner = next((name for name in INSIDE if name in type(part).model_fields), None)
         inside = None if inner is None else _number_at(part, (inner,))
         return None if inside is None else inside._replace(path=(*steps, *inside.path))
-    if marker is None or not isinstance(part, float | int | None):
+    if marker is None or not isinstance(part, float | int | Rows | None):
         return None
     if part is None and steps[-1] not in INSIDE:
         return None
-    return Place(tuple(steps), marker.dimension, None if part is None else float(part))
+    return Place(tuple(steps), marker.dimension, None if part is None else number(part))
 
 
 def _holds(part: Any, step: str | int) -> bool:

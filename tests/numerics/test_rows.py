@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from flexcli.numerics.rows import (
     Rows,
     cos,
+    design_by_design,
     each_alike,
     found_once,
     hypot,
@@ -91,6 +92,31 @@ def test_what_is_for_one_design_is_left_to_each_alone():
     found = {found is None: which.tolist() for which, found in each_alike(do, 200)}
     assert sorted(found[True]) == list(range(100, 200))
     assert sorted(found[False]) == list(range(100))
+
+
+def test_what_is_found_design_by_design_is_of_all():
+    numbers = np.arange(1.0, 151.0)
+
+    def find(pair, words):
+        x, y = pair
+        assert type(x) is float
+        return {"sum": (x + y, words), "root": None if x > 100.0 else math.sqrt(x)}
+
+    seen, once = [], {"name": "sum and root", "about": None}
+    for which, found in each_alike(
+        lambda which: design_by_design(find, (Rows.of(numbers[which]), 2.0), "told", **once), 150
+    ):
+        seen.extend(which.tolist())
+        total, word = found["sum"]
+        assert np.asarray(total)[: len(which)].tolist() == (numbers[which] + 2.0).tolist()
+        assert word == "told"
+        if (which < 100).all():
+            root = np.asarray(found["root"])[: len(which)]
+            assert root.tolist() == pytest.approx(np.sqrt(numbers[which]).tolist(), rel=ROUNDING)
+        else:
+            assert found["root"] is None
+    assert sorted(seen) == list(range(150))
+    assert design_by_design(find, (4.0, 1.0), "", **once) == {"sum": (5.0, ""), "root": 2.0}
 
 
 def test_a_number_that_is_none_ends_a_pass():

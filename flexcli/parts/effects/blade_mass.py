@@ -2,6 +2,7 @@
 
 from typing import ClassVar
 
+from flexcli.numerics.rows import design_by_design
 from flexcli.parts.bending import Changes
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
@@ -43,7 +44,9 @@ class BladeMass(ModelEffect):
         from flexcli.parts.heavy_blades import changes  # loads vibrating structures
 
         if self._last is None or not _same(self._last[0], setting):
-            self._last = setting, changes(setting)
+            axes = tuple(scene.axis for scene in setting.scenes)
+            found = design_by_design(changes, setting, name="blade mass", about=axes)
+            self._last = setting, found
         return self._last[1]
 
 

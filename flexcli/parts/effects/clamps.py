@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import ClassVar, Generic, TypeVar
 
 from flexcli.formulas import clamps
-from flexcli.numerics.rows import larger, number
+from flexcli.numerics.rows import design_by_design, larger, number
 from flexcli.parts.bending import UNKNOWN, Change, Changes, FilletedRoots, Giving, whole
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
@@ -135,8 +135,8 @@ Found = TypeVar("Found")
 class _Last(Generic[Found]):
     """What was asked last of a geometry: every number of a design asks for the same."""
 
-    def __init__(self, find: Callable[[Geometry, Sizes, float], Found | None]) -> None:
-        self.find = find
+    def __init__(self, name: str, find: Callable[[Geometry, Sizes, float], Found | None]) -> None:
+        self.name, self.find = name, find
         self.asked: tuple[Geometry, Sizes, float] | None = None
         self.found: Found | None = None
 
@@ -145,13 +145,19 @@ class _Last(Generic[Found]):
         geometry, sizes, nu = setting.geometry, setting.sizes, setting.poisson_bound
         last = self.asked
         if last is None or last[0] is not geometry or last[1:] != (sizes, nu):
-            self.found = self.find(geometry, sizes, nu)
+            self.found = design_by_design(
+                self.find, geometry, sizes, nu, name=self.name, about=geometry.name
+            )
             self.asked = geometry, sizes, nu
         return self.found
 
 
-_GIVING: _Last[Giving] = _Last(lambda geometry, sizes, nu: geometry.giving_clamps(sizes, nu))
-_FILLETED: _Last[FilletedRoots] = _Last(lambda geometry, sizes, nu: geometry.filleted(sizes, nu))
+_GIVING: _Last[Giving] = _Last(
+    "clamps", lambda geometry, sizes, nu: geometry.giving_clamps(sizes, nu)
+)
+_FILLETED: _Last[FilletedRoots] = _Last(
+    "fillets", lambda geometry, sizes, nu: geometry.filleted(sizes, nu)
+)
 
 
 def _sags_along_stroke(setting: Setting) -> bool:
