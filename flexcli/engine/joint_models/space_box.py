@@ -55,6 +55,7 @@ def _exact_poses(ask: Ask) -> Poses:
         motion = np.array([state.motion_of(b.name, b.point) for b in state.layout.bodies])
         most = float(np.linalg.norm(motion[:, :3], axis=1).max())
         known = beam_errors(state)
-        doubt = max(doubt, known.shift * most if known is not None else np.inf)
+        off = np.inf if known is None else known.shift * most + known.rest
+        doubt = max(doubt, off)
         found.append((travel, motion))
     return found, doubt

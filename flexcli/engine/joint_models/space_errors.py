@@ -21,23 +21,28 @@ Floats = NDArray[np.float64]
 
 
 class StrokeErrors(NamedTuple):
-    """Relative errors at a stroke beside that of the level: of what blades are made of."""
+    """Relative errors at a stroke beside that of the level: of what blades are made of.
+
+    ``rest`` is what a motion beside the stroke may be off besides, however small it is [m].
+    """
 
     support: float
     shift: float
     stress: float
     critical: float
+    rest: float
 
 
 class Bend(NamedTuple):
     """How far a blade or rod is deformed, its end against its start.
 
     ``curve`` is the largest curvature of a cubic centre line with these ends across its
-    thickness, times the length [-]; ``twist`` the turn about it [rad]; ``shift`` that of its end
-    over its length [-].
+    thickness, times the length [-]; ``turn`` is the whole turn and ``twist`` that about it [rad];
+    ``shift`` that of its end over its length [-].
     """
 
     curve: float
+    turn: float
     twist: float
     shift: float
 
@@ -92,6 +97,11 @@ SHIFTED = 0.025
 """Besides, of the motion beside a stroke: what is left of it where blades shorten alike (a folded
 stage) was 0.0225 off, that of guides and pivots 0.007."""
 
+CANCELLED = 5e-4
+"""Of l (θ² + t²) of a blade, θ and t l the turn and the shift of its end: what a motion beside the
+stroke may be off in which the shortening of blades cancels. Beams were up to 5e-4 l θ² from shells
+in crossed, triple and butterfly pivots."""
+
 LOADED = 0.05
 """Of a critical share besides the support stiffness: blades weigh by halves on their ends."""
 
@@ -129,7 +139,9 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
             return None
     support = SOLIDS + SETTLED + SUPPORT_CURLED * curling
     moments = SOLIDS + MOMENT_CURLED * curling
-    return StrokeErrors(support, moments + SHIFTED, moments + MOMENTS, support + LOADED)
+    return StrokeErrors(
+        support, moments + SHIFTED, moments + MOMENTS, support + LOADED, _cancelled(state)
+    )
 
 
 def strain_error(state: SpaceEquilibrium) -> float | None:
@@ -175,7 +187,13 @@ def shell_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
         }
         beyond = max(beyond, *(value / SEEN[name].most for name, value in felt.items()))
     support = SOLIDS * beyond + thin
-    return StrokeErrors(support, support, support + RIM, support + LOADED)
+    return StrokeErrors(support, support, support + RIM, support + LOADED, _cancelled(state))
+
+
+def _cancelled(state: SpaceEquilibrium) -> float:
+    """Return what a motion beside the stroke may be off in which shortening cancels [m]."""
+    each = ((_length(blade), _bend(state, blade)) for blade in state.layout.blades)
+    return max(CANCELLED * l * (bend.turn**2 + bend.shift**2) for l, bend in each)
 
 
 def _bend(state: SpaceEquilibrium, blade: SpaceBlade | SpaceRod) -> Bend:
@@ -192,7 +210,8 @@ def _bend(state: SpaceEquilibrium, blade: SpaceBlade | SpaceRod) -> Bend:
     if isinstance(blade, SpaceRod):
         other = max(abs(6.0 * t[2] + 2.0 * theta[1]), abs(6.0 * t[2] + 4.0 * theta[1]))
         curve = float(np.hypot(curve, other))
-    return Bend(float(curve), float(abs(theta[0])), float(np.linalg.norm(t)))
+    turn = float(np.linalg.norm(theta))
+    return Bend(float(curve), turn, float(abs(theta[0])), float(np.linalg.norm(t)))
 
 
 def _length(blade: SpaceBlade | SpaceRod) -> float:

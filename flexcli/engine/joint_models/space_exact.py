@@ -202,14 +202,19 @@ class SpaceExactModel(SpaceLinearModel):
         return None if most is None else ErrorRange(-most, most)
 
     def _shift_error(self, ask: Ask) -> ErrorRange | None:
-        """Return the error of the motion beside the stroke, uneven sections counted."""
+        """Return the error of the motion beside the stroke.
+
+        Uneven sections count, and what shortening leaves where it cancels.
+        """
         found = self._at_ends(ask, lambda errors: errors.shift, _shift)
+        if found is None:
+            return None
         joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
-        bent = float(np.linalg.norm(bent_by_gradient(joint, ask.scene)[1][:3]))
-        if found is None or bent == 0.0:
-            return found
-        least = min(_shift(state) for state in self._ends(ask))
-        return found + ErrorRange(-bent / least, bent / least)
+        rest = float(np.linalg.norm(bent_by_gradient(joint, ask.scene)[1][:3]))
+        states = self._ends(ask)
+        rest += max(known.rest for known in map(self.blades.errors, states) if known is not None)
+        least = min(_shift(state) for state in states)
+        return found + ErrorRange(-rest / least, rest / least)
 
     def _stress_error(self, ask: Ask) -> ErrorRange | None:
         """Return the error of the largest stress: of blades and level, and of the blades' weight.
