@@ -146,7 +146,8 @@ def verify(
     if any(agrees is False for agrees in agreed):
         status = Status.FAIL
     else:
-        status = Status.PASS if done and None not in agreed else Status.UNDECIDED
+        is_known = bool(done) and None not in agreed and not bench.has_failed
+        status = Status.PASS if is_known else Status.UNDECIDED
     seconds = perf_counter() - begun
     return Result(
         command="verify",
@@ -245,6 +246,8 @@ class _Bench:
     decks: dict[str, None] = field(default_factory=dict)
     seconds: float = 0.0
     known: dict[str, calculix.Printed] = field(default_factory=dict)
+    has_failed: bool = False
+    """Whether CalculiX found no answer to some question."""
     asked: float = 0.0
     """Seconds of all decks that the numbers so far rest on, each time anew."""
 
@@ -270,7 +273,7 @@ class _Bench:
         except (NotAvailable, MechanismError) as wrong:
             why = f"it {wrong}"
         except NoSolution as wrong:
-            why = wrong.text
+            why, self.has_failed = wrong.text, True
         solid = found[-1] if len(found) == self.meshes else None
         own = None
         if solid is not None and self.meshes > 1 and solid != 0.0:

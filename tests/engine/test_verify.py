@@ -1,5 +1,6 @@
 """Solid elements agree with the exact model where both are right, and say so where they do not."""
 
+import os
 import shutil
 
 import numpy as np
@@ -124,6 +125,28 @@ def test_the_support_of_solids_is_that_of_linear_beams_in_space():
 def test_a_deck_that_ccx_cannot_read_says_why():
     with pytest.raises(NoSolution, match="ERROR"):
         run("*NODE\n1, 0., 0., 0.\n*STEP\n*STATIC\n*CLOAD\n7, 1, 1.\n*END STEP\n", "wrong")
+
+
+def test_what_ccx_does_not_solve_is_no_agreement(tmp_path, monkeypatch):
+    """A ccx that fails on curved states, beside one that agrees at rest."""
+    ccx = tmp_path / "ccx"
+    ccx.write_text(
+        f'#!/bin/sh\nif grep -q NLGEOM "$2.inp"; then echo "*ERROR: no convergence"; exit 201; fi\n'
+        f'exec {shutil.which("ccx")} "$@"\n',
+        encoding="utf-8",
+    )
+    ccx.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
+    text = SPEC.format(
+        geometry="{kind: guided-blade, h: 0.5 mm, l: 10 mm, b: 5 mm}", mechanism="", unit="N/m",
+        case="{stroke: {translation: 0.5 mm}}", nu=0.3,
+    )  # fmt: skip
+    found = flexcli.verify(text, only=["k_stage", "shift"])
+    rest, stroke = found.verification.numbers
+    assert rest.agrees
+    assert stroke.solid is None
+    assert "no convergence" in stroke.why
+    assert found.status.value == "undecided"
 
 
 def test_solids_are_the_finest_model_of_accuracy_where_they_are_asked_for():
