@@ -41,11 +41,11 @@ class Actuator(Part):
     length: PositiveLength | None = None
     """Length along the stroke that grows with the temperature, between the base and what it
     drives,
-    e.g. ``length: 20 mm, thermal_expansion: -5e-6 1/K``.
+    e.g. ``length: 20 mm, thermal_expansion: -5e-6 1/K, blocking_force: 5.5 N, free_stroke: 85 um``.
     """
     thermal_expansion: Expansion | None = None
     """Thermal expansion along the stroke; a stack of ceramics shrinks as it warms,
-    e.g. ``thermal_expansion: -5e-6 1/K, length: 20 mm``.
+    e.g. ``thermal_expansion: -5e-6 1/K, length: 20 mm, blocking_force: 5.5 N, free_stroke: 85 um``.
     """
 
     @model_validator(mode="after")

@@ -26,6 +26,7 @@ WHOLE = [
         ROOT / "examples" / "boundary-control" / "flexure.yaml",
         ROOT / "examples" / "force-balanced-stage" / "flexure.yaml",
         ROOT / "examples" / "folded-stage" / "flexure.yaml",
+        ROOT / "examples" / "piezo-nanopositioner" / "flexure.yaml",
     )
 ]
 """Specs whose sections the manual's take the place of."""
