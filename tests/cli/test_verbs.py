@@ -56,6 +56,7 @@ def test_the_written_design_is_undecided_by_the_formulas_as_printed(flexure, siz
     assert fatigue["factor_range"][0] < fatigue["required"] < fatigue["factor_range"][1]
 
 
+@pytest.mark.slow
 def test_a_written_design_finds_files_from_its_new_folder(flexure, tmp_path, example_text):
     (tmp_path / "mine.yaml").write_text(
         "flexure: 1\nmaterial: {youngs_modulus: 114 GPa, tensile_strength: 900 MPa, "

@@ -120,6 +120,7 @@ def test_a_stage_under_vibration_is_sized_at_the_edge_of_what_it_bears():
         assert not passes(STAGE, h=h, l=shorter * l)
 
 
+@pytest.mark.slow
 def test_a_blade_that_passes_is_found_though_the_slope_at_the_first_choice_leads_away():
     found = api.size(BLADE)
     assert found.status is Status.PASS

@@ -35,6 +35,7 @@ def size_of(found):
     return [found.values[name].value for name in ("h", "l")]
 
 
+@pytest.mark.slow
 def test_the_least_volume_of_the_worst_case_has_both_margins_used_up_at_their_corners():
     found = sized("worst-case")
 

@@ -165,6 +165,7 @@ NARROW = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("objective", ["least-volume", "shortest", "least-stiffness", "balanced"])
 def test_the_grid_point_is_that_of_the_signomials(objective):
     options = {"objective": objective, "round": COARSE}
@@ -214,6 +215,7 @@ def test_branches_given_as_limits_of_their_own_meet_in_the_optimum():
     assert sum(row.startswith("fatigue") for row in result.sizing.active) == 2
 
 
+@pytest.mark.slow
 def test_a_limit_with_a_kink_at_the_optimum_is_refused_with_its_remedy():
     def kinked(limits, sizes):
         others = [x for x in limits if x.requirement != "fatigue"]

@@ -201,6 +201,7 @@ def test_it_passes_where_the_stated_share_does(robust, status):
     assert found.status.value == status
 
 
+@pytest.mark.slow
 def test_blades_that_differ_share_the_stiffness():
     k = stiffness()
     asked = f"{{yield: 1, stiffness: {{max: {1.02 * k} N/m}}}}"

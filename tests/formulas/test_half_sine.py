@@ -42,6 +42,7 @@ def integrated_maxima(s, Q, quantity):
     return greatest
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("quantity", ["absolute", "pseudo"])
 @pytest.mark.parametrize("Q", [0.5, 0.8, 10.0, 1e3])
 @pytest.mark.parametrize("s", [0.1, 0.5, 3.3])

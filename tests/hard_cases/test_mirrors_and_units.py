@@ -121,6 +121,7 @@ def test_the_response_of_a_mirrored_stage_is_mirrored(kept):
 LENGTHS = {"m": 1.0, "mm": 1e3, "um": 1e6}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("unit", ["mm", "um"])
 @pytest.mark.parametrize("objective", ["balanced", "least-volume"])
 def test_a_design_written_in_other_units_is_sized_to_the_same_digits(unit, objective, kept):

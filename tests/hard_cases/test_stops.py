@@ -17,6 +17,7 @@ KEPT = 1e-9
 """Energy after a thousand cycles, over that at the start."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", [10.0, 1e3, 1e6])
 def test_a_stiff_stop_keeps_the_energy_over_a_thousand_cycles(ratio, kept):
     """A stepping method must resolve the stiff part, or make and lose energy at each contact."""

@@ -183,6 +183,7 @@ def by_shooting(delta, theta, alpha=np.pi / 4):
     return moment, solution[4:]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("degrees", [10.0, 20.0])
 @pytest.mark.parametrize("delta", [-0.5, -0.127, 0.0, 0.5])
 def test_a_generalised_pivot_follows_shooting(delta, degrees):

@@ -197,6 +197,7 @@ def promised(design: DesignSpec, kind: str) -> tuple[Ask, Estimate]:
     return ask, estimate(setting, QuantityKind(kind), EFFECTS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", NUMBERS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_true_number_lies_within_the_error_of_the_closed_form(kind, number):

@@ -64,6 +64,7 @@ def thick(shape):
     return hinge.thick_notches(hinge.sized({})).factor
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("block", BLOCKS)
 @pytest.mark.parametrize("shape", SHAPES)
 def test_a_notch_is_as_soft_as_the_plane_body(shape, block):

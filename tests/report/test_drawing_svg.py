@@ -1,6 +1,7 @@
 """Drawings are sound SVG, to scale, and no label lies on another or off the page."""
 
 import re
+from functools import cache
 from itertools import combinations
 from pathlib import Path
 from xml.etree import ElementTree
@@ -27,6 +28,7 @@ NARROW = 0.5
 """Least width of a figure or letter over the size of the type, in the faces asked for."""
 
 
+@cache
 def sample(kind, **changes):
     rotates = not kind.endswith(("stage", "cantilever", "guided-blade"))
     stroke = {"rotation": "2 deg"} if rotates else {"translation": "0.3 mm"}
@@ -42,6 +44,7 @@ def sample(kind, **changes):
     return drawing(part, part.fixed_sizes())
 
 
+@cache
 def example(path, draw=drawing, free=2e-3):
     design = load(path).part
     sizes = design.geometry.sized(dict.fromkeys(design.geometry.free, free))

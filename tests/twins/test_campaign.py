@@ -9,6 +9,7 @@ from twins.campaign import BUG, KINDS, tried
 from twins.verdicts import UNSAFE
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(len(KINDS)), ids=lambda seed: KINDS[seed])
 def test_a_random_spec_near_its_limit_is_judged_without_a_sin(seed):
     found = tried(seed)

@@ -9,6 +9,7 @@ from twins.designs import KINDS, drawn
 from twins.verdicts import RIGHT, UNSAFE, checked, score
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(len(KINDS)), ids=lambda seed: KINDS[seed])
 def test_no_requirement_missed_by_three_per_cent_passes(seed):
     design = drawn(seed + 3 * len(KINDS), quick=True)

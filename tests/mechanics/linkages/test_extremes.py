@@ -131,6 +131,7 @@ def test_two_turning_points_between_neighbouring_samples_are_found(reach):
 # -- properties ----------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(
     jitter=st.lists(st.floats(-0.3, 0.3), min_size=8, max_size=8),

@@ -81,6 +81,7 @@ def test_the_gap_has_none_either_and_the_plateau_is_flat(plateaus):
         assert below == pytest.approx(at, rel=5e-3)
 
 
+@pytest.mark.slow
 def test_contact_is_held_to_a_third_above_the_natural_frequency_and_ends_there():
     # section 8.2: up to three locks, 6.5 % apart, before it disengages; ours is one branch
     light = blade(TABLE["samples"][2], 0, 780.0)

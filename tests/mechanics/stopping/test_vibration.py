@@ -37,6 +37,7 @@ def test_energy_is_kept_over_a_thousand_cycles_without_damping(ratio):
     assert result.contacts.speed[-1] == pytest.approx(speed, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", [1e3, 1e6])
 def test_energy_of_three_modes_is_kept_against_a_stiff_stop(ratio):
     blade = cantilever_modes(
