@@ -45,6 +45,7 @@ def test_a_rough_answer_takes_a_cheaper_model_than_a_fine_one(flexure, spec):
     assert taken[0]["runs"] == 5
 
 
+@pytest.mark.slow
 def test_what_no_model_meets_exits_1(flexure, spec):
     told = flexure("accuracy", "--accuracy", "1e-15")
     assert told.returncode == 1

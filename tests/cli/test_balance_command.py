@@ -65,6 +65,7 @@ def test_size_and_check_take_the_arm_that_balances(flexure, spec):
         assert document["checks"][0]["pass"]
 
 
+@pytest.mark.slow
 def test_the_sized_design_is_written_with_what_is_free_in_its_mechanism(flexure, spec, tmp_path):
     text = spec.read_text().replace("h: 637 um", "h: free")
     spec.write_text(text)

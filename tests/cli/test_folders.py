@@ -122,6 +122,7 @@ def test_quiet_prints_what_does_not_pass_alone(flexure, folder):
     assert "specs/a.yaml" not in told.stdout
 
 
+@pytest.mark.slow
 def test_processes_change_no_answer_and_no_order(flexure, folder):
     (folder / "aa.yaml").write_text(FAILS)
     (folder / "wrong.yaml").write_text("flexure: 1\n")
@@ -139,6 +140,7 @@ def test_processes_change_no_answer_and_no_order(flexure, folder):
     assert told("--jobs", "2") == told("--jobs", "1")
 
 
+@pytest.mark.slow
 def test_a_process_keeps_to_what_the_command_line_allows(flexure, folder):
     """A reference outside the folder is refused, or allowed, in every process alike."""
     (folder.parent / "outside.yaml").write_text(

@@ -60,6 +60,7 @@ def test_a_joint_of_no_blades_leaves_it_unjudged(checked):
     assert "not judged" in {check["verdict"] for check in found["checks"]}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("model", "verdict"), [("linear", "undecided"), ("exact", "pass")])
 def test_a_far_stroke_under_gravity_takes_exact_beams(tmp_path, flexure, model, verdict):
     text = (EXAMPLES / "folded-stage" / "flexure.yaml").read_text(encoding="utf-8")

@@ -75,6 +75,7 @@ def test_a_long_run_says_what_it_does_and_ends_at_ctrl_c(tmp_path, sizing):
     assert found["text"] == "interrupted"
 
 
+@pytest.mark.slow
 def test_a_limit_ends_what_its_shell_shields_from_ctrl_c(tmp_path, sizing):
     (tmp_path / "flexure.yaml").write_text(sizing.design)
     told = subprocess.run(

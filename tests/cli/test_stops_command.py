@@ -140,6 +140,7 @@ def test_the_seed_can_be_chosen(flexure, spec):
     assert runs[2]["stops"]["simulations"][0]["seed"] == 7
 
 
+@pytest.mark.slow
 def test_ctrl_c_keeps_what_was_done_and_a_terminal_sees_how_far_it_is(spec, tmp_path):
     with_case(spec, LONG)
     command = [sys.executable, "-c", "from flexcli.cli.app import main; main()"]

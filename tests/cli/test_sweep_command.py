@@ -66,6 +66,7 @@ def test_verdicts_alone_are_those_of_the_checks(flexure, spec, tmp_path):
     assert alone == [{name: row[name] for name in alone[0]} for row in full]
 
 
+@pytest.mark.slow
 def test_several_processes_give_the_same_file(flexure, spec, tmp_path):
     vary = ["--vary", "geometry.h=0.1mm:0.2mm:2", "--vary", "material=ti-6al-4v,6061-t6"]
     for jobs in ("1", "2"):

@@ -64,6 +64,7 @@ def test_without_tolerances_there_is_nothing_to_tell(flexure, spec):
     assert "tolerances: {h: 5 um}" in told.stderr
 
 
+@pytest.mark.slow
 def test_free_sizes_are_chosen_first(flexure, spec):
     spec.write_text(
         STAGE.replace("h: 0.2 mm", "h: {free: [50 um, 0.5 mm]}").replace(

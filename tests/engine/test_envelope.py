@@ -112,6 +112,7 @@ def test_a_box_too_long_fails_and_a_list_of_boxes_is_by_case():
     assert flexcli.check(GUIDE.replace("[50 mm, 40 mm, 10 mm]", listed)).checks
 
 
+@pytest.mark.slow
 def test_a_layout_is_sized_by_its_envelope():
     text = GUIDE.replace("l: 40 mm", "l: {free: [20 mm, 80 mm]}") + "model: linear\n"
     text = text.replace("{envelope", "{yield: 1.5, envelope")

@@ -38,6 +38,7 @@ def critical(joint_model, *asked, **more):
     return float(least.force), least.error
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("degrees", "force"), [(1, 248.1), (10, 213.6), (20, 194.5)])
 def test_a_pivot_held_at_its_stroke_bears_less_than_at_rest(degrees, force):
     """A pivot held from turning, pushed together: by independent elastica solutions."""
@@ -62,6 +63,7 @@ def test_a_pivot_that_is_pulled_turns_away(joint_model):
     assert error is None or error.largest < 0.01
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ends", ENDS)
 @pytest.mark.parametrize("kind", ["cantilever", "leaf-spring-stage", "rcc", "cross-spring", "star"])
 def test_ends_mean_one_thing_in_every_model(kind, ends):
@@ -83,6 +85,7 @@ def test_ends_mean_one_thing_in_every_model(kind, ends):
     assert abs(exact / linear - 1.0) <= unsure.largest + 1e-8
 
 
+@pytest.mark.slow
 def test_errors_of_closed_form_and_linear_model_hold_the_exact_load():
     """Random pivots, thick and thin, steep and flat: at rest, their load along their axis."""
     rng = np.random.default_rng(7)

@@ -128,6 +128,7 @@ def test_a_bound_given_raised_to_a_power_is_relaxed_in_its_own_unit():
     assert size_as_printed(spec(two_percent(value, 1)), "spec").status.value == "infeasible"
 
 
+@pytest.mark.slow
 def test_a_conflict_of_rows_that_are_not_convex_is_said_to_be_unproved():
     def spec(factor=2.5):
         sizes = {"l": {"free": ["3 mm", "5 mm"]}, "h": {"free": ["0.9 mm", "2 mm"]}, "b": "5 mm"}

@@ -121,6 +121,7 @@ def test_a_sized_layout_keeps_its_grid_and_its_objective():
     assert flexcli.size(spec).status is flexcli.check(spec).status
 
 
+@pytest.mark.slow
 def test_a_sized_layout_is_written_in_place_and_passes_a_check(guided, tmp_path):
     spec, found = guided
     text = flexcli.spec_text(flexcli.sized(spec, found), tmp_path)

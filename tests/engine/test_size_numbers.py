@@ -56,6 +56,7 @@ def assert_same_design(exact, numbers):
         assert found[row.constraint].on == pytest.approx(row.on, abs=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "objective",
     ["least-volume", "least-stiffness", "shortest", {"minimize": "b"}, {"minimize": "k_pivot"},
@@ -89,6 +90,7 @@ def test_a_target_is_met_as_an_equality():
     assert check.factor == pytest.approx(1.0, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("requirements", "certificate"),
     [

@@ -65,6 +65,7 @@ def test_what_beams_leave_undecided_shells_decide(tmp_path):
     assert (check.model, check.verdict.value) == ("shell", "pass")
 
 
+@pytest.mark.slow
 def test_stress_drive_force_and_shift_of_a_stroke_are_a_plates(tmp_path):
     """3 E h s/l² times the plate's 1.08: von Mises at a clamp is −2 to +11 % off that."""
     wanted = "  yield: 2.5\n  parasitic_shift: {max: 2.6 mm}"

@@ -56,6 +56,7 @@ def test_what_is_free_takes_the_smallest_gap_of_the_measured_range():
     assert "outside-validity" not in codes(result)
 
 
+@pytest.mark.slow
 @settings(max_examples=20, deadline=None)
 @given(st.integers(33, 80), st.integers(20, 90))
 def test_the_stop_chosen_keeps_all_and_one_a_little_lower_does_not(smallest, stroke):

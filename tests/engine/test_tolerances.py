@@ -234,6 +234,7 @@ def pivot(geometry, size="h"):
     return PIVOT.replace("GEOMETRY", geometry).replace("SIZE", size)
 
 
+@pytest.mark.slow
 def test_the_worst_pair_of_a_pivot_is_that_pair_drawn():
     found = flexcli.tolerances(pivot(RCC), parts=1000)
     worst = row_of(found, "parasitic shift").worst

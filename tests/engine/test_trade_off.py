@@ -52,6 +52,7 @@ def test_a_front_is_the_convex_truth_evenly_spread_and_proved():
     assert shifts[-1] == pytest.approx(3e-6 / (SLENDER * 200.0), rel=0.1) or shifts[-1] < 3.4e-6
 
 
+@pytest.mark.slow
 def test_each_design_of_a_front_passes_its_check_and_no_grid_has_a_better_one():
     text = STAGE.replace("SIZE", "{objective: [volume, parasitic_shift], points: 5}")
     points = flexcli.size(text).front.points
@@ -69,6 +70,7 @@ def test_each_design_of_a_front_passes_its_check_and_no_grid_has_a_better_one():
         assert not better.any()  # but for the 2 % that the formulas of the grid leave out
 
 
+@pytest.mark.slow
 def test_the_knee_is_where_another_limit_takes_over():
     thin = {"geometry.h": {"free": ["0.1 mm", "1 mm"]}, "requirements.yield": 2}
     front = front_of("{objective: [volume, {maximize: yield}], points: 9}", **thin).front

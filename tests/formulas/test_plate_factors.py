@@ -57,6 +57,7 @@ def test_ritz_solution_has_the_frequencies_of_leissas_square_plate():
         assert 0.99 * published < own <= published
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("nu", RATIOS)
 @pytest.mark.parametrize("b", WIDTHS)
 def test_bending_factors_are_those_of_the_plate(b, nu):
@@ -112,6 +113,7 @@ def test_factors_grow_with_width_and_poissons_ratio(formula):
     assert (k <= 1.0 + plates.bound(nu) + 1e-12).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ends", END_MOTIONS)
 @pytest.mark.parametrize(("b", "nu"), [(0.2, 0.3), (0.5, 0.45), (1.0, 0.2), (2.0, 0.3)])
 def test_buckling_factors_are_those_of_the_plate(ends, b, nu):

@@ -120,6 +120,7 @@ def jagged(count, seed, low=20.0, high=2000.0):
     return np.sort(f), 10 ** generator.uniform(-4, 1, count)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scale", ["log", "linear"])
 @given(
     count=st.sampled_from([20, 150, 600]),

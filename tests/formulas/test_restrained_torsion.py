@@ -144,6 +144,7 @@ class Block:
         return abs(work) * 4 / self.long**2 / 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("nu", [0.0, 0.45])
 @pytest.mark.parametrize("thick", [0.02, 0.1, 0.35, 1.0])
 def test_the_errors_of_a_bar_hold_against_an_elastic_block(thick, nu):

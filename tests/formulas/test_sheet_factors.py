@@ -16,6 +16,7 @@ def test_ritz_solution_converges():
             assert getattr(coarse, name)() == pytest.approx(getattr(fine, name)(), rel=RITZ)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("nu", [0.0, 0.3, 0.45])
 @pytest.mark.parametrize("b", [0.2, 1.0, 5.0])
 def test_factors_are_those_of_the_sheet(b, nu):

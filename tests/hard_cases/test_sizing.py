@@ -29,6 +29,7 @@ def at_stroke(theta, force, size_keys=BALANCED):
     return result, np.array([result.values[name].value for name in "hlb"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("below", [1e-2, 1e-4, 1e-5])
 def test_just_below_the_largest_stroke_the_balanced_design_keeps_its_digits(below, kept):
     """The denominator is a difference of two numbers that agree to 1/below: it spreads rounding."""
@@ -42,6 +43,7 @@ def test_just_below_the_largest_stroke_the_balanced_design_keeps_its_digits(belo
     kept(found, exact)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("off", [0.0, 1e-12, 1e-6, 1e-2])
 def test_at_the_largest_stroke_and_above_it_says_so_and_takes_the_least_volume(off):
     """The formula divides by zero at it and gives a negative thickness above it."""

@@ -34,6 +34,7 @@ states = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("demand", states.values(), ids=states)
 def test_stiffness_is_the_slope_of_the_reactions(demand):
     """Central differences of full solutions with all of the body's coordinates held."""

@@ -71,6 +71,7 @@ def test_a_near_miss_is_passed_and_costs_few_evaluations(miss):
     assert count < 60
 
 
+@pytest.mark.slow
 @given(st.lists(st.tuples(SIZES, st.floats(0.1, 20.0), NUMBERS), min_size=1, max_size=4))
 def test_no_sample_before_the_crossing_is_below_zero(parts):
     terms = [(complex(-0.1, w), (size * np.exp(1j * phase),)) for size, w, phase in parts]

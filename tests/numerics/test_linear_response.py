@@ -37,6 +37,7 @@ def random_system(seed, damping):
     return K, C[damping], generator.normal(size=3), generator.normal(size=(2, 3))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("signal", SIGNALS)
 @pytest.mark.parametrize("damping", ["none", "modal", "coupled", "heavy"])
 def test_the_exact_response_is_that_of_an_adaptive_integrator(damping, signal):

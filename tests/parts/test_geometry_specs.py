@@ -83,6 +83,7 @@ def test_it_is_sized_and_meets_what_is_asked(kind):
     assert all(check.margin >= -1e-9 for check in result.checks)
 
 
+@pytest.mark.slow
 @every_kind
 def test_its_greatest_thickness_is_the_one_that_just_bears_the_stroke(kind):
     part = geometry(kind)

@@ -92,6 +92,7 @@ def design(geometry, requirements, **more):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", JOINTS)
 def test_closed_forms_say_of_fillets_what_exact_blades_with_them_do(kind):
     unit = "N*m/rad" if kind in TURNING else "N/m"

@@ -77,6 +77,7 @@ JOINTS = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", JOINTS)
 def test_the_error_of_a_stress_holds_against_the_exact_model_of_the_plane(kind):
     # without Poisson's ratio the exact planar model is the truth

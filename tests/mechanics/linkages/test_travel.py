@@ -165,6 +165,7 @@ def test_a_driven_stage_stops_where_crank_and_rod_line_up(r):
 
 
 # of 80 sizes those in which the change of units rounds a stop beyond itself, and a plain one
+@pytest.mark.slow
 @pytest.mark.parametrize("scale", [1.0, 0.93**10, 0.93**14, 0.93**52])
 def test_the_stops_themselves_are_reached_in_any_unit(scale):
     found = travel(slider_crank(0.3 * scale, scale, drive="z"), -4.0, 4.0)

@@ -28,6 +28,7 @@ HELD = {"two": (None, None, None, 0.01, -0.02, 0.1)}
 SMOOTH = BeamEffects(curling=False)
 
 
+@pytest.mark.slow
 def test_the_tangent_is_the_difference_of_reactions_and_symmetric():
     """Central differences of the reactions at a loaded pose without symmetry, springs and all."""
     loads = [load._replace(moment=(0.0, 0.0, 0.0)) for load in LOADS]

@@ -25,6 +25,7 @@ def branch():
     return motion, branch_end(motion.driven, motion.motion, rising=True)
 
 
+@pytest.mark.slow
 def test_at_a_fold_two_motions_meet_and_none_lies_beyond(branch):
     motion, end = branch
     assert end.kind is EndKind.FOLD

@@ -102,6 +102,7 @@ def test_what_never_repeats_is_not_settled_and_has_a_range():
     assert step.least < step.peaks.travel
 
 
+@pytest.mark.slow
 def test_contact_ends_where_no_periodic_motion_goes_on():
     """Beyond the fold a run from the last motion falls back to the one without contact."""
     scene = oscillator(damping=0.05), Stops(LinearStop(100.0), 1.0, 1.0)

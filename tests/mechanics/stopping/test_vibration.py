@@ -22,6 +22,7 @@ CHATTER = 1e-9
 LAWS = (RigidStop(1.0), RigidStop(0.6), LinearStop(80.0), LinearStop(80.0, 3.0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", [10.0, 1e3, 1e6])
 def test_energy_is_kept_over_a_thousand_cycles_without_damping(ratio):
     stops = Stops(LinearStop(ratio - 1.0), above=1.0, below=1.0)

@@ -98,6 +98,7 @@ def test_a_sweep_over_the_resonance_has_its_top():
     assert limit(case, Off()).demand == pytest.approx(expected, rel=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", [flat(F_0 / 2.0, 0.97 * F_0), flat(20.0, 40.0), sine(0.97 * F_0)])
 def test_the_range_covers_every_stiffness_within_the_error(case):
     low, high = -0.08, 0.05
