@@ -22,14 +22,8 @@ from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.results import (
-    AccuracyResult,
-    Cost,
-    Note,
-    Result,
-    Status,
-    Value,
-)
+from flexcli.results import Cost, Note, Result, Status, Value
+from flexcli.results.accuracy import AccuracyResult
 
 __all__ = ["Settled", "Timed", "accuracy", "compared", "timed"]
 

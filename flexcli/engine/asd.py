@@ -15,7 +15,8 @@ from flexcli.formulas.spectrum import segment_slopes
 from flexcli.formulas.spectrum_integrals import rms_displacement, rms_velocity, spectral_moment
 from flexcli.formulas.straight_spectrum import power_sum
 from flexcli.parts.asd import ASDProfile, Breakpoint
-from flexcli.results import BreakpointRow, Cost, Note, ProfileRow, Result, Status, Value
+from flexcli.results import Cost, Note, Result, Status, Value
+from flexcli.results.vibration import BreakpointRow, ProfileRow
 from flexcli.units import LARGEST, SMALLEST, STANDARD_GRAVITY
 
 __all__ = ["catalogue", "describe", "enveloped", "made", "profile_row", "scaled", "summed"]

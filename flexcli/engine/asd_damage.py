@@ -20,7 +20,8 @@ from flexcli.formulas.oscillator import oscillator_response
 from flexcli.formulas.record_spectrum import record_turns, shock_response_spectrum
 from flexcli.parts.asd import ASDProfile
 from flexcli.parts.record import Record
-from flexcli.results import Cost, Note, Result, Spectrum, SpectrumColumn, Status, Value
+from flexcli.results import Cost, Note, Result, Status, Value
+from flexcli.results.vibration import Spectrum, SpectrumColumn
 from flexcli.units import show
 
 __all__ = ["Environment", "Grid", "equal_damage", "fatigue_damage", "shock_response"]

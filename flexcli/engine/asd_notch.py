@@ -20,7 +20,8 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.response import apparent_mass, mode_qualities, sweep_points
 from flexcli.parts.structure import Structure
-from flexcli.results import Cost, Note, Result, Spectrum, SpectrumColumn, Status, Value
+from flexcli.results import Cost, Note, Result, Status, Value
+from flexcli.results.vibration import Spectrum, SpectrumColumn
 
 __all__ = ["ForceLimit", "notch"]
 

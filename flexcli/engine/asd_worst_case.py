@@ -16,16 +16,8 @@ from flexcli.parts.asd import AppliedASD, ASDProfile, RandomVibration
 from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.quality import Quality
-from flexcli.results import (
-    Cost,
-    Note,
-    Result,
-    Spectrum,
-    SpectrumColumn,
-    Status,
-    Value,
-    WorstCaseRow,
-)
+from flexcli.results import Cost, Note, Result, Status, Value
+from flexcli.results.vibration import Spectrum, SpectrumColumn, WorstCaseRow
 from flexcli.units import STANDARD_GRAVITY, show
 
 __all__ = ["Environment", "environments", "exposed", "over_frequency", "worst_case"]

@@ -25,18 +25,8 @@ from flexcli.parts.mechanisms import Mechanism, MechanismError
 from flexcli.parts.mechanisms.force_balance import Balancing
 from flexcli.parts.mechanisms.parallel_stage import ParallelStage
 from flexcli.parts.requirements import AS_PRINTED
-from flexcli.results import (
-    BalanceResult,
-    Check,
-    Cost,
-    CouplingTerm,
-    Note,
-    QuantityKind,
-    Result,
-    Status,
-    UnknownResult,
-    Value,
-)
+from flexcli.results import Check, Cost, Note, QuantityKind, Result, Status, Value
+from flexcli.results.balance import BalanceResult, CouplingTerm, UnknownResult
 
 __all__ = ["balance"]
 

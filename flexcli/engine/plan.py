@@ -27,7 +27,8 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import MODEL_EFFECTS, SCENE_EFFECTS, ModelEffect, Setting
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import AS_PRINTED, JointModel
-from flexcli.results import EffectRow, ModelRow, Note, Plan
+from flexcli.results import EffectRow, Note
+from flexcli.results.plan import ModelRow, Plan
 
 __all__ = ["ACCURACY", "plan", "planned_model"]
 

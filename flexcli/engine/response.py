@@ -21,18 +21,8 @@ from flexcli.parts.response import REACH, Output, random_response
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import Structure
 from flexcli.parts.vibration_life import life_curve, life_under
-from flexcli.results import (
-    CaseResponse,
-    Check,
-    Cost,
-    EffectRow,
-    Note,
-    OutputResult,
-    Result,
-    Spectrum,
-    Value,
-    Verdict,
-)
+from flexcli.results import Check, Cost, EffectRow, Note, Result, Value, Verdict
+from flexcli.results.vibration import CaseResponse, OutputResult, Spectrum
 
 __all__ = ["respond"]
 

@@ -17,7 +17,7 @@ from flexcli.parts.response import (
     transfer_functions,
 )
 from flexcli.parts.structure import Structure
-from flexcli.results import Spectrum, SpectrumColumn
+from flexcli.results.vibration import Spectrum, SpectrumColumn
 
 __all__ = ["UNITS", "densities", "structure_of_case", "transfers"]
 

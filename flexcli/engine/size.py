@@ -22,8 +22,9 @@ from flexcli.numerics.solution import Outcome, Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Objective
-from flexcli.results import Cost, Design, Note, Result, SizingResult, Status, Value, Verdict
+from flexcli.results import Cost, Note, Result, Status, Value, Verdict
 from flexcli.results.activity import doing
+from flexcli.results.sizing import Design, SizingResult
 from flexcli.units import DIMENSIONS
 
 __all__ = ["UNSETTLED", "size"]

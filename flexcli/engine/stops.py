@@ -26,7 +26,8 @@ from flexcli.formulas.stop_stiffness import free_stiffness
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.mechanisms.tip_mass import TipMass
-from flexcli.results import Note, Result, Status, StopPlace, StopsResult, Value
+from flexcli.results import Note, Result, Status, Value
+from flexcli.results.stops import StopPlace, StopsResult
 from flexcli.units import show
 
 __all__ = ["stops"]

@@ -14,7 +14,7 @@ from flexcli.parts.asd import AppliedASD, Axis, Vibration
 from flexcli.parts.quality import Quality
 from flexcli.parts.shock import Shock
 from flexcli.parts.structure import Structure
-from flexcli.results import ModeResult
+from flexcli.results.vibration import ModeResult
 
 __all__ = [
     "REACH",

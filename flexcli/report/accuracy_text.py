@@ -7,7 +7,8 @@ from rich.console import RenderableType
 
 from flexcli.report.curve import curve
 from flexcli.report.tables import Drawing, Line, Rows, table
-from flexcli.results import AccuracyResult, ModelAccuracy, QuantityAccuracy, Result
+from flexcli.results import Result
+from flexcli.results.accuracy import AccuracyResult, ModelAccuracy, QuantityAccuracy
 from flexcli.units import show
 
 __all__ = ["accuracy_tables", "section", "told_error"]

@@ -11,7 +11,8 @@ from flexcli.report.balance_json import balance_document
 from flexcli.report.formats import Page, Report
 from flexcli.report.plan_json import plan_document
 from flexcli.report.stops_json import stops_document
-from flexcli.results import Cost, Result, SizingResult, Status
+from flexcli.results import Cost, Result, Status
+from flexcli.results.sizing import SizingResult
 from flexcli.results.verification import Verification
 
 __all__ = ["FORMAT", "contents", "document", "dumps", "listing", "render", "summary"]

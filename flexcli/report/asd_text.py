@@ -7,7 +7,8 @@ from rich.console import RenderableType
 
 from flexcli.report.curve import curve
 from flexcli.report.tables import Drawing, Line, Rows, table
-from flexcli.results import BreakpointRow, ProfileRow, Result, WorstCaseRow
+from flexcli.results import Result
+from flexcli.results.vibration import BreakpointRow, ProfileRow, WorstCaseRow
 from flexcli.units import STANDARD_GRAVITY, show
 
 __all__ = ["profile_list", "profile_sheet", "section", "worst_cases"]

@@ -3,7 +3,7 @@
 from cmath import phase
 
 from flexcli.report.rows_csv import rows_csv
-from flexcli.results import TransferRow
+from flexcli.results.balance import TransferRow
 
 __all__ = ["transfer_csv"]
 

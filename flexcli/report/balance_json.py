@@ -3,7 +3,7 @@
 from cmath import phase
 from typing import Any
 
-from flexcli.results import BalanceResult, TransferRow
+from flexcli.results.balance import BalanceResult, TransferRow
 
 __all__ = ["balance_document"]
 

@@ -8,7 +8,8 @@ from rich.console import RenderableType
 
 from flexcli.report.numbers import NOISE, largest, shown
 from flexcli.report.tables import Line, Rows, table
-from flexcli.results import BalanceResult, Result, TransferRow
+from flexcli.results import Result
+from flexcli.results.balance import BalanceResult, TransferRow
 from flexcli.units import show
 
 __all__ = ["balance_tables", "section"]

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from flexcli.results import Plan
+from flexcli.results.plan import Plan
 
 __all__ = ["plan_document"]
 

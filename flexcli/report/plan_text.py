@@ -6,7 +6,8 @@ from math import isfinite
 from rich.console import RenderableType
 
 from flexcli.report.tables import Cell, Line, Rows, table
-from flexcli.results import AuditRow, Plan, Result
+from flexcli.results import Result
+from flexcli.results.plan import AuditRow, Plan
 
 __all__ = ["audit_table", "plan_tables", "section", "share"]
 

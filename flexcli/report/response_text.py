@@ -6,7 +6,8 @@ from math import inf
 from rich.console import RenderableType
 
 from flexcli.report.tables import Line, Rows, table
-from flexcli.results import CaseResponse, ModeResult, OutputResult, Result
+from flexcli.results import Result
+from flexcli.results.vibration import CaseResponse, ModeResult, OutputResult
 from flexcli.units import show
 
 __all__ = ["response_tables", "section"]

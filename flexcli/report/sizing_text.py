@@ -5,7 +5,8 @@ from collections.abc import Iterator, Mapping
 from rich.console import RenderableType
 
 from flexcli.report.tables import Line, Rows, table
-from flexcli.results import Result, SizingResult, Value
+from flexcli.results import Result, Value
+from flexcli.results.sizing import SizingResult
 from flexcli.units import show
 
 __all__ = ["section"]

@@ -8,7 +8,8 @@ from rich.console import RenderableType
 from flexcli.report.columns_file import FileColumn
 from flexcli.report.curve import curve
 from flexcli.report.tables import Drawing, Line, table
-from flexcli.results import Result, Spectrum
+from flexcli.results import Result
+from flexcli.results.vibration import Spectrum
 from flexcli.units import show
 
 __all__ = ["section", "spectra_columns"]

@@ -1,7 +1,7 @@
 """Histories and frequency responses of ``flexure stops`` as a CSV table, numbers in SI."""
 
 from flexcli.report.rows_csv import rows_csv
-from flexcli.results import StopsResult
+from flexcli.results.stops import StopsResult
 
 __all__ = ["history_csv", "sweep_csv"]
 

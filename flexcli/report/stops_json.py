@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from flexcli.results import StopsResult
+from flexcli.results.stops import StopsResult
 
 __all__ = ["stops_document"]
 

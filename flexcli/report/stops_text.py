@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from rich.console import RenderableType
 
 from flexcli.report.tables import Line, Rows, table
-from flexcli.results import (
-    Result,
+from flexcli.results import Result
+from flexcli.results.stops import (
     StopKick,
     StopPlace,
     StopRatio,

@@ -6,27 +6,27 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from flexcli.errors import Finding
-from flexcli.results.accuracy import AccuracyResult
-from flexcli.results.balance import BalanceResult
-from flexcli.results.judgement import Check, EffectRow, Note, Value
-from flexcli.results.plan import AuditRow, Plan
 from flexcli.results.shown import records, rendered, tables
-from flexcli.results.sizing import SizingResult
-from flexcli.results.stops import StopsResult
-from flexcli.results.vibration import (
-    BreakpointRow,
-    CaseResponse,
-    ProfileRow,
-    Spectrum,
-    WorstCaseRow,
-)
 
 if TYPE_CHECKING:
+    from flexcli.results.accuracy import AccuracyResult
+    from flexcli.results.balance import BalanceResult
+    from flexcli.results.judgement import Check, EffectRow, Note, Value
+    from flexcli.results.plan import AuditRow, Plan
     from flexcli.results.simulation import SpaceSweep, SweepResult
+    from flexcli.results.sizing import SizingResult
+    from flexcli.results.stops import StopsResult
     from flexcli.results.study import StudyResult
     from flexcli.results.tolerances import TolerancesResult
     from flexcli.results.trade_off import Choices, Front
     from flexcli.results.verification import Verification
+    from flexcli.results.vibration import (
+        BreakpointRow,
+        CaseResponse,
+        ProfileRow,
+        Spectrum,
+        WorstCaseRow,
+    )
 
 __all__ = ["Cost", "PassedOver", "Result", "Status"]
 
@@ -82,25 +82,25 @@ class Result:
     spec: str
     status: Status
     title: str = ""
-    values: Mapping[str, Value] = field(default_factory=dict)
-    checks: tuple[Check, ...] = ()
-    effects: tuple[EffectRow, ...] = ()
-    warnings: tuple[Note, ...] = ()
+    values: Mapping[str, "Value"] = field(default_factory=dict)
+    checks: tuple["Check", ...] = ()
+    effects: tuple["EffectRow", ...] = ()
+    warnings: tuple["Note", ...] = ()
     findings: tuple[Finding, ...] = ()
     cost: Cost | None = None
-    sizing: SizingResult | None = None
-    responses: tuple[CaseResponse, ...] = ()
-    profiles: tuple[ProfileRow, ...] = ()
-    breakpoints: tuple[BreakpointRow, ...] = ()
-    worst_cases: tuple[WorstCaseRow, ...] = ()
-    spectra: tuple[Spectrum, ...] = ()
+    sizing: "SizingResult | None" = None
+    responses: tuple["CaseResponse", ...] = ()
+    profiles: tuple["ProfileRow", ...] = ()
+    breakpoints: tuple["BreakpointRow", ...] = ()
+    worst_cases: tuple["WorstCaseRow", ...] = ()
+    spectra: tuple["Spectrum", ...] = ()
     sweeps: tuple["SweepResult", ...] = ()
     space_sweeps: tuple["SpaceSweep", ...] = ()
-    balance: BalanceResult | None = None
-    stops: StopsResult | None = None
-    accuracy: AccuracyResult | None = None
-    plan: Plan | None = None
-    audit: tuple[AuditRow, ...] = ()
+    balance: "BalanceResult | None" = None
+    stops: "StopsResult | None" = None
+    accuracy: "AccuracyResult | None" = None
+    plan: "Plan | None" = None
+    audit: tuple["AuditRow", ...] = ()
     verification: "Verification | None" = None
     study: "StudyResult | None" = None
     tolerances: "TolerancesResult | None" = None

@@ -7,7 +7,7 @@ from rich.console import Console
 
 from flexcli.report.accuracy_text import accuracy_tables, told_error
 from flexcli.report.curve import curve
-from flexcli.results import AccuracyResult, ModelAccuracy, QuantityAccuracy, Reading
+from flexcli.results.accuracy import AccuracyResult, ModelAccuracy, QuantityAccuracy, Reading
 
 
 def result(recommended="fine"):

@@ -6,7 +6,7 @@ import pytest
 from rich.console import Console
 
 from flexcli.report.asd_text import worst_cases
-from flexcli.results import WorstCaseRow
+from flexcli.results.vibration import WorstCaseRow
 
 
 def row(**changes):

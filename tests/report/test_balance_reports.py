@@ -8,7 +8,7 @@ from rich.console import Console
 from flexcli.report.balance_csv import transfer_csv
 from flexcli.report.balance_json import balance_document
 from flexcli.report.balance_text import MOST_ROWS, balance_tables
-from flexcli.results import BalanceResult, GravityRow, StrokeRow, TransferRow, UnknownResult
+from flexcli.results.balance import BalanceResult, GravityRow, StrokeRow, TransferRow, UnknownResult
 
 ROWS = (
     TransferRow(10.0, -1e-6, 0.0, 1e-6j, 0j),

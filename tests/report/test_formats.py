@@ -11,20 +11,9 @@ import pytest
 from flexcli.errors import Finding
 from flexcli.report.as_text import SECTIONS, findings_text
 from flexcli.report.formats import Format, Page, Report
-from flexcli.results import (
-    Check,
-    Cost,
-    Note,
-    PassedOver,
-    Place,
-    Relaxation,
-    Result,
-    SizingResult,
-    Status,
-    Value,
-    Verdict,
-)
+from flexcli.results import Check, Cost, Note, PassedOver, Place, Result, Status, Value, Verdict
 from flexcli.results.result import HEADER
+from flexcli.results.sizing import Relaxation, SizingResult
 
 NASTY = "a|b, 50% ::`<&>`\x1b[31m\x9b1m\n*"
 """A name that means something to every format, and to terminals."""

@@ -13,7 +13,8 @@ from flexcli import api
 from flexcli.report.page import design_page, folder_page, folder_row
 from flexcli.report.plots.of_dossier import plots
 from flexcli.report.plots.vibration import stops_plots, transfer_plot
-from flexcli.results import Status, StopsResult, StopSweep, SweepStep
+from flexcli.results import Status
+from flexcli.results.stops import StopsResult, StopSweep, SweepStep
 
 ROOT = Path(__file__).parents[2]
 VOID = {"meta", "link", "br", "hr", "img", "input"}

@@ -9,7 +9,7 @@ from rich.console import Console
 from flexcli.report.stops_csv import history_csv, sweep_csv
 from flexcli.report.stops_json import stops_document
 from flexcli.report.stops_text import stops_tables
-from flexcli.results import (
+from flexcli.results.stops import (
     StopEnd,
     StopHistory,
     StopHold,

@@ -10,7 +10,8 @@ from flexcli.errors import SolveError
 from flexcli.formulas.transfer import natural_frequency, transfer
 from flexcli.mechanics.single_freedom import Expansion, expand
 from flexcli.parts.asd import RandomVibration
-from flexcli.results import GravityRow, TransferRow, Value
+from flexcli.results import Value
+from flexcli.results.balance import GravityRow, TransferRow
 
 __all__ = [
     "gravity_rows",

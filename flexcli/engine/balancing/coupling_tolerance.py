@@ -5,7 +5,8 @@ from math import hypot
 
 from flexcli.mechanics.parallel_stage import Stage
 from flexcli.parts.balancing import Tolerances
-from flexcli.results import CouplingTerm, Value
+from flexcli.results import Value
+from flexcli.results.balance import CouplingTerm
 
 __all__ = ["coupling_terms", "tolerance_values"]
 

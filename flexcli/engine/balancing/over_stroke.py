@@ -6,7 +6,7 @@ from flexcli.engine.balancing.base_motion import suffix
 from flexcli.engine.balancing.freedom import Freedom
 from flexcli.mechanics.single_freedom import Expansion, SingleFreedom, expand
 from flexcli.numerics.taylor import Taylor
-from flexcli.results import StrokeRow
+from flexcli.results.balance import StrokeRow
 
 __all__ = ["over_stroke", "shift_coupling"]
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.numerics.pareto import pareto
-from flexcli.results import AccuracyResult, ModelAccuracy, QuantityAccuracy, Reading
+from flexcli.results.accuracy import AccuracyResult, ModelAccuracy, QuantityAccuracy, Reading
 
 __all__ = ["UNSURE", "Named", "Settled", "Timed", "compared", "relative_bound"]
 

@@ -15,7 +15,8 @@ from flexcli.numerics.signal_pieces import Piece
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.stops import Rigid
-from flexcli.results import AccuracyResult, Note
+from flexcli.results import Note
+from flexcli.results.accuracy import AccuracyResult
 
 __all__ = ["TimeMethod", "TimeNumber", "accuracy_in_time", "bounded", "time_methods", "time_notes"]
 

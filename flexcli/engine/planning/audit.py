@@ -15,7 +15,8 @@ from flexcli.parts.effects import MODEL_EFFECTS, ModelEffect, Setting
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import AS_PRINTED, Ask, JointModel
-from flexcli.results import AuditRow, EffectRow, Plan
+from flexcli.results import EffectRow
+from flexcli.results.plan import AuditRow, Plan
 
 __all__ = ["audit"]
 

@@ -11,7 +11,8 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.results import Note, Plan, Result
+from flexcli.results import Note, Result
+from flexcli.results.plan import Plan
 
 __all__ = ["simulate_by_plan", "told", "with_planned_values"]
 

@@ -16,7 +16,8 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Ask, JointModel
-from flexcli.results import AuditRow, EffectRow, ModelRow, Plan, QuantityKind
+from flexcli.results import EffectRow, QuantityKind
+from flexcli.results.plan import AuditRow, ModelRow, Plan
 
 __all__ = ["audit_in_space", "plan_in_space"]
 

@@ -6,7 +6,8 @@ from flexcli.engine.plan import ACCURACY, plan
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements.shaking import SHAKES
-from flexcli.results import AuditRow, Cost, Note, Plan, Result, Status, Value
+from flexcli.results import Cost, Note, Result, Status, Value
+from flexcli.results.plan import AuditRow, Plan
 
 __all__ = ["planned"]
 

@@ -12,7 +12,7 @@ from flexcli.engine.sizing.rows import Term
 from flexcli.numerics.log_stencil import Field, differences
 from flexcli.numerics.roots import roots
 from flexcli.parts.requirements import Limit
-from flexcli.results import Sensitivity
+from flexcli.results.sizing import Sensitivity
 
 __all__ = ["Balanced", "NotBalanced", "balanced", "kind_of"]
 

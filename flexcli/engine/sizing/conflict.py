@@ -5,7 +5,7 @@ from math import inf
 
 from flexcli.engine.sizing.program import SizingProgram
 from flexcli.engine.sizing.rows import ONE, Term
-from flexcli.results import Relaxation
+from flexcli.results.sizing import Relaxation
 
 __all__ = ["explain_conflict"]
 

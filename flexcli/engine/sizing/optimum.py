@@ -12,7 +12,7 @@ from flexcli.errors import NoSolution
 from flexcli.numerics.log_stencil import differences
 from flexcli.numerics.solution import Outcome, Solution
 from flexcli.parts.sizing import Objective
-from flexcli.results import Sensitivity
+from flexcli.results.sizing import Sensitivity
 
 __all__ = ["active_rows", "certificate", "optimum", "refuse", "sensitivities"]
 

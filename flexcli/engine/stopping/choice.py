@@ -11,7 +11,7 @@ from flexcli.formulas.pi_law import MEASURED
 from flexcli.formulas.stop_line import HARD_STOP, line_gap, line_height
 from flexcli.formulas.stop_stiffness import height_share
 from flexcli.parts.mechanisms.free_value import Free
-from flexcli.results import StopHold, StopPlace
+from flexcli.results.stops import StopHold, StopPlace
 from flexcli.units import show
 
 __all__ = ["Choice", "choose", "measured_heights", "on_line"]

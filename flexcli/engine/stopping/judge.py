@@ -34,7 +34,8 @@ from flexcli.parts.requirements.dynamic import DynamicYield
 from flexcli.parts.scene import LoadKind
 from flexcli.parts.stops import Ball, Cylinder
 from flexcli.parts.stops.stops import Simulation
-from flexcli.results import Check, ErrorRange, StopHistory, StopPlace, StopSimulation, Verdict
+from flexcli.results import Check, ErrorRange, Verdict
+from flexcli.results.stops import StopHistory, StopPlace, StopSimulation
 
 __all__ = ["STATICS", "StopJudgement", "Watch", "judge_stops", "looked_at", "shakes"]
 

@@ -11,7 +11,7 @@ from flexcli.mechanics.stopping.response import stepped_motion
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.mechanisms.tip_mass import TipMass
-from flexcli.results import StopRatio
+from flexcli.results.stops import StopRatio
 
 __all__ = ["ratios"]
 

@@ -15,7 +15,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.stops.stops import Simulation
-from flexcli.results import StopHistory, StopPlace, StopSimulation
+from flexcli.results.stops import StopHistory, StopPlace, StopSimulation
 
 __all__ = ["Enough", "StopRun", "stop_runs"]
 

@@ -21,7 +21,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.stops import Ball, Contact, Rigid, Spring
-from flexcli.results import StopPlace
+from flexcli.results.stops import StopPlace
 
 __all__ = ["RIGID", "contact_model", "is_round", "stop_scene"]
 

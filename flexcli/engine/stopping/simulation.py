@@ -9,7 +9,8 @@ from flexcli.engine.stopping.statics import task_of
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.results import Cost, Note, Result, Status, StopPlace, StopSimulation, Value, Verdict
+from flexcli.results import Cost, Note, Result, Status, Value, Verdict
+from flexcli.results.stops import StopPlace, StopSimulation
 
 __all__ = ["Watch", "decided", "simulated", "with_time"]
 

@@ -26,7 +26,8 @@ from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Limit
 from flexcli.parts.stops import Stops
-from flexcli.results import EXACT, ErrorRange, StopPlace
+from flexcli.results import EXACT, ErrorRange
+from flexcli.results.stops import StopPlace
 
 __all__ = [
     "LINE",

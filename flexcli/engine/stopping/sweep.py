@@ -26,7 +26,8 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.excitation import Sweep
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.mechanisms.tip_mass import TipMass
-from flexcli.results import Note, Result, Status, StopEnd, StopKick, StopSweep, SweepStep
+from flexcli.results import Note, Result, Status
+from flexcli.results.stops import StopEnd, StopKick, StopSweep, SweepStep
 
 __all__ = ["swept"]
 

@@ -7,8 +7,8 @@ import numpy as np
 from flexcli.errors import SolveError
 from flexcli.report.plots.chart import Axis, Chart
 from flexcli.report.plots.plot import Plot, in_unit
-from flexcli.results import SizingResult
 from flexcli.results.dossier import Region
+from flexcli.results.sizing import SizingResult
 from flexcli.results.trade_off import Front
 
 __all__ = ["front_plot", "region_plot", "tornado_plot"]

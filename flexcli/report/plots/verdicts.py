@@ -6,7 +6,8 @@ import numpy as np
 
 from flexcli.report.plots.chart import COLOURS, Axis, Chart
 from flexcli.report.plots.plot import Plot
-from flexcli.results import AccuracyResult, Check, Verdict
+from flexcli.results import Check, Verdict
+from flexcli.results.accuracy import AccuracyResult
 
 __all__ = ["accuracy_plot", "margins_plot"]
 

@@ -6,8 +6,9 @@ import numpy as np
 
 from flexcli.report.plots.chart import Axis, Chart
 from flexcli.report.plots.plot import Plot
-from flexcli.results import BalanceResult, StopsResult, StopSweep
+from flexcli.results.balance import BalanceResult
 from flexcli.results.dossier import Spectrum
+from flexcli.results.stops import StopsResult, StopSweep
 from flexcli.units import STANDARD_GRAVITY
 
 __all__ = ["phase_plot", "spectrum_plot", "stops_plots", "transfer_plot"]
