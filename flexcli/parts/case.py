@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import PrivateAttr, model_validator
+from pydantic import PrivateAttr, ValidationError, model_validator
 
 from flexcli.parts.base import Acceleration, Angle, Force, Part, QuantityOf, Ratio, spec_error
 from flexcli.parts.ends import EndCondition
@@ -158,11 +158,15 @@ class Case(Part):
     @model_validator(mode="before")
     @classmethod
     def _share_q(cls, data: Any) -> Any:
-        """Give the vibration the case's own quality factors where it states none."""
-        asd = data.get("asd") if isinstance(data, dict) else None
-        if not isinstance(asd, dict) or "q" in asd or data.get("q") is None:
+        """Give the vibration and the shock the case's own quality factors where they state none."""
+        if not isinstance(data, dict) or data.get("q") is None:
             return data
-        return {**data, "asd": {**asd, "q": data["q"]}}
+        asd, shock = data.get("asd"), data.get("shock")
+        if isinstance(asd, dict) and "q" not in asd:
+            data = {**data, "asd": {**asd, "q": data["q"]}}
+        if isinstance(shock, dict) and "q" not in shock:
+            data = {**data, "shock": {**shock, **_largest(data["q"])}}
+        return data
 
     @classmethod
     def at_rest(cls) -> "Case":
@@ -217,3 +221,13 @@ class Case(Part):
         if self.axes is None or self.q is None:
             return self.asd
         return self.axes.vibration(self.q, self.sigma)
+
+
+def _largest(quality: Any) -> dict[str, float]:
+    """Return, as key of a shock, the largest of a case's quality factors as a spec has them."""
+    from flexcli.parts.quality import Quality
+
+    try:
+        return {"q": Quality.model_validate(quality).largest}
+    except ValidationError:
+        return {}  # which the case's own field tells

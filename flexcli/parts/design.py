@@ -6,7 +6,13 @@ from dataclasses import replace
 from math import atan2, hypot
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
 
-from pydantic import Field, GetJsonSchemaHandler, PrivateAttr, model_validator
+from pydantic import (
+    Field,
+    GetJsonSchemaHandler,
+    PrivateAttr,
+    ValidationError,
+    model_validator,
+)
 from pydantic_core import CoreSchema
 
 from flexcli.errors import SolveError
@@ -169,11 +175,17 @@ class DesignSpec(Part):
     @model_validator(mode="before")
     @classmethod
     def _material_damps(cls, data: Any) -> Any:
-        """Give cases that vibrate, and state no Q, that of the material's loss factor."""
+        """Give cases that vibrate, and state no Q, that of the material's loss factor.
+
+        Where the mechanism states its damping, shocks have that.
+        """
         if not isinstance(data, dict) or not isinstance(data.get("cases"), dict):
             return data
-        quality, mechanism = _quality_of(data.get("material")), data.get("mechanism")
-        if quality is None or (isinstance(mechanism, dict) and "damping" in mechanism):
+        mechanism = data.get("mechanism")
+        if isinstance(mechanism, dict) and "damping" in mechanism:
+            return {**data, "cases": _shocked(data["cases"], mechanism["damping"])}
+        quality = _quality_of(data.get("material"))
+        if quality is None:
             return data
         cases = {
             name: {**case, "q": quality} if _lacks_q(case) else case
@@ -589,6 +601,24 @@ def _quality_of(material: Any) -> float | None:
         return 1.0 / float(given) if given is not None else None
     except (TypeError, ValueError, ZeroDivisionError):
         return None  # which the material's own field tells
+
+
+def _shocked(cases: dict[str, Any], damping: Any) -> dict[str, Any]:
+    """Return the cases of a spec whose shocks have the mechanism's Q unless one is stated."""
+    from flexcli.parts.mechanisms.base import Damping
+
+    try:
+        quality = Damping.model_validate(damping).quality
+    except ValidationError:
+        return cases  # which the mechanism's own field tells
+    return {name: _with_quality(case, quality) for name, case in cases.items()}
+
+
+def _with_quality(case: Any, quality: float) -> Any:
+    shock = case.get("shock") if isinstance(case, dict) and case.get("q") is None else None
+    if not isinstance(shock, dict) or "q" in shock:
+        return case
+    return {**case, "shock": {**shock, "q": quality}}
 
 
 def _lacks_q(case: Any) -> bool:

@@ -78,7 +78,8 @@ class Shock(Part):
     straight lines between its samples, e.g. ``record: base.csv``.
     """
     q: Annotated[float, QuantityOf("ratio", at_least=0.5)] = 10.0
-    """Quality factor Q of the response,
+    """Quality factor Q of the response; left out, the case's (the largest of its modes), else the
+    mechanism's, else 10,
     e.g. ``q: 10, half-sine: {acceleration: 30 g, duration: 11 ms}``.
     """
     axis: Literal["x", "y", "z"] = "x"

@@ -22,6 +22,9 @@ Path = tuple[str | int, ...]
 NEAR = 0.6
 """Likeness of two words (difflib's) from which one may be meant for the other."""
 
+FEW = 8
+"""Keys of a part that a hint about a key of elsewhere names besides."""
+
 _EXPECTED = {
     "string_type": ("a text", "write it in quotes if it looks like a number"),
     "int_type": ("a whole number", "write e.g. 4"),
@@ -257,7 +260,9 @@ def _meant(model: Any, loc: Path) -> _Meant:
     place = path_text(home) or "the top level"
     required = str(home[0]) if home else ""
     if elsewhere == key:
-        return _Meant(f"'{key}' belongs in {place}", required)
+        far = not _shared(home, loc) and len(here) <= FEW
+        instead = f"; here may stand {', '.join(sorted(here))}" if far else ""
+        return _Meant(f"'{key}' belongs in {place}{instead}", required)
     return _Meant(f"did you mean '{elsewhere}' (in {place})?", required)
 
 

@@ -3,6 +3,7 @@
 All of it is read from the JSON Schema, so that it knows what the tool accepts and nothing else.
 """
 
+import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any, NamedTuple
@@ -38,6 +39,11 @@ class _Place(NamedTuple):
         """Return its path as one asks for it."""
         return tuple(step for step in self.path if step not in (NAME, ITEM))
 
+    def is_at(self, path: tuple[str, ...]) -> bool:
+        """Return whether it stands at the path of a spec, whose own names are any."""
+        own = [step for step in self.path if step != ITEM]
+        return len(own) == len(path) and all(a in (b, NAME) for a, b in zip(own, path, strict=True))
+
     @property
     def kind(self) -> str:
         """Return the kind of what it stands in, or nothing."""
@@ -53,15 +59,19 @@ def names() -> tuple[str, ...]:
 def entries(name: str) -> tuple[FieldRow, ...]:
     """Return what a name means: a key, a path such as ``geometry.h``, or a kind such as ``rcc``.
 
+    In a path the names of a spec's own, and places in its lists, may stand as findings print them.
     Places of one meaning share an entry; there is none where the name means nothing.
     """
-    asked = tuple(name.split("."))
+    whole = tuple(step for step in re.split(r"\.|\[\d*\]", name) if step)
+    asked = tuple(step for step in whole if step != NAME)
+    keys = [place for place in _places() if place.path[-1] != "kind"]
+    ending = [place for place in keys if place.steps[-len(asked) :] == asked]
     found: dict[str, list[_Place]] = {}
     for place in _places():
         if place.path[-1] == "kind" and place.kind == name:
             found.setdefault(f"kind {place.schema.get('description')}", []).append(place)
-        elif place.steps[-len(asked) :] == asked and place.path[-1] != "kind":
-            found.setdefault(str(place.schema.get("description")), []).append(place)
+    for place in ending or (place for place in keys if place.is_at(whole)):
+        found.setdefault(str(place.schema.get("description")), []).append(place)
     effects = (_effect(each) for each in EFFECTS if name in (each.key, f"effects.{each.key}"))
     return (*(_entry(places) for places in found.values()), *effects)
 
@@ -98,7 +108,7 @@ def _entry(places: list[_Place]) -> FieldRow:
     is_kind = first.path[-1] == "kind"
     path = first.path[:-1] if is_kind else first.path
     holder = first.within[-1]
-    inner = holder if is_kind else next(iter(_mappings(first.schema)), {})
+    inner = holder if is_kind else next(_of_each(first.schema), {})
     keys = {k: v for k, v in inner.get("properties", {}).items() if k not in ("kind", "free")}
     where = sorted({_spoken(place.path[:-1] if is_kind else place.path) for place in places})
     kinds = () if is_kind else tuple(dict.fromkeys(filter(None, (p.kind for p in places))))
@@ -147,8 +157,7 @@ def _below(
         for key, schema in inner.get("properties", {}).items():
             yield _Place((*path, key), schema, here)
             yield from _below(schema, (*path, key), here)
-        named = (inner.get("additionalProperties"), *inner.get("patternProperties", {}).values())
-        for schema in named:
+        for schema in _named(inner):
             if isinstance(schema, dict):
                 yield from _below(schema, (*path, NAME), here)
         if isinstance(inner.get("items"), dict):
@@ -168,6 +177,20 @@ def _meant(node: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
 
 def _mappings(node: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
     return (inner for inner in _meant(node) if "properties" in inner)
+
+
+def _named(node: Mapping[str, Any]) -> tuple[Any, ...]:
+    """Return the schemas of what stands under names of a spec's own."""
+    return (node.get("additionalProperties"), *node.get("patternProperties", {}).values())
+
+
+def _of_each(node: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    """Yield the mappings that a value may be, or that each in a list or under a name may be."""
+    yield from _mappings(node)
+    for inner in _meant(node):
+        for each in (*_named(inner), inner.get("items")):
+            if isinstance(each, dict):
+                yield from _mappings(each)
 
 
 def _required(holder: Mapping[str, Any]) -> tuple[str, ...]:

@@ -130,6 +130,12 @@ def test_a_key_in_the_wrong_place_is_told_where_it_belongs() -> None:
     assert found.hint == "'cycles' belongs in cases.<name>.stroke"
 
 
+def test_a_key_that_belongs_far_away_is_told_what_may_stand_here_besides() -> None:
+    found = finding(changed(", cycles: 1e7}", ", cycles: 1e7, amplitude: 2 deg}"))
+    assert "belongs in" in found.hint
+    assert "rotation" in found.hint
+
+
 def test_a_key_of_another_kind_lists_the_keys_of_this_one() -> None:
     found = finding(changed("p: 2 mm", "p: 2 mm, blades: 4"))
     assert found.hint == "one of: b, clamps, h, half_angle, kind, l, p, root_radius"

@@ -118,6 +118,23 @@ def test_a_path_is_found_by_its_last_steps(name: str) -> None:
     assert 0 < len(entries(name)) <= len(entries(last))
 
 
+@pytest.mark.parametrize(
+    ("name", "path"),
+    [
+        ("cases.<name>.lock", "cases.<name>.lock"),
+        ("cases.launch.asd.q", "cases.<name>.asd.q"),
+        ("cases.drop.shock.srs[1].frequency", "cases.<name>.shock.srs[].frequency"),
+    ],
+)
+def test_a_path_is_found_as_findings_print_it(name: str, path: str) -> None:
+    assert [row.path for row in entries(name)] == [path]
+
+
+@pytest.mark.parametrize(("name", "key"), [("cases", "shock"), ("blades", "between")])
+def test_what_has_names_of_a_specs_own_lists_the_keys_of_each(name: str, key: str) -> None:
+    assert any(key in {each.name for each in row.keys} for row in entries(name))
+
+
 def test_the_axes_of_every_kind_of_geometry_are_drawn() -> None:
     geometry = json_schema("design")["$defs"]
     kinds = {
