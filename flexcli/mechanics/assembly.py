@@ -18,7 +18,7 @@ from flexcli.mechanics.outer_forces import apply_force, apply_spring
 from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
 from flexcli.numerics.stack import solve_stack
 
-__all__ = ["Assembly", "Linearised", "assemble", "at_nodes", "finer"]
+__all__ = ["FORCE", "Assembly", "Linearised", "assemble", "at_nodes", "finer"]
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
@@ -220,11 +220,11 @@ class Assembly(NamedTuple):
         k_f = slice(self.turns, self.turns + 3 * self.blades)
         forces = np.max(np.abs(x[:, k_f]), axis=1, initial=0.0)
         size = np.abs(step)
-        size[:, k_f] /= (_FORCE + forces)[:, None]
+        size[:, k_f] /= (FORCE + forces)[:, None]
         return np.asarray(np.max(size, axis=1))
 
 
-_FORCE = 10.0
+FORCE = 10.0
 """Scaled force [EI/l²] that counts as one in the length of a step: that of an Euler column."""
 
 

@@ -17,7 +17,7 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 from importlib.util import find_spec
 from time import perf_counter
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,9 +28,10 @@ from flexcli.mechanics.inertia_count import inertia_count
 from flexcli.mechanics.layout import Layout, Load, Number
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.prescribed_motion import demand_of, designs_of
-from flexcli.mechanics.refinement import LEVELS, Outcome, Reached, refined
+from flexcli.mechanics.refinement import LEVELS, Outcome, Reached, by_steps, refined
 from flexcli.mechanics.refinement import difference as relative_difference
 from flexcli.mechanics.state import Equilibrium, Part
+from flexcli.numerics.newton import NewtonResult
 
 __all__ = ["LEVELS", "Equilibrium", "Outcome", "difference", "solve"]
 
@@ -38,41 +39,62 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 
-Steps: TypeAlias = Callable[[Floats, Floats, Integers], Floats]
-"""Newton's steps of the designs ``rows`` at x and shares λ of the way."""
+FEW = 5
+"""Gauss nodes on a piece that a nearly straight path from rest begins with: small strokes need no
+more, and what is solved on them costs a third."""
 
 COMPILED = 1500
 """States of a batch from which steps are compiled: a sweep of some 4000 designs saves what their
 loading takes, and judges a thousand at a time, each at both ends of its stroke."""
 
 
-def _plain(assembly: Assembly, demand: Demand) -> Steps:
-    """Return what gives Newton's steps by arrays of the whole batch."""
-    return lambda x, share, rows: assembly.step(x, share, rows, demand)
+class _Compiled(Protocol):
+    """What is compiled of Newton's method (:mod:`flexcli.mechanics.compiled_newton`)."""
+
+    def step(self, x: Floats, share: Floats, rows: Integers) -> Floats:
+        """Return Newton's steps of the designs ``rows`` at x and shares λ of the way."""
+
+    def newton(self, x: Floats, share: Floats, rows: Integers, **how: Any) -> NewtonResult:
+        """Return where Newton's method leads."""
 
 
 class _Planar(NamedTuple):
     """Blades in the plane and what is asked of them (``Discretised``).
 
-    ``made`` makes Newton's steps of an assembly and its demand.
+    ``compiler`` compiles Newton's method for an assembly and its demand, which ``compiled`` is.
     """
 
     assembly: Assembly
     demand: Demand
-    made: Callable[[Assembly, Demand], Steps]
-    step: Steps
+    compiler: Callable[[Assembly, Demand], _Compiled | None]
+    compiled: _Compiled | None
 
     @classmethod
     def of(
-        cls, assembly: Assembly, demand: Demand, made: Callable[[Assembly, Demand], Steps]
+        cls,
+        assembly: Assembly,
+        demand: Demand,
+        compiler: Callable[[Assembly, Demand], _Compiled | None],
     ) -> "_Planar":
         """Return blades and what is asked of them."""
-        return cls(assembly, demand, made, made(assembly, demand))
+        return cls(assembly, demand, compiler, compiler(assembly, demand))
 
     @property
     def nodes(self) -> int:
         """Return the Gauss nodes on a piece."""
         return self.assembly.nodes
+
+    def step(self, x: Floats, share: Floats, rows: Integers) -> Floats:
+        """Return Newton's steps of the designs ``rows`` at the shares λ of the way."""
+        if self.compiled is not None:
+            return self.compiled.step(x, share, rows)
+        return self.assembly.step(x, share, rows, self.demand)
+
+    def newton(self, x: Floats, share: Floats, rows: Integers, **how: Any) -> NewtonResult:
+        """Return where Newton's method leads from x."""
+        if self.compiled is not None:
+            return self.compiled.newton(x, share, rows, **how)
+        return by_steps(self, x, share, rows, **how)
 
     def length_of(self, x: Floats, step: Floats) -> Floats:
         """Return the lengths of steps [-]."""
@@ -85,7 +107,7 @@ class _Planar(NamedTuple):
 
     def at_nodes(self, nodes: int) -> "_Planar":
         """Return the same at another number of nodes."""
-        return _Planar.of(at_nodes(self.assembly, nodes), self.demand, self.made)
+        return _Planar.of(at_nodes(self.assembly, nodes), self.demand, self.compiler)
 
     def finer(self, fine: "_Planar", x: Floats) -> Floats:
         """Return unknowns interpolated to the nodes of a finer one."""
@@ -154,8 +176,9 @@ def solve(
     if start is not None:
         for part in start.parts:
             x[part.rows] = finer(part.assembly, coarse, part.x)
-    planar = _Planar.of(coarse, demand, _steps_of(coarse, designs))
-    found = refined(planar, x, tolerance, levels)
+    planar = _Planar.of(coarse, demand, _compiler(coarse, designs))
+    few = planar.at_nodes(FEW) if start is None and len(levels) > 1 else None
+    found = refined(planar, x, tolerance, levels, few)
     return Equilibrium(
         layout=layout,
         effects=effects,
@@ -170,19 +193,19 @@ def solve(
     )
 
 
-def _steps_of(assembly: Assembly, designs: int) -> Callable[[Assembly, Demand], Steps]:
-    """Return what makes Newton's steps: compiled where Numba is there and the batch pays for it.
+def _compiler(assembly: Assembly, designs: int) -> Callable[[Assembly, Demand], _Compiled | None]:
+    """Return what compiles Newton's method where Numba is there and the batch pays for it.
 
     Nothing else decides, so that a batch has the same digits in any process.
     """
     if designs < COMPILED or len(assembly.meshes) > 1 or find_spec("numba") is None:
-        return _plain
+        return lambda *_: None
     try:
-        compiled: Callable[[Assembly, Demand], Steps] = import_module(
-            "flexcli.mechanics.compiled_step"
-        ).steps_of
+        compiled: Callable[[Assembly, Demand], _Compiled] = import_module(
+            "flexcli.mechanics.compiled_newton"
+        ).Compiled
     except RuntimeError:  # there is no folder to keep the machine code in
-        return _plain
+        return lambda *_: None
     return compiled
 
 

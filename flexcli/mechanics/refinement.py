@@ -10,16 +10,29 @@ from typing import Any, NamedTuple, Protocol, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.numerics.continuation import TRUST, March, march
+from flexcli.numerics.continuation import BENT, TRUST, March, march
 from flexcli.numerics.newton import NewtonEnd, NewtonResult, newton
 
-__all__ = ["LEVELS", "Discretised", "Outcome", "Reached", "Refined", "difference", "refined"]
+__all__ = [
+    "LEVELS",
+    "Discretised",
+    "Outcome",
+    "Reached",
+    "Refined",
+    "by_steps",
+    "difference",
+    "refined",
+]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 LEVELS = (8, 12, 18, 27, 40, 60, 90, 135)
 """Gauss nodes on a piece, level by level; each level tells the error of the one before."""
+
+_NEAR = 0.5
+"""Length of the unknowns up to which few nodes are tried: forces up to those of an Euler column,
+whose tangent they give too."""
 
 _NOTHING = 1e-280
 """Size of the unknowns below which numbers have no digits left, and no error."""
@@ -55,6 +68,18 @@ class Discretised(Protocol):
 
     def step(self, x: Floats, share: Floats, rows: Integers) -> Floats:
         """Return Newton's steps of the designs ``rows`` at the shares λ of the way."""
+
+    def newton(
+        self,
+        x: Floats,
+        share: Floats,
+        rows: Integers,
+        *,
+        scale: Floats,
+        tolerance: float,
+        trust: float,
+    ) -> NewtonResult:
+        """Return where Newton's method leads from x (``flexcli.numerics.newton``)."""
 
     def length_of(self, x: Floats, step: Floats) -> Floats:
         """Return the lengths of steps [-]."""
@@ -97,7 +122,11 @@ class Refined(NamedTuple):
 
 
 def refined(
-    coarse: Discretised, x: Floats, tolerance: float, levels: Sequence[int] = LEVELS
+    coarse: Discretised,
+    x: Floats,
+    tolerance: float,
+    levels: Sequence[int] = LEVELS,
+    few: Discretised | None = None,
 ) -> Refined:
     """Return where the path from x leads, solved on finer nodes until the error is small enough.
 
@@ -111,44 +140,65 @@ def refined(
         Error [-], as ``changed`` measures it.
     levels : sequence of int
         Gauss nodes on a piece; a single one is taken as it is, its error unknown.
+    few : Discretised, optional
+        The mechanism on fewer nodes, for paths from rest that are nearly straight and end near it.
 
     """
     designs = x.shape[0]
     scale = coarse.length_of(x, x)
-    path = _march(coarse, x, scale, tolerance)
-    iterations, error = path.iterations.copy(), np.full(designs, np.inf)
+    iterations, error = np.zeros(designs, dtype=np.intp), np.full(designs, np.inf)
+    outcome, reached = [Outcome.CONVERGED] * designs, np.ones(designs)
     nodes = np.full(designs, levels[0], dtype=np.intp)
-    came = path.reached > 0.0
-    outcome = [_outcome(path, i) for i in range(designs)]
     parts: list[Reached] = []
     before: list[Reached] = []
-    _keep(parts, coarse, ~came | (len(levels) == 1), path.x, path.reached)
-    rows, x, share = np.flatnonzero(came), path.x[came], path.reached[came]
-    for level in levels[1:]:
+    rows, bent, at = np.arange(0), np.arange(designs), coarse
+    here, share = x[:0], np.zeros(0)
+    if few is not None:
+        share = np.ones(designs)
+        tried = _newton(few, coarse.finer(few, x), share, bent, scale, tolerance, BENT)
+        iterations += tried.iterations
+        near = tried.converged & (few.length_of(tried.x, tried.x) <= _NEAR)
+        rows, bent, at = np.flatnonzero(near), np.flatnonzero(~near), few
+        here, share = tried.x[rows], share[rows]
+    for level in levels:
+        fine = coarse if level == levels[0] else coarse.at_nodes(level)
+        last = level == levels[-1]
+        if rows.size:
+            guess = at.finer(fine, here)
+            found = _newton(fine, guess, share, rows, scale[rows], tolerance)
+            iterations[rows] += found.iterations
+            change = at.changed(fine, here, found.x, scale[rows])
+            # what Newton's method did not finish is no equilibrium: the coarser stands in for it
+            kept = np.where(found.converged[:, None], found.x, guess)
+            error[rows] = np.where(found.converged, change, np.inf)
+            nodes[rows] = level
+            # a path that ended by turning ends where no digit is sure
+            done = (found.converged & (change <= tolerance)) | (share < 1.0)
+            _keep(parts, fine, done | last, kept, share, rows)
+            _keep(before, at, done | last, here, share, rows)
+            for i in rows[~done & (share == 1.0)] if last else ():
+                outcome[i] = Outcome.INACCURATE
+            rows, here, share = rows[~done], kept[~done], share[~done]
+        if bent.size:
+            path = _march(coarse, x[bent], bent, scale, tolerance)
+            iterations[bent] += path.iterations
+            reached[bent] = path.reached
+            for i, design in enumerate(bent):
+                outcome[design] = _outcome(path, i)
+            came = path.reached > 0.0
+            _keep(parts, coarse, ~came | last, path.x, path.reached, bent)
+            here = np.concatenate([here if rows.size else x[:0], path.x[came]])
+            rows = np.concatenate([rows, bent[came]])
+            share, bent = np.concatenate([share, path.reached[came]]), bent[:0]
+        at = fine
         if rows.size == 0:
             break
-        fine = coarse.at_nodes(level)
-        guess = coarse.finer(fine, x)
-        found = _newton(fine, guess, share, rows, scale[rows], tolerance)
-        iterations[rows] += found.iterations
-        change = coarse.changed(fine, x, found.x, scale[rows])
-        # what Newton's method did not finish is no equilibrium: the coarser one stands in for it
-        kept = np.where(found.converged[:, None], found.x, guess)
-        error[rows] = np.where(found.converged, change, np.inf)
-        nodes[rows] = level
-        # a path that ended by turning ends where no digit is sure
-        done = (found.converged & (change <= tolerance)) | (share < 1.0)
-        last = level == levels[-1]
-        _keep(parts, fine, done | last, kept, share, rows)
-        _keep(before, coarse, done | last, x, share, rows)
-        for i in rows[~done & (share == 1.0)] if last else ():
-            outcome[i] = Outcome.INACCURATE
-        rows, x, share, coarse = rows[~done], kept[~done], share[~done], fine
-        if last:
-            break
-    return Refined(
-        tuple(outcome), path.reached, iterations, error, nodes, tuple(parts), tuple(before)
-    )
+    return Refined(tuple(outcome), reached, iterations, error, nodes, tuple(parts), tuple(before))
+
+
+def by_steps(at: Discretised, x: Floats, share: Floats, rows: Integers, **how: Any) -> NewtonResult:
+    """Return where Newton's method leads by the steps of what is discretised."""
+    return newton(lambda x_of, of: at.step(x_of, share[of], rows[of]), at.length_of, x, **how)
 
 
 def _newton(
@@ -160,23 +210,22 @@ def _newton(
     tolerance: float,
     trust: float = np.inf,
 ) -> NewtonResult:
-    return newton(
-        lambda x_of, of: at.step(x_of, share[of], rows[of]),
-        at.length_of,
-        x,
-        tolerance=_NEWTON * tolerance,
-        scale=scale,
-        trust=trust,
-    )
+    return at.newton(x, share, rows, scale=scale, tolerance=_NEWTON * tolerance, trust=trust)
 
 
-def _march(at: Discretised, x: Floats, scale: Floats, tolerance: float) -> March:
-    """Return the path from x."""
+def _march(at: Discretised, x: Floats, designs: Integers, scale: Floats, tolerance: float) -> March:
+    """Return the path of some designs from x."""
 
     def correct(x_of: Floats, share: Floats, rows: Integers) -> NewtonResult:
-        return _newton(at, x_of, share, rows, scale[rows], tolerance, TRUST)
+        return _newton(at, x_of, share, designs[rows], scale[designs[rows]], tolerance, TRUST)
 
-    return march(correct, at.step, at.length_of, at.unstable, x)
+    return march(
+        correct,
+        lambda x_of, share, rows: at.step(x_of, share, designs[rows]),
+        at.length_of,
+        lambda x_of, share, rows: at.unstable(x_of, share, designs[rows]),
+        x,
+    )
 
 
 def _outcome(path: March, design: int) -> Outcome:
@@ -193,11 +242,10 @@ def _keep(
     which: NDArray[np.bool_],
     x: Floats,
     share: Floats,
-    rows: Integers | None = None,
+    rows: Integers,
 ) -> None:
     if np.any(which):
-        index = np.flatnonzero(which) if rows is None else rows[which]
-        parts.append(Reached(at, index, x[which], share[which]))
+        parts.append(Reached(at, rows[which], x[which], share[which]))
 
 
 def difference(

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from flexcli.numerics.newton import CONTRACTION, NewtonEnd, NewtonResult
 
-__all__ = ["TRUST", "March", "march"]
+__all__ = ["BENT", "TRUST", "March", "march"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -19,7 +19,7 @@ TRUST = 0.3
 _SMALLEST = 1e-5
 """Share of the way below which a step is no longer halved: the path turns or ends here."""
 
-_BENT = 0.02
+BENT = 0.02
 """Correction [-] above which a step has to lead back, to a solution of the same kind."""
 
 _MOST_STEPS = 120
@@ -89,7 +89,7 @@ def march(
         found = correct(x[rows], target, rows)
         iterations[rows] += found.iterations
         good = found.converged
-        bent = np.flatnonzero(good & (found.bend > _BENT))
+        bent = np.flatnonzero(good & (found.bend > BENT))
         if bent.size:
             back = found.x[bent] + step(found.x[bent], reached[rows[bent]], rows[bent])
             origin = x[rows[bent]]

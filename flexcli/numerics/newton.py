@@ -7,21 +7,21 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["CONTRACTION", "NewtonEnd", "NewtonResult", "newton"]
+__all__ = ["CONTRACTION", "FLOOR", "REACH", "RESTLESS", "NewtonEnd", "NewtonResult", "newton"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
-_REACH = 3.0
+REACH = 3.0
 """Longest step; a longer one is shortened to it (the unknowns are scaled to order one)."""
 
-_RESTLESS = 3
+RESTLESS = 3
 """Steps in a row that may be longer than the one before."""
 
 CONTRACTION = 0.5
 """Step over the one before with which Newton's method stays on the path it started from."""
 
-_FLOOR = 1e-9
+FLOOR = 1e-9
 """Length below which a step that no longer shrinks is rounding, and the design is done."""
 
 
@@ -122,20 +122,20 @@ def newton(
             bend[rows] = size
         far = np.zeros_like(sound)
         if count > 0 and np.isfinite(trust):
-            far = sound & (size > np.minimum(trust, np.maximum(CONTRACTION * last[rows], _FLOOR)))
+            far = sound & (size > np.minimum(trust, np.maximum(CONTRACTION * last[rows], FLOOR)))
             end[rows[far]] = NewtonEnd.FAR
         keep = sound & ~far
         rows, s, size = rows[keep], s[keep], size[keep]
-        x[rows] += s * np.minimum(1.0, _REACH / np.maximum(size, _REACH))[:, None]
+        x[rows] += s * np.minimum(1.0, REACH / np.maximum(size, REACH))[:, None]
         before = last[rows]
         last[rows] = size
         ratio = size / np.where(before > 0.0, before, 1.0)
         unit = np.minimum(1.0, np.maximum(least[rows], length(x[rows], x[rows])))
         ahead = 100.0 * size**2 if count == 0 else size * np.minimum(ratio, 1.0) ** 2
-        done = (ahead <= tolerance * unit) | ((size <= _FLOOR * unit) & (ratio > 0.5))
+        done = (ahead <= tolerance * unit) | ((size <= FLOOR * unit) & (ratio > 0.5))
         end[rows[done]] = NewtonEnd.CONVERGED
         restless[rows] = np.where(ratio > 1.0, restless[rows] + 1, 0)
-        rows = rows[~done & (restless[rows] < _RESTLESS)]
+        rows = rows[~done & (restless[rows] < RESTLESS)]
         if rows.size == 0:
             break
     return NewtonResult(x, end, iterations, last, bend)

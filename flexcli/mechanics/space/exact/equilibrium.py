@@ -10,13 +10,20 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from time import perf_counter
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.mechanics.refinement import LEVELS, Outcome, Reached, difference, refined
+from flexcli.mechanics.refinement import (
+    LEVELS,
+    Outcome,
+    Reached,
+    by_steps,
+    difference,
+    refined,
+)
 from flexcli.mechanics.space.exact.assembly import (
     Assembly,
     Linearised,
@@ -35,6 +42,7 @@ from flexcli.mechanics.space.exact.second_variation import (
 )
 from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector
+from flexcli.numerics.newton import NewtonResult
 
 __all__ = ["SpaceEquilibrium", "SpacePart", "beside", "solve", "started"]
 
@@ -176,6 +184,10 @@ class _InSpace(NamedTuple):
         """Return Newton's steps."""
         each = [self.assembly.step(*pair, self.demand) for pair in zip(x, share, strict=True)]
         return np.array(each).reshape(x.shape)
+
+    def newton(self, x: Floats, share: Floats, rows: Integers, **how: Any) -> NewtonResult:
+        """Return where Newton's method leads from x."""
+        return by_steps(self, x, share, rows, **how)
 
     def length_of(self, x: Floats, step: Floats) -> Floats:
         """Return the lengths of steps [-]."""

@@ -1,4 +1,4 @@
-"""Batches solved by compiled steps against the arrays that these stand in for."""
+"""Batches solved by compiled code against the arrays that these stand in for."""
 
 from dataclasses import replace
 
@@ -25,7 +25,7 @@ DIGITS = 3e-11
 
 @pytest.fixture
 def both(monkeypatch):
-    """Give what solves by compiled steps and by arrays."""
+    """Give what solves by compiled code and by arrays."""
 
     def solved(layout, held, **how):
         found = []
