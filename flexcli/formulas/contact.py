@@ -8,8 +8,10 @@ from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = [
     "CARDS",
+    "CHORD",
     "LineContact",
     "PointContact",
+    "chord_deviation",
     "contact_modulus",
     "line_contact",
     "point_contact",
@@ -160,6 +162,35 @@ def point_contact(*, F: Quantity, R: Quantity, E_star: Quantity) -> PointContact
     # p = 3F/(2πa²) in the form that is 0, not 0/0, without a force
     pressure = 2.0 * E_star * radius / (pi * R)
     return PointContact(radius, radius**2 / R, pressure, POINT_SHEAR * pressure)
+
+
+CHORD = 1.1184
+"""Indentation of the line over that of the ball, at a force, for which a ball's indentation lies
+within 11.9 % of it from that line up to that force: the least of all lines, c³ = c² + 4/27."""
+
+
+def chord_deviation(share: float) -> float:
+    """Return how far a ball's indentation is from a line through none, up to a force.
+
+    ``max |x^(2/3) − r x| = max(4/(27 r²), |1 − r|)`` for 0 ≤ x ≤ 1.
+
+    Parameters
+    ----------
+    share : float
+        r: indentation of the line over that of the ball at the largest force, from 2/3 on [-].
+
+    Returns
+    -------
+    float
+        The largest difference, over the ball's indentation at the largest force [-].
+
+    Examples
+    --------
+    >>> round(chord_deviation(CHORD), 3)
+    0.118
+
+    """
+    return max(4.0 / (27.0 * share**2), abs(1.0 - share))
 
 
 _BALL = {"R": 50e-3, "E_star": 53.2e9}

@@ -314,6 +314,19 @@ def test_a_rigid_stop_tells_what_a_ball_would_change():
     assert hertz.factor_range[0] <= 1e-3 / ball.travel <= hertz.factor_range[1]
 
 
+def test_a_line_in_place_of_hertz_decides_where_a_rigid_stop_leaves_it_open():
+    known = {"mechanism": LIVELY}
+    most = 1e-3 / check(judged({**PLACE, "travel": "1 mm", "contact": BALL}, **known),
+                        "travel").factor_range[0]  # fmt: skip
+    limit = 0.998 * most
+    limits = {**PLACE, "travel": f"{limit} m", "contact": BALL}
+    found = check(judged(limits, **known), "travel")
+    assert (found.model, found.verdict) == ("linear contact", Verdict.PASS)
+    ball = only(run(limits, **known))
+    assert ball.law == "ball, Hertz, elastic"
+    assert found.factor_range[0] <= limit / ball.travel <= found.factor_range[1]
+
+
 def test_a_random_run_that_exceeds_its_limit_ends_and_fails():
     long = {"launch": {"asd": {**RANDOM["launch"]["asd"], "duration": "20 s"}}}
     result = judged({**PLACE, "travel": "90 um"}, cases=long)

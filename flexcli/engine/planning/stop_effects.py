@@ -15,8 +15,8 @@ from flexcli.results import EffectRow
 
 __all__ = ["stop_effects"]
 
-COST = 10.0
-"""Times that a run with Hertz' contact takes of one with a rigid contact, as measured."""
+COST = 5.0
+"""Times that a run with Hertz' contact takes of one with a rigid or linear one, as measured."""
 
 
 def stop_effects(design: DesignSpec, sizes: Sizes) -> Iterator[EffectRow]:

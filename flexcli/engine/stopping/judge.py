@@ -1,8 +1,8 @@
-"""Judge stops case by case: the operating line, then simulation with rigid and Hertz contact.
+"""Judge stops case by case: the operating line, then simulation, its contact finer each time.
 
 Each check is decided by the first of them whose error does not reach its requirement. The error
 of a simulation is what other runs of it show: a blade as stiff as a plate, one tuned to the sine,
-more modes; and of a rigid stop, how far a round one gives.
+more modes; and of a rigid or linear stop, how far a round one's indentation is from its own.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from flexcli.engine import assess
 from flexcli.engine.stopping.run import Enough, stop_runs
-from flexcli.engine.stopping.scene import contact_model
+from flexcli.engine.stopping.scene import contact_model, is_round
 from flexcli.engine.stopping.statics import (
     LINE,
     StopTask,
@@ -24,6 +24,7 @@ from flexcli.engine.stopping.statics import (
     static_limits,
 )
 from flexcli.errors import SolveError
+from flexcli.formulas.contact import CHORD, chord_deviation, point_contact
 from flexcli.formulas.stop_stiffness import bent_shape, free_stiffness
 from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
@@ -262,21 +263,25 @@ class _Series:
     def _models(
         self, case: str, strengths: list[_Strength], f_0: float
     ) -> Iterator[tuple[list[Limit], str]]:
-        """Yield the limits of a case by simulation with rigid contact, then with Hertz'."""
+        """Yield the limits of a case by simulation: a round head rigid, linear, then Hertz'."""
         contact = self.task.stops.contact
-        rigid = contact_model(contact, rigid=True)
-        finest = contact_model(contact, rigid=False)
+        head = inf if is_round(contact) and not self.forced else None
         known = self._is_alone(case)
         errors, whole = self._spread(case, f_0) if known else ({}, True)
-        for model in (finest,) if self.forced else dict.fromkeys((rigid, finest)):
+        while True:
+            model = contact_model(contact, head)
             self.runs = [run for run in self.runs if run.case != case]
             enough = None if self.forced else self._enough(strengths, errors)
-            runs = self._run(case, self.options, enough, rigid=model == rigid)
+            runs = self._run(case, self.options, enough, head=head)
             self.runs.extend(runs)
             peaks = _of(runs)
             complete = whole and all(run.is_complete for run in runs)
-            told = partial(self._error, errors, peaks, model, complete, known)
+            told = partial(self._error, errors, self._given(peaks, head), complete, known)
             yield list(self._limits(case, runs, peaks, strengths, told)), model
+            if head is None:
+                return
+            touched = head == inf and peaks.force > 0.0
+            head = peaks.force / (CHORD * self._indented(peaks.force)) if touched else None
 
     def _is_alone(self, case: str) -> bool:
         """Return whether each run of a case has all that acts in it.
@@ -296,7 +301,7 @@ class _Series:
         enough: Enough | None,
         *,
         design: DesignSpec | None = None,
-        rigid: bool = True,
+        head: float | None = inf,
         stiffening: float = 0.0,
         more_modes: int = 0,
     ) -> list[StopSimulation]:
@@ -304,7 +309,7 @@ class _Series:
         found = []
         for run in stop_runs(
             design or self.design, self.task, self.sizes, self.place, case,
-            options=options, keep_history=self.keep_history and design is None, rigid=rigid,
+            options=options, keep_history=self.keep_history and design is None, head=head,
             stiffening=stiffening, more_modes=more_modes,
         ):  # fmt: skip
             simulation = run.told(partial(self.watch, case), enough)
@@ -392,8 +397,7 @@ class _Series:
     def _error(
         self,
         errors: dict[str, ErrorRange],
-        peaks: _Peaks,
-        model: str,
+        of_contact: dict[str, float],
         whole: bool,
         known: bool,
         name: str,
@@ -402,24 +406,29 @@ class _Series:
         if not known:
             return None
         of_blade = errors.get(name, ErrorRange(0.0, 0.0))
-        of_contact = self._given(peaks, model)[name]
-        low, high = of_blade.low - of_contact, of_blade.high + of_contact
+        low, high = of_blade.low - of_contact[name], of_blade.high + of_contact[name]
         return ErrorRange(max(low, -1.0), high if whole else inf)
 
-    def _given(self, peaks: _Peaks, model: str) -> dict[str, float]:
-        """Return what the indentation of a round head may change, where the model has none."""
-        task, place, contact = self.task, self.place, self.task.stops.contact
-        if model != contact_model(contact, rigid=True) or not isinstance(contact, Ball | Cylinder):
-            return dict.fromkeys(_Peaks._fields, 0.0)
-        if not peaks.force or not peaks.travel:
-            return dict.fromkeys(_Peaks._fields, 0.0)
-        from flexcli.formulas.contact import point_contact
-
+    def _indented(self, force: float) -> float:
+        """Return how deep a round head goes into the blade [m], nothing for one that is not."""
+        contact = self.task.stops.contact
+        if not isinstance(contact, Ball | Cylinder):
+            return 0.0
         # a ball gives more than a cylinder of its radius
-        deep = point_contact(
-            F=peaks.force, R=contact.radius, E_star=contact.modulus(task.elastic)
-        ).approach
-        added = CONTACT_HISTORY * float(deep) / float(bent_shape(place.L_a / task.L))
+        modulus = contact.modulus(self.task.elastic)
+        return float(point_contact(F=force, R=contact.radius, E_star=modulus).approach)
+
+    def _given(self, peaks: _Peaks, head: float | None) -> dict[str, float]:
+        """Return what the indentation of a round head may change, where the run has another."""
+        task, place = self.task, self.place
+        deep = self._indented(peaks.force)
+        if is_round(task.stops.contact) and head is None:
+            deep = 0.0
+        if not deep or not peaks.travel:
+            return dict.fromkeys(_Peaks._fields, 0.0)
+        if head not in (None, inf):
+            deep *= chord_deviation(peaks.force / (head * deep))
+        added = CONTACT_HISTORY * deep / float(bent_shape(place.L_a / task.L))
         travel = added / peaks.travel
         loads = [
             force_at_travel(task, place, 0.0, peaks.travel * (1.0 + end)) for end in (0.0, travel)

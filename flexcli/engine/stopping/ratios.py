@@ -1,6 +1,7 @@
 """The tip's range over the gap along the operating line: as measured, and at resonance in time."""
 
 from collections.abc import Callable, Iterator
+from math import inf
 
 import numpy as np
 
@@ -37,7 +38,7 @@ def ratios(
         if not goes_on():
             return
         place = on_line(task, "", float(height))
-        blade, stops, _ = stop_scene(design, mechanism, task, sizes, place, case, rigid=True)
+        blade, stops, _ = stop_scene(design, mechanism, task, sizes, place, case, head=inf)
         found = stepped_motion(blade, stops, acceleration).follow(float(blade.angular[0]))
         travel = found.peaks.tip_above + found.peaks.tip_below
         touches = found.settled and found.contacts > 0.0

@@ -146,7 +146,7 @@ def stop_runs(
     *,
     options: Simulation,
     keep_history: bool = False,
-    rigid: bool = False,
+    head: float | None = None,
     stiffening: float = 0.0,
     more_modes: int = 0,
 ) -> Iterator[StopRun]:
@@ -162,9 +162,9 @@ def stop_runs(
     given = design.cases[case]
     blade, stops, law = stop_scene(
         design, mechanism, task, sizes, place, case,
-        rigid=rigid, stiffening=stiffening, more_modes=more_modes,
+        head=head, stiffening=stiffening, more_modes=more_modes,
     )  # fmt: skip
-    model = contact_model(task.stops.contact, rigid=rigid)
+    model = contact_model(task.stops.contact, head)
     for sign in (1,) if task.stops.sides == "both" else (1, -1):
         for shaken in excitation(case, given, blade, options, sign):
             engine = StoppedVibration(blade, stops, rate=shaken.rate, keep_history=keep_history)

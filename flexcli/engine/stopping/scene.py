@@ -37,10 +37,10 @@ def is_round(contact: Contact) -> bool:
     return isinstance(contact, Ball)
 
 
-def contact_model(contact: Contact, *, rigid: bool) -> str:
-    """Return the name of the model of a contact in time."""
-    if is_round(contact) and not rigid:
-        return "Hertz contact"
+def contact_model(contact: Contact, head: float | None) -> str:
+    """Return the name of the model of a contact in time, of a round one by its stand-in."""
+    if is_round(contact) and head != inf:
+        return "Hertz contact" if head is None else "linear contact"
     if isinstance(contact, Spring):
         return "spring contact"
     if isinstance(contact, Rigid) and contact.restitution is not None:
@@ -56,14 +56,14 @@ def stop_scene(
     place: StopPlace,
     case: str,
     *,
-    rigid: bool = False,
+    head: float | None = None,
     stiffening: float = 0.0,
     more_modes: int = 0,
 ) -> tuple[ModalBlade, Stops, str]:
     """Return modes and stops of one case, and the law in words.
 
-    ``rigid`` takes a round head as one that does not give; ``stiffening`` is what the blade's
-    rigidity has over that of the beam, relative.
+    ``head`` is the stiffness [N/m] of a head that stands for a round one, inf for one that does
+    not give; ``stiffening`` is what the blade's rigidity has over that of the beam, relative.
     """
     density = design.material.density
     volume = float(design.geometry.volume(sizes))
@@ -80,9 +80,9 @@ def stop_scene(
         quality=case_quality(mechanism, case, design.cases[case]),
     )
     contact = task.stops.contact
-    law, words = (
-        (LinearStop(), RIGID) if rigid and is_round(contact) else _law(contact, task, blade)
-    )
+    law, words = _law(contact, task, blade)
+    if head is not None and is_round(contact):
+        law, words = LinearStop(head), RIGID if head == inf else f"{words}, as a line"
     if isinstance(law, RigidStop):
         blade = blade.truncated()
     below = place.delta_G if task.stops.sides == "both" else inf

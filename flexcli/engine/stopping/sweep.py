@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from math import pi
+from math import inf, pi
 from time import perf_counter
 
 import numpy as np
@@ -69,7 +69,7 @@ def swept(result: Result, design: DesignSpec, sizes: Sizes, watch: Watch) -> Res
         if case.sine is None and case.sweep is None:
             continue
         place = result.stops.chosen
-        blade, stops, law = stop_scene(design, mechanism, task, sizes, place, name, rigid=True)
+        blade, stops, law = stop_scene(design, mechanism, task, sizes, place, name, head=inf)
         if is_round(task.stops.contact):
             law += " (a ball gives too: stops --simulate shows what that changes)"
         for way in _ways(case, blade, stops):
