@@ -96,7 +96,13 @@ def size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
         result = _decided(design, spec, series, model)
     values = dict(result.values)
     if height is not None:
-        values["H"] = Value(height, "m", "height of the levers, chosen with the blades", "sized")
+        values["H"] = Value(
+            height,
+            "m",
+            "height of the levers, chosen with the blades",
+            "sized",
+            estimated_error=0.0,
+        )
     assert result.cost is not None  # every branch measures
     cost = replace(result.cost, seconds=perf_counter() - started)
     return replace(result, values=values, cost=cost)
@@ -556,7 +562,13 @@ def _sized_values(design: DesignSpec, chosen: _Choice) -> dict[str, Value]:
     model, geometry = "sized", design.geometry
     units = {name: DIMENSIONS[geometry.dimension(name)].si for name in geometry.free}
     found = {
-        name: Value(float(getattr(chosen.sizes, name)), unit, geometry.label(name), model)
+        name: Value(
+            float(getattr(chosen.sizes, name)),
+            unit,
+            geometry.label(name),
+            model,
+            estimated_error=0.0,  # what was chosen is what is judged
+        )
         for name, unit in units.items()
     }
     if chosen.ideal is not None:

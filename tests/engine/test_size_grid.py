@@ -112,6 +112,12 @@ def test_points_are_the_decimal_multiples_of_the_step():
     assert [float(f"{x:.7g}") for x in (h, l, b)] == [h, l, b]
 
 
+def test_sizes_that_are_chosen_have_no_error_and_the_optimum_has_one_that_nobody_knows():
+    values = size_as_printed(grid_spec(), "spec").values
+    assert [values[name].estimated_error for name in ("h", "l", "b")] == [0.0, 0.0, 0.0]
+    assert values["h_ideal"].estimated_error is None
+
+
 def test_a_stock_list_is_searched_beyond_its_nearest_sizes():
     spec = grid_spec(rounding={"h": ["0.1 mm", "0.3 mm", "0.7 mm"], "l": "0.5 mm", "b": ["10 mm"]})
     result = size_as_printed(spec, "spec")
