@@ -210,10 +210,10 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
         keys = ", ".join(f"geometry.{key}" for key in design.geometry.unstated)
         names = ", ".join(dict.fromkeys(check.name for check in undecided))
         text = (
-            f"{keys} is not given, without which the linear and the exact model have no answer; "
-            f"giving it may decide {names}"
+            f"{keys} is not given, without which the linear and the exact model are less sure or "
+            f"have no answer; giving it may decide {names}"
         )
-        yield Note("needs-spacing", text)
+        yield Note(f"needs-{design.geometry.unstated[0]}", text)
     if moving and design.material.density is None:
         text = (
             "material.density is not given and the blades' mass was taken as anything up to that "

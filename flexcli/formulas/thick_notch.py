@@ -4,39 +4,70 @@ The faces of a notch are not parallel, so that a section bends out of plane besi
 the blocks that the notch is cut into give way at its mouth. A beam has neither.
 """
 
-from typing import NamedTuple
+from collections.abc import Iterator
+from typing import Literal, NamedTuple, TypeAlias
+
+import numpy as np
 
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.notch import elliptic_stiffness
-from flexcli.numerics.rows import number, smaller
+from flexcli.numerics.rows import Number, larger, number, smaller
 
-__all__ = ["CARDS", "DEEPEST", "THICKEST", "Softening", "softening"]
+__all__ = ["CARDS", "DEEPEST", "THICKEST", "Blocks", "Softening", "softening"]
 
-OF_THROAT = 0.4
-"""Compliance that a throat has more than its beam, as a share of that and of e/radius."""
+OF_SLOPE, AT_MOST = 1.2, 4.0
+"""Share of its curvature that a section bends more, per square of the slope of its faces, and its
+most: 1.2 makes the 0.4 e/ρ of a thin throat."""
 
-OF_ROUND, OF_SHAPE, MOST_OF_SHAPE = 0.005, 0.21, 0.12
-"""Error of that 0.4 as a share of e/radius: of circles, more per |1 − l/(2 depth)|, at most."""
+OF_FIT, BESIDE = 0.045, 1.0
+"""Error of what is softer so: a share of it, and in 1/(E b H²), H the height of the mouth."""
 
-OF_BLOCKS, SHALLOW = 38.0, 0.15
-"""Error by the blocks in 1/(E b H²), H the height of the mouth, and how it falls with e/depth."""
+AT_MOUTH, SHALLOWER, OF_SHORT, NEAR = 33.0, 0.9, 0.4, 0.13
+"""Compliance that a mouth loses to a rigid body at most, in 1/(E b H²), how it falls with e/depth
+and rises with (2 depth/l)^0.4 beyond that itself, and over which share of H behind the mouth."""
+
+OF_BAR = 24.0
+"""Compliance of two bars of height H and length L beside the notch, in L/(E b H³)."""
+
+OF_MASS = 7.5, 18.0
+"""Between which lies what two massive blocks give way, in 1/(E b H²)."""
+
+SPREADS, SPREADS_MOST = 0.6, 0.012
+"""What the bending of a thin throat that spreads adds to a shift, per e/ρ, and of a thick one."""
+
+LESS, LESS_BY_MOUTH, MORE = 8.0, 0.6, 30.0
+"""What a shift may have less as if the mouth bent less than beam and bar, in 1/(E b H²) and in what
+a rigid body takes of it, and what more by massive blocks."""
+
+PLACES, PIECES = 40, 4
+"""Places along half a notch, and along a bar beside it."""
 
 THICKEST, DEEPEST = 1.0, 4.0
 """Largest e/radius and e/depth of the notches that were compared."""
 
+Blocks: TypeAlias = float | Literal["massive"] | None
+"""The blocks beside a notch: the length [m] of such as are as high as its mouth and end in a rigid
+body, massive ones, or nothing where they are not stated."""
+
 
 class Softening(NamedTuple):
-    """Compliance in rotation beyond that of a hinge's beam, times E b, and its error [1/m²]."""
+    """Compliance in rotation beyond that of a hinge's beam, times E b, and its error [1/m²].
 
-    more: float
-    error: float
+    ``shift`` is between which the shift of the hinge lies, over that of its beam [-].
+    """
+
+    more: Number
+    error: Number
+    shift: tuple[Number, Number]
 
 
-def softening(*, e: float, depth: float, l: float) -> Softening:
+def softening(
+    *, e: Number, depth: Number, l: Number, straight: Number = 0.0, blocks: Blocks = None
+) -> Softening:
     """Return the compliance of a notch as a plane body beyond that of the beam of its profile.
 
-    ``ΔC = 0.4 (e/ρ) C``, ρ = l²/(4 depth) the radius of the throat and C the beam's 1/K, with an
-    error of ``38/(H² (1 + 0.15 e/depth))/(E b)``, H = e + 2 depth, by the blocks beside the notch.
+    ``ΔC = ∫12/h³ · 1.2 s²/(1 + 0.3 s²) dx/(E b)``, s the slope of a face, and what the blocks give
+    way: bars of height H = e + 2 depth and length L bend by ``24 L/(E b H³)``, less what a rigid
+    body takes of the mouth.
 
     Parameters
     ----------
@@ -45,36 +76,122 @@ def softening(*, e: float, depth: float, l: float) -> Softening:
     depth, l : float
         Depth of each half-ellipse and its length along the hinge [m]; l = 2 depth is a circle.
         The two quarter circles of a filleted hinge are one such notch: r and 2 r.
+    straight : float
+        Length of constant thickness e between the two halves [m].
+    blocks : float or str, optional
+        Length of blocks as high as the mouth, with rigid bodies behind them [m], or ``massive``:
+        at least twice as high at their ends, and half as long as the mouth is high. Left out,
+        anything from rigid at the mouth to as long as it is high.
 
     Returns
     -------
     softening : Softening
-        ΔC E b and its error [1/m²].
+        ΔC E b, its error [1/m²], and the change of the shift.
 
     Notes
     -----
     Plane stress, and plane strain with E/(1 − ν²): a plane body under given moments has the same
-    stress for any ν. Compared for circles of e/r from 0.02 to 1, ellipses of l/(2 depth) from ¼ to
-    4 with e/ρ ≤ 1 and e/depth ≤ 4, fillets of h/r up to 20; for blocks as high as the mouth or
-    twice that, rigid from 0 to 1 H behind it. The value is that of ½ H.
+    stress for any ν. Compared for circles of e/r from 0.01 to 1, ellipses of l/(2 depth) from ¼ to
+    5 with e/ρ ≤ 1 and e/depth ≤ 4, ρ = l²/(4 depth) the radius of the throat, fillets of h/r up
+    to 20. The shift is ``(θ²/4) ∬κ κ' |x − x'|``, κ the share of the bending at a place.
 
     Examples
     --------
+    >>> from flexcli.formulas.notch import elliptic_stiffness
     >>> hinge = {"e": 0.2e-3, "depth": 1e-3, "l": 2e-3}
     >>> beam = 1.0 / elliptic_stiffness(E=1.0, b=1.0, **hinge)
-    >>> [round(float(part / beam), 3) for part in softening(**hinge)]
-    [0.08, 0.011]
+    >>> [round(float(part / beam), 3) for part in softening(**hinge, blocks=2e-3)[:2]]
+    [0.083, 0.004]
 
     References
     ----------
     Fitted here to finite elements of high order for plane bodies.
 
     """
-    C = 1.0 / number(elliptic_stiffness(E=1.0, b=1.0, e=e, l=l, depth=depth))
-    ratio = e / (l**2 / (4.0 * depth))
-    fit = smaller(OF_ROUND + OF_SHAPE * abs(1.0 - l / (2.0 * depth)), MOST_OF_SHAPE)
-    blocks = OF_BLOCKS / (1.0 + SHALLOW * smaller(e / depth, 5.0)) / (e + 2.0 * depth) ** 2
-    return Softening(OF_THROAT * ratio * C, fit * ratio * C + blocks)
+    H = e + 2.0 * depth
+    places = list(_places(e, depth, l))
+    bends = [12.0 / h**3 * dx for _, dx, h, _ in places]
+    shares = (OF_SLOPE * s**2 / (1.0 + OF_SLOPE / AT_MOST * s**2) for *_, s in places)
+    softer = 2.0 * sum(bend * share for bend, share in zip(bends, shares, strict=True))
+    low, high, bar = _of_blocks(e, depth, l, blocks)
+    fit = OF_FIT * softer + BESIDE / H**2
+    beam = body = Spread(6.0 / e**3 * straight, straight / 3.0)
+    grown = 1.0 + softer / (2.0 * sum(bends))
+    for (x, *_), bend in zip(places, bends, strict=True):
+        beam = beam.beside(bend, straight / 2.0 + x)
+        body = body.beside(bend * grown, straight / 2.0 + x)
+    end = (straight + l) / 2.0
+    rest, bent = (body.beside_bar(L, end, H).mean / beam.mean for L in (0.0, bar))
+    lever = (end / beam.mean - 1.0) / body.turn  # of a compliance at the mouth
+    mouth = _of_mouth(e, depth, l)
+    taken = smaller(0.0, low - OF_BAR * bar / H**3 if blocks is not None else low)
+    less = ((LESS + LESS_BY_MOUTH * mouth) / H**2 - taken) * lever
+    more = smaller(SPREADS * e * 4.0 * depth / l**2, SPREADS_MOST)
+    least = most = bent
+    if blocks is None or isinstance(blocks, str):
+        least, most = rest, larger(bent, rest + MORE / H**2 * lever)
+    shift = least - less, most + more
+    return Softening(softer + (low + high) / 2.0, fit + (high - low) / 2.0, shift)
+
+
+class Spread(NamedTuple):
+    """How far apart two places are at which a symmetric hinge bends, in the mean.
+
+    ``turn`` is what half of it bends; ``mean`` is the mean of the larger of two distances from the
+    middle, which is that of the distance between two places of either half.
+    """
+
+    turn: Number
+    mean: Number
+
+    def beside(self, turn: Number, x: Number) -> "Spread":
+        """Return it with more that bends at x, no nearer to the middle than all before."""
+        whole = self.turn + turn
+        mean = (self.turn**2 * self.mean + (2.0 * self.turn + turn) * turn * x) / whole**2
+        return Spread(whole, mean)
+
+    def beside_bar(self, L: Number, end: Number, H: Number) -> "Spread":
+        """Return it with a bar of length L and height H behind its end."""
+        found = self
+        for k in range(PIECES):
+            piece = OF_BAR / 2.0 * L / H**3 / PIECES
+            found = found.beside(piece, end + (k + 0.5) / PIECES * L)
+        return found
+
+
+def _places(e: Number, depth: Number, l: Number) -> Iterator[tuple[Number, ...]]:
+    """Yield places from the throat to the mouth: x, its share dx, thickness and slope of a face.
+
+    They are the closer the nearer to the throat: u = w sinh, u the tangent of half the angle.
+    """
+    w = number(np.sqrt(e / (e + 4.0 * depth)))
+    reach = number(np.arcsinh(1.0 / w))
+    for k in range(PLACES):
+        v = reach * ((k + 0.5) / PLACES)
+        u = w * number(np.sinh(v))
+        cos, sin = (1.0 - u**2) / (1.0 + u**2), 2.0 * u / (1.0 + u**2)
+        angle = 2.0 / (1.0 + u**2) * w * number(np.cosh(v)) * reach / PLACES
+        x, dx = l / 2.0 * sin, l / 2.0 * cos * angle
+        yield x, dx, e + 2.0 * depth * (1.0 - cos), 2.0 * depth * sin / (l * cos)
+
+
+def _of_blocks(
+    e: Number, depth: Number, l: Number, blocks: Blocks
+) -> tuple[Number, Number, Number]:
+    """Return between which compliances times E b the blocks add, and the length of a bar [m]."""
+    H, mouth = e + 2.0 * depth, _of_mouth(e, depth, l)
+    if blocks is None:
+        return -mouth / H**2, OF_BAR / H**2, H
+    if isinstance(blocks, str):
+        return OF_MASS[0] / H**2, OF_MASS[1] / H**2, 0.0 * H
+    bar = OF_BAR * blocks / H
+    return (bar - mouth * number(np.exp(-blocks / (NEAR * H)))) / H**2, bar / H**2, blocks
+
+
+def _of_mouth(e: Number, depth: Number, l: Number) -> Number:
+    """Return what a mouth loses to a rigid body there at most, in 1/(E b H²)."""
+    short = 2.0 * depth / l
+    return AT_MOUTH * short * number(larger(1.0, short) ** OF_SHORT) / (1.0 + SHALLOWER * e / depth)
 
 
 CARDS: tuple[Card, ...] = (

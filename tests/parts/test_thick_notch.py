@@ -44,7 +44,11 @@ SHAPES = {
     "small fillets": filleted(h=1.5, r=1.0, l=15.0),
     "smaller fillets": filleted(h=7.0, r=1.0, l=80.0),
 }
-BLOCKS = {"short": (0.05, 0.0), "square": (0.9, 0.0), "usual": (0.4, 0.2), "high": (1.2, 1.0)}
+BLOCKS = {
+    "short": (0.05, 0.0), "square": (0.9, 0.0), "usual": (0.4, 0.2), "high": (1.2, 1.0),
+    "long": (1.7, 0.0), "massive": (0.8, 1.6),
+}  # fmt: skip
+UNSTATED, STATED = ("short", "square", "usual", "high"), ("short", "square", "long", "massive")
 
 
 @cache
@@ -53,29 +57,82 @@ def solid(shape, block, nu=0.3):
     return notched_plate.solid_over_beam(SHAPES[shape][0], block=length, rise=rise, nu=nu)
 
 
-def spec(shape):
+@cache
+def shift(shape, block):
+    length, rise = BLOCKS[block]
+    return notched_plate.shift_over_beam(SHAPES[shape][0], block=length, rise=rise)
+
+
+def spec(shape, **more):
     part = SHAPES[shape][1]
     sizes = {name: f"{x!r} mm" for name, x in part.items() if name != "kind"}
-    return {"kind": part["kind"], **sizes, "b": "0.01 mm"}
+    return {"kind": part["kind"], **sizes, "b": "0.01 mm", **more}
 
 
-def thick(shape):
-    hinge = TypeAdapter(AnyGeometry).validate_python(spec(shape))
-    return hinge.thick_notches(hinge.sized({})).factor
+def thick(shape, **more):
+    hinge = TypeAdapter(AnyGeometry).validate_python(spec(shape, **more))
+    return hinge.thick_notches(hinge.sized({}))
+
+
+def stated(shape, block):
+    """Return the blocks as a spec states them."""
+    length, rise = BLOCKS[block]
+    edges = SHAPES[shape][0]
+    mouth = 2.0 * float(edges[-1](1.0)[1])
+    return {"blocks": "massive" if rise else f"{length * mouth!r} mm"}
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("block", BLOCKS)
+@pytest.mark.parametrize("block", UNSTATED)
 @pytest.mark.parametrize("shape", SHAPES)
 def test_a_notch_is_as_soft_as_the_plane_body(shape, block):
-    factor, found = thick(shape), solid(shape, block)[0]
+    factor, found = thick(shape).factor, solid(shape, block)[0]
     assert factor.low - ELEMENTS <= found <= factor.high + ELEMENTS
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("block", STATED)
+@pytest.mark.parametrize("shape", SHAPES)
+def test_with_its_blocks_stated_a_notch_is_as_soft_as_the_plane_body(shape, block):
+    factor, found = thick(shape, **stated(shape, block)).factor, solid(shape, block)[0]
+    assert factor.low - ELEMENTS <= found <= factor.high + ELEMENTS
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("block", ["short", "square", "massive"])
+@pytest.mark.parametrize("shape", SHAPES)
+def test_a_thick_notch_shifts_as_the_plane_body(shape, block):
+    """To second order, by the work of an axial force on what the rotation strains."""
+    found = shift(shape, block)
+    for more in ({}, stated(shape, block)):
+        low, high = thick(shape, **more).shift
+        assert low <= found <= high
+
+
+def test_blocks_that_bend_move_the_centre_of_a_thick_notch_further_than_it_softens():
+    low, high = thick("thick", **stated("thick", "square")).shift
+    assert 1.0 < low < shift("thick", "square") < high < 1.3
+
+
+@pytest.mark.parametrize("block", ["square", "long"])
+def test_stated_blocks_decide_what_is_open_without_them(block):
+    geometry, of_beam = beam("as thick as round")
+    true = float(of_beam * solid("as thick as round", block)[0])
+    for share, verdict in ((1.03, Status.FAIL), (0.97, Status.PASS)):
+        least = {"stiffness": {"min": f"{share * true!r} N*m/rad"}}
+        assert judged(geometry | stated("as thick as round", block), least).status is verdict
+        result = judged(geometry, least)
+        if block == "square":
+            assert result.status is Status.UNDECIDED
+            assert [note.code for note in result.warnings if "blocks" in note.text] == [
+                "needs-blocks"
+            ]
 
 
 @pytest.mark.parametrize("shape", ["circle", "thick", "fillets"])
 def test_poissons_ratio_changes_nothing_of_that(shape):
     """Hence plane strain, which is plane stress at E/(1 − ν²) and ν/(1 − ν), is the same."""
-    factor = thick(shape)
+    factor = thick(shape).factor
     for nu in (0.0, 0.45 / 0.55):
         found, _ = solid(shape, "usual", nu)
         assert found == pytest.approx(solid(shape, "usual")[0], rel=2e-3)  # of its rigid ends

@@ -11,7 +11,14 @@ from numpy.polynomial import legendre
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 
-__all__ = ["elliptic", "filleted", "peaks_over_nominal", "solid_over_beam", "turn_beyond_beam"]
+__all__ = [
+    "elliptic",
+    "filleted",
+    "peaks_over_nominal",
+    "shift_over_beam",
+    "solid_over_beam",
+    "turn_beyond_beam",
+]
 
 DEGREE, ALONG, ACROSS = 5, 8, 2
 
@@ -62,6 +69,34 @@ def peaks_over_nominal(edges, *, block, rise=0.0):
     return bent[1] / (6 * 2 * bent[0] / h**2), stretched[1] / (2 * stretched[0] / h)
 
 
+def shift_over_beam(edges, *, block, rise=0.0):
+    """Return the shift of the middle over that of the beam, both of second order in the rotation.
+
+    An end that turns by 1 comes nearer by the work of an axial force of 1 on what the rotation
+    strains to second order; rigid, it would turn about the throat.
+    """
+    (x, bent, _), (_, pulled, force) = (
+        _solid_fields(edges, block, rise, stretch) for stretch in (False, True)
+    )
+    squares = sum(
+        weight * stress @ [g[0] @ g[0] / 2, g[1] @ g[1] / 2, g[0] @ g[1]]
+        for (weight, g, _), (_, _, stress) in zip(bent, pulled, strict=True)
+    )
+    solid = x + 2 * (-squares - force[1]) / force[0]
+    # of the beam ∫(1 − φ²), φ the share of the rotation
+    g, w = legendre.leggauss(200)
+    whole, before, beam = _flexible(edges) / 2, 0.0, 0.0
+    for edge in edges:
+        s = (g + 1) / 2
+        slope = (edge(s + 1e-6)[0] - edge(s - 1e-6)[0]) / 2e-6
+        curved = slope / edge(s)[1] ** 3 * 12 / 8
+        inner = [t / 2 * w @ np.interp(t * s, s, curved) for t in s]
+        turned = (before + np.array(inner)) / whole
+        beam += w / 2 @ (slope * (1 - turned**2))
+        before += w / 2 @ curved
+    return solid / beam
+
+
 def _flexible(edges):
     """Return twice the rotation of half the beam per moment."""
     g, w = legendre.leggauss(200)
@@ -95,7 +130,8 @@ def _columns(edges, block, rise):
         yield body, a, b
 
 
-def _solid(edges, block, rise, nu, stretch=False):
+def _assembled(edges, block, rise, nu):
+    """Return the places of all nodes, their numbers, the elements, strain, elastic law and K."""
     p, columns = DEGREE, list(_columns(edges, block, rise))
     inner = legendre.legroots(legendre.legder([0] * p + [1]))
     t = np.concatenate([[-1], inner, [1]])
@@ -150,6 +186,11 @@ def _solid(edges, block, rise, nu, stretch=False):
         entries.append(k.ravel())
     found = (np.concatenate(rows), np.concatenate(cols))
     K = coo_matrix((np.concatenate(entries), found), (2 * X.size, 2 * X.size)).tocsc()
+    return X, Z, number, list(blocks()), (g, w), strain, elastic, K
+
+
+def _moved(X, Z, number, K, stretch):
+    """Return the motions of all nodes, the far end turned by −1 or pulled by 1."""
     # u is odd in x and in z; the far end turns by −1, or u is even in z and the end moves by 1
     u = np.zeros(2 * X.size)
     u[number[-1]] = 1.0 if stretch else -Z[-1]
@@ -157,8 +198,14 @@ def _solid(edges, block, rise, nu, stretch=False):
     held = np.concatenate([number[0], middle, number[-1], number[-1] + X.size])
     free = np.setdiff1d(np.arange(2 * X.size), held)
     u[free] = spsolve(K[free][:, free], -(K @ u)[free])
+    return u
+
+
+def _solid(edges, block, rise, nu, stretch=False):
+    X, Z, number, _, _, strain, elastic, K = _assembled(edges, block, rise, nu)
+    u, p = _moved(X, Z, number, K, stretch), DEGREE
     peaks = []
-    for i in range(len(columns)):
+    for i in range((len(X) - 1) // p):
         ids = number[i * p : i * p + p + 1, -p - 1 :].ravel()
         B, _ = strain(ids, (np.linspace(-1.0, 1.0, 25), np.array([1.0])))
         x, z, shear = (elastic @ B @ np.concatenate([u[ids], u[ids + X.size]])).T
@@ -166,3 +213,25 @@ def _solid(edges, block, rise, nu, stretch=False):
         if i == 0:
             throat = abs(x[0])
     return u @ (K @ u), throat, np.max(peaks)
+
+
+def _solid_fields(edges, block, rise, stretch):
+    """Return x of the end, weight, gradient and stress at points, and what an end's force is."""
+    X, Z, number, blocks, (g, w), strain, elastic, K = _assembled(edges, block, rise, 0.3)
+    u, points = _moved(X, Z, number, K, stretch), []
+    for where in blocks:
+        ids = number[where].ravel()
+        B, area = strain(ids, (g, g))
+        n = ids.size
+        # the rows of B are u_x, w_z and u_z + w_x
+        d_x, d_z = B[:, 0, :n], B[:, 2, :n]
+        first, second = u[ids], u[ids + X.size]
+        gradient = np.stack(
+            [np.stack([d @ first, d @ second], axis=1) for d in (d_x, d_z)], axis=1
+        )  # points, by x or z, of u or w
+        stress = (B @ np.concatenate([first, second])) @ elastic
+        weight = np.outer(w, w).ravel() * area
+        points += list(zip(weight, gradient, stress, strict=True))
+    forces, end = K @ u, number[-1]
+    # faces that turn as rigid ones move towards the middle by z/2
+    return X[-1, 0], points, (forces[end].sum(), -(Z[-1] / 2) @ forces[end + X.size])

@@ -10,6 +10,7 @@ from twins.verdicts import ERROR, FALSE_FAIL, UNDECIDED, UNSAFE, answer, checked
 
 PIVOTS = ("rcc", "cross-spring", "star", "three-blade", "unseparated-cross", "hinged-pivot")
 HINGES = ("moment-blade", "notch-hinge", "elliptic-hinge", "filleted-hinge")
+NOTCHES = HINGES[1:]
 BARS = ("torsion-bar", "round-torsion-bar", "torsion-star")
 STAGES = ("cantilever", "guided-blade", "leaf-spring-stage", "necked-down-stage", "hinged-stage")
 DRAWN = ("layout", "layout-pivot")
@@ -25,6 +26,13 @@ EASY = 1e-6
 
 def m(value):
     return f"{float(value)!r} m"
+
+
+def mouth(notch):
+    """Return the height of the mouth of a notch hinge's geometry [m]."""
+    sizes = {key: float(value.split()[0]) for key, value in notch.items() if key in "erh"}
+    depth = float(notch["depth"].split()[0]) if "depth" in notch else sizes["r"]
+    return sizes.get("e", sizes.get("h", 0.0)) + 2.0 * depth
 
 
 @dataclass
@@ -72,7 +80,10 @@ class _Writer:
             spec["effects"] = {effect: self.one("on", "off")}
         if rng.random() < 0.1:
             spec["accuracy"] = self.log(1e-3, 0.1)
-        return Scene(self.kind, spec, self.requirements(cases, mechanism, material))
+        requirements = self.requirements(cases, mechanism, material)
+        if self.kind in NOTCHES and rng.random() < 0.7:
+            geometry["blocks"] = self.one("massive", m(mouth(geometry) * self.log(0.3, 3.0)))
+        return Scene(self.kind, spec, requirements)
 
     def material(self):
         rng = self.rng
@@ -353,9 +364,9 @@ OMITS = "leaves out"
 NOT_ASKED = "nothing to ask"
 OPEN = {
     "needs-poisson-ratio": "poisson_ratio", "needs-density": "density", "limbs-without-mass": None,
-    "needs-spacing": "spacing",
+    "needs-spacing": "spacing", "needs-blocks": "blocks",
 }  # fmt: skip
-"""Notes on what the spec does not give: a property of the material, or the blades' distance."""
+"""Notes on what the spec does not give: a property of the material, or of the geometry."""
 
 
 def near_its_limits(seed, kinds=KINDS):
@@ -442,6 +453,8 @@ def _lacks(said, spec, name):
     spec = {**spec, "material": material, "requirements": requirements}
     if "spacing" in missing:
         spec["geometry"] = {**spec["geometry"], "spacing": spec["geometry"]["l"]}
+    if "blocks" in missing:
+        spec["geometry"] = {**spec["geometry"], "blocks": m(mouth(spec["geometry"]))}
     return checked(spec, name).verdict != UNDECIDED
 
 

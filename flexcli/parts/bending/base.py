@@ -147,12 +147,14 @@ class Giving(NamedTuple):
 class Thick(NamedTuple):
     """What plane elasticity changes in the stiffness of notch hinges, of which beams know nothing.
 
-    ``ratio`` is the largest e/radius; no factor where no such notch was compared. ``path`` is the
-    share of the joint's shift that its hinges make.
+    ``ratio`` is the largest e/radius; no factor where no such notch was compared. ``shift`` is
+    between which the shift of the hinges lies over that of their beams, ``path`` the share of the
+    joint's shift that they make.
     """
 
     ratio: float
     factor: Factor | None
+    shift: tuple[float, float] = (1.0, 1.0)
     path: float = 1.0
 
 

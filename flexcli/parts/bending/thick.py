@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from flexcli.formulas.quantity import Numbers
-from flexcli.formulas.thick_notch import DEEPEST, THICKEST, softening
+from flexcli.formulas.thick_notch import DEEPEST, THICKEST, Blocks, Softening, softening
 from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending.base import Factor, Thick
 
@@ -11,7 +11,13 @@ __all__ = ["thick_fillets", "thick_linked", "thick_notch"]
 
 
 def thick_notch(
-    *, e: Numbers, depth: Numbers, l: Numbers, turn: Numbers, uneven: float = 0.0
+    *,
+    e: Numbers,
+    depth: Numbers,
+    l: Numbers,
+    turn: Numbers,
+    uneven: float = 0.0,
+    blocks: Blocks = None,
 ) -> Thick:
     """Return the factor of a notch, whose stiffness at E b = 1 as a beam is ``turn`` [m²].
 
@@ -19,14 +25,19 @@ def thick_notch(
     """
     e, depth, l = number(e), number(depth), number(l)
     ratio = 4.0 * depth * e / l**2
-    known = ratio <= THICKEST and e <= DEEPEST * depth
-    return Thick(ratio, _factor(e, depth, l, number(turn), uneven) if known else None)
+    if not (ratio <= THICKEST and e <= DEEPEST * depth):
+        return Thick(ratio, None)
+    found = softening(e=e, depth=depth, l=l, blocks=blocks)
+    return _thick(ratio, found, number(turn), uneven)
 
 
-def thick_fillets(*, h: Numbers, r: Numbers, turn: Numbers) -> Thick:
+def thick_fillets(
+    *, h: Numbers, r: Numbers, l: Numbers, turn: Numbers, blocks: Blocks = None
+) -> Thick:
     """Return the factor of a blade with fillets, whose stiffness at E b = 1 is ``turn`` [m²]."""
-    h, r = number(h), number(r)
-    return Thick(h / r, _factor(h, r, 2.0 * r, number(turn), 0.0))
+    h, r, l = number(h), number(r), number(l)
+    found = softening(e=h, depth=r, l=2.0 * r, straight=l - 2.0 * r, blocks=blocks)
+    return _thick(h / r, found, number(turn), 0.0)
 
 
 def thick_linked(each: Sequence[Thick | None]) -> Thick | None:
@@ -40,13 +51,16 @@ def thick_linked(each: Sequence[Thick | None]) -> Thick | None:
     if len(known) < len(factors):
         return Thick(ratio, None)
     low, high = smaller(f.low for f in known), larger(f.high for f in known)
-    return Thick(ratio, Factor((low + high) / 2.0, low, high))
+    shifts = [(1.0, 1.0) if thick is None else thick.shift for thick in each]
+    shift = smaller(s[0] for s in shifts), larger(s[1] for s in shifts)
+    return Thick(ratio, Factor((low + high) / 2.0, low, high), shift)
 
 
-def _factor(e: float, depth: float, l: float, turn: float, uneven: float) -> Factor | None:
+def _thick(ratio: float, found: Softening, turn: float, uneven: float) -> Thick:
     """Return the stiffness over the beam's, nothing where its error is as large as itself."""
-    more, error = (part * turn for part in softening(e=e, depth=depth, l=l))
-    error += uneven * more
+    more, error = found.more * turn, found.error * turn
+    error += uneven * abs(more)
     if error >= 1.0 + more:
-        return None
-    return Factor(1.0 / (1.0 + more), 1.0 / (1.0 + more + error), 1.0 / (1.0 + more - error))
+        return Thick(ratio, None)
+    ends = 1.0 / (1.0 + more + error), 1.0 / (1.0 + more - error)
+    return Thick(ratio, Factor(1.0 / (1.0 + more), *ends), found.shift)

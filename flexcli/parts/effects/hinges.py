@@ -1,8 +1,10 @@
 """Notch hinges: they bend over a length of their own, and are softer as plane bodies than beams."""
 
+from math import inf
 from typing import ClassVar
 
-from flexcli.parts.bending import UNKNOWN, Change, Changes
+from flexcli.numerics.rows import larger
+from flexcli.parts.bending import UNKNOWN, Change, Changes, Thick
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
@@ -58,6 +60,15 @@ class ThickNotch(ModelEffect):
         if setting.largest_travel:
             loaded = any(scene.is_loaded for scene in setting.scenes)
             found["stress"] = Change(0.0, most, most, -1) if loaded else found["stiffness"]
-            # the rotation is spread out further along the hinge
-            found["shift"] = Change(0.0, most * thick.path, most * thick.path)
+            found["shift"] = _of_shift(thick)
         return found
+
+
+def _of_shift(thick: Thick) -> Change:
+    """Return the change of a shift: the rotation is spread out otherwise along its hinges."""
+    low, high = thick.shift
+    most = larger(1.0 - low, high - 1.0)
+    if thick.path != 1.0:
+        return Change(0.0, most * thick.path, most * thick.path)
+    middle = (low + high) / 2.0
+    return Change(middle - 1.0, most, (high - low) / 2.0 / middle if middle > 0.0 else inf)

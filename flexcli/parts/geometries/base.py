@@ -481,7 +481,7 @@ class Geometry(Part):
 
     @property
     def unstated(self) -> tuple[str, ...]:
-        """Return the optional keys that a layout of its blades needs and the spec does not give."""
+        """Return the optional keys that would tell finer models more and the spec does not give."""
         return tuple(key for key in LAYOUT_KEYS if getattr(self, key, "") is None)
 
     def twisting_bars(self, sizes: Sizes) -> TwistingBars | None:

@@ -145,7 +145,7 @@ class FilletedProfile(BladeProfile):
 
     def thick(self, size: Numbers, l: float) -> Thick:
         """Return the factor of the fillets."""
-        return thick_fillets(h=size, r=self.r, turn=self.turn(size, l))
+        return thick_fillets(h=size, r=self.r, l=l, turn=self.turn(size, l))
 
     def misfit(self, l: float) -> str:
         """Return that two fillets are longer than the blade."""

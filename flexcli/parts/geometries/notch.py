@@ -2,19 +2,21 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from typing import Any, ClassVar, Literal, NamedTuple
+from typing import Annotated, Any, ClassVar, Final, Literal, NamedTuple
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field, GetJsonSchemaHandler, model_validator
+from pydantic_core import CoreSchema
 
 from flexcli.formulas import fillet, hinge_shift, notch, notch_compliance
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import Filleted, Notch, Profile, per_design
 from flexcli.formulas.quantity import Computed, Numbers, Quantity
+from flexcli.formulas.thick_notch import Blocks as BesideNotch
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.numerics.rows import number
-from flexcli.parts.base import spec_error
+from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.arc import Arc
 from flexcli.parts.bending.wide import wide_notch
@@ -40,6 +42,8 @@ Concentration = Literal["deep-notch", "none"]
 
 CONCENTRATION: Concentration = "deep-notch"
 
+MASSIVE: Final = "massive"
+
 SOURCE = "Paros & Weisbord 1965, Machine Design 37; Neuber 1958 for the peak of the stress"
 
 
@@ -63,6 +67,34 @@ def fillet_peaks(
     return fillet.bending_factor(h=h, l=l, r=r), fillet.axial_factor(h=h, l=l, r=r)
 
 
+class Blocks(Part):
+    """The blocks beside a notch: massive, or as high as its mouth, with their length."""
+
+    is_plain: ClassVar[bool] = True
+
+    length: Annotated[float, QuantityOf("length", at_least=0.0)] | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _read(cls, data: Any) -> Any:
+        if data == MASSIVE:
+            return {}
+        if isinstance(data, str) and data.strip().isalpha():
+            raise spec_error(f"'{data}' is not a length", "write 5 mm, or massive")
+        return {"length": data}
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return {"anyOf": [QuantityOf("length", at_least=0.0).json_schema(), {"const": MASSIVE}]}
+
+    @property
+    def beside(self) -> BesideNotch:
+        """Return them as formulas take them."""
+        return MASSIVE if self.length is None else self.length
+
+
 class NotchGeometry(Geometry):
     """One hinge between the base and a body that turns about its throat."""
 
@@ -74,6 +106,21 @@ class NotchGeometry(Geometry):
     """How the peak of the stress in a throat counts: by Neuber's deep notch, of fillets by their
     own factor, or not at all, e.g. ``none``.
     """
+
+    blocks: Blocks | None = None
+    """What the notch is cut into on either side: blocks as high as its mouth, of a length up to
+    the rigid bodies behind them, 0 mm where the mouth itself is clamped; or massive ones, at least
+    twice as high within half the height of the mouth. Left out, any of these, e.g. ``5 mm``.
+    """
+
+    @property
+    def unstated(self) -> tuple[str, ...]:
+        """Return the blocks where nothing is said of them."""
+        return () if self.blocks is not None else ("blocks",)
+
+    @property
+    def _beside(self) -> BesideNotch:
+        return self.blocks.beside if self.blocks is not None else None
 
     @abstractmethod
     def profile(self, sizes: Any) -> tuple[Profile, Computed]:
@@ -229,7 +276,9 @@ class CircularHinge(NotchGeometry):
 
     def thick_notches(self, sizes: CircularSizes) -> Thick | None:
         """Return the factor of its throat."""
-        return thick.thick_notch(e=sizes.e, depth=sizes.r, l=2.0 * sizes.r, turn=self.turn(sizes))
+        e, r, _ = sizes
+        at = {"e": e, "depth": r, "l": 2.0 * r, "turn": self.turn(sizes)}
+        return thick.thick_notch(**at, blocks=self._beside)
 
     def volume(self, sizes: CircularSizes) -> Computed:
         """Return the volume between the notches [m³]."""
@@ -290,7 +339,8 @@ class EllipticHinge(NotchGeometry):
     def thick_notches(self, sizes: EllipticSizes) -> Thick | None:
         """Return the factor of its throat."""
         e, depth, l, _ = sizes
-        return thick.thick_notch(e=e, depth=depth, l=l, turn=self.turn(sizes))
+        at = {"e": e, "depth": depth, "l": l, "turn": self.turn(sizes)}
+        return thick.thick_notch(**at, blocks=self._beside)
 
     def volume(self, sizes: EllipticSizes) -> Computed:
         """Return the volume between the notches [m³]."""
@@ -359,7 +409,8 @@ class FilletedHinge(NotchGeometry):
 
     def thick_notches(self, sizes: FilletedSizes) -> Thick | None:
         """Return the factor of its fillets."""
-        return thick.thick_fillets(h=sizes.h, r=sizes.r, turn=self.turn(sizes))
+        at = {"h": sizes.h, "r": sizes.r, "l": sizes.l, "turn": self.turn(sizes)}
+        return thick.thick_fillets(**at, blocks=self._beside)
 
     def volume(self, sizes: FilletedSizes) -> Computed:
         """Return the volume of the blade and its fillets [m³]."""
