@@ -306,7 +306,6 @@ def limits_by(
         known, at = near
         ask = ask._replace(near=known.ask(scene, at, model.joint_model))
     errors: dict[QuantityKind, ErrorRange | None] = {}
-    spread, kinds = ask.material.spread, (QuantityKind.SUPPORT, QuantityKind.RESPONSE)
     in_space = design.geometry.in_space or bool(scene.across_by)
     for limit in requirement.limits(ask):
         kind, error = limit.kind, limit.error
@@ -317,11 +316,10 @@ def limits_by(
             if kind not in errors:  # one for all places of a stress
                 errors[kind] = ask.joint_model.error(ask, kind)
             error = errors[kind]
-        if ask.material.is_uneven and kind is QuantityKind.SHIFT:
-            error = None  # blades that differ move it off by what no one blade would
-        off = spread + (ask.material.sheared if in_space or kind in kinds else 0.0)
-        if off and error is not None:
-            error += ErrorRange(-off, off)
+        if error is not None:
+            error = ask.material.doubted(
+                error, kind, in_space=in_space, is_directed=limit.is_directed
+            )
         yield replace(limit, error=error)
 
 

@@ -11,12 +11,16 @@ __all__ = [
     "orthotropic_stiffness",
     "plate_anisotropy",
     "strip_constants",
+    "turned_stiffness",
 ]
 
 Floats = NDArray[np.float64]
 
-PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+FIRST, SECOND = np.array([0, 1, 2, 1, 0, 0]), np.array([0, 1, 2, 2, 2, 1])
 """Voigt's order: 11, 22, 33, 23, 13, 12."""
+
+VOIGT = np.array([[0, 5, 4], [5, 1, 3], [4, 3, 2]])
+"""Where two axes stand in it."""
 
 
 class StripConstants(NamedTuple):
@@ -24,7 +28,9 @@ class StripConstants(NamedTuple):
 
     ``E`` is Young's modulus along it [Pa], ``E_width`` that across its width; ``nu_width`` is how
     far the width shrinks as it is stretched, ``nu_length`` the other way round [-]; ``G_wide``
-    is the shear modulus of its broad faces, plane 13 [Pa].
+    is the shear modulus of its broad faces, plane 13, ``G_thin`` that of its narrow sides, plane
+    12 [Pa]. ``twists`` and ``skews`` are by how much pulling it along or across its width shears
+    the one and the other, ``S_15²/(S_11 S_55)`` and its like [-].
     """
 
     E: float
@@ -32,6 +38,9 @@ class StripConstants(NamedTuple):
     nu_width: float
     nu_length: float
     G_wide: float
+    G_thin: float
+    twists: float
+    skews: float
 
     @property
     def nu(self) -> float:
@@ -85,8 +94,8 @@ def orthotropic_stiffness(*, E_1: float, E_2: float, G_12: float, nu_12: float) 
 def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
     """Return the constants of a strip that is cut from a crystal or sheet along any axes.
 
-    ``S'_ijkl = a_im a_jn a_ko a_lp S_mnop``, ``E = 1/S'_1111``, ``G_13 = 1/(4 S'_1313)``,
-    ``ν_13 = −S'_1133/S'_1111``.
+    ``E = 1/S'_11``, ``G_13 = 1/S'_55``, ``ν_13 = −S'_13/S'_11`` with S' the inverse of
+    ``turned_stiffness``.
 
     Parameters
     ----------
@@ -102,8 +111,8 @@ def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
 
     Notes
     -----
-    What couples bending with twist along axes that are none of symmetry (S_15 and its like) is left
-    out.
+    What couples bending with twist along axes that are none of symmetry (S_15 and its like) is in
+    none of the others.
 
     Examples
     --------
@@ -119,24 +128,43 @@ def strip_constants(C: ArrayLike, axes: ArrayLike) -> StripConstants:
     (2010), What is the Young's modulus of silicon?, doi:10.1109/JMEMS.2009.2039697.
 
     """
-    flat = np.linalg.inv(np.asarray(C, dtype=np.float64))
-    S = np.zeros((3, 3, 3, 3))
-    for p, (i, j) in enumerate(PAIRS):
-        for q, (k, l) in enumerate(PAIRS):
-            part = flat[p, q] / ((2.0 if p > 2 else 1.0) * (2.0 if q > 2 else 1.0))
-            for m, n in ((i, j), (j, i)):
-                S[m, n, k, l] = S[m, n, l, k] = part
-    a = np.asarray(axes, dtype=np.float64)
-    turned = np.einsum("im,jn,ko,lp,mnop->ijkl", a, a, a, a, S)
-    E, E_width = 1.0 / turned[0, 0, 0, 0], 1.0 / turned[2, 2, 2, 2]
-    coupled = turned[0, 0, 2, 2]
+    S = np.linalg.inv(turned_stiffness(C, axes))
+    E, E_width = 1.0 / S[0, 0], 1.0 / S[2, 2]
+    twists, skews = (max(float(S[i, k] ** 2 / (S[i, i] * S[k, k])) for i in (0, 2)) for k in (4, 5))
     return StripConstants(
         E=float(E),
         E_width=float(E_width),
-        nu_width=float(-coupled * E),
-        nu_length=float(-coupled * E_width),
-        G_wide=float(0.25 / turned[0, 2, 0, 2]),
+        nu_width=float(-S[0, 2] * E),
+        nu_length=float(-S[0, 2] * E_width),
+        G_wide=float(1.0 / S[4, 4]),
+        G_thin=float(1.0 / S[5, 5]),
+        twists=twists,
+        skews=skews,
     )
+
+
+def turned_stiffness(C: ArrayLike, axes: ArrayLike) -> Floats:
+    """Return the stiffness matrix (6, 6) along other axes, in Voigt's order [Pa].
+
+    ``C'_ijkl = a_im a_jn a_ko a_lp C_mnop``.
+
+    Parameters
+    ----------
+    C : array_like, shape (6, 6)
+        Stiffness along the material's axes in Voigt's order [Pa].
+    axes : array_like, shape (3, 3)
+        Rows: the other axes in the material's, orthonormal.
+
+    References
+    ----------
+    Nye (1957), Physical Properties of Crystals, chapter 8.
+
+    """
+    whole = np.asarray(C, dtype=np.float64)[VOIGT[:, :, None, None], VOIGT]
+    a = np.asarray(axes, dtype=np.float64)
+    turned = np.einsum("im,jn,ko,lp,mnop->ijkl", a, a, a, a, whole)
+    found: Floats = turned[FIRST[:, None], SECOND[:, None], FIRST, SECOND]
+    return found
 
 
 def plate_anisotropy(strip: StripConstants) -> float:

@@ -72,15 +72,20 @@ class _Bar(NamedTuple):
         return np.asarray(1.0 - self.apart + self.apart * _lost_share(self.half))
 
 
-def _bar(E: Floats, G: Floats, h: Floats, b: Floats, l: Floats) -> _Bar:
-    J, section, modulus = torsion_constant(h, b), warping(h, b), _plate_modulus(E, G)
+def _bar(
+    E: Floats, G: Floats, h: Floats, b: Floats, l: Floats, poisson_ratio: ArrayLike | None
+) -> _Bar:
+    modulus = _plate_modulus(E, G, poisson_ratio)
+    J, section = torsion_constant(h, b), warping(h, b)
     apart = 1.0 - 12.0 * J / (b * h * (b**2 + h**2))
     half = l / 2.0 * np.sqrt(G * J * apart / (modulus * section.constant))
     return _Bar(np.asarray(G * J), apart, half, section.largest, modulus)
 
 
-def _plate_modulus(E: Floats, G: Floats) -> Floats:
+def _plate_modulus(E: Floats, G: Floats, poisson_ratio: ArrayLike | None) -> Floats:
     """Return E' = E/(1 − ν²), that of a strip kept straight across."""
+    if poisson_ratio is not None:
+        return np.asarray(E / (1.0 - np.asarray(poisson_ratio) ** 2))
     nu = E / (2.0 * G) - 1.0
     if (nu > 0.5 + ROUNDING).any():
         raise ValueError(f"no isotropic material has ν = E/2G − 1 = {nu.max()}, above ½")
@@ -101,7 +106,13 @@ def _lost_share(u: Floats) -> Floats:
 
 
 def restrained_stiffness(
-    *, E: ArrayLike, G: ArrayLike, h: ArrayLike, b: ArrayLike, l: ArrayLike
+    *,
+    E: ArrayLike,
+    G: ArrayLike,
+    h: ArrayLike,
+    b: ArrayLike,
+    l: ArrayLike,
+    poisson_ratio: ArrayLike | None = None,
 ) -> Floats:
     """Return the torsional stiffness of a rectangular bar clamped so that neither end can warp.
 
@@ -111,9 +122,12 @@ def restrained_stiffness(
     Parameters
     ----------
     E, G : array_like
-        Young's and shear modulus of an isotropic material, ν = E/2G − 1 [Pa]; broadcast.
+        Young's and shear modulus [Pa]; broadcast.
     h, b, l : array_like
         Sides of the section in either order, and length [m]; broadcast.
+    poisson_ratio : array_like, optional
+        ν where the material is stiffer one way: √(ν_13 ν_31), 3 across the width; left out, that of
+        an isotropic one, E/2G − 1 [-].
 
     Returns
     -------
@@ -145,12 +159,19 @@ def restrained_stiffness(
 
     """
     E_, G_, h_, b_, l_ = positive(E=E, G=G, h=h, b=b, l=l)
-    bar = _bar(E_, G_, h_, b_, l_)
+    bar = _bar(E_, G_, h_, b_, l_, poisson_ratio)
     return np.asarray(bar.GJ / l_ / bar.softness)
 
 
 def restrained_stresses(
-    *, E: ArrayLike, G: ArrayLike, h: ArrayLike, b: ArrayLike, l: ArrayLike, theta: ArrayLike
+    *,
+    E: ArrayLike,
+    G: ArrayLike,
+    h: ArrayLike,
+    b: ArrayLike,
+    l: ArrayLike,
+    theta: ArrayLike,
+    poisson_ratio: ArrayLike | None = None,
 ) -> TwistStress:
     """Return the stresses of a rectangular bar that is twisted by θ between ends that cannot warp.
 
@@ -161,11 +182,13 @@ def restrained_stresses(
     Parameters
     ----------
     E, G : array_like
-        Young's and shear modulus of an isotropic material [Pa]; broadcast.
+        Young's and shear modulus [Pa]; broadcast.
     h, b, l : array_like
         Sides of the section in either order, and length [m]; broadcast.
     theta : array_like
         Twist [rad]; broadcasts.
+    poisson_ratio : array_like, optional
+        As of ``restrained_stiffness`` [-].
 
     Returns
     -------
@@ -196,7 +219,7 @@ def restrained_stresses(
 
     """
     E_, G_, h_, b_, l_ = positive(E=E, G=G, h=h, b=b, l=l)
-    bar = _bar(E_, G_, h_, b_, l_)
+    bar = _bar(E_, G_, h_, b_, l_, poisson_ratio)
     long = np.asarray(theta) / l_ / bar.softness
     # 1 − 1/cosh x = 2 sinh²(x/2)/cosh x, in powers of e^(−x), which neither cancel nor overflow
     fading = np.exp(-bar.half)

@@ -97,7 +97,9 @@ def bending_factor(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> F
     return _kept_from_narrowing(odds, poisson_ratio)
 
 
-def guided_factor(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> Floats:
+def guided_factor(
+    *, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike, shear: ArrayLike = 1.0
+) -> Floats:
     """Return the stiffness of the S shape across the width over Timoshenko's 12EI/(l³(1 + Φ)).
 
     ``k = (1 + Φ)/(1/k_b + Φ (1 − g/6))`` with Φ of ``shear_parameter`` for the depth b: the
@@ -109,6 +111,8 @@ def guided_factor(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> Fl
         Width and length [m].
     poisson_ratio : array_like
         ν [-].
+    shear : array_like
+        Shear modulus over that of the isotropic sheet, see ``directed_error`` [-].
 
     Returns
     -------
@@ -131,7 +135,7 @@ def guided_factor(*, b: ArrayLike, l: ArrayLike, poisson_ratio: ArrayLike) -> Fl
     """
     x = np.asarray(b, dtype=np.float64) / np.asarray(l, dtype=np.float64)
     nu = np.asarray(poisson_ratio, dtype=np.float64)
-    Phi = 2.4 * (1.0 + nu) * x**2
+    Phi = 2.4 * (1.0 + nu) / np.asarray(shear, dtype=np.float64) * x**2
     held = _kept_from_narrowing(x * (0.42684 + 1.34298 * x**2), nu)
     even = 0.37325 * x**2 / (1.0 + 0.62452 * x + 0.37325 * x**2)
     return np.asarray((1.0 + Phi) / (1.0 / held + Phi * (1.0 - even / 6.0)))

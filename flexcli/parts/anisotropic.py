@@ -1,7 +1,8 @@
 """Materials whose stiffness depends on the direction: crystals, orthotropic sheets, their cut."""
 
 from collections.abc import Iterable
-from math import cos, sin
+from dataclasses import replace
+from math import atan2, cos, hypot, sin
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
@@ -9,15 +10,21 @@ from numpy.typing import NDArray
 from pydantic import model_validator
 
 from flexcli.formulas.anisotropy import (
+    StripConstants,
     cubic_stiffness,
     orthotropic_stiffness,
     plate_anisotropy,
     strip_constants,
+    turned_stiffness,
 )
+from flexcli.formulas.card import outside
+from flexcli.formulas.clamped_blade import VALIDITY, Across
+from flexcli.formulas.profile import Constant
+from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceLayout, SpaceRod
 from flexcli.parts.base import Angle, Part, QuantityOf, Stress, spec_error
 from flexcli.parts.sourced import WithSource
 
-__all__ = ["Blades", "Crystal", "Orientation", "Orthotropic", "blades_of"]
+__all__ = ["Blades", "Crystal", "Orientation", "Orthotropic", "blades_of", "laid", "stiffness_in"]
 
 Floats = NDArray[np.float64]
 
@@ -30,6 +37,14 @@ WAFERS = {
 
 ALIKE = 1e-9
 """Difference of blades' moduli that is rounding [-]."""
+
+
+SHEARED, SHRUNK = 4.0, 0.42
+"""Shear modulus over that of the isotropic sheet or its inverse, and Poisson's ratio, up to which
+the springs of blades that are stiffer one way were compared."""
+
+TWISTS = 1e-6
+"""Share S_15²/(S_11 S_55) of a blade that does not twist as it bends."""
 
 
 class Crystal(WithSource):
@@ -127,16 +142,9 @@ def blades_of(
     Plates and clamps are taken as isotropic ones with Poisson's ratio √(ν_13 ν_31), which is exact
     of very wide blades; how far they are from that, times all that plates can do, is in the error.
     """
-    orientation = Orientation() if orientation is None else orientation
-    C, frame = sheet.stiffness(), sheet.frame(orientation)
-    each = []
-    thinned = orientation.width == "in-plane"
-    for angle in dict.fromkeys([0.0] if thinned else angles) or [0.0]:
-        turn = orientation.turned + angle
-        along = np.array([cos(turn), sin(turn), 0.0]) @ frame
-        aside = np.array([-sin(turn), cos(turn), 0.0]) @ frame
-        axes = [along, frame[2], -aside] if thinned else [along, aside, frame[2]]
-        each.append(strip_constants(C, axes))
+    if orientation is not None and orientation.width == "in-plane":
+        angles = [0.0]
+    each = [strip_of(sheet, orientation, angle) for angle in dict.fromkeys(angles) or [0.0]]
     moduli = [strip.E for strip in each]
     E = (min(moduli) + max(moduli)) / 2.0
     first = max(each, key=lambda strip: abs(strip.nu))
@@ -145,6 +153,87 @@ def blades_of(
     rough = wide * max(plate_anisotropy(strip) for strip in each)
     sheared = max(abs(s.G_wide * 2.0 * (1.0 + first.nu) / E - 1.0) for s in each)
     return Blades(E, first.nu, uneven + rough, sheared, uneven > ALIKE)
+
+
+def strip_of(
+    sheet: Crystal | Orthotropic, orientation: Orientation | None, angle: float
+) -> StripConstants:
+    """Return the constants of a blade at an angle from x [rad]; of a thinned one, along x."""
+    thinned = orientation is not None and orientation.width == "in-plane"
+    axes = _axes(sheet, orientation, 0.0 if thinned else angle)
+    return strip_constants(sheet.stiffness(), axes)
+
+
+def _axes(sheet: Crystal | Orthotropic, orientation: Orientation | None, angle: float) -> Floats:
+    """Return rows: along a blade at an angle from x [rad], across it, across its width."""
+    lie = Orientation() if orientation is None else orientation
+    frame = sheet.frame(lie)
+    c, s = cos(lie.turned), sin(lie.turned)
+    along, aside, normal = c * frame[0] + s * frame[1], c * frame[1] - s * frame[0], frame[2]
+    across, width = (normal, -aside) if lie.width == "in-plane" else (aside, normal)
+    c, s = cos(angle), sin(angle)
+    return np.stack([c * along + s * across, c * across - s * along, width])
+
+
+def stiffness_in(
+    sheet: Crystal | Orthotropic, orientation: Orientation | None, turned: float
+) -> Floats:
+    """Return the stiffness in the axes of a layout turned by an angle from its drawing [rad, Pa].
+
+    z is along the width of all blades.
+    """
+    return turned_stiffness(sheet.stiffness(), _axes(sheet, orientation, -turned))
+
+
+def laid(
+    layout: SpaceLayout,
+    sheet: Crystal | Orthotropic,
+    orientation: Orientation | None,
+    turned: float,
+    stiffer: float,
+) -> SpaceLayout:
+    """Return a layout each blade of which has the constants of its direction.
+
+    ``turned`` is by what angle the layout is turned from the axes of its drawing [rad],
+    ``stiffer`` by what its moduli are those of another temperature. It stays as it is where any
+    member is none whose springs were compared.
+    """
+    found = []
+    for blade in layout.blades:
+        if isinstance(blade, SpaceRod) or not isinstance(blade.profile, Constant):
+            return layout
+        material = _directed(blade, blade.profile, sheet, orientation, turned, stiffer)
+        if material is None:
+            return layout
+        found.append(replace(blade, material=material))
+    return replace(layout, blades=tuple(found))
+
+
+def _directed(
+    blade: SpaceBlade,
+    profile: Constant,
+    sheet: Crystal | Orthotropic,
+    orientation: Orientation | None,
+    turned: float,
+    stiffer: float,
+) -> Directed | None:
+    x, y = (float(e) - float(s) for s, e in zip(blade.start[:2], blade.end[:2], strict=True))
+    strip = strip_of(sheet, orientation, atan2(y, x) - turned)
+    wider = (strip.E / strip.E_width) ** 0.25
+    gamma = 2.0 * (1.0 + strip.nu) * strip.G_wide * wider**2 / strip.E
+    h, l, b = float(np.ravel(profile.h)[0]), hypot(x, y), max(1.0, wider) * blade.b
+    compared = (
+        1.0 / SHEARED <= gamma <= SHEARED
+        and 0.0 <= strip.nu <= SHRUNK
+        and strip.twists <= TWISTS
+        and h <= blade.b
+        and not outside(VALIDITY, {"h/l": h / l, "b/l": b / l})
+    )
+    if not compared:
+        return None
+    E, G, G_thin = (stiffer * modulus for modulus in (strip.E, strip.G_wide, strip.G_thin))
+    density = blade.material.density
+    return Directed(E, G, density, Across(strip.nu, wider, G_thin, strip.skews))
 
 
 def stated(data: dict[str, Any]) -> dict[str, Any]:

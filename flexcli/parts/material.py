@@ -21,9 +21,13 @@ from flexcli.parts.base import (
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.named import Named
 from flexcli.parts.sourced import Sourced, WithSource
-from flexcli.results import Property
+from flexcli.results import ErrorRange, Property, QuantityKind
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from flexcli.mechanics.space.layout import SpaceLayout
     from flexcli.parts.anisotropic import Crystal, Orientation, Orthotropic
     from flexcli.parts.over_temperature import OverTemperature
 else:
@@ -33,6 +37,9 @@ else:
     OverTemperature = Annotated[Any, Named("flexcli.parts.over_temperature:OverTemperature")]
 
 __all__ = ["FatigueAmplitude", "Material", "MissingProperty", "SNCurve"]
+
+OUT_OF_PLANE = (QuantityKind.SUPPORT, QuantityKind.RESPONSE)
+"""What blades twist and shear in, whatever the joint."""
 
 _UNITS = {"poisson_ratio": "", "loss_factor": "", "density": "kg/m^3", "thermal_expansion": "1/K"}
 """SI units of the properties that are no stress."""
@@ -231,6 +238,8 @@ class Material(Part):
     )
     _spread: float = PrivateAttr(0.0)
     _sheared: float = PrivateAttr(0.0)
+    _rough: float = PrivateAttr(0.0)
+    _stiffer: float = PrivateAttr(1.0)
     _is_uneven: bool = PrivateAttr(False)
 
     @classmethod
@@ -320,12 +329,11 @@ class Material(Part):
 
     def oriented(self, angles: Iterable[float]) -> "Material":
         """Return the material of blades at angles from x [rad]: its own where none matters."""
-        sheet = self.crystal if self.crystal is not None else self.orthotropic
-        if sheet is None:
+        if self.sheet is None:
             return self
         from flexcli.parts.anisotropic import blades_of
 
-        blades = blades_of(sheet, self.orientation, angles)
+        blades = blades_of(self.sheet, self.orientation, angles)
         values = {"youngs_modulus": blades.E, "poisson_ratio": blades.nu}
         found = self.model_copy(
             update={
@@ -334,21 +342,60 @@ class Material(Part):
             }
         )
         found._spread, found._sheared = blades.spread, blades.sheared
+        found._rough = blades.spread
         found._is_uneven = blades.uneven
         return found
 
     @property
-    def sheared(self) -> float:
-        """Return by what share twist and shear across the width may be off besides [-].
+    def sheet(self) -> "Crystal | Orthotropic | None":
+        """Return what its stiffness depends on the direction by."""
+        return self.crystal if self.crystal is not None else self.orthotropic
 
-        A crystal's shear modulus is not that of its Young's modulus and Poisson's ratio.
+    def laid(self, layout: "SpaceLayout", turned: float) -> "SpaceLayout":
+        """Return a layout, its blades with the constants of their directions where these matter.
+
+        ``turned`` is by what angle it is turned from the axes of its drawing [rad].
         """
-        return self._sheared
+        if self.sheet is None:
+            return layout
+        from flexcli.parts.anisotropic import laid
+
+        return laid(layout, self.sheet, self.orientation, turned, self._stiffer)
+
+    def stiffness_in(self, turned: float) -> "NDArray[np.float64] | None":
+        """Return the stiffness (6, 6) in a layout so turned [Pa]; nothing where it is isotropic."""
+        if self.sheet is None:
+            return None
+        from flexcli.parts.anisotropic import stiffness_in
+
+        return self._stiffer * stiffness_in(self.sheet, self.orientation, turned)
+
+    def doubted(
+        self,
+        error: ErrorRange,
+        kind: QuantityKind | None,
+        *,
+        in_space: bool = False,
+        is_directed: bool = False,
+    ) -> ErrorRange | None:
+        """Return an error of a number of a kind with what the moduli leave unsure.
+
+        A crystal's shear modulus is not that of its Young's modulus and Poisson's ratio, which
+        counts of what twists and shears, ``in_space`` all; where ``is_directed``, the number and
+        its error have what the direction does. Blades that differ move a shift by what no one
+        blade would: nobody knows.
+        """
+        if self.is_uneven and kind is QuantityKind.SHIFT:
+            return None
+        off = self._spread - self._rough if is_directed else self._spread
+        if not is_directed and (in_space or kind in OUT_OF_PLANE):
+            off += self._sheared
+        return error + ErrorRange(-off, off)
 
     @property
     def is_directed(self) -> bool:
         """Return whether its stiffness depends on the direction."""
-        return self.crystal is not None or self.orthotropic is not None
+        return self.sheet is not None
 
     @property
     def is_uneven(self) -> bool:
@@ -410,6 +457,7 @@ class Material(Part):
         grown = max(abs(self.growth(T - assembly, assembly)) for T in ends) if self.expands else 0.0
         differ = (high - low) / (high + low)
         found._spread = self._spread + differ + SECTIONS * grown
+        found._stiffer = (low + high) / 2.0
         found._is_uneven = self._is_uneven or differ > 0.0
         return found
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant
-from flexcli.mechanics.space.layout import SpaceLayout, SpaceRod
+from flexcli.mechanics.space.layout import Directed, SpaceLayout, SpaceRod
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
@@ -50,6 +50,11 @@ class SpaceJoint:
     def is_known(self) -> bool:
         """Return whether the proportions of all blades are those for which the errors hold."""
         return all(member.is_known for member in self.assembly.members)
+
+    @property
+    def is_directed(self) -> bool:
+        """Return whether its springs and their errors are those of the blades' directions."""
+        return all(isinstance(blade.material, Directed) for blade in self.layout.blades)
 
     @property
     def is_uniform(self) -> bool:
@@ -117,6 +122,7 @@ class _Latest:
                 return joint
         density = material.density.value if material.density is not None else 0.0
         layout = geometry.space_layout(material.elastic, sizes, density)
+        layout = material.laid(layout, geometry.drawn_turn)
         if temperature is not None:
             others = geometry.body_materials
             layout = temperature.warmed(layout, material, geometry.axes, others)

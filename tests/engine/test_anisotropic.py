@@ -60,6 +60,42 @@ def test_the_two_blades_of_a_pivot_at_45_degrees_from_the_flat_lie_along_the_cub
     assert ratio == pytest.approx(130.0 / 169.0, rel=0.01)
 
 
+SUPPORT = """support: [{direction: x, min: 1 N/m}, {direction: y, min: 1 N/m},
+  {direction: z, min: 1 N/m}, {direction: theta_x, min: 1e-9 N*m/rad}]"""
+
+
+def test_support_is_by_the_shear_modulus_of_the_blades_direction():
+    """A strip along ⟨100⟩ of a {100} wafer twists by c44, half more than of its E and ν."""
+    found = check(
+        "{extends: silicon, orientation: {turned: 45 deg}}",
+        "{kind: cantilever, h: 0.05 mm, l: 20 mm, b: 0.5 mm}",
+        requirements="support: [{direction: theta_x, min: 1e-9 N*m/rad}, "
+        "{direction: theta_y, min: 1e-9 N*m/rad}]",
+    )
+    twist = min(each.capacity for each in found.checks[:2])
+    J = 0.5e-3 * 0.05e-3**3 / 3.0 * (1.0 - 0.63 * 0.1)
+    # clamps that hold its warping add 3 %
+    assert twist == pytest.approx(79.6e9 * J / 20e-3, rel=0.04)
+
+
+def test_the_range_of_support_is_that_of_plates_and_not_of_the_shear_modulus():
+    stage = check("{extends: silicon, orientation: {turned: 45 deg}}", requirements=SUPPORT)
+    for one in stage.checks[:4]:
+        low, high = one.factor_range
+        # 57 % either way if the shear modulus were that of E and ν
+        assert high / low < 1.06, one.full_name
+
+
+@pytest.mark.parametrize("orientation", ['{wafer: "111", ', "{width: in-plane, "])
+def test_blades_that_twist_as_they_bend_keep_the_whole_range(orientation):
+    found = check(
+        f"{{extends: silicon, orientation: {orientation}turned: 10 deg}}}}", requirements=SUPPORT
+    )
+    for one in found.checks[:4]:
+        low, high = one.factor_range
+        assert high / low > 1.4, one.full_name
+
+
 def test_blades_that_differ_widen_the_error_by_as_much():
     """At ±22.5 deg from a line at 22.5 deg one lies along ⟨110⟩ and the other along ⟨100⟩."""
     needs = {

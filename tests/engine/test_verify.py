@@ -219,3 +219,21 @@ def test_wide_blades_that_their_clamps_hold_across_grow_along_themselves():
     assert wide.apart == pytest.approx(0.0, abs=0.01)
     # beams of either width would be as long
     assert abs(wide.solid) > 1.1 * abs(narrow.solid)
+
+
+SILICON = """\
+flexure: 1
+material: {extends: silicon, orientation: {wafer: "100", turned: 30 deg}}
+geometry: {kind: cross-spring, delta: -0.5, half_angle: 45 deg, h: 50 um, l: 5 mm, b: 1 mm}
+cases: {a: {stroke: {rotation: 2 deg}}}
+requirements: {stiffness: {min: 1 N*mm/rad}}
+"""
+
+
+def test_solids_of_a_crystal_have_the_support_of_its_directions():
+    """Two blades that lie differently in the wafer, by all the constants of the crystal."""
+    names = ("support_x", "support_z", "support_theta_x")
+    for number in flexcli.verify(SILICON, only=names).verification.numbers:
+        assert number.agrees, number.name
+        assert number.apart == pytest.approx(0.0, abs=5e-3), number.name
+        assert number.model_error.high - number.model_error.low < 0.1

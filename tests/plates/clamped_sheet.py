@@ -1,7 +1,7 @@
 """Sheet in its own plane between two rigid bodies, its long sides free: plane stress by Ritz.
 
 The sheet is 0 ≤ x ≤ 1 (l = 1), |y| ≤ b/2, E h = 1. Its displacement is a beam's (plane sections)
-and a part that vanishes at the ends. Shares no code with the package.
+and a part that vanishes at the ends. ``shear`` as of a strip. Shares no code with the package.
 """
 
 from functools import cached_property
@@ -17,8 +17,8 @@ __all__ = ["Sheet"]
 class Sheet:
     """A sheet of width b over length 1, stretched (``bends`` false) or bent in its plane."""
 
-    def __init__(self, b, nu, *, bends, levels=2, bubbles=5):
-        self.b, self.nu, self.bends = b, nu, bends
+    def __init__(self, b, nu, *, bends, shear=1.0, levels=2, bubbles=5):
+        self.b, self.nu, self.bends, self.shear = b, nu, bends, shear
         self.along = smooth_basis(graded(1.0, 1.5 * b, levels, both=True), bubbles)
         self.across = smooth_basis(graded(b / 2.0, 0.75, levels, both=False), bubbles)
         last = 2 * (len(self.along.knots) - 1)
@@ -29,7 +29,7 @@ class Sheet:
     @cached_property
     def _solver(self):
         nu, rows = self.nu, np.ix_(self.inner, self.inner)
-        G = (1.0 - nu) / 2.0
+        G = self.shear * (1.0 - nu) / 2.0
 
         def term(i, j, p, q, first, second):
             line = self.across.products(p, q)[np.ix_(first, second)]
@@ -70,5 +70,5 @@ class Sheet:
     def guided_factor(self):
         """Return the stiffness of the S shape in the plane over Timoshenko's 12 EI/(l³(1 + Φ))."""
         found = self.energy(Polynomial([6.0, -12.0]), lambda y: -y)
-        Phi = 2.4 * (1.0 + self.nu) * self.b**2
+        Phi = 2.4 * (1.0 + self.nu) / self.shear * self.b**2
         return found * (1.0 + Phi) / self.b**3

@@ -2,7 +2,9 @@
 
 The plate is 0 ≤ x ≤ 1 (l = 1), |y| ≤ b/2, with E h³/12 = 1, so that the beam's EI is b. What it
 does is the beam's shape w_0 and a part e that vanishes at the ends: only w_0'' ν e_yy, and in
-twist 2 (1 − ν) θ' e_xy, tie them, so that nothing cancels. Shares no code with the package.
+twist 2 (1 − ν) θ' e_xy, tie them, so that nothing cancels. A sheet that is stiffer one way is the
+same plate, as wide as b (E_x/E_y)^¼ and with ν = √(ν_xy ν_yx), but for its shear modulus: ``shear``
+is that over √(E_x E_y)/(2 (1 + ν)). Shares no code with the package.
 """
 
 from functools import cached_property
@@ -23,8 +25,9 @@ S_SHAPE = Polynomial([-0.5, 0.0, 3.0, -2.0])
 class Strip:
     """A strip of width b over length 1; even across its width, or odd (twist)."""
 
-    def __init__(self, b, nu, *, odd=False, levels=2, bubbles=5):
+    def __init__(self, b, nu, *, odd=False, shear=1.0, levels=2, bubbles=5):
         self.b, self.nu, self.odd = b, nu, odd
+        self.twist = 2.0 * (1.0 - nu) * shear
         self.D = 1.0 / (1.0 - nu**2)
         self.along = smooth_basis(graded(1.0, 1.5 * b, levels, both=True), bubbles)
         self.across = smooth_basis(graded(b / 2.0, 0.75, levels, both=False), bubbles)
@@ -53,7 +56,7 @@ class Strip:
             (D, (0, 0), (2, 2)),
             (D * nu, (2, 0), (0, 2)),
             (D * nu, (0, 2), (2, 0)),
-            (2.0 * D * (1.0 - nu), (1, 1), (1, 1)),
+            (D * self.twist, (1, 1), (1, 1)),
         ]
 
     @cached_property
@@ -76,7 +79,7 @@ class Strip:
         if not self.odd:
             return -2.0 * D * nu * outer(0, bent, 2, np.ones_like)
         tied = nu * outer(0, bent, 2, lambda y: y)
-        return -2.0 * D * (tied + 2.0 * (1.0 - nu) * outer(1, turned, 1, np.ones_like))
+        return -2.0 * D * (tied + self.twist * outer(1, turned, 1, np.ones_like))
 
     def energy(self, shape):
         """Return twice the energy for end motions given by the beam's shape, a cubic in x."""
@@ -85,7 +88,7 @@ class Strip:
         load = self._load(shape)
         own = self.D * self.b * bent
         if self.odd:
-            twisted = 2.0 * (1.0 - self.nu) * self.b * turned
+            twisted = self.twist * self.b * turned
             own = self.D * (self.b**3 / 12.0 * bent + twisted)
         return own - float(load @ self._solver(load))
 
@@ -99,7 +102,7 @@ class Strip:
 
     def twist_factor(self):
         """Return the torsional stiffness between ends that cannot warp over G J/l, thin."""
-        J = 2.0 * self.b / (1.0 + self.nu)  # G b h³/3 of E h³/12 = 1
+        J = self.D * self.twist * self.b  # G b h³/3 of E h³/12 = 1
         return self.energy(S_SHAPE) / J
 
     def curvature(self, shape, x, y):

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from flexcli.engine.solid.bricks import CORNERS
 from flexcli.engine.solid.growth import Spacer, grows, spacers_of, strains_of
 from flexcli.engine.solid.model import SolidBody, SolidModel
+from flexcli.formulas.anisotropy import turned_stiffness
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Load
 from flexcli.mechanics.mesh import column
@@ -25,6 +26,7 @@ __all__ = [
     "states_deck",
 ]
 
+Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 MM, MPA, TONNE_MM3 = 1e3, 1e-6, 1e-12
@@ -290,11 +292,14 @@ def _materials(model: SolidModel, density: float | None) -> Iterator[str]:
         ("MIDDLES", [bool(each.any()) for each in stiff], RIGID, WEIGHTLESS),
     ):
         elastic = ["*ELASTIC", f"{E * stiffer * MPA:.12g}, {nu:.12g}"]
+        if model.stiffness is not None:
+            elastic = _anisotropic(stiffer * model.stiffness)
+        weighs = []
         if density is not None:
-            elastic += ["*DENSITY", f"{density * heavier * TONNE_MM3:.12g}"]
+            weighs = ["*DENSITY", f"{density * heavier * TONNE_MM3:.12g}"]
         if not grows(model.layout):
             if any(has):
-                yield from (f"*MATERIAL, NAME={name}", *elastic)
+                yield from (f"*MATERIAL, NAME={name}", *elastic, *weighs)
                 yield f"*SOLID SECTION, ELSET={name}, MATERIAL={name}"
             continue
         for index, stretch in enumerate(model.stretches):
@@ -302,11 +307,22 @@ def _materials(model: SolidModel, density: float | None) -> Iterator[str]:
                 continue
             own, c, s = f"{name}{index}", cos(stretch.angle), sin(stretch.angle)
             along, across = strains_of(model, stretch)
+            if model.stiffness is not None:
+                axes = [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]]
+                elastic = _anisotropic(stiffer * turned_stiffness(model.stiffness, axes))
             yield f"*ORIENTATION, NAME={own}, SYSTEM=RECTANGULAR"
             yield f"{c:.14g}, {s:.14g}, 0., {-s:.14g}, {c:.14g}, 0."
-            yield from (f"*MATERIAL, NAME={own}", *elastic, "*EXPANSION, TYPE=ORTHO")
+            yield from (f"*MATERIAL, NAME={own}", *elastic, *weighs, "*EXPANSION, TYPE=ORTHO")
             yield f"{along:.12g}, {across:.12g}, {across:.12g}"
             yield f"*SOLID SECTION, ELSET={own}, MATERIAL={own}, ORIENTATION={own}"
+
+
+def _anisotropic(stiffness: Floats) -> list[str]:
+    """Return a stiffness (6, 6), rows in Voigt's order [Pa], as CalculiX takes it."""
+    order = np.array([0, 1, 2, 5, 4, 3])  # 11, 22, 33, 12, 13, 23
+    lower = stiffness[np.ix_(order, order)][np.tril_indices(6)] * MPA
+    rows = (lower[:8], lower[8:16], lower[16:])
+    return ["*ELASTIC, TYPE=ANISO", *(", ".join(f"{x:.12g}" for x in row) for row in rows)]
 
 
 def _warming(model: SolidModel) -> Iterator[str]:

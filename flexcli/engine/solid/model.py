@@ -21,6 +21,10 @@ GAP = 1e-9
 """Of a blade's length: a longer gap between two of its pieces is a rigid body."""
 
 
+IN_PLANE, OUT_OF_PLANE = (0, 1, 2, 5), (3, 4)
+"""In Voigt's order: strains that are alike on both sides of the plane, and those that are not."""
+
+
 class Stretch(NamedTuple):
     """A blade's bricks between two bodies, and where they stand: its start [m], direction [rad].
 
@@ -60,6 +64,7 @@ class SolidModel:
     """The solids of one design, half of each where its middle plane is one of symmetry.
 
     ``bodies`` are those of the layout in their order; ``fixed`` are the nodes on the ground.
+    ``stiffness`` (6, 6) is that of a material that is stiffer one way, in the layout's axes [Pa].
     """
 
     layout: Layout
@@ -68,6 +73,7 @@ class SolidModel:
     fixed: Integers
     is_half: bool
     nodes: int
+    stiffness: Floats | None = None
 
     @property
     def share(self) -> float:
@@ -85,7 +91,9 @@ class SolidModel:
         return sum(stretch.bricks.volume for stretch in self.stretches)
 
 
-def solid_model(layout: Layout, *, fineness: int = 1, is_half: bool = False) -> SolidModel:
+def solid_model(
+    layout: Layout, *, fineness: int = 1, is_half: bool = False, stiffness: Floats | None = None
+) -> SolidModel:
     """Return the solids of a layout of one design.
 
     Parameters
@@ -95,7 +103,10 @@ def solid_model(layout: Layout, *, fineness: int = 1, is_half: bool = False) -> 
     fineness : int
         Elements along each edge of one of the coarsest mesh.
     is_half : bool
-        Model one side of each blade's middle plane, for what moves in the plane.
+        Model one side of each blade's middle plane, for what moves in the plane, unless the
+        material is no mirror image of itself in it.
+    stiffness : array, optional
+        Of a material that is stiffer one way, shape (6, 6), in the layout's axes [Pa].
 
     Raises
     ------
@@ -107,6 +118,9 @@ def solid_model(layout: Layout, *, fineness: int = 1, is_half: bool = False) -> 
         raise NotAvailable("is held by springs, which are no solid")
     if layout.G is None:
         raise NotAvailable("needs material.poisson_ratio for a solid")
+    if stiffness is not None:
+        out_of_plane = np.abs(stiffness[np.ix_(IN_PLANE, OUT_OF_PLANE)]).max()
+        is_half = is_half and bool(out_of_plane <= GAP * stiffness[0, 0])
     known = {body.name for body in layout.bodies}
     tied: dict[str, list[Integers]] = {body.name: [] for body in layout.bodies}
     fixed: list[Integers] = []
@@ -129,7 +143,9 @@ def solid_model(layout: Layout, *, fineness: int = 1, is_half: bool = False) -> 
         count += solid.places.shape[0]
     bodies = [_body(body) for body in layout.bodies]
     whole = tuple(body._replace(nodes=np.concatenate(tied[body.name])) for body in bodies)
-    return SolidModel(layout, tuple(stretches), whole, np.concatenate(fixed), is_half, count)
+    return SolidModel(
+        layout, tuple(stretches), whole, np.concatenate(fixed), is_half, count, stiffness
+    )
 
 
 def _stretches(pieces: tuple[Piece, ...], l: float) -> list[list[Piece]]:

@@ -81,7 +81,7 @@ class SolidNumbers:
         """Return the 6×6 compliance at the moving body's point, in the axes of cases."""
         geometry = self.ask.geometry
         layout = geometry.layout(self.ask.material.elastic, self.ask.sizes)
-        model = solid_model(layout, fineness=self.fineness)
+        model = self._model(layout, is_half=False)
         guided = geometry.is_guided
         deck = compliance_deck(model, MOVING, guided)
         ref, rot = deck.bodies[MOVING]
@@ -193,7 +193,7 @@ class SolidNumbers:
         if density is None:
             raise NotAvailable("needs material.density for the mass of the blades")
         layout = moving_masses(ask)
-        model = solid_model(layout, fineness=self.fineness, is_half=True)
+        model = self._model(layout)
         guided = [MOVING] if is_guided(ask.geometry) else []
         deck = modes_deck(model, float(density.value), guided)
         printed = self.runner(deck)
@@ -213,8 +213,18 @@ class SolidNumbers:
         self, layout: Layout, held: Held, loads: Sequence[Load], *, is_linear: bool = False
     ) -> SolidStates:
         return solid_states(
-            layout, held, loads, self.runner, fineness=self.fineness, is_linear=is_linear
+            layout, held, loads, self.runner, fineness=self.fineness, is_linear=is_linear,
+            stiffness=self._stiffness,
+        )  # fmt: skip
+
+    def _model(self, layout: Layout, *, is_half: bool = True) -> SolidModel:
+        return solid_model(
+            layout, fineness=self.fineness, is_half=is_half, stiffness=self._stiffness
         )
+
+    @property
+    def _stiffness(self) -> Floats | None:
+        return self.ask.material.stiffness_in(self.ask.geometry.drawn_turn)
 
     def _critical(self, scene: PushScene, near: float) -> float:
         """Return the factor of the unit force at which the joint buckles.
@@ -224,7 +234,7 @@ class SolidNumbers:
         """
         if scene.hold.hinged:
             raise NotAvailable("has hinged ends, which are no solid")
-        model = solid_model(scene.layout, fineness=self.fineness, is_half=True)
+        model = self._model(scene.layout)
         state = State({MOVING: ends_held(scene)[MOVING]}, scene.pattern)
         turning = self._turning(model, scene)
 
@@ -258,7 +268,7 @@ class SolidNumbers:
             return {}
         states = solid_states(
             scene.layout, ends_held(scene), scene.pattern, self.runner,
-            fineness=self.fineness, is_linear=True,
+            fineness=self.fineness, is_linear=True, stiffness=self._stiffness,
         )  # fmt: skip
         places = np.concatenate([stretch.places for stretch in model.stretches])
         forces = next(states.printed.tables("forces"))

@@ -59,12 +59,14 @@ def solid_states(
     *,
     fineness: int,
     is_linear: bool = False,
+    stiffness: Floats | None = None,
 ) -> SolidStates:
     """Return the states that motions and loads, numbers or arrays of one for each, ask for.
 
     They move in the plane: half of each blade is modelled. ``is_linear``: small motion from rest.
+    ``stiffness`` is that of :func:`solid_model`.
     """
-    model = solid_model(layout, fineness=fineness, is_half=True)
+    model = solid_model(layout, fineness=fineness, is_half=True, stiffness=stiffness)
     states = _states(held, loads)
     deck = states_deck(model, states, is_linear=is_linear)
     printed = runner(deck)

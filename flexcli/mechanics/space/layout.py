@@ -11,9 +11,11 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas.clamped_blade import Across
 from flexcli.formulas.profile import Profile
 
 __all__ = [
+    "Directed",
     "Drive",
     "Isotropic",
     "Matrix3",
@@ -53,6 +55,20 @@ class Isotropic(NamedTuple):
         return self.E / (2.0 * self.G) - 1.0
 
 
+class Directed(NamedTuple):
+    """Material of a blade that is stiffer one way: E along it, G of its broad faces [Pa]."""
+
+    E: float
+    G: float
+    density: float
+    across: Across
+
+    @property
+    def nu(self) -> float:
+        """Return Poisson's ratio of the isotropic plate that is as stiff where it is wide [-]."""
+        return self.across.nu
+
+
 class SpaceBody(NamedTuple):
     """A rigid body: the point its motion is stated at [m], mass [kg] and its centre [m].
 
@@ -85,7 +101,7 @@ class SpaceBlade:
     width: Vector
     profile: Profile
     b: float
-    material: Isotropic
+    material: Isotropic | Directed
     peak: tuple[float, float] = (1.0, 1.0)
 
     @property

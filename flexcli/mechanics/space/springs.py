@@ -9,7 +9,7 @@ from flexcli.formulas.blade_spring import BladeSprings, blade_springs
 from flexcli.formulas.card import outside
 from flexcli.formulas.clamped_blade import VALIDITY, ClampedSprings, clamped_blade, clamped_rod
 from flexcli.formulas.profile import Constant
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
+from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod
 
 __all__ = ["STRETCH", "STRIP_CONSTRAINTS", "MemberSprings", "springs_of"]
 
@@ -58,8 +58,10 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
         return _at_middle(rod, member.axes, l, STRETCH, is_known=known)
     match member.profile:
         case Constant(h=h) if h <= member.b:
-            blade = clamped_blade(E=material.E, G=material.G, h=h, l=l, b=member.b)
-            known = not outside(VALIDITY, {"h/l": h / l, "b/l": member.b / l})
+            across = material.across if isinstance(material, Directed) else None
+            blade = clamped_blade(E=material.E, G=material.G, h=h, l=l, b=member.b, across=across)
+            b = member.b if across is None else max(1.0, across.wider) * member.b
+            known = not outside(VALIDITY, {"h/l": h / l, "b/l": b / l})
             return _at_middle(blade, member.axes, l, STRIP_CONSTRAINTS, is_known=known)
         case _:
             beam = blade_springs(

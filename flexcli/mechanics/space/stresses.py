@@ -138,7 +138,9 @@ def _torsion(
         free = shear_factor(h, b) * np.minimum(h, b) / torsion_constant(h, b)
         return free, np.zeros_like(s)
     theta = 1.0 / float(found.springs.stiffness[3])
-    at = restrained_stresses(E=E, G=G, h=h[0], b=b, l=found.l, theta=theta)
+    at = restrained_stresses(
+        E=E, G=G, h=h[0], b=b, l=found.l, theta=theta, poisson_ratio=member.material.nu
+    )
     # warping is held at both ends, of opposite sign, and the shear is that of mid-length
     normal = float(at.normal) * np.array([1.0, 0.0, -1.0])
     return float(at.shear) * np.array([0.0, 1.0, 0.0]), normal

@@ -27,7 +27,8 @@ class Limit:
     marks what a balanced design makes active together, in each ``joint`` that has sizes of its
     own; ``driver`` is what the demand grows with. ``kind`` says what models differ in, and
     ``in_capacity`` that it is the capacity which is of this kind, not the demand; ``error`` is
-    that of the number, unknown unless somebody gives it. ``path`` is where the spec asks for it,
+    that of the number, unknown unless somebody gives it, and ``is_directed`` that it has what the
+    direction of a crystal's or a sheet's blades does. ``path`` is where the spec asks for it,
     where no requirement does.
     """
 
@@ -48,6 +49,7 @@ class Limit:
     kind: QuantityKind | None = None
     in_capacity: bool = False
     error: ErrorRange | None = None
+    is_directed: bool = False
     path: tuple[str | int, ...] = ()
 
     @property

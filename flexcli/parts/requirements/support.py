@@ -262,7 +262,8 @@ class Support(Bound):
             value /= stiffness(joint.assembly)
             error = _of_ratio(error, _with_clamps(ask, joint.error(stiffness)))
         quantity = f"{self.spoken}, drive {self.drive}"
-        yield from self._bounds(value, error, "", quantity, SOURCE)
+        for limit in self._bounds(value, error, "", quantity, SOURCE):
+            yield replace(limit, is_directed=joint.is_directed)
 
     def _limits_at_stroke(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the stiffness at both ends of the case's stroke."""
