@@ -51,13 +51,13 @@ def respond(
     values: dict[str, Value] = {}
     notes: list[Note] = []
     rows: list[EffectRow] = []
-    models = model_series(design)
-    joint_model = models[0].joint_model
+    models, planned = model_series(design), _planned(design, sizes)
     for name in design.cases:
         scene = design.scene(name)
         if not scene.loads & SHAKES:
             continue
-        ask = design.ask(scene, sizes, joint_model)
+        by = next((each for each in models if each.name == planned.get(name)), models[0])
+        ask = design.ask(scene, sizes, by.joint_model)
         found = tuple(_responses(ask))
         for response in found:
             values |= _mode_values(response)
@@ -92,6 +92,16 @@ def respond(
         responses=tuple(responses),
         spectra=tuple(spectra),
     )
+
+
+def _planned(design: DesignSpec, sizes: Sizes) -> dict[str, str]:
+    """Return by case the joint's model that the accuracy of the spec calls for, if it asks any."""
+    if design.accuracy is None:
+        return {}
+    from flexcli.engine.planning.scene_models import MODES, scene_plans
+
+    plans = scene_plans(design, sizes, design.accuracy)
+    return {each.case: each.model.removeprefix(MODES) for each in plans}
 
 
 def _dynamic_only(design: DesignSpec) -> DesignSpec:

@@ -18,4 +18,5 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "estimated_error": plan.estimated_error,
         "tolerance": plan.tolerance,
         "models": list(plan.models),
+        "scenes": list(plan.scenes),
     }

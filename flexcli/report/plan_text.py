@@ -7,7 +7,7 @@ from rich.console import RenderableType
 
 from flexcli.report.tables import Cell, Line, Rows, table
 from flexcli.results import Result
-from flexcli.results.plan import AuditRow, Plan
+from flexcli.results.plan import AuditRow, Plan, ScenePlan
 
 __all__ = ["audit_table", "plan_tables", "section", "share"]
 
@@ -34,13 +34,21 @@ def plan_tables(plan: Plan, *, whole: bool) -> Iterator[RenderableType]:
         mark = ("on", "green") if row.on else ("off", "dim")
         effects.add_row(row.name, mark, row.asked, *shares, row.reason)
     yield effects
-    models = table("Models", "", "model", "cost", "error", "does not carry", numbers=[2, 3])
+    yield _models("Models", plan)
+    yield Line(_short(plan), hang=2)
+    for scene in plan.scenes:
+        yield _models(f"Models, {scene.case}", scene)
+        yield Line(f"{scene.case}: {scene.model}, {scene.reason}", hang=2)
+
+
+def _models(title: str, plan: Plan | ScenePlan) -> Rows:
+    """Return the models in question, the one that is taken marked."""
+    models = table(title, "", "model", "cost", "error", "does not carry", numbers=[2, 3])
     for model in plan.models:
         taken = "→" if model.name == plan.model else ""
         cells = (f"{model.cost:.3g}", share(model.error), ", ".join(model.missing))
         models.add_row(taken, model.name, *cells)
-    yield models
-    yield Line(_short(plan), hang=2)
+    return models
 
 
 def audit_table(rows: Sequence[AuditRow]) -> Rows:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from flexcli.results.judgement import EffectRow, Note
 
-__all__ = ["AuditRow", "ModelRow", "Plan"]
+__all__ = ["AuditRow", "ModelRow", "Plan", "ScenePlan"]
 
 
 class ModelRow(NamedTuple):
@@ -21,12 +21,23 @@ class ModelRow(NamedTuple):
     missing: tuple[str, ...]
 
 
+class ScenePlan(NamedTuple):
+    """The models of what shakes the base in a case, as they judge in turn, and the one to take."""
+
+    case: str
+    models: tuple[ModelRow, ...]
+    model: str
+    cost: float
+    estimated_error: float
+    reason: str
+
+
 class Plan(NamedTuple):
     """Effects on and off with their reasons, the models in question and the one that is taken.
 
     ``tolerance`` is that of the exact model. ``errors`` are the relative errors of the reported
     quantities: what is left out, and what the model itself is off by; ``estimated_error`` is the
-    largest of them.
+    largest of them. ``scenes`` are the cases that shake the base.
     """
 
     accuracy: float
@@ -39,6 +50,7 @@ class Plan(NamedTuple):
     tolerance: float
     errors: Mapping[str, float]
     notes: tuple[Note, ...] = ()
+    scenes: tuple[ScenePlan, ...] = ()
 
     @property
     def known_error(self) -> float | None:

@@ -227,6 +227,10 @@ def test_a_plan_tells_what_a_vibration_calls_for(respond):
     force = max(row["peak"] for name, row in outputs.items() if name.startswith("force"))
     miles = rows["Miles for modes, shake"]["indicator"]
     assert miles == pytest.approx(found_force(respond, case) / force, rel=1e-3)
+    (scene,) = found["plan"]["scenes"]
+    errors = {row["name"]: row["error"] for row in scene["models"]}
+    assert errors[scene["model"]] == min(errors.values())
+    assert errors["Miles"] >= max(abs(miles - 1.0), errors["modes, closed-form"])
 
 
 def found_force(respond, case):

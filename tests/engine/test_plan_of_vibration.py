@@ -47,3 +47,46 @@ def test_a_ball_gives_by_hertz_at_the_force_of_statics():
     deep = (9.0 * place.R_stop**2 / (16.0 * radius * modulus**2)) ** (1.0 / 3.0)
     assert found.indicator == pytest.approx(deep / place.delta_G, rel=2e-3)
     assert found.estimates["travel"] < 0.012, "less than the run between both contacts tells"
+
+
+def shaken(accuracy, **more):
+    cases = {"launch": {"asd": {"profile": "gevs-qualification", "q": 20}}}
+    spec = yaml.safe_load(leaves(0.3e-3)) | {"cases": cases, "accuracy": accuracy} | more
+    return yaml.safe_dump(spec)
+
+
+def test_the_plan_of_a_response_takes_the_cheapest_model_within_the_accuracy():
+    (rough,) = flexcli.plan(shaken("20 %")).plan.scenes
+    assert rough.model == "modes, closed-form"
+    assert rough.estimated_error <= 0.2
+    assert [row.name for row in rough.models] == ["modes, closed-form"], "no finer asked"
+    (fine,) = flexcli.plan(shaken("0.001 %")).plan.scenes
+    names = ["modes, closed-form", "modes, linear", "modes, exact"]
+    assert [row.name for row in fine.models] == names
+    assert [row.cost for row in fine.models] == sorted(row.cost for row in fine.models)
+    assert fine.estimated_error == min(row.error for row in fine.models)
+
+
+def test_a_plan_has_the_error_that_judges_the_response():
+    source = shaken("20 %")
+    (planned,) = flexcli.plan(source).plan.scenes
+    (check,) = (c for c in flexcli.check(source).checks if c.name == "dynamic yield")
+    low, high = (end / check.factor - 1.0 for end in check.factor_range)
+    ends = 1.0 / (1.0 + low) - 1.0, 1.0 / (1.0 + high) - 1.0
+    assert planned.estimated_error == pytest.approx(max(map(abs, ends)), rel=1e-9)
+
+
+def test_a_response_is_by_the_model_of_its_plan():
+    found = flexcli.asd_response(shaken("0.001 %"))
+    (planned,) = flexcli.plan(shaken("0.001 %")).plan.scenes
+    named = planned.model.removeprefix("modes, ")
+    other = flexcli.asd_response(shaken("20 %", model=named))
+    assert found.values["f_1_launch"].value == other.values["f_1_launch"].value
+
+
+def test_stops_are_planned_by_the_contacts_that_judge_them():
+    (planned,) = flexcli.plan(EXAMPLE).plan.scenes
+    names = ["operating line", "rigid contact", "linear contact", "Hertz contact"]
+    assert [row.name for row in planned.models] == names
+    errors = [row.error for row in planned.models]
+    assert errors == sorted(errors, reverse=True)

@@ -1,5 +1,6 @@
 """The answer of ``flexure plan``: the plan of a design, audited where that is wished."""
 
+from collections.abc import Iterator
 from time import perf_counter
 
 from flexcli.engine.plan import ACCURACY, plan
@@ -10,6 +11,9 @@ from flexcli.results import Cost, Note, Result, Status, Value
 from flexcli.results.plan import AuditRow, Plan
 
 __all__ = ["planned"]
+
+IN_NO_RESPONSE = ("stress stiffening", "large rotation")
+"""Effects of a vibration's peaks on the modes themselves, which are those of small motion."""
 
 
 def planned(
@@ -26,9 +30,14 @@ def planned(
     if audit:
         rows = _audited(design, sizes, found)
     if any(design.scene(name).loads & SHAKES for name in design.cases):
+        from flexcli.engine.planning.scene_models import scene_plans
         from flexcli.engine.planning.vibration_effects import vibration_effects
 
-        found = found._replace(effects=(*found.effects, *vibration_effects(design, sizes)))
+        found = found._replace(
+            effects=(*found.effects, *vibration_effects(design, sizes)),
+            scenes=tuple(scene_plans(design, sizes, found.accuracy)),
+        )
+        notes += _in_no_model(found)
     if design.stops is not None:
         from flexcli.engine.planning.stop_effects import stop_effects
 
@@ -49,6 +58,14 @@ def planned(
         plan=found,
         audit=rows,
     )
+
+
+def _in_no_model(found: Plan) -> Iterator[Note]:
+    """Yield what the peaks of a vibration change by more than is asked, which no model has."""
+    for row in found.effects:
+        if row.name.startswith(IN_NO_RESPONSE) and row.estimate > found.accuracy:
+            text = f"{row.name} may change {' and '.join(row.estimates)} by {row.estimate:.2g}"
+            yield Note("effect-in-no-model", f"{text} of it; the modes of no model have it")
 
 
 def _audited(design: DesignSpec, sizes: Sizes, found: Plan) -> tuple[AuditRow, ...]:

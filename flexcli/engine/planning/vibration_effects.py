@@ -29,7 +29,7 @@ from flexcli.parts.space_vibration import likely_structures
 from flexcli.parts.structure import MOTIONS, Structure
 from flexcli.results import EffectRow
 
-__all__ = ["vibration_effects"]
+__all__ = ["against_miles", "largest_peaks", "vibration_effects"]
 
 Floats = NDArray[np.float64]
 
@@ -58,8 +58,8 @@ def vibration_effects(design: DesignSpec, sizes: Sizes) -> Iterator[EffectRow]:
         ask = design.ask(scene, sizes, joint_model)
         with suppress(SolveError, ValueError, RequirementError):  # said where it is judged
             structure = structure_of_case(ask)
-            peaks = _largest_peaks(ask, structure)
-            yield from _against_miles(ask, peaks)
+            peaks = largest_peaks(ask, structure)
+            yield from against_miles(ask, peaks)
             yield from _peak_factor(ask, structure)
             yield from _large_motion(design, sizes, ask, peaks)
             yield from _stiffened(ask, structure)
@@ -69,7 +69,7 @@ def vibration_effects(design: DesignSpec, sizes: Sizes) -> Iterator[EffectRow]:
             yield from _out_of_plane(ask, peaks)
 
 
-def _largest_peaks(ask: Ask, structure: Structure) -> Peaks:
+def largest_peaks(ask: Ask, structure: Structure) -> Peaks:
     """Return the largest peaks of what shakes the base at once."""
     found = at_once(ask, lambda _scene, vibration, _rate: vibration.sigma)
     each = [shaking.peaks(structure) for shaking in found]
@@ -89,7 +89,7 @@ def _stress(peaks: Peaks) -> float:
     return max(value for name, value in peaks.items() if name.startswith("stress"))
 
 
-def _against_miles(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
+def against_miles(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
     """Yield how far Miles' worst case, by which blades are sized, is off the modes' force."""
     forces = [peak for name, peak in peaks.items() if name.startswith("force")]
     if ask.scene.vibration is None or not ask.scene.force or not forces or not max(forces):
@@ -141,7 +141,7 @@ def _large_motion(design: DesignSpec, sizes: Sizes, ask: Ask, peaks: Peaks) -> I
 
 def _second_order(ask: Ask) -> Iterator[EffectRow]:
     """Yield what the motion of the peak changes in the stress of a mechanism in space."""
-    error = uncertain_structure(ask, ()).shape_error(lambda s: _largest_peaks(ask, s), 1.0)
+    error = uncertain_structure(ask, ()).shape_error(lambda s: largest_peaks(ask, s), 1.0)
     estimate = inf if error is None else error.largest
     text = "second order of the modes at their peaks, and what their springs may be off by"
     yield _row(ask, "large rotation", estimate, {"stress": estimate}, text)
@@ -161,7 +161,7 @@ def _share_in_space(ask: Ask, structure: Structure) -> float:
     assembly = joint_in_space(ask.geometry, ask.material, ask.sizes).assembly
     blades = list(zip(assembly.layout.blades, assembly.members, strict=True))
     axial = {blade.name: structure.outputs[f"force {blade.name}"][:, 0] for blade, _ in blades}
-    peaks = _largest_peaks(ask, replace(structure, outputs=axial))
+    peaks = largest_peaks(ask, replace(structure, outputs=axial))
     return max(
         peaks[blade.name] * member.l / (pi**2 * float(member.springs.stiffness[4:].min()))
         for blade, member in blades
@@ -172,7 +172,7 @@ def _higher_modes(ask: Ask, structure: Structure, peaks: Peaks) -> Iterator[Effe
     """Yield what all modes but the strongest are of the stress; the response has them all."""
     modes, whole = natural_modes(structure.stiffness, structure.mass), _stress(peaks)
     alone = [
-        _stress(_largest_peaks(ask, structure.in_mode(float(omega), shape)))
+        _stress(largest_peaks(ask, structure.in_mode(float(omega), shape)))
         for omega, shape in zip(modes.angular[:MOST_MODES], modes.shapes.T, strict=False)
     ]
     if not whole or not alone:
@@ -214,7 +214,7 @@ def _blade_mass(ask: Ask, peaks: Peaks) -> Iterator[EffectRow]:
     if ask.material.density is None or not (whole := _stress(peaks)):
         return
     light = _light(ask)
-    without = _stress(_largest_peaks(light, structure_of_case(light)))
+    without = _stress(largest_peaks(light, structure_of_case(light)))
     text = f"massless blades have {without / whole:.4g} times the stress"
     yield _row(
         ask, "blade mass", without / whole, {"stress": abs(without / whole - 1.0)}, text, on=True

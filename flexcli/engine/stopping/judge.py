@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from flexcli.engine import assess
 from flexcli.engine.stopping.run import Enough, stop_runs
-from flexcli.engine.stopping.scene import contact_model, is_round
+from flexcli.engine.stopping.scene import LINEAR, contact_series, is_round
 from flexcli.engine.stopping.statics import (
     LINE,
     StopTask,
@@ -265,11 +265,15 @@ class _Series:
     ) -> Iterator[tuple[list[Limit], str]]:
         """Yield the limits of a case by simulation: a round head rigid, linear, then Hertz'."""
         contact = self.task.stops.contact
-        head = inf if is_round(contact) and not self.forced else None
+        series, force = contact_series(contact), 0.0
         known = self._is_alone(case)
         errors, whole = self._spread(case, f_0) if known else ({}, True)
-        while True:
-            model = contact_model(contact, head)
+        for model in series[-1:] if self.forced else series:
+            if model == LINEAR and not force:
+                continue
+            head = inf if model == series[0] else None
+            if model == LINEAR:
+                head = force / (CHORD * self._indented(force))
             self.runs = [run for run in self.runs if run.case != case]
             enough = None if self.forced else self._enough(strengths, errors)
             runs = self._run(case, self.options, enough, head=head)
@@ -278,10 +282,7 @@ class _Series:
             complete = whole and all(run.is_complete for run in runs)
             told = partial(self._error, errors, self._given(peaks, head), complete, known)
             yield list(self._limits(case, runs, peaks, strengths, told)), model
-            if head is None:
-                return
-            touched = head == inf and peaks.force > 0.0
-            head = peaks.force / (CHORD * self._indented(peaks.force)) if touched else None
+            force = peaks.force
 
     def _is_alone(self, case: str) -> bool:
         """Return whether each run of a case has all that acts in it.

@@ -23,7 +23,17 @@ from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.stops import Ball, Contact, Rigid, Spring
 from flexcli.results.stops import StopPlace
 
-__all__ = ["RIGID", "contact_model", "is_round", "stop_scene"]
+__all__ = [
+    "HERTZ",
+    "LINEAR",
+    "RIGID",
+    "contact_model",
+    "contact_series",
+    "is_round",
+    "stop_scene",
+]
+
+HERTZ, LINEAR = "Hertz contact", "linear contact"
 
 MOST_DAMPING = 1.0 - 1e-9
 """Damping ratio of a dashpot next to critical, where the bounce is the least."""
@@ -40,12 +50,18 @@ def is_round(contact: Contact) -> bool:
 def contact_model(contact: Contact, head: float | None) -> str:
     """Return the name of the model of a contact in time, of a round one by its stand-in."""
     if is_round(contact) and head != inf:
-        return "Hertz contact" if head is None else "linear contact"
+        return HERTZ if head is None else LINEAR
     if isinstance(contact, Spring):
         return "spring contact"
     if isinstance(contact, Rigid) and contact.restitution is not None:
         return "impact"
     return "rigid contact"
+
+
+def contact_series(contact: Contact) -> tuple[str, ...]:
+    """Return the models of a contact in time that judge, the cheapest first."""
+    cheapest = contact_model(contact, inf)
+    return (cheapest, LINEAR, HERTZ) if is_round(contact) else (cheapest,)
 
 
 def stop_scene(

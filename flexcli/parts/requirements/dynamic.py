@@ -31,7 +31,7 @@ from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import MOTIONS, Structure
 from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["DynamicBuckling", "DynamicLife", "DynamicYield"]
+__all__ = ["Dynamic", "DynamicBuckling", "DynamicLife", "DynamicYield"]
 
 
 AXIAL_TOO = "bending with the axial force"
@@ -51,7 +51,9 @@ class _Peak(NamedTuple):
     source: str
 
 
-class _Dynamic(FactorRequirement):
+class Dynamic(FactorRequirement):
+    """What is asked of the peaks or the life that a moving base makes of the modes."""
+
     closed_form: ClassVar[bool] = False
 
     peak: Literal["sigma", "duration"] = "sigma"
@@ -111,7 +113,7 @@ def _duration(scene: Scene, vibration: Vibration) -> float:
     return duration
 
 
-class DynamicYield(_Dynamic):
+class DynamicYield(Dynamic):
     """Factor on the peak stress of the modes, against R_p0.2 unless said otherwise.
 
     With a temperature in the same case its stress stands beside.
@@ -181,7 +183,7 @@ def _of_plain_beams(error: ErrorRange | None, ask: Ask) -> ErrorRange | None:
     return ErrorRange(low, error.high + wide**2 / (1.0 - wide**2))
 
 
-class DynamicBuckling(_Dynamic):
+class DynamicBuckling(Dynamic):
     """Factor on the peak axial force of the modes, against the least that buckles the joint."""
 
     label: ClassVar[str] = "dynamic buckling"
@@ -214,7 +216,7 @@ class DynamicBuckling(_Dynamic):
             )
 
 
-class DynamicLife(_Dynamic):
+class DynamicLife(Dynamic):
     """Factor on the life under the random stress, by a named method or the least of all."""
 
     label: ClassVar[str] = "dynamic life"
