@@ -194,9 +194,11 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
     undecided = [c for c in found.checks if c.verdict is Verdict.UNDECIDED]
     moving = ", ".join(dict.fromkeys(c.name for c in undecided if c.depends_on_mass))
     if moving and _has_limbs(design, sizes):
+        stated = "limb" in type(design.geometry).model_fields
+        remedy = "geometry.limb" if stated else "a layout whose bodies have masses"
         text = (
             f"the limbs between the hinges have no stated mass, which {moving} may turn "
-            "on; a layout whose bodies have masses would decide"
+            f"on; {remedy} would decide"
         )
         yield Note("limbs-without-mass", text)
     if undecided and design.material.poisson_ratio is None:

@@ -15,7 +15,15 @@ from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.numerics.rows import cos, number, sin
-from flexcli.parts.base import Length, PositiveLength, QuantityOf, spec_error
+from flexcli.parts.base import (
+    Inertia,
+    Length,
+    Mass,
+    Part,
+    PositiveLength,
+    QuantityOf,
+    spec_error,
+)
 from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.limbs import Hinge, LimbPivot, LimbStage
 from flexcli.parts.bending.wide import wide_notch
@@ -35,6 +43,21 @@ class LimbSizes(NamedTuple):
     r: Computed
     l: Computed
     b: Computed
+
+
+class Limb(Part):
+    """What is rigid between the two hinges of a limb, with half of each hinge."""
+
+    mass: Mass
+    """Mass of a limb, e.g. ``4 g``."""
+    inertia: Inertia
+    """Moment of inertia about its centre of mass, around the axis of the plane,
+    e.g. ``2e-7 kg*m^2``.
+    """
+    com: PositiveLength | None = None
+    """Distance of its centre of mass from the inner hinge; left out, half way to the outer one,
+    e.g. ``com: 8 mm, mass: 4 g, inertia: 2e-7 kg*m^2``.
+    """
 
 
 class _Hinged(Geometry):
@@ -64,6 +87,10 @@ class _Hinged(Geometry):
     """How the peak of the stress in a throat counts: Neuber's deep notch, or not at all,
     e.g. ``none``.
     """
+    limb: Limb | None = None
+    """Mass of each limb, which frequencies and vibration turn on; left out, nobody knows it,
+    e.g. ``{mass: 4 g, inertia: 2e-7 kg*m^2}``.
+    """
 
     @model_validator(mode="after")
     def _hinges_fit(self) -> "_Hinged":
@@ -78,8 +105,23 @@ class _Hinged(Geometry):
         return 1.0 / C.turn, bending_reach(across=C.across, turn=C.turn)
 
     def has_limbs(self, elastic: Elastic, sizes: LimbSizes) -> bool:
-        """Return that its limbs are such parts."""
-        return True
+        """Return whether nobody states the mass of its limbs."""
+        return self.limb is None
+
+    @property
+    def limb_count(self) -> int:
+        """Return how many limbs it has."""
+        return 2
+
+    @property
+    def own_mass(self) -> float:
+        """Return the mass of all limbs [kg]."""
+        return self.limb_count * self.limb.mass if self.limb is not None else 0.0
+
+    @property
+    def has_masses(self) -> bool:
+        """Return whether its limbs have a stated mass."""
+        return self.limb is not None
 
     def hinge_in_limbs(self, sizes: LimbSizes) -> Hinge:
         """Return a hinge in lengths of the limb."""
@@ -152,13 +194,20 @@ class _Hinged(Geometry):
         """Return how far a hinge bends about its centre over the length of a limb [-]."""
         return self.hinge(Elastic(1.0), sizes)[1] / sizes.l
 
-    def limb(self, name: str, start: Point, end: Point, sizes: LimbSizes) -> list[Strip]:
-        """Return the two hinges of a limb between two centres; the limb is a body."""
+    def hinged_limb(
+        self, name: str, start: Point, end: Point, sizes: LimbSizes
+    ) -> tuple[Body, list[Strip]]:
+        """Return a limb between two centres as a body, and its two hinges."""
         (x_0, y_0), (x_1, y_1) = start, end
         u, v = (x_1 - x_0) / sizes.l, (y_1 - y_0) / sizes.l
+        body = Body(name, (x_0 + sizes.l / 2.0 * u, y_0 + sizes.l / 2.0 * v))
+        if self.limb is not None:
+            com = sizes.l / 2.0 if self.limb.com is None else self.limb.com
+            place = (x_0 + com * u, y_0 + com * v)
+            body = body._replace(mass=self.limb.mass, inertia=self.limb.inertia, com=place)
         r, profile = sizes.r, Notch(per_design(sizes.e), per_design(sizes.r))
         peak = throat_peaks(self.concentration, sizes.e, sizes.r)
-        return [
+        strips = [
             Strip(
                 f"{name} {place}", first, second,
                 (x - r * u, y - r * v), (x + r * u, y + r * v), profile, sizes.b,
@@ -169,6 +218,7 @@ class _Hinged(Geometry):
                 ("outer hinge", name, MOVING, x_1, y_1),
             )
         ]  # fmt: skip
+        return body, strips
 
 
 class HingedStage(SagsAlongStroke, _Hinged):
@@ -183,6 +233,11 @@ class HingedStage(SagsAlongStroke, _Hinged):
     """Number of equal limbs, e.g. ``2``."""
     spacing: PositiveLength | None = None
     """Distance from each limb to the next, e.g. ``30 mm``."""
+
+    @property
+    def limb_count(self) -> int:
+        """Return the stated number of limbs."""
+        return self.limbs
 
     def stiffness(self, elastic: Elastic, sizes: LimbSizes) -> Computed:
         """Return the stiffness along the stroke [N/m]."""
@@ -226,9 +281,9 @@ class HingedStage(SagsAlongStroke, _Hinged):
         """Return limbs along x between their hinges; the stage's point is at half their height."""
         bodies, strips = [], []
         for index, y in enumerate(places(self.limbs, self.spacing, "limb"), 1):
-            name = f"limb {index}"
-            bodies.append(Body(name, (sizes.l / 2.0, y)))
-            strips += self.limb(name, (0.0, y), (sizes.l, y), sizes)
+            body, hinges = self.hinged_limb(f"limb {index}", (0.0, y), (sizes.l, y), sizes)
+            bodies.append(body)
+            strips += hinges
         bodies.append(Body(MOVING, (sizes.l / 2.0, 0.0)))
         return Layout(tuple(bodies), tuple(strips), elastic.E, elastic.shear)
 
@@ -309,8 +364,9 @@ class HingedPivot(_Hinged):
         p, bodies, strips = self.offset(sizes), [], []
         for name, angle in (("limb 1", self.half_angle), ("limb 2", -self.half_angle)):
             start, end = ((q * cos(angle), q * sin(angle)) for q in (p, p + sizes.l))
-            bodies.append(Body(name, start))
-            strips += self.limb(name, start, end, sizes)
+            body, hinges = self.hinged_limb(name, start, end, sizes)
+            bodies.append(body)
+            strips += hinges
         bodies.append(Body(MOVING, (0.0, 0.0)))
         return Layout(tuple(bodies), tuple(strips), elastic.E, elastic.shear)
 
