@@ -566,8 +566,7 @@ def support_over_stroke(
 ) -> "SupportSweeps":
     """Follow what holds a joint over the stroke of every case: in six axes where it has blades.
 
-    Joints whose thickness varies, or of no known shear modulus, have the three of their plane.
-    Free sizes are chosen first.
+    Joints of no known shear modulus have the three of their plane. Free sizes are chosen first.
 
     Raises :class:`SolveError` where no case has a stroke, or the sizing chose no sizes.
     """

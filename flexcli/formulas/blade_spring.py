@@ -27,6 +27,7 @@ __all__ = [
     "BladeSprings",
     "MiddleStiffness",
     "Warping",
+    "bending",
     "blade_springs",
     "deformation_rows",
     "middle_stiffness",
@@ -128,8 +129,8 @@ def blade_springs(
         sampled.append(np.broadcast_arrays(*at_nodes, u)[:4])
     s, ds, h, width = (np.concatenate(part, axis=-1) for part in zip(*sampled, strict=True))
 
-    across_thickness, turn_z, bent_y = _bending(s, 12.0 * ds / (width * h**3))
-    across_width, turn_y, bent_z = _bending(s, 12.0 * ds / (width**3 * h))
+    across_thickness, turn_z, bent_y = bending(s, 12.0 * ds / (width * h**3))
+    across_width, turn_y, bent_z = bending(s, 12.0 * ds / (width**3 * h))
     stretch = np.sum(ds / (width * h), axis=-1)
     sheared = stretch / (shear_factor * np.asarray(G))
     twist = (
@@ -154,8 +155,12 @@ def _column(value: Number) -> Floats:
     return np.asarray(value, dtype=np.float64)[..., np.newaxis]
 
 
-def _bending(s: Floats, flexibility: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return the elastic centre, and there the turn per moment and the shift per force, times E."""
+def bending(s: Floats, flexibility: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return a beam's elastic centre, and there its turn per moment and its shift per force.
+
+    ``s_c = ∫s f ds/∫f ds``, ``∫f ds`` and ``∫(s − s_c)² f ds``, from places s and the flexibility
+    ``f ds`` of each, the last axis.
+    """
     turn = np.sum(flexibility, axis=-1)
     centre = np.sum(s * flexibility, axis=-1) / turn
     return centre, turn, np.sum((s - centre[..., np.newaxis]) ** 2 * flexibility, axis=-1)

@@ -64,6 +64,18 @@ between them."""
 class Profile(ABC):
     """A thickness profile, symmetric about the centre line of the blade."""
 
+    def stretches(self, l: float) -> list[list[Piece]]:
+        """Return the pieces of one blade in groups, between which it is rigid."""
+        found: list[list[Piece]] = []
+        last = -np.inf
+        for piece in self.pieces(l):
+            low, high = (float(s) for s in np.ravel(piece.position(np.array([-1.0, 1.0]))))
+            if low > last + _GAP * l:
+                found.append([])
+            found[-1].append(piece)
+            last = high
+        return found
+
     def faces(self, l: float) -> tuple[tuple[Edge, ...], ...]:
         """Return the face on the left (t > 0) of each flexible stretch of one blade, exactly."""
         found: list[list[Edge]] = []

@@ -402,10 +402,8 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
     )
     if scene.temperature is not None:
         return Told(rest, None)  # nobody has told how far what it strains stiffens the rest
-    if not joint.is_known or (scene.moves and not joint.is_uniform):
-        return Told(rest, None)
-    if not joint.is_uniform:
-        return Told(rest, _hull(_within(_springs(joint, group)) for group in groups))
+    if not joint.is_known or not joint.is_uniform:
+        return Told(rest, None)  # how a wide throat spreads its stress nobody has compared
     found = list(_beside(joint, scene, groups, stresses))
     most = max(more for more, _ in found)
     error = max(each for _, each in found)
@@ -439,10 +437,6 @@ def _beside(
         here = stresses.of(loads.moved.forces[:, 0], loads.weights)
         warped = _warped(here, max(_largest(each) for each in here) + more)
         yield more, _third_order(after) + _springs(joint, loads) + warped
-
-
-def _within(error: float) -> ErrorRange | None:
-    return ErrorRange(-error, error) if isfinite(error) else None
 
 
 def _places(swing: BladeStress | None, still: BladeStress) -> Iterator[Place]:

@@ -109,11 +109,60 @@ def test_blades_wider_than_the_beams_compared_are_judged_as_shells(tmp_path):
     assert (check.model, check.verdict.value) == ("shell", "pass")
 
 
-def test_hinges_of_necked_blades_were_not_compared_and_decide_nothing(tmp_path):
-    text = PIVOT.replace(
-        "{kind: cross-spring, delta: -0.5, half_angle: 45 deg, h: 0.2 mm, l: 20 mm, b: 8 mm}",
-        "{kind: necked-down-stage, h: 0.1 mm, l: 40 mm, l_c: 5 mm, b: 5 mm, spacing: 30 mm}",
-    ).replace("rotation: 15 deg", "translation: 1 mm")
+HINGED = {
+    "necked-down-stage": "h: 0.1 mm, l: 40 mm, l_c: 5 mm, b: 5 mm, spacing: 30 mm",
+    "hinged-stage": "limbs: 2, e: 0.1 mm, r: 2 mm, l: 40 mm, b: 8 mm, spacing: 30 mm",
+}
+
+
+def hinged(kind, stroke, wanted):
+    geometry = f"{{kind: {kind}, {HINGED[kind]}}}"
+    text = PIVOT.replace(PIVOT.split("geometry: ")[1].splitlines()[0], geometry)
+    return text.replace("rotation: 15 deg", f"translation: {stroke}").replace(
+        "{direction: x, min: 0.4 N/um, at: full-stroke, drive: locked}", wanted
+    )
+
+
+@pytest.mark.parametrize("kind", HINGED)
+def test_hinges_are_judged_at_a_stroke_by_beams_of_varying_thickness(kind, tmp_path):
+    """At a stroke of a micrometre they are those of the linear model at rest."""
+    rest = "{direction: z, min: 1 N/m, drive: locked}"
+    here = rest.replace("drive", "at: full-stroke, drive")
+
+    def stiffness(stroke, wanted):
+        found = checked(hinged(kind, stroke, wanted), tmp_path)
+        (support,) = (c for c in found.checks if c.name.startswith("support"))
+        return support
+
+    linear, beams = (stiffness("1 um", wanted) for wanted in (rest, here))
+    assert beams.factor == pytest.approx(linear.factor, rel=1e-3)
+    bent = stiffness("1 mm", here)
+    assert (bent.model, bent.verdict.value) == ("exact", "pass")
+    assert bent.factor < beams.factor
+    low, high = bent.factor_range
+    for bound, verdict in ((low / 1.01, "pass"), (high * 1.01, "fail")):
+        wanted = here.replace("1 N/m", f"{bound:.9g} N/m")
+        assert stiffness("1 mm", wanted).verdict.value == verdict
+
+
+def test_a_taper_between_hinges_was_not_compared_and_decides_nothing(tmp_path):
+    text = """
+flexure: 1
+material: {youngs_modulus: 200 GPa, yield_strength: 1800 MPa, poisson_ratio: 0.3}
+geometry:
+  kind: layout
+  bodies: {stage: {at: [0 mm, 20 mm]}}
+  blades:
+    one: {between: [ground, stage], from: [-10 mm, 0 mm], to: [-10 mm, 20 mm], b: 5 mm,
+          profile: {kind: tabulated, h: [0.3 mm, 0.2 mm, 0.3 mm], at: [0, 0.5, 1]}}
+    two: {between: [ground, stage], from: [10 mm, 0 mm], to: [10 mm, 20 mm], b: 5 mm,
+          profile: {kind: tabulated, h: [0.3 mm, 0.2 mm, 0.3 mm], at: [0, 0.5, 1]}}
+  moving: stage
+  motion: {translation: 0 deg}
+cases: {operation: {stroke: {translation: 1 mm}}}
+requirements:
+  support: {direction: z, min: 1 N/m, at: full-stroke}
+"""
     (support,) = (c for c in checked(text, tmp_path).checks if c.name.startswith("support"))
     assert support.verdict.value == "undecided"
 

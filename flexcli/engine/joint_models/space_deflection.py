@@ -53,7 +53,7 @@ def deflections(
     Raises
     ------
     NotAvailable
-        When the blades are of varying thickness, or there is no stable equilibrium.
+        When there is no stable equilibrium.
 
     """
     scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
@@ -75,7 +75,11 @@ def deflections(
     except SolveError as failed:
         raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
     found: list[tuple[float, ErrorRange | None]] = []
-    beams = LOAD_ERROR + _largest_share(best - rest, rest)
+    # what varies in thickness is no surer than its springs
+    unsure = 0.0 if joint.is_uniform else float(np.max(np.maximum(joint.high, -joint.low)))
+    if not np.isfinite(unsure):
+        error = None
+    beams = max(LOAD_ERROR, unsure) + _largest_share(best - rest, rest)
     for sign, moved in bent.items():
         own = moved - sign * float(sought @ rest @ load)
         for C in there or [rest]:
@@ -83,7 +87,8 @@ def deflections(
             value = sign * first + own + turned
             share = _largest_share(C - rest, rest)
             # a load amplifies as 1/(1 − s), s its share of what buckles the joint
-            off = beams * abs(own) * (1.0 + abs(own) / work) + STROKE_ERROR * share * work
+            off = beams * abs(own) * (1.0 + abs(own) / work)
+            off += max(STROKE_ERROR, unsure) * share * work
             off += abs(own) * share  # what both do to each other
             if error is None or value == 0.0 or abs(own) + share * work > MOST * work:
                 found.append((value, None))

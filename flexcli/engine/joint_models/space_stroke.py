@@ -77,7 +77,7 @@ def at_travel(
     Raises
     ------
     NotAvailable
-        When it is not made of blades of constant thickness, or has no stable equilibrium there.
+        When it is not made of blades, shells do not take them, or it buckles there.
     SolveError
         When the path to it ends before.
 

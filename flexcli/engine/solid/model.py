@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.solid.bricks import Bricks, bricks
-from flexcli.formulas.profile import Piece
 from flexcli.mechanics.layout import Body, Layout, Number, Point
 from flexcli.mechanics.mesh import column
 from flexcli.parts.elastic import NotAvailable
@@ -17,12 +16,13 @@ __all__ = ["SolidBody", "SolidModel", "Stretch", "solid_model"]
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
-GAP = 1e-9
-"""Of a blade's length: a longer gap between two of its pieces is a rigid body."""
-
 
 IN_PLANE, OUT_OF_PLANE = (0, 1, 2, 5), (3, 4)
 """In Voigt's order: strains that are alike on both sides of the plane, and those that are not."""
+
+
+ROUNDING = 1e-9
+"""Of the stiffness along x: what couples the plane with what is beside it by less does not."""
 
 
 class Stretch(NamedTuple):
@@ -120,7 +120,7 @@ def solid_model(
         raise NotAvailable("needs material.poisson_ratio for a solid")
     if stiffness is not None:
         out_of_plane = np.abs(stiffness[np.ix_(IN_PLANE, OUT_OF_PLANE)]).max()
-        is_half = is_half and bool(out_of_plane <= GAP * stiffness[0, 0])
+        is_half = is_half and bool(out_of_plane <= ROUNDING * stiffness[0, 0])
     known = {body.name for body in layout.bodies}
     tied: dict[str, list[Integers]] = {body.name: [] for body in layout.bodies}
     fixed: list[Integers] = []
@@ -130,7 +130,7 @@ def solid_model(
         start, end = _place(blade.start), _place(blade.end)
         l = float(np.hypot(end[0] - start[0], end[1] - start[1]))
         angle = float(np.arctan2(end[1] - start[1], end[0] - start[0]))
-        groups = _stretches(blade.profile.pieces(l), l)
+        groups = blade.profile.stretches(l)
         solid = bricks(groups, _one(blade.b), fineness=fineness, is_half=is_half)
         ends = (blade.first, blade.second)
         stretches.append(Stretch(blade.name, ends, solid, start, angle, _one(blade.z), count))
@@ -146,19 +146,6 @@ def solid_model(
     return SolidModel(
         layout, tuple(stretches), whole, np.concatenate(fixed), is_half, count, stiffness
     )
-
-
-def _stretches(pieces: tuple[Piece, ...], l: float) -> list[list[Piece]]:
-    """Return the pieces in groups between which the blade is rigid."""
-    found: list[list[Piece]] = []
-    last = -np.inf
-    for piece in pieces:
-        low, high = (float(x) for x in np.ravel(piece.position(np.array([[-1.0, 1.0]]))))
-        if low > last + GAP * l:
-            found.append([])
-        found[-1].append(piece)
-        last = high
-    return found
 
 
 def _body(body: Body) -> SolidBody:

@@ -1,4 +1,6 @@
+import json
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,14 +18,25 @@ from space_mechanisms import (
 )
 
 from flexcli.errors import SolveError
+from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch
 from flexcli.formulas.rigid_motion import motion_at
 from flexcli.mechanics.linear import linear
+from flexcli.mechanics.space.exact.equilibrium import solve
+from flexcli.mechanics.space.exact.support import body_stiffness
 from flexcli.mechanics.space.freedoms import freedoms
 from flexcli.mechanics.space.inertia import mass_matrix
-from flexcli.mechanics.space.layout import Drive, SpaceBody, SpaceLayout, SpaceLoad
+from flexcli.mechanics.space.layout import (
+    Drive,
+    Isotropic,
+    SpaceBlade,
+    SpaceBody,
+    SpaceLayout,
+    SpaceLoad,
+)
 from flexcli.mechanics.space.linear import assemble
 from flexcli.mechanics.space.modes import natural_modes
 from flexcli.mechanics.space.planar import from_plane
+from flexcli.mechanics.space.springs import springs_of
 from flexcli.parts.elastic import Elastic, NotAvailable
 
 DIGITS = 1e-8  # two dense inversions of matrices whose entries differ by (l/h)² and units
@@ -221,3 +234,56 @@ def test_freedoms_and_overconstraints_are_those_of_exact_constraint_design():
     inner = blade("c", "mid", "top", (0, 0.05, 0), (0, 0, 0))
     outer = blade("d", "ground", "mid", (0.04, 0, 0), (0.04, 0.05, 0))
     assert _freedoms(outer, inner, names=("mid", "top"))[0] > 3
+
+
+def _hinge(kind, numbers, l, b, nu):
+    """A notch or a blade with fillets, in units of 1 mm, as a blade in space."""
+    profile = {"notch": Notch, "filleted": Filleted}[kind](*(1e-3 * n for n in numbers))
+    material = Isotropic(200e9, 200e9 / (2.0 + 2.0 * nu))
+    ends = (0.0, 0.0, 0.0), (1e-3 * l, 0.0, 0.0)
+    return SpaceBlade("h", "ground", "b", *ends, (0, 0, 1), profile, 1e-3 * b, material)
+
+
+def test_hinges_are_those_of_solids_within_what_is_told():
+    """``tests/benchmarks/hinges_in_space.py``: at random over the ranges that are told."""
+    rows = json.loads((Path(__file__).parent / "hinges.json").read_text(encoding="utf-8"))
+    known = 0
+    for *hinge, solid in rows:
+        springs = springs_of(_hinge(*hinge))
+        ratio = 200e9 * np.array(solid) / springs.springs.stiffness
+        known += springs.is_known
+        if springs.is_known:
+            assert np.all(ratio > 1.0 + springs.low), hinge
+            assert np.all(ratio < 1.0 + springs.high), hinge
+    assert known > 60
+
+
+@pytest.mark.parametrize("hinge", [("notch", [0.2, 1.0], 2.0, 3.0, 0.3),
+                                   ("filleted", [0.3, 1.0], 12.0, 5.0, 0.3)])  # fmt: skip
+def test_a_hinge_is_at_rest_what_its_exact_beams_are(hinge):
+    blade, end = _hinge(*hinge), (1e-3 * hinge[2], 0.0, 0.0)
+    layout = SpaceLayout((SpaceBody("b", end, end),), (blade,), Drive("b", False, (0, 1, 0), end))
+    linear = np.linalg.inv(assemble(layout).compliance("b", end, locked=False))
+    exact = body_stiffness(solve(layout, levels=(32,)), "b", end)
+    size = np.sqrt(np.outer(np.diag(linear), np.diag(linear)))
+    assert np.max(np.abs(linear - exact) / size) < 1e-8
+
+
+def test_a_necked_blade_is_two_blades_and_what_is_rigid_between():
+    neck, l, middle = 4e-3, 20e-3, SpaceBody("m", (10e-3, 0, 0), (10e-3, 0, 0))
+    material = Isotropic(200e9, 77e9)
+    end = SpaceBody("b", (l, 0, 0), (l, 0, 0))
+    drive = Drive("b", False, (0, 1, 0), (l, 0, 0))
+
+    def blade(first, second, start, stop, profile):
+        ends = (start, 0.0, 0.0), (stop, 0.0, 0.0)
+        return SpaceBlade(first + second, first, second, *ends, (0, 0, 1), profile, 6e-3, material)
+
+    whole = blade("ground", "b", 0.0, l, NeckedDown(0.2e-3, neck))
+    parts = [blade("ground", "m", 0.0, neck, Constant(0.2e-3)),
+             blade("m", "b", l - neck, l, Constant(0.2e-3))]  # fmt: skip
+    one = assemble(SpaceLayout((end,), (whole,), drive))
+    two = assemble(SpaceLayout((middle, end), tuple(parts), drive))
+    C = two.compliance("b", (l, 0, 0), locked=False)
+    size = np.sqrt(np.outer(np.diag(C), np.diag(C)))
+    assert np.max(np.abs(one.compliance("b", (l, 0, 0), locked=False) - C) / size) < 1e-10

@@ -102,12 +102,5 @@ class Beams:
 
 
 def beams_of(layout: SpaceLayout, effects: BeamEffects, level: int) -> Beams:
-    """Return the blades of a layout as beams (``MembersOf``).
-
-    Raises
-    ------
-    SolveError
-        When the thickness of a blade varies.
-
-    """
+    """Return the blades of a layout as beams (``MembersOf``)."""
     return Beams(mesh_of(tuple(section_of(blade, effects) for blade in layout.blades), level))

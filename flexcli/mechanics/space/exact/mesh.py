@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas.profile import Piece
 from flexcli.mechanics.space.exact.rotation import conjugate, moved, product
-from flexcli.mechanics.space.exact.section import Section
+from flexcli.mechanics.space.exact.section import Compliances, Section
 from flexcli.numerics.collocation import gauss_nodes, integration_matrix
 
 __all__ = ["Mesh", "mesh_of"]
@@ -20,6 +21,11 @@ _DECAY = 0.04
 
 _LAYER = 8.0
 """Length of such an end over the decay."""
+
+_GAP = 1e-9
+"""Share of the length between two flexible stretches above which it is rigid there."""
+
+_ENDS = np.array([-1.0, 1.0])
 
 
 class Mesh(NamedTuple):
@@ -52,8 +58,10 @@ class Mesh(NamedTuple):
     polar: Floats
     fibres: Floats
     warping: Floats
+    apart: Floats
     runs: tuple[tuple[slice, ...], ...]
     half: Floats
+    h: Floats
     grown: Floats
 
     def kinematics(self, q: Floats, kappa: Floats) -> tuple[Floats, Floats]:
@@ -94,13 +102,16 @@ class Mesh(NamedTuple):
 
 
 class _Segment(NamedTuple):
-    """A segment from a to b of a blade, in the flexible piece ``piece`` from p to q, or rigid."""
+    """The part of a piece between two places u of it, in a flexible stretch from p to q.
 
-    a: float
-    b: float
-    piece: int | None
-    p: float = 0.0
-    q: float = 1.0
+    Without a piece it is rigid, from p to q.
+    """
+
+    p: float
+    q: float
+    stretch: int | None = None
+    piece: Piece | None = None
+    u: tuple[float, float] = (-1.0, 1.0)
 
 
 def mesh_of(sections: tuple[Section, ...], count: int) -> Mesh:
@@ -108,25 +119,21 @@ def mesh_of(sections: tuple[Section, ...], count: int) -> Mesh:
     found = [_segments(section) for section in sections]
     most = max(map(len, found))
     # blades with fewer segments end with some of no length, so that all have as many nodes
-    filled = [row + [_Segment(1.0, 1.0, None)] * (most - len(row)) for row in found]
-    u, weight = gauss_nodes(count)
-    a, b = (np.array([[getattr(seg, e) for seg in row] for row in filled]) for e in "ab")
-    half = np.repeat((b - a) / 2.0, count, axis=1)
-    s = np.repeat((a + b) / 2.0, count, axis=1) + half * np.tile(u, most)
+    filled = [row + [_Segment(1.0, 1.0)] * (most - len(row)) for row in found]
+    at = [_places(section, row, count) for section, row in zip(sections, filled, strict=True)]
+    s, half, h = np.moveaxis(np.array(at), 1, 0)
     J = _reference(count, most) * half[:, None, :]
-    w = np.tile(weight, most) * half
-    flexible = np.repeat([[g.piece is not None for g in row] for row in filled], count, axis=1)
+    w = np.tile(gauss_nodes(count)[1], most) * half
+    flexible = h > 0.0
+    known = np.array([_constants(section, row) for section, row in zip(sections, h, strict=True)])
+    felt = Compliances(*np.moveaxis(known, 1, 0))
     p, q = (
         np.repeat([[getattr(seg, e) for seg in row] for row in filled], count, axis=1) for e in "pq"
     )
-    t = (s - p) / (q - p)
-    numbers = {
-        name: np.array([[getattr(section, name)] for section in sections]) for name in _NUMBERS
-    }
-    bend_z = numbers["bend_z"] + numbers["bend_z_edge"] * 12.0 * (t - 0.5) ** 2
-    C = np.stack([numbers["axial"], numbers["shear_y"], numbers["shear_z"]], axis=-1)
+    t = (s - p) / np.where(q > p, q - p, 1.0)
+    bend_z = felt.bend_z + felt.bend_z_edge * 12.0 * (t - 0.5) ** 2
     runs = tuple(_runs(row, count) for row in filled)
-    hold, twist = _twist(numbers["warping"][:, 0], numbers["torsion"][:, 0], J, w, runs)
+    hold, twist = _twist(felt, J, w, runs)
     return Mesh(
         sections=sections,
         per_segment=count,
@@ -134,65 +141,90 @@ def mesh_of(sections: tuple[Section, ...], count: int) -> Mesh:
         w=w,
         J=J,
         back=w[:, None, :] - J,
-        C=C * flexible[..., None],
+        C=np.stack([felt.axial, felt.shear_y, felt.shear_z], axis=-1),
         flexible=flexible.astype(np.float64),
-        spin=numbers["spin"] * flexible,
-        bend_y=numbers["bend_y"] * flexible,
-        clamped=np.where(flexible, 1.0 / bend_z - 1.0, 0.0),
-        curl=numbers["curl"],
-        nu=numbers["nu"],
+        spin=felt.spin,
+        bend_y=felt.bend_y,
+        clamped=np.where(flexible, 1.0 / np.where(flexible, bend_z, 1.0) - 1.0, 0.0),
+        curl=felt.curl,
+        nu=np.array([[section.nu] for section in sections]),
         hold=hold,
         twist=twist,
-        torsion=numbers["torsion"],
-        polar=numbers["polar"],
-        fibres=numbers["fibres"],
-        warping=numbers["warping"],
+        torsion=felt.torsion,
+        polar=felt.polar,
+        fibres=felt.fibres,
+        warping=felt.warping,
+        apart=felt.apart,
         runs=runs,
         half=half,
+        h=h,
         grown=np.zeros((len(sections), 1)),
     )
 
 
-_NUMBERS = (
-    "axial",
-    "shear_y",
-    "shear_z",
-    "spin",
-    "bend_y",
-    "bend_z",
-    "bend_z_edge",
-    "curl",
-    "nu",
-    "torsion",
-    "warping",
-    "polar",
-    "fibres",
-)
+def _places(section: Section, segments: list[_Segment], count: int) -> Floats:
+    """Return places, ds/du over the length and thickness [m] of the nodes; none where rigid."""
+    v = gauss_nodes(count)[0]
+    found = []
+    for p, q, _, piece, (low, high) in segments:
+        if piece is None:
+            found.append([(p + q) / 2.0 + (q - p) / 2.0 * v, 0.0 * v + (q - p) / 2.0, 0.0 * v])
+            continue
+        u = (low + high) / 2.0 + (high - low) / 2.0 * v
+        slope = piece.slope(u) * (high - low) / 2.0 / section.l
+        found.append([piece.position(u) / section.l, slope, piece.thickness(u)])
+    return np.concatenate(found, axis=1)
+
+
+def _constants(section: Section, h: Floats) -> Floats:
+    """Return the compliances at nodes by their thickness, all zero where they are rigid."""
+    found = np.zeros((len(Compliances._fields), h.size))
+    flexible = h > 0.0
+    each, which = np.unique(h[flexible], return_inverse=True)
+    found[:, flexible] = np.stack(section.at(each))[:, which]
+    return found
 
 
 def _segments(section: Section) -> list[_Segment]:
     """Return the segments of a blade: flexible pieces, their ends apart where warping decays."""
     found: list[_Segment] = []
     end = 0.0
-    for i, (p, q) in enumerate(section.stretches):
-        if p > end:
-            found.append(_Segment(end, p, None))
-        decay = np.sqrt(section.warping / section.torsion)
-        cuts = [p, q]
-        if 0.0 < decay < _DECAY * (q - p):
-            layer = _LAYER * decay
-            cuts = [p, p + layer, q - layer, q]
-        found += [_Segment(a, b, i, p, q) for a, b in pairwise(cuts)]
+    for i, pieces in enumerate(section.stretches):
+        p, q = (
+            float(piece.position(np.array([u]))[0]) / section.l
+            for piece, u in ((pieces[0], -1.0), (pieces[-1], 1.0))
+        )
+        if p > end + _GAP:
+            found.append(_Segment(end, p))
+        for piece in pieces:
+            cuts = [-1.0, 1.0]
+            layer = _layer(section, piece)
+            if layer:
+                cuts = [-1.0, layer - 1.0, 1.0 - layer, 1.0]
+            found += [_Segment(p, q, i, piece, pair) for pair in pairwise(cuts)]
         end = q
+    if end < 1.0 - _GAP:
+        found.append(_Segment(end, 1.0))
     return found
 
 
+def _layer(section: Section, piece: Piece) -> float:
+    """Return the part of a piece of constant thickness, of 2, in which warping decays, if short."""
+    first, last = piece.thickness(_ENDS)
+    if first != last:
+        return 0.0
+    at = section.at(np.array([first]))
+    decay = float(np.sqrt(at.warping / at.torsion)[0] / at.apart[0])
+    long = float(np.ptp(piece.position(_ENDS))) / section.l
+    return 2.0 * _LAYER * decay / long if 0.0 < decay < _DECAY * long else 0.0
+
+
 def _runs(segments: list[_Segment], count: int) -> tuple[slice, ...]:
-    """Return the nodes of each flexible piece."""
-    pieces = [g.piece for g in segments]
+    """Return the nodes of each flexible stretch."""
+    each = [g.stretch for g in segments]
     return tuple(
-        slice(pieces.index(i) * count, (pieces.index(i) + pieces.count(i)) * count)
-        for i in dict.fromkeys(p for p in pieces if p is not None)
+        slice(each.index(i) * count, (each.index(i) + each.count(i)) * count)
+        for i in dict.fromkeys(k for k in each if k is not None)
     )
 
 
@@ -212,24 +244,27 @@ def _derivative(count: int) -> Floats:
 
 
 def _twist(
-    warping: Floats, torsion: Floats, J: Floats, w: Floats, runs: tuple[tuple[slice, ...], ...]
+    felt: Compliances, J: Floats, w: Floats, runs: tuple[tuple[slice, ...], ...]
 ) -> tuple[Floats, Floats]:
     """Return ``hold`` and ``twist`` of the mesh.
 
-    With restrained warping ``EΓ τ'' = T − M_x`` and τ = 0 at the ends of a piece:
-    ``EΓ τ + G (T − M_x) = 0``, G Green's function of −d²/ds².
+    With restrained warping ``(EΓ (τ/a)')' = a (T − M_x)`` and τ = 0 at the ends of a stretch:
+    ``τ + a G a (T − M_x) = 0``, G Green's function of −(EΓ d/ds)'.
     """
     hold, twist = np.ones(w.shape), np.zeros(J.shape)
-    for i, (stiff, soft) in enumerate(zip(warping, torsion, strict=True)):
-        for run in runs[i]:
-            if stiff == 0.0:
+    for i, own in enumerate(runs):
+        for run in own:
+            w_run, stiff, soft = w[i, run], felt.warping[i, run], felt.torsion[i, run]
+            if stiff[0] == 0.0:
                 hold[i, run] = 0.0
-                twist[i, run, run] = np.diag(np.full(run.stop - run.start, 1.0 / soft))
+                twist[i, run, run] = np.diag(1.0 / soft)
                 continue
-            J_run, w_run = J[i, run, run], w[i, run]
-            long = np.sum(w_run)
-            size = stiff + soft * long**2 / 10.0
-            hold[i, run] = stiff / size
-            straight = J_run @ np.ones(w_run.size) / long
-            twist[i, run, run] = (straight[:, None] * (w_run @ J_run) - J_run @ J_run) / size
+            a, J_run, long = felt.apart[i, run], J[i, run, run], np.sum(w_run)
+            mean, warped = long / (w_run @ (1.0 / soft)), long / (w_run @ (a**2 / stiff))
+            size = 1.0 + mean / warped * long**2 / 10.0
+            hold[i, run] = 1.0 / size
+            J_soft, w_soft = J_run / stiff, w_run / stiff
+            straight = np.sum(J_soft, axis=1) / np.sum(w_soft)
+            green = straight[:, None] * (w_soft @ J_run) - J_soft @ J_run
+            twist[i, run, run] = a[:, None] * green * a / size
     return hold, twist

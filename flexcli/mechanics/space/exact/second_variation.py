@@ -3,7 +3,7 @@
 Sections and bodies turn on by rotation vectors about where they are, η along the axes of each
 section. With the complementary energy of forces and moments beside it,
 
-    ∫ M·δ²κ + 2 δM·(η' + κ × η) − δM·C δM − 2 δM_x δτ − 2 κ_τ δM_z δτ + T_τ δτ² + EΓ δτ'²
+    ∫ M·δ²κ + 2 δM·(η' + κ × η) − δM·C δM − 2 δM_x δτ − 2 κ_τ δM_z δτ + T_τ δτ² + EΓ δ(τ/a)'²
     + 2 ρ² τ δτ δN_x ds
     − ∫ δ²N·(e_x + Γ) + δN·C δN ds + n·δ²Δ + 2 δn·δΔ,
 
@@ -141,7 +141,7 @@ def inertia_count(variation: SecondVariation, free: Integers, blades: int) -> in
 def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
     """Return the second variation of blade i by δn, closing moments and turn of the start.
 
-    Its own unknowns are η' (3), δM (3) and δτ', or δτ where it warps freely, at the nodes.
+    Its own unknowns are η' (3), δM (3) and δ(τ/a)', or δτ where it warps freely, at the nodes.
     """
     used = np.flatnonzero(mesh.w[i] > 0.0)
     K = used.size
@@ -149,7 +149,7 @@ def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
     R, N, kappa, M = (a[i, used] for a in (at.R, at.N, at.kappa, at.M))
     G = np.array([1.0, 0.0, 0.0]) + at.strain[i, used]
     C, law = mesh.C[i, used], Curled(*(each[i, used] for each in at.law))
-    spin, polar = mesh.spin[i, used], float(mesh.polar[i, 0])
+    spin, polar = mesh.spin[i, used], mesh.polar[i, used]
     tau = kappa[:, 0] - spin * M[:, 0]
     runs = [np.flatnonzero((used >= run.start) & (used < run.stop)) for run in mesh.runs[i]]
     R_t = np.swapaxes(R, -1, -2)
@@ -163,15 +163,18 @@ def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
     force_force = -R @ (C[:, :, None] * R_t)
     rate_turn = -skew(M) / 2.0
     moment_turn = skew(kappa)
-    warped = float(mesh.warping[i, 0]) > 0.0
-    torsion = float(mesh.torsion[i, 0]) + polar * N[:, 0] + 3.0 * float(mesh.fibres[i, 0]) * tau**2
+    warping, apart = mesh.warping[i, used], mesh.apart[i, used]
+    warped = bool(np.any(warping > 0.0))
+    torsion = mesh.torsion[i, used] + polar * N[:, 0] + 3.0 * mesh.fibres[i, used] * tau**2
     torsion += law.stiffness
-    # δτ = J δτ' on each flexible piece; δN_x = (N × η)_x + (Rᵀ δn)_x
+    # δτ = a J δ(τ/a)' on each flexible stretch; δN_x = (N × η)_x + (Rᵀ δn)_x
     T = np.zeros((K, K))
     for run in runs:
-        T[run[:, None], run] = J[run[:, None], run] if warped else np.eye(run.size)
+        T[run[:, None], run] = (
+            apart[run, None] * J[run[:, None], run] if warped else np.eye(run.size)
+        )
     size = 7 * K + len(runs) * warped
-    # columns: η', δM, δτ' (node by node), closing of δτ; then δn, closing moments, start's turn
+    # columns: η', δM, δ(τ/a)' (node by node), closing of δτ; then δn, closing moments, start's turn
     H = np.zeros((size + 9, size + 9))
     rate, moment, twist = (np.arange(3 * K) + 3 * K * k for k in range(3))
     twist = twist[:K]
@@ -203,11 +206,11 @@ def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
     add(unit[moment[::3]], np.full((K, 1, 1), -2.0), spread)
     add(unit[moment[2::3]], -2.0 * law.coupling[:, None, None], spread)
     add(spread, torsion[:, None, None], spread)
-    pull = 2.0 * polar * tau[:, None, None]
+    pull = 2.0 * (polar * tau)[:, None, None]
     add(spread, pull * N_s[:, :1], turn)
     add(spread, pull * R_t[:, :1], np.broadcast_to(unit[force], (K, 3, size + 9)))
     if warped:
-        H[twist, twist] += float(mesh.warping[i, 0]) * w
+        H[twist, twist] += warping * w
         for k, run in enumerate(runs):
             H[7 * K + k, twist[run]] = H[twist[run], 7 * K + k] = w[run]
     # closing: η(1) − η(0) − ∫ η' = 0

@@ -1,26 +1,31 @@
-"""Sections of blades and rods of constant thickness: compliances in units of the blade.
+"""Sections along blades and rods: compliances in units of the blade.
 
 Lengths by its length l, forces by EI/l², moments by EI/l, with EI = E b h³/12 that of bending
-across the thickness (of a round rod: π E d⁴/64). Axes: x along the blade, y across its thickness,
-z across its width.
+across the thickness where it is least (of a round rod: π E d⁴/64). Axes: x along the blade, y
+across its thickness, z across its width.
 """
 
+from collections.abc import Callable
+from functools import partial
 from math import pi
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from flexcli.errors import SolveError
 from flexcli.formulas import plate_factors, sheet_factors
-from flexcli.formulas.profile import Constant, NeckedDown
+from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Piece, Tabulated
 from flexcli.formulas.section import second_moment
 from flexcli.formulas.torsion_fibres import rectangle_fourth_moment
 from flexcli.formulas.torsion_section import torsion_constant, warping
 from flexcli.formulas.torsion_shapes import circle_torsion_constant
 from flexcli.mechanics.mesh import SHEAR_FACTOR
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
+from flexcli.mechanics.wide_hinge import wide_hinge
 
-__all__ = ["BeamEffects", "Section", "section_of", "thickness"]
+__all__ = ["BeamEffects", "Compliances", "Section", "section_of"]
+
+Floats = NDArray[np.float64]
 
 ROUND_SHEAR_FACTOR = 0.9
 """κ of a round section, from the energy of the parabolic shear stress along its load."""
@@ -44,139 +49,162 @@ class BeamEffects(NamedTuple):
     curling: bool = True
 
 
-class Section(NamedTuple):
-    """A blade's section: compliances in the blade's units, and its flexible stretches.
+class Compliances(NamedTuple):
+    """What a section gives way by, in the blade's units; arrays over places of its thickness.
 
-    ``stretches`` are starts and ends of flexible pieces over the length. ``axial``, ``shear_y``,
-    ``shear_z`` are EI/(l² EA), EI/(l² κGA). Bending about y is ``bend_y`` everywhere, about z
-    ``bend_z + bend_z_edge · 12 (t − ½)²`` at the share t of a piece: its clamps keep a wide
-    blade flat, its middle narrows; ``curl`` is the ``width`` by which curvature and twist flatten
-    it besides. ``torsion`` is GJ/(a EI), ``warping`` E'Γ/(a² EI l²) and ``spin`` EI/(G I_p) with
-    a = 1 − J/I_p, or GJ/EI, 0 and 0 where ends may warp; ``polar`` I_p/(A l²), ``fibres``
-    ½E(∫r⁴ − I_p²/A)/(EI l²) without what curling has of it, so that the torque of a twist rate τ
-    is ``torsion τ + polar N τ + fibres τ³ − (warping τ')'`` and that of curling. A torque twists
-    the section by ``spin`` of it besides, which warping takes no part in (Benscoter's torsion:
-    :func:`flexcli.formulas.restrained_torsion.restrained_stiffness`; the warping is τ/a).
+    ``axial``, ``shear_y``, ``shear_z`` are EI/(l² EA), EI/(l² κGA). Bending about y is ``bend_y``,
+    about z ``bend_z + bend_z_edge · 12 (t − ½)²`` at the share t of a flexible stretch: its clamps
+    keep a wide blade flat, its middle narrows; ``curl`` is the ``width`` by which curvature and
+    twist flatten it besides. ``torsion`` is GJ/(a EI), ``warping`` E'Γ/(EI l²) and ``spin``
+    EI/(G I_p) with ``apart`` a = 1 − J/I_p, or GJ/EI, 0, 0 and 1 where ends may warp; ``polar``
+    I_p/(A l²), ``fibres`` ½E(∫r⁴ − I_p²/A)/(EI l²) without what curling has of it, so that the
+    torque of a twist rate τ is ``torsion τ + polar N τ + fibres τ³ − (warping (τ/a)')'/a`` and that
+    of curling. A torque twists the section by ``spin`` of it besides, which warping takes no part
+    in (Benscoter's torsion: :func:`flexcli.formulas.restrained_torsion.restrained_stiffness`; the
+    warping is τ/a).
+    """
+
+    axial: Floats
+    shear_y: Floats
+    shear_z: Floats
+    bend_y: Floats
+    bend_z: Floats
+    bend_z_edge: Floats
+    curl: Floats
+    torsion: Floats
+    warping: Floats
+    apart: Floats
+    spin: Floats
+    polar: Floats
+    fibres: Floats
+
+
+class Section(NamedTuple):
+    """A blade's sections: ``at`` gives the compliances of thicknesses [m], or diameters.
+
+    ``stretches`` are its flexible pieces, in groups between which it is rigid.
     """
 
     EI: float
     l: float
-    stretches: tuple[tuple[float, float], ...]
-    axial: float
-    shear_y: float
-    shear_z: float
-    bend_y: float
-    bend_z: float
-    bend_z_edge: float
-    curl: float
     nu: float
-    torsion: float
-    warping: float
-    spin: float
-    polar: float
-    fibres: float
+    stretches: list[list[Piece]]
+    at: Callable[[Floats], Compliances]
 
 
 def section_of(blade: SpaceBlade | SpaceRod, effects: BeamEffects) -> Section:
-    """Return the section of a blade of constant thickness, of two hinges, or of a round rod.
-
-    Raises
-    ------
-    SolveError
-        When the thickness varies along a flexible piece.
-
-    """
+    """Return the sections of a blade of any profile, or of a round rod."""
     l = float(np.linalg.norm(np.subtract(blade.end, blade.start)))
     return _rod(blade, l, effects) if isinstance(blade, SpaceRod) else _strip(blade, l, effects)
 
 
 def _rod(rod: SpaceRod, l: float, effects: BeamEffects) -> Section:
+    EI = rod.material.E * pi * rod.d**4 / 64.0
+    found = partial(_of_rod, rod, l, effects, EI)
+    return Section(EI, l, rod.material.nu, Constant(rod.d).stretches(l), found)
+
+
+def _of_rod(rod: SpaceRod, l: float, effects: BeamEffects, EI: float, d: Floats) -> Compliances:
     E, G = rod.material.E, rod.material.G
-    A, I = pi * rod.d**2 / 4.0, pi * rod.d**4 / 64.0
-    EI = E * I
+    A, I = pi * d**2 / 4.0, pi * d**4 / 64.0
+    one, none = np.ones_like(d), np.zeros_like(d)
     shear = effects.shear * EI / (ROUND_SHEAR_FACTOR * G * A * l**2)
-    return Section(
-        EI=EI,
-        l=l,
-        stretches=((0.0, 1.0),),
+    return Compliances(
         axial=effects.extension * EI / (E * A * l**2),
         shear_y=shear,
         shear_z=shear,
-        bend_y=1.0,
-        bend_z=1.0,
-        bend_z_edge=0.0,
-        curl=0.0,
-        nu=rod.material.nu,
-        torsion=G * circle_torsion_constant(rod.d) / EI,
-        warping=0.0,
-        spin=0.0,
+        bend_y=one,
+        bend_z=one,
+        bend_z_edge=none,
+        curl=none,
+        torsion=G * circle_torsion_constant(d) / EI,
+        warping=none,
+        apart=one,
+        spin=none,
         polar=effects.long_fibres * 2.0 * I / (A * l**2),
         # ∫r⁴ = π d⁶/192, I_p²/A = π d⁶/256
-        fibres=effects.long_fibres * E / 2.0 * pi * rod.d**6 / 768.0 / (EI * l**2),
+        fibres=effects.long_fibres * E / 2.0 * pi * d**6 / 768.0 / (EI * l**2),
     )
 
 
-def thickness(blade: SpaceBlade, l: float) -> tuple[float, float]:
-    """Return the thickness and the length of the flexible pieces of a blade of length l [m].
+class _Plate(NamedTuple):
+    """What rigid clamps do to a stretch that is wider than thick, factors over the beam's [-].
 
-    Raises
-    ------
-    SolveError
-        When the thickness varies along a flexible piece.
-
+    ``even`` is the share of shear across the width that clamps hold back, ``curls`` the thickness
+    at which its section does [m].
     """
-    match blade.profile:
-        case Constant(h=h):
-            return float(h), l
-        case NeckedDown(h=h, hinge=hinge):
-            return float(h), float(hinge)
-    raise SolveError(
-        "varying-thickness",
-        f"{blade.name}: the thickness varies along a flexible piece",
-        "in space, exact beams have pieces of constant thickness; the linear model takes any "
-        "profile",
-    )
+
+    pure: float = 1.0
+    guided: float = 1.0
+    stretched: float = 1.0
+    flat: float = 1.0
+    even: float = 0.0
+    curls: float = 0.0
 
 
 def _strip(blade: SpaceBlade, l: float, effects: BeamEffects) -> Section:
-    h, hinge = thickness(blade, l)
-    stretches = ((0.0, 1.0),) if hinge == l else ((0.0, hinge / l), (1.0 - hinge / l, 1.0))
-    b, E, G, nu = blade.b, blade.material.E, blade.material.G, blade.material.nu
-    A, EI, EI_wide = h * b, E * second_moment(b, h), E * second_moment(h, b)
+    stretches = blade.profile.stretches(l)
+    ends = np.array([-1.0, 1.0])
+    thin = min(float(np.min(piece.thickness(ends))) for each in stretches for piece in each)
+    EI = blade.material.E * second_moment(blade.b, thin)
+    plate = _plate(blade, l, thin, effects) if effects.plate and blade.b > thin else _Plate()
+    at = partial(_of_strip, blade, l, effects, plate, EI)
+    return Section(EI, l, blade.material.nu, stretches, at)
+
+
+def _plate(blade: SpaceBlade, l: float, h: float, effects: BeamEffects) -> _Plate:
+    """Return the factors of constant thickness, or that of the bending of a hinge's plate.
+
+    What stretching and shear across the width feel of a short throat's clamps is left out, and so
+    is its curling where its thickness varies: there it is too short.
+    """
+    b, nu, profile = blade.b, blade.material.nu, blade.profile
+    if isinstance(profile, Tabulated):
+        return _Plate()
+    curls = h * (effects.long_fibres and effects.curling)
+    if isinstance(profile, Notch | Filleted):
+        numbers = tuple(float(each) for each in vars(profile).values())
+        bent = wide_hinge(type(profile), numbers, l, b, nu).stiffness
+        return _Plate(bent, bent, curls=curls * isinstance(profile, Filleted))
+    hinge = float(profile.hinge) if isinstance(profile, NeckedDown) else l
     at = {"b": b, "l": hinge, "poisson_ratio": nu}
-    pure = guided = stretched = flat = 1.0
-    even = 0.0
-    if effects.plate and b > h:
-        pure = float(plate_factors.pure_bending_factor(**at, h=h))
-        guided = float(plate_factors.guided_factor(**at, h=h))
-        stretched = float(sheet_factors.axial_factor(**at))
-        flat = float(sheet_factors.bending_factor(**at))
-        Phi = 2.4 * (1.0 + nu) * (b / hinge) ** 2
-        # the shear compliance that, beside this bending, gives the S shape in the plane
-        even = 1.0 - ((1.0 + Phi) / float(sheet_factors.guided_factor(**at)) - 1.0 / flat) / Phi
+    flat = float(sheet_factors.bending_factor(**at))
+    Phi = 2.4 * (1.0 + nu) * (b / hinge) ** 2
+    # the shear compliance that, beside this bending, gives the S shape in the plane
+    even = 1.0 - ((1.0 + Phi) / float(sheet_factors.guided_factor(**at)) - 1.0 / flat) / Phi
+    return _Plate(
+        float(plate_factors.pure_bending_factor(**at, h=h)),
+        float(plate_factors.guided_factor(**at, h=h)),
+        float(sheet_factors.axial_factor(**at)),
+        flat,
+        even,
+        curls,
+    )
+
+
+def _of_strip(
+    blade: SpaceBlade, l: float, effects: BeamEffects, plate: _Plate, EI: float, h: Floats
+) -> Compliances:
+    b, E, G, nu = blade.b, blade.material.E, blade.material.G, blade.material.nu
+    A, bent, wide = h * b, second_moment(b, h), second_moment(h, b)
     # ∫(bend_z + 12 edge (t − ½)²) dt = 1/pure, 12 ∫(t − ½)² (…) dt = 1/guided
-    edge = (1.0 / guided - 1.0 / pure) / 0.8
+    edge = (1.0 / plate.guided - 1.0 / plate.pure) / 0.8
     shear = effects.shear * EI / (SHEAR_FACTOR * G * A * l**2)
-    I_p = second_moment(b, h) + second_moment(h, b)
-    curls = effects.plate and effects.long_fibres and effects.curling and b > h
+    I_p, J = bent + wide, torsion_constant(h, b)
+    curls = h == plate.curls
     fourth = rectangle_fourth_moment(h, b) - I_p**2 / A - curls * h * b**5 / 180.0
-    J = float(torsion_constant(h, b))
     apart = 1.0 - effects.warping * J / I_p
-    held = effects.warping * E / (1.0 - nu**2) * float(warping(h, b).constant)
-    return Section(
-        EI=EI,
-        l=l,
-        stretches=stretches,
-        axial=effects.extension * EI / (E * A * l**2) / stretched,
+    return Compliances(
+        axial=effects.extension * EI / (E * A * l**2) / plate.stretched,
         shear_y=shear,
-        shear_z=shear * (1.0 - even),
-        bend_y=EI / EI_wide / flat,
-        bend_z=1.0 / pure - edge,
-        bend_z_edge=edge,
+        shear_z=shear * (1.0 - plate.even),
+        bend_y=EI / (E * wide) / plate.flat,
+        bend_z=EI / (E * bent) * (1.0 / plate.pure - edge),
+        bend_z_edge=EI / (E * bent) * edge,
         curl=curls * 3.0 * (1.0 - nu**2) * (b**2 / (h * l)) ** 2,
-        nu=nu,
         torsion=G * J / apart / EI,
-        warping=held / apart**2 / (EI * l**2),
+        warping=effects.warping * E / (1.0 - nu**2) * warping(h, b).constant / (EI * l**2),
+        apart=apart,
         spin=effects.warping * EI / (G * I_p),
         polar=effects.long_fibres * I_p / (A * l**2),
         fibres=effects.long_fibres * E / 2.0 * fourth / (EI * l**2),

@@ -17,7 +17,7 @@ from flexcli.formulas.torsion_section import shear_factor, warping
 from flexcli.mechanics.space.exact.beams import Beams
 from flexcli.mechanics.space.exact.blade import along
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
-from flexcli.mechanics.space.exact.section import BeamEffects, Section, thickness
+from flexcli.mechanics.space.exact.section import BeamEffects, Section
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
 from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
 
@@ -26,6 +26,9 @@ __all__ = ["BladeStress", "beam_stresses", "blade_stresses"]
 Floats = NDArray[np.float64]
 
 _ENDS = np.array([-1.0, 1.0])
+
+_STILL = 1e-6
+"""Of the largest ds/du on a segment, the least that is divided by."""
 
 
 class BladeStress(NamedTuple):
@@ -86,39 +89,39 @@ def beam_stresses(
             ],
             axis=-1,
         )
-        s, at, slope = [], [], []
+        # the twist rate becomes what the section warps by
+        values[:, 4] /= np.where(mesh.apart[i] > 0.0, mesh.apart[i], 1.0)
+        nodes_u, at, slope = gauss_nodes(mesh.per_segment)[0], [], []
+        u = np.concatenate([_ENDS[:1], nodes_u, _ENDS[1:]])
         count = mesh.per_segment
+        onto = interpolation_matrix(count, u)
         for k in range(mesh.nodes // count):
             own = slice(k * count, (k + 1) * count)
-            long = float(np.sum(mesh.w[i, own]))
-            if long == 0.0 or not np.any(mesh.flexible[i, own]):
+            if not np.any(mesh.flexible[i, own]) or not np.any(mesh.w[i, own]):
                 continue
-            start = float(np.sum(mesh.w[i, : k * count]))
-            u = np.concatenate([_ENDS[:1], gauss_nodes(count)[0], _ENDS[1:]])
-            s.append(start + long * (u + 1.0) / 2.0)
-            at.append(interpolation_matrix(count, u) @ values[own])
+            known = np.column_stack([mesh.s[i, own], mesh.half[i, own], mesh.h[i, own]])
+            at.append(np.hstack([onto @ known, onto @ values[own]]))
             rise = np.polynomial.legendre.legder(
-                np.polynomial.legendre.legfit(gauss_nodes(count)[0], values[own, 4], count - 1)
+                np.polynomial.legendre.legfit(nodes_u, values[own, 4], count - 1)
             )
-            rate = np.polynomial.legendre.legval(u, rise) * 2.0 / (long * section.l)
-            slope.append(rate)
+            # a notch begins where its face is steep: there the nodes stand still
+            ds = np.maximum(at[-1][:, 1], _STILL * np.max(mesh.half[i, own])) * section.l
+            slope.append(np.polynomial.legendre.legval(u, rise) / ds)
         rows, rates = np.concatenate(at), np.concatenate(slope)
-        out.append(_of_section(blade, section, np.concatenate(s), rows, rates, effects))
+        out.append(_of_section(blade, section, rows, rates, effects))
     return tuple(out)
 
 
 def _of_section(
     blade: SpaceBlade | SpaceRod,
     section: Section,
-    s: Floats,
     rows: Floats,
     rates: Floats,
     effects: BeamEffects,
 ) -> BladeStress:
-    N, M_y, M_z = rows[:, 0], rows[:, 2], rows[:, 3]
-    warped = 1.0 + section.torsion * section.spin
-    f, rates = rows[:, 4] * warped, rates * warped
-    tau = rows[:, 4] + section.spin / section.EI * rows[:, 1]
+    s, _, h, N, M_x, M_y, M_z, f = rows.T
+    felt = section.at(h)
+    tau = f * felt.apart + felt.spin / section.EI * M_x
     E, G, nu = blade.material.E, blade.material.G, blade.material.nu
     long_fibres = effects.long_fibres
     if isinstance(blade, SpaceRod):
@@ -137,9 +140,9 @@ def _of_section(
             corner=(N / A + fibres)[:, None] + bent[:, None] * np.array([1.0, -1.0]),
             shear=np.abs(G * tau) * blade.d / 2.0,
         )
-    h, b = thickness(blade, section.l)[0], blade.b
+    b = blade.b
     thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
-    held = effects.warping * E / (1.0 - nu**2) * float(warping(h, b).largest) * rates
+    held = effects.warping * E / (1.0 - nu**2) * warping(h, b).largest * rates
     r2 = (h**2 + b**2) / 12.0
     fibres = long_fibres * E * tau**2 / 2.0 * ((h**2 + b**2) / 4.0 - r2)
     axial = N / (b * h)
@@ -154,5 +157,5 @@ def _of_section(
         warping=np.abs(held),
         fibres=fibres,
         corner=corner + held[:, None] * y * z,
-        shear=G * min(h, b) * np.abs((float(shear_factor(h, b)) - 0.5) * f + 0.5 * tau),
+        shear=G * np.minimum(h, b) * np.abs((shear_factor(h, b) - 0.5) * f + 0.5 * tau),
     )

@@ -1,0 +1,66 @@
+"""Notches and blades with fillets at rest, between rigid bodies: solids by CalculiX, in six axes.
+
+Run by hand: python tests/benchmarks/hinges_in_space.py
+It writes tests/mechanics/space/hinges.json in five minutes of one processor: for each hinge, in
+units of the radius of its roots or of half its length, its kind, its profile's numbers, its length,
+its width and ν, and six stiffnesses about its middle, each with all else free, over E. The mesh is
+the coarsest of ``verify``; twice as fine a one has up to 4 % more or less where a notch is deep.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from flexcli.engine.solid.calculix import run
+from flexcli.engine.solid.deck import compliance_deck
+from flexcli.engine.solid.model import solid_model
+from flexcli.formulas.profile import Filleted, Notch
+from flexcli.mechanics.layout import Blade, Body, Layout
+
+FOUND = Path(__file__).parents[1] / "mechanics/space/hinges.json"
+R, E, MM = 1e-3, 200e9, 1e3
+KINDS = {"notch": Notch, "filleted": Filleted}
+
+
+def hinges(count=75, seed=3):
+    """Yield kind, profile's numbers, length, width over R and ν, at random within the ranges."""
+    random = np.random.default_rng(seed)
+    while count:
+        nu, b = float(random.choice([0.2, 0.3, 0.4])), float(10 ** random.uniform(-0.3, 1.2))
+        if random.random() < 0.6:
+            depth = float(10 ** random.uniform(-0.5, 0.3)) if random.random() < 0.5 else 1.0
+            e, l = float(10 ** random.uniform(-1.7, 0.0)), 2.0
+            found, inside = ("notch", [e, depth], l, b, nu), e * depth <= 1.0 and e <= b
+        else:
+            h, l = float(10 ** random.uniform(-1.3, 0.0)), float(random.uniform(4.0, 30.0))
+            found = ("filleted", [h, 1.0], l, b, nu)
+            inside = h <= b and h <= 0.1 * l and b <= 1.5 * l
+        if inside:
+            count -= 1
+            yield found
+
+
+def stiffness(kind, numbers, l, b, nu, fineness=1):
+    """Return six stiffnesses about the middle of a hinge by solids, over E."""
+    profile = KINDS[kind](*(R * n for n in numbers))
+    blade = Blade("hinge", "ground", "body", (0.0, 0.0), (l * R, 0.0), profile, b * R)
+    layout = Layout((Body("body", (l * R / 2.0, 0.0)),), (blade,), E, E / (2.0 + 2.0 * nu))
+    deck = compliance_deck(solid_model(layout, fineness=fineness), "body", guided=False)
+    ref, rot = deck.bodies["body"]
+    tables = run(deck.text, "hinge").tables("displacements")
+    C = np.stack([np.concatenate([moved[ref], moved[rot]]) for moved in tables], axis=-1)
+    return 1.0 / (np.diag(C) * np.repeat([1.0 / MM, MM], 3)) / E
+
+
+def main():
+    rows = []
+    for hinge in hinges():
+        rows.append([*hinge, stiffness(*hinge).tolist()])
+        sys.stderr.write(f"{json.dumps(rows[-1])}\n")
+    FOUND.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
