@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping
 from math import isfinite
-from typing import TYPE_CHECKING
 
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, Setting
@@ -11,10 +10,6 @@ from flexcli.parts.requirements import AS_PRINTED, JointModel
 from flexcli.parts.scene import Scene
 from flexcli.results import EffectRow, Note, QuantityKind, Value
 from flexcli.units import show
-
-if TYPE_CHECKING:
-    from flexcli.mechanics.layout import Layout
-    from flexcli.mechanics.space.layout import SpaceLayout
 
 __all__ = ["NOTABLE", "effects", "errors_of", "reported", "setting", "warnings"]
 
@@ -164,7 +159,7 @@ def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[
         )
         text += f"{', '.join(beyond)}; taken by thermal_expansion, and as it is there"
         yield Note("beyond-points", text)
-    yield from _held_across(design, layout, scene)
+    yield from _held_across(design, sizes, scene)
     if most <= NEAR:
         return
     parts = {
@@ -182,24 +177,20 @@ def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[
         yield Note("at-assembly", f"{text}; material.over_temperature would give more")
 
 
-def _held_across(
-    design: DesignSpec, layout: "Layout | SpaceLayout", scene: Scene
-) -> Iterator[Note]:
-    """Yield how far clamps stress blades that they keep from growing across, where it is much."""
-    from flexcli.parts.temperature import held_across
+def _held_across(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[Note]:
+    """Yield how far clamps stress blades that they keep from growing across, where nobody asks."""
+    from flexcli.parts.temperature import held_stress
 
-    geometry, material, temperature = design.geometry, design.material, scene.temperature
-    if temperature is None or not material.expands:
+    material, temperature = design.material, scene.temperature
+    if temperature is None or design.requirements.yielding:
         return
-    warm = temperature.warmed(layout, material, geometry.axes, geometry.body_materials)
-    stress = material.elastic.E * held_across(warm)
+    stress = held_stress(temperature, design.geometry, material, sizes)
     strengths = [
         given.value for given in (material.yield_strength, material.tensile_strength) if given
     ]
     if stress > NOTABLE * min(strengths, default=0.0):
         text = f"case '{scene.case}': clamps keep blades from growing across, by some "
-        text += f"{show(stress, 'Pa', 3)} there, which is in no stress that is judged; bodies that "
-        text += "expand as the blades do have none"
+        text += f"{show(stress, 'Pa', 3)} there, which yield would judge and nothing here does"
         yield Note("held-across", text)
 
 

@@ -15,11 +15,19 @@ from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.mesh import column
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, SpaceRod
 from flexcli.parts.base import Part, QuantityOf, spec_error
-from flexcli.parts.geometries.base import GROUND
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.over_temperature import Kelvin
 
-__all__ = ["Temperature", "held_across", "held_bending", "held_lengths", "held_share"]
+__all__ = [
+    "Temperature",
+    "held_across",
+    "held_bending",
+    "held_lengths",
+    "held_share",
+    "held_stress",
+]
 
 Floats = NDArray[np.float64]
 
@@ -64,6 +72,26 @@ def held_across(layout: Layout | SpaceLayout) -> float:
         for blade in layout.blades
         for body in (blade.first, blade.second)
     )
+
+
+def held_stress(
+    temperature: "Temperature", geometry: Geometry, material: Material, sizes: Sizes
+) -> float:
+    """Return the stress across blades where their clamps keep them from growing [Pa].
+
+    ``E`` times the difference of strains, of the place where it is most; no stress where the
+    material does not say how it grows, or the joint has no blades.
+    """
+    if not all(each.expands for each in (material, *geometry.body_materials.values())):
+        return 0.0
+    own, at = geometry.drawn(sizes)
+    layout: Layout | SpaceLayout
+    try:
+        layout = (own.space_layout if own.in_space else own.layout)(material.elastic, at)
+        warm = temperature.warmed(layout, material, geometry.axes, geometry.body_materials)
+    except NotAvailable:  # a temperature beyond the points of a material is refused by the case
+        return 0.0
+    return material.elastic.E * held_across(warm)
 
 
 def held_lengths(layout: Layout, nu: float) -> float:

@@ -56,7 +56,8 @@ def test_a_body_of_the_blades_material_and_temperature_stresses_nothing():
 def test_a_hotter_body_bends_the_blades_that_it_spreads():
     result = flexcli.check(spec("temperature: {bodies: {moving: 50 K}}"))
     spread = ALPHA * 50.0 * 10e-3
-    (check,) = result.checks
+    check, held = result.checks
+    assert "held across" in held.full_name
     # each blade is a guided one, a little less than bent by that: it shears
     assert 0.999 < check.demand / (3.0 * E * 0.2e-3 * spread / 20e-3**2) < 1.0
     assert check.model == "exact"
@@ -244,18 +245,41 @@ def test_tangential_blades_bend_by_what_the_ring_shrinks_around_the_mirror():
         assert result.values[f"{axis}_c"].value == pytest.approx(0.0, abs=1e-12)
 
 
-def test_what_clamps_hold_across_is_told_where_it_is_much_of_the_strength():
-    def told(case):
-        notes = mount(f"temperature: {{{case}}}", "yield: 1").warnings
+HELD = "uniform: -200 K, expansion: {mirror: 0 1/K, ground: 23.6e-6 1/K}"
+
+
+def test_what_clamps_hold_across_is_told_where_it_is_much_of_the_strength_and_nobody_judges_it():
+    def told(case, requirements="mass: {max: 1 kg}"):
+        notes = mount(f"temperature: {{{case}}}", requirements).warnings
         return [note.text for note in notes if note.code == "held-across"]
 
-    (text,) = told("uniform: -200 K, expansion: {mirror: 0 1/K, ground: 23.6e-6 1/K}")
+    (text,) = told(HELD)
     # between the bench and the blades it is most: E (23.6 − 8.6)e-6 · 200 K, and what it lengthens
     most = float(re.search(r"some (\d+) MPa", text)[1])
     assert most == pytest.approx(E * 15e-6 * 200.0 / 1e6, rel=0.02)
     assert told("uniform: -200 K") == []
     # a strain of 4.3e-5 is 5 MPa, of 880 MPa
     assert told("uniform: -5 K, expansion: {mirror: 0 1/K}") == []
+    assert told(HELD, "yield: 1") == []
+
+
+def test_yield_judges_what_clamps_hold_across_with_what_stands_along():
+    def held(case, factor=1.0):
+        checks = mount(f"temperature: {{{case}}}", f"yield: {factor}").checks
+        return {c.full_name.partition(",")[2].strip(" )").startswith("held"): c for c in checks}
+
+    rows = held(HELD)
+    along, both = rows[False], rows[True]
+    across = E * 15e-6 * 200.0
+    expected = (along.demand**2 + along.demand * across + across**2) ** 0.5
+    assert both.demand == pytest.approx(expected, rel=0.02)
+    # clamps that give way leave what stands along
+    assert both.factor_range[1] >= along.factor_range[1]
+    assert both.factor_range[0] < both.factor
+    # what passes with free clamps alone is not passed
+    asked = (along.factor * both.factor) ** 0.5
+    assert {c.verdict for c in held(HELD, asked).values()} == {Verdict.PASS, Verdict.UNDECIDED}
+    assert True not in held("uniform: -200 K")
 
 
 def test_a_gradient_across_a_mount_moves_its_centre_along_any_axis():

@@ -1,18 +1,25 @@
 """Yield: the largest stress of a case against an allowable of the material."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from math import sqrt
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import field_validator
 
 from flexcli.parts.base import OneOrMore, spec_error
 from flexcli.parts.material import MissingProperty
-from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.results import QuantityKind
+from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["Yield"]
+
+FELT = 1e-3
+"""Share of the strength from which what clamps hold across is judged."""
+
+NU_UNKNOWN = 0.5
+"""Poisson's ratio where the material has none: the most."""
 
 Allowable = Literal["yield-strength", "tensile-strength", "fatigue-amplitude", "admissible-stress"]
 
@@ -69,3 +76,45 @@ class Yield(FactorRequirement):
                     driver=ask.scene.driver,
                     kind=QuantityKind.STRESS,
                 )
+            yield from self._held_across(ask, found, strength, allowable)
+
+    def _held_across(
+        self, ask: Ask, found: Sequence[EndStress], strength: float, allowable: str
+    ) -> Iterator[Limit]:
+        """Yield the stress at clamps that keep blades from growing across, with that along them.
+
+        Von Mises' of both on the face where they differ in sign. Its range goes from clamps that
+        give way, and leave the stress along, to those that hold blades along as well.
+        """
+        if ask.scene.temperature is None:
+            return
+        from flexcli.parts.temperature import held_stress
+
+        across = held_stress(ask.scene.temperature, ask.geometry, ask.material, ask.sizes)
+        if across <= FELT * strength:
+            return
+        along = max(float(stress.largest) for stress in found)
+        both = _equivalent(along, across)
+        error = ask.joint_model.error(ask, QuantityKind.STRESS)
+        if error is not None:
+            nu = ask.material.elastic.nu or NU_UNKNOWN
+            most = _equivalent(along * (1.0 + error.high), across / (1.0 - nu**2))
+            error = ErrorRange(along * (1.0 + error.low) / both - 1.0, most / both - 1.0)
+        yield Limit(
+            self.label,
+            ask.scene.case,
+            "stress along and across blades, at clamps that keep them from growing",
+            both,
+            strength,
+            "Pa",
+            f"allowable: {allowable}; E times the difference of strains, by von Mises",
+            required=self.factor,
+            variant=f"{allowable}, held across",
+            kind=QuantityKind.STRESS,
+            error=error,
+        )
+
+
+def _equivalent(along: float, across: float) -> float:
+    """Return von Mises' stress of two that differ in sign."""
+    return sqrt(along**2 + along * across + across**2)
