@@ -30,15 +30,23 @@ __all__ = ["changes"]
 SECTION = 3.0
 """Times (h/l)² of the blades' share: their sections' own inertia and shear, left out of it."""
 
+SLOWER = Change(None, 1.0, 0.0, -1)
+"""A frequency with masses that nobody can tell: down to nothing."""
+
+LOWER = Change(None, inf, 0.0, 1)
+"""A sag with such masses: without limit."""
+
 
 def changes(setting: Setting) -> Changes:
     """Return the change of the frequency, and of a sag, where something moves that has a mass."""
     found: dict[str, Change] = {}
-    for name, change in (("frequency", _frequency), ("sag", _sag)):
+    for name, change, unknown in (("frequency", _frequency, SLOWER), ("sag", _sag, LOWER)):
         try:
             made = change(setting)
-        except (MechanismError, NotAvailable):
-            continue
+        except MechanismError:
+            continue  # nothing moves there that has a mass
+        except NotAvailable:
+            made = unknown
         if made is not None:
             found[name] = made
     return found
@@ -49,7 +57,7 @@ def _frequency(setting: Setting) -> Change | None:
     if bars is not None:
         return _twisted(setting, bars)
     if setting.geometry.has_limbs(setting.material.elastic, setting.sizes):
-        return Change(None, 1.0, 0.0, -1)  # a mass that nobody states: down to nothing
+        return SLOWER
     density = setting.material.density
     if density is None:
         return Change(None, abs(_ratio(setting, DENSEST)), 0.0, -1)
@@ -76,7 +84,7 @@ def _sag(setting: Setting) -> Change | None:
         return None
     mechanism = setting.mechanism
     if setting.geometry.has_limbs(setting.material.elastic, setting.sizes):
-        return Change(None, inf, 0.0, 1)
+        return LOWER
     (axis,) = axes
     joint = (setting.geometry, setting.material.elastic, setting.sizes)
     density = setting.material.density

@@ -19,13 +19,13 @@ STAGE = {"kind": "necked-down-stage", "h": "0.2 mm", "l_c": "5 mm", "l": "40 mm"
          "spacing": "40 mm"}  # fmt: skip
 
 
-def judged(share):
+def judged(share, stage=STAGE):
     """Return what is said of a frequency that is a share of √(k/m)/2π, and the notes."""
     l, xi = 40e-3, 0.25
     k = 2.0 * 210e9 * 2e-3 * 0.2e-3**3 / (l**3 * xi * (3.0 - 3.0 * xi + xi**2))
     least = share * sqrt(k / 0.05) / (2.0 * pi)
     spec = design(
-        STAGE, {"frequency": {"min": f"{least!r} Hz"}}, {"op": {"stroke": {"translation": "1 mm"}}},
+        stage, {"frequency": {"min": f"{least!r} Hz"}}, {"op": {"stroke": {"translation": "1 mm"}}},
         material=STEEL, mechanism={"kind": "payload", "mass": "50 g"},
     )  # fmt: skip
     result = check(spec, spec.fixed_sizes(), "test")
@@ -44,3 +44,21 @@ def test_a_frequency_that_limbs_may_bring_down_is_open_and_says_why(share):
     row, notes = judged(share)
     assert row.verdict is Verdict.UNDECIDED
     assert "limbs-without-mass" in notes
+
+
+def test_it_is_open_without_the_distance_of_the_blades_as_well():
+    row, notes = judged(0.9, {k: v for k, v in STAGE.items() if k != "spacing"})
+    assert row.verdict is Verdict.UNDECIDED
+    assert row.factor_range[0] < 0.1
+    assert "limbs-without-mass" in notes
+
+
+def test_so_is_a_sag():
+    spec = design(
+        STAGE | {"spacing": None}, {"sag": {"max": "10 mm"}},
+        {"op": {"acceleration": {"level": "1 g", "axis": "x"}}},
+        material=STEEL, mechanism={"kind": "payload", "mass": "50 g"},
+    )  # fmt: skip
+    result = check(spec, spec.fixed_sizes(), "test")
+    (row,) = [c for c in result.checks if c.name.startswith("sag")]
+    assert row.verdict is Verdict.UNDECIDED

@@ -554,8 +554,15 @@ class Geometry(Part):
         return self.layout(elastic, sizes)
 
     def blades_layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
-        """Return the layout for what the distance between guiding blades plays no part in."""
-        return self.layout(elastic, sizes)
+        """Return the layout for what the distance between guiding blades plays no part in.
+
+        Where the spec does not state it, they are as far apart as long.
+        """
+        missing = [key for key in LAYOUT_KEYS if getattr(self, key, "") is None]
+        if not missing:
+            return self.layout(elastic, sizes)
+        apart = dict.fromkeys(missing, number(sizes.l))
+        return self.model_copy(update=apart).layout(elastic, sizes)
 
     def space_layout(self, elastic: Elastic, sizes: Sizes, density: float = 0.0) -> "SpaceLayout":
         """Return the joint as bodies and blades in space, its plane being z = 0.

@@ -110,12 +110,6 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         )
         return Layout((Body(MOVING, (l / 2.0, 0.0)),), blades, elastic.E, elastic.shear)
 
-    def blades_layout(self, elastic: Elastic, sizes: Blade) -> Layout:
-        """Return the layout with blades as far apart as long where the spec does not say."""
-        if self.spacing is not None:
-            return self.layout(elastic, sizes)
-        return self.model_copy(update={"spacing": number(sizes.l)}).layout(elastic, sizes)
-
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return how far the drive turns the stage at full stroke, and where it would not."""
         if self.drive is None or self.spacing is None:
