@@ -92,3 +92,30 @@ def test_contact_is_held_to_a_third_above_the_natural_frequency_and_ends_there()
     end = branch_end(motion.driven, motion.motion, rising=True)
     assert end.kind is EndKind.FOLD
     assert 1.195 < end.angular / own < 1.5
+
+
+def test_gap_and_height_make_four_kinds_of_peak():
+    """Notes 3, 5 and 6 of section 8.3: tall low on the beam, wide at a small gap, else free."""
+    sample, shares = TABLE["samples"][2], (1.0, 0.9985, 0.994)
+    free = blade(sample, 0, 780.0)
+    own = float(free.angular[0])
+    whole = 2.0 * DrivenBlade(free, Stops(LinearStop(), 1.0, 1.0), DRIVE * own**2).linear(own).tip
+    touched, ratio = {}, {}
+    for height in (0.5, 0.8):
+        for part in (0.02, 0.2):  # "on the order of 1%-3% of total output", and ten times it
+            gap = part * whole
+            stops = Stops(LinearStop(), gap, gap)
+            motion = stepped_motion(blade(sample, 0, 780.0, height), stops, DRIVE * own**2)
+            steps = [motion.follow(share * own) for share in shares]
+            touched[height, part] = [bool(step.contacts) for step in steps]
+            ratio[height, part] = (steps[0].peaks.tip_above + steps[0].peaks.tip_below) / gap
+    assert touched == {
+        (0.5, 0.02): [True, True, False],
+        (0.5, 0.2): [False, False, False],
+        (0.8, 0.02): [True, True, True],
+        (0.8, 0.2): [True, False, False],
+    }
+    assert ratio[0.5, 0.02] > 2.0 * ratio[0.8, 0.02]
+    # without contact it is the free range over the gap, "these low peaks"
+    assert ratio[0.5, 0.2] == pytest.approx(1.0 / 0.2, rel=1e-6)
+    assert ratio[0.8, 0.2] == pytest.approx(ratio[0.8, 0.02], rel=0.02)
