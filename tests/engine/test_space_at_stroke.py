@@ -349,3 +349,19 @@ def test_a_weight_of_blades_is_that_of_their_mass_on_the_bodies(tmp_path):
     assert found[0].demand == pytest.approx(found[1].demand, rel=1e-3)
     # what the weight does between the ends of a blade is in the range
     assert found[0].factor_range[0] < found[1].factor_range[0]
+
+
+@pytest.mark.parametrize("wrench", ["y: 5 N", "x: 0.02 N"])
+def test_a_drive_in_space_holds_what_loads_add_to_the_joint(tmp_path, wrench):
+    """Tension W of a guide adds 6 W/(5 l) to its stiffness, a force along the stroke itself."""
+    stroke = "stroke: {translation: 100 um}"
+    text = guide("  drive: 1", b="5 mm").replace("translation: 20 mm", "translation: 100 um")
+    text += "actuator: {blocking_force: 5 N, free_stroke: 1 mm, drives: both-ways}\n"
+    free = only(checked(text, tmp_path))
+    loaded = checked(text.replace(f"{{{stroke}}}", f"{{{stroke}, wrench: {{{wrench}}}}}"), tmp_path)
+    (check,) = (c for c in loaded.checks if c.name == "drive")
+    number = float(wrench.split()[1])
+    added = 1.2 * number / 100e-3 * 100e-6 if wrench.startswith("y") else number
+    assert check.demand - free.demand == pytest.approx(added, rel=0.02)
+    assert check.factor_range is not None
+    assert check.factor_range[1] / check.factor_range[0] < 1.2

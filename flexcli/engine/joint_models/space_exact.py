@@ -94,19 +94,36 @@ class SpaceExactModel(SpaceLinearModel):
         return self._told.of(what, ask, lambda: _changed(ask, number, 0.0 if locked else None))
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
-        """Return what the drive holds at both ends of the stroke, other loads aside."""
-        found, scene = [], ask.scene
-        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-        if not scene.moves or acting_groups(joint, scene):
-            raise NotAvailable("has no force at stroke under other loads in space")
+        """Return what the drive holds at both ends of the stroke, the loads in their worst sense.
+
+        The stroke is from where they leave the joint with its drive free.
+        """
+        scene = ask.scene
+        if not scene.moves:
+            raise NotAvailable("has no force at stroke without a stroke")
         ends = (scene.middle + scene.travel, scene.middle - scene.travel)
-        for travel, state in zip(ends, self._ends(ask), strict=True):
-            effort, known, error = _effort(state), self.blades.errors(state), None
-            if state.coarser is not None and known is not None and effort != 0.0:
-                off = float(abs(_effort(state.coarser) / effort - 1.0) + known.support)
-                error = ErrorRange(-off, off)
-            found.append(DriveEffort(travel, -effort if travel < 0.0 else effort, error))
+        plain = [_effort(state) for state in self._ends(ask)]
+        k, found = float(self.stiffness(ask)), []
+        for end, travel in enumerate(ends):
+            each = []
+            for states in self._loaded_ends(ask):
+                state = states[end]
+                pushed = abs(_travel(state) - travel) * k
+                each.append(self._held(state, travel, plain[end], pushed))
+            found.append(max(each, key=lambda one: one.effort + one.load))
         return tuple(found)
+
+    def _held(
+        self, state: SpaceEquilibrium, travel: float, plain: float, load: float
+    ) -> DriveEffort:
+        """Return what a drive holds in a state; ``plain`` is what it would without the loads."""
+        effort, known, error = _effort(state), self.blades.errors(state), None
+        if state.coarser is not None and known is not None and effort != 0.0:
+            # what loads change of it is as unsure as what they change it from
+            most = max(abs(effort), abs(plain)) + abs(effort - plain)
+            off = (abs(_effort(state.coarser) - effort) + known.support * most) / abs(effort)
+            error = ErrorRange(-float(off), float(off))
+        return DriveEffort(travel, -effort if travel < 0.0 else effort, error, load)
 
     def support_at_stroke(
         self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
@@ -379,6 +396,11 @@ def _own_frequency(state: SpaceEquilibrium) -> float:
     frequency = found.frequency[0]
     compliance = (row / frequency) ** 2
     return float(frequency[np.flatnonzero(compliance > TAKES_PART * compliance.sum())[0]])
+
+
+def _travel(state: SpaceEquilibrium) -> float:
+    """Return where the drive is in a state [m or rad]."""
+    return float(state.coordinates.ravel()[driven_coordinate(state.layout)])
 
 
 def _effort(state: SpaceEquilibrium) -> float:
