@@ -111,6 +111,8 @@ def main() -> None:
     gc.set_threshold(GARBAGE_THRESHOLD)
     # pydantic would read the metadata of every installed package to look for plugins
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    # matrices are small: threads that wait for each other take many times as long as one alone
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     any_stream()
     style = asked_format(sys.argv[1:])
     try:

@@ -112,7 +112,7 @@ def judged(
             *beyond_elastic(design, sizes, joint_model, found.checks),
             *notes,
             *_open(design, sizes, found),
-            *_rigid_clamps(design, sizes, found, model),
+            *_rigid_clamps(design, sizes, found),
             *_shaken(design, sizes, joint_model, found),
         ),
         cost=Cost(0.0, found.deciding, max(errors, default=None), by_model=found.by_model),
@@ -224,9 +224,7 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
         yield Note("needs-density", text)
 
 
-def _rigid_clamps(
-    design: DesignSpec, sizes: Sizes, found: Judgement, model: str | None
-) -> Iterator[Note]:
+def _rigid_clamps(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
     """Yield which passes rest on clamps that nobody said are rigid."""
     giving, slender = design.geometry.with_giving_clamps(), design.geometry.slenderness(sizes)
     if giving is None or slender is None or design.stops is not None:
@@ -235,7 +233,7 @@ def _rigid_clamps(
     if near:
         from flexcli.engine.rigid_clamps import rests_on_rigid_clamps
 
-        yield from rests_on_rigid_clamps(design, sizes, near, giving, model)
+        yield from rests_on_rigid_clamps(design, sizes, near, giving, found.models)
 
 
 def _is_near(check: Check, slender: float) -> bool:

@@ -19,6 +19,7 @@ __all__ = [
     "Search",
     "Stretch",
     "crossing",
+    "endless_path",
     "first_critical",
     "lost_path",
     "mode_of",
@@ -215,6 +216,15 @@ def lost_path() -> SolveError:
         "lost-path",
         "the path of the load pattern is lost before anything is critical",
         "hold fewer of its motions, or lessen its stroke",
+    )
+
+
+def endless_path() -> SolveError:
+    """Return what is said where the loads have hardly grown after many steps."""
+    return SolveError(
+        "endless-path",
+        "the path of the load pattern is too long: the mechanism goes far under a part of it",
+        "hold more of its motions, or lessen its loads",
     )
 
 

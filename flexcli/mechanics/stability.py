@@ -13,6 +13,7 @@ from flexcli.mechanics.critical_point import (
     CriticalPoint,
     Point,
     Search,
+    endless_path,
     first_critical,
     lost_path,
     mode_of,
@@ -40,7 +41,10 @@ __all__ = ["Critical", "critical_load", "inertia_count_held", "is_stable"]
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
-_MOST = 300
+_MOST = 200
+"""Points of a path: those that lead to a critical load have a dozen."""
+
+_CORRECTION = 1e-12
 
 
 class _Gait(NamedTuple):
@@ -58,8 +62,6 @@ _STRIDES = _Gait(0.1, 0.25, 1.0)
 _STEPS = _Gait(0.02, 0.125, CLOSE)
 """At first in strides; where a path is lost that way, in small steps."""
 
-
-_CORRECTION = 1e-12
 
 _NOTHING = (None, None, None)
 
@@ -156,8 +158,8 @@ def critical_load(
     SolveError
         ``unstable-start`` when the mechanism is unstable without the pattern, ``no-critical-load``
         when nothing is critical up to ``most``, ``lost-path`` when the path ends before,
-        ``inaccurate`` when the finest nodes leave the factor unsure; what ``solve`` says of the
-        equilibrium without the pattern.
+        ``endless-path`` when it is too long, ``inaccurate`` when the finest nodes leave the factor
+        unsure; what ``solve`` says of the equilibrium without the pattern.
 
     References
     ----------
@@ -255,7 +257,8 @@ def _stretch(
     if not lost and last.parameter >= 1.0:
         raise none_up_to(most)
     if not lost:
-        raise lost_path()
+        # smaller steps lead no further along a path that is too long
+        raise endless_path() if len(points) == _MOST else lost_path()
     before = points[-2]
     s = float(before.tangent @ (before.weight * (last.x - before.x)))
     s += before.slope * (last.parameter - before.parameter)

@@ -116,8 +116,8 @@ class _Latest:
     ) -> SpaceJoint:
         """Return the joint of a design, found once."""
         for i, (joint, drawn, made_of, own, at) in enumerate(self.known):
-            same = drawn is geometry and made_of is material and at is temperature
-            if same and own == sizes:
+            same = made_of is material and at is temperature
+            if same and drawn.has_blades_of(geometry) and own == sizes:
                 self.known.append(self.known.pop(i))
                 return joint
         density = material.density.value if material.density is not None else 0.0

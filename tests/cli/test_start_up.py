@@ -1,8 +1,10 @@
 """A start loads what a check needs: counted in modules, for seconds are the machine's."""
 
+import os
 import subprocess
 import sys
 from collections import Counter
+from pathlib import Path
 
 import pytest
 
@@ -26,6 +28,20 @@ try:
 except SystemExit as end:
     code = end.code
 print(code, *sorted(name for name in sys.modules if name.partition(".")[0] == "flexcli"))
+"""
+
+
+TASKS = Path("/proc/self/task")
+
+THREADS = f"""
+import sys
+sys.argv = ["flexure", "check", sys.argv[1], "--model", "exact"]
+from flexcli.cli.app import main
+try:
+    main()
+except SystemExit:
+    from pathlib import Path
+    print(len(list(Path("{TASKS}").iterdir())))
 """
 
 
@@ -66,3 +82,19 @@ def test_everyday_units_of_either_kind_load_no_library_of_units():
         capture_output=True, text=True, check=True, timeout=60,
     )  # fmt: skip
     assert run.stdout.split("\n")[:2] == ["(2000.0, 'N/m')", "False"]
+
+
+@pytest.mark.skipif(not TASKS.exists(), reason="threads are counted as Linux tells them")
+@pytest.mark.skipif((os.cpu_count() or 1) < 2, reason="there is but one core")
+def test_matrices_are_solved_in_one_thread_unless_the_environment_says_otherwise(tmp_path):
+    spec = tmp_path / "flexure.yaml"
+    spec.write_text(EASY, encoding="utf-8")
+    free = {key: value for key, value in os.environ.items() if not key.endswith("_NUM_THREADS")}
+    threads = []
+    for stated in ({}, {"OPENBLAS_NUM_THREADS": "2"}):
+        run = subprocess.run(
+            [sys.executable, "-c", THREADS, str(spec)],
+            capture_output=True, text=True, check=True, timeout=60, env=free | stated,
+        )  # fmt: skip
+        threads.append(int(run.stdout.splitlines()[-1]))
+    assert threads == [1, 2]

@@ -156,6 +156,13 @@ def test_no_critical_load_is_said_to_be_none():
     assert said.value.code == "no-critical-load"
 
 
+def test_a_blade_that_a_moment_rolls_up_has_an_endless_path():
+    roll = PUSH._replace(force=(0.0, 0.0), moment=EI / l)
+    with pytest.raises(SolveError) as said:
+        critical_load(cantilever(), {}, [roll], most=1e3, effects=SLENDER)
+    assert said.value.code == "endless-path"
+
+
 def test_a_start_that_falls_by_itself_is_named():
     pushed = PUSH._replace(force=(-3.0 * EI / l**2, 0.0))
     with pytest.raises(SolveError) as said:

@@ -7,6 +7,7 @@ from math import cos, inf, isfinite, sin
 import numpy as np
 
 from flexcli.engine.joint_models.joint_states import blades_of, layout_of, paths, turned
+from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.errors import SolveError
 from flexcli.formulas.buckling import johnson_stress
 from flexcli.formulas.plate_factors import pure_bending_factor
@@ -24,7 +25,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.ends import ENDS, Hold
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare
-from flexcli.parts.requirements.closed_form import across_width, of_case
+from flexcli.parts.requirements.closed_form import of_case
 from flexcli.parts.scene import Push
 from flexcli.results import ErrorRange
 from flexcli.units import show
@@ -79,13 +80,11 @@ class PushScene:
 def linear_critical_forces(ask: Ask, effects: Effects) -> Iterator[Critical]:
     """Yield the critical forces of straight blades at rest, one for each sense they may have."""
     for push in ask.scene.pushes():
-        scene = push_scene(ask, push)
-        found = _straight(scene, effects)
+        scene, found = _straight_under(ask, push, effects)
         error = None if ask.scene.bends else _linear_error(scene, found)
         source = f"linear beams at rest, {scene.hold.spoken}"
         critical = Critical(WAY, found.factor, source, found.stress, error)
         yield of_case(ask, push, critical)
-    yield from across_width(ask)
 
 
 def exact_critical(
@@ -93,20 +92,23 @@ def exact_critical(
 ) -> Iterator[Critical]:
     """Yield the critical forces at the motions that a case holds, the least of them for each sense.
 
-    They are those of rest and of both ends of its stroke.
+    They are those of rest and of both ends of its stroke. Of one force that acts either way, the
+    sense that bears more is looked at no further than where it is seen to.
     """
-    for push in ask.scene.pushes():
-        scene = push_scene(ask, push)
-        straight = _straight(scene, effects)
+    pushes = ask.scene.pushes()
+    senses = [(push, *_straight_under(ask, push, effects)) for push in pushes]
+    either_way, most = len({push.force for push in pushes}) == 1 and len(pushes) == 2, inf
+    for push, scene, straight in sorted(senses, key=lambda sense: sense[2].factor):
         least: Critical | None = None
         for travel in _travels(ask):
             solver = _Exact(ask, scene, effects, tolerance, levels, travel)
-            found = solver.critical(straight, inf if least is None else float(least.force))
+            found = solver.critical(straight, most if least is None else float(least.force))
             if found is not None and (least is None or found.force < least.force):
                 least = found
-        assert least is not None  # of the first travel there is always one
-        yield of_case(ask, push, least)
-    yield from across_width(ask)
+        if least is not None:
+            yield of_case(ask, push, least)
+            unsure = 0.0 if least.error is None else least.error.high
+            most = float(least.force) * (1.0 + unsure) if either_way else inf
 
 
 def warm_shares(
@@ -183,6 +185,19 @@ def ends_held(scene: PushScene, at: Sequence[float] = (0.0, 0.0, 0.0)) -> Held:
     if scene.hold.across:
         held[scene.across] = at[scene.across]
     return {MOVING: (held[0], held[1], held[2])}
+
+
+_STRAIGHT: Remembered[tuple[PushScene, LinearCritical]] = Remembered(of_blades=True)
+
+
+def _straight_under(ask: Ask, push: Push, effects: Effects) -> tuple[PushScene, LinearCritical]:
+    """Return the joint under a push and the critical factor of straight blades, found once."""
+
+    def find() -> tuple[PushScene, LinearCritical]:
+        scene = push_scene(ask, push)
+        return scene, _straight(scene, effects)
+
+    return _STRAIGHT.of(f"{push} {effects}", ask, find)
 
 
 def _straight(scene: PushScene, effects: Effects) -> LinearCritical:
@@ -287,7 +302,7 @@ class _Exact:
         except SolveError as error:
             if error.code == "no-critical-load" and (most == least or not self._leans(straight)):
                 return None if most == least else self._told(inf, straight.stress)
-            if error.code not in ("no-critical-load", "lost-path"):
+            if error.code not in ("no-critical-load", "lost-path", "endless-path"):
                 raise NotAvailable(f"has no exact critical load: {error}") from error
             return self._where_it_stands(start, straight, near)
         return self._told(reached.factor, straight.stress)

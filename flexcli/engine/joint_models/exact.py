@@ -32,6 +32,7 @@ from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, on
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical, Held
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
+from flexcli.parts.requirements.closed_form import across_width
 from flexcli.parts.temperature import held_bending, held_lengths
 from flexcli.results import ErrorRange, QuantityKind
 
@@ -77,9 +78,11 @@ class ExactModel(JointModel):
         self.covers = covered("exact", self.effects)
         self.tolerance = tolerance
         self.levels = levels
-        self._known_stresses: Remembered[tuple[list[EndStress], float]] = Remembered("exact")
-        self._known_states: Remembered[Equilibrium] = Remembered()
-        self._known_pairs: Remembered[tuple[float, float]] = Remembered("exact")
+        self._known_stresses: Remembered[tuple[list[EndStress], float]]
+        self._known_stresses = Remembered("exact", of_blades=True)
+        self._known_states: Remembered[Equilibrium] = Remembered(of_blades=True)
+        self._known_pairs: Remembered[tuple[float, float]] = Remembered("exact", of_blades=True)
+        self._known_critical: Remembered[tuple[Critical, ...]] = Remembered(of_blades=True)
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the solver's own error: by how much its last two levels of nodes differ.
@@ -263,7 +266,9 @@ class ExactModel(JointModel):
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the forces at which the joint buckles at any motion that the case holds."""
-        return tuple(exact_critical(ask, self.effects, self.tolerance, self.levels))
+        find = partial(exact_critical, ask, self.effects, self.tolerance, self.levels)
+        in_plane = self._known_critical.of("critical", ask, lambda: tuple(find()))
+        return (*in_plane, *across_width(ask))
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return the shares of temperature and loads together at which the joint buckles."""

@@ -24,6 +24,7 @@ from flexcli.numerics.rows import all_of_each, isfinite, larger, of_each, states
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import AS_PRINTED, Ask, EndStress, JointModel
+from flexcli.parts.requirements.closed_form import across_width
 from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -54,8 +55,9 @@ class LinearModel(JointModel):
     def __init__(self, effects: Effects | None = None) -> None:
         self.effects = Effects() if effects is None else effects
         self.covers = covered("linear", self.effects)
-        self._known: Remembered[list[EndStress]] = Remembered("linear")
-        self._known_stiffness: Remembered[tuple[float, int, float]] = Remembered("linear")
+        self._known: Remembered[list[EndStress]] = Remembered("linear", of_blades=True)
+        self._known_stiffness: Remembered[tuple[float, int, float]]
+        self._known_stiffness = Remembered("linear", of_blades=True)
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the error of a linear solution: that of its nodes, which its stiffness tells.
@@ -117,7 +119,7 @@ class LinearModel(JointModel):
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the forces at which the joint buckles at rest, its blades straight until then."""
-        return tuple(linear_critical_forces(ask, self.effects))
+        return (*linear_critical_forces(ask, self.effects), *across_width(ask))
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""

@@ -18,16 +18,18 @@ MOST = 32
 class Remembered(Generic[Answer]):
     """Answers by what was asked and of which case, the latest of them; that there is none too.
 
-    Those of a named model are kept for other passes over some of the same designs.
+    Those of a named model are kept for other passes over some of the same designs. What is said
+    ``of_blades`` alone holds however they end.
     """
 
-    def __init__(self, model: str = "") -> None:
+    def __init__(self, model: str = "", *, of_blades: bool = False) -> None:
         self.model = model
+        self.of_blades = of_blades
         self._known: list[tuple[str, Ask, Answer | NotAvailable]] = []
 
     def of(self, what: str, ask: Ask, find: Callable[[], Answer]) -> Answer:
         """Return the answer to a question on a case, found once."""
-        known = next((a for name, of, a in self._known if name == what and _same(of, ask)), None)
+        known = next((a for name, of, a in self._known if name == what and self._is(of, ask)), None)
         if known is None:
             try:
                 named = f"{what} of {self.model}"
@@ -39,13 +41,14 @@ class Remembered(Generic[Answer]):
             raise known
         return known
 
-
-def _same(one: Ask, other: Ask) -> bool:
-    return (
-        one.geometry is other.geometry
-        and one.material is other.material
-        and one.mechanism is other.mechanism
-        and one.sizes == other.sizes
-        and one.scene == other.scene
-        and (one.near is None) == (other.near is None)
-    )
+    def _is(self, one: Ask, other: Ask) -> bool:
+        """Return whether what is known of one question answers another."""
+        same = one.geometry is other.geometry
+        return (
+            one.material is other.material
+            and one.mechanism is other.mechanism
+            and (same or (self.of_blades and one.geometry.has_blades_of(other.geometry)))
+            and one.sizes == other.sizes
+            and one.scene == other.scene
+            and (one.near is None) == (other.near is None)
+        )

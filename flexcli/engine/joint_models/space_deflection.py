@@ -4,15 +4,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.space_stroke import (
-    BEAMS,
     along_cases,
     at_travel,
     compliance_along_cases,
 )
 from flexcli.errors import SolveError
 from flexcli.formulas.rigid_motion import motion_at
-from flexcli.mechanics.space.exact.demand import drive_frame
-from flexcli.mechanics.space.exact.equilibrium import solve
 from flexcli.mechanics.space.layout import SpaceLoad
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
@@ -105,15 +102,7 @@ def _moved(ask: Ask, load: Floats, sought: Floats) -> float:
     along, body = along_cases(ask), layout.body(layout.drive.body)
     wrench = (along.T @ load).tolist()
     acting = SpaceLoad(body.name, body.point, tuple(wrench[:3]), tuple(wrench[3:]))
-    held: list[float | None] = [None] * 6
-    if ask.geometry.is_guided:
-        held[5] = 0.0  # the frame's third axis is z
-    state = solve(
-        layout, {body.name: held}, loads=[acting], frames=drive_frame(layout.drive),
-        tolerance=BEAMS.tolerance, levels=BEAMS.levels, made=BEAMS.made,
-    ).checked()  # fmt: skip
-    if state.unstable:
-        raise NotAvailable("buckles under its wrench with the drive free")
+    state = at_travel(ask._replace(near=None), None, loads=(acting,))
     return float(sought @ along @ state.motion_of(body.name, body.point))
 
 

@@ -108,7 +108,8 @@ def at_travel(
             near = ask.near._replace(scene=ask.scene)
             about = at_travel(near, travel, blades, loads=loads, warm=warm)
             known[key] = beside(about, layout, motion, loads=loads, frames=frames, made=blades.made)
-    if ask.near is None and known[key].unstable:
+    at_rest = travel == 0.0 and not loads and heat is None
+    if ask.near is None and not at_rest and known[key].unstable:
         raise NotAvailable(f"buckles {_under(travel, loads)}")
     return known[key]
 

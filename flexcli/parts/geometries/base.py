@@ -479,6 +479,13 @@ class Geometry(Part):
         """Return it cut from one piece with its bodies where nothing says how its blades end."""
         return None
 
+    def has_blades_of(self, other: "Geometry") -> bool:
+        """Return whether another has the same bodies and blades, which may end otherwise."""
+        if self is other:
+            return True
+        mine, theirs = self.with_giving_clamps(), other.with_giving_clamps()
+        return (mine is None) != (theirs is None) and (mine == other or theirs == self)
+
     @property
     def unstated(self) -> tuple[str, ...]:
         """Return the optional keys that would tell finer models more and the spec does not give."""
