@@ -14,14 +14,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli import api
-from flexcli.errors import SolveError, SpecError
+from flexcli.errors import Finding, SolveError, SpecError
+from flexcli.numerics.compilation import compiled, has_numba, pays
 from flexcli.numerics.rows import each_alike, is_of_many, one_alone
 from flexcli.parts.base import Texts
 from flexcli.results import Check, Result
 from flexcli.results.study import Column, StudyResult, StudyRow
 from flexcli.units import number_and_unit
 
-__all__ = ["JUDGING", "Row", "block_of", "collected", "rows_of", "shared"]
+__all__ = ["JUDGING", "Row", "block_of", "collected", "is_compiled", "rows_of", "shared"]
 
 Each = Literal["check", "verdict", "size", "simulate", "balance", "response", "stops"]
 
@@ -59,10 +60,40 @@ def block_of(
     return BLOCK if any(found is not None for _, found in passes) else 1
 
 
+def is_compiled(each: Each, points: int) -> bool:
+    """Return whether the equilibria of a study are found by compiled code.
+
+    Each verdict asks for both ends of a stroke.
+    """
+    return each == "verdict" and pays(2 * points)
+
+
 def rows_of(
+    source: api.Portable,
+    each: Each,
+    model: str | None,
+    points: Sequence[Mapping[str, str]],
+    *,
+    is_compiled: bool = False,
+) -> list[Row]:
+    """Return the rows of some points, each with its columns.
+
+    Raises
+    ------
+    SpecError
+        When the study is solved by compiled code, and Numba is not here.
+
+    """
+    if is_compiled and not has_numba():
+        text = "a worker has no Numba, by which the rest of the study is solved"
+        raise SpecError([Finding("--scheduler", text, "pip install 'flexcli[fast]' there")])
+    with compiled(is_compiled):
+        return _rows_of(source, each, model, points)
+
+
+def _rows_of(
     source: api.Portable, each: Each, model: str | None, points: Sequence[Mapping[str, str]]
 ) -> list[Row]:
-    """Return the rows of some points, each with its columns."""
     if each != "verdict" or len(points) == 1:
         return [_row_at(source, each, model, point) for point in points]
     rows: dict[int, Row] = {}

@@ -108,6 +108,20 @@ def test_what_is_found_of_each_alone_stands_among_what_is_found_together(more):
     assert_as_alone(of, points)
 
 
+@pytest.mark.parametrize("is_compiled", [False, True])
+def test_no_digit_of_a_row_hangs_on_the_designs_beside_it(is_compiled):
+    """So no cut of a study into tasks, and no worker that is lost, shows in its file."""
+    if is_compiled:
+        pytest.importorskip("numba")
+    of, points = study("rcc", 11, "exact")
+    found = [
+        [row for start in range(0, 6, size)
+         for row in rows_of(*of, points[start : min(6, start + size)], is_compiled=is_compiled)]
+        for size in (6, 4)
+    ]  # fmt: skip
+    assert found[0] == found[1]
+
+
 def test_designs_that_cannot_be_judged_together_are_judged():
     of, points = study("torsion-bar", 3)
     assert block_of(*of, points) == 1

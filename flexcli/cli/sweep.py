@@ -262,13 +262,14 @@ class _Sweep:
         from flexcli.api import Portable
         from flexcli.cli import progress
         from flexcli.parts.study import points_of
-        from flexcli.study import rows_of
+        from flexcli.study import is_compiled, rows_of
 
         self.asked, self.output, self.shown = asked, output, shown
         self.points = points_of(asked)
         self.rows: list[Row] = []
         self.made_by = Portable.of(spec), asked.each, model
-        self.task = partial(rows_of, *self.made_by)
+        fast = is_compiled(asked.each, len(self.points))
+        self.task = partial(rows_of, *self.made_by, is_compiled=fast)
         self.jobs, self.scheduler = jobs, scheduler
         self.kept = _kept(output) if resume and output is not None and output.exists() else {}
         self.may_replace = force or resume

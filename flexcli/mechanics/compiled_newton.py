@@ -8,6 +8,7 @@ whose blades all have the same pieces (one mesh).
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from importlib import import_module
 from math import cos, sin
 from typing import Any, NamedTuple, TypeVar
@@ -26,10 +27,19 @@ Complexes = NDArray[np.complex128]
 Integers = NDArray[np.intp]
 Function = TypeVar("Function", bound=Callable[..., Any])
 
-_jit: Callable[[Function], Function] = import_module("numba").njit(
-    cache=True, error_model="numpy", nogil=True, fastmath={"contract", "reassoc", "nsz", "arcp"}
-)
-"""Sums may be taken in another order; what is no number stays none."""
+
+def _jit(function: Function) -> Function:
+    """Compile a function. Sums may be taken in another order; what is no number stays none."""
+    njit = partial(
+        import_module("numba").njit, error_model="numpy", nogil=True,
+        fastmath={"contract", "reassoc", "nsz", "arcp"},
+    )  # fmt: skip
+    try:
+        compiled: Function = njit(cache=True)(function)
+    except RuntimeError:  # there is no folder to keep the machine code in
+        compiled = njit()(function)
+    return compiled
+
 
 _ENDS = tuple(NewtonEnd)
 _CONVERGED, _SINGULAR, _DIVERGED, _FAR = (

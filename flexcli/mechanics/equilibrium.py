@@ -15,7 +15,6 @@ A second solution with more nodes gives the error, design by design, until it is
 
 from collections.abc import Callable, Sequence
 from importlib import import_module
-from importlib.util import find_spec
 from time import perf_counter
 from typing import Any, NamedTuple, Protocol
 
@@ -31,6 +30,7 @@ from flexcli.mechanics.prescribed_motion import demand_of, designs_of
 from flexcli.mechanics.refinement import LEVELS, Outcome, Reached, by_steps, refined
 from flexcli.mechanics.refinement import difference as relative_difference
 from flexcli.mechanics.state import Equilibrium, Part
+from flexcli.numerics.compilation import is_compiled
 from flexcli.numerics.newton import NewtonResult
 
 __all__ = ["LEVELS", "Equilibrium", "Outcome", "difference", "solve"]
@@ -42,10 +42,6 @@ Integers = NDArray[np.intp]
 FEW = 5
 """Gauss nodes on a piece that a nearly straight path from rest begins with: small strokes need no
 more, and what is solved on them costs a third."""
-
-COMPILED = 1500
-"""States of a batch from which steps are compiled: a sweep of some 4000 designs saves what their
-loading takes, and judges a thousand at a time, each at both ends of its stroke."""
 
 
 class _Compiled(Protocol):
@@ -194,19 +190,13 @@ def solve(
 
 
 def _compiler(assembly: Assembly, designs: int) -> Callable[[Assembly, Demand], _Compiled | None]:
-    """Return what compiles Newton's method where Numba is there and the batch pays for it.
-
-    Nothing else decides, so that a batch has the same digits in any process.
-    """
-    if designs < COMPILED or len(assembly.meshes) > 1 or find_spec("numba") is None:
+    """Return what compiles Newton's method, if anything."""
+    if len(assembly.meshes) > 1 or not is_compiled(designs):
         return lambda *_: None
-    try:
-        compiled: Callable[[Assembly, Demand], _Compiled] = import_module(
-            "flexcli.mechanics.compiled_newton"
-        ).Compiled
-    except RuntimeError:  # there is no folder to keep the machine code in
-        return lambda *_: None
-    return compiled
+    found: Callable[[Assembly, Demand], _Compiled] = import_module(
+        "flexcli.mechanics.compiled_newton"
+    ).Compiled
+    return found
 
 
 def difference(coarse: Assembly, fine: Assembly, x: Floats, y: Floats, scale: Floats) -> Floats:

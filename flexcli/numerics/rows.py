@@ -56,9 +56,6 @@ LENGTH = 131
 """Designs of a pass at least: fewer are filled up by the last. More than any list of places,
 directions or nodes that a formula goes through, so that none is taken for a list of designs."""
 
-FEW = 3
-"""Designs that each had better be done alone."""
-
 
 class Diverged(Exception):
     """Designs decide differently: ``which`` take the way of true (designs,)."""
@@ -361,15 +358,12 @@ def each_alike(
 ) -> Iterator[tuple[Integers, Answer | None]]:
     """Yield the places of designs that take the same way, and the answer of a pass over them.
 
-    ``do`` is given places, some more than once. No answer is there for so few that each had better
-    be done alone, nor where something cannot be done for many.
+    ``do`` is given places, some more than once. No answer is there where something cannot be done
+    for many. A single design goes through a pass as well: its digits hang on none beside it.
     """
     todo: list[tuple[Integers, list[tuple[str, Any, Any]]]] = [(np.arange(designs), [])]
     while todo:
         which, known = todo.pop()
-        if len(which) <= FEW:
-            yield which, None
-            continue
         now = _Pass(which, known)
         try:
             answer = _passed(do, now)
