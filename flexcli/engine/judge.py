@@ -59,6 +59,9 @@ WOULD_LOOK = {
 }
 """Which requirement would look at a load that none looks at."""
 
+OUT_OF_PLANE = frozenset({LoadKind.WRENCH, LoadKind.ACCELERATION, LoadKind.TEMPERATURE})
+"""Loads that only a model of the whole joint looks at, where they act out of its plane."""
+
 
 FAR = 1.5
 """Factors over the required one beyond which a sizing asks no finer model."""
@@ -126,7 +129,8 @@ def judge(design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...]) -> J
         path = paths[id(requirement)]
         found.extend(_together(requirement, [c for c in found if c.path == path]))
     for scene in scenes:
-        found.extend(_not_judged(scene, looked_at[scene.case]))
+        lacking = design.geometry.layout_lacks
+        found.extend(_not_judged(scene, looked_at[scene.case], lacking))
         found.extend(_switched_off(design, scene.case))
     return Judgement(assess.worst_of_each(found), series.seconds, models)
 
@@ -379,11 +383,18 @@ def _together(requirement: Requirement, checks: Sequence[Check]) -> Iterator[Che
         yield check._replace(path=rows[0].path, model=rows[-1].model)
 
 
-def _not_judged(scene: Scene, looked_at: set[LoadKind]) -> Iterator[Check]:
-    """Yield a row for each load of a case that no requirement looks at."""
+def _not_judged(
+    scene: Scene, looked_at: set[LoadKind], lacking: tuple[str, ...]
+) -> Iterator[Check]:
+    """Yield a row for each load of a case that no requirement looks at.
+
+    ``lacking`` are the keys of the joint without which none can look out of its plane.
+    """
     for kind in LoadKind:
         if kind in scene.loads and kind not in looked_at:
             text = f"no requirement looks at this load; {WOULD_LOOK[kind]} would"
+            if lacking and kind in OUT_OF_PLANE:
+                text += f", given {' and '.join(f'geometry.{key}' for key in lacking)}"
             yield Check(
                 kind.value, scene.case, text, nan, nan, "", nan, nan, Verdict.NOT_JUDGED, "",
                 path=("cases", scene.case, kind.value),

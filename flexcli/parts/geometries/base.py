@@ -489,6 +489,11 @@ class Geometry(Part):
     @property
     def unstated(self) -> tuple[str, ...]:
         """Return the optional keys that would tell finer models more and the spec does not give."""
+        return self.layout_lacks
+
+    @property
+    def layout_lacks(self) -> tuple[str, ...]:
+        """Return the optional keys without which it has closed forms, but no layout."""
         return tuple(key for key in LAYOUT_KEYS if getattr(self, key, "") is None)
 
     def twisting_bars(self, sizes: Sizes) -> TwistingBars | None:
@@ -565,10 +570,9 @@ class Geometry(Part):
 
         Where the spec does not state it, they are as far apart as long.
         """
-        missing = [key for key in LAYOUT_KEYS if getattr(self, key, "") is None]
-        if not missing:
+        if not self.layout_lacks:
             return self.layout(elastic, sizes)
-        apart = dict.fromkeys(missing, number(sizes.l))
+        apart = dict.fromkeys(self.layout_lacks, number(sizes.l))
         return self.model_copy(update=apart).layout(elastic, sizes)
 
     def space_layout(self, elastic: Elastic, sizes: Sizes, density: float = 0.0) -> "SpaceLayout":
