@@ -1,11 +1,14 @@
 """Support stiffness, shift and stress at stroke by exact beams in space, from a spec."""
 
 import pytest
+from geometries_for_tests import geometry
 
 import flexcli
 from flexcli.engine.joint_models import space_stroke
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.errors import SpecError
+from flexcli.mechanics.space.exact.equilibrium import solve
+from flexcli.parts.elastic import Elastic
 
 GUIDE = """
 flexure: 1
@@ -365,3 +368,35 @@ def test_a_drive_in_space_holds_what_loads_add_to_the_joint(tmp_path, wrench):
     assert check.demand - free.demand == pytest.approx(added, rel=0.02)
     assert check.factor_range is not None
     assert check.factor_range[1] / check.factor_range[0] < 1.2
+
+
+TWISTED = Elastic(110e9, 0.31)
+
+
+def torque(kind, angle, **sizes):
+    """Return a torsion joint, its sizes, and the torque of beams in space that hold it twisted."""
+    joint = geometry(kind, **sizes)
+    found = joint.sized({})
+    layout = joint.space_layout(TWISTED, found)
+    held = {"moving": (None, None, None, None, None, angle)}
+    return joint, found, solve(layout, held).checked().reactions[0, 5]
+
+
+@pytest.mark.parametrize("bars", [1, 2])
+@pytest.mark.parametrize("warping", ["free", "restrained"])
+def test_bars_by_beams_in_space_bear_the_torque_of_their_closed_form(warping, bars):
+    """Saint-Venant's where ends warp, Benscoter's where they do not."""
+    ends = {"warping": warping, "bars": bars, "shortening": "free" if bars == 1 else "held"}
+    joint, sizes, found = torque("torsion-bar", 1e-5, **ends)
+    assert found == pytest.approx(1e-5 * joint.stiffness(TWISTED, sizes), rel=1e-6)
+
+
+@pytest.mark.parametrize("bars", [1, 2])
+def test_far_twisted_bars_stiffen_by_their_long_fibres(bars):
+    """``E/2 ∫(r² − c)² dA τ³`` besides, c the mean of r² where the ends come closer, else none."""
+    free = bars == 1
+    shape = {"h": 0.1, "l": 30.0, "b": 3.0, "warping": "free", "bars": bars}
+    joint, sizes, found = torque("torsion-bar", 1.0, shortening="free" if free else "held", **shape)
+    stiff = joint.fibre_stiffening(TWISTED, sizes, 1.0, free=free)
+    assert stiff > 1.2 * joint.stiffness(TWISTED, sizes)
+    assert found == pytest.approx(stiff, rel=1e-3)

@@ -188,7 +188,9 @@ def test_loads_of_a_wrench_add():
     [
         ("leaf-spring-stage", {"spacing": None}, TITANIUM, "needs spacing"),
         ("hinged-stage", {"spacing": None}, TITANIUM, "needs spacing"),
-        ("torsion-bar", {}, TITANIUM, "not made of straight blades"),
+        ("torsion-bar", {"bars": 3}, TITANIUM, "more than two bars"),
+        ("torsion-bar", {"bars": 1, "shortening": "held"}, TITANIUM, "held along its axis"),
+        ("torsion-star", {}, TITANIUM, "joined where they cross"),
         ("rcc", {}, {"youngs_modulus": "114 GPa"}, "material.poisson_ratio"),
     ],
 )
@@ -229,3 +231,18 @@ def test_pairs_side_by_side_resist_tilting_on_their_arms_about_the_middle_of_the
         moved = np.block([[turn, turn @ arm], [np.zeros((3, 3)), turn]])
         K += moved.T @ np.diag(own) @ moved
     assert found == pytest.approx(1.0 / np.diag(np.linalg.inv(K))[[0, 1, 3, 4]], rel=1e-5)
+
+
+@pytest.mark.parametrize("bars", [1, 2])
+def test_torsion_bars_hold_their_body_as_cantilevers_that_carry_it(bars):
+    """Their width along y: 3 E I/l³ of one with its end free; of two, 12 E I/l³ of either side."""
+    l, h, b = 20e-3, 0.5e-3, 4e-3
+    at = {"h": "0.5 mm", "l": "20 mm", "b": "4 mm", "bars": bars}
+    asked = [{"direction": way, "min": "1 N/m"} for way in ("x", "y", "z")]
+    found = checks_of("torsion-bar", {"support": asked}, **at)
+    factors = [check.factor for check in found if check.name.startswith("support")]
+    shape = 3.0 if bars == 1 else 24.0
+    beams = [shape * E * b * h**3 / 12.0 / l**3, shape * E * h * b**3 / 12.0 / l**3]
+    beams.append(bars * E * b * h / l)
+    # plates, sheets and shear between clamps
+    assert factors == pytest.approx(beams, rel=0.06 if bars == 1 else 0.13)

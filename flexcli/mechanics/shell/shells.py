@@ -234,6 +234,9 @@ def shells_of(layout: SpaceLayout, effects: BeamEffects, level: int) -> Shells:
 
 
 def _thickness(blade: SpaceBlade) -> float:
+    if blade.warps:
+        text = f"{blade.name}: its clamps let it warp"
+        raise SolveError("warping-ends", text, "clamps of shells keep ends flat; take model exact")
     if isinstance(blade.profile, Constant):
         return float(blade.profile.h)
     raise SolveError(

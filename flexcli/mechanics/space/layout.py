@@ -90,7 +90,7 @@ class SpaceBlade:
     ``profile`` is the thickness from ``start`` to ``end`` [m], ``b`` the width [m] in the
     direction ``width`` (of any length; what it has along the blade plays no part). ``peak`` are
     the factors by which its shape raises the stress of a section: in bending across the
-    thickness, and along the blade.
+    thickness, and along the blade. ``warps`` says that its clamps do not keep its ends flat.
     """
 
     name: str
@@ -103,6 +103,7 @@ class SpaceBlade:
     b: float
     material: Isotropic | Directed
     peak: tuple[float, float] = (1.0, 1.0)
+    warps: bool = False
 
     @property
     def axes(self) -> Floats:

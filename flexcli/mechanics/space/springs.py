@@ -9,6 +9,7 @@ from flexcli.formulas.blade_spring import BladeSprings, bending, blade_springs
 from flexcli.formulas.card import Range, outside
 from flexcli.formulas.clamped_blade import VALIDITY, ClampedSprings, clamped_blade, clamped_rod
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch
+from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.mechanics.space.exact.mesh import mesh_of
 from flexcli.mechanics.space.exact.section import BeamEffects, section_of
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod
@@ -109,7 +110,11 @@ def _clamped(blade: SpaceBlade, h: float, l: float) -> tuple[ClampedSprings, boo
     across = material.across if isinstance(material, Directed) else None
     b = blade.b if across is None else max(1.0, across.wider) * blade.b
     known = not outside(VALIDITY, {"h/l": h / l, "b/l": b / l})
-    return clamped_blade(E=material.E, G=material.G, h=h, l=l, b=blade.b, across=across), known
+    found = clamped_blade(E=material.E, G=material.G, h=h, l=l, b=blade.b, across=across)
+    if blade.warps:
+        found.stiffness[3] = material.G * float(torsion_constant(h, blade.b)) / l
+        found.low[3] = found.high[3] = 0.0
+    return found, known
 
 
 def _in_series(hinge: ClampedSprings, arm: float) -> ClampedSprings:

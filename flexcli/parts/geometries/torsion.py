@@ -1,7 +1,7 @@
 """Torsion bars: a body turns about the axis of the bars that hold it."""
 
 from abc import abstractmethod
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import exp, inf, pi, sqrt
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
@@ -16,12 +16,29 @@ from flexcli.formulas import (
     torsion_shapes,
 )
 from flexcli.formulas.card import Card, Range
+from flexcli.formulas.profile import Constant as Thickness
 from flexcli.formulas.quantity import Computed
 from flexcli.formulas.section import second_moment
+from flexcli.mechanics.space.layout import (
+    Drive,
+    Isotropic,
+    SpaceBlade,
+    SpaceBody,
+    SpaceLayout,
+    SpaceRod,
+    Vector,
+)
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.twist import EndErrors, Twist
-from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import Blade, Extent, Geometry, TwistingBars
+from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.geometries.base import (
+    GROUND,
+    MOVING,
+    Blade,
+    Extent,
+    Geometry,
+    TwistingBars,
+)
 from flexcli.results import Value
 
 __all__ = ["RoundTorsionBar", "Section", "TorsionBar", "TorsionGeometry", "TorsionStar"]
@@ -152,6 +169,28 @@ class TorsionGeometry(Geometry):
             mean_square=section.mean if free else 0.0,
         )  # fmt: skip
         return self.stiffness(elastic, sizes) + self.bars * torque / twist
+
+    @abstractmethod
+    def members(
+        self, name: str, start: Vector, elastic: Elastic, sizes: Any, density: float
+    ) -> Iterator[SpaceBlade | SpaceRod]:
+        """Yield what a bar is, from its start to where the body is."""
+
+    def space_layout(self, elastic: Elastic, sizes: Any, density: float = 0.0) -> SpaceLayout:
+        """Return the bars along z up to the body in the origin, a second one beyond it."""
+        if self.bars > 2:
+            raise NotAvailable("has more than two bars: on which side they are is open")
+        if self.bars == 1 and self.shortening == "held":
+            raise NotAvailable("is held along its axis by something that the spec does not tell")
+        l, at = float(sizes.l), (0.0, 0.0, 0.0)
+        starts = {"below": (0.0, 0.0, -l), "above": (0.0, 0.0, l)}
+        members = tuple(
+            each
+            for name, start in list(starts.items())[: self.bars]
+            for each in self.members(name, start, elastic, sizes, density)
+        )
+        drive = Drive(MOVING, True, (0.0, 0.0, 1.0), at)
+        return SpaceLayout((SpaceBody(MOVING, at, at),), members, drive)
 
     def values(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Value]:
         """Return the moment over the rotation at full stroke, with the long fibres."""
@@ -302,6 +341,17 @@ class TorsionBar(TorsionGeometry):
         stiffness = max(-float(error.stiffness.low), float(error.stiffness.high))
         return EndErrors(stiffness, max(-low, high))
 
+    def members(
+        self, name: str, start: Vector, elastic: Elastic, sizes: Blade, density: float
+    ) -> Iterator[SpaceBlade]:
+        """Yield one strip, its h along x and its b along y."""
+        h, b, end = float(sizes.h), float(sizes.b), (0.0, 0.0, 0.0)
+        width = (0.0, 1.0, 0.0) if h <= b else (1.0, 0.0, 0.0)
+        yield SpaceBlade(
+            name, GROUND, MOVING, start, end, width, Thickness(min(h, b)), max(h, b),
+            Isotropic(float(elastic.E), float(elastic.G), density), warps=not self.is_restrained,
+        )  # fmt: skip
+
     def volume(self, sizes: Blade) -> Computed:
         """Return the volume of the bars [m³]."""
         return self.bars * sizes.h * sizes.l * sizes.b
@@ -357,6 +407,13 @@ class RoundTorsionBar(TorsionGeometry):
     def shear(self, elastic: Elastic, sizes: RoundSizes, twist: float) -> Computed:
         """Return the shear stress at the surface [Pa]."""
         return torsion_bar.shear_stress(G=elastic.G, h=sizes.d, l=sizes.l, theta=twist, factor=0.5)
+
+    def members(
+        self, name: str, start: Vector, elastic: Elastic, sizes: RoundSizes, density: float
+    ) -> Iterator[SpaceRod]:
+        """Yield one rod."""
+        material = Isotropic(float(elastic.E), float(elastic.G), density)
+        yield SpaceRod(name, GROUND, MOVING, start, (0.0, 0.0, 0.0), float(sizes.d), material)
 
     def volume(self, sizes: RoundSizes) -> Computed:
         """Return the volume of the bars [m³]."""
@@ -433,6 +490,14 @@ class TorsionStar(TorsionGeometry):
     def shear(self, elastic: Elastic, sizes: Blade, twist: float) -> Computed:
         """Return the shear stress of the thin strips [Pa]."""
         return torsion_bar.shear_stress(G=elastic.G, h=sizes.h, l=sizes.l, theta=twist)
+
+    def members(
+        self, name: str, start: Vector, elastic: Elastic, sizes: Blade, density: float
+    ) -> Iterator[SpaceBlade]:
+        """Refuse: its strips are one section, whose shear and bending nobody has compared."""
+        raise NotAvailable(
+            "has strips that are joined where they cross, which is no blade in space"
+        )
 
     def volume(self, sizes: Blade) -> Computed:
         """Return the volume of the strips, their crossing counted once [m³]."""

@@ -191,9 +191,10 @@ def _of_strip(
     edge = (1.0 / plate.guided - 1.0 / plate.pure) / 0.8
     shear = effects.shear * EI / (SHEAR_FACTOR * G * A * l**2)
     I_p, J = bent + wide, torsion_constant(h, b)
+    held = effects.warping and not blade.warps
     curls = h == plate.curls
     fourth = rectangle_fourth_moment(h, b) - I_p**2 / A - curls * h * b**5 / 180.0
-    apart = 1.0 - effects.warping * J / I_p
+    apart = 1.0 - held * J / I_p
     return Compliances(
         axial=effects.extension * EI / (E * A * l**2) / plate.stretched,
         shear_y=shear,
@@ -203,9 +204,9 @@ def _of_strip(
         bend_z_edge=EI / (E * bent) * edge,
         curl=curls * 3.0 * (1.0 - nu**2) * (b**2 / (h * l)) ** 2,
         torsion=G * J / apart / EI,
-        warping=effects.warping * E / (1.0 - nu**2) * warping(h, b).constant / (EI * l**2),
+        warping=held * E / (1.0 - nu**2) * warping(h, b).constant / (EI * l**2),
         apart=apart,
-        spin=effects.warping * EI / (G * I_p),
+        spin=held * EI / (G * I_p),
         polar=effects.long_fibres * I_p / (A * l**2),
         fibres=effects.long_fibres * E / 2.0 * fourth / (EI * l**2),
     )

@@ -142,7 +142,7 @@ def _of_section(
         )
     b = blade.b
     thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
-    held = effects.warping * E / (1.0 - nu**2) * warping(h, b).largest * rates
+    held = (effects.warping and not blade.warps) * E / (1.0 - nu**2) * warping(h, b).largest * rates
     r2 = (h**2 + b**2) / 12.0
     fibres = long_fibres * E * tau**2 / 2.0 * ((h**2 + b**2) / 4.0 - r2)
     axial = N / (b * h)
