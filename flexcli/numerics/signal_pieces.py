@@ -99,27 +99,43 @@ def half_sine(*, amplitude: float, width: float, duration: float) -> Iterator[Pi
     yield Piece(duration - width, ())
 
 
-def linear_sweep(*, amplitude: float, start: float, end: float, duration: float) -> Iterator[Piece]:
-    """Yield a sine whose angular frequency goes from start to end at a steady rate.
+def linear_sweep(
+    *,
+    amplitude: float,
+    start: float,
+    end: float,
+    duration: float,
+    power: int = 0,
+    phase: float = 0.0,
+) -> Iterator[Piece]:
+    """Yield a sine whose angular frequency ω goes from start to end at a steady rate.
 
-    Each piece is a carrier times the Taylor series of the slow turn against it, to rounding.
+    Its amplitude goes with ω to a power. Each piece is a carrier times the Taylor series of the
+    slow turn against it, to rounding.
     """
     rate = (end - start) / duration
     t = 0.0
     while t < duration:
         omega = start + rate * t
         length = _piece_length(omega, rate, duration - t)
-        phase = t * (start + rate * t / 2.0)
-        yield _chirp(amplitude, phase, omega, [0.0, 0.0, rate / 2.0], length)
+        at, turn = phase + t * (start + rate * t / 2.0), [0.0, 0.0, rate / 2.0]
+        swell = [comb(power, j) * omega ** (power - j) * rate**j for j in range(power + 1)]
+        yield _chirp([amplitude * c for c in swell], at, omega, turn, length)
         t += length
 
 
 def logarithmic_sweep(
-    *, amplitude: float, start: float, end: float, duration: float
+    *,
+    amplitude: float,
+    start: float,
+    end: float,
+    duration: float,
+    power: int = 0,
+    phase: float = 0.0,
 ) -> Iterator[Piece]:
     """Yield a sine whose angular frequency goes from start to end by equal ratios in equal times.
 
-    Pieces as in ``linear_sweep``.
+    Amplitude and pieces as in ``linear_sweep``.
     """
     k = log(end / start) / duration
     t = 0.0
@@ -131,7 +147,10 @@ def logarithmic_sweep(
         while abs(coefficient) * length ** (len(turn) - 1) > _SMALLEST:
             coefficient *= k / len(turn)
             turn.append(coefficient)
-        yield _chirp(amplitude, (omega - start) / k, omega, turn, length)
+        swell = [amplitude * omega**power]
+        while power and abs(swell[-1]) * length ** (len(swell) - 1) > _SMALLEST * abs(swell[0]):
+            swell.append(swell[-1] * power * k / len(swell))
+        yield _chirp(swell, phase + (omega - start) / k, omega, turn, length)
         t += length
 
 
@@ -142,9 +161,9 @@ def _piece_length(omega: float, rate: float, rest: float) -> float:
 
 
 def _chirp(
-    amplitude: float, phase: float, omega: float, turn: Sequence[float], length: float
+    swell: Sequence[float], phase: float, omega: float, turn: Sequence[float], length: float
 ) -> Piece:
-    """Return ``A sin(φ + ωt + ψ(t))`` for a small polynomial ψ, as exp(iψ) in powers of t."""
+    """Return ``A(t) sin(φ + ωt + ψ(t))`` for a small polynomial ψ, A exp(iψ) in powers of t."""
     # E = exp(iψ) obeys E' = iψ'E, which gives its coefficients one after another
     series = [1.0 + 0j]
     slope = [1j * k * c for k, c in enumerate(turn)][1:]
@@ -154,5 +173,5 @@ def _chirp(
         total = sum(slope[j] * series[k - 1 - j] for j in range(min(k, len(slope))))
         series.append(total / k)
         quiet = quiet + 1 if abs(series[-1]) * length**k < _SMALLEST else 0
-    scale = -1j * amplitude * exp(1j * phase)
-    return Piece(length, _conjugates(1j * omega, [scale * c for c in series[: -quiet or None]]))
+    found = np.convolve(series[: -quiet or None], swell) * (-1j * exp(1j * phase))
+    return Piece(length, _conjugates(1j * omega, found.tolist()))

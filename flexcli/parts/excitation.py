@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator, Field, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
-from flexcli.errors import SolveError
 from flexcli.parts.base import Frequency, Part, QuantityOf, spec_error
 from flexcli.units import STANDARD_GRAVITY, show
 
@@ -73,6 +72,15 @@ class _Levels(Part):
         each = [a * omega**n for n, a in enumerate(self._given) if a is not None]
         return np.asarray(np.minimum.reduce(each))
 
+    def governing(self, f: float) -> tuple[int, float]:
+        """Return which level is the least at a frequency [Hz], and its amplitude.
+
+        It is 0 of the acceleration [m/s²], 1 of the velocity [m/s], 2 of the displacement [m].
+        """
+        omega = 2.0 * pi * f
+        given = [(n, a) for n, a in enumerate(self._given) if a is not None]
+        return min(given, key=lambda each: each[1] * omega ** each[0])
+
     @property
     @abstractmethod
     def band(self) -> tuple[float, float]:
@@ -101,16 +109,9 @@ class _Levels(Part):
         edges = [low, *self.crossovers, high]
         parts = []
         for a, b in pairwise(edges):
-            middle = np.array((a * b) ** 0.5)
-            at, omega = float(self.level(middle)), 2.0 * pi * float(middle)
-            units = ((0, "m/s^2"), (1, "m/s"), (2, "m"))
-            given = zip(self._given, units, strict=True)
-            n, size, unit = next(
-                (n, x, unit)
-                for x, (n, unit) in given
-                if x is not None and abs(x * omega**n / at - 1.0) < 1e-9
-            )
-            shown = show(size / STANDARD_GRAVITY, "g") if n == 0 else show(size, unit)
+            n, size = self.governing((a * b) ** 0.5)
+            unit = ("", "m/s", "m")[n]
+            shown = show(size, unit) if n else show(size / STANDARD_GRAVITY, "g")
             parts.append(f"{shown} to {b:.4g} Hz")
         return f"{self.word} from {low:g} Hz, {', '.join(parts)}, along {self.axis}"
 
@@ -183,17 +184,12 @@ class Sweep(_Levels):
         return self
 
     @property
-    def acceleration(self) -> float:
-        """Return the amplitude of the acceleration, where it is constant [m/s²]."""
-        if self.velocity is not None or self.displacement is not None:
-            raise SolveError(
-                "no-constant-level",
-                "this runs sweeps of constant acceleration alone, and the sweep has a displacement "
-                "or a velocity",
-                "split the case: a sweep of acceleration, and sines at its lower frequencies",
-            )
-        assert self.given_acceleration is not None  # one of the three is given
-        return self.given_acceleration
+    def acceleration(self) -> float | None:
+        """Return the amplitude of the acceleration [m/s²], nothing where it is not constant."""
+        low, high = self.band
+        governs = {self.governing(f) for f in (low, high)}
+        constant = len(governs) == 1 and not self.crossovers and next(iter(governs))[0] == 0
+        return self.given_acceleration if constant else None
 
     @property
     def band(self) -> tuple[float, float]:

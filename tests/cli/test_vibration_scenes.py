@@ -67,15 +67,6 @@ def test_crossovers_are_told(respond):
     assert "10 mm to 19.3 Hz, 15 g to 99 Hz" in found["responses"][0]["kind"]
 
 
-def test_stops_say_that_they_run_no_sweep_of_displacement(respond):
-    from flexcli.errors import SolveError
-    from flexcli.parts.excitation import Sweep
-
-    sweep = Sweep(**{"from": "5 Hz", "to": "9 Hz"}, rate="1 Hz/s", displacement="1 mm")
-    with pytest.raises(SolveError, match="constant acceleration"):
-        assert sweep.acceleration
-
-
 def test_a_mode_s_own_q_counts_for_it_alone(respond):
     profile = flat(20, 2000)
     plain = peaks(respond(f"asd: {{profile: {profile}, q: 80}}"))

@@ -39,6 +39,26 @@ def test_pieces_of_a_sweep_join_to_the_sine_of_its_phase(pieces, phase):
     assert t == pytest.approx(9.0, rel=1e-12)
 
 
+@pytest.mark.parametrize("power", [1, 2])
+@pytest.mark.parametrize("ends", [(1.0, 4.0), (4.0, 1.0)])
+def test_the_amplitude_of_a_sweep_goes_with_a_power_of_its_frequency(power, ends):
+    start, end = ends
+    how = {"amplitude": 2.0, "start": start, "end": end, "duration": 9.0, "power": power}
+    k = np.log(end / start) / 9.0
+    for pieces, omega, phase in (
+        (linear_sweep(**how, phase=0.3), lambda t: start + (end - start) * t / 9.0,
+         lambda t: start * t + (end - start) * t * t / 18.0),
+        (logarithmic_sweep(**how, phase=0.3), lambda t: start * np.exp(k * t),
+         lambda t: start * np.expm1(k * t) / k),
+    ):  # fmt: skip
+        t = 0.0
+        for piece in pieces:
+            at = t + 0.3 * piece.duration
+            expected = 2.0 * omega(at) ** power * np.sin(0.3 + phase(at))
+            assert piece(0.3 * piece.duration) == pytest.approx(expected, abs=1e-11)
+            t += piece.duration
+
+
 @given(st.floats(0.0, 1.0), st.floats(0.0, 1.0))
 def test_what_is_left_of_a_piece_is_the_same_signal(start, more):
     for make, _ in CASES:

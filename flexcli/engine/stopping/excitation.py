@@ -1,7 +1,8 @@
 """The excitation of a case as pieces of time: legs of the same length, peaks taken of each."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from math import ceil, log, pi
+from itertools import pairwise
+from math import ceil, log, pi, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -98,13 +99,19 @@ def excitation(
 
 def sweep_pieces(sweep: Sweep, *, sign: int = 1, backwards: bool = False) -> Iterator[Piece]:
     """Yield a sweep from its start to its end, or back."""
-    start, end = (2.0 * pi * f for f in (sweep.start, sweep.end))
-    if backwards:
-        start, end = end, start
-    by_rate = linear_sweep if sweep.rate.is_linear else logarithmic_sweep
-    return by_rate(
-        amplitude=sign * sweep.acceleration, start=start, end=end, duration=sweep.duration
-    )
+    is_linear, phase = sweep.rate.is_linear, 0.0
+    edges = sorted((*sweep.band, *sweep.crossovers), reverse=(sweep.end < sweep.start) != backwards)
+    for first, last in pairwise(edges):
+        power, level = sweep.governing(sqrt(first * last))
+        start, end, ratio = 2.0 * pi * first, 2.0 * pi * last, log(last / first)
+        octaves = ratio / log(2.0)
+        duration = abs(last - first if is_linear else octaves) / sweep.rate.speed
+        by_rate = linear_sweep if is_linear else logarithmic_sweep
+        yield from by_rate(
+            amplitude=sign * level, start=start, end=end, duration=duration,
+            power=power, phase=phase,
+        )  # fmt: skip
+        phase += duration * ((start + end) / 2.0 if is_linear else (end - start) / ratio)
 
 
 def exposures(confidence: float) -> int:

@@ -134,8 +134,9 @@ def _ways(case: Case, blade: ModalBlade, stops: Stops) -> "Iterator[_Stepped | _
         sweep, rate = case.sweep, case.sweep.rate
         speed = f"{rate.speed:g} Hz/s" if rate.is_linear else f"{rate.speed * 60.0:g} oct/min"
         yield _Running(sweep, blade, stops, f"sweeping at {speed}")
-        low, high = sorted((2.0 * pi * sweep.start, 2.0 * pi * sweep.end))
-        yield _Stepped(sweep.acceleration, np.linspace(low, high, STEPS), blade, stops, high)
+        low, high = (2.0 * pi * f for f in sweep.band)
+        if sweep.acceleration is not None:  # the steps are of one level
+            yield _Stepped(sweep.acceleration, np.linspace(low, high, STEPS), blade, stops, high)
     if case.sine is not None:
         own = float(blade.angular[0])
         angular = own * np.linspace(*ABOUT, STEPS)

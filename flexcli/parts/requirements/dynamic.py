@@ -197,6 +197,11 @@ class DynamicBuckling(Dynamic):
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
         _refuse_temperature(ask, "the buckling under a vibration")
+        if ask.geometry.in_space:
+            raise RequirementError(
+                "the buckling of a mechanism in space under a vibration is not computed",
+                "give its peak as acceleration: in a case of its own, and ask for buckling",
+            )
         critical = least_blade_force(ask)
         capacity, crushed = borne(critical, ask.material)
         per_force = ask.geometry.axial_stress(1.0, ask.sizes)
