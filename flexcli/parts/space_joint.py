@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from functools import cached_property
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ from flexcli.results import ErrorRange
 if TYPE_CHECKING:
     from flexcli.parts.temperature import Temperature
 
-__all__ = ["SpaceJoint", "joint_in_space"]
+__all__ = ["Form", "SpaceJoint", "joint_in_space"]
 
 Floats = NDArray[np.float64]
 
@@ -29,6 +29,26 @@ RIGID = 1e8
 
 UNKNOWN = 1e3
 """Relative error from which there is no telling."""
+
+
+ROUNDING = 1e-10
+"""Share of what stands beside it below which a number is none."""
+
+
+class Form(NamedTuple):
+    """A motion under a load, how far it may be off either way if known, and √(g·C g · f·C f)."""
+
+    found: float
+    off: tuple[float, float] | None
+    work: float
+
+    @property
+    def error(self) -> ErrorRange | None:
+        """Return its relative error."""
+        if self.off is None or self.found == 0.0:
+            return None
+        low, high = sorted(end / self.found for end in self.off)
+        return ErrorRange(low, high)
 
 
 class SpaceJoint:
@@ -82,19 +102,70 @@ class SpaceJoint:
         high = value(self.stiffest) / best - 1.0
         return ErrorRange(value(self.softest) / best - 1.0, high if high < UNKNOWN else inf)
 
-    def form_error(self, found: float, work: float, softer: float = 0.0) -> ErrorRange | None:
-        """Return the error of a motion under a load, ``g·C f``.
+    @property
+    def is_mirrored(self) -> bool:
+        """Return whether the joint is its own mirror image in a plane of constant z."""
+        blades, members = self.layout.blades, self.assembly.members
+        places = [z for blade in blades for z in (blade.start[2], blade.end[2])]
+        upright = all(abs(abs(member.axes[2, 2]) - 1.0) <= ROUNDING for member in members)
+        flat = float(np.ptp(places)) <= ROUNDING * max(member.l for member in members)
+        return upright and flat and not self.layout.springs
 
-        ``work`` is √(g·C g · f·C f). The compliance lies between multiples of itself, so do forms
-        of it with the same load on both sides, and mixed ones as Schwarz has it. ``softer`` is by
-        what share clamps may give way besides.
+    @cached_property
+    def _apart(self) -> list[NDArray[np.intp]]:
+        """Return the springs in groups that share no motion of a body, however stiff they are."""
+        rows = np.abs(self.assembly.rows)
+        rows = rows / np.where(rows.any(axis=0), rows.max(axis=0), 1.0)
+        touches = rows > ROUNDING * rows.max(axis=1, keepdims=True)
+        groups, left = list[NDArray[np.intp]](), np.ones(len(rows), dtype=bool)
+        while left.any():
+            group = np.zeros(len(rows), dtype=bool)
+            group[int(np.argmax(left))] = True
+            while (more := touches[:, touches[group].any(axis=0)].any(axis=1)).sum() > group.sum():
+                group = more
+            groups.append(np.flatnonzero(group))
+            left &= ~group
+        return groups
+
+    def form(self, sought: Floats, load: Floats, softer: float = 0.0) -> Form:
+        """Return a motion under a load, ``g·C f``, and how far it may be off.
+
+        Parameters
+        ----------
+        sought, load : array
+            Deformations of all springs under g and under f (springs,).
+        softer : float
+            By what share clamps may give way besides [-].
+
+        Notes
+        -----
+        A form of the same load on both sides rises by no more than the energy of its forces in
+        softer springs says, and falls by no more than that of its motions in stiffer ones; a mixed
+        one is the difference of two such. Springs that share no motion are taken apart.
+
         """
-        if not self.is_known or found == 0.0:
-            return None
-        up = float(np.max(1.0 / (1.0 + self.low))) * (1.0 + softer) - 1.0
-        down = 1.0 - float(np.min(1.0 / (1.0 + self.high)))
-        middle, half = (up - down) / 2.0, (up + down) / 2.0 * work / abs(found)
-        return ErrorRange(middle - half, middle + half)
+        found, low, high = 0.0, 0.0, 0.0
+        k, up = self.assembly.stiffness, (1.0 + softer) / (1.0 + self.low) - 1.0
+        whole = [float(k @ d**2) for d in (sought, load)]
+        for group in self._apart:
+            g, f = sought[group], load[group]
+            work = [float(k[group] @ d**2) for d in (g, f)]
+            if any(part <= ROUNDING**2 * of for part, of in zip(work, whole, strict=True)):
+                continue
+            found += float(k[group] @ (g * f))
+            t = (work[1] / work[0]) ** 0.5
+            changes = []
+            for sign in (1.0, -1.0):
+                energy = k[group] * (t * g + sign * f) ** 2
+                used = energy > ROUNDING**2 * sum(work)
+                energy, stiffer = energy[used], self.high[group][used]
+                own = float(energy.sum())
+                down = own - own / (1.0 + float(energy @ stiffer) / own) if own else 0.0
+                changes.append((float(energy @ up[group][used]), down))
+            (rises, falls), (against, for_it) = changes
+            high += (rises + for_it) / (4.0 * t)
+            low -= (falls + against) / (4.0 * t)
+        return Form(found, (low, high) if self.is_known else None, (whole[0] * whole[1]) ** 0.5)
 
 
 MOST = 4

@@ -7,7 +7,7 @@ unknown.
 
 from collections.abc import Iterable, Iterator
 from itertools import product
-from math import inf, isfinite, pi, sqrt
+from math import inf, isfinite, pi
 from typing import NamedTuple
 
 import numpy as np
@@ -257,9 +257,8 @@ def sag(joint: SpaceJoint, scene: Scene) -> Told:
     more = _third_order(after) + abs(float(row @ after.coordinates) / found)
     if more > KNOWN:
         return Told(found, None)
-    energy = float(state.moved.forces[:, 0] @ state.moved.deformations[:, 0])
-    work = sqrt(float(row @ _answer(joint, row)) * energy)
-    error = joint.form_error(found, work)
+    answer = joint.assembly.moved(row[:, None]).deformations[:, 0]
+    error = joint.form(answer, state.moved.deformations[:, 0]).error
     return Told(found, None if error is None else error + ErrorRange(-more, more))
 
 
@@ -325,11 +324,6 @@ def _share_of_buckling(ask: Ask, load: Floats) -> float:
             continue
     narrow = max((h / b for _, h, b in ask.geometry.sections(ask.sizes)), default=1.0)
     return max(1.0, float(narrow) ** 2) / least
-
-
-def _answer(joint: SpaceJoint, load: Floats) -> Floats:
-    """Return the coordinates under a load, the drive free."""
-    return np.asarray(joint.assembly.moved(load[:, None]).coordinates[:, 0])
 
 
 def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRange | None]:

@@ -244,3 +244,46 @@ def test_at_rest_a_force_out_of_the_plane_bends_the_widths():
     found = across_stress(SpaceJoint(layout), SCENE._replace(stated=ACROSS["force"]))
     assert found.value == pytest.approx(1.0 / 3.0 * 10e-3 / (0.1e-3 * 5e-3**2 / 6.0), rel=1e-9)
     assert found.error.largest < 0.05
+
+
+def strained(joint, wrenches):
+    """Return the deformations of all springs under wrenches at the moving body (springs, n)."""
+    body = joint.layout.body(joint.layout.drive.body)
+    rows = joint.assembly.motion(body.name, body.point)
+    return joint.assembly.moved(rows.T @ wrenches).deformations
+
+
+def flat(kind):
+    joint = geometry(kind)
+    planar = joint.layout(Elastic(114e9, 0.3), joint.probe())
+    return SpaceJoint(from_plane(planar, "moving", turns=joint.motion == "rotation"))
+
+
+@pytest.mark.parametrize("kind", ["rcc", "cross-spring", "cantilever", "star", "any"])
+def test_a_motion_under_a_load_lies_within_its_error_whatever_the_springs_are(kind):
+    rng = np.random.default_rng(11)
+    joint = SpaceJoint(random_mechanism(rng)) if kind == "any" else flat(kind)
+    loads = rng.normal(size=(6, 6)) * np.array([1.0, 1.0, 1.0, 0.01, 0.01, 0.01])[:, None]
+    d, k = strained(joint, loads), joint.assembly.stiffness
+    for _ in range(40):
+        ends = np.where(rng.random(len(k)) < 0.5, joint.low, np.minimum(joint.high, 1e3))
+        other = SpaceJoint(joint.layout)
+        other.assembly = joint.assembly.scaled(1.0 + ends)
+        now = strained(other, loads)
+        for g in range(3):
+            for f in range(3, 6):
+                form = joint.form(d[:, g], d[:, f])
+                change = float(k * (1.0 + ends) @ (now[:, g] * now[:, f])) - form.found
+                low, high = form.off
+                assert low - 1e-9 * form.work <= change <= high + 1e-9 * form.work
+
+
+@pytest.mark.parametrize("kind", ["rcc", "cantilever", "star"])
+def test_a_load_in_the_plane_makes_no_motion_out_of_it_less_sure(kind):
+    joint = flat(kind)
+    across, along = np.eye(6)[2], 1e3 * np.eye(6)[[0, 1, 5]].sum(axis=0)
+    d = strained(joint, np.stack([across, along, across + along], axis=1))
+    alone, both = (joint.form(d[:, 0], d[:, i]) for i in (0, 2))
+    assert both.found == pytest.approx(alone.found, rel=1e-9)
+    assert both.off == pytest.approx(alone.off, rel=1e-6)
+    assert joint.form(d[:, 0], d[:, 1])[:2] == (0.0, (0.0, 0.0))

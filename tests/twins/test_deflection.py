@@ -64,3 +64,13 @@ def test_a_stroke_of_many_thicknesses_softens_a_stage_along_its_blades():
     stage = spec("leaf-spring-stage", case, 2.0 * straight, "y")
     stage["geometry"] |= {"blades": 2, "spacing": "20 mm"}
     assert checked(stage, "deflection").verdict != "pass"
+
+
+@pytest.mark.parametrize("kind", ["cantilever", "rcc", "guided-blade"])
+def test_no_load_in_the_plane_of_a_joint_moves_it_out_of_it(kind):
+    """By symmetry, at its stroke as at rest."""
+    stroke = {"rotation": "5 mrad"} if kind == "rcc" else {"translation": "0.1 mm"}
+    found = spec(kind, {"stroke": stroke, "wrench": {"y": "1 uN"}}, 1e-12, "z")
+    found["geometry"] |= {"p": "2 mm", "half_angle": "40 deg"} if kind == "rcc" else {}
+    said = checked(found, "deflection")
+    assert said.verdict == "pass", said

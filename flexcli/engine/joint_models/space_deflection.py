@@ -13,7 +13,7 @@ from flexcli.formulas.rigid_motion import motion_at
 from flexcli.mechanics.space.layout import SpaceLoad
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
-from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, compliance_of
+from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, compliance_of, deflection_form
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.results import ErrorRange
 
@@ -35,6 +35,9 @@ MOST = 1.0
 """Change over the number at rest beyond which that is not known any more."""
 
 
+IN, OUT = [0, 1, 5], [2, 3, 4]
+"""Motions and loads in the plane of a joint, and out of it."""
+
 ROUNDING = 1e-9
 """Share of a compliance without units below which a direction is held."""
 
@@ -46,6 +49,7 @@ def deflections(
 
     To the deflection of the joint at rest by its best springs, what the size of the wrench changes
     and what the stroke changes are added, both by exact beams; each is known to a share of itself.
+    No load in the plane of a joint that is its own mirror image there moves it out of it.
 
     Raises
     ------
@@ -58,9 +62,7 @@ def deflections(
         raise NotAvailable("has no deflection by exact beams beside a temperature")
     assert scene.wrench is not None  # of a case that has one
     load, sought = np.array(scene.wrench), motion_at(point)[DIRECTIONS.index(direction)]
-    best = compliance_of(ask)
-    first, work = float(sought @ best @ load), _size(best, sought, load)
-    error = joint.form_error(first, work, ask.clamps_give)
+    best, (first, known, work) = compliance_of(ask), deflection_form(ask, sought, load)
     try:
         rest = compliance_along_cases(ask, at_travel(ask, 0.0), CENTRE, locked=False)
         ends = (scene.middle + scene.travel, scene.middle - scene.travel) if scene.moves else ()
@@ -71,11 +73,13 @@ def deflections(
         bent = {sign: _moved(ask, sign * load, sought) for sign in (1.0, -1.0)}
     except SolveError as failed:
         raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
+    if joint.is_mirrored and not (np.any(load[OUT]) or np.any(sought[IN])):
+        return ((0.0, ErrorRange(0.0, 0.0)),)
     found: list[tuple[float, ErrorRange | None]] = []
     # what varies in thickness is no surer than its springs
     unsure = 0.0 if joint.is_uniform else float(np.max(np.maximum(joint.high, -joint.low)))
     if not np.isfinite(unsure):
-        error = None
+        known = None
     beams = max(LOAD_ERROR, unsure) + _largest_share(best - rest, rest)
     for sign, moved in bent.items():
         own = moved - sign * float(sought @ rest @ load)
@@ -87,10 +91,10 @@ def deflections(
             off = beams * abs(own) * (1.0 + abs(own) / work)
             off += max(STROKE_ERROR, unsure) * share * work
             off += abs(own) * share  # what both do to each other
-            if error is None or value == 0.0 or abs(own) + share * work > MOST * work:
+            if known is None or value == 0.0 or abs(own) + share * work > MOST * work:
                 found.append((value, None))
                 continue
-            low, high = sorted((sign * first * error.low, sign * first * error.high))
+            low, high = sorted(sign * end for end in known)
             ends_of = sorted(((low - off) / value, (high + off) / value))
             found.append((value, ErrorRange(*ends_of)))
     return tuple(found)
@@ -104,11 +108,6 @@ def _moved(ask: Ask, load: Floats, sought: Floats) -> float:
     acting = SpaceLoad(body.name, body.point, tuple(wrench[:3]), tuple(wrench[3:]))
     state = at_travel(ask._replace(near=None), None, loads=(acting,))
     return float(sought @ along @ state.motion_of(body.name, body.point))
-
-
-def _size(C: Floats, one: Floats, other: Floats) -> float:
-    """Return the largest that a form of a compliance may be, by Schwarz."""
-    return float(np.sqrt((one @ C @ one) * (other @ C @ other)))
 
 
 def _largest_share(change: Floats, C: Floats) -> float:

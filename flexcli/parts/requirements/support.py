@@ -28,7 +28,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.parts.space_joint import SpaceJoint, joint_in_space
+from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space
 from flexcli.parts.space_states import beyond_first_order
 from flexcli.results import ErrorRange, QuantityKind
 
@@ -45,6 +45,7 @@ __all__ = [
     "Place",
     "Support",
     "compliance_of",
+    "deflection_form",
     "turns",
 ]
 
@@ -112,6 +113,28 @@ def compliance_of(
         C = C - np.outer(C[:, 5], C[5]) / C[5, 5]
         C[5], C[:, 5] = 0.0, 0.0
     return np.asarray(C)
+
+
+def deflection_form(ask: Ask, sought: NDArray[np.float64], load: NDArray[np.float64]) -> Form:
+    """Return how far a wrench at the moving body's point moves what is sought, at rest.
+
+    Both are along the axes of cases (6,), all free but for a guide.
+    """
+    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    body, assembly = joint.layout.body(joint.layout.drive.body), joint.assembly
+    turned = motion_along(axes_about_z(ask.geometry.axes))
+    rows = turned @ assembly.motion(body.name, body.point)
+    wrenches = np.stack([sought, load, np.eye(6)[5]], axis=1)
+    try:
+        moved = assembly.moved(rows.T @ wrenches)
+    except SolveError as error:
+        raise NotAvailable(f"has no stiffness: {error}") from error
+    strained = moved.deformations
+    if ask.geometry.is_guided:
+        # what guides it keeps it from turning about z
+        turns = rows[5] @ moved.coordinates
+        strained = strained - np.outer(strained[:, 2], turns / turns[2])
+    return joint.form(strained[:, 0], strained[:, 1], ask.clamps_give)
 
 
 def _at(place: NDArray[np.float64]) -> Place:
@@ -429,14 +452,12 @@ class Deflection(MotionBound):
 
         Over a stroke the stiffness changes, by how much a linear model does not know.
         """
-        C, load = compliance(ask, CENTRE), np.array(ask.scene.wrench)
+        load = np.array(ask.scene.wrench)
         sought = motion_at(self.point)[DIRECTIONS.index(self.direction)]
-        moved = float(sought @ C @ load)
+        form = deflection_form(ask, sought, load)
         error: ErrorRange | None = None
-        if not ask.scene.moves:
-            work = float(np.sqrt((sought @ C @ sought) * (load @ C @ load)))
-            more = beyond_first_order(ask, C @ load, sought, load)
-            springs = space_joint(ask).form_error(moved, work, ask.clamps_give)
-            if springs is not None and more is not None:
-                error = springs + ErrorRange(-more, more)
-        return moved, error
+        if not ask.scene.moves and form.error is not None:
+            more = beyond_first_order(ask, compliance(ask, CENTRE) @ load, sought, load)
+            if more is not None:
+                error = form.error + ErrorRange(-more, more)
+        return form.found, error
