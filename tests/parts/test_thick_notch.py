@@ -10,6 +10,7 @@ from pydantic import TypeAdapter
 
 import flexcli
 from flexcli.formulas.notch import bending_factor, circular_stiffness
+from flexcli.parts.bending.thick import thick_linked
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import AnyGeometry
 from flexcli.results import Status
@@ -278,3 +279,12 @@ def test_at_a_given_stroke_the_throat_has_less_stress_and_under_a_load_no_less()
     ]
     alone, loaded = (row(checks, "yield").demand for checks in stress)
     assert alone / loaded == pytest.approx(softer, rel=5e-3)
+
+
+def test_hinges_that_soften_unlike_each_other_may_move_a_joint_by_as_much_either_way():
+    """A drawn pivot of a thick notch beside a blade: what the notch changes may count twice."""
+    thin, thick_one = thick("thin"), thick("thick")
+    both = thick_linked([thin, thick_one, None])
+    for part in (thin, thick_one):
+        assert both.shift[0] <= min(part.factor.low, part.shift[0])
+        assert both.shift[1] >= max(2.0 - part.factor.low, part.shift[1])

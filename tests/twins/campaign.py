@@ -20,6 +20,9 @@ ENDS = ("clamped-clamped", "clamped-guided", "clamped-pinned", "pinned-pinned", 
 NEAR = 0.03
 """How far from a printed factor its requirement is set."""
 
+LEAST = 1e-15
+"""A length [m] below which a motion is rounding, of what does not move by symmetry."""
+
 EASY = 1e-6
 """A factor that everything keeps: the first look at a design, which prints its factors."""
 
@@ -421,6 +424,8 @@ def _asks(row):
     """Return whether a row has a number that a requirement can be set near to."""
     factor, required = row["factor"], row["required"]
     if factor is None or required is None:
+        return False
+    if row["unit"] == "m" and row["demand"] < LEAST:
         return False
     return 0.0 < factor < (1e15 if required == EASY else 1e24)
 

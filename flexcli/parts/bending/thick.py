@@ -51,9 +51,10 @@ def thick_linked(each: Sequence[Thick | None]) -> Thick | None:
     if len(known) < len(factors):
         return Thick(ratio, None)
     low, high = smaller(f.low for f in known), larger(f.high for f in known)
-    shifts = [(1.0, 1.0) if thick is None else thick.shift for thick in each]
-    shift = smaller(s[0] for s in shifts), larger(s[1] for s in shifts)
-    return Thick(ratio, Factor((low + high) / 2.0, low, high), shift)
+    # hinges that soften unlike each other share the rotation otherwise, besides their own shifts
+    ends = [end for thick in found for end in thick.shift]
+    most = larger(high - 1.0, 1.0 - low, *(abs(end - 1.0) for end in ends))
+    return Thick(ratio, Factor((low + high) / 2.0, low, high), (1.0 - most, 1.0 + most))
 
 
 def _thick(ratio: float, found: Softening, turn: float, uneven: float) -> Thick:
