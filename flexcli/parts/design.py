@@ -177,13 +177,14 @@ class DesignSpec(Part):
     def _material_damps(cls, data: Any) -> Any:
         """Give cases that vibrate, and state no Q, that of the material's loss factor.
 
-        Where the mechanism states its damping, shocks have that.
+        Where the mechanism states its damping, they have that, and so do shocks beside a load that
+        has one of its own.
         """
         if not isinstance(data, dict) or not isinstance(data.get("cases"), dict):
             return data
         mechanism = data.get("mechanism")
         if isinstance(mechanism, dict) and "damping" in mechanism:
-            return {**data, "cases": _shocked(data["cases"], mechanism["damping"])}
+            return {**data, "cases": _damped(data["cases"], mechanism["damping"])}
         quality = _quality_of(data.get("material"))
         if quality is None:
             return data
@@ -603,8 +604,8 @@ def _quality_of(material: Any) -> float | None:
         return None  # which the material's own field tells
 
 
-def _shocked(cases: dict[str, Any], damping: Any) -> dict[str, Any]:
-    """Return the cases of a spec whose shocks have the mechanism's Q unless one is stated."""
+def _damped(cases: dict[str, Any], damping: Any) -> dict[str, Any]:
+    """Return the cases of a spec with the mechanism's Q where they, or their shocks, lack one."""
     from flexcli.parts.mechanisms.base import Damping
 
     try:
@@ -615,6 +616,8 @@ def _shocked(cases: dict[str, Any], damping: Any) -> dict[str, Any]:
 
 
 def _with_quality(case: Any, quality: float) -> Any:
+    if _lacks_q(case):
+        return {**case, "q": quality}
     shock = case.get("shock") if isinstance(case, dict) and case.get("q") is None else None
     if not isinstance(shock, dict) or "q" in shock:
         return case

@@ -29,6 +29,15 @@ def test_a_loss_factor_stands_for_the_q_that_no_case_states(case, stated):
     assert "material-damping" not in {note.code for note in by_case.warnings}
 
 
+@pytest.mark.parametrize("case", [ASD, "axes: {x: {asd: gevs-qualification}}%s"])
+def test_the_mechanism_damps_a_random_vibration_where_the_case_does_not(case):
+    damped = SPEC.replace("mass: 100 g", "mass: 100 g, damping: {{q: 50}}")
+    found = flexcli.check(damped.format(case=case % "", loss=LOSS))
+    stated = check(ASD % ", q: 50", "")
+    assert found.checks[0].demand == pytest.approx(stated.checks[0].demand)
+    assert "material-damping" not in {note.code for note in found.warnings}
+
+
 def test_a_stated_q_goes_before_the_materials():
     own = check(ASD % ", q: 50", LOSS)
     assert own.checks[0].demand == pytest.approx(check(ASD % ", q: 50", "").checks[0].demand)
