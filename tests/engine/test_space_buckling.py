@@ -50,3 +50,17 @@ def test_a_guide_that_is_pulled_does_not_buckle(tmp_path):
     assert check.verdict.value == "pass"
     assert check.factor_range[0] > 4.0
     assert check.factor_range[1] == float("inf")
+
+
+@pytest.mark.slow
+def test_blades_as_heavy_as_their_body_leave_its_buckling_under_an_acceleration_open(tmp_path):
+    """Two blades of 7.85 g on a body of 15.7 g: half of them may count or not."""
+    text = SPEC.replace(
+        "{{wrench: {{y: {force} N}}}}", "{{acceleration: {{level: 300 g, axis: y}}}}"
+    )
+    text = text.replace("poisson_ratio: 0.3", "poisson_ratio: 0.3, density: 7850 kg/m^3")
+    spec = tmp_path / "flexure.yaml"
+    spec.write_text(text.replace("50 mm, 0 mm]", "50 mm, 0 mm], mass: 15.7 g").format(), "utf-8")
+    (check,) = (c for c in flexcli.check(spec, model="exact").checks if c.name == "buckling")
+    low, high = check.factor_range
+    assert (high - low) / 2.0 > 0.5 * check.factor

@@ -25,13 +25,13 @@ Floats = NDArray[np.float64]
 class StrokeErrors(NamedTuple):
     """Relative errors at a stroke beside that of the level: of what blades are made of.
 
+    A critical load is as far off as the support stiffness that it takes away.
     ``rest`` is what a motion beside the stroke may be off besides, however small it is [m].
     """
 
     support: float
     shift: float
     stress: float
-    critical: float
     rest: float
 
 
@@ -104,9 +104,6 @@ CANCELLED = 5e-4
 stroke may be off in which the shortening of blades cancels. Beams were up to 5e-4 l θ² from shells
 in crossed, triple and butterfly pivots."""
 
-LOADED = 0.05
-"""Of a critical share besides the support stiffness: blades weigh by halves on their ends."""
-
 HINGE_TURN, HINGE_TWIST, AT_STROKE = 0.21, 1e-3, 0.015
 """Turn of a hinge [rad], and that about itself, up to which its errors are those of its springs at
 rest, and what a stroke adds: CalculiX's solids of notches at 5° and of a filleted blade at 12° have
@@ -155,10 +152,8 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
     moments = SOLIDS + MOMENT_CURLED * curling
     if hinged:
         support = max(support, hinged + AT_STROKE)
-        return StrokeErrors(support, inf, inf, support + LOADED, inf)
-    return StrokeErrors(
-        support, moments + SHIFTED, moments + MOMENTS, support + LOADED, _cancelled(state)
-    )
+        return StrokeErrors(support, inf, inf, inf)
+    return StrokeErrors(support, moments + SHIFTED, moments + MOMENTS, _cancelled(state))
 
 
 def _hinge_error(blade: SpaceBlade, bend: Bend) -> float | None:
@@ -225,7 +220,7 @@ def shell_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
         }
         beyond = max(beyond, *(value / SEEN[name].most for name, value in felt.items()))
     support = SOLIDS * beyond + thin
-    return StrokeErrors(support, support, support + RIM, support + LOADED, _cancelled(state))
+    return StrokeErrors(support, support, support + RIM, _cancelled(state))
 
 
 def _cancelled(state: SpaceEquilibrium) -> float:
