@@ -55,12 +55,13 @@ def series_of(design: DesignSpec) -> tuple[str, ...]:
 
 
 def _has_shells(design: DesignSpec) -> bool:
-    """Return whether a joint is drawn in space, or asked for its support stiffness at a stroke.
+    """Return whether a joint has blades in space, or is asked for its support at a stroke.
 
-    While its sizes are sought, beams are fine enough.
+    While its sizes are sought, beams are fine enough; rods are beams always.
     """
     asked = any(each.is_of_a_case for each in design.requirements.support or ())
-    return design.fixed_sizes() is not None and (design.geometry.in_space or asked)
+    drawn = design.geometry.in_space and design.geometry.has_blades
+    return design.fixed_sizes() is not None and (drawn or asked)
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:

@@ -56,7 +56,8 @@ SOLIDS = (
     Case("cross", 0.4, 0.01, 30), Case("guide", 0.1, 0.005, 0.2), Case("cross", 1.5, 0.005, 10),
     Case("guide", 0.5, 0.005, 0.3), Case("guide", 0.02, 0.02, 0.3), Case("guide", 1.0, 0.005, 0.05),
     Case("remote", 0.5, 0.01, 10), Case("guide", 0.2, 0.005, 0.2), Case("guide", 0.5, 0.02, 0.2),
-    Case("cross", 0.1, 0.01, 15), Case("guide", 1.5, 0.01, 0.05),
+    Case("cross", 0.1, 0.01, 15), Case("guide", 1.5, 0.01, 0.05), Case("guide", 0.05, 0.05, 0.1),
+    Case("guide", 0.3, 0.05, 0.2),
 )  # fmt: skip
 
 OTHER_NU = (

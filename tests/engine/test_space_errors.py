@@ -115,3 +115,28 @@ def test_beams_and_shells_tell_the_same_of_a_shift_that_is_a_rest(spec):
     assert 0.02 < abs(shells.value / beams.value - 1.0) < beams.estimated_error
     # a fifth of that share of l θ² is told at least
     assert beams.estimated_error * beams.value > 1e-4 * 30e-3 * np.radians(10.0) ** 2
+
+
+BIPODS = """
+flexure: 1
+material: ti-6al-4v
+geometry:
+  kind: space-layout
+  bodies: {mirror: {at: [0 mm, 0 mm, 60 mm], mass: 1.5 kg, inertia: [3e-3 kg*m^2, 3e-3 kg*m^2, 5e-3 kg*m^2]}}
+  rods:
+    strut: {between: [ground, mirror], from: [100 mm, 30 mm, 0 mm], to: [80 mm, 0 mm, 60 mm],
+            d: 2 mm, mirror: [y], repeat: {count: 3, about: z}}
+  moving: mirror
+  motion: {translation: z}
+cases: {launch: {acceleration: {level: 30 g, axis: z}}}
+requirements: {yield: 1.25, buckling: 2}
+"""  # noqa: E501
+
+
+def test_a_mount_of_stout_rods_is_decided_by_beams(tmp_path):
+    """d/l = 1/35: far from its limits, and nothing is a shell."""
+    path = tmp_path / "flexure.yaml"
+    path.write_text(BIPODS, encoding="utf-8")
+    result = flexcli.check(path)
+    assert {check.verdict.value for check in result.checks} == {"pass"}
+    assert "shell" not in {check.model for check in result.checks}

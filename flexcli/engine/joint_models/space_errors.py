@@ -50,7 +50,7 @@ class Bend(NamedTuple):
 
 
 SEEN = {
-    "slender": Range("h/l", 0.0, 0.02, "shear across the thickness is in no comparison"),
+    "slender": Range("h/l", 0.0, 0.05, "guides up to a stroke of l/5, against solids"),
     "width": Range("b/l", 0.0, 1.5, "beams were held against shells from 0.1 to 1.5, rods besides"),
     "poisson": Range("ν", 0.0, 0.45, "sections curl by its square"),
     "shift": Range("shift of a blade's end over l", 0.0, 0.306, "guides up to 0.3 l, pivots 30°"),
@@ -127,7 +127,7 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
 
     Of hinges and of what varies in thickness nothing is known but the support stiffness.
     """
-    curling, hinged = 0.0, 0.0
+    curling, hinged, thick = 0.0, 0.0, 0.0
     for blade in state.layout.blades:
         bend, l = _bend(state, blade), _length(blade)
         if isinstance(blade, SpaceRod):
@@ -148,8 +148,10 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
             continue
         if any(value > SEEN[name].most * (1.0 + ROUNDING) for name, value in felt.items()):
             return None
-    support = SOLIDS + SETTLED + SUPPORT_CURLED * curling
-    moments = SOLIDS + MOMENT_CURLED * curling
+        thick = max(thick, felt["slender"])
+    sheared = SHEAR * thick**2
+    support = SOLIDS + SETTLED + SUPPORT_CURLED * curling + sheared
+    moments = SOLIDS + MOMENT_CURLED * curling + sheared
     if hinged:
         support = max(support, hinged + AT_STROKE)
         return StrokeErrors(support, inf, inf, inf)

@@ -492,6 +492,11 @@ class Geometry(Part):
         return self.layout_lacks
 
     @property
+    def has_blades(self) -> bool:
+        """Return whether it has blades, not rods alone."""
+        return True
+
+    @property
     def layout_lacks(self) -> tuple[str, ...]:
         """Return the optional keys without which it has closed forms, but no layout."""
         return tuple(key for key in LAYOUT_KEYS if getattr(self, key, "") is None)

@@ -162,6 +162,11 @@ class SpaceDrawing(Drawn):
         return sum(body.weight for body in self.bodies.values())
 
     @property
+    def has_blades(self) -> bool:
+        """Return whether any blade is drawn besides the rods."""
+        return bool(self.blades)
+
+    @property
     def has_masses(self) -> bool:
         """Return whether any body has mass."""
         return self.own_mass > 0.0
