@@ -1,6 +1,7 @@
 """The exact model of a joint: geometrically exact blades between its bodies, at full stroke."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import partial
 from math import cos, inf, nan, pi
 from typing import TYPE_CHECKING
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.beam_compliance import beam_compliance
 from flexcli.engine.joint_models.buckling import exact_critical, warm_shares
 from flexcli.engine.joint_models.face_stress import POINTS, worst_of_stroke
-from flexcli.engine.joint_models.holds import driven_axis
+from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import (
     at_rest,
     blades_of,
@@ -206,6 +207,9 @@ class ExactModel(JointModel):
     def _settled_shift(self, ask: Ask) -> tuple[float, float]:
         scene, geometry = ask.scene, ask.geometry
         reach = scene.travel + scene.mean_travel
+        if not scene.is_loaded and scene.middle >= 0.0 and not hold_of(scene).turn:
+            with suppress(NotAvailable):  # of the other end
+                return _told_shift(self.states(ask), ask)
         if scene.temperature is None:
             return self._shift_at(ask, geometry.held(reach))
         free: Held = None, None, 0.0 if geometry.is_guided else None
@@ -225,10 +229,7 @@ class ExactModel(JointModel):
             tolerance=self.tolerance,
             levels=self.levels,
         )
-        shift, before = _shift_of(state, ask), state.coarser
-        if before is None or shift == 0.0:
-            return shift, inf
-        return shift, abs(_shift_of(before, ask) / shift - 1.0)
+        return _told_shift(state, ask)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""
@@ -284,12 +285,22 @@ def _is_along_stroke(ask: Ask) -> bool:
     return abs(cos(turn)) < RIGHT
 
 
+def _told_shift(state: Equilibrium, ask: Ask) -> tuple[float, float]:
+    """Return the shift in the first of a case's states and its relative error."""
+    shift, before = _shift_of(state, ask), state.coarser
+    if before is None or shift == 0.0:
+        return shift, inf
+    return shift, abs(_shift_of(before, ask) / shift - 1.0)
+
+
 def _shift_of(state: Equilibrium, ask: Ask) -> float:
     """Return the shift of a pivot's centre, or of a stage's point along its blades [m]."""
     if ask.geometry.motion == "translation":
-        return -of_each(point_motion(state, MOVING, state.layout.body(MOVING).point)[:, 0])
-    x, y = point_motion(state, MOVING, (0.0, 0.0)).T
-    return of_each(np.copysign(np.hypot(x, y), -x))
+        shift = -point_motion(state, MOVING, state.layout.body(MOVING).point)[:, 0]
+    else:
+        x, y = point_motion(state, MOVING, (0.0, 0.0)).T
+        shift = np.copysign(np.hypot(x, y), -x)
+    return of_each(np.atleast_1d(states_of(shift)[0]))
 
 
 def driven_stiffness(state: Equilibrium, ask: Ask) -> Floats:
