@@ -179,6 +179,9 @@ def span(limit: Limit) -> tuple[float, float] | None:
     """Return between which factors a limit lies by the error of its number, if that is known."""
     if limit.error is None:
         return None
+    if any(map(is_of_many, (limit.demand, limit.capacity, *limit.error))):
+        many = _of_many(limit)
+        return Rows.of(many.least), Rows.of(many.most)
     demand, capacity = float(limit.demand), float(limit.capacity)
     plain = replace(limit, tolerance=None)
     found = factor(plain, demand, capacity)

@@ -2,13 +2,17 @@
 
 from itertools import chain, product, repeat
 from math import erf, log, sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
 import flexcli
+from flexcli.engine.tolerances import response
 from flexcli.errors import SolveError
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 STAGE = """\
 flexure: 1
@@ -260,3 +264,28 @@ def test_the_worst_pair_of_a_pivot_is_that_pair_drawn():
 def test_blades_that_no_drawing_tells_apart_are_refused():
     with pytest.raises(SolveError, match="not the same all along"):
         flexcli.tolerances(pivot(HINGED, "e"))
+
+
+def test_parts_that_are_judged_together_are_as_each_alone(monkeypatch):
+    text = (EXAMPLES / "wittrick-crossing" / "flexure.yaml").read_text(encoding="utf-8")
+    text += "\ntolerances: {h: 12 um, l: 0.3 mm, half_angle: 0.5 deg}\n"
+    at_once, found = [], []
+
+    def over(do, tasks):
+        at_once.append(max(map(len, tasks)))
+        return map(do, tasks)
+
+    many = response.MANY
+    for least in (many, 10**9):
+        monkeypatch.setattr(response, "MANY", least)
+        found.append(flexcli.tolerances(text, parts=1000, over=over).tolerances)
+    half = len(at_once) // 2
+    assert max(at_once[:half]) >= many
+    assert max(at_once[half:]) == 1
+    together, alone = found
+    assert together.together[:3] == alone.together[:3]
+    for row, own in zip(together.checks, alone.checks, strict=True):
+        assert (row.name, row.worst.verdict) == (own.name, own.worst.verdict)
+        assert (row.nominal, *row.slopes.values()) == pytest.approx(
+            (own.nominal, *own.slopes.values()), rel=1e-6, abs=1e-9
+        )

@@ -6,13 +6,16 @@ is two limits, one either way.
 
 from collections.abc import Mapping
 from dataclasses import replace
-from math import e, isfinite, isnan, log, nan
+from math import e, isfinite, log, nan
 from typing import NamedTuple
+
+import numpy as np
 
 from flexcli.engine import assess
 from flexcli.engine.judge import FAR, SURE, limits_by
 from flexcli.engine.models import NamedModel, model_series
 from flexcli.errors import SolveError
+from flexcli.numerics.rows import number
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.mechanisms import MechanismError
@@ -117,7 +120,7 @@ def _margins(question: int, limits: list[Limit]) -> dict[Row, Margin]:
         between = assess.span(replace(limit, tolerance=None))
         low, high = (_log(end) for end in between) if between is not None else (nan, nan)
         if limit.tolerance is None:
-            asked = log(limit.required)
+            asked = _log(limit.required)
             found[row] = Margin(low - asked, high - asked)
             continue
         room = log(1.0 + limit.tolerance)
@@ -127,6 +130,5 @@ def _margins(question: int, limits: list[Limit]) -> dict[Row, Margin]:
 
 
 def _log(ratio: float) -> float:
-    if isnan(ratio):
-        return nan
-    return max(log(min(ratio, e**MOST)), -MOST) if ratio > 0.0 else -MOST
+    """Return the logarithm of a ratio, or of those of many designs, within what is told apart."""
+    return number(np.log(np.clip(ratio, e**-MOST, e**MOST)))

@@ -18,6 +18,7 @@ from flexcli.engine.assess import ROUNDING
 from flexcli.engine.tolerances.readings import Margin, Plan, Row, reading
 from flexcli.engine.tolerances.variations import Variation, as_made
 from flexcli.numerics.polynomial_fit import PolynomialFit, polynomial_fit, terms
+from flexcli.numerics.rows import Rows, each_alike, is_of_many
 from flexcli.parts.design import DesignSpec
 from flexcli.results import Verdict
 from flexcli.results.activity import doing
@@ -31,7 +32,7 @@ __all__ = [
     "States",
     "Stopped",
     "drawn",
-    "each_of",
+    "of_parts",
     "states",
     "verdicts_of",
 ]
@@ -43,8 +44,22 @@ Reading: TypeAlias = "dict[Row, Margin]"
 Answer = TypeVar("Answer")
 Over: TypeAlias = Callable[[Callable[[Floats], Any], Sequence[Floats]], Iterable[Any]]
 """Puts a question to many designs, in order; nothing for those that Ctrl-C left undone."""
+Find: TypeAlias = Callable[[Sequence[float]], dict[Any, Answer]]
+"""Finds something of a part by its numbers [SI], or of many by those of all."""
 Recipe: TypeAlias = tuple[Any, ...]
 """A function of a module that makes a design, and its arguments, which can be told apart."""
+
+MANY = 32
+"""Parts that are worth a pass, which goes over four times as many at least."""
+
+PROBE = 8
+"""Parts that tell whether parts can go through a question together."""
+
+TASK = 256
+"""Parts that do so at once: always the same ones, however many processes there are."""
+
+SAME = 1e-6
+"""Difference of a margin's logarithm that is none."""
 
 HELD = 20
 """Parts drawn at random that tell the error of a fit."""
@@ -116,22 +131,79 @@ class Judged:
         ]
 
     def _read(self, points: Floats, plan: Plan) -> None:
-        task = partial(_at, self.design, self.each, plan)
-        self.readings.extend(each_of(self.over, task, points))
+        find = partial(_reading, self.design, self.each, plan)
+        self.readings.extend(of_parts(self.over, find, self.each, points))
 
 
-def each_of(over: Over, task: Callable[[Floats], Answer], points: Floats) -> Iterator[Answer]:
-    """Yield the answer to each point; raise Stopped where Ctrl-C left the rest undone."""
-    for number, one in enumerate(over(task, list(points)), start=1):
-        if one is None:
+def of_parts(
+    over: Over, find: Find[Answer], each: tuple[Variation, ...], points: Floats
+) -> Iterator[dict[Any, Answer]]:
+    """Yield what is found of each part; raise Stopped where Ctrl-C left the rest undone.
+
+    Parts go through it together, many a task, where some of them can.
+    """
+    values = np.stack([v.value(u) for v, u in zip(each, points.T, strict=True)], axis=1)
+    some = values[:: max(1, len(values) // PROBE)][:PROBE]
+    size = TASK if len(values) >= MANY and _found_together(find, some) else 1
+    blocks = [values[start : start + size] for start in range(0, len(values), size)]
+    number = 0
+    for answers in over(partial(_found_by_parts, find), blocks):
+        if answers is None:
             raise Stopped
-        doing(f"design {number} of {len(points)}")
-        yield one
+        for one in answers:
+            number += 1
+            doing(f"design {number} of {len(points)}")
+            yield one
 
 
-def _at(design: Portable, each: tuple[Variation, ...], plan: Plan, u: Floats) -> Reading:
-    """Return the margins of one part, in whatever process."""
-    values = np.array([float(v.value(x)) for v, x in zip(each, u, strict=True)])
+def _found_by_parts(find: Find[Answer], values: Floats) -> list[dict[Any, Answer]]:
+    """Return what is found of each part, in whatever process."""
+    found = _found_together(find, values) if len(values) > 1 else {}
+    return [found[i] if i in found else find(row) for i, row in enumerate(values.tolist())]
+
+
+def _found_together(find: Find[Answer], values: Floats) -> dict[int, dict[Any, Answer]]:
+    """Return what is found of parts that go through it together, by their places.
+
+    One of them is found alone, too: where it differs, so are all.
+    """
+    found: dict[int, dict[Any, Answer]] = {}
+    columns = values.T
+    passes = each_alike(lambda which: find([Rows.of(x[which]) for x in columns]), len(values))
+    for which, answer in passes:
+        if answer is not None:
+            own = {int(i): _of_one(answer, place) for place, i in enumerate(which)}
+            middle = int(which[len(which) // 2])
+            if _is_same(own[middle], find(values[middle].tolist())):
+                found |= own
+    return found
+
+
+def _of_one(found: Mapping[Any, Any], place: int) -> dict[Any, Any]:
+    """Return what a pass found for one of its parts: margins, or verdicts that all have."""
+
+    def of_one(value: Any) -> Any:
+        if isinstance(value, Margin):
+            return Margin(*map(of_one, value))
+        return float(np.asarray(value)[place]) if is_of_many(value) else value
+
+    return {key: of_one(value) for key, value in found.items()}
+
+
+def _is_same(one: Mapping[Any, Any], other: Mapping[Any, Any]) -> bool:
+    """Return whether margins, or verdicts, are the same."""
+    return one.keys() == other.keys() and all(
+        np.allclose(value, other[key], rtol=0.0, atol=SAME, equal_nan=True)
+        if isinstance(value, Margin)
+        else value == other[key]
+        for key, value in one.items()
+    )
+
+
+def _reading(
+    design: Portable, each: tuple[Variation, ...], plan: Plan, values: Sequence[float]
+) -> Reading:
+    """Return the margins of a part by its numbers [SI], in whatever process."""
     return reading(as_made(design.design, each, values), plan)
 
 

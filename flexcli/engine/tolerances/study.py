@@ -24,12 +24,12 @@ from flexcli.engine.tolerances.response import (
     Response,
     States,
     drawn,
-    each_of,
+    of_parts,
     states,
     verdicts_of,
 )
 from flexcli.engine.tolerances.variations import Variation, as_made, variations
-from flexcli.engine.tolerances.worst import judged_at, worst_cases
+from flexcli.engine.tolerances.worst import judged_of, worst_cases
 from flexcli.errors import SolveError
 from flexcli.numerics.polynomial_fit import terms
 from flexcli.parts.design import DesignSpec
@@ -212,11 +212,11 @@ class _Run:
 
     def _judge_parts(self) -> None:
         """Judge a few of the parts themselves; a yield is as sure as so few can make it."""
-        task = partial(_verdicts, self.portable, self.each)
+        find = partial(_verdicts, self.portable, self.each)
         points = np.clip(self.u[:DIRECT], -1.0, 1.0)
         found: list[dict[str, Verdict]] = []
         try:
-            found.extend(each_of(self.over, task, points))
+            found.extend(of_parts(self.over, find, self.each, points))
         finally:
             self.judged += len(found)
             self._take(found)
@@ -335,9 +335,11 @@ def _histogram(margins: Floats) -> Histogram:
     return Histogram(tuple(edges.tolist()), tuple((counts / len(margins)).tolist()))
 
 
-def _verdicts(design: Portable, each: tuple[Variation, ...], u: Floats) -> dict[str, Verdict]:
+def _verdicts(
+    design: Portable, each: tuple[Variation, ...], values: Sequence[float]
+) -> dict[str, Verdict]:
     """Return what the models say of each check of a part, in whatever process."""
-    return {name: check.verdict for name, check in judged_at(design.design, each, u).items()}
+    return {name: check.verdict for name, check in judged_of(design.design, each, values).items()}
 
 
 def _narrower(one: YieldRow, other: YieldRow) -> YieldRow:
@@ -379,7 +381,7 @@ def _joints_alike(design: DesignSpec) -> Iterator[Note]:
 def nominal_of(design: DesignSpec) -> DesignSpec:
     """Return the part that is as drawn, by the models that all parts are judged by."""
     each = variations(design)
-    return as_made(design, each, np.array([v.nominal for v in each]))
+    return as_made(design, each, [v.nominal for v in each])
 
 
 def _refuse(design: DesignSpec) -> None:

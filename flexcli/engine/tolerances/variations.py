@@ -136,10 +136,10 @@ def _blades(design: DesignSpec, name: str) -> tuple[str, ...]:
     return names
 
 
-def as_made(design: DesignSpec, each: Sequence[Variation], values: Floats) -> DesignSpec:
+def as_made(design: DesignSpec, each: Sequence[Variation], values: Sequence[float]) -> DesignSpec:
     """Return the design of a part whose numbers have these values [SI]."""
     own = []
-    for variation, value in zip(each, values.tolist(), strict=True):
+    for variation, value in zip(each, values, strict=True):
         if variation.blade:
             own.append((variation, value))
         else:

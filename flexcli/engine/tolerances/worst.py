@@ -18,7 +18,7 @@ from flexcli.results import Check, Verdict
 from flexcli.results.activity import doing
 from flexcli.results.tolerances import WorstCase
 
-__all__ = ["Least", "judged_at", "least_of", "worst_cases"]
+__all__ = ["Least", "judged_of", "least_of", "worst_cases"]
 
 Floats = NDArray[np.float64]
 
@@ -118,7 +118,13 @@ def worst_cases(
 
 def judged_at(design: DesignSpec, each: Sequence[Variation], u: Floats) -> Mapping[str, Check]:
     """Return what the models say of each check of a part."""
-    values = np.array([float(v.value(x)) for v, x in zip(each, u, strict=True)])
+    return judged_of(design, each, [float(v.value(x)) for v, x in zip(each, u, strict=True)])
+
+
+def judged_of(
+    design: DesignSpec, each: Sequence[Variation], values: Sequence[float]
+) -> Mapping[str, Check]:
+    """Return what the models say of each check of a part by its numbers [SI]."""
     made = as_made(design, each, values)
     sizes = made.fixed_sizes()
     return {check.full_name: check for check in judge(made, sizes, model_series(made)).checks}
