@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.exact_with_shells import ExactWithShells
 from flexcli.engine.joint_models.joint_states import warmed
 from flexcli.engine.models import NamedModel, model_series
 from flexcli.engine.solid import calculix
@@ -17,6 +18,7 @@ from flexcli.engine.solid.deck import Deck, softness
 from flexcli.engine.solid.model import solid_model
 from flexcli.engine.solid.numbers import STRAIGHT, Place, SolidNumbers, moving_masses
 from flexcli.errors import NoSolution, SolveError
+from flexcli.formulas.profile import Constant
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.stresses import blade_stress
@@ -28,7 +30,7 @@ from flexcli.parts.geometries.base import ACROSS_WIDTH, MOVING
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask, JointModel
-from flexcli.parts.requirements.support import DIRECTIONS, compliance_of
+from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, compliance_of
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.temperature import held_across
 from flexcli.results import (
@@ -53,6 +55,9 @@ TANGENT = 1e-4
 BESIDE_CLAMP = 2.0
 """Thicknesses from a clamp to where stresses are compared: what its corner does fades by some
 e⁻⁴ a thickness."""
+
+OUT_OF_PLANE = (2, 3, 4)
+"""Directions along z and about x and y, where they are in the six."""
 
 HELD_STRESS = 5e-3
 """Share of the stress of a blade that its clamps hold across that is left there along it."""
@@ -80,6 +85,10 @@ class _Question(NamedTuple):
     share: Callable[[], float] = lambda: 1.0
     kind: QuantityKind | None = None
     """Of a shift and of a support, which a material doubts in a way of their own."""
+    on_demand: bool = False
+    """Whether it takes so long that it is only compared where somebody asks for it."""
+    directs: Callable[[], bool] = lambda: True
+    """Whether the model gives each blade the moduli of its own direction, in a support."""
 
 
 def verify(
@@ -134,7 +143,7 @@ def verify(
     _refuse_crossing(design, sizes)
     runs, soft = run and calculix.is_installed(), softness(whole[-1])
     bench = _Bench(runs, meshes, {} if files is None else files, soft)
-    questions = _named(list(_questions(asks)), only)
+    questions = _named(list(_questions(asks, _asks_at_stroke(design))), only)
     rows = tuple(bench.row(question) for question in questions)
     if not bench.runs:
         why = "ccx is not installed (Debian: apt install calculix-ccx)" if run else "not run"
@@ -170,7 +179,13 @@ def verify(
 def verifiable(design: DesignSpec, sizes: Sizes) -> tuple[str, ...]:
     """Return the names of the numbers that solid elements are asked for."""
     asks = _asks(design, sizes, model_series(design, None)[-1])
-    return tuple(question.name for question in _questions(asks))
+    questions = _questions(asks, _asks_at_stroke(design))
+    return tuple(question.name for question in questions)
+
+
+def _asks_at_stroke(design: DesignSpec) -> bool:
+    """Return whether a design asks for a support stiffness at full stroke."""
+    return any(each.is_of_a_case for each in design.requirements.support or ())
 
 
 class _Asked(NamedTuple):
@@ -213,7 +228,9 @@ def _named(questions: list[_Question], only: Sequence[str]) -> list[_Question]:
         if name not in names:
             text = f"there is no number '{name}' to compare"
             raise SolveError("no-such-number", text, f"one of {', '.join(names)}")
-    return [question for question in questions if not only or question.name in only]
+    if only:
+        return [question for question in questions if question.name in only]
+    return [question for question in questions if not question.on_demand]
 
 
 def _refuse_crossing(design: DesignSpec, sizes: Sizes) -> None:
@@ -310,13 +327,20 @@ class _Bench:
 def _doubted(question: _Question, error: ErrorRange) -> ErrorRange | None:
     """Return an error of the model's with what its material leaves unsure."""
     ask = question.ask
-    is_support = question.kind is QuantityKind.SUPPORT
-    directed = is_support and joint_in_space(ask.geometry, ask.material, ask.sizes).is_directed
+    is_support = ask.material.is_directed and question.kind is QuantityKind.SUPPORT
+    directed = (
+        is_support
+        and question.directs()
+        and joint_in_space(ask.geometry, ask.material, ask.sizes).is_directed
+    )
     return ask.material.doubted(error, question.kind, is_directed=directed)
 
 
-def _questions(asks: list[_Asked]) -> Iterator[_Question]:
-    """Yield what is compared: at rest and assembly once, then case by case."""
+def _questions(asks: list[_Asked], at_stroke: bool) -> Iterator[_Question]:
+    """Yield what is compared: at rest and assembly once, then case by case.
+
+    ``at_stroke``: the support stiffness there is compared without being named.
+    """
     first = asks[0].cold
     turns = first.geometry.motion == "rotation"
     unit, effort = ("N*m/rad", "moment") if turns else ("N/m", "force")
@@ -336,6 +360,9 @@ def _questions(asks: list[_Asked]) -> Iterator[_Question]:
         if asked.case.scene.temperature is not None:
             yield from _warm(asked, model, unit, effort)
         yield from _case(asked, model, many=len(asks) > 1)
+        if asked.case.scene.moves and asked.case.scene.temperature is None:
+            supports = _supports_at_stroke(asked.case, model, many=len(asks) > 1)
+            yield from (each._replace(on_demand=not at_stroke) for each in supports)
 
 
 def _warm(asked: _Asked, model: "_Model", unit: str, effort: str) -> Iterator[_Question]:
@@ -447,6 +474,46 @@ def _case(asked: _Asked, model: "_Model", *, many: bool) -> Iterator[_Question]:
         )  # fmt: skip
 
 
+def _supports_at_stroke(case: Ask, model: "_Model", *, many: bool) -> Iterator[_Question]:
+    """Yield the stiffnesses out of the plane at full stroke, the drive locked.
+
+    Whole blades of varied thickness would take an hour.
+    """
+    ask, end = case._replace(scene=case.scene.without_loads()), f"_{case.scene.case}" * many
+    if not isinstance(model.inner, ExactModel):
+        return
+    blades = ask.geometry.layout(ask.material.elastic, ask.sizes).blades
+    if not all(isinstance(blade.profile, Constant) for blade in blades):
+        return
+    for index in OUT_OF_PLANE:
+        direction = DIRECTIONS[index]
+        turns = direction.startswith("theta")
+        way = f"about {direction[-1]}" if turns else f"along {direction}"
+
+        def ours(index: int = index) -> Found:
+            return model.by_support(ask, index)[1]
+
+        def directs(index: int = index) -> bool:
+            return model.by_support(ask, index)[0].directs_blades
+
+        def solid(numbers: SolidNumbers, index: int = index) -> float:
+            try:
+                known = model.by_support(ask, index)[1][1] is not None
+            except SolveError as error:
+                raise NotAvailable(f"is solved by no model: {error}") from error
+            if not known:
+                raise NotAvailable("is bent or shaped as no model tells an error for")
+            return numbers.support_at_end(index)
+
+        yield _Question(
+            f"support_{direction}_end{end}", f"support {way} at full stroke",
+            "N*m/rad" if turns else "N/m", ask, ours, solid, f"support-{ask.scene.case}",
+            f"motion of two places of the moving body in step {index}, beside step 1",
+            lambda: TANGENT, ask.scene.case, kind=QuantityKind.SUPPORT,
+            directs=directs,
+        )  # fmt: skip
+
+
 class _Lazy:
     """A place that is looked for when it is first asked for."""
 
@@ -507,6 +574,14 @@ class _Model:
         return 1.0 / float(free_compliance(state)[0, index, index]), _between_beam_and_plate(
             ask, 1.0
         )
+
+    def by_support(self, ask: Ask, index: int) -> tuple[JointModel, Found]:
+        """Return a stiffness at the end of the stroke, by shells where beams know no error."""
+        for exact in (self.exact, ExactWithShells()):
+            found = exact.support_at_stroke(ask, index, CENTRE, locked=True)[0]
+            if found[1] is not None:
+                break
+        return exact, found
 
     def across_force(self, ask: Ask) -> float:
         """Return a force that moves the body across its stroke by a thousandth of the stroke."""

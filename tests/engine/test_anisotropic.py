@@ -156,3 +156,15 @@ def test_what_cannot_be_meant_is_refused(material, text):
     with pytest.raises(SpecError) as refused:
         check(material)
     assert text in refused.value.findings[0].text
+
+
+def test_support_at_stroke_is_told_as_closely_as_beams_and_the_direction_allow():
+    found = check(
+        "{extends: silicon, orientation: {turned: 45 deg}}",
+        STAGE.replace("b: 0.5 mm", "b: 2 mm"),
+        "translation: 0.5 mm",
+        "support: [{direction: theta_x, min: 1e-9 N*m/rad, at: full-stroke, drive: locked}]",
+    )
+    low, high = found.checks[0].factor_range
+    # 57 % either way if the shear modulus were that of E and ν
+    assert 1.08 < high / low < 1.2

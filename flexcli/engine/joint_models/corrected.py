@@ -38,6 +38,7 @@ class Corrected(JointModel):
         self.omitted = tuple(omitted)
         self.name = name or inner.name
         self.at_stroke = inner.at_stroke
+        self.directs_blades = inner.directs_blades
         self._known: Remembered[dict[EffectName, dict[str, Change]]] = Remembered()
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:

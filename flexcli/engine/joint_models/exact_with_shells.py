@@ -14,6 +14,7 @@ class ExactWithShells(ExactModel):
 
     name = "shell"
     at_stroke = SpaceShellModel.at_stroke
+    directs_blades = SpaceShellModel.directs_blades
 
     def support_at_stroke(
         self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool

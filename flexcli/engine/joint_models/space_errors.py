@@ -14,8 +14,8 @@ from flexcli.formulas.card import Range
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.rotation import conjugate, matrix_of, product, vector_of
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, Vector
-from flexcli.mechanics.space.springs import springs_of
+from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod, Vector
+from flexcli.mechanics.space.springs import MemberSprings, springs_of
 
 __all__ = ["SEEN", "Bend", "StrokeErrors", "beam_errors", "shell_errors", "strain_error"]
 
@@ -127,7 +127,7 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
 
     Of hinges and of what varies in thickness nothing is known but the support stiffness.
     """
-    curling, hinged, thick = 0.0, 0.0, 0.0
+    curling, hinged, thick, directed = 0.0, 0.0, 0.0, 0.0
     for blade in state.layout.blades:
         bend, l = _bend(state, blade), _length(blade)
         if isinstance(blade, SpaceRod):
@@ -140,6 +140,8 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
                 "curve": bend.curve, "curl": wide * bend.curve, "twist": wide * bend.twist,
             }  # fmt: skip
             curling = max(curling, nu**2 * min(wide * (bend.curve + bend.twist) / CURL, 1.0))
+            if isinstance(blade.material, Directed):
+                directed = max(directed, _most(springs_of(blade)))
         else:
             off = _hinge_error(blade, bend)
             if off is None:
@@ -150,7 +152,8 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
             return None
         thick = max(thick, felt["slender"])
     sheared = SHEAR * thick**2
-    support = SOLIDS + SETTLED + SUPPORT_CURLED * curling + sheared
+    # solids of silicon at a stroke of 5 % have the ratios to beams that they have at rest
+    support = SOLIDS + SETTLED + SUPPORT_CURLED * curling + sheared + directed
     moments = SOLIDS + MOMENT_CURLED * curling + sheared
     if hinged:
         support = max(support, hinged + AT_STROKE)
@@ -176,7 +179,12 @@ def _hinge_error(blade: SpaceBlade, bend: Bend) -> float | None:
     if not springs.is_known or turn > HINGE_TURN or bend.twist > HINGE_TWIST:
         return None
     curled = blade.material.nu**2 * min(curls * turn / CURL, 1.0)
-    return float(max(np.max(springs.high), -np.min(springs.low))) + SUPPORT_CURLED * curled
+    return _most(springs) + SUPPORT_CURLED * curled
+
+
+def _most(springs: MemberSprings) -> float:
+    """Return the largest error of the springs of a blade at rest."""
+    return float(max(np.max(springs.high), -np.min(springs.low)))
 
 
 def strain_error(state: SpaceEquilibrium) -> float | None:

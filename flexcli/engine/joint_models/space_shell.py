@@ -36,6 +36,7 @@ class SpaceShellModel(SpaceExactModel):
 
     name = "shell"
     at_stroke = "thin shells"
+    directs_blades = False
     blades = SHELLS
     stress_kind = "stress at the faces of shells, von Mises"
 

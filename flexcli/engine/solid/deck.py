@@ -24,6 +24,7 @@ __all__ = [
     "modes_deck",
     "softness",
     "states_deck",
+    "support_deck",
 ]
 
 Floats = NDArray[np.float64]
@@ -130,6 +131,39 @@ def compliance_deck(model: SolidModel, body: str, guided: bool) -> Deck:
             "*STEP", "*STATIC", *load, "*NODE PRINT, NSET=BODIES", "U", "*END STEP",
         ]  # fmt: skip
     return Deck("\n".join([*head, *steps, ""]), numbers)
+
+
+def support_deck(
+    model: SolidModel,
+    body: str,
+    state: State,
+    arms: Sequence[tuple[tuple[float, float], tuple[float, float]]],
+    forces: Sequence[tuple[int, float, float]],
+) -> tuple[Deck, tuple[tuple[int, int], ...]]:
+    """Return a deck of forces along z on a body beside a state, and the nodes that they act on.
+
+    ``arms`` are pairs of places on the body at rest [m], ``forces`` which pair is loaded and by
+    what at each of its ends [N]; each set of forces acts alone, from the state on.
+    """
+    numbers = _numbered(model)
+    points = {(body, *end): len(arms[0]) * i + k for i, arm in enumerate(arms)
+              for k, end in enumerate(arm)}  # fmt: skip
+    first = 2 * len(model.bodies) + model.nodes + 1
+    nodes = tuple((first + 2 * i, first + 2 * i + 1) for i in range(len(arms)))
+    head = _head(model, numbers, points)
+    head += _set("ARMS", np.array(nodes, dtype=np.intp).ravel())
+    steps = []
+    for index, of in enumerate((None, *forces)):
+        loads = [] if of is None else [
+            f"{node}, 3, {force:.14g}" for node, force in zip(nodes[of[0]], of[1:], strict=True)
+        ]  # fmt: skip
+        steps += [
+            "*STEP, NLGEOM, INC=1000", "*STATIC", NEXT if index else FIRST, CONTROLS,
+            "*BOUNDARY", *_held(numbers, state),
+            *(["*CLOAD, OP=NEW", *loads] if loads else []),
+            "*NODE PRINT, NSET=ARMS, FREQUENCY=100000", "U", "*END STEP",
+        ]  # fmt: skip
+    return Deck("\n".join([*head, *steps, ""]), numbers), nodes
 
 
 def modes_deck(model: SolidModel, density: float, guided: Sequence[str], count: int = 6) -> Deck:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, inf, sin
+from math import cos, inf, pi, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -11,7 +11,14 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.buckling import PushScene, ends_held, push_scene
 from flexcli.engine.joint_models.holds import driven_axis
 from flexcli.engine.joint_models.joint_states import layout_of, over_travels, warmed
-from flexcli.engine.solid.deck import MM, State, buckling_deck, compliance_deck, modes_deck
+from flexcli.engine.solid.deck import (
+    MM,
+    State,
+    buckling_deck,
+    compliance_deck,
+    modes_deck,
+    support_deck,
+)
 from flexcli.engine.solid.model import SolidModel, solid_model
 from flexcli.engine.solid.states import FaceStress, Runner, SolidStates, solid_states
 from flexcli.formulas.profile import Constant, NeckedDown, Tabulated
@@ -22,6 +29,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.mechanisms.carried import is_guided
 from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements.support import compliance_of
 from flexcli.parts.structure import joined
 
 __all__ = ["BESIDE", "Place", "SolidNumbers", "moving_masses"]
@@ -36,6 +44,9 @@ BESIDE = 0.01
 
 NEAR = 2e-4
 """Rotation, or travel over the blades' length, to either side of where a temperature leaves it."""
+
+NEXT_TO = 0.02
+"""Of half the least thickness: how far forces across the plane move the body beside its stroke."""
 
 SETTLED = 1e-4
 """Change of a load factor, relative, at which what a turning body adds to it is found."""
@@ -167,6 +178,37 @@ class SolidNumbers:
         state = self._solve(layout, held, loads)
         x = state.motions[:, layout.index(MOVING), 0]
         return float(2.0 * force / (x[1] - x[0]))
+
+    def support_at_end(self, index: int) -> float:
+        """Return the stiffness along z, or about x or y, at the end of the stroke, drive locked.
+
+        By forces along z on two places of the body that lie along an axis of cases there.
+        """
+        scene, geometry, layout = self.ask.scene, self.ask.geometry, layout_of(self.ask)
+        end, arm = scene.middle + scene.travel, _longest(layout)
+        back = end if geometry.motion == "rotation" else 0.0
+        x, y = (float(column(c)[0]) for c in layout.body(MOVING).point)
+        ways = [geometry.axes - back, geometry.axes - back + pi / 2.0]
+        arms = [
+            ((x + arm * cos(way), y + arm * sin(way)), (x - arm * cos(way), y - arm * sin(way)))
+            for way in ways
+        ]
+        stiff = 1.0 / np.diag(compliance_of(self.ask, locked=True))[2:5]
+        model = self._model(layout, is_half=False)
+        small = NEXT_TO * min(float(s.bricks.places[:, 1].max()) for s in model.stretches)
+        along, about_x, about_y = stiff * small / [1.0, arm**2, arm**2]
+        forces = [
+            (0, along / 2.0, along / 2.0), (1, about_x / 2.0, -about_x / 2.0),
+            (0, about_y / 2.0, -about_y / 2.0),
+        ]  # fmt: skip
+        state = State({MOVING: geometry.held(end)})
+        deck, nodes = support_deck(model, MOVING, state, arms, forces)
+        rest, *moved = self.runner(deck).tables("displacements")
+        which, one, other = forces[index - 2]
+        u, v = ((moved[index - 2][node] - rest[node])[2] / MM for node in nodes[which])
+        if index == 2:
+            return float((one + other) / ((u + v) / 2.0))
+        return float((one - other) * arm / ((u - v) / (2.0 * arm)))
 
     def stress(self, place: Place) -> float:
         """Return the magnitude of the stress at a place at the end of the stroke [Pa]."""

@@ -54,6 +54,16 @@ class Isotropic(NamedTuple):
         """Return Poisson's ratio, E/2G − 1 [-]."""
         return self.E / (2.0 * self.G) - 1.0
 
+    @property
+    def wider(self) -> float:
+        """Return the width of its isotropic plate over its own [-]."""
+        return 1.0
+
+    @property
+    def shear(self) -> float:
+        """Return G over that of its isotropic plate [-]."""
+        return 1.0
+
 
 class Directed(NamedTuple):
     """Material of a blade that is stiffer one way: E along it, G of its broad faces [Pa]."""
@@ -67,6 +77,16 @@ class Directed(NamedTuple):
     def nu(self) -> float:
         """Return Poisson's ratio of the isotropic plate that is as stiff where it is wide [-]."""
         return self.across.nu
+
+    @property
+    def wider(self) -> float:
+        """Return the width of that plate over its own, (E_1/E_3)^¼ [-]."""
+        return self.across.wider
+
+    @property
+    def shear(self) -> float:
+        """Return G over that of the same plate, √(E_1 E_3)/(2 (1 + ν)) [-]."""
+        return 2.0 * (1.0 + self.nu) * self.G * self.wider**2 / self.E
 
 
 class SpaceBody(NamedTuple):

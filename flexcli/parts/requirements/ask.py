@@ -133,6 +133,8 @@ class JointModel(ABC):
     """The effects that it cannot leave out."""
     at_stroke: str = "exact beams in space, sections that curl and warp"
     """What its blades are at a stroke in space."""
+    directs_blades: bool = True
+    """Whether each has there the moduli of its own direction in a crystal or a sheet."""
 
     def carried(self, setting: "Setting") -> frozenset[EffectName]:
         """Return the effects that its numbers have in a design."""

@@ -294,11 +294,17 @@ class Support(Bound):
         locked = self.drive == "locked"
         quantity = f"{self.spoken} at full stroke, drive {self.drive}"
         source = f"tangent of {ask.joint_model.at_stroke}"
+        directed = (
+            ask.material.is_directed
+            and ask.joint_model.directs_blades
+            and space_joint(ask).is_directed
+        )
         for value, error in ask.joint_model.support_at_stroke(
             ask, index, self.point, locked=locked
         ):
             told = _with_clamps(ask, error)
-            yield from self._bounds(value, told, ask.scene.case, quantity, source)
+            for limit in self._bounds(value, told, ask.scene.case, quantity, source):
+                yield replace(limit, is_directed=directed)
 
     def _bounds(
         self, value: float, error: ErrorRange | None, case: str, quantity: str, source: str

@@ -167,11 +167,13 @@ def _plate(blade: SpaceBlade, l: float, h: float, effects: BeamEffects) -> _Plat
         bent = wide_hinge(type(profile), numbers, l, b, nu).stiffness
         return _Plate(bent, bent, curls=curls * isinstance(profile, Filleted))
     hinge = float(profile.hinge) if isinstance(profile, NeckedDown) else l
-    at = {"b": b, "l": hinge, "poisson_ratio": nu}
+    wide, sheared = b * blade.material.wider, blade.material.shear
+    at = {"b": wide, "l": hinge, "poisson_ratio": nu}
     flat = float(sheet_factors.bending_factor(**at))
-    Phi = 2.4 * (1.0 + nu) * (b / hinge) ** 2
+    Phi = 2.4 * (1.0 + nu) / sheared * (wide / hinge) ** 2
     # the shear compliance that, beside this bending, gives the S shape in the plane
-    even = 1.0 - ((1.0 + Phi) / float(sheet_factors.guided_factor(**at)) - 1.0 / flat) / Phi
+    aside = float(sheet_factors.guided_factor(**at, shear=sheared))
+    even = 1.0 - ((1.0 + Phi) / aside - 1.0 / flat) / Phi
     return _Plate(
         float(plate_factors.pure_bending_factor(**at, h=h)),
         float(plate_factors.guided_factor(**at, h=h)),
