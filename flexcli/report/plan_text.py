@@ -11,6 +11,9 @@ from flexcli.results.plan import AuditRow, Plan, ScenePlan
 
 __all__ = ["audit_table", "plan_tables", "section", "share"]
 
+NOTHING = 1e-8
+"""Relative change below which none is shown."""
+
 
 def section(result: Result) -> Iterator[RenderableType]:
     """Yield the plan, whole where it was asked for, and its audit."""
@@ -70,7 +73,7 @@ def share(value: float) -> str:
     """Return a relative change in a few characters."""
     if not isfinite(value):
         return "∞"
-    return f"{value:.2%}" if value == 0.0 or value >= 1e-4 else f"{value * 100.0:.1g}%"
+    return f"{value * 100.0:.1g}%" if NOTHING < value < 1e-4 else f"{value:.2%}"
 
 
 def _short(plan: Plan) -> str:

@@ -35,6 +35,9 @@ Floats = NDArray[np.float64]
 
 Peaks = Mapping[str, float]
 
+NOTHING = 1e-8
+"""Share of a number from which on an effect is told to change it."""
+
 MOST_MODES = 12
 """Lowest modes that are looked at by themselves."""
 
@@ -80,7 +83,9 @@ def _row(
     ask: Ask, effect: str, indicator: float, estimates: Peaks, reason: str, *, on: bool = False
 ) -> EffectRow:
     (name, most), *_ = estimates.items()
-    told = f"by up to {most:.2g} of it" if isfinite(most) else "by nobody knows how much"
+    told = "by nobody knows how much"
+    if isfinite(most):
+        told = f"by up to {most:.2g} of it" if most > NOTHING else "not at all"
     text = f"{reason}; {name} {told}"
     return EffectRow(f"{effect}, {ask.scene.case}", on, indicator, most, text, estimates)
 
