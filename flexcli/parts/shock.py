@@ -114,12 +114,13 @@ class Shock(Part):
         Raises ValueError where a spectrum does not reach.
         """
         if self.half_sine is not None:
-            rigid = fn * self.half_sine.duration > RIGID
+            tau = self.half_sine.duration
+            rigid = fn * tau > RIGID
             pulse = half_sine_damped(
-                np.minimum(fn, RIGID / self.half_sine.duration),
+                np.where(rigid, 1.0 / tau, fn),  # where it is rigid, any will do
                 self.q,
                 self.half_sine.acceleration,
-                self.half_sine.duration,
+                tau,
                 quantity="pseudo",
             )
             return np.where(rigid, self.half_sine.acceleration, pulse.maximax)

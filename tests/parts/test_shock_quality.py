@@ -1,5 +1,6 @@
 """Q of a shock: its own, else the case's, else the mechanism's, else the material's, else 10."""
 
+import numpy as np
 import pytest
 from strategies import TITANIUM, design
 
@@ -39,3 +40,18 @@ def test_the_loss_of_the_material_damps_it_where_nothing_else_does():
 
 def test_its_own_goes_before_all():
     assert quality(own=5, case=30, damping={"q": 50}, loss=LOSS) == 5.0
+
+
+@pytest.mark.parametrize("milliseconds", [2.0, 3.0, 6.0, 7.0, 11.0, 0.3])
+def test_modes_far_above_the_pulse_follow_it(milliseconds):
+    """However 200 pulses a period round: some durations ended in an error of the formula."""
+    pulse = {"half-sine": {"acceleration": "100 m/s^2", "duration": f"{milliseconds} ms"}}
+    spec = design(
+        BLADE, {"dynamic-yield": 1.25}, {"drop": {"shock": pulse}},
+        mechanism={"kind": "tip-mass", "mass": "10 g"},
+    )  # fmt: skip
+    turn = 200.0 / (milliseconds * 1e-3)
+    fn = np.array([np.nextafter(turn, 0.0), turn, np.nextafter(turn, np.inf), 10.0 * turn])
+    peaks = spec.cases["drop"].shock.pseudo_acceleration(fn)
+    assert peaks == pytest.approx(100.0, rel=1e-2)
+    assert peaks[-1] == pytest.approx(100.0, rel=1e-12)
