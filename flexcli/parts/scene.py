@@ -323,13 +323,23 @@ def _across_by(case: Case, geometry: Geometry, wrenches: tuple[Wrench, ...]) -> 
     if steady is not None and steady.axis == "z":
         acts = any(each[2] for each in wrenches[1:]) or geometry.own_mass > 0.0
         found |= {LoadKind.ACCELERATION} if acts else set()
-    if not found or geometry.in_space or geometry.is_guided or case.lock is not None:
+    # beside a stroke a guide would have a part in what both do to each other
+    guided = geometry.is_guided and case.stroke is not None
+    if not found or geometry.in_space or guided or case.lock is not None:
         return frozenset()
+    return frozenset(found) if _stands_free(geometry) else frozenset()
+
+
+def _stands_free(geometry: Geometry) -> bool:
+    """Return whether a joint has a layout in space, and no body on ideal joints of its plane."""
     try:
-        layout = geometry.layout(ANY, geometry.probe())
+        geometry.space_layout(ANY, geometry.probe())
     except NotAvailable:
-        return frozenset()
-    return frozenset() if layout.guides else frozenset(found)
+        return False
+    try:
+        return not geometry.layout(ANY, geometry.probe()).guides
+    except NotAvailable:  # bars along an axis have no plane
+        return True
 
 
 def _pushed_by(case: Case, inertial: frozenset[LoadKind], *, in_space: bool) -> frozenset[LoadKind]:

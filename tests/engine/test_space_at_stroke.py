@@ -400,3 +400,26 @@ def test_far_twisted_bars_stiffen_by_their_long_fibres(bars):
     stiff = joint.fibre_stiffening(TWISTED, sizes, 1.0, free=free)
     assert stiff > 1.2 * joint.stiffness(TWISTED, sizes)
     assert found == pytest.approx(stiff, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("joint", "wrench", "stress"),
+    [
+        ("{kind: guided-blade, h: 0.3 mm, l: 30 mm, b: 8 mm}", "z: 10 N",
+         6 * 10 * 30e-3 / (0.3e-3 * 8e-3**2)),
+        ("{kind: torsion-bar, h: 0.5 mm, l: 30 mm, b: 3 mm, bars: 2}", "z: 10 N",
+         10 / (2 * 0.5e-3 * 3e-3)),
+        ("{kind: torsion-bar, h: 0.5 mm, l: 30 mm, b: 3 mm, bars: 2}", "theta_x: 0.1 N*m",
+         6 * 0.05 / (0.5e-3 * 3e-3**2)),
+    ],
+)  # fmt: skip
+def test_a_load_out_of_the_plane_alone_stresses_a_guided_blade_and_bars(
+    tmp_path, joint, wrench, stress
+):
+    """The root of a cantilever; a pull by halves; a moment by halves at the ends of two bars."""
+    text = PIVOT.replace(PIVOT.split("geometry: ")[1].splitlines()[0], joint)
+    text = text.replace("{stroke: {rotation: 15 deg}}", f"{{wrench: {{{wrench}}}}}")
+    text = text.split("requirements:")[0] + "requirements: {yield: 1.5}\n"
+    check = only(checked(text, tmp_path))
+    assert check.verdict.value == "pass"
+    assert check.demand == pytest.approx(stress, rel=0.02)
