@@ -286,11 +286,32 @@ class _Series:
                         best[check.full_name] = fails._replace(model=model.name, seconds=spent)
             if best and all(enough(check) for check in best.values()):
                 break
+        if requirement.is_of_stress:
+            best |= self._overborne(best, scene)
         if not best and first > 0:
             yield from self.climbed(requirement, scene, enough)
         elif not best:
             yield _no_answer(requirement, scene, reason, self.models[-1].name, spent)
         yield from best.values()
+
+    def _overborne(self, checks: Mapping[str, Check], scene: Scene) -> dict[str, Check]:
+        """Return the open checks of a strength that fail by the equilibrium of the loads alone."""
+        open_ = {name: c for name, c in checks.items() if c.verdict is Verdict.UNDECIDED}
+        if not open_ or not scene.is_loaded:
+            return {}
+        from flexcli.engine.joint_models.equilibrium_stress import least_stress
+
+        ask = self.design.ask(scene, self.sizes, self.models[-1].joint_model)
+        least, found = least_stress(ask), {}
+        for name, check in open_.items():
+            most = check.capacity / least if least else inf
+            if most < check.required * (1.0 - SURE):
+                found[name] = check._replace(
+                    quantity="mean stress of the sections that bear the force, at least",
+                    demand=least, factor=most, factor_range=(0.0, most), verdict=Verdict.FAIL,
+                    source="equilibrium: the force over the thinnest sections of all blades there",
+                )  # fmt: skip
+        return found
 
     def _limits(self, requirement: Requirement, scene: Scene, model: NamedModel) -> Iterator[Limit]:
         return limits_by(self.design, self.sizes, requirement, scene, model, self.near)

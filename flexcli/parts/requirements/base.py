@@ -79,6 +79,8 @@ class Requirement(Part):
     """Whether it is asked at the temperatures of cases too, where it is not of a case."""
     adds_up: ClassVar[bool] = False
     """Whether what its cases use up adds up over all of them, as damage does."""
+    is_of_stress: ClassVar[bool] = False
+    """Whether the largest stress is judged by a strength, whatever makes it."""
     of_the_drawing: ClassVar[bool] = False
     """Whether it is of the shape alone, which no model is needed for."""
     label: ClassVar[str]

@@ -28,6 +28,7 @@ class Yield(FactorRequirement):
     """Factor on the largest stress, against R_p0.2 unless other allowables are named."""
 
     label: ClassVar[str] = "yield"
+    is_of_stress: ClassVar[bool] = True
 
     allowable: Annotated[tuple[Allowable, ...], OneOrMore()] = ("yield-strength",)
     """Strengths that the stress is held against: one, or a list,

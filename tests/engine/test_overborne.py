@@ -1,0 +1,38 @@
+"""Loads far beyond what a joint bears fail by equilibrium alone, where no model follows them."""
+
+import pytest
+from twins.verdicts import checked
+
+JOINTS = {
+    "rcc": ({"h": "0.1 mm", "l": "20 mm", "b": "1 mm", "p": "2 mm", "half_angle": "45 deg"}, 2e-7),
+    "filleted-hinge": ({"h": "0.1 mm", "l": "11 mm", "b": "0.2 mm", "r": "4.9 mm"}, 2e-8),
+}
+"""Sizes, and the area of all blades [m²]."""
+
+STRENGTH, FORCE = 880e6, 100e3
+
+
+def said(kind, factor):
+    material = {"name": "m", "youngs_modulus": "114 GPa", "poisson_ratio": 0.34,
+                "density": "4430 kg/m^3", "yield_strength": f"{STRENGTH} Pa"}  # fmt: skip
+    spec = {
+        "flexure": 1, "title": "overborne", "material": material,
+        "geometry": {"kind": kind, **JOINTS[kind][0]},
+        "cases": {"work": {"wrench": {"x": f"{FORCE} N"}, "ends": "clamped-guided"}},
+        "requirements": {"yield": factor},
+    }  # fmt: skip
+    return checked(spec, "yield")
+
+
+@pytest.mark.parametrize("kind", JOINTS)
+def test_a_force_beyond_all_sections_together_fails(kind):
+    found, most = said(kind, 1.0), STRENGTH * JOINTS[kind][1] / FORCE
+    assert found.verdict == "fail", found
+    assert found.factors == pytest.approx((most,))
+    assert found.ranges[0] == pytest.approx([0.0, most])
+
+
+@pytest.mark.parametrize("kind", JOINTS)
+def test_what_the_sections_may_bear_is_not_failed_by_their_area(kind):
+    found = said(kind, 0.9 * STRENGTH * JOINTS[kind][1] / FORCE)
+    assert found.verdict == "undecided", found
