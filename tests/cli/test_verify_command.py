@@ -48,6 +48,23 @@ def test_its_decks_are_written_where_asked_and_nothing_is_replaced(flexure, tmp_
 
 
 @pytest.mark.usefixtures("no_ccx")
+@pytest.mark.parametrize(
+    ("asked", "options"),
+    [("", ()), ("", ("--only", "support_z_end")), ("drive: locked, at: full-stroke", ())],
+)
+def test_support_at_stroke_is_compared_where_somebody_asks_for_it(
+    flexure, tmp_path, asked, options
+):
+    if asked:
+        support = f"requirements: {{support: {{direction: z, min: 1 N/m, {asked}}}}}\n"
+        spec = SPEC.partition("requirements")[0] + support
+        (tmp_path / "flexure.yaml").write_text(spec)
+    told = flexure("verify", *options, "--format", "json")
+    rows = json.loads(told.stdout)["verification"]["numbers"]
+    assert any(row["name"] == "support_z_end" for row in rows) == bool(asked or options)
+
+
+@pytest.mark.usefixtures("no_ccx")
 def test_blades_that_meet_in_a_point_are_no_solid(flexure, tmp_path):
     crossed = SPEC.replace(
         "{kind: cantilever, h: 0.5 mm, l: 20 mm, b: 2 mm}",
