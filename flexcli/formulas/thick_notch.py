@@ -52,12 +52,13 @@ body, massive ones, or nothing where they are not stated."""
 class Softening(NamedTuple):
     """Compliance in rotation beyond that of a hinge's beam, times E b, and its error [1/m²].
 
-    ``shift`` is between which the shift of the hinge lies, over that of its beam [-].
+    The shift of the hinge is ``shift_least`` to ``shift_most`` times that of its beam [-].
     """
 
     more: Number
     error: Number
-    shift: tuple[Number, Number]
+    shift_least: Number
+    shift_most: Number
 
 
 def softening(
@@ -130,8 +131,9 @@ def softening(
     least = most = bent
     if blocks is None or isinstance(blocks, str):
         least, most = rest, larger(bent, rest + MORE / H**2 * lever)
-    shift = least - less, most + more
-    return Softening(softer + (low + high) / 2.0, fit + (high - low) / 2.0, shift)
+    return Softening(
+        softer + (low + high) / 2.0, fit + (high - low) / 2.0, least - less, most + more
+    )
 
 
 class Spread(NamedTuple):

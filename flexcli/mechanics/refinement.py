@@ -30,8 +30,8 @@ Integers = NDArray[np.intp]
 LEVELS = (8, 12, 18, 27, 40, 60, 90, 135)
 """Gauss nodes on a piece, level by level; each level tells the error of the one before."""
 
-_NEAR = 0.5
-"""Length of the unknowns up to which few nodes are tried: forces up to those of an Euler column,
+_NEAR = 0.23
+"""Length of the unknowns up to which few nodes are tried: forces up to a third of a column's,
 whose tangent they give too."""
 
 _NOTHING = 1e-280

@@ -304,7 +304,8 @@ def test_the_q_of_a_case_serves_all_of_its_loads(respond):
     ],
 )
 def test_axes_and_sines_that_say_too_little_or_too_much_are_findings(flexure, tmp_path, case, told):
-    (tmp_path / "flexure.yaml").write_text(STAGE.replace("CASE", case))
+    undamped = STAGE.replace(", damping: {q: 20}", "")
+    (tmp_path / "flexure.yaml").write_text(undamped.replace("CASE", case))
     found = flexure("check")
     assert found.returncode == 2
     assert told in re.sub(r"\s+", " ", found.stdout + found.stderr)

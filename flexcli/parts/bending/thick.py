@@ -64,4 +64,4 @@ def _thick(ratio: float, found: Softening, turn: float, uneven: float) -> Thick:
     if error >= 1.0 + more:
         return Thick(ratio, None)
     ends = 1.0 / (1.0 + more + error), 1.0 / (1.0 + more - error)
-    return Thick(ratio, Factor(1.0 / (1.0 + more), *ends), found.shift)
+    return Thick(ratio, Factor(1.0 / (1.0 + more), *ends), (found.shift_least, found.shift_most))

@@ -165,7 +165,7 @@ def test_a_sine_without_damping_is_a_finding():
     mechanism = found.mechanism.model_copy(update={"damping": None})
     ask = Ask(
         found.material, found.geometry, mechanism, found.fixed_sizes(),
-        found.scene("shake"), Off(),
+        found.scene("shake")._replace(quality=None), Off(),
     )  # fmt: skip
     ((_, requirement),) = found.requirements.each()
     with pytest.raises(RequirementError, match="damped"):
