@@ -345,6 +345,8 @@ def limits_by(
             error = ask.material.doubted(
                 error, kind, in_space=in_space, is_directed=limit.is_directed
             )
+        if error is not None and limit.strengths:
+            error = ask.material.weakened(error, limit.strengths)
         yield replace(limit, error=error)
 
 

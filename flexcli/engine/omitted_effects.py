@@ -6,6 +6,7 @@ from math import isfinite
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effects import MODEL_EFFECTS, Setting
 from flexcli.parts.geometries import Sizes
+from flexcli.parts.material import STRENGTHS, WARM
 from flexcli.parts.requirements import AS_PRINTED, JointModel
 from flexcli.parts.scene import Scene
 from flexcli.results import EffectRow, Note, QuantityKind, Value
@@ -151,12 +152,11 @@ def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[
         return
     geometry = design.geometry
     asked = temperature.temperatures(layout, geometry.axes, geometry.body_materials)
+    hottest = max(asked)
     most = max(abs(T - temperature.assembly) for T in asked)
     given = known.model_dump(exclude_none=True) if known is not None else {}
     if known is not None and (beyond := known.continued(asked)):
-        text = (
-            f"case '{scene.case}' reaches {max(asked):.4g} K, beyond the points of the material: "
-        )
+        text = f"case '{scene.case}' reaches {hottest:.4g} K, beyond the points of the material: "
         text += f"{', '.join(beyond)}; taken by thermal_expansion, and as it is there"
         yield Note("beyond-points", text)
     yield from _held_across(design, sizes, scene)
@@ -168,12 +168,15 @@ def _of_temperature(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[
     }
     parts |= {
         name: f"{name} is that at assembly"
-        for name in ("yield_strength", "tensile_strength", "fatigue_amplitude")
+        for name in STRENGTHS
         if getattr(design.material, name) is not None
     }
     missing = [text for name, text in parts.items() if name not in given]
     if missing:
         text = f"case '{scene.case}' is {most:.3g} K from assembly: {'; '.join(missing)}"
+        text += "; what that may change is in the errors"
+        if hottest - temperature.assembly > WARM:
+            text += f", and no strength that is not given is known {WARM:.0f} K above assembly"
         yield Note("at-assembly", f"{text}; material.over_temperature would give more")
 
 

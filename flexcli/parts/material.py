@@ -1,7 +1,8 @@
 """The material of the blades: numbers with their source, and strength as an amplitude."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from itertools import pairwise
+from math import sqrt
 from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import GetJsonSchemaHandler, PrivateAttr, model_validator
@@ -21,7 +22,7 @@ from flexcli.parts.base import (
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.named import Named
 from flexcli.parts.sourced import Sourced, WithSource
-from flexcli.results import ErrorRange, Property, QuantityKind
+from flexcli.results import EXACT, ErrorRange, Property, QuantityKind
 
 if TYPE_CHECKING:
     import numpy as np
@@ -36,10 +37,13 @@ else:
     Orthotropic = Annotated[Any, Named("flexcli.parts.anisotropic:Orthotropic")]
     OverTemperature = Annotated[Any, Named("flexcli.parts.over_temperature:OverTemperature")]
 
-__all__ = ["FatigueAmplitude", "Material", "MissingProperty", "SNCurve"]
+__all__ = ["STRENGTHS", "WARM", "FatigueAmplitude", "Material", "MissingProperty", "SNCurve"]
 
 OUT_OF_PLANE = (QuantityKind.SUPPORT, QuantityKind.RESPONSE)
 """What blades twist and shear in, whatever the joint."""
+
+STRENGTHS = ("yield_strength", "tensile_strength", "fatigue_amplitude")
+"""What may have points over temperature; a stress that somebody admits has none."""
 
 _UNITS = {"poisson_ratio": "", "loss_factor": "", "density": "kg/m^3", "thermal_expansion": "1/K"}
 """SI units of the properties that are no stress."""
@@ -47,6 +51,14 @@ _UNITS = {"poisson_ratio": "", "loss_factor": "", "density": "kg/m^3", "thermal_
 
 SECTIONS = 3.0
 """Powers of a length in a stiffness over E: sections that grow change it by so many growths."""
+
+MODULUS_DRIFT = 8e-4
+"""By what share Young's modulus changes at most for each kelvin from assembly, where nobody gave it
+over temperature [1/K]: more than the steepest curve that is shipped, of Invar (NIST)."""
+
+STRENGTH_LOSS, WARM = 4e-3, 80.0
+"""What a strength loses at most for each kelvin above assembly where nobody gave it there [1/K],
+and up to where that holds [K]: age-hardened aluminium goes soft beyond."""
 
 
 class MissingProperty(ValueError):
@@ -237,6 +249,8 @@ class Material(Part):
         default_factory=dict
     )
     _spread: float = PrivateAttr(0.0)
+    _drift: float = PrivateAttr(0.0)
+    _weaker: dict[str, float] = PrivateAttr(default_factory=dict)
     _sheared: float = PrivateAttr(0.0)
     _rough: float = PrivateAttr(0.0)
     _stiffer: float = PrivateAttr(1.0)
@@ -390,7 +404,26 @@ class Material(Part):
         off = self._spread - self._rough if is_directed else self._spread
         if not is_directed and (in_space or kind in OUT_OF_PLANE):
             off += self._sheared
-        return error + ErrorRange(-off, off)
+        return error + ErrorRange(-off, off) + self._drifted(kind)
+
+    def _drifted(self, kind: QuantityKind | None) -> ErrorRange:
+        """Return what Young's modulus, not given at a temperature, leaves unsure of a number."""
+        if kind is QuantityKind.SHIFT:  # it follows from lengths, not from how stiff all is
+            return EXACT
+        least, most = max(0.0, 1.0 - self._drift), 1.0 + self._drift
+        if kind is QuantityKind.FREQUENCY:
+            least, most = sqrt(least), sqrt(most)
+        return ErrorRange(least - 1.0, most - 1.0)
+
+    def weakened(self, error: ErrorRange, strengths: Collection[str]) -> ErrorRange | None:
+        """Return an error of a stress with what heat may take of the strengths that it is held to.
+
+        Unknown where nobody knows how much that is.
+        """
+        lost = max((self._weaker.get(name, 0.0) for name in strengths), default=0.0)
+        if lost >= 1.0:
+            return None
+        return ErrorRange(error.low, (1.0 + error.high) / (1.0 - lost) - 1.0)
 
     @property
     def is_directed(self) -> bool:
@@ -424,28 +457,31 @@ class Material(Part):
         assert one is not None  # a spec without is refused
         return one * change
 
-    def at(self, assembly: float, coldest: float, hottest: float) -> "Material":
+    def at(self, assembly: float, coldest: float, hottest: float, clamps: float) -> "Material":
         """Return the material between two temperatures [K], its values being those at assembly.
 
-        Young's modulus is that of the middle, each strength the least. What is not given over
-        temperature stays as it is.
+        Young's modulus is that of the middle, each strength the least, at the hottest of the bodies
+        that clamp it too (``clamps``). What is not given over temperature stays as it is; what it
+        may be counts in the errors.
         """
         # copies of a part share what it keeps: each finds its own, which stays as long as it does
-        key = (id(self), assembly, coldest, hottest)
+        key = (id(self), assembly, coldest, hottest, clamps)
         if key not in self._warmed:
-            self._warmed[key] = self, self._between(assembly, coldest, hottest)
+            self._warmed[key] = self, self._between(*key[1:])
         return self._warmed[key][1]
 
-    def _between(self, assembly: float, coldest: float, hottest: float) -> "Material":
+    def _between(
+        self, assembly: float, coldest: float, hottest: float, clamps: float
+    ) -> "Material":
         known, ends = self.over_temperature, (coldest, hottest)
+        warmest = max(hottest, clamps)
 
-        def ratios(name: str) -> list[float]:
-            return [1.0 if known is None else known.ratio(name, T, assembly) for T in ends]
+        def ratios(name: str, *at: float) -> list[float]:
+            return [1.0 if known is None else known.ratio(name, T, assembly) for T in at]
 
-        low, high = sorted(ratios("youngs_modulus"))
-        strengths = ("yield_strength", "tensile_strength", "fatigue_amplitude")
+        low, high = sorted(ratios("youngs_modulus", *ends))
         changed = {"youngs_modulus": (low + high) / 2.0}
-        changed |= {name: min(ratios(name)) for name in strengths}
+        changed |= {name: min(ratios(name, coldest, warmest)) for name in STRENGTHS}
         update: dict[str, Any] = {
             name: given.model_copy(update={"value": ratio * given.value})
             for name, ratio in changed.items()
@@ -459,6 +495,16 @@ class Material(Part):
         found._spread = self._spread + differ + SECTIONS * grown
         found._stiffer = (low + high) / 2.0
         found._is_uneven = self._is_uneven or differ > 0.0
+        tabled: Collection[str] = () if known is None else known.given
+        heat = max(0.0, warmest - assembly)
+        lost = STRENGTH_LOSS * heat if heat <= WARM else 1.0
+        found._weaker = {
+            name: lost for name in (*STRENGTHS, "admissible_stress") if name not in tabled
+        }
+        beyond = hottest - assembly, assembly - coldest
+        if known is not None and known.youngs_modulus is not None:
+            beyond = hottest - max(known.youngs_modulus.range[1], assembly), 0.0
+        found._drift = MODULUS_DRIFT * max(0.0, *beyond)
         return found
 
     @property

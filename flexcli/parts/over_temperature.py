@@ -130,6 +130,11 @@ class OverTemperature(Part):
             if name in CONTINUED and hottest > points.range[1] + ROUNDING
         )
 
+    @property
+    def given(self) -> frozenset[str]:
+        """Return the properties that have points."""
+        return frozenset(self._given())
+
     def _given(self) -> dict[str, Points]:
         each = {name: getattr(self, name) for name in type(self).model_fields}
         return {name: points for name, points in each.items() if points is not None}

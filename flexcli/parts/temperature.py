@@ -290,9 +290,13 @@ class Temperature(Part):
         )
 
     def of_blades(self, material: Material, layout: Layout | SpaceLayout, axes: float) -> Material:
-        """Return the material of the blades at their temperatures."""
-        each = self.changes(layout, axes).blades.values()
-        return material.at(self.assembly, self.assembly + min(each), self.assembly + max(each))
+        """Return the material of the blades at their temperatures, and their clamps'."""
+        changes = self.changes(layout, axes)
+        each, clamps = changes.blades.values(), changes.bodies.values()
+        coldest, hottest, clamped = (
+            self.assembly + change for change in (min(each), max(each), max(clamps))
+        )
+        return material.at(self.assembly, coldest, hottest, clamped)
 
     def temperatures(
         self, layout: Layout | SpaceLayout, axes: float, others: Collection[str] = ()

@@ -358,6 +358,65 @@ def test_nothing_is_taken_beyond_the_points():
     assert "80 to 293 K" in found.hint
 
 
+HOT = """
+flexure: 1
+material: {material}
+geometry: {{kind: leaf-spring-stage, h: 0.2 mm, l: 20 mm, b: 10 mm, spacing: 20 mm, blades: 2}}
+cases: {{hot: {{stroke: {{translation: 0.5 mm, cycles: 1e4}}, temperature: {{{temperature}}}}}}}
+requirements: {{{requirements}}}
+"""
+TABLE = (
+    "{extends: 7075-t6, "
+    "over_temperature: {yield_strength: {points: [[293 K, 1 GPa], [500 K, 0.2 GPa]]}}}"
+)
+
+
+def hot(material, temperature, requirements):
+    text = HOT.format(material=material, temperature=temperature, requirements=requirements)
+    return flexcli.check(text).checks
+
+
+@pytest.mark.parametrize(
+    "temperature", ["uniform: 150 K", "bodies: {moving: 150 K, ground: 150 K}"]
+)
+def test_a_strength_far_above_assembly_is_unknown_where_nobody_gave_it_there(temperature):
+    """Of 7075-T6 little is left at 170 °C: its clamps are as hot as the bodies."""
+    checks = hot("7075-t6", temperature, "yield: 1.01, fatigue: 1.01")
+    assert {check.verdict for check in checks} == {Verdict.UNDECIDED}
+    (check,) = (c for c in hot(TABLE, temperature, "yield: 1.01") if "held" not in c.full_name)
+    assert check.verdict is Verdict.PASS
+    # a straight line between the points of the table
+    assert check.capacity == pytest.approx(503e6 * (1.0 - 0.8 * 150.0 / 207.0), rel=1e-6)
+
+
+def test_a_strength_that_nobody_gave_may_be_less_by_what_heat_takes():
+    """Aluminium and annealed stainless steels lose less than 0.4 % a kelvin up to 80 K."""
+    (warm,) = hot("7075-t6", "uniform: 50 K", "yield: 1")
+    (cold,) = hot("7075-t6", "uniform: -50 K", "yield: 1")
+    least, _ = (check.factor_range[0] / check.factor for check in (warm, cold))
+    assert least == pytest.approx(0.8 * cold.factor_range[0] / cold.factor, rel=1e-3)
+
+
+def test_a_modulus_that_nobody_gave_is_unsure_by_as_much_as_shipped_curves_change():
+    drift = 0.0
+    for name in ("6061-t6", "304-annealed", "316-annealed", "invar-36"):
+        moduli = flexcli.load(
+            HOT.format(material=name, temperature="uniform: -9 K", requirements="yield: 1")
+        ).part.material
+        points = moduli.over_temperature.youngs_modulus.points
+        top = moduli.over_temperature.youngs_modulus.at(293.0)
+        drift = max(drift, *(abs(E / top - 1.0) / (293.0 - T) for T, E in points if T < 280.0))
+    checks = hot("7075-t6", "uniform: -200 K", "stiffness: {max: 3 N/mm}")
+    rest, cold = (
+        next(c for c in checks if c.name == "stiffness (max)" and c.case == case)
+        for case in ("", "hot")
+    )
+    low, high = (end / cold.factor for end in cold.factor_range)
+    assert low < 1.0 / (1.0 + 200.0 * drift)
+    assert high > 1.0 / (1.0 - 200.0 * drift)
+    assert rest.factor_range[0] > 0.95 * rest.factor
+
+
 WIDE_BRIDGE = """
 flexure: 1
 material: {{youngs_modulus: 200 GPa, yield_strength: 400 MPa, poisson_ratio: 0.3,

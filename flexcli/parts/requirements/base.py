@@ -28,8 +28,8 @@ class Limit:
     own; ``driver`` is what the demand grows with. ``kind`` says what models differ in, and
     ``in_capacity`` that it is the capacity which is of this kind, not the demand; ``error`` is
     that of the number, unknown unless somebody gives it, and ``is_directed`` that it has what the
-    direction of a crystal's or a sheet's blades does. ``path`` is where the spec asks for it,
-    where no requirement does.
+    direction of a crystal's or a sheet's blades does. ``strengths`` are the material's that it is
+    held against. ``path`` is where the spec asks for it, where no requirement does.
     """
 
     requirement: str
@@ -50,6 +50,7 @@ class Limit:
     in_capacity: bool = False
     error: ErrorRange | None = None
     is_directed: bool = False
+    strengths: tuple[str, ...] = ()
     path: tuple[str | int, ...] = ()
 
     @property

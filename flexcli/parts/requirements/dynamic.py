@@ -149,6 +149,7 @@ class DynamicYield(Dynamic):
                 required=self.factor,
                 kind=QuantityKind.RESPONSE,
                 error=_summed((peak.value, error), (still, still_error)),
+                strengths=(self.allowable.replace("-", "_"),),
             )
 
 

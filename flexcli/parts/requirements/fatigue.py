@@ -71,6 +71,7 @@ class Fatigue(FactorRequirement):
                     driver="stroke" if method == "none" else scene.driver,
                     kind=QuantityKind.STRESS,
                     error=self._error(stress, ask, strength, method, demand),
+                    strengths=("fatigue_amplitude", *filter(None, (LIMITS.get(method),))),
                 )
         except MissingProperty as missing:
             raise RequirementError(

@@ -76,6 +76,7 @@ class Yield(FactorRequirement):
                     joint=stress.joint,
                     driver=ask.scene.driver,
                     kind=QuantityKind.STRESS,
+                    strengths=(field,),
                 )
             yield from self._held_across(ask, found, strength, allowable)
 
@@ -113,6 +114,7 @@ class Yield(FactorRequirement):
             variant=f"{allowable}, held across",
             kind=QuantityKind.STRESS,
             error=error,
+            strengths=(allowable.replace("-", "_"),),
         )
 
 
