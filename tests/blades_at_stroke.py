@@ -12,13 +12,14 @@ from typing import NamedTuple
 import numpy as np
 from layouts_in_space import strip
 from scipy.spatial.transform import Rotation
+from support import body_stiffness
 
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.rigid_motion import motion_at
 from flexcli.mechanics.space.exact.demand import Frame
 from flexcli.mechanics.space.exact.equilibrium import solve
 from flexcli.mechanics.space.exact.second_variation import swing
-from flexcli.mechanics.space.exact.support import body_stiffness, support_compliance
+from flexcli.mechanics.space.exact.support import support_compliance
 from flexcli.mechanics.space.layout import Drive, Isotropic, SpaceBlade, SpaceBody, SpaceLayout
 
 E, LENGTH = 200e9, 0.1

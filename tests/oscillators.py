@@ -28,6 +28,11 @@ def quiet(duration, pieces=1):
     return [Piece(duration / pieces, ())] * pieces
 
 
+def polynomial(coefficients, duration):
+    """Give one piece, a polynomial of time, lowest power first."""
+    return [Piece(duration, ((0j, [complex(c) for c in coefficients]),))]
+
+
 def steady_steps(blade, stops, *, angular, amplitude, kick=0.0):
     """Yield the steady motion at each frequency of the base, in the order given, without a jump.
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from flexcli.formulas.rigid_motion import motion_along, motion_at
+from flexcli.mechanics.space.exact.support import support_compliance as in_space
 from flexcli.mechanics.support import support_compliance
 
 
@@ -12,6 +13,12 @@ def support_stiffness(*arguments, **options):
     size = 1 / np.sqrt(np.diagonal(C, axis1=-2, axis2=-1))
     scale = size[..., :, None] * size[..., None, :]
     return np.linalg.inv(C * scale) * scale
+
+
+def body_stiffness(state, body, point):
+    """Return ∂(force, moment)/∂(shift, rotation) of a point in space, all six of them held."""
+    first = 6 * state.layout.index(body)
+    return np.linalg.inv(in_space(state, body, point, free=range(first, first + 6)))
 
 
 def compliance_from(C, offset, axes):

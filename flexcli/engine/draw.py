@@ -6,7 +6,6 @@ from math import cos, sin
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from flexcli.engine.drawn_layout import (
     Turn,
@@ -47,8 +46,6 @@ from flexcli.results.drawing import (
 )
 
 __all__ = ["drawing", "drawn_case", "strength_shown"]
-
-Floats = NDArray[np.float64]
 
 STATES = 21
 """Travels from end to end of the stroke: the path of the centre is drawn through them."""

@@ -10,10 +10,7 @@ from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed, Quantity
 
 __all__ = [
-    "CANTILEVER",
     "CARDS",
-    "GUIDED",
-    "MOMENT",
     "TORSION_CLAMPED",
     "bar_frequency_change",
     "frequency_change",
@@ -21,16 +18,6 @@ __all__ = [
 ]
 
 _HALVINGS = 60  # from π/2 to below the spacing of floats
-
-GUIDED = 13.0 / 35.0
-"""Share of a guided blade's mass (stage) that moves with its tip: ∫(3s² − 2s³)² ds."""
-
-CANTILEVER = 33.0 / 140.0
-"""Share of a cantilever's mass that moves with its tip: ∫(3s² − s³)²/4 ds."""
-
-MOMENT = 1.0 / 20.0
-"""Inertia over m_b l² of a blade that a moment at its tip turns: ∫(s²/2)² ds."""
-
 
 TORSION_CLAMPED = 13.0 / 35.0
 """Share of a torsion bar's inertia that turns with its end where both ends hold the warping and

@@ -13,7 +13,6 @@ from flexcli.formulas.plate_factors import bound
 
 __all__ = [
     "CARDS",
-    "CLAMP_ERROR",
     "ClampCompliance",
     "at_clamp",
     "clamp_compliance",
@@ -24,10 +23,6 @@ __all__ = [
 ]
 
 Floats = NDArray[np.float64]
-
-CLAMP_ERROR = 0.008
-"""Largest error of the two factors against thin plates, ν ≤ ½ and any b/l [-]."""
-
 
 TURN = 5.0
 """θ E b h²/M at the root of a blade that stands on a half-plane [-]."""

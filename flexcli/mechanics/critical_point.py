@@ -10,7 +10,6 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.assembly import Assembly, at_nodes, finer
 from flexcli.mechanics.demand import Demand
 from flexcli.mechanics.inertia_count import closing_and_balance, inertia_count
-from flexcli.mechanics.path import arc_weight, steps_of
 from flexcli.numerics.arc_length import Hyperplane, Steps, correct_on
 
 __all__ = [
@@ -18,6 +17,7 @@ __all__ = [
     "Point",
     "Search",
     "Stretch",
+    "arc_weight",
     "crossing",
     "endless_path",
     "first_critical",
@@ -26,6 +26,7 @@ __all__ = [
     "none_up_to",
     "on_plane",
     "refined",
+    "steps_of",
     "unstable_start",
     "without_poles",
 ]
@@ -138,6 +139,24 @@ class Search(NamedTuple):
             weight=arc_weight(fine),
         )
         return self._replace(assembly=fine, plane=plane)
+
+
+def arc_weight(assembly: Assembly) -> Floats:
+    """Return the weights in arc length: rotations in the mean, motions, no forces."""
+    weight = np.zeros(assembly.size)
+    weight[: assembly.turns] = 1.0 / assembly.turns
+    weight[assembly.turns + 3 * assembly.blades :] = 1.0
+    return weight
+
+
+def steps_of(assembly: Assembly, demand: Demand) -> Steps:
+    """Return the steps of one mechanism for following its path by arc length."""
+
+    def steps(x: Floats, share: float) -> tuple[Floats, Floats]:
+        step, rate = assembly.steps(x[None], np.array([share]), np.arange(1), demand)
+        return step[0], rate[0]
+
+    return steps
 
 
 def without_poles(S: Floats, forces: int) -> Floats:

@@ -20,7 +20,6 @@ from flexcli.mechanics.state import Equilibrium
 
 __all__ = ["demand_of", "designs_of"]
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 

@@ -13,12 +13,14 @@ from flexcli.mechanics.critical_point import (
     CriticalPoint,
     Point,
     Search,
+    arc_weight,
     endless_path,
     first_critical,
     lost_path,
     mode_of,
     none_up_to,
     refined,
+    steps_of,
     unstable_start,
 )
 from flexcli.mechanics.demand import Demand, Held, held_of
@@ -31,9 +33,8 @@ from flexcli.mechanics.inertia_count import (
 )
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.mesh import Effects
-from flexcli.mechanics.path import arc_weight, state_of, steps_of
 from flexcli.mechanics.prescribed_motion import demand_of
-from flexcli.mechanics.state import Equilibrium, Part
+from flexcli.mechanics.state import Equilibrium, Outcome, Part
 from flexcli.numerics.arc_length import CLOSE, follow
 
 __all__ = ["Critical", "critical_load", "inertia_count_held", "is_stable"]
@@ -277,12 +278,26 @@ def _critical(search: Search, found: CriticalPoint, error: float, most: float) -
         raise none_up_to(most)
     side, assembly = found.before, search.assembly
     part = Part(assembly, search.demand, np.arange(1), side.x[None], np.array([side.parameter]))
-    layout, effects = assembly.layout, assembly.effects
     return Critical(
         factor=found.parameter * most,
-        state=state_of(layout, effects, part, error, 0),
+        state=_state_of(part, error),
         multiplicity=found.after.unstable,
         mode=mode_of(assembly, search.counted, found.null * search.unit),
         turns=bool(abs(found.slope) < _LEVEL * search.plane.slope),
         estimated_error=error,
+    )
+
+
+def _state_of(part: Part, error: float) -> Equilibrium:
+    """Return a point of a path as an equilibrium."""
+    return Equilibrium(
+        layout=part.assembly.layout,
+        effects=part.assembly.effects,
+        outcome=(Outcome.CONVERGED,),
+        reached=part.share,
+        iterations=np.zeros(1, dtype=np.intp),
+        estimated_error=np.array([error]),
+        nodes=np.array([part.assembly.nodes], dtype=np.intp),
+        seconds=0.0,
+        parts=(part,),
     )

@@ -34,8 +34,7 @@ def minimize(
     equalities
         Rows = 1.
     names
-        The free variables. Any other variable in a row is a `ValueError`; fix it by
-        `Signomial.substitute` first.
+        The free variables. Any other variable in a row is a `ValueError`.
     starts
         Starting points in logarithms, asked for where some row is not convex.
     ends

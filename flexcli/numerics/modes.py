@@ -1,16 +1,20 @@
-"""Natural modes of a linear system K − ω² M."""
+"""Natural modes of a linear system by its stiffness, or by a compliance that may lose its sign."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Modes", "natural_modes"]
+__all__ = ["Modes", "Vibration", "natural_modes", "vibration_of"]
 
 Floats = NDArray[np.float64]
 
 MASSLESS = 1e-14
 """Share of the largest 1/ω² below which a mode has no mass to speak of and is left out."""
+
+HELD = 1e-13
+"""Share of the softest mode's compliance below which a mode is held, or has no mass."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,3 +50,51 @@ def natural_modes(K: Floats, M: Floats) -> Modes:
     angular = 1.0 / np.sqrt(values[kept])
     shapes = scale[:, None] * (inverse.T @ vectors[:, kept]) * angular
     return Modes(angular, shapes)
+
+
+class Vibration(NamedTuple):
+    """Modes from soft to stiff (designs, modes); shapes (designs, n, modes) of unit modal mass.
+
+    ``square`` is ω² [rad²/s²], negative for a mode that grows; infinite where a coordinate is
+    rigidly held or has no mass. ``frequency`` is in Hz, zero for growing modes.
+    """
+
+    square: Floats
+    shapes: Floats
+
+    @property
+    def frequency(self) -> Floats:
+        """Return the natural frequencies [Hz]."""
+        return np.asarray(np.sqrt(np.maximum(self.square, 0.0)) / (2.0 * np.pi))
+
+
+def vibration_of(M: Floats, G: Floats) -> Vibration:
+    """Return the vibrations of coordinates with the mass M and the compliance G.
+
+    ``M φ = (1/ω²) M G M φ``, so that coordinates without mass and directions without compliance
+    cost nothing.
+
+    Parameters
+    ----------
+    M, G : array, shape (designs, n, n)
+        Mass and compliance, both symmetric; the compliance may be negative.
+
+    Returns
+    -------
+    Vibration
+        Frequencies and shapes.
+
+    """
+    weight, axes = np.linalg.eigh(M)
+    root = axes * np.sqrt(np.maximum(weight, 0.0))[:, None, :]
+    compliance = np.swapaxes(root, -1, -2) @ G @ root
+    soft, vectors = np.linalg.eigh((compliance + np.swapaxes(compliance, -1, -2)) / 2.0)
+    # growing modes first (the most negative 1/ω² grows slowest), then from soft to stiff
+    order = np.argsort(np.where(soft < 0.0, -np.inf, -soft), axis=-1, kind="stable")
+    soft = np.take_along_axis(soft, order, axis=-1)
+    shapes = np.take_along_axis(G @ root @ vectors, order[:, None, :], axis=-1)
+    largest = np.max(np.abs(soft), axis=-1, keepdims=True, initial=0.0)
+    moves = np.abs(soft) > HELD * largest
+    square = np.where(moves, 1.0 / np.where(moves, soft, 1.0), np.inf)
+    shapes = np.where(moves[:, None, :], shapes / np.where(moves, soft, 1.0)[:, None, :], 0.0)
+    return Vibration(square, shapes)

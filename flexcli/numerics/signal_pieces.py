@@ -16,7 +16,6 @@ __all__ = [
     "half_sine",
     "linear_sweep",
     "logarithmic_sweep",
-    "polynomial",
     "sine",
 ]
 
@@ -86,11 +85,6 @@ def sine(
     rest = duration - whole * period
     if rest > 1e-9 * period:
         yield Piece(rest, terms)
-
-
-def polynomial(coefficients: Sequence[float], duration: float) -> Iterator[Piece]:
-    """Yield one piece, a polynomial of time, lowest power first."""
-    yield Piece(duration, ((0j, [complex(c) for c in coefficients]),))
 
 
 def half_sine(*, amplitude: float, width: float, duration: float) -> Iterator[Piece]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from numbers import Real
 from typing import Any
@@ -125,23 +125,6 @@ class Signomial:
                 term = term * powers[key]
             total = total + term
         return total
-
-    def substitute(self, values: Mapping[str, float]) -> Signomial:
-        """Return the signomial with some variables fixed, folded into the coefficients."""
-        fixed = {name: float(values[name]) for name in self.names if name in values}
-        for name, value in fixed.items():
-            if not (math.isfinite(value) and value > 0.0):
-                raise ArithmeticError(f"{name} = {value}: a variable is positive and finite")
-        kept = [i for i, name in enumerate(self.names) if name not in fixed]
-        gone = [(i, fixed[name]) for i, name in enumerate(self.names) if name in fixed]
-        rows = self.exponents.tolist()
-        return _collect(
-            tuple(self.names[i] for i in kept),
-            (
-                (tuple(row[i] for i in kept), c * math.prod(v ** row[i] for i, v in gone))
-                for row, c in zip(rows, self.coefficients.tolist(), strict=True)
-            ),
-        )
 
     def aligned(self, names: tuple[str, ...]) -> Floats:
         """Return the exponents in columns for `names`, shape (K, len(names)).

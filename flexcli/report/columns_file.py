@@ -8,9 +8,7 @@ from typing import NamedTuple
 from flexcli.errors import SolveError
 from flexcli.report.rows_csv import rows_csv
 
-__all__ = ["SUFFIXES", "FileColumn", "csv_text", "file_bytes", "parquet_bytes"]
-
-SUFFIXES = (".csv", ".parquet")
+__all__ = ["FileColumn", "csv_text", "file_bytes", "parquet_bytes"]
 
 
 class FileColumn(NamedTuple):

@@ -152,7 +152,9 @@ def test_clamp_stress_is_that_of_the_plate_in_mid_width(b, nu):
     ):
         beam = shape.deriv(2)(1.0)
         true = plate.curvature(shape, 1.0, 0.0)[0] / beam / (1.0 - nu**2)
-        assert formula(**blade) == pytest.approx(true, abs=clamps.CLAMP_ERROR + 1e-3)
+        assert formula(**blade) == pytest.approx(
+            true, abs=0.009
+        )  # 0.008 of the fit, the rest of the strip
 
 
 def test_clamp_stress_is_a_sixth_to_a_quarter_above_the_beams_and_von_mises_a_tenth():

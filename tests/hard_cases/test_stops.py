@@ -4,14 +4,14 @@ from math import asin, inf, pi, sqrt
 
 import numpy as np
 import pytest
-from oscillators import oscillator, quiet
+from oscillators import oscillator, polynomial, quiet
 
 from flexcli.errors import SolveError
 from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
 from flexcli.mechanics.stopping.laws import HertzStop, LinearStop, RigidStop, Stops
 from flexcli.mechanics.stopping.result import StopOutcome
 from flexcli.mechanics.stopping.vibration import StoppedVibration, simulate
-from flexcli.numerics.signal_pieces import polynomial, sine
+from flexcli.numerics.signal_pieces import sine
 
 KEPT = 1e-9
 """Energy after a thousand cycles, over that at the start."""

@@ -9,7 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mechanisms_for_tests import E, cantilever, pivot
 from planar_joint import joint_stiffness
-from scipy.linalg import eigh
 
 from flexcli.formulas.pivot import end_stresses
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
@@ -17,8 +16,6 @@ from flexcli.mechanics.equilibrium import LEVELS, solve
 from flexcli.mechanics.layout import Body, Load, Support
 from flexcli.mechanics.linear import linear
 from flexcli.mechanics.mesh import Effects
-from flexcli.mechanics.modes import mass_matrix, vibration
-from flexcli.mechanics.path import sweep
 from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.stresses import blade_stress, greatest_stress
 from flexcli.mechanics.tangent import body_stiffness, free_compliance, held_stiffness
@@ -76,27 +73,6 @@ def test_the_moment_over_the_stroke_is_the_integral_of_its_stiffness():
     stiffness = held_stiffness(solve(pivot(), {"out": (None, None, theta)}).checked())[:, 0, 0]
     moment = solve(pivot(), {"out": (None, None, 0.5)}).checked().reactions[0, 0, 2]
     assert 0.25 * weights @ stiffness == pytest.approx(moment, rel=1e-9)
-
-
-def test_frequency_of_a_pivot_is_that_of_its_stiffness_and_inertia():
-    layout = pivot()
-    body = Body("out", (0.0, 0.0), mass=0.0, inertia=1e-6, com=(0.0, 0.0))
-    state = solve(replace(layout, bodies=(body,))).checked()
-    K = 1.0 / free_compliance(state)[0, 2, 2]
-    found = vibration(state)
-    assert found.frequency[0, 0] == pytest.approx(np.sqrt(K / 1e-6) / 2.0 / np.pi, rel=1e-9)
-    assert np.isinf(found.square[0, 1:]).all()
-
-
-def test_modes_of_a_deflected_pivot_solve_the_eigenvalue_problem():
-    body = Body("out", (0.0, 0.0), mass=0.05, inertia=1e-6, com=(2e-3, 1e-3))
-    layout = replace(pivot(), bodies=(body,))
-    state = solve(layout, loads=[Load("out", (0.0, 0.0), moment=0.2 * EI / l)]).checked()
-    expected = eigh(body_stiffness(state, "out")[0], mass_matrix(state)[0], eigvals_only=True)
-    found = vibration(state)
-    assert found.square[0] == pytest.approx(expected, rel=1e-7)
-    M = mass_matrix(state)[0]
-    assert found.shapes[0].T @ M @ found.shapes[0] == pytest.approx(np.eye(3), abs=1e-9)
 
 
 def test_end_stress_of_a_pivot_tends_to_the_closed_form():
@@ -225,7 +201,7 @@ def test_a_closed_loop_of_motions_does_no_work():
         def held(share, t=(t_0, t_1), y=(y_0, y_1)):
             return {"tip": (None, y[0] + share * (y[1] - y[0]), t[0] + share * (t[1] - t[0]))}
 
-        states = sweep(cantilever(), held, (nodes + 1.0) / 2.0)
+        states = (solve(cantilever(), held(share)) for share in (nodes + 1.0) / 2.0)
         force = np.array([s.checked().reactions[0, 0] for s in states])
         work += weights @ (force[:, 2] * (t_1 - t_0) + force[:, 1] * (y_1 - y_0)) / 2.0
     assert work == pytest.approx(0.0, abs=1e-9 * EI / l)

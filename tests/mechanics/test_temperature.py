@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from geometries_for_tests import ELASTIC, SAMPLES, geometry
+from paths import trace
 
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Blade, Body, Layout, Load
 from flexcli.mechanics.linear import linear
-from flexcli.mechanics.path import trace
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING
 

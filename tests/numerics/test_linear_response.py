@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oscillators import polynomial
 from scipy.integrate import solve_ivp
 
 from flexcli.numerics.linear_response import respond
@@ -12,7 +13,6 @@ from flexcli.numerics.signal_pieces import (
     half_sine,
     linear_sweep,
     logarithmic_sweep,
-    polynomial,
     sine,
 )
 

@@ -10,7 +10,6 @@ from flexcli.numerics.signal_pieces import (
     half_sine,
     linear_sweep,
     logarithmic_sweep,
-    polynomial,
     sine,
 )
 
@@ -82,11 +81,6 @@ def test_a_half_sine_is_a_pulse_and_then_nothing():
     assert pulse(2.0) == pytest.approx(0.0, abs=1e-15)
     assert silence == Piece(4.0, ())
     assert silence(1.0) == 0.0
-
-
-def test_a_polynomial_is_one_piece():
-    (piece,) = polynomial([1.0, 0.0, 2.0], 3.0)
-    assert piece(2.0) == 9.0
 
 
 @given(st.floats(0.0, 3.0))

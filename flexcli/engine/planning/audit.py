@@ -23,9 +23,6 @@ __all__ = ["audit"]
 TOLERANCE = 1e-11
 """Of the finest model; a share that is not larger by far is not seen."""
 
-SEEN = 1e-7
-"""Smallest contribution that can be told from the tolerance, of shifts in particular."""
-
 ALL, NONE = Effects(), Effects(extension=False, shear=False)
 
 HOW: dict[str, str] = {

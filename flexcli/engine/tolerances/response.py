@@ -219,7 +219,7 @@ def verdicts_of(found: Reading) -> dict[str, Verdict]:
 
 
 class Response(NamedTuple):
-    """Lower and upper ends of the margins of each row as polynomials, and their largest errors.
+    """Ends of the margins of each row as polynomials, and the largest error of the lower ends.
 
     ``unknown`` are checks that have limits without a known error, or without an answer, in some
     parts: they may fail by their other limits, and pass in no part.
@@ -229,7 +229,6 @@ class Response(NamedTuple):
     low: PolynomialFit
     high: PolynomialFit
     error_low: Floats
-    error_high: Floats
     unknown: frozenset[str]
     degree: int
 
@@ -264,8 +263,7 @@ class Response(NamedTuple):
         places = [known.index(k) for k in taken]
         low, high = (PolynomialFit(f.exponents, f.coefficients[:, places]) for f in fits)
         return cls(
-            tuple(rows[k] for k in taken), low, high, errors[0][places], errors[1][places],
-            unknown, degree,
+            tuple(rows[k] for k in taken), low, high, errors[0][places], unknown, degree
         )  # fmt: skip
 
 

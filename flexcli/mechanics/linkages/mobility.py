@@ -7,7 +7,7 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.linkages.equations import loops
 from flexcli.mechanics.linkages.linkage import Linkage
 
-__all__ = ["freedoms", "require_one_freedom"]
+__all__ = ["require_one_freedom"]
 
 Floats = NDArray[np.float64]
 
@@ -16,23 +16,6 @@ INDEPENDENT = 1e-9
 and a linkage so near to a singular pose is of no use."""
 TAKES_PART = 1e-6
 """Share of a null vector from which a link moves in it, or a joint repeats others."""
-
-
-def freedoms(linkage: Linkage) -> int:
-    """Return the instantaneous degrees of freedom in the assembled pose.
-
-    ``f = 3m − rank C`` with C the derivative of the joints' closure by the poses of the m moving
-    links. It is the count 3m − 2j when no constraint repeats another.
-
-    Examples
-    --------
-    >>> from flexcli.mechanics.linkages.linkage import Revolute
-    >>> hub = Revolute("hub", "base", "arm", (0.0, 0.0))
-    >>> freedoms(Linkage((hub,), ground="base", input="hub"))
-    1
-
-    """
-    return 3 * len(linkage.moving) - _rank(_closure(linkage))
 
 
 def require_one_freedom(linkage: Linkage) -> None:

@@ -3,14 +3,12 @@
 from math import ceil
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from flexcli.formulas.spectrum import spectral_level
 from flexcli.numerics.signal_pieces import Samples
 
 __all__ = ["random_samples", "with_sine"]
-
-Floats = NDArray[np.float64]
 
 
 def random_samples(

@@ -6,7 +6,6 @@ from math import pi
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from flexcli.mechanics.stopping.branch import BranchEnd, EndKind, branch_end
 from flexcli.mechanics.stopping.laws import Stops
@@ -26,8 +25,6 @@ __all__ = [
     "SteppedMotion",
     "stepped_motion",
 ]
-
-Floats = NDArray[np.float64]
 
 BURST = 10
 """Periods between two trials for a periodic motion while the blade settles."""

@@ -7,6 +7,7 @@ import pytest
 from layouts_in_space import LOADS, STEEL, askew, guide, rod, strip, turned
 from plates.clamped_sheet import Sheet
 from plates.clamped_strip import Strip
+from support import body_stiffness
 
 from flexcli.errors import SolveError
 from flexcli.formulas.plate_flattening import secant_factor
@@ -20,7 +21,7 @@ from flexcli.mechanics.shell.stresses import rod_stresses, shell_stresses
 from flexcli.mechanics.space.exact.critical import critical_load
 from flexcli.mechanics.space.exact.demand import Frame
 from flexcli.mechanics.space.exact.equilibrium import solve
-from flexcli.mechanics.space.exact.support import body_stiffness, support_compliance
+from flexcli.mechanics.space.exact.support import support_compliance
 from flexcli.mechanics.space.layout import SpaceLoad
 
 E, nu = STEEL.E, STEEL.nu

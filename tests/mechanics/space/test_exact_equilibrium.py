@@ -9,6 +9,7 @@ from layouts_in_space import LOADS, STEEL, askew, guide, rod, strip, turned
 from scipy.integrate import solve_bvp, solve_ivp
 from scipy.optimize import root
 from scipy.spatial.transform import Rotation
+from support import body_stiffness
 
 from flexcli.errors import SolveError
 from flexcli.formulas.blade_spring import blade_springs, deformation_rows
@@ -25,7 +26,6 @@ from flexcli.mechanics.refinement import Outcome
 from flexcli.mechanics.space.exact.demand import Frame, drive_frame
 from flexcli.mechanics.space.exact.equilibrium import beside, solve
 from flexcli.mechanics.space.exact.section import BeamEffects
-from flexcli.mechanics.space.exact.support import body_stiffness
 from flexcli.mechanics.space.layout import Drive, Isotropic, SpaceBlade, SpaceLayout, SpaceLoad
 from flexcli.mechanics.tangent import body_stiffness as planar_stiffness
 

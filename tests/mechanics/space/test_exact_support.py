@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from layouts_in_space import INERTIA, LOADS, STEEL, askew, guide, rod, strip
+from support import body_stiffness
 
 from flexcli.errors import SolveError
 from flexcli.formulas.plate_factors import guided_factor
@@ -16,7 +17,6 @@ from flexcli.mechanics.space.exact.equilibrium import solve
 from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.exact.stresses import blade_stresses
 from flexcli.mechanics.space.exact.support import (
-    body_stiffness,
     support_compliance,
     unstable_when_free,
     vibration,
@@ -71,15 +71,6 @@ def test_newtons_matrix_has_the_second_variation_as_its_symmetric_part(effects, 
     newton, energy = condensed
     scale = np.sqrt(np.abs(np.outer(np.diag(energy), np.diag(energy))))
     assert np.max(np.abs((newton + newton.T) / 2.0 - energy) / scale) < error
-
-
-def test_stiffness_and_compliance_with_nothing_held_are_inverse():
-    state = solve(askew(), loads=LOADS).checked()
-    point = (50e-3, 60e-3, 0.0)
-    K = body_stiffness(state, "two", point)
-    C = support_compliance(state, "two", point)
-    scale = np.sqrt(np.diag(K))
-    assert (K @ C / scale[:, None] * scale) == pytest.approx(np.eye(6), abs=1e-6)
 
 
 def test_a_locked_drive_and_a_free_one_are_two_numbers():

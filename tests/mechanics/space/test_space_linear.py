@@ -16,13 +16,13 @@ from space_mechanisms import (
     rotation,
     turned,
 )
+from support import body_stiffness
 
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch
 from flexcli.formulas.rigid_motion import motion_at
 from flexcli.mechanics.linear import linear
 from flexcli.mechanics.space.exact.equilibrium import solve
-from flexcli.mechanics.space.exact.support import body_stiffness
 from flexcli.mechanics.space.freedoms import freedoms
 from flexcli.mechanics.space.inertia import mass_matrix
 from flexcli.mechanics.space.layout import (

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from oscillators import oscillator, quiet
+from oscillators import oscillator, polynomial, quiet
 from scipy.integrate import solve_ivp
 
 from flexcli.errors import SolveError
@@ -13,7 +13,7 @@ from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
 from flexcli.mechanics.stopping.laws import HertzStop, LinearStop, RigidStop, Stops
 from flexcli.mechanics.stopping.result import StopOutcome
 from flexcli.mechanics.stopping.vibration import StoppedVibration, simulate
-from flexcli.numerics.signal_pieces import Samples, polynomial, sine
+from flexcli.numerics.signal_pieces import Samples, sine
 
 BALANCE = 1e-11
 """Energy and momentum unaccounted for, as a share of what moved: rounding of some 1e3 events."""

@@ -12,16 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas.rigid_motion import motion_at
-from flexcli.mechanics.modes import Vibration, vibration_of
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.rotation import matrix_of, moved
-from flexcli.mechanics.space.exact.second_variation import inertia_count, swing
+from flexcli.mechanics.space.exact.second_variation import inertia_count
 from flexcli.mechanics.space.layout import Vector
+from flexcli.numerics.modes import Vibration, vibration_of
 from flexcli.numerics.stack import solve_stack
 
 __all__ = [
     "PointMass",
-    "body_stiffness",
     "driven_stiffness",
     "support_compliance",
     "unstable_when_free",
@@ -69,52 +68,6 @@ def support_compliance(
     unit = np.repeat([assembly.length, 1.0], 3)
     C = Y @ G @ Y.T
     return np.asarray(C * np.outer(unit, unit) / (assembly.force * assembly.length))
-
-
-def body_stiffness(state: SpaceEquilibrium, body: str, point: Vector) -> Floats:
-    """Return ∂(force, moment)/∂(shift, rotation) of a point of a body, all six of them held.
-
-    Parameters
-    ----------
-    state : SpaceEquilibrium
-        The mechanism in equilibrium.
-    body : str
-        Name of the body.
-    point : tuple of float
-        The point of the body as it is at rest [m].
-
-    Returns
-    -------
-    array, shape (6, 6)
-        Stiffness along the axes of the drawing [N/m, N/rad, N·m/rad], symmetric: second derivative
-        of the energy by the shift of the point and the rotation vector from the pose. Other
-        bodies follow as far as they are free.
-
-    """
-    part, assembly = state.part, state.part.assembly
-    i = state.layout.index(body)
-    k_f = 6 * assembly.blades
-    own = 6 * i + np.arange(6)
-    H, scale = state.variation.matrix, state.linearised.row_scale
-    gone = np.concatenate([np.arange(k_f), k_f + np.setdiff1d(part.demand.free, own)])
-    kept = k_f + own
-    follow = solve_stack(
-        H[gone[:, None], gone] * scale[gone, None], H[gone[:, None], kept] * scale[gone, None]
-    )
-    K = H[kept[:, None], kept] - H[kept[:, None], gone] @ follow
-    # from coordinates to the small motion of the body's own point, then of the point asked for
-    basis = state.linearised.basis[i]
-    load = np.linalg.solve(basis.T, state.linearised.residual[kept])
-    turn = assembly.at(part.x).turn[i]
-    curved = assembly.coordinate_stiffness(i, turn, load, part.demand)
-    back = np.linalg.inv(basis)
-    K = back.T @ (K - (curved + curved.T) / 2.0) @ back
-    arm = _arm(state, i, point)
-    X = motion_at(-arm)
-    K = X.T @ K @ X
-    K[3:, 3:] -= swing(load[:3], arm)
-    unit = np.repeat([assembly.length, 1.0], 3)
-    return np.asarray(K / np.outer(unit, unit) * (assembly.force * assembly.length))
 
 
 def driven_stiffness(state: SpaceEquilibrium, coordinate: int) -> float:
