@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas.blade_spring import SHEAR_FACTOR
 from flexcli.formulas.profile import Constant, Piece, Profile
 from flexcli.numerics.collocation import gauss_nodes
 from flexcli.numerics.modes import natural_modes
@@ -59,7 +60,13 @@ class _Element(NamedTuple):
 
 
 def heavy_blade(
-    profile: Profile, *, E: float, l: float, b: float, density: float = 0.0
+    profile: Profile,
+    *,
+    E: float,
+    l: float,
+    b: float,
+    density: float = 0.0,
+    G: float | None = None,
 ) -> HeavyBlade:
     """Return a blade as a component for small vibration in its plane.
 
@@ -73,6 +80,8 @@ def heavy_blade(
         Length and width [m].
     density : float
         Density [kg/m³]; 0 for a blade without mass, which has no modes inside.
+    G : float, optional
+        Shear modulus [Pa] of a thick blade, which shears and whose sections have rotary inertia.
 
     Returns
     -------
@@ -81,8 +90,8 @@ def heavy_blade(
 
     Notes
     -----
-    Euler–Bernoulli with stretching; sections have no rotary inertia. What is rigid between
-    flexible pieces has no stated thickness and so no mass.
+    Euler–Bernoulli with stretching, Timoshenko with ``G``. What is rigid between flexible pieces
+    has no stated thickness and so no mass.
 
     References
     ----------
@@ -93,7 +102,8 @@ def heavy_blade(
     pieces = profile.pieces(l)
     count = -(-ELEMENTS // len(pieces)) if density else 1
     is_uniform = isinstance(profile, Constant)
-    chains = [_elements(piece, count, is_uniform, E=E, b=b, density=density) for piece in pieces]
+    made = {"E": E, "b": b, "density": density, "slide": 1.0 / (SHEAR_FACTOR * G) if G else 0.0}
+    chains = [_elements(piece, count, is_uniform, **made) for piece in pieces]
     elements = [element for chain in chains for element in chain]
     placed = _placed(elements, l)
     size = 3 * (len(elements) + 1)
@@ -121,18 +131,16 @@ def heavy_blade(
     )
 
 
-def _elements(
-    piece: Piece, count: int, is_uniform: bool, *, E: float, b: float, density: float
-) -> tuple[_Element, ...]:
+def _elements(piece: Piece, count: int, is_uniform: bool, **made: float) -> tuple[_Element, ...]:
     """Return a piece in elements of equal share; those of a uniform one are alike."""
     marks = [float(u) for u in np.linspace(-1.0, 1.0, count + 1)]
-    made = [
-        _element(piece, u_1, u_2, E=E, b=b, density=density)
+    found = [
+        _element(piece, u_1, u_2, **made)
         for u_1, u_2 in pairwise(marks[:2] if is_uniform else marks)
     ]
     if not is_uniform:
-        return tuple(made)
-    (first,), L = made, made[0].end - made[0].start
+        return tuple(found)
+    (first,), L = found, found[0].end - found[0].start
     return tuple(
         first._replace(start=first.start + i * L, end=first.start + (i + 1) * L)
         for i in range(count)
@@ -140,9 +148,13 @@ def _elements(
 
 
 def _element(
-    piece: Piece, u_1: float, u_2: float, *, E: float, b: float, density: float
+    piece: Piece, u_1: float, u_2: float, *, E: float, b: float, density: float, slide: float
 ) -> _Element:
-    """Return the piece between two of its parameters: flexibility and mass by quadrature."""
+    """Return the piece between two of its parameters: flexibility and mass by quadrature.
+
+    ``slide`` is how far a section slides per shear force on its area [1/Pa], and nothing where
+    the blade does not shear; then its sections have no inertia of their own either.
+    """
     nodes, weights = gauss_nodes(_NODES)
     half = (u_2 - u_1) / 2.0
     u = (u_1 + u_2) / 2.0 + half * nodes
@@ -156,6 +168,7 @@ def _element(
     flexibility = np.array(
         [[np.sum(rest**2 * per_EI), np.sum(rest * per_EI)], [np.sum(rest * per_EI), per_EI.sum()]]
     )
+    flexibility[0, 0] += slide * np.sum(ds / (b * h))
     bending = np.linalg.inv(flexibility)
     along = 1.0 / np.sum(ds / (E * b * h))
     # deformation of the end seen from the start: (stretch, shift across, turn)
@@ -176,6 +189,8 @@ def _element(
     mass = np.zeros((6, 6))
     mass[np.ix_([0, 3], [0, 3])] = (linear * dm) @ linear.T
     mass[np.ix_([1, 2, 4, 5], [1, 2, 4, 5])] = (shape * dm) @ shape.T
+    if slide:
+        mass[np.ix_([2, 5], [2, 5])] += (linear * dm * h**2 / 12.0) @ linear.T
     h_1, h_2 = (float(x) for x in np.ravel(piece.thickness(ends)))
     return _Element(
         s_1,

@@ -41,7 +41,11 @@ class VibratingLayout:
 
 
 def vibrating_layout(
-    layout: Layout, density: float = 0.0, held: Collection[tuple[str, int]] = ()
+    layout: Layout,
+    density: float = 0.0,
+    held: Collection[tuple[str, int]] = (),
+    *,
+    thick: bool = False,
 ) -> VibratingLayout:
     """Return the matrices of a layout of one design at rest.
 
@@ -53,6 +57,8 @@ def vibrating_layout(
         Of the blades [kg/m³]; 0 leaves their mass out.
     held : collection of (str, int)
         Body and coordinate (0 x, 1 y, 2 φ) that do not move against the base.
+    thick : bool
+        Whether blades shear and their sections have rotary inertia; the layout has ``G`` then.
 
     Returns
     -------
@@ -61,11 +67,11 @@ def vibrating_layout(
 
     Notes
     -----
-    Small vibration about rest of Euler–Bernoulli blades that stretch, without load in them.
+    Small vibration about rest of blades that stretch, without load in them.
 
     """
     names = [body.name for body in layout.bodies]
-    blades = _heavy(layout, density)
+    blades = _heavy(layout, density, thick=thick)
     bodies = 3 * len(names)
     inner = np.cumsum([0, *(blade.mass.shape[0] - 6 for blade in blades)]) + bodies
     # the base is the last body: its inertia excites the blades that stand on it
@@ -109,16 +115,17 @@ def vibrating_layout(
     )
 
 
-def _heavy(layout: Layout, density: float) -> list[HeavyBlade]:
+def _heavy(layout: Layout, density: float, *, thick: bool) -> list[HeavyBlade]:
     """Return every blade as a component; alike ones of constant thickness are made once."""
     made: dict[tuple[float, ...], HeavyBlade] = {}
+    G = layout.G if thick else None
     found = []
     for blade in layout.blades:
         (x_1, y_1), (x_2, y_2) = blade.start, blade.end
         l, profile = hypot(x_2 - x_1, y_2 - y_1), blade.profile
         key = (profile.h, l, blade.b) if isinstance(profile, Constant) else ()
         if key not in made or not key:
-            made[key] = heavy_blade(profile, E=layout.E, l=l, b=blade.b, density=density)
+            made[key] = heavy_blade(profile, E=layout.E, l=l, b=blade.b, density=density, G=G)
         found.append(made[key])
     return found
 

@@ -30,6 +30,9 @@ __all__ = ["changes"]
 SECTION = 3.0
 """Times (h/l)² of the blades' share: their sections' own inertia and shear, left out of it."""
 
+THICK = 0.05
+"""Share of that which Timoshenko's beams leave: all that they change is no more."""
+
 SLOWER = Change(None, 1.0, 0.0, -1)
 """A frequency with masses that nobody can tell: down to nothing."""
 
@@ -62,19 +65,23 @@ def _frequency(setting: Setting) -> Change | None:
     if density is None:
         return Change(None, abs(_ratio(setting, DENSEST)), 0.0, -1)
     value, light = _ratio(setting, density.value), _ratio(setting, 0.0)
-    return Change(value, abs(value), abs(value - light) * _sections(setting))
+    share = abs(value - light) * _sections(setting)
+    if setting.material.elastic.shear is None:
+        return Change(value, abs(value), share)
+    thick = _ratio(setting, density.value, thick=True)
+    return Change(thick, abs(thick), THICK * share)
 
 
-def _ratio(setting: Setting, density: float) -> float:
+def _ratio(setting: Setting, density: float, *, thick: bool = False) -> float:
     """Return the frequency of the own mode over √(k/m) of the one freedom, less one."""
     geometry, elastic, sizes = setting.geometry, setting.material.elastic, setting.sizes
     mechanism = setting.mechanism
-    joint = carried(geometry, elastic, sizes).motion_stiffness
+    joint = carried(geometry, elastic, sizes, thick=thick).motion_stiffness
     single = own_mode(mechanism, joint, geometry, elastic, sizes)
     if mechanism is not None and mechanism.states_stiffness:
         added = mechanism.blades_in_motion(geometry, elastic, sizes, density) if density else 0.0
         return frequency_change(added / single.mass)
-    structure = structure_of(mechanism, geometry, elastic, sizes, None, density)
+    structure = structure_of(mechanism, geometry, elastic, sizes, None, density, thick=thick)
     return own_angular(structure) / sqrt(float(single.stiffness) / single.mass) - 1.0
 
 

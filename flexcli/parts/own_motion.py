@@ -41,6 +41,8 @@ def structure_of(
     sizes: Sizes,
     lock: str | None = None,
     density: float = 0.0,
+    *,
+    thick: bool = False,
 ) -> Structure:
     """Return a mechanism, or a layout whose own bodies have mass, as a structure in its plane.
 
@@ -53,10 +55,10 @@ def structure_of(
 
     """
     if mechanism is not None:
-        return mechanism.structure(geometry, elastic, sizes, lock, density)
+        return mechanism.structure(geometry, elastic, sizes, lock, density, thick=thick)
     if not geometry.has_masses:
         raise MechanismError("mechanism", NO_MASS, HINT)
-    return carried(geometry, elastic, sizes, density=density)
+    return carried(geometry, elastic, sizes, density=density, thick=thick)
 
 
 def own_mode(

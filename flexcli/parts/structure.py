@@ -110,6 +110,7 @@ def assemble(
     motion: OwnMotion | None,
     *,
     density: float = 0.0,
+    thick: bool = False,
     held: Sequence[tuple[str, int]] = (),
 ) -> Structure:
     """Return the structure of bodies on alike joints.
@@ -126,6 +127,8 @@ def assemble(
         The mechanism's own motion, nothing where it is locked.
     density : float
         Of the blades [kg/m³]; 0 leaves their mass out.
+    thick : bool
+        Whether blades shear and their sections have rotary inertia.
     held : sequence of (str, int)
         Coordinates of bodies that cannot move.
 
@@ -136,7 +139,7 @@ def assemble(
 
     """
     copies = [_placed(joint, at) for at in joints]
-    found = vibrating_layout(_whole(bodies, copies), density, held)
+    found = vibrating_layout(_whole(bodies, copies), density, held, thick=thick)
     outputs: dict[str, Floats] = {}
     for at, copy in zip(joints, copies, strict=True):
         force = np.zeros((2, found.mass.shape[0]))

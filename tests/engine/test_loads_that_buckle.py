@@ -1,8 +1,10 @@
 """Loads that buckle the joint fail a requirement on its stress, whatever the stress."""
 
-from math import pi
+from math import acos, cos, hypot, pi, sqrt
 
 import pytest
+from scipy.optimize import brentq
+from scipy.special import ellipk
 from strategies import design
 
 from flexcli.engine.check import check
@@ -48,3 +50,48 @@ def test_a_column_below_its_euler_load_and_one_that_is_pulled_do_not():
 def test_a_column_beyond_its_euler_load_does_not_pass_by_any_model():
     for model in ("closed-form", "linear", "exact"):
         assert judged(1.2 * EULER, model=model).verdict is not Verdict.PASS
+
+
+def worst(geometry, case):
+    spec = design(geometry, {"yield": 1.5}, {"work": case}, material=STEEL)
+    (row,) = check(spec, spec.fixed_sizes(), "test").checks
+    return row
+
+
+def test_a_guided_tip_that_leans_away_has_the_stress_of_the_elastica():
+    # its turn of 1e-4 rad leads it to one side, so that nothing branches; k = sin(α/2) from
+    # P = (2 K(k)/π)² P_crit, and the curvature at the clamps is 2 k √(P/EI)
+    h, l, b, times = 0.02e-3, 10e-3, 0.02e-3, 2.0
+    stiff = 210e9 * b * h**3 / 12.0
+    force = times * pi**2 * stiff / l**2
+    m = brentq(lambda m: (2.0 * ellipk(m) / pi) ** 2 - times, 1e-6, 0.999)
+    row = worst(
+        {"kind": "moment-blade", "h": f"{h} m", "l": f"{l} m", "b": f"{b} m"},
+        {
+            "stroke": {"rotation": "1e-4 rad"}, "ends": "clamped-guided",
+            "load": {"force": f"{force} N", "direction": "180 deg"},
+        },
+    )  # fmt: skip
+    bent = 210e9 * h * sqrt(m * force / stiff)
+    # the turn it starts from is 1e-4 rad of some 2, the mean stress of the force beside it
+    assert row.demand == pytest.approx(bent, rel=2e-3)
+    assert row.factor_range[1] / row.factor_range[0] < 1.0 + 1e-3
+
+
+def test_thin_blades_of_a_three_blade_pivot_are_strings_far_out():
+    # each end goes along a circle about the centre: blades become as much longer as their chords,
+    # and the clamps bend them by √(3 ε) of the angle at which they leave, within some (l/h √ε)⁻¹
+    h, l, p, turn = 0.02e-3, 46e-3, 10e-3, 0.25
+    row = worst(
+        {"kind": "three-blade", "h": f"{h} m", "l": f"{l} m", "b": "0.02 mm", "p": f"{p} m"},
+        {"stroke": {"rotation": [f"{turn} rad", f"{turn} rad"]}},
+    )
+    chord = sqrt(p**2 + (p + l) ** 2 - 2.0 * p * (p + l) * cos(turn))
+    strain = chord / l - 1.0
+    leaves = acos(
+        ((p + l) - p * cos(turn)) / hypot((p + l) - p * cos(turn), p * cos(pi / 2 - turn))
+    )
+    at_body = turn + leaves
+    string = 210e9 * (strain + sqrt(3.0 * strain) * at_body)
+    assert row.verdict is Verdict.FAIL
+    assert row.demand == pytest.approx(string, rel=0.05)

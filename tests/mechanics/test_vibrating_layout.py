@@ -5,12 +5,16 @@ from math import pi, sqrt, tan, tanh
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
+from strategies import design
 
+from flexcli.engine.check import check
 from flexcli.formulas.handbook.tip_mass import tip_mass_frequencies
 from flexcli.formulas.profile import Constant, NeckedDown, Notch, Tabulated
 from flexcli.mechanics.layout import Blade, Body, Layout
 from flexcli.mechanics.vibrating_layout import vibrating_layout
 from flexcli.numerics.modes import natural_modes
+from flexcli.results import Verdict
 
 E, h, l, b, rho = 114e9, 0.5e-3, 30e-3, 10e-3, 4430.0
 EI, LINE = E * b * h**3 / 12.0, rho * b * h
@@ -171,3 +175,47 @@ def test_a_guided_heavy_payload_turns_into_the_static_stiffness():
     heavy = 1e3
     found = angular(mass=heavy, held=[("tip", 2)])[0]
     assert found == pytest.approx(sqrt(12.0 * EI / l**3 / heavy), rel=1e-6)
+
+
+def timoshenko(omega, thick, tip, G):
+    """Return what vanishes at an angular frequency of a clamped beam with a mass at its tip."""
+    A, I = b * thick, b * thick**3 / 12.0
+    line, turn = rho * A * omega**2, rho * I * omega**2
+    # w' = φ + Q/κGA, φ' = M/EI, M' = −Q − ρIω²φ, Q' = −ρAω²w
+    rates = [[0, 1, 0, 1.2 / (G * A)], [0, 0, 1 / (E * I), 0], [0, -turn, 0, -1], [-line, 0, 0, 0]]
+    # per M and Q at the clamp
+    end = expm(np.array(rates) * l)[:, 2:]
+    free = np.array([end[2], end[3] - tip * omega**2 * end[0]])
+    return float(np.linalg.det(free / np.abs(free).max(axis=0)))
+
+
+@pytest.mark.parametrize("slender", [0.02, 0.1, 0.25])
+@pytest.mark.parametrize("mass", [0.0, 1.0])
+def test_a_thick_blade_has_the_frequency_of_timoshenkos_equations(slender, mass):
+    # so many times its mass at the tip
+    G, thick = E / 2.6, slender * l
+    tip = mass * rho * b * thick * l
+    body = Body("tip", (l, 0.0), tip, 0.0, (l, 0.0))
+    one = Blade("blade", "ground", "tip", (0.0, 0.0), (l, 0.0), Constant(thick), b)
+    found = vibrating_layout(Layout((body,), (one,), E, G), rho, thick=True)
+    first = natural_modes(found.stiffness, found.mass).angular[0]
+    below, above = (timoshenko(first * (1.0 + off), thick, tip, G) for off in (-1e-4, 1e-4))
+    assert below * above < 0.0
+
+
+@pytest.mark.parametrize(("share", "verdict"), [(0.98, Verdict.PASS), (1.02, Verdict.FAIL)])
+def test_a_thick_blade_heavier_than_its_payload_is_decided_near_its_frequency(share, verdict):
+    thick, tip = 0.2 * l, 0.05 * rho * b * 0.2 * l
+    angular = root(lambda x: timoshenko(x, thick, tip, E / 2.0), 1e4, 1e5)
+    spec = design(
+        {"kind": "cantilever", "h": f"{thick} m", "l": f"{l} m", "b": f"{b} m"},
+        {"frequency": {"min": f"{share * angular / (2.0 * pi)!r} Hz"}},
+        {"push": {"stroke": {"translation": "1 nm"}}},
+        material={
+            "name": "flat", "youngs_modulus": f"{E} Pa", "poisson_ratio": 0.0,
+            "density": f"{rho} kg/m^3", "yield_strength": "1 GPa",
+        },
+        mechanism={"kind": "tip-mass", "mass": f"{tip!r} kg"},
+    )  # fmt: skip
+    row, _ = check(spec, spec.fixed_sizes(), "test").checks
+    assert row.verdict is verdict

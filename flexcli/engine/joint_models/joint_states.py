@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.holds import driven_axis, held_at_rest, held_by_stroke, hold_of
 from flexcli.errors import SolveError
 from flexcli.mechanics.demand import Held
-from flexcli.mechanics.equilibrium import LEVELS, solve
+from flexcli.mechanics.equilibrium import LEVELS, Outcome, solve
 from flexcli.mechanics.layout import Layout, Load, Point, Support
 from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.mesh import Effects
@@ -50,6 +50,22 @@ NEAR, FAR = 3.0, 30.0
 
 ROUGH = 1e-6
 """Tolerance of the share of the loads at which a joint buckles."""
+
+LOOSE, FINE = 1e-5, LEVELS[-3:]
+"""Tolerance and Gauss nodes of equilibria that cannot be had otherwise: boundary layers of blades
+that are held against stretching leave more than rounding. What is left is told by the last two
+levels."""
+
+STEPS = (1e-3, 1e-2, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
+"""Shares of the motions in which such blades are followed."""
+
+STRIDES = (
+    0.5, 0.7, 0.85, 0.95, 1.0, 1.05, 1.1, 1.2, 1.4, 1.7, 2.0, 2.5, 3.0, 4.0, 6.0, 8.0, 12.0, 20.0,
+    50.0, 100.0, 300.0, 1000.0,
+)  # fmt: skip
+"""Steps of the loads over what straight blades bear, in which blades that lean away are followed.
+
+Loads beyond the last are taken at once from there."""
 
 
 class Moved(Protocol):
@@ -282,11 +298,42 @@ def solved(layout: Layout, held: Held, *, loads: Sequence[Load] = (), **how: Any
         stands = state.converged & (state.unstable == 0)
         if not all_of_each(stands) and loads:
             _prove_buckled(layout, held, loads, int(np.argmin(stands)), how.get("effects"))
+        if not all_of_each(stands) and Outcome.SINGULAR not in state.outcome:
+            state = _by_small_steps(layout, held, loads, state.designs, how) or state
         state = state.checked()
     except SolveError as error:
         raise NotAvailable(f"has no exact equilibrium: {error}") from error
     if state.unstable.any():
         raise NotAvailable("has no stable exact equilibrium")
+    return state
+
+
+def _by_small_steps(
+    layout: Layout, held: Held, loads: Sequence[Load], states: int, how: Mapping[str, Any]
+) -> Equilibrium | None:
+    """Return equilibria on more nodes, the motions first, by steps; then the loads, by strides.
+
+    Nothing where the nodes are given.
+    """
+    one_alone()
+    if len(how.get("levels", LEVELS)) == 1:
+        return None
+    how = {**how, "tolerance": LOOSE, "levels": FINE}
+    state = solve(layout, held, **how)
+    for share in STEPS if not state.converged.all() else ():
+        start = state if share != STEPS[0] else None
+        state = solve(layout, _share_of(held, share), start=start, **how)
+        if not state.converged.all():
+            break
+    if not loads or not state.converged.all():
+        return state
+    patterns = (_state_of(held, loads, which) for which in range(states))
+    bears = np.array([_borne_straight(layout, *each, how.get("effects")) for each in patterns])
+    for stride in (*STRIDES, inf):
+        share = np.minimum(stride * bears, 1.0)
+        state = solve(layout, held, loads=loads, load_factor=share, start=state, **how)
+        if not state.converged.all() or (share == 1.0).all():
+            break
     return state
 
 
@@ -298,19 +345,11 @@ def _prove_buckled(
     What is held stands still where it is meanwhile. A path that is lost proves nothing.
     """
     one_alone()
-
-    def one(number: Any) -> float | None:
-        return None if number is None else float(np.ravel(number)[min(which, np.size(number) - 1)])
-
-    there: Held = {body: (one(x), one(y), one(phi)) for body, (x, y, phi) in held.items()}
-    pattern = [
-        load._replace(
-            force=(one(load.force[0]) or 0.0, one(load.force[1]) or 0.0),
-            moment=one(load.moment) or 0.0,
-        )
-        for load in loads
-    ]
-    for most in _reaches(layout, there, pattern, effects):
+    there, pattern = _state_of(held, loads, which)
+    bears = _borne_straight(layout, there, pattern, effects)
+    reaches = [reach * bears for reach in (NEAR, FAR) if reach * bears < 1.0]
+    # loads a thousand times as large would be walked in strides in which the path is lost
+    for most in reaches if FAR * bears < 1.0 else (*reaches, 1.0):
         try:
             found = critical_load(
                 layout, there, pattern, most=most, effects=effects, tolerance=ROUGH
@@ -320,29 +359,39 @@ def _prove_buckled(
         raise Buckled(found.factor)
 
 
-def _reaches(
+def _state_of(held: Held, loads: Sequence[Load], which: int) -> tuple[Held, list[Load]]:
+    """Return what is held, and the loads, in one of several states."""
+
+    def one(number: Any) -> float | None:
+        return None if number is None else float(np.ravel(number)[min(which, np.size(number) - 1)])
+
+    there: Held = {body: (one(x), one(y), one(phi)) for body, (x, y, phi) in held.items()}
+    return there, [
+        load._replace(
+            force=(one(load.force[0]) or 0.0, one(load.force[1]) or 0.0),
+            moment=one(load.moment) or 0.0,
+        )
+        for load in loads
+    ]
+
+
+def _borne_straight(
     layout: Layout, held: Held, pattern: Sequence[Load], effects: Effects | None
-) -> Iterator[float]:
-    """Yield how far the loads may have to grow, as shares: little beyond what straight blades bear.
-
-    Loads a thousand times as large would be walked in strides in which the path is lost.
-    """
-
-    def at_rest(motion: Any) -> float | None:
-        return None if motion is None else 0.0
-
-    still: Held = {
-        body: (at_rest(x), at_rest(y), at_rest(phi)) for body, (x, y, phi) in held.items()
-    }
+) -> float:
+    """Return the share of loads that buckles straight blades at rest, endless where none does."""
     try:
-        bears = linear_critical(layout, still, pattern, effects=effects).factor
+        return linear_critical(layout, _share_of(held, 0.0), pattern, effects=effects).factor
     except SolveError:
-        bears = inf
-    for reach in (NEAR, FAR):
-        if reach * bears < 1.0:
-            yield reach * bears
-    if not FAR * bears < 1.0:
-        yield 1.0
+        return inf
+
+
+def _share_of(held: Held, share: float) -> Held:
+    """Return a share of what is held."""
+
+    def of(motion: Any) -> Any:
+        return None if motion is None else share * motion
+
+    return {body: (of(x), of(y), of(phi)) for body, (x, y, phi) in held.items()}
 
 
 def _moves(held: Mapping[str, Any]) -> bool:

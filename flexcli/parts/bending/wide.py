@@ -337,10 +337,13 @@ def wide_linked(each: Sequence[WideBlades | None]) -> WideBlades | None:
 def _any_shape(factor: Factor, blade: Blade, nu: float) -> Factor:
     """Return a factor with how far off it may be for blades that bend in any other shape.
 
-    Of all shapes between clamps pure bending curls the most, and a flat plate not at all.
+    Of all shapes between clamps pure bending curls the most.
     """
-    least = _factor(plates.pure_bending_factor, blade, nu).low
-    most = 1.0 + number(plates.bound(nu))
+    pure, short = (
+        _factor(plates.pure_bending_factor, blade._replace(b=b), nu)
+        for b in (blade.b, SHORTEST * blade.b)
+    )
+    least, most = pure.low, larger(short.high, factor.high)
     return factor._replace(other=larger(most / factor.value - 1.0, 1.0 - least / factor.value))
 
 

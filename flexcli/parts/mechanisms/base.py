@@ -148,10 +148,13 @@ class Mechanism(Part):
         sizes: Sizes,
         lock: str | None,
         density: float = 0.0,
+        *,
+        thick: bool = False,
     ) -> "Structure":
         """Return the mechanism as a linear structure, for its vibration.
 
-        ``density`` is that of the blades [kg/m³]; 0 leaves their mass out.
+        ``density`` is that of the blades [kg/m³]; 0 leaves their mass out. ``thick`` blades shear,
+        and their sections have rotary inertia.
         """
 
     @abstractmethod

@@ -23,6 +23,7 @@ def carried(
     inertia: float = 0.0,
     offset: float = 0.0,
     density: float = 0.0,
+    thick: bool = False,
 ) -> Structure:
     """Return a rigid body fixed to the moving body of a joint, as a structure.
 
@@ -42,6 +43,8 @@ def carried(
         Of its centre of mass beyond the joint's centre, along the blades [m].
     density : float
         Of the blades [kg/m³]; 0 leaves their mass out.
+    thick : bool
+        Whether blades shear and their sections have rotary inertia.
 
     Raises
     ------
@@ -63,6 +66,7 @@ def carried(
         if rotates
         else OwnMotion(name, (*stroke, 0.0), "travel"),
         density=density,
+        thick=thick,
         held=[(name, 2)] if is_guided(geometry) else [],
     )
 

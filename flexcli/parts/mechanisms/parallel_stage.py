@@ -288,6 +288,8 @@ class ParallelStage(Mechanism):
         sizes: Sizes,
         lock: str | None,
         density: float = 0.0,
+        *,
+        thick: bool = False,
     ) -> Structure:
         """Return the stage in its plane: levers along y, P1 and P3 on the base, x the stroke."""
         if lock not in (None, "solid-2"):
@@ -298,7 +300,7 @@ class ParallelStage(Mechanism):
                 "the modes are those of the blades, not of a stated pivot-stiffness",
                 "take pivot-stiffness out, and give the blades",
             )
-        return self._structure(geometry, elastic, sizes, lock, density)
+        return self._structure(geometry, elastic, sizes, lock, density, thick=thick)
 
     def _structure(
         self,
@@ -307,6 +309,8 @@ class ParallelStage(Mechanism):
         sizes: Sizes,
         lock: str | None,
         density: float,
+        *,
+        thick: bool = False,
     ) -> Structure:
         """Return the stage on its blades, whatever stiffness is stated."""
         bodies, joints = self.placed(lock)
@@ -317,6 +321,7 @@ class ParallelStage(Mechanism):
             geometry.blades_layout(elastic, sizes),
             None if lock else OwnMotion(platform, (1.0, 0.0, 0.0), "travel"),
             density=density,
+            thick=thick,
             held=() if lock else [(platform, 2)],
         )
 

@@ -84,13 +84,15 @@ class Payload(Mechanism):
         sizes: Sizes,
         lock: str | None,
         density: float = 0.0,
+        *,
+        thick: bool = False,
     ) -> Structure:
         """Return the payload on its joint: a stage moves along x, a pivot's bisector is x."""
         if lock is not None:
             raise MechanismError("lock", "a locked payload loads no blade", "leave the lock out")
         return carried(
             geometry, elastic, sizes,
-            mass=self.mass, inertia=self.inertia or 0.0, density=density,
+            mass=self.mass, inertia=self.inertia or 0.0, density=density, thick=thick,
         )  # fmt: skip
 
     def shaken_by(self, geometry: Geometry) -> Literal["translation", "rotation"]:

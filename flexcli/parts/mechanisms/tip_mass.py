@@ -103,6 +103,8 @@ class TipMass(Mechanism):
         sizes: Sizes,
         lock: str | None,
         density: float = 0.0,
+        *,
+        thick: bool = False,
     ) -> Structure:
         """Return the body on the end of the blade, which stands along y."""
         if lock is not None:
@@ -110,7 +112,7 @@ class TipMass(Mechanism):
         return carried(
             geometry, elastic, sizes,
             name="tip mass", joint="blade",
-            mass=self.mass, inertia=self.inertia, offset=self.offset, density=density,
+            mass=self.mass, inertia=self.inertia, offset=self.offset, density=density, thick=thick,
         )  # fmt: skip
 
     def freedom(
