@@ -35,7 +35,10 @@ def test_moment_and_stiffness_are_slopes_of_the_least_energy(kappa):
     assert tangent == pytest.approx(rate / EI, rel=1e-5)
 
 
-@pytest.mark.parametrize("factor", [flattening.secant_factor, flattening.tangent_factor])
+FACTORS = [flattening.energy_factor, flattening.secant_factor, flattening.tangent_factor]
+
+
+@pytest.mark.parametrize("factor", FACTORS)
 def test_flattening_runs_from_beam_to_plate_without_a_step(factor):
     change = factor(beta=np.array([0.0, 0.2999999, 0.3000001, 1e6]), poisson_ratio=0.3) - 1.0
     assert change[0] == 0.0
@@ -53,3 +56,12 @@ def test_clamps_and_curvature_are_never_counted_twice():
     assert both[:, 0] == pytest.approx(k, rel=1e-12)
     assert both[-1] == pytest.approx(np.full(21, flat), rel=1e-12)
     assert flattening.held_and_curved(held=1.0, curved=1.0, poisson_ratio=0.0) == 1.0
+
+
+def test_moment_and_tangent_are_the_rates_of_the_energy():
+    # U = f(κ) κ²/2, β = c √κ: M = U', and the tangent is M'
+    kappa = np.linspace(0.2, 40.0, 4001)
+    energy, moment, tangent = (f(beta=np.sqrt(kappa), poisson_ratio=0.3) for f in FACTORS)
+    rate = np.gradient(energy * kappa**2 / 2.0, kappa, edge_order=2)
+    assert rate / kappa == pytest.approx(moment, rel=1e-4)
+    assert np.gradient(moment * kappa, kappa, edge_order=2) == pytest.approx(tangent, rel=1e-3)

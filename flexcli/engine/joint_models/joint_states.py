@@ -330,9 +330,9 @@ def _by_small_steps(
     patterns = (_state_of(held, loads, which) for which in range(states))
     bears = np.array([_borne_straight(layout, *each, how.get("effects")) for each in patterns])
     for stride in (*STRIDES, inf):
-        share = np.minimum(stride * bears, 1.0)
-        state = solve(layout, held, loads=loads, load_factor=share, start=state, **how)
-        if not state.converged.all() or (share == 1.0).all():
+        grown = np.minimum(stride * bears, 1.0)
+        state = solve(layout, held, loads=loads, load_factor=grown, start=state, **how)
+        if not state.converged.all() or (grown == 1.0).all():
             break
     return state
 

@@ -5,7 +5,12 @@ from typing import ClassVar
 import numpy as np
 
 from flexcli.formulas.plate_factors import bound
-from flexcli.formulas.plate_flattening import flat_width, held_and_curved, secant_factor
+from flexcli.formulas.plate_flattening import (
+    energy_factor,
+    flat_width,
+    held_and_curved,
+    secant_factor,
+)
 from flexcli.numerics.quadrature import gauss_rule
 from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending import Change, Changes
@@ -22,8 +27,8 @@ _NODES = 8
 class Anticlastic(ModelEffect):
     """What curvature flattens beside the clamps, b²κ/h; none at rest.
 
-    The moment of a travel lies between that by the clamps alone and twice what both taken as
-    independent add to it, and never above a plate's.
+    The moment of a travel lies between that by the clamps alone, or by the energy of the curvature
+    alone, and twice what both taken as independent add to it, and never above a plate's.
     """
 
     name: ClassVar[EffectName] = EffectName.ANTICLASTIC
@@ -54,11 +59,16 @@ class Anticlastic(ModelEffect):
         curvature = first + (last - first) * place
         beta = flat_width(b=width, h=thick, curvature=curvature, poisson_ratio=ratio)
         share = weight * curvature**2
-        rises = secant_factor(beta=beta, poisson_ratio=ratio)
-        taken = (rises[..., None, :] @ share[..., :, None])[..., 0, 0]
-        curved = number(taken / share.sum(axis=-1))
+        curved, least = (
+            number((rises[..., None, :] @ share[..., :, None])[..., 0, 0] / share.sum(axis=-1))
+            for rises in (
+                factor(beta=beta, poisson_ratio=ratio) for factor in (secant_factor, energy_factor)
+            )
+        )
         value = number(held_and_curved(held=held, curved=curved, poisson_ratio=nu)) / held - 1.0
-        return {"stress": Change(value, smaller(2.0 * value, larger(most, value)), value)}
+        high = smaller(2.0 * value, larger(most, value))
+        low = smaller(larger(least / held - 1.0, 0.0), value)
+        return {"stress": Change(value, high, larger(high - value, value - low))}
 
 
 def _blade(setting: Setting) -> tuple[float, float, float]:
