@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.formulas.blade_spring import SHEAR_FACTOR
+from flexcli.formulas.blade_spring import SHEAR_FACTOR, Warping
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.spring_rows import Place, spring_rows
 from flexcli.numerics.collocation import gauss_nodes
@@ -26,6 +26,7 @@ def hanging_mass(
     density: float = 0.0,
     *,
     is_guided: bool = False,
+    warping: Warping = "restrained",
 ) -> float:
     """Return the mass which, alone at a body's point, makes the sag that all masses make.
 
@@ -43,6 +44,8 @@ def hanging_mass(
         Of the blades [kg/m³]; 0 leaves their mass out.
     is_guided : bool
         Whether the body cannot turn in the plane.
+    warping : {"free", "restrained"}
+        Whether the ends of the blades may warp in torsion.
 
     Returns
     -------
@@ -69,7 +72,7 @@ def hanging_mass(
     places: dict[str, Place] = {b.name: (*b.point, 0.0) for b in layout.bodies}
     at = {name: 6 * index for index, name in enumerate(places)}
     K = np.zeros((6 * len(places), 6 * len(places)))
-    for ends in spring_rows(layout, places, shear_factor=SHEAR_FACTOR, warping="free"):
+    for ends in spring_rows(layout, places, shear_factor=SHEAR_FACTOR, warping=warping):
         for one, rows in ends.items():
             for other, columns in ends.items():
                 here = np.s_[at[one] : at[one] + 6, at[other] : at[other] + 6]

@@ -3,6 +3,8 @@
 import numpy as np
 
 from flexcli.errors import SolveError
+from flexcli.formulas.blade_spring import Warping
+from flexcli.formulas.profile import Constant, NeckedDown
 from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.hanging_mass import hanging_mass as hanging_in
 from flexcli.mechanics.layout import Layout
@@ -29,6 +31,9 @@ DENSEST = 22_600.0
 
 TAKES_PART = 0.01
 """Share of the motion's compliance from which a mode is one of the motion's own."""
+
+KEEPS_WARPING = 1e3
+"""Times that a notch is stiffer in torsion than its sections, which may not warp."""
 
 NO_MASS = "a frequency needs a mass that moves"
 HINT = "add mechanism: {kind: payload, mass: …}, or give a layout's bodies their mass"
@@ -109,6 +114,7 @@ def hanging_mass(
     elastic: Elastic,
     sizes: Sizes,
     axis: str,
+    warping: Warping = "restrained",
 ) -> float:
     """Return the mass that the joint carries against a steady acceleration along an axis [kg].
 
@@ -127,7 +133,7 @@ def hanging_mass(
             raise MechanismError("mechanism", "a sag needs a mass that hangs", HINT)
         return mechanism.hanging_mass()
     payload = mechanism.hanging_mass() if mechanism is not None else 0.0
-    return hanging_on(geometry, elastic, sizes, payload, axis)
+    return hanging_on(geometry, elastic, sizes, payload, axis, warping=warping)
 
 
 def hanging_on(
@@ -139,9 +145,11 @@ def hanging_on(
     *,
     arm: float = 0.0,
     density: float = 0.0,
+    warping: Warping = "restrained",
 ) -> float:
     """Return the effective mass at a joint's moving body that carries a payload [kg].
 
+    Where ``warping`` is restrained, notches do not twist at all: their throats keep their warping.
     ``arm`` [m] is how far along the blades the payload's centre lies beyond the body's point.
     """
     layout = geometry.blades_layout(elastic, sizes)
@@ -150,10 +158,19 @@ def hanging_on(
     load = moving._replace(mass=payload, inertia=0.0, com=(x + arm, y))
     body = joined(MOVING, moving.point, [moving, load])
     bodies = tuple(body if b.name == MOVING else b for b in layout.bodies)
-    whole = Layout(bodies, layout.blades, layout.E, layout.G, layout.supports)
+    G = layout.G
+    if warping == "restrained" and not all(
+        isinstance(blade.profile, Constant | NeckedDown) for blade in layout.blades
+    ):
+        warping = "free"
+        if axis == "z" and G is not None:
+            G *= KEEPS_WARPING
+    whole = Layout(bodies, layout.blades, layout.E, G, layout.supports)
     c, s = cos(geometry.axes), sin(geometry.axes)
     along = {"x": (c, s, 0.0), "y": (-s, c, 0.0), "z": (0.0, 0.0, 1.0)}[axis]
     try:
-        return hanging_in(whole, MOVING, along, density, is_guided=is_guided(geometry))
+        return hanging_in(
+            whole, MOVING, along, density, is_guided=is_guided(geometry), warping=warping
+        )
     except SolveError as error:
         raise NotAvailable(f"has no sag along {axis}: {error}") from error

@@ -86,3 +86,69 @@ def test_a_mechanism_in_space_is_drawn_from_any_side(flexure):
     corner = flexure("draw", path, "--view", "isometric")
     assert corner.returncode == 0
     assert corner.stdout != told.stdout
+
+
+WIDE = """
+flexure: 1
+material: {youngs_modulus: 70 GPa, poisson_ratio: 0.33, density: 2.8 g/cm^3, yield_strength: 500 MPa}
+parameters: {l: 40 mm}
+geometry:
+  kind: layout
+  moving: stage
+  motion: {translation: 0 deg}
+  bodies:
+    frame: {at: [0 mm, 0 mm], mass: 1 kg, inertia: 1e-4 kg*m^2}
+    stage: {at: [0 mm, l/2], mass: 2 kg, inertia: 3e-4 kg*m^2}
+  blades:
+    o1: {between: [ground, frame], from: [-20 mm, l], to: [-20 mm, 0 mm], h: 0.3 mm, b: 16 mm}
+    o2: {between: [ground, frame], from: [20 mm, l], to: [20 mm, 0 mm], h: 0.3 mm, b: 16 mm}
+    i1: {between: [frame, stage], from: [-12 mm, 0 mm], to: [-12 mm, l], h: 0.3 mm, b: 16 mm}
+    i2: {between: [frame, stage], from: [12 mm, 0 mm], to: [12 mm, l], h: 0.3 mm, b: 16 mm}
+cases: {weight: {acceleration: {level: 9.81 m/s^2, axis: AXIS}}}
+requirements: REQUIREMENTS
+"""
+
+
+def test_a_sag_across_the_stroke_is_no_stiffer_for_the_width_of_its_blades(checked):
+    """Only bending over the thickness is, which neither a pull nor bending across the width is."""
+    code, found = checked("{sag: {max: 1 mm}}", WIDE.replace("AXIS", "y"))
+    assert code == 0
+    # the stage stretches both pairs, the frame the outer one
+    stretched = 9.81 * (2.0 + 3.0) * 40e-3 / (2.0 * 70e9 * 0.3e-3 * 16e-3)
+    # clamps that hold a blade's width make it stiffer, by less than 3 % at b = 0.4 l
+    assert 0.97 * stretched < found["checks"][0]["demand"] <= stretched * (1.0 + 1e-3)
+
+
+def test_a_sag_along_the_width_is_the_weight_over_the_support_stiffness(checked):
+    text = WIDE.replace("AXIS", "z").replace("mass: 1 kg, inertia: 1e-4 kg*m^2", "mass: 1e-9 kg")
+    text = text.replace("at: [0 mm, l/2]", "at: [0 mm, 0 mm]")
+    code, found = checked("{sag: {max: 1 mm}, support: {direction: z, min: 1 N/mm}}", text)
+    assert code == 0
+    sag, support = found["checks"]
+    # the blades weigh 2e-3 of the stage
+    assert sag["demand"] == pytest.approx(2.0 * 9.81 / support["capacity"], rel=3e-3)
+    assert sag["factor_range"][1] > sag["factor_range"][0] * (1.0 + 1e-3)
+
+
+TANGENTIAL = """
+flexure: 1
+material: ti-6al-4v
+geometry:
+  kind: space-layout
+  bodies: {lens: {at: [0 mm, 0 mm, 0 mm], mass: 250 g}}
+  blades:
+    t: {between: [ground, lens], from: [40 mm, -12 mm, 0 mm], to: [40 mm, 12 mm, 0 mm], h: 0.6 mm,
+        b: 6 mm, width: z, repeat: {count: 3, about: z}}
+  moving: lens
+  motion: {rotation: {about: z}}
+cases: {twist: {stroke: {rotation: 0.2 deg, cycles: 1e5}}}
+requirements: REQUIREMENTS
+"""
+
+
+def test_ends_of_a_stroke_that_take_unlike_nodes_have_one_amplitude(checked):
+    """One way blades are pulled straight, the other they buckle."""
+    code, found = checked("{fatigue: 0.3}", TANGENTIAL)
+    assert code == 0
+    strain = 0.2 * 0.017453 * 40.0 / 24.0
+    assert found["checks"][0]["demand"] > 113.8e9 * strain

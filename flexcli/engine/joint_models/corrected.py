@@ -95,7 +95,8 @@ class Corrected(JointModel):
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
-        return self.inner.sag_stiffness(ask) / self._factor(ask, QuantityKind.SAG)
+        carried = self.inner.sag_carries(ask)
+        return self.inner.sag_stiffness(ask) / self._factor(ask, QuantityKind.SAG, carried)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the signed shift at the end of the case's stroke [m]."""
@@ -141,7 +142,10 @@ class Corrected(JointModel):
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the model's own error, and what the corrections and what they lack leave."""
         found = self.inner.error(ask, kind)
-        return None if found is None else self._left(ask, kind, found)
+        if found is None:
+            return None
+        carried = self.inner.sag_carries(ask) if kind is QuantityKind.SAG else frozenset()
+        return self._left(ask, kind, found, carried)
 
     def _left(
         self,

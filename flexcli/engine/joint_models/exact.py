@@ -3,13 +3,12 @@
 from collections.abc import Sequence
 from contextlib import suppress
 from functools import partial
-from math import cos, inf, nan, pi
+from math import inf, nan
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.joint_models.beam_compliance import beam_compliance
 from flexcli.engine.joint_models.buckling import exact_critical, warm_shares
 from flexcli.engine.joint_models.face_stress import POINTS, worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
@@ -22,6 +21,7 @@ from flexcli.engine.joint_models.joint_states import (
 )
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE, covered
+from flexcli.formulas.blade_spring import Warping
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.equilibrium import LEVELS
 from flexcli.mechanics.mesh import Effects
@@ -30,15 +30,19 @@ from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import held_stiffness
 from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, one_alone, states_of
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical, Held
+from flexcli.parts.mechanisms import MechanismError
+from flexcli.parts.own_motion import hanging_mass
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
 from flexcli.parts.requirements.closed_form import across_width
 from flexcli.parts.temperature import held_bending, held_lengths
-from flexcli.results import ErrorRange, QuantityKind
+from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
+    from flexcli.parts.space_joint import Form
 
 __all__ = ["ExactModel", "driven_stiffness"]
 
@@ -49,14 +53,11 @@ TOLERANCE = 1e-9
 SAMPLED = 1e-6
 """Of the stress: what its greatest value between two places is more, see ``POINTS``."""
 
-RIGHT = 1e-9
-"""Cosine of an angle that counts as a right one."""
-
 NU_UNKNOWN = 0.5
 """Poisson's ratio where the material gives none: the largest."""
 
-BLADE_SPRINGS = 1e-8
-"""Of a compliance in space: rounding, and the nodes of the blades' springs."""
+WARPINGS: tuple[Warping, ...] = ("restrained", "free")
+"""What the ends of blades in torsion may do."""
 
 
 class ExactModel(JointModel):
@@ -90,10 +91,14 @@ class ExactModel(JointModel):
 
         It is nothing for what it has no second level of. What no beam carries is not in it.
         """
+        if kind is QuantityKind.SAG:
+            try:
+                return self._sag_error(ask)
+            except NotAvailable:
+                return None
         find = {
             QuantityKind.STIFFNESS: lambda: self._stiffness(ask)[1],
             QuantityKind.FREQUENCY: lambda: self._stiffness(ask)[1] / 2.0,
-            QuantityKind.SAG: lambda: self._sag_error(ask),
             QuantityKind.STRESS: lambda: self._judged(ask)[1],
             QuantityKind.SHIFT: lambda: self._shift(ask)[1],
             QuantityKind.BUCKLING: lambda: 100.0 * self.tolerance,  # else it has no answer
@@ -163,16 +168,37 @@ class ExactModel(JointModel):
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration, the joint free but for its guide."""
-        if _is_along_stroke(ask):
+        if ask.geometry.sags_along_stroke(ask.scene.axis):
             return self.stiffness(ask)
-        index = {"x": 0, "y": 1, "z": 2}[ask.scene.axis]
-        C = beam_compliance(ask)
-        return float(1.0 / C[index, index])
+        return 1.0 / _hanging(ask).found
 
-    def _sag_error(self, ask: Ask) -> float:
-        if _is_along_stroke(ask):
-            return self._stiffness(ask)[1]
-        return BLADE_SPRINGS if ask.scene.axis else inf
+    def sag_carries(self, ask: Ask) -> frozenset[EffectName]:
+        """Return what the springs in space and their error have, off the stroke."""
+        if ask.geometry.sags_along_stroke(ask.scene.axis):
+            return frozenset()
+        return frozenset({EffectName.PLATE_WIDENING, EffectName.CLAMP_COMPLIANCE})
+
+    def _sag_error(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of a sag, where there is one: off the stroke that of springs in space.
+
+        Where masses hang off the point, so that blades twist, that counts besides: torsion with
+        ends that may warp, or not.
+        """
+        if not ask.scene.acceleration:
+            return EXACT
+        if ask.geometry.sags_along_stroke(ask.scene.axis):
+            found = self._stiffness(ask)[1]
+            return ErrorRange(-found, found) if isfinite(found) else None
+        joint = ask.mechanism, ask.geometry, ask.material.elastic, ask.sizes, ask.scene.axis
+        error = _hanging(ask).error
+        if error is None:
+            return None
+        try:
+            held, free = (hanging_mass(*joint, warping=each) for each in WARPINGS)
+        except MechanismError:
+            return error
+        apart = abs(free / held - 1.0)
+        return error + ErrorRange(-apart, apart)
 
     def support_at_stroke(
         self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
@@ -276,13 +302,12 @@ class ExactModel(JointModel):
         return tuple(warm_shares(ask, self.effects, self.tolerance, self.levels))
 
 
-def _is_along_stroke(ask: Ask) -> bool:
-    """Return whether the case's acceleration is along the stroke of a stage."""
-    geometry = ask.geometry
-    if geometry.motion == "rotation" or ask.scene.axis == "z":
-        return False
-    turn = geometry.axes + (pi / 2.0 if ask.scene.axis == "y" else 0.0)
-    return abs(cos(turn)) < RIGHT
+def _hanging(ask: Ask) -> "Form":
+    """Return how far a force along the case's acceleration moves the body's point, per force."""
+    from flexcli.parts.requirements.support import deflection_form
+
+    along = np.eye(6)["xyz".index(ask.scene.axis)]
+    return deflection_form(ask, along, along)
 
 
 def _told_shift(state: Equilibrium, ask: Ask) -> tuple[float, float]:

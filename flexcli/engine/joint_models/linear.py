@@ -21,6 +21,7 @@ from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.linear import NODES, LinearSolution, linear
 from flexcli.mechanics.mesh import Effects
 from flexcli.numerics.rows import all_of_each, isfinite, larger, of_each, states_of
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import AS_PRINTED, Ask, EndStress, JointModel
@@ -106,6 +107,10 @@ class LinearModel(JointModel):
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
         return ExactModel(self.effects).sag_stiffness(ask)
+
+    def sag_carries(self, ask: Ask) -> frozenset[EffectName]:
+        """Return what the springs in space and their error have, off the stroke."""
+        return ExactModel(self.effects).sag_carries(ask)
 
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return the box around the joint in space, and the bodies that have no outline."""

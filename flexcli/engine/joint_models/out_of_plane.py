@@ -64,6 +64,10 @@ class OutOfPlane(JointModel):
         """Return the planar model's, which has that along z."""
         return self.inner.sag_stiffness(ask)
 
+    def sag_carries(self, ask: Ask) -> frozenset[EffectName]:
+        """Return what the planar model's has."""
+        return self.inner.sag_carries(ask)
+
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the planar model's."""
         return self.inner.parasitic_shift(ask)

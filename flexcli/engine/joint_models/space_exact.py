@@ -192,10 +192,17 @@ class SpaceExactModel(SpaceLinearModel):
         if not scene.moves:
             return (at_travel(ask, None, self.blades, loads=loads),)
         sag = self._sag_of_drive(ask, loads) if loads else 0.0
-        return tuple(
-            at_travel(ask, travel + sag, self.blades, loads=loads)
-            for travel in (scene.middle + scene.travel, scene.middle - scene.travel)
-        )
+        travels = (scene.middle + scene.travel + sag, scene.middle - scene.travel + sag)
+        ends = tuple(at_travel(ask, travel, self.blades, loads=loads) for travel in travels)
+        levels = [state.part.assembly.members.level for state in ends]
+        if levels[0] == levels[1]:
+            return ends
+        # stress is compared place by place, which takes as fine blades at both ends
+        coarse = levels.index(min(levels))
+        name = f"{self.blades.name}, {max(levels)} for {min(levels)}"
+        alike = self.blades._replace(name=name, levels=tuple(sorted(levels)))
+        finer = at_travel(ask, travels[coarse], alike, loads=loads)
+        return (finer, ends[1]) if coarse == 0 else (ends[0], finer)
 
     def _sag_of_drive(self, ask: Ask, loads: Loads) -> float:
         """Return how far loads move the free drive of the joint [m or rad]."""

@@ -37,6 +37,12 @@ class Setting(NamedTuple):
         return self.geometry.blade(self.sizes)
 
     @property
+    def sags_along_stroke(self) -> bool:
+        """Return whether every acceleration bends the joint as its stroke does."""
+        along = self.geometry.sags_along_stroke
+        return all(scene.acceleration == 0.0 or along(scene.axis) for scene in self.scenes)
+
+    @property
     def bending(self) -> Bending:
         """Return how the blades bend at the largest travel of any case."""
         return _LAST.of(self)
@@ -144,7 +150,7 @@ class ModelEffect(Effect):
 
     @abstractmethod
     def changes(self, setting: Setting) -> Changes:
-        """Return what it changes; a frequency and a sag follow from the stiffness."""
+        """Return what it changes; a frequency, and a sag along the stroke, follow from stiffness."""
 
     def lacks(self, setting: Setting) -> str:
         """Return what is needed to carry it and is not given, or nothing."""
@@ -160,7 +166,8 @@ class ModelEffect(Effect):
             half = None if value is None else (1.0 + value) ** 0.5 - 1.0
             inverse = None if value is None else 1.0 / (1.0 + value) - 1.0
             found.setdefault("frequency", Change(half, bound / 2.0, error / 2.0, sign, other / 2.0))
-            found.setdefault("sag", Change(inverse, _grown(bound, bound), error, -sign))
+            if setting.sags_along_stroke:
+                found.setdefault("sag", Change(inverse, _grown(bound, bound), error, -sign))
         return found
 
     def estimates(self, setting: Setting) -> Mapping[str, float]:

@@ -93,7 +93,7 @@ class ClampCompliance(ModelEffect):
                 most = giving.loaded
             found["stress"] = _between(least, most)
             found["shift"] = _between(*giving.shift)
-        if not _sags_along_stroke(setting):
+        if not setting.sags_along_stroke:
             found["sag"] = Change(None, giving.softest, 0.0, 1)
         return found
 
@@ -124,7 +124,7 @@ class RootRadius(ModelEffect):
             loaded = any(scene.is_loaded for scene in setting.scenes)
             changes["stress"] = UNKNOWN if loaded else whole(found.stress - 1.0, OF_CREST)
             changes["shift"] = _between(*found.shift)
-        if not _sags_along_stroke(setting):
+        if not setting.sags_along_stroke:
             changes["sag"] = UNKNOWN
         return changes
 
@@ -158,12 +158,6 @@ _GIVING: _Last[Giving] = _Last(
 _FILLETED: _Last[FilletedRoots] = _Last(
     "fillets", lambda geometry, sizes, nu: geometry.filleted(sizes, nu)
 )
-
-
-def _sags_along_stroke(setting: Setting) -> bool:
-    """Return whether every acceleration bends the joint as its stroke does."""
-    along = setting.geometry.sag_axis
-    return all(s.acceleration == 0.0 or s.axis == along for s in setting.scenes)
 
 
 def _within(value: float, low: float, high: float) -> Change:

@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from math import inf, pi
+from math import cos, inf, pi
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
@@ -38,6 +38,9 @@ PIECE = np.array([-1.0, 1.0])
 
 ROUNDING = 1e-9
 """Share of a blade's length that no piece covers, from which a part of it is rigid."""
+
+RIGHT = 1e-9
+"""Cosine of an angle that counts as a right one."""
 
 AT_REST = frozenset({QuantityKind.STIFFNESS, QuantityKind.FREQUENCY, QuantityKind.SAG})
 """Kinds of numbers that closed forms state at rest, whatever the travel."""
@@ -196,8 +199,6 @@ class Geometry(Part):
     """What strains it when it moves."""
     sag_bends_width: ClassVar[bool] = False
     """Whether the sag bends the blades across their width."""
-    sag_axis: ClassVar[str] = ""
-    """Axis along which a weight bends it as its stroke does."""
     in_space: ClassVar[bool] = False
     """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
     turns_freely: ClassVar[bool] = False
@@ -512,6 +513,13 @@ class Geometry(Part):
         blades; where the base is at the blades' start, that is towards the base.
         """
         raise NotAvailable("has no closed form for its parasitic shift")
+
+    def sags_along_stroke(self, axis: str) -> bool:
+        """Return whether a weight along an axis of cases bends it as its stroke does."""
+        if self.motion == "rotation" or axis not in ("x", "y"):
+            return False
+        turn = self.axes + (pi / 2.0 if axis == "y" else 0.0)
+        return abs(cos(turn)) < RIGHT
 
     def sag_stiffness(self, elastic: Elastic, sizes: Sizes, axis: str) -> Computed:
         """Return the stiffness against the weight of the moving body along an axis [N/m]."""

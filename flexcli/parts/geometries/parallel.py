@@ -1,7 +1,5 @@
 """What blades or limbs that stand side by side share: places, axial force, sag along the stroke."""
 
-from typing import ClassVar
-
 from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import cos, sin
 from flexcli.parts.elastic import Elastic, NotAvailable
@@ -16,11 +14,9 @@ ROUNDING = 1e-9
 class SagsAlongStroke(Geometry):
     """A straight guide: a weight along its stroke x bends it as the stroke does."""
 
-    sag_axis: ClassVar[str] = "x"
-
     def sag_stiffness(self, elastic: Elastic, sizes: Sizes, axis: str) -> Computed:
         """Return the stiffness along the stroke x [N/m]."""
-        if axis != self.sag_axis:
+        if not self.sags_along_stroke(axis):
             raise NotAvailable(f"has no closed form for its sag along {axis}, only along x")
         return self.stiffness(elastic, sizes)
 

@@ -156,6 +156,10 @@ class JointModel(ABC):
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the stiffness along the case's acceleration [N/m]."""
 
+    def sag_carries(self, ask: Ask) -> frozenset[EffectName]:
+        """Return the effects that its stiffness along an acceleration has, and its error."""
+        return frozenset()
+
     def sag(self, ask: Ask) -> Computed:
         """Return how far the moving body sags along the case's acceleration [m]."""
         from flexcli.parts.own_motion import hanging_mass
