@@ -152,3 +152,31 @@ def test_ends_of_a_stroke_that_take_unlike_nodes_have_one_amplitude(checked):
     assert code == 0
     strain = 0.2 * 0.017453 * 40.0 / 24.0
     assert found["checks"][0]["demand"] > 113.8e9 * strain
+
+
+CROSSED = """
+flexure: 1
+material: ti-6al-4v
+geometry:
+  kind: space-layout
+  bodies: {rotor: {at: [0 mm, 0 mm, 0 mm], mass: 80 g}}
+  blades:
+    one: {between: [ground, rotor], from: [-14 mm, -14 mm, 12 mm], to: [14 mm, 14 mm, 12 mm],
+          h: 0.2 mm, b: 10 mm, width: z, mirror: [z]}
+    two: {between: [ground, rotor], from: [14 mm, -14 mm, 0 mm], to: [-14 mm, 14 mm, 0 mm],
+          h: 0.25 mm, b: 12 mm, width: z}
+  moving: rotor
+  motion: {rotation: {about: z}}
+cases: {lift: {wrench: {z: 20 N, theta_x: 300 N*mm}}}
+requirements: REQUIREMENTS
+"""
+
+
+def test_a_deflection_that_small_motion_leaves_open_is_decided_by_exact_beams(checked):
+    """The moment takes the soft rotation along in second order, whose size small motion lacks."""
+    wanted = "{deflection: {direction: z, max: 30 um}, support: {direction: z, min: 1 N/mm}}"
+    code, found = checked(wanted, CROSSED)
+    assert code == 0
+    support, deflection = found["checks"]
+    assert deflection["model"] == "exact"
+    assert deflection["demand"] == pytest.approx(20.0 / support["capacity"], rel=1e-2)

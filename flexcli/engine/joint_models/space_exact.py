@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.space_deflection import deflections
 from flexcli.engine.joint_models.space_errors import StrokeErrors, strain_error
 from flexcli.engine.joint_models.space_frequency import locked_frequency
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
@@ -135,6 +136,12 @@ class SpaceExactModel(SpaceLinearModel):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return the support stiffness at both ends of the stroke, the drive locked or free."""
         return support_at_stroke(ask, index, point, locked=locked, blades=self.blades)
+
+    def deflections(
+        self, ask: Ask, point: tuple[float, float, float], direction: str
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return how far the wrench moves a point, by exact beams."""
+        return deflections(ask, point, direction)
 
     def parasitic_frequency_at_stroke(
         self, ask: Ask
