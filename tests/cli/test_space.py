@@ -90,7 +90,7 @@ def test_a_mechanism_in_space_is_drawn_from_any_side(flexure):
 
 WIDE = """
 flexure: 1
-material: {youngs_modulus: 70 GPa, poisson_ratio: 0.33, density: 2.8 g/cm^3, yield_strength: 500 MPa}
+material: {youngs_modulus: 70 GPa, poisson_ratio: 0.33, density: 2.8 g/cm^3}
 parameters: {l: 40 mm}
 geometry:
   kind: layout

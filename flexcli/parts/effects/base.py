@@ -150,7 +150,7 @@ class ModelEffect(Effect):
 
     @abstractmethod
     def changes(self, setting: Setting) -> Changes:
-        """Return what it changes; a frequency, and a sag along the stroke, follow from stiffness."""
+        """Return what it changes; frequency, and sag along a stroke, follow from the stiffness."""
 
     def lacks(self, setting: Setting) -> str:
         """Return what is needed to carry it and is not given, or nothing."""
