@@ -44,6 +44,18 @@ def test_nothing_else_says_that_it_has_looked_at_it(checked):
     assert "not judged" in {check["verdict"] for check in found["checks"]}
 
 
+def test_a_load_out_of_the_plane_leaves_other_requirements_their_models(checked):
+    text = STAGE.replace("cases:", "cases:\n  travel: {stroke: {translation: 1 mm, cycles: 1e6}}")
+    stage = "{support: {direction: y, min: 1 N/um, at: full-stroke}, envelope: ENVELOPE}"
+    code, found = checked(stage.replace("ENVELOPE", "[80 mm, 60 mm, 30 mm]"), text)
+    assert code == 1  # nobody looks at the wrench
+    verdicts = {check["name"]: check["verdict"] for check in found["checks"]}
+    judged = [name for name, verdict in verdicts.items() if verdict == "pass"]
+    assert len(judged) == len(verdicts) - 1
+    assert any(name.startswith("support y at stroke") for name in judged)
+    assert any(name.startswith("envelope") for name in judged)
+
+
 def test_without_a_shear_modulus_nobody_knows(checked):
     text = STAGE.replace("ti-6al-4v", "{youngs_modulus: 114 GPa, yield_strength: 800 MPa}")
     code, found = checked("{yield: 1.5}", text)

@@ -5,7 +5,7 @@ same place; the true one is no less than either. What the stroke changes in it i
 the second order of both together.
 """
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.formulas.quantity import Computed
@@ -17,6 +17,9 @@ from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStres
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_states import Told, across_stress
 from flexcli.results import ErrorRange, QuantityKind
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["OutOfPlane"]
 
@@ -40,6 +43,8 @@ class OutOfPlane(JointModel):
     def __init__(self, inner: JointModel) -> None:
         self.inner = inner
         self.name = inner.name
+        self.at_stroke = inner.at_stroke
+        self.directs_blades = inner.directs_blades
         self._known: Remembered[_Parts] = Remembered()
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:
@@ -64,9 +69,15 @@ class OutOfPlane(JointModel):
         """Return the planar model's, which has that along z."""
         return self.inner.sag_stiffness(ask)
 
-    def sag_carries(self, ask: Ask) -> frozenset[EffectName]:
-        """Return what the planar model's has."""
-        return self.inner.sag_carries(ask)
+    def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
+        """Return the planar model's."""
+        return self.inner.envelope(ask)
+
+    def support_at_stroke(
+        self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return those of the inner model: no other load of a case counts in them."""
+        return self.inner.support_at_stroke(ask, index, point, locked=locked)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the planar model's."""
