@@ -46,6 +46,10 @@ PER_SWEEP = 2000
 PARTICIPATES = 1e-9
 """Share of the moving mass below which the base does not move a mode at all."""
 
+UNSTATED = 0.02
+"""Part of a stress up to which modes above the end of a shock's spectrum count as if it went on:
+those inside blades, far above what tests state."""
+
 
 @dataclass(frozen=True)
 class Output:
@@ -369,18 +373,32 @@ def sweep_points(frequencies: tuple[float, float], resonances: Floats, Q: float 
 def shock_peaks(structure: Structure, shock: Shock) -> dict[str, float]:
     """Return the peak of every output under a shock.
 
-    Each mode's peak from the response spectrum of the shock; modes add by the root of the sum of
-    squares, because their peaks come at different times.
+    Modes are added as `Shock.peaks` says.
 
-    Raises ValueError where a spectrum does not reach a mode's frequency.
+    Raises ValueError where a spectrum does not reach a mode that has a part in a peak.
     """
     modes, rows = natural_modes(structure.stiffness, structure.mass), _Rows(structure)
     participation, share, _ = _excitation(structure, modes, rows.matrix, shock.axis)
     excited = np.flatnonzero(share > PARTICIPATES)
-    peaks = shock.pseudo_acceleration(modes.angular[excited] / (2.0 * pi))
-    amplitudes = (rows.matrix @ modes.shapes[:, excited]) * participation[excited]
-    squares = ((amplitudes * peaks / modes.angular[excited] ** 2) ** 2).sum(axis=1)
-    return {name: sqrt(_largest_square(block)) for name, block in rows.by_name(squares)}
+    angular = modes.angular[excited]
+    fn = angular / (2.0 * pi)
+    per_mode = (rows.matrix @ modes.shapes[:, excited]) * participation[excited] / angular**2
+    each = {name: np.moveaxis(block, 0, -1) for name, block in rows.by_name(per_mode.T)}
+    if not excited.size:
+        return dict.fromkeys(each, 0.0)
+    beyond = shock.unstated(fn)
+    peaks = dict(zip(each, shock.peaks(list(each.values()), fn), strict=True))
+    if beyond.any():
+        stresses = [name for name in peaks if "stress" in name]
+        largest = max((peaks[name] for name in stresses), default=0.0)
+        for name in stresses:
+            (part,) = shock.peaks([each[name][..., beyond]], fn[beyond])
+            if peaks[name] > PARTICIPATES * largest and part > UNSTATED * peaks[name]:
+                raise ValueError(
+                    f"the spectrum ends at {shock.srs[-1].frequency:g} Hz, and modes beyond, from "
+                    f"{fn[beyond].min():.5g} Hz on, have a part in the {name}"
+                )
+    return peaks
 
 
 def _excitation(

@@ -1,5 +1,6 @@
 """A shock of the base: a half-sine, a change of velocity, a response spectrum, or a record."""
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Annotated, Any, Literal
 
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator, Field, model_validator
 
 from flexcli.formulas.record_spectrum import shock_response_spectrum
-from flexcli.formulas.shock import half_sine_damped, srs_level, velocity_shock_acceleration
+from flexcli.formulas.shock import half_sine_sums, srs_level, velocity_shock_acceleration
 from flexcli.parts.base import (
     Duration,
     Frequency,
@@ -28,8 +29,8 @@ Floats = NDArray[np.float64]
 LARGEST_HALF_SINE = 1.7685
 """Largest response of any undamped oscillator to a half-sine pulse, over its peak (Ayre 1961)."""
 
-RIGID = 200.0
-"""Natural frequency times duration from which an oscillator follows a pulse within 1 %."""
+SAME = 1e-6
+"""Of a natural frequency: so close together oscillators swing as one while a shock is felt."""
 
 
 def _recorded(value: Any) -> Record:
@@ -108,22 +109,48 @@ class Shock(Part):
             return LARGEST_HALF_SINE * self.half_sine.acceleration
         return max(p.acceleration for p in self.srs) if self.srs else None
 
-    def pseudo_acceleration(self, fn: Floats) -> Floats:
-        """Return the peak of ω_n² z of oscillators of natural frequencies fn [Hz], [m/s²].
+    def peaks(self, coefficients: Sequence[Floats], fn: Floats) -> list[float]:
+        """Return the greatest sums of ω_n² z of oscillators, times coefficients.
 
-        Raises ValueError where a spectrum does not reach.
+        Within a half-sine pulse they are added at each moment. Of other shocks nobody knows when
+        each has its peak, or whether they meet: the peaks are added, which none exceeds.
+
+        Parameters
+        ----------
+        coefficients : sequence of array, each of shape (places, components, n)
+            Share of each oscillator; the components at a place are those of a vector.
+        fn : array, shape (n,)
+            Natural frequencies, rising [Hz].
+
+        Returns
+        -------
+        list of float
+            The greatest at any place, [m/s²] times the coefficients' unit.
+
         """
         if self.half_sine is not None:
-            tau = self.half_sine.duration
-            rigid = fn * tau > RIGID
-            pulse = half_sine_damped(
-                np.where(rigid, 1.0 / tau, fn),  # where it is rigid, any will do
-                self.q,
-                self.half_sine.acceleration,
-                tau,
-                quantity="pseudo",
-            )
-            return np.where(rigid, self.half_sine.acceleration, pulse.maximax)
+            pulse = self.half_sine
+            return half_sine_sums(coefficients, fn, self.q, pulse.acceleration, pulse.duration)
+        # oscillators of one frequency move as one
+        first = np.flatnonzero(np.diff(fn, prepend=-1.0) > SAME * fn)
+        each = self._pseudo_acceleration(fn[first])
+        found = (np.abs(np.add.reduceat(c, first, axis=-1)) @ each for c in coefficients)
+        return [float(np.linalg.norm(peaks, axis=-1).max()) for peaks in found]
+
+    def unstated(self, fn: Floats) -> NDArray[np.bool_]:
+        """Return of which natural frequencies [Hz], above its end, a spectrum states nothing.
+
+        Raises ValueError where it starts above one: slow oscillators may swing by anything.
+        """
+        if not self.srs:
+            return np.zeros(fn.shape, dtype=bool)
+        low, high = self.srs[0].frequency, self.srs[-1].frequency
+        if fn.size and fn.min() < low:
+            raise ValueError(f"the spectrum starts at {low:g} Hz, above a mode at {fn.min():g} Hz")
+        return np.asarray(fn > high)
+
+    def _pseudo_acceleration(self, fn: Floats) -> Floats:
+        """Return the peak of ω_n² z of oscillators of natural frequencies fn [Hz], [m/s²]."""
         if self.velocity is not None:
             return velocity_shock_acceleration(self.velocity, fn)
         if self.record is not None:
@@ -133,4 +160,7 @@ class Shock(Part):
             return pseudo
         frequencies = np.array([p.frequency for p in self.srs])
         levels = np.array([p.acceleration for p in self.srs])
-        return srs_level(fn, frequencies, levels)
+        # beyond its end a spectrum is taken to rise as before it, or to stay
+        slope = np.log(levels[-1] / levels[-2]) / np.log(frequencies[-1] / frequencies[-2])
+        beyond = np.maximum(fn / frequencies[-1], 1.0) ** max(slope, 0.0)
+        return np.asarray(beyond * srs_level(np.minimum(fn, frequencies[-1]), frequencies, levels))

@@ -32,6 +32,15 @@ _BLADE = r"""
    ###  base
 """
 
+_TURNED_BLADE = r"""
+      y                      the blade is clamped in the base; its tip turns
+      |                      about z, out of the plane; h is along y, b along z
+   ###|                      x is along the blade: a load of direction 0 deg
+   ###====O====o-----> x     pulls along it
+   ### <--l--> tip           loads act at the middle O of the blade, where a
+   base                      payload has its centre of mass
+"""
+
 _TORSION = r"""
    ###====== bar ======[ body ]      z is the axis of the bar, about which the
    base       l          ) turns     body turns; x and y are across it
@@ -62,7 +71,8 @@ AXES = {
         ("rcc", "cross-spring", "unseparated-cross", "three-blade", "star", "hinged-pivot"), _PIVOT
     ),
     **dict.fromkeys(("leaf-spring-stage", "necked-down-stage", "hinged-stage"), _STAGE),
-    **dict.fromkeys(("cantilever", "guided-blade", "moment-blade"), _BLADE),
+    **dict.fromkeys(("cantilever", "guided-blade"), _BLADE),
+    "moment-blade": _TURNED_BLADE,
     **dict.fromkeys(("torsion-bar", "round-torsion-bar", "torsion-star"), _TORSION),
     **dict.fromkeys(("notch-hinge", "elliptic-hinge", "filleted-hinge"), _HINGE),
     **dict.fromkeys(("linkage", "layout"), _DRAWN),

@@ -39,3 +39,19 @@ def test_a_chart_is_whole_at_80_columns(flexure):
     (topic,) = json.loads(flexure(*arguments, "--format", "json").stdout)["topics"]
     for column in topic["table"]["columns"]:
         assert any(column in line for line in lines)
+
+
+@pytest.mark.parametrize(("axis", "fails"), [("x", False), ("y", True)])
+def test_the_x_of_a_moment_blade_is_along_it_as_its_sketch_says(flexure, tmp_path, axis, fails):
+    told = flexure("explain", "moment-blade", COLUMNS="100").stdout
+    assert "x is along the blade" in told
+    assert "x, stroke" not in told
+    (tmp_path / "flexure.yaml").write_text(
+        "flexure: 1\nmaterial: cube-c17200\n"
+        "geometry: {kind: moment-blade, h: 0.15 mm, l: 15 mm, b: 6 mm}\n"
+        "mechanism: {kind: payload, mass: 5 g, inertia: 2e-7 kg*m^2, damping: {q: 40}}\n"
+        f"cases: {{sweep: {{sine: {{acceleration: 3 g, frequency: 100 Hz, axis: {axis}}}}}}}\n"
+        "requirements: {dynamic-yield: 50}\n"
+    )
+    # 0.15 N: 0.2 MPa along the blade; across it the moment of the lever is a hundred times as much
+    assert flexure("check").returncode == int(fails)

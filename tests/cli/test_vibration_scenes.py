@@ -332,3 +332,68 @@ def test_a_plan_estimates_modes_blade_mass_and_build_up(flexure, tmp_path):
     # two blades of 1.7 g move a part of it with 500 g: a percent at most
     assert 0.0 < rows["blade mass, shake"]["estimate"] < 0.01
     assert rows["steady for transient, sweep"]["estimate"] > 1.0
+
+
+STACK = """\
+flexure: 1
+material: {youngs_modulus: 114 GPa, yield_strength: 880 MPa, density: 1 kg/m^3, poisson_ratio: 0}
+effects: {plate-widening: off}
+geometry:
+  kind: layout
+  bodies:
+    low: {at: [0 mm, 20 mm], mass: 50 g, inertia: 1e-5 kg*m^2}
+    high: {at: [0 mm, 40 mm], mass: 50 g, inertia: 1e-5 kg*m^2}
+  blades:
+    l1: {between: [ground, low], from: [-20 mm, 0 mm], to: [-20 mm, 20 mm], h: 1 mm, b: 10 mm}
+    r1: {between: [ground, low], from: [20 mm, 0 mm], to: [20 mm, 20 mm], h: 1 mm, b: 10 mm}
+    l2: {between: [low, high], from: [-20 mm, 20 mm], to: [-20 mm, 40 mm], h: 1 mm, b: 10 mm}
+    r2: {between: [low, high], from: [20 mm, 20 mm], to: [20 mm, 40 mm], h: 1 mm, b: 10 mm}
+  moving: high
+  motion: {translation: 0 deg}
+mechanism: {kind: payload, mass: 1 mg, damping: {q: 25}}
+cases:
+  shake: {CASE}
+requirements:
+  dynamic-yield: 1e-3
+"""
+
+
+def stress_in_stack(flexure, tmp_path, case):
+    (tmp_path / "flexure.yaml").write_text(STACK.replace("CASE", case))
+    told = flexure("asd", "response", "--format", "json")
+    assert told.returncode == 0, told.stdout
+    return peaks(json.loads(told.stdout))["stress joint"]
+
+
+def test_a_slow_shock_loads_two_stages_as_their_weight_does(flexure, tmp_path):
+    # 80 periods long: both modes follow the pulse, and meet in its middle
+    case = "shock: {half-sine: {acceleration: 40 g, duration: 600 ms}}"
+    found = stress_in_stack(flexure, tmp_path, case)
+    force = 2 * 0.05 * 40 * 9.80665 / 2.0  # both masses, on each of two blades
+    bending = 6.0 * (force * 0.02 / 2.0) / (0.01 * 1e-3**2)  # S shape: M = F l/2
+    # the edge of the pulse makes the modes swing a little
+    assert found == pytest.approx(bending, rel=0.02)
+
+
+def test_modes_that_meet_under_a_spectrum_add_up(flexure, tmp_path):
+    points = "{frequency: 1 Hz, acceleration: 40 g}, {frequency: 100 kHz, acceleration: 40 g}"
+    level = stress_in_stack(flexure, tmp_path, f"shock: {{srs: [{points}]}}")
+    k, m = 2.0 * 114e9 * 0.01 * 1e-3**3 / 0.02**3, 0.05
+    squares, shapes = np.linalg.eigh(np.array([[2 * k, -k], [-k, k]]) / m)
+    moved = shapes[0] * shapes.sum(axis=0) / squares * 40 * 9.80665  # of the lower stage, by mode
+    expected = 3.0 * 114e9 * 1e-3 / 0.02**2 * np.abs(moved).sum()
+    assert level == pytest.approx(expected, rel=0.02)
+
+
+def test_a_spectrum_may_end_below_the_modes_inside_blades_alone(flexure, tmp_path):
+    """Modes of the blades above it have no part in the stress, the stage's own mode has all."""
+    ends = "{frequency: 10 Hz, acceleration: 2 g}, {frequency: HIGH Hz, acceleration: 20 g}"
+    text = STAGE.replace("CASE", f"shock: {{srs: [{ends}]}}").replace("1 kg/m^3", "2800 kg/m^3")
+    spec = tmp_path / "flexure.yaml"
+    spec.write_text(text.replace("HIGH", "2000"))
+    told = flexure("check", "--format", "json")
+    assert told.returncode == 0, told.stdout
+    spec.write_text(text.replace("HIGH", "20"))
+    told = flexure("check")
+    assert told.returncode == 2
+    assert "the spectrum ends at 20 Hz" in told.stderr
