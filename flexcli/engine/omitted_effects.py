@@ -38,7 +38,7 @@ def reported(design: DesignSpec, given: Setting) -> tuple[str, ...]:
     asked = design.requirements
     shift = design.geometry.closed_forms and any(s.moves for s in given.scenes)
     held = any(s.blade_force for s in given.scenes)
-    hangs = asked.sag is not None or any(s.acceleration for s in given.scenes)
+    hangs = asked.sag is not None or any(s.sags for s in given.scenes)
     has = {
         "stiffness": True,
         "stress": bool(asked.fatigue or asked.yielding),

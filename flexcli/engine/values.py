@@ -200,7 +200,7 @@ def _shift(ask: Ask, known: Mapping[str, Value]) -> dict[str, Value]:
 def _sag(ask: Ask) -> dict[str, Value]:
     """Return sag and stiffness along a steady acceleration, where the model has them."""
     scene = ask.scene
-    if scene.acceleration == 0.0:
+    if not scene.sags:
         return {}
     try:
         stiffness = float(ask.joint_model.sag_stiffness(ask))

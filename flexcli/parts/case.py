@@ -1,8 +1,10 @@
 """A case: one thing the flexure lives through, with its loads and what is locked."""
 
+from math import hypot
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import PrivateAttr, ValidationError, model_validator
+from pydantic import GetJsonSchemaHandler, PrivateAttr, ValidationError, model_validator
+from pydantic_core import CoreSchema
 
 from flexcli.parts.base import Acceleration, Angle, Force, Part, QuantityOf, Ratio, spec_error
 from flexcli.parts.ends import EndCondition
@@ -82,15 +84,67 @@ class Wrench(Part):
 
 
 class SteadyAcceleration(Part):
-    """Gravity or a quasi-static acceleration along x (stroke, bisector), y (in plane) or z (b)."""
+    """Gravity or a quasi-static acceleration along x (stroke, bisector), y (in plane) or z (b).
 
-    level: Acceleration
-    """Size of the acceleration, e.g. ``9.81 m/s^2``."""
-    axis: Literal["x", "y", "z"]
-    """Axis along which it acts: x the stroke or the bisector, y in the plane across it, z along
-    the width,
-    e.g. ``z``.
+    Along one axis by its level, or in any direction by its components; it acts either way.
     """
+
+    level: Acceleration | None = None
+    """Size of an acceleration along one axis, e.g. ``level: 9.81 m/s^2, axis: z``."""
+    axis: Literal["x", "y", "z"] | None = None
+    """Axis along which the level acts: x the stroke or the bisector, y in the plane across it, z
+    along the width,
+    e.g. ``axis: z, level: 1 g``.
+    """
+    x: Annotated[float, QuantityOf("acceleration")] = 0.0
+    """Component along the stroke of a stage, or a pivot's bisector, e.g. ``x: 6 g, y: 2 g``."""
+    y: Annotated[float, QuantityOf("acceleration")] = 0.0
+    """Component in the plane across x, e.g. ``y: 6 g, z: -2 g``."""
+    z: Annotated[float, QuantityOf("acceleration")] = 0.0
+    """Component along the width of the blades, e.g. ``z: 2 g, x: 6 g``."""
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        whole = handler.resolve_ref_schema(handler(schema))
+        ways = (("level", "axis"), ("x",), ("y",), ("z",))
+        return {**whole, "anyOf": [{"required": list(way)} for way in ways]}
+
+    @model_validator(mode="after")
+    def _one_description(self) -> "SteadyAcceleration":
+        components = {"x", "y", "z"} & self.model_fields_set
+        if not components and self.level is None:
+            raise spec_error(
+                "nothing says how large the acceleration is",
+                "give level: 1 g and axis: z, or components, e.g. {x: 6 g, y: 2 g}",
+            )
+        if components and (self.level is not None or self.axis is not None):
+            at = "level" if self.level is not None else "axis"
+            raise spec_error(f"'{at}' stands beside components", "keep one of them", at=(at,))
+        if not components and self.axis is None:
+            text = "nothing says along which axis the level acts"
+            raise spec_error(text, "add axis: z, or give components, e.g. {x: 6 g, y: 2 g}")
+        return self
+
+    @property
+    def vector(self) -> tuple[float, float, float]:
+        """Return its components along x, y and z [m/s²]."""
+        if self.level is None:
+            return self.x, self.y, self.z
+        x, y, z = (self.level if self.axis == each else 0.0 for each in "xyz")
+        return x, y, z
+
+    @property
+    def size(self) -> float:
+        """Return its size [m/s²]."""
+        return hypot(*self.vector)
+
+    @property
+    def only_axis(self) -> str:
+        """Return the axis that it acts along, nothing where it is not along one."""
+        along = [each for each, a in zip("xyz", self.vector, strict=True) if a != 0.0]
+        return self.axis or (along[0] if len(along) == 1 else "")
 
 
 class Case(Part):

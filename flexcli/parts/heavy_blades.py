@@ -86,7 +86,7 @@ def _ratio(setting: Setting, density: float, *, thick: bool = False) -> float:
 
 
 def _sag(setting: Setting) -> Change | None:
-    axes = {scene.axis for scene in setting.scenes if scene.acceleration > 0.0}
+    axes = {scene.axis for scene in setting.scenes if scene.sags}
     if len(axes) != 1 or setting.geometry.twisting_bars(setting.sizes) is not None:
         return None
     mechanism = setting.mechanism

@@ -97,7 +97,9 @@ class Scene(NamedTuple):
     ends: str | None
     ends_why: str
     acceleration: float
+    """Size of the steady acceleration [m/s²]."""
     axis: str
+    """Axis that it acts along, nothing where it is not along one."""
     vibration: "Vibration | None"
     shock: "Shock | None"
     lock: str | None
@@ -139,6 +141,11 @@ class Scene(NamedTuple):
     def moves(self) -> bool:
         """Return whether the case has a stroke."""
         return bool(self.travel > 0.0 or self.mean_travel > 0.0)
+
+    @property
+    def sags(self) -> bool:
+        """Return whether a steady acceleration along one axis makes the body sag along it."""
+        return self.acceleration > 0.0 and bool(self.axis)
 
     @property
     def states_ends(self) -> bool:
@@ -274,8 +281,8 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         axial_share=share,
         ends=ends,
         ends_why=why,
-        acceleration=steady.level if steady else 0.0,
-        axis=steady.axis if steady else "",
+        acceleration=steady.size if steady else 0.0,
+        axis=steady.only_axis if steady else "",
         vibration=case.vibration,
         shock=case.shock,
         sine=case.sine,
@@ -289,7 +296,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         wrench=case.wrench.components if case.wrench else None,
         forces=forces,
         values=values,
-        loads=frozenset(kind for kind in LoadKind if getattr(case, kind.value)),
+        loads=_loads(case),
         pushed_by=_pushed_by(case, found.kinds, in_space=geometry.in_space),
         stated=stated,
         inertial=found.wrenches,
@@ -300,6 +307,13 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         across_by=_across_by(case, geometry, lasting),
         directed=_is_more(stated, drive) and (case.load is None or case.load.is_directed),
     )
+
+
+def _loads(case: Case) -> frozenset[LoadKind]:
+    """Return what a case states that loads it: an acceleration of no size does not."""
+    steady = case.acceleration
+    given = {kind for kind in LoadKind if getattr(case, kind.value)}
+    return frozenset(given - {LoadKind.ACCELERATION} if steady and not steady.size else given)
 
 
 def _refuse_in_space(case: Case) -> None:
@@ -320,7 +334,7 @@ def _across_by(case: Case, geometry: Geometry, wrenches: tuple[Wrench, ...]) -> 
     if case.wrench is not None and any(case.wrench.components[2:5]):
         found.add(LoadKind.WRENCH)
     steady = case.acceleration
-    if steady is not None and steady.axis == "z":
+    if steady is not None and steady.vector[2] != 0.0:
         acts = any(each[2] for each in wrenches[1:]) or geometry.own_mass > 0.0
         found |= {LoadKind.ACCELERATION} if acts else set()
     # beside a stroke a guide would have a part in what both do to each other
@@ -504,26 +518,26 @@ def _inertial(
 ) -> _Inertial:
     """Return what the accelerations of a case do, adding what was found on the way.
 
-    A steady acceleration acts along any axis of the plane; one of a vibration or a shock loads the
-    joints quasi-statically where it does not drive the motion itself.
+    A steady acceleration acts in any direction; one of a vibration or a shock loads the joints
+    quasi-statically where it does not drive the motion itself.
     """
     found = _accelerations(case, mechanism, geometry, values)
     if not found:
         return _Inertial()
-    kinds = frozenset(each.kind for each in found if each.axis != "z") - _shaken_across(case)
+    kinds = frozenset(each.kind for each in found if not each.vector[2]) - _shaken_across(case)
     if case.lock is not None:
         return _locked(case.lock, mechanism, found, kinds, values)
     wrenches, fields = [], []
     for each in found:
-        field = _turned((*_UNIT[each.axis], 0.0, 0.0, 0.0), geometry)[:3]
+        direction = [a / each.level for a in each.vector]
+        field = _turned((*direction, 0.0, 0.0, 0.0), geometry)[:3]
         if each.kind is not LoadKind.ACCELERATION and geometry.motion == "translation":
             field[1] = 0.0  # what drives the motion is the response's
-        if each.axis == "z" and mechanism is not None:
-            force = mechanism.hanging_mass() * each.level
-        else:
-            force = mechanism.free_force(each.level) if mechanism is not None else 0.0
-        arm = mechanism.arm if mechanism is not None else 0.0
-        x, y, z = (force * component for component in field)
+        in_plane, across, arm = 0.0, 0.0, 0.0
+        if mechanism is not None:
+            in_plane, arm = mechanism.free_force(each.level), mechanism.arm
+            across = mechanism.hanging_mass() * each.level if field[2] else 0.0
+        x, y, z = in_plane * field[0], in_plane * field[1], across * field[2]
         wrenches.append(_clean((x, y, z, 0.0, -arm * z, arm * y)))
         a_x, a_y, a_z, *_ = _clean((*(each.level * c for c in field), 0.0, 0.0, 0.0))
         fields.append((a_x, a_y, a_z))
@@ -569,16 +583,17 @@ def _shaken_across(case: Case) -> frozenset[LoadKind]:
     return frozenset(kind for kind, axes in along.items() if "z" in axes)
 
 
-_UNIT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
-
-
 class _Accelerated(NamedTuple):
-    """An acceleration that loads the joints [m/s²], along an axis; the name of its force."""
+    """An acceleration that loads the joints, along x, y and z [m/s²]; the name of its force."""
 
     kind: LoadKind
-    level: float
-    axis: str
+    vector: tuple[float, ...]
     name: str
+
+    @property
+    def level(self) -> float:
+        """Return its size [m/s²]."""
+        return hypot(*self.vector)
 
 
 def _accelerations(
@@ -593,16 +608,20 @@ def _accelerations(
         if given is not None and massless:
             raise MechanismError(key, "a base that moves needs masses on it", "add a mechanism")
 
-    def load(kind: LoadKind, level: float, axes: tuple[str, ...], name: str) -> None:
+    def load(kind: LoadKind, vector: Iterable[float], name: str) -> None:
+        given = dict(zip("xyz", vector, strict=True))
+        axes = tuple(axis for axis, a in given.items() if a != 0.0)
         along = _loading(case, kind, axes, mechanism, geometry)
-        found.extend(_Accelerated(kind, level, axis, name) for axis in along)
+        if along:
+            kept = tuple(a if axis in along else 0.0 for axis, a in given.items())
+            found.append(_Accelerated(kind, kept, name))
 
     if steady is not None:
         if mechanism is None and geometry.own_mass == 0.0:
             raise MechanismError(
                 "acceleration", "an acceleration needs a mass that it acts on", "add a mechanism"
             )
-        load(LoadKind.ACCELERATION, steady.level, (steady.axis,), "F_steady")
+        load(LoadKind.ACCELERATION, steady.vector, "F_steady")
     if geometry.in_space:
         return found  # the response of its modes is all that is known
     if vibration is not None:
@@ -610,7 +629,8 @@ def _accelerations(
         for axis, applied in vibration.by_axis().items():
             worst = applied.worst_case(vibration.q.largest)
             rms = number(worst.response)
-            load(kind, vibration.sigma * rms, (axis,), f"F_{vibration.sigma:g}sigma")
+            peak = vibration.sigma * rms
+            load(kind, _along(axis, peak), f"F_{vibration.sigma:g}sigma")
             if rms <= worst_rms:
                 continue
             worst_rms = rms
@@ -625,8 +645,13 @@ def _accelerations(
     if shock is not None and _loading(case, LoadKind.SHOCK, (shock.axis,), mechanism, geometry):
         worst_shock = shock.worst_acceleration()
         if worst_shock is not None:
-            load(LoadKind.SHOCK, worst_shock, (shock.axis,), "F_shock")
+            load(LoadKind.SHOCK, _along(shock.axis, worst_shock), "F_shock")
     return found
+
+
+def _along(axis: str, level: float) -> tuple[float, ...]:
+    """Return the components of an acceleration along an axis [m/s²]."""
+    return tuple(level if each == axis else 0.0 for each in "xyz")
 
 
 def _loading(

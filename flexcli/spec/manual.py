@@ -120,7 +120,7 @@ def _entry(places: list[_Place]) -> FieldRow:
         written=f"kind: {first.kind}" if is_kind else _form(first.schema),
         default=str(first.schema.get("default", "")),
         required=not is_kind and first.path[-1] in holder.get("required", ()),
-        keys=tuple(_key(key, each, key in _required(inner)) for key, each in keys.items()),
+        keys=tuple(_key(k, each, k in inner.get("required", ())) for k, each in keys.items()),
         axes=AXES.get(first.kind, "") if path[0] == "geometry" else "",
         example=as_yaml(_snippet(first), len(path) + is_kind),
     )

@@ -197,6 +197,34 @@ def test_a_stage_is_accelerated_along_its_stroke_and_along_its_blades():
     assert (across.push, across.blade_force) == pytest.approx((0.0, 3.0), rel=ROUNDING)
 
 
+@pytest.mark.parametrize("kind", ["pivot", "stage"])
+def test_components_load_as_a_wrench_of_mass_times_them_does(kind):
+    sized = None if kind == "pivot" else stage(h="0.3 mm", l="50 mm", b="10 mm")
+    beside = {} if sized is None else {"geometry": sized}
+    payload = {"kind": "payload", "mass": "2 kg"}
+    case = {"acceleration": {"x": "3 m/s^2", "y": "-1 m/s^2", "z": "4 m/s^2"}}
+    accelerated = scene_of(case, payload, **beside)
+    pushed = scene_of({"wrench": {"x": "6 N", "y": "-2 N", "z": "8 N"}}, None, **beside)
+    assert accelerated.inertial == (pytest.approx(pushed.stated, rel=ROUNDING),)
+    assert accelerated.axial_share == pytest.approx(pushed.axial_share, rel=ROUNDING)
+    assert (len(accelerated.across_by), accelerated.pushed_by) == (len(pushed.across_by), set())
+
+
+def test_one_component_is_a_level_along_its_axis():
+    payload = {"kind": "payload", "mass": "2 kg"}
+    given = ({"level": "3 m/s^2", "axis": "y"}, {"y": "3 m/s^2"}, {"x": "0 g", "y": "3 m/s^2"})
+    one, *others = (scene_of({"acceleration": each}, payload) for each in given)
+    assert all(each._replace(values={}) == one._replace(values={}) for each in others)
+
+
+def test_an_acceleration_of_no_size_loads_nothing():
+    payload = {"kind": "payload", "mass": "2 kg"}
+    still = {"acceleration": {"level": "0 g", "axis": "z"}, "load": {"force": "5 N"}}
+    beside = scene_of({"load": {"force": "5 N"}}, payload)
+    found = scene_of(still, payload)
+    assert (found.loads, found.forces, found.inertial) == (beside.loads, beside.forces, ())
+
+
 def test_an_acceleration_of_nothing_is_refused():
     with pytest.raises(Inconsistent, match="needs a mass"):
         scene_of({"acceleration": {"level": "1 g", "axis": "x"}}, None)

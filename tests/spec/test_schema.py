@@ -67,7 +67,7 @@ BEYOND = {
         "^tolerances.*does not measure", "^tolerances.*has no unit", "as large as the number",
         "nothing is asked of",
         "follow from two of them", "actuator grows", "nobody says how it grows", "has no arm",
-        "no actuator that drives",
+        "no actuator that drives", "a sag is along one axis",
         "in its plane alone", "a load is one in a plane", "carries no mechanism",
         "in space under a vibration",
     ),

@@ -184,7 +184,7 @@ class ExactModel(JointModel):
         Where masses hang off the point, so that blades twist, that counts besides: torsion with
         ends that may warp, or not.
         """
-        if not ask.scene.acceleration:
+        if not ask.scene.sags:
             return EXACT
         if ask.geometry.sags_along_stroke(ask.scene.axis):
             found = self._stiffness(ask)[1]

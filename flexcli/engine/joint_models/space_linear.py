@@ -39,7 +39,7 @@ class SpaceLinearModel(JointModel):
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the error of its numbers: of the springs, and of what the motion leaves out."""
         scene = ask.scene
-        if (kind is QuantityKind.SAG and not scene.acceleration) or (
+        if (kind is QuantityKind.SAG and not scene.sags) or (
             kind is QuantityKind.SHIFT and not scene.moves and scene.temperature is None
         ):
             return EXACT  # of nothing

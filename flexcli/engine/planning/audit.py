@@ -115,7 +115,7 @@ def _change(effect: str, ask: Ask, name: str) -> float | None:
         return _by_temperature(number, ask)
     if (name in ("stress", "shift") and not bends) or (name == "buckling" and not ask.scene.ends):
         return None
-    if name == "sag" and not ask.scene.acceleration:
+    if name == "sag" and not ask.scene.sags:
         return None
     full, calm = _exact(ALL), ask._replace(scene=ask.scene.without_loads())
     scene = calm.scene._replace(

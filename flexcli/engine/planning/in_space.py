@@ -101,7 +101,7 @@ def _reported(design: DesignSpec) -> Iterator[QuantityKind]:
         yield QuantityKind.STRESS
     if any(scene.moves for scene in scenes):
         yield QuantityKind.SHIFT
-    if any(scene.acceleration for scene in scenes):
+    if any(scene.sags for scene in scenes):
         yield QuantityKind.SAG
     if design.geometry.has_masses:
         yield QuantityKind.FREQUENCY

@@ -40,7 +40,7 @@ class Setting(NamedTuple):
     def sags_along_stroke(self) -> bool:
         """Return whether every acceleration bends the joint as its stroke does."""
         along = self.geometry.sags_along_stroke
-        return all(scene.acceleration == 0.0 or along(scene.axis) for scene in self.scenes)
+        return all(not scene.sags or along(scene.axis) for scene in self.scenes)
 
     @property
     def bending(self) -> Bending:

@@ -36,6 +36,11 @@ class Sag(Bound):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the sag."""
         scene = ask.scene
+        if not scene.sags:
+            raise RequirementError(
+                f"a sag is along one axis, and the acceleration of case '{scene.case}' is not",
+                "give that of the sag a case of its own, with level: and axis:",
+            )
         try:
             sag = ask.joint_model.sag(ask)
         except MechanismError as error:
