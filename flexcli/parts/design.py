@@ -270,6 +270,13 @@ class DesignSpec(Part):
     def _stops_fit(self) -> "DesignSpec":
         if self.stops is not None:
             self.stops.refuse_misfit(self.material, self.geometry, self.mechanism)
+            for name, case in self.cases.items():
+                if case.temperature is not None and case.shaken_axes:
+                    raise spec_error(
+                        "a vibration between stops is judged at assembly, not at a temperature",
+                        "give the temperature a case of its own",
+                        at=("cases", name, "temperature"),
+                    )
         return self
 
     @model_validator(mode="after")
