@@ -16,7 +16,13 @@ from flexcli.engine.models import NamedModel, model_series
 from flexcli.engine.solid import calculix
 from flexcli.engine.solid.deck import Deck, softness
 from flexcli.engine.solid.model import solid_model
-from flexcli.engine.solid.numbers import STRAIGHT, Place, SolidNumbers, moving_masses
+from flexcli.engine.solid.numbers import (
+    STRAIGHT,
+    Place,
+    SolidNumbers,
+    moving_masses,
+    whole_model,
+)
 from flexcli.errors import NoSolution, SolveError
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.quantity import Computed
@@ -122,8 +128,8 @@ def verify(
     Raises
     ------
     SolveError
-        ``no-solid`` when the joint is no layout of blades in a plane, ``no-such-number`` when
-        it has none of a name.
+        ``no-solid`` when the joint is no layout of straight blades and rods, ``no-such-number``
+        when it has none of a name.
 
     """
     begun = perf_counter()
@@ -131,16 +137,17 @@ def verify(
     named = model_series(design, model)[-1]
     asks = _asks(design, sizes, named)
     try:
-        whole = [
-            solid_model(design.geometry.layout(design.material.elastic, sizes), fineness=k + 1)
-            for k in range(meshes)
-        ]
+        whole = [whole_model(asks[0].cold, k + 1) for k in range(meshes)]
     except NotAvailable as error:
         text = f"a {design.geometry.name} {error}: it has no solids to verify it by"
         raise SolveError(
             "no-solid", text, "give what is missing, or verify another joint"
         ) from error
-    _refuse_crossing(design, sizes)
+    if not design.geometry.in_space:
+        _refuse_crossing(design, sizes)
+    elif any(scene.moves or scene.temperature is not None for scene in design.scenes()):
+        text = "a mechanism in space is compared at rest and at assembly alone"
+        notes.append(Note("at-rest", text))
     runs, soft = run and calculix.is_installed(), softness(whole[-1])
     bench = _Bench(runs, meshes, {} if files is None else files, soft)
     questions = _named(list(_questions(asks, _asks_at_stroke(design))), only)
@@ -356,7 +363,7 @@ def _questions(asks: list[_Asked], at_stroke: bool) -> Iterator[_Question]:
             "f_0", "natural frequency", "Hz", first, lambda: model.frequency(first),
             lambda solid: solid.frequency(), "modes", "lowest mode that moves the body",
         )  # fmt: skip
-    for asked in asks:
+    for asked in asks if not first.geometry.in_space else ():
         if asked.case.scene.temperature is not None:
             yield from _warm(asked, model, unit, effort)
         yield from _case(asked, model, many=len(asks) > 1)
@@ -416,6 +423,8 @@ def _supports(ask: Ask) -> Iterator[_Question]:
 
 
 def _has_mass(ask: Ask) -> bool:
+    if ask.geometry.in_space:
+        return ask.geometry.has_masses and ask.material.density is not None
     try:
         moving_masses(ask)
     except NotAvailable:
@@ -548,6 +557,9 @@ class _Model:
 
     def frequency(self, ask: Ask) -> Found:
         """Return the frequency of the mechanism's own motion."""
+        if ask.geometry.in_space:
+            squared = self.joint_model.frequency_squared(ask)
+            return self.of(ask, QuantityKind.FREQUENCY, float(squared) ** 0.5)
         stiffness = self.joint_model.stiffness(ask)
         mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
         found = float(mode.stiffness / mode.mass) ** 0.5 / (2.0 * np.pi)

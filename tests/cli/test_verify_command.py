@@ -1,6 +1,7 @@
 """``flexure verify`` without ccx, and what it refuses."""
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -84,6 +85,17 @@ def test_what_draws_no_blades_says_so(flexure, tmp_path):
     told = flexure("verify", "bar.yaml")
     assert told.returncode == 2
     assert "not made of straight blades" in told.stderr
+
+
+@pytest.mark.usefixtures("no_ccx")
+def test_a_mechanism_in_space_is_compared_at_rest(flexure):
+    path = str(Path(__file__).parents[2] / "examples" / "tripod-mount" / "flexure.yaml")
+    told = flexure("verify", path, "--format", "json")
+    content = json.loads(told.stdout)
+    names = {row["name"] for row in content["verification"]["numbers"]}
+    supports = {f"support_{way}" for way in ("x", "y", "z", "theta_x", "theta_y", "theta_z")}
+    assert names == {"k_stage", "f_0", *supports}
+    assert "at-rest" in {note["code"] for note in content["warnings"]}
 
 
 @pytest.mark.usefixtures("no_ccx")

@@ -9,9 +9,18 @@ import pytest
 
 from flexcli.engine.solid.bricks import bricks, graded
 from flexcli.engine.solid.deck import State, buckling_deck, compliance_deck, modes_deck, states_deck
-from flexcli.engine.solid.model import solid_model
+from flexcli.engine.solid.model import solid_model, solid_model_in_space
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.mechanics.layout import Blade, Body, Layout, Load
+from flexcli.mechanics.space.layout import (
+    Drive,
+    Isotropic,
+    SpaceBlade,
+    SpaceBody,
+    SpaceLayout,
+    SpaceRod,
+    SpaceSpring,
+)
 from flexcli.parts.elastic import NotAvailable
 
 H, L, B = 0.4e-3, 20e-3, 3e-3
@@ -186,3 +195,53 @@ def test_no_solid_without_a_shear_modulus():
     flat = pivot()
     with pytest.raises(NotAvailable, match="poisson_ratio"):
         solid_model(Layout(flat.bodies, flat.blades, flat.E))
+
+
+STEEL = Isotropic(200e9, 77e9, 7850.0)
+TENSOR = ((5e-5, 1e-5, 0.0), (1e-5, 4e-5, 0.0), (0.0, 0.0, 6e-5))
+IN_SPACE = SpaceLayout(
+    (SpaceBody("moving", (0.0, 0.0, L), (1e-3, 2e-3, 3e-3), 0.2, TENSOR),),
+    (
+        SpaceBlade("wide", "ground", "moving", (0.0, 0.0, 0.0), (0.0, 0.0, L), (1.0, 1.0, 0.0),
+                   Constant(H), B, STEEL),
+        SpaceRod("round", "moving", "ground", (3e-3, 0.0, L), (3e-3, L, L), 1e-3, STEEL),
+    ),
+    Drive("moving", False, (1.0, 0.0, 0.0), (0.0, 0.0, L)),
+)  # fmt: skip
+
+
+def test_blades_and_rods_in_space_stand_where_they_are_drawn():
+    for fineness, allowed in ((1, 5e-3), (2, 5e-4), (4, 5e-5)):
+        model = solid_model_in_space(IN_SPACE, fineness=fineness)
+        wide, rod = model.stretches
+        assert wide.bricks.volume == pytest.approx(B * H * L, rel=1e-12)
+        # arcs of second order: their error falls with the fourth power
+        assert rod.bricks.volume == pytest.approx(np.pi / 4.0 * 1e-6 * L, rel=allowed)
+        off = np.hypot(rod.places[:, 0] - 3e-3, rod.places[:, 2] - L)
+        assert off.max() == pytest.approx(0.5e-3, rel=1e-12)
+        corner = H / 2.0 * np.array([1.0, -1.0, 0.0]) + B / 2.0 * np.array([1.0, 1.0, 0.0])
+        apart = np.linalg.norm(wide.places - corner / np.sqrt(2.0), axis=1)
+        assert apart.min() < 1e-15
+    tied = np.concatenate([s.places for s in model.stretches])[model.bodies[0].nodes]
+    assert np.all((np.abs(tied[:, 2] - L) < 1e-12) | (np.abs(tied[:, 1]) < 1e-12))
+
+
+def test_point_masses_of_a_body_in_space_have_its_inertia():
+    body = IN_SPACE.bodies[0]
+    (solid,) = solid_model_in_space(IN_SPACE).bodies
+    places, masses = (np.array(each) for each in zip(*solid.masses, strict=True))
+    assert masses.sum() == pytest.approx(0.2)
+    assert masses @ places / 0.2 == pytest.approx(np.array(body.com))
+    r = places - np.array(body.com)
+    tensor = np.einsum("k,ij,k->ij", masses, np.eye(3), (r**2).sum(axis=1))
+    tensor -= np.einsum("k,ki,kj->ij", masses, r, r)
+    assert tensor == pytest.approx(np.array(TENSOR), abs=1e-15)
+
+
+def test_solids_in_space_have_one_isotropic_material_and_no_springs():
+    other = replace(IN_SPACE.blades[1], material=Isotropic(1e9, 4e8))
+    with pytest.raises(NotAvailable, match="several materials"):
+        solid_model_in_space(replace(IN_SPACE, blades=(IN_SPACE.blades[0], other)))
+    spring = SpaceSpring("moving", (0.0, 0.0, L), (1.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    with pytest.raises(NotAvailable, match="springs"):
+        solid_model_in_space(replace(IN_SPACE, springs=(spring,)))

@@ -254,3 +254,35 @@ def test_solids_have_the_support_of_exact_beams_at_full_stroke():
     # a bent blade gives way by twist: a twentieth of its stroke takes 3.6 %
     assert found["support_z_end"].solid < 0.98 * rest["support_z"].solid
     assert set(found) == set(names)
+
+
+IN_SPACE = """
+flexure: 1
+material: {name: ours, youngs_modulus: 114 GPa, poisson_ratio: 0.3, density: 4.43 g/cm^3}
+geometry:
+  kind: space-layout
+  bodies:
+    plate: {at: [0 mm, 0 mm, 20 mm], com: [0 mm, 1 mm, 22 mm], mass: 50 g,
+            inertia: [1e-5 kg*m^2, 2e-5 kg*m^2, 2e-5 kg*m^2]}
+  blades:
+    leaf: {between: [ground, plate], from: [0 mm, 0 mm, 0 mm], to: [0 mm, 0 mm, 20 mm],
+           h: 0.5 mm, b: 6 mm, width: y}
+  rods:
+    strut: {between: [ground, plate], from: [10 mm, 30 mm, 0 mm], to: [10 mm, 5 mm, 20 mm], d: 1 mm}
+  moving: plate
+  motion: {translation: x}
+cases: {a: {acceleration: {level: 1 g, axis: x}}}
+requirements: {frequency: {min: 1 Hz}}
+"""
+
+
+def test_a_mechanism_in_space_has_the_stiffness_and_the_modes_of_its_solids():
+    """A blade and a rod askew to the axes, by springs of beams and plates and by bricks."""
+    result = flexcli.verify(IN_SPACE)
+    found = {number.name: number for number in result.verification.numbers}
+    assert {"k_stage", "support_x", "support_theta_z", "f_0"} <= found.keys()
+    assert result.status.value == "pass"
+    for name, number in found.items():
+        assert number.agrees, name
+        assert abs(number.apart) < 0.01, name
+        assert number.solid_error < 5e-3, name

@@ -31,6 +31,9 @@ MIDDLE = 4
 CURVED = 6
 """Elements along each side of a curved throat, evenly in the variable that crowds them there."""
 
+HALVES = np.array([-1.0, 0.0, 1.0])
+"""Where they end across a rod."""
+
 CONSTANT, VARIED = np.array([-1.0, 1.0]), np.array([-1.0, -0.6, 0.6, 1.0])
 """Where the coarsest elements end across the thickness, in halves of it: where it varies, a face
 has a peak of stress that fades within."""
@@ -106,6 +109,7 @@ def bricks(
     *,
     fineness: int = 1,
     is_half: bool = False,
+    is_round: bool = False,
 ) -> Bricks:
     """Return the bricks that fill the flexible stretches of a blade, and what is rigid between.
 
@@ -119,10 +123,13 @@ def bricks(
         Each element of the coarsest mesh is cut into so many along, across and over the width.
     is_half : bool
         Fill one side of the middle plane only.
+    is_round : bool
+        The section is the ellipse in that rectangle: sides of the square are bent to its arcs.
 
     """
     s, h, rigid = _whole(stretches, fineness)
-    across = _steps(CONSTANT if np.allclose(h, h[0], rtol=1e-9) else VARIED, fineness)
+    constant = HALVES if is_round else CONSTANT
+    across = _steps(constant if np.allclose(h, h[0], rtol=1e-9) else VARIED, fineness)
     widths = _widths(b, float(h.min()))
     width = _steps(widths[widths >= 0.0] if is_half else widths, fineness)
     number = np.full((s.size, across.size, width.size), -1, dtype=np.intp)
@@ -130,7 +137,10 @@ def bricks(
     there = np.asarray(odd) <= 1
     number[there] = np.arange(int(there.sum()))
     i, j, k = np.nonzero(there)
-    places = np.stack([s[i], across[j] * h[i] / 2.0, width[k] * b / 2.0], axis=-1)
+    t, z = across[j], width[k]
+    if is_round:
+        t, z = t * np.sqrt(1.0 - z**2 / 2.0), z * np.sqrt(1.0 - t**2 / 2.0)
+    places = np.stack([s[i], t * h[i] / 2.0, z * b / 2.0], axis=-1)
     first = np.stack(
         np.meshgrid(*(np.arange(0, n - 1, 2) for n in number.shape), indexing="ij"), axis=-1
     ).reshape(-1, 1, 3)

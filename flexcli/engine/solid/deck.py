@@ -1,7 +1,7 @@
 """CalculiX decks of a solid model, in mm, N, MPa and t: its bodies as rigid, step by step."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import cos, hypot, sin
+from math import hypot
 from typing import NamedTuple
 
 import numpy as np
@@ -166,7 +166,7 @@ def support_deck(
     return Deck("\n".join([*head, *steps, ""]), numbers), nodes
 
 
-def modes_deck(model: SolidModel, density: float, guided: Sequence[str], count: int = 6) -> Deck:
+def modes_deck(model: SolidModel, density: float, guided: Sequence[str], count: int = 12) -> Deck:
     """Return a deck of the lowest modes at rest, bodies in ``guided`` kept from turning."""
     numbers = _numbered(model)
     head = _head(model, numbers, {}, density=density)
@@ -261,11 +261,11 @@ def _head(
     placed = []
     for (name, x, y), index in points.items():
         of_loads.setdefault(name, []).append(extra + index)
-        placed.append(_node(extra + index, (x, y)))
+        placed.append(_node(extra + index, (x, y, 0.0)))
     extra += len(points)
     masses: list[tuple[int, float]] = []
     for body in model.bodies if density is not None else ():
-        for place, mass in _point_masses(body):
+        for place, mass in body.masses:
             of_loads.setdefault(body.name, []).append(extra)
             placed.append(_node(extra, place))
             masses.append((extra, mass * model.share))
@@ -339,11 +339,11 @@ def _materials(model: SolidModel, density: float | None) -> Iterator[str]:
         for index, stretch in enumerate(model.stretches):
             if not has[index]:
                 continue
-            own, c, s = f"{name}{index}", cos(stretch.angle), sin(stretch.angle)
+            own, (c, s, _) = f"{name}{index}", stretch.axes[0].tolist()
             along, across = strains_of(model, stretch)
             if model.stiffness is not None:
-                axes = [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]]
-                elastic = _anisotropic(stiffer * turned_stiffness(model.stiffness, axes))
+                turned = turned_stiffness(model.stiffness, stretch.axes)
+                elastic = _anisotropic(stiffer * turned)
             yield f"*ORIENTATION, NAME={own}, SYSTEM=RECTANGULAR"
             yield f"{c:.14g}, {s:.14g}, 0., {-s:.14g}, {c:.14g}, 0."
             yield from (f"*MATERIAL, NAME={own}", *elastic, *weighs, "*EXPANSION, TYPE=ORTHO")
@@ -436,19 +436,8 @@ def _rigid(name: str, nodes: tuple[int, int]) -> str:
     return f"*RIGID BODY, NSET={name}, REF NODE={nodes[0]}, ROT NODE={nodes[1]}"
 
 
-def _node(number: int, place: tuple[float, float]) -> str:
-    return f"{number}, {place[0] * MM:.14g}, {place[1] * MM:.14g}, 0."
-
-
-def _point_masses(body: SolidBody) -> list[tuple[tuple[float, float], float]]:
-    """Return point masses with the mass and the inertia of a body in its plane."""
-    if body.mass == 0.0:
-        return []
-    arm = float(np.sqrt(body.inertia / body.mass))
-    if arm == 0.0:
-        return [(body.com, body.mass)]
-    x, y = body.com
-    return [((x - arm, y), body.mass / 2.0), ((x + arm, y), body.mass / 2.0)]
+def _node(number: int, place: tuple[float, float, float]) -> str:
+    return ", ".join((str(number), *(f"{c * MM:.14g}" for c in place)))
 
 
 def _stub(
@@ -461,7 +450,7 @@ def _stub(
     """
     side = STUB * MM
     E = stiffness * MM * side / (side**4 / 12.0)
-    x, y = (c * MM for c in body.point)
+    x, y = (c * MM for c in body.point[:2])
     lines, near, far = _brick(last + 1, element, f"STUB{index}", (x, y), side)
     ref, rot = last + 21, last + 22
     return [

@@ -31,7 +31,7 @@ def grows(layout: Layout) -> bool:
 def spacers_of(model: SolidModel) -> Iterator[Spacer]:
     """Yield the clamps that move: a body grows about its point, the ground about the origin."""
     points = {body.name: body.point for body in model.bodies}
-    for stretch in model.stretches:
+    for stretch in model.stretches if grows(model.layout) else ():
         blade = next(b for b in model.layout.blades if b.name == stretch.name)
         for body, place, side in zip(
             stretch.bodies, (blade.start, blade.end), (0, -1), strict=True

@@ -19,7 +19,7 @@ from flexcli.engine.solid.deck import (
     modes_deck,
     support_deck,
 )
-from flexcli.engine.solid.model import SolidModel, solid_model
+from flexcli.engine.solid.model import SolidModel, solid_model, solid_model_in_space
 from flexcli.engine.solid.states import FaceStress, Runner, SolidStates, solid_states
 from flexcli.formulas.profile import Constant, NeckedDown, Tabulated
 from flexcli.mechanics.demand import Held
@@ -30,9 +30,10 @@ from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.mechanisms.carried import is_guided
 from flexcli.parts.requirements import Ask
 from flexcli.parts.requirements.support import compliance_of
+from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.structure import joined
 
-__all__ = ["BESIDE", "Place", "SolidNumbers", "moving_masses"]
+__all__ = ["BESIDE", "Place", "SolidNumbers", "moving_masses", "whole_model"]
 
 Floats = NDArray[np.float64]
 
@@ -81,6 +82,9 @@ class SolidNumbers:
 
     def stiffness(self) -> float:
         """Return the stiffness along the motion at rest [N·m/rad or N/m]."""
+        if self.ask.geometry.in_space:
+            way = _way(self.ask)
+            return float(1.0 / (way @ self.compliance() @ way))
         layout = layout_of(self.ask)
         axis = driven_axis(self.ask.geometry)
         small = SMALL * (1.0 if axis == 2 else _longest(layout))
@@ -91,11 +95,9 @@ class SolidNumbers:
     def compliance(self) -> Floats:
         """Return the 6×6 compliance at the moving body's point, in the axes of cases."""
         geometry = self.ask.geometry
-        layout = geometry.layout(self.ask.material.elastic, self.ask.sizes)
-        model = self._model(layout, is_half=False)
-        guided = geometry.is_guided
-        deck = compliance_deck(model, MOVING, guided)
-        ref, rot = deck.bodies[MOVING]
+        model, name = whole_model(self.ask, self.fineness), moving_body(self.ask)
+        deck = compliance_deck(model, name, geometry.is_guided)
+        ref, rot = deck.bodies[name]
         columns = [
             np.concatenate([moved[ref], moved[rot]])
             for moved in self.runner(deck).tables("displacements")
@@ -234,16 +236,18 @@ class SolidNumbers:
         ask, density = self.ask, self.ask.material.density
         if density is None:
             raise NotAvailable("needs material.density for the mass of the blades")
-        layout = moving_masses(ask)
-        model = self._model(layout)
-        guided = [MOVING] if is_guided(ask.geometry) else []
+        if ask.geometry.in_space:
+            model, guided, way = whole_model(ask, self.fineness), [], _way(ask)
+        else:
+            model = self._model(moving_masses(ask))
+            guided = [MOVING] if is_guided(ask.geometry) else []
+            way = np.eye(6)[(0, 1, 5)[driven_axis(ask.geometry)]]
         deck = modes_deck(model, float(density.value), guided)
         printed = self.runner(deck)
-        ref, rot = deck.bodies[MOVING]
-        axis = driven_axis(ask.geometry)
+        ref, rot = deck.bodies[moving_body(ask)]
         squares = np.array(printed.squares())
         moved = [
-            shape[rot][2] if axis == 2 else shape[ref][axis]
+            float(way @ np.concatenate([shape[ref] / MM, shape[rot]]))
             for shape in printed.tables("displacements")
         ]
         count = min(len(moved), squares.size)
@@ -328,6 +332,34 @@ class SolidNumbers:
                 )
             found[body.name] = moment
         return found
+
+
+def whole_model(ask: Ask, fineness: int) -> SolidModel:
+    """Return the solids of a joint at rest, blades whole, in the plane or in space."""
+    geometry, elastic = ask.geometry, ask.material.elastic
+    if geometry.in_space:
+        layout = joint_in_space(geometry, ask.material, ask.sizes).layout
+        return solid_model_in_space(layout, fineness=fineness)
+    stiffness = ask.material.stiffness_in(geometry.drawn_turn)
+    planar = geometry.layout(elastic, ask.sizes)
+    return solid_model(planar, fineness=fineness, stiffness=stiffness)
+
+
+def moving_body(ask: Ask) -> str:
+    """Return the name of the body that the motion is stated of."""
+    if not ask.geometry.in_space:
+        return MOVING
+    return joint_in_space(ask.geometry, ask.material, ask.sizes).layout.drive.body
+
+
+def _way(ask: Ask) -> Floats:
+    """Return by what motions of its body's point (6,) a drive in space is moved."""
+    layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
+    drive, e = layout.drive, np.array(layout.drive.direction)
+    if drive.turns:
+        return np.concatenate([np.zeros(3), e])
+    arm = np.subtract(drive.point, layout.body(drive.body).point)
+    return np.concatenate([e, np.cross(arm, e)])
 
 
 def moving_masses(ask: Ask) -> Layout:
