@@ -14,8 +14,8 @@ from flexcli.engine import assess
 from flexcli.engine.models import NamedModel
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.elastic import Buckled, NotAvailable
-from flexcli.parts.geometries import Sizes
+from flexcli.parts.elastic import Buckled, Elastic, NotAvailable
+from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.parts.requirements import Limit, Requirement, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import (
@@ -62,6 +62,9 @@ WOULD_LOOK = {
 OUT_OF_PLANE = frozenset({LoadKind.WRENCH, LoadKind.ACCELERATION, LoadKind.TEMPERATURE})
 """Loads that only a model of the whole joint looks at, where they act out of its plane."""
 
+
+UNIT = Elastic(1.0, 0.0)
+"""To ask whether a joint has a layout at all."""
 
 FAR = 1.5
 """Factors over the required one beyond which a sizing asks no finer model."""
@@ -129,8 +132,7 @@ def judge(design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...]) -> J
         path = paths[id(requirement)]
         found.extend(_together(requirement, [c for c in found if c.path == path]))
     for scene in scenes:
-        lacking = design.geometry.layout_lacks
-        found.extend(_not_judged(scene, looked_at[scene.case], lacking))
+        found.extend(_not_judged(scene, looked_at[scene.case], design.geometry))
         found.extend(_switched_off(design, scene.case))
     return Judgement(assess.worst_of_each(found), series.seconds, models)
 
@@ -406,22 +408,29 @@ def _together(requirement: Requirement, checks: Sequence[Check]) -> Iterator[Che
         yield check._replace(path=rows[0].path, model=rows[-1].model)
 
 
-def _not_judged(
-    scene: Scene, looked_at: set[LoadKind], lacking: tuple[str, ...]
-) -> Iterator[Check]:
-    """Yield a row for each load of a case that no requirement looks at.
-
-    ``lacking`` are the keys of the joint without which none can look out of its plane.
-    """
+def _not_judged(scene: Scene, looked_at: set[LoadKind], joint: Geometry) -> Iterator[Check]:
+    """Yield a row for each load of a case that no requirement looks at."""
+    lacking = joint.layout_lacks
     for kind in LoadKind:
         if kind in scene.loads and kind not in looked_at:
             text = f"no requirement looks at this load; {WOULD_LOOK[kind]} would"
             if lacking and kind in OUT_OF_PLANE:
                 text += f", given {' and '.join(f'geometry.{key}' for key in lacking)}"
+            elif not joint.has_plane:
+                text += _but_not_in_space(joint)
             yield Check(
                 kind.value, scene.case, text, nan, nan, "", nan, nan, Verdict.NOT_JUDGED, "",
                 path=("cases", scene.case, kind.value),
             )  # fmt: skip
+
+
+def _but_not_in_space(joint: Geometry) -> str:
+    """Return why a joint without a plane has no model in space either, if it has none."""
+    try:
+        joint.space_layout(UNIT, joint.probe())
+    except NotAvailable as error:
+        return f", but a {joint.name} {error}"
+    return ""
 
 
 def _switched_off(design: DesignSpec, case: str) -> Iterator[Check]:

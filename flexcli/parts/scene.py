@@ -131,6 +131,8 @@ class Scene(NamedTuple):
     """Whether the joint is drawn in space, where everything acts on it."""
     directed: bool = False
     """Whether the first of ``forces`` acts in the sense that it is stated in, not either way."""
+    has_plane: bool = True
+    """Whether the joint has a plane in which forces act on it, as bars along an axis do not."""
 
     @property
     def vibrates_in_space(self) -> bool:
@@ -181,10 +183,14 @@ class Scene(NamedTuple):
         """Return whether anything in the joint's plane, or space, acts besides the stroke."""
         if self.temperature is not None:
             return True
-        own = any(any(each[:2]) for each in self.accelerations)
-        acts = range(6) if self.in_space else IN_PLANE
-        own = own or (self.in_space and any(any(each) for each in self.accelerations))
+        acts = range(6) if self.in_space else [i for i in IN_PLANE if i not in self.across]
+        own = any(each[i] for each in self.accelerations for i in acts if i < 3)
         return own or any(each[i] for each in (self.stated, *self.inertial) for i in acts)
+
+    @property
+    def across(self) -> tuple[int, ...]:
+        """Return the components of a wrench that act out of the joint's plane, if it has one."""
+        return (2, 3, 4) if self.has_plane else (0, 1, 2, 3, 4)
 
     def at_assembly(self) -> "Scene":
         """Return the same case without its temperature."""
@@ -256,8 +262,9 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
     found = _inertial(case, mechanism, geometry, values)
     drive = 5 if geometry.motion == "rotation" else 1
     lasting = (stated, *found.wrenches)
+    planar = lasting if geometry.has_plane else ()
     forces = tuple(
-        (hypot(*each[:2]), atan2(each[1], each[0])) for each in lasting if _is_more(each, drive)
+        (hypot(*each[:2]), atan2(each[1], each[0])) for each in planar if _is_more(each, drive)
     )
     force = sum(size for size, _ in forces)
     ends, why = case.ends, STATED if case.ends else ""
@@ -297,7 +304,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         forces=forces,
         values=values,
         loads=_loads(case),
-        pushed_by=_pushed_by(case, found.kinds, in_space=geometry.in_space),
+        pushed_by=_pushed_by(case, found.kinds, geometry),
         stated=stated,
         inertial=found.wrenches,
         accelerations=found.accelerations,
@@ -306,6 +313,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         in_space=geometry.in_space,
         across_by=_across_by(case, geometry, lasting),
         directed=_is_more(stated, drive) and (case.load is None or case.load.is_directed),
+        has_plane=geometry.has_plane,
     )
 
 
@@ -330,12 +338,14 @@ def _is_more(wrench: Wrench, drive: int) -> bool:
 
 def _across_by(case: Case, geometry: Geometry, wrenches: tuple[Wrench, ...]) -> frozenset[LoadKind]:
     """Return the loads out of the plane of a joint that stands free on blades alone."""
-    found = set()
-    if case.wrench is not None and any(case.wrench.components[2:5]):
+    found, across = set(), slice(2 if geometry.has_plane else 0, 5)
+    if case.wrench is not None and any(case.wrench.components[across]):
         found.add(LoadKind.WRENCH)
+    if case.load is not None and not geometry.has_plane:
+        found.add(LoadKind.LOAD)
     steady = case.acceleration
-    if steady is not None and steady.vector[2] != 0.0:
-        acts = any(each[2] for each in wrenches[1:]) or geometry.own_mass > 0.0
+    if steady is not None and (steady.vector[2] != 0.0 or not geometry.has_plane):
+        acts = any(any(each[across]) for each in wrenches[1:]) or geometry.own_mass > 0.0
         found |= {LoadKind.ACCELERATION} if acts else set()
     # beside a stroke a guide would have a part in what both do to each other
     guided = geometry.is_guided and case.stroke is not None
@@ -356,20 +366,24 @@ def _stands_free(geometry: Geometry) -> bool:
         return True
 
 
-def _pushed_by(case: Case, inertial: frozenset[LoadKind], *, in_space: bool) -> frozenset[LoadKind]:
+def _pushed_by(
+    case: Case, inertial: frozenset[LoadKind], geometry: Geometry
+) -> frozenset[LoadKind]:
     """Return the loads of a case of which all is in the stresses of the joint."""
-    found = set(inertial)
-    if in_space:
+    found = set(inertial) if geometry.has_plane else set()
+    if geometry.in_space:
         given = {
             LoadKind.WRENCH: case.wrench,
             LoadKind.ACCELERATION: case.acceleration,
             LoadKind.TEMPERATURE: case.temperature,
         }
         return frozenset(found | {kind for kind, load in given.items() if load is not None})
-    if case.load is not None:
+    if case.load is not None and geometry.has_plane:
         found.add(LoadKind.LOAD)
-    if case.wrench is not None and not any(case.wrench.components[2:5]):
-        found.add(LoadKind.WRENCH)
+    if case.wrench is not None:
+        components = case.wrench.components
+        across = components[2:5] if geometry.has_plane else components[:5]
+        found |= set() if any(across) else {LoadKind.WRENCH}
     if case.temperature is not None:
         found.add(LoadKind.TEMPERATURE)
     return frozenset(found)

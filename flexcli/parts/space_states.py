@@ -376,13 +376,12 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
     Each load acts either way, the drive free, in the pose at rest. The error counts what the
     stroke and these loads do together to second order.
     """
-    stresses = Stresses(joint.assembly)
+    stresses, across = Stresses(joint.assembly), np.isin(np.arange(6), scene.across)
     groups = []
     for each in acting_groups(joint, scene):
-        z = np.array([0.0, 0.0, 1.0])
         apart = each._replace(
-            wrench=each.wrench * np.array([0.0, 0.0, 1.0, 1.0, 1.0, 0.0]),
-            acceleration=each.acceleration * z,
+            wrench=np.where(across, each.wrench, 0.0),
+            acceleration=np.where(across[:3], each.acceleration, 0.0),
         )
         if apart.wrench.any() or apart.acceleration.any():
             groups.append(action(joint.assembly, apart))

@@ -1,5 +1,7 @@
 """Support stiffness, shift and stress at stroke by exact beams in space, from a spec."""
 
+from math import pi
+
 import pytest
 from geometries_for_tests import geometry
 
@@ -411,15 +413,43 @@ def test_far_twisted_bars_stiffen_by_their_long_fibres(bars):
          10 / (2 * 0.5e-3 * 3e-3)),
         ("{kind: torsion-bar, h: 0.5 mm, l: 30 mm, b: 3 mm, bars: 2}", "theta_x: 0.1 N*m",
          6 * 0.05 / (0.5e-3 * 3e-3**2)),
+        ("{kind: torsion-bar, h: 0.5 mm, l: 30 mm, b: 3 mm, bars: 2}", "x: 0.2 N",
+         6 * 0.2 / 2 * 15e-3 / (3e-3 * 0.5e-3**2)),
+        ("{kind: torsion-bar, h: 0.5 mm, l: 30 mm, b: 3 mm, bars: 2}", "y: 10 N",
+         6 * 10 / 2 * 15e-3 / (0.5e-3 * 3e-3**2)),
+        ("{kind: round-torsion-bar, d: 1 mm, l: 30 mm}", "y: 1 N",
+         32 * 1 * 30e-3 / (pi * 1e-9)),
     ],
 )  # fmt: skip
 def test_a_load_out_of_the_plane_alone_stresses_a_guided_blade_and_bars(
     tmp_path, joint, wrench, stress
 ):
-    """The root of a cantilever; a pull by halves; a moment by halves at the ends of two bars."""
+    """The root of a cantilever; a pull by halves; a moment by halves at the ends of two bars.
+
+    A force across two bars bends each in an S from clamp to body, one bar as a cantilever.
+    """
     text = PIVOT.replace(PIVOT.split("geometry: ")[1].splitlines()[0], joint)
     text = text.replace("{stroke: {rotation: 15 deg}}", f"{{wrench: {{{wrench}}}}}")
     text = text.split("requirements:")[0] + "requirements: {yield: 1.5}\n"
     check = only(checked(text, tmp_path))
     assert check.verdict.value == "pass"
     assert check.demand == pytest.approx(stress, rel=0.02)
+
+
+SHAKEN = PIVOT.split("geometry:")[0] + """\
+geometry: {kind: torsion-bar, h: 0.5 mm, l: 20 mm, b: 3 mm, bars: 2}
+mechanism: {kind: payload, mass: 50 g, inertia: 1e-5 kg*m^2}
+cases: {work: {acceleration: {level: 50 m/s^2, axis: AXIS}}}
+requirements: {yield: 1.5, sag: {max: 1 mm}}
+"""
+
+
+@pytest.mark.parametrize(("axis", "thick", "wide"), [("x", 0.5e-3, 3e-3), ("y", 3e-3, 0.5e-3)])
+def test_an_acceleration_across_bars_bends_them_between_their_clamps(tmp_path, axis, thick, wide):
+    """Either bar a beam clamped at both ends: F l/4 and F l³/(24 E I) of half the force."""
+    text = SHAKEN.replace("AXIS", axis)
+    found = {check.name.split()[0]: check for check in checked(text, tmp_path).checks}
+    force, l, E = 50e-3 * 50.0, 20e-3, 200e9
+    assert found["yield"].verdict.value == found["sag"].verdict.value == "pass"
+    assert found["yield"].demand == pytest.approx(1.5 * force * l / (wide * thick**2), rel=0.1)
+    assert found["sag"].demand == pytest.approx(force * l**3 / (2 * E * wide * thick**3), rel=0.1)

@@ -201,6 +201,8 @@ class Geometry(Part):
     """Whether the sag bends the blades across their width."""
     in_space: ClassVar[bool] = False
     """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
+    has_plane: ClassVar[bool] = True
+    """Whether forces bend it in a plane as its stroke does; bars along an axis only turn there."""
     turns_freely: ClassVar[bool] = False
     """Whether its formulas leave the body free to turn as it moves, which a case may not."""
     keeps_level: ClassVar[bool] = False

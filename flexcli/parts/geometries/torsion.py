@@ -71,6 +71,7 @@ class TorsionGeometry(Geometry):
     motion: ClassVar[str] = "rotation"
     source: ClassVar[str] = "Timoshenko & Goodier 1970, Theory of Elasticity, chapter 10"
     strain: ClassVar[str] = "twist"
+    has_plane: ClassVar[bool] = False
     posynomial: ClassVar[bool] = False
 
     bars: Bars = 1
