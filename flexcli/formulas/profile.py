@@ -90,6 +90,10 @@ class Profile(ABC):
             last = s_1
         return tuple(tuple(edges) for edges in found)
 
+    def mouth(self, l: float) -> float:
+        """Return the thickness at the ends of one blade [m]."""
+        return float(np.ravel(self.pieces(l)[-1].thickness(np.ones(1)))[0])
+
     def _centres(self, l: float) -> tuple[tuple[float, float] | None, ...]:
         """Return the centre of each piece's curve on the left, nothing where it is straight."""
         return (None,) * len(self.pieces(l))

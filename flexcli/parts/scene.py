@@ -190,7 +190,7 @@ class Scene(NamedTuple):
     @property
     def across(self) -> tuple[int, ...]:
         """Return the components of a wrench that act out of the joint's plane, if it has one."""
-        return (2, 3, 4) if self.has_plane else (0, 1, 2, 3, 4)
+        return _across(has_plane=self.has_plane)
 
     def at_assembly(self) -> "Scene":
         """Return the same case without its temperature."""
@@ -336,16 +336,20 @@ def _is_more(wrench: Wrench, drive: int) -> bool:
     return hypot(x, y) > ROUNDING * hypot(*wrench[:2])
 
 
+def _across(*, has_plane: bool) -> tuple[int, ...]:
+    return (2, 3, 4) if has_plane else (0, 1, 2, 3, 4)
+
+
 def _across_by(case: Case, geometry: Geometry, wrenches: tuple[Wrench, ...]) -> frozenset[LoadKind]:
     """Return the loads out of the plane of a joint that stands free on blades alone."""
-    found, across = set(), slice(2 if geometry.has_plane else 0, 5)
-    if case.wrench is not None and any(case.wrench.components[across]):
+    found, across = set(), _across(has_plane=geometry.has_plane)
+    if case.wrench is not None and any(case.wrench.components[i] for i in across):
         found.add(LoadKind.WRENCH)
     if case.load is not None and not geometry.has_plane:
         found.add(LoadKind.LOAD)
     steady = case.acceleration
     if steady is not None and (steady.vector[2] != 0.0 or not geometry.has_plane):
-        acts = any(any(each[across]) for each in wrenches[1:]) or geometry.own_mass > 0.0
+        acts = any(each[i] for each in wrenches[1:] for i in across) or geometry.own_mass > 0.0
         found |= {LoadKind.ACCELERATION} if acts else set()
     # beside a stroke a guide would have a part in what both do to each other
     guided = geometry.is_guided and case.stroke is not None
@@ -381,9 +385,8 @@ def _pushed_by(
     if case.load is not None and geometry.has_plane:
         found.add(LoadKind.LOAD)
     if case.wrench is not None:
-        components = case.wrench.components
-        across = components[2:5] if geometry.has_plane else components[:5]
-        found |= set() if any(across) else {LoadKind.WRENCH}
+        across = _across(has_plane=geometry.has_plane)
+        found |= set() if any(case.wrench.components[i] for i in across) else {LoadKind.WRENCH}
     if case.temperature is not None:
         found.add(LoadKind.TEMPERATURE)
     return frozenset(found)

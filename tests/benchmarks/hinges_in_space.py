@@ -1,7 +1,7 @@
 """Notches and blades with fillets at rest, between rigid bodies: solids by CalculiX, in six axes.
 
 Run by hand: python tests/benchmarks/hinges_in_space.py
-It writes tests/mechanics/space/hinges.json in five minutes of one processor: for each hinge, in
+It writes tests/mechanics/space/hinges.json in ten minutes of one processor: for each hinge, in
 units of the radius of its roots or of half its length, its kind, its profile's numbers, its length,
 its width and ν, and six stiffnesses about its middle, each with all else free, over E. The mesh is
 the coarsest of ``verify``; twice as fine a one has up to 4 % more or less where a notch is deep.
@@ -42,6 +42,20 @@ def hinges(count=75, seed=3):
             yield found
 
 
+def narrow(count=60, seed=2):
+    """Yield notches of b < 0.6 l, from shallow to as deep as long, in the same way."""
+    random = np.random.default_rng(seed)
+    while count:
+        nu, depth = (
+            float(random.choice([0.0, 0.2, 0.4])),
+            float(random.choice([0.3, 1.0, 1.5, 2.0])),
+        )
+        e, b = float(10 ** random.uniform(-2.5, -0.2)), float(10 ** random.uniform(-2.2, -0.25))
+        if e * depth <= 1.0 and e <= b:
+            count -= 1
+            yield "notch", [e, depth], 2.0, b, nu
+
+
 def stiffness(kind, numbers, l, b, nu, fineness=1):
     """Return six stiffnesses about the middle of a hinge by solids, over E."""
     profile = KINDS[kind](*(R * n for n in numbers))
@@ -56,7 +70,7 @@ def stiffness(kind, numbers, l, b, nu, fineness=1):
 
 def main():
     rows = []
-    for hinge in hinges():
+    for hinge in (*hinges(), *narrow()):
         rows.append([*hinge, stiffness(*hinge).tolist()])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")
     FOUND.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n", encoding="utf-8")

@@ -436,7 +436,9 @@ def test_a_load_out_of_the_plane_alone_stresses_a_guided_blade_and_bars(
     assert check.demand == pytest.approx(stress, rel=0.02)
 
 
-SHAKEN = PIVOT.split("geometry:")[0] + """\
+SHAKEN = """
+flexure: 1
+material: {youngs_modulus: 200 GPa, yield_strength: 1800 MPa, poisson_ratio: 0.3}
 geometry: {kind: torsion-bar, h: 0.5 mm, l: 20 mm, b: 3 mm, bars: 2}
 mechanism: {kind: payload, mass: 50 g, inertia: 1e-5 kg*m^2}
 cases: {work: {acceleration: {level: 50 m/s^2, axis: AXIS}}}

@@ -288,3 +288,35 @@ def test_hinges_that_soften_unlike_each_other_may_move_a_joint_by_as_much_either
     for part in (thin, thick_one):
         assert both.shift[0] <= min(part.factor.low, part.shift[0])
         assert both.shift[1] >= max(2.0 - part.factor.low, part.shift[1])
+
+
+BLOCK = 30e-3
+"""Length of the blocks [m]."""
+
+
+@pytest.mark.parametrize("blocks", ["30 mm", "0 mm", None])
+def test_support_deflection_and_sag_count_the_blocks_that_are_stated(blocks):
+    """As soft as two bars from the mouth to the rigid bodies at least, about the middle between.
+
+    Half of what such bars give way, or twice their stiffness, is asked of it.
+    """
+    e, r, b, E = 0.5e-3, 2e-3, 10e-3, 100e9
+    H = e + 2.0 * r
+    bars = 24.0 * ((r + BLOCK) ** 3 - r**3) / (3.0 * E * b * H**3)
+    geometry = {"kind": "notch-hinge", "e": "0.5 mm", "r": "2 mm", "b": "10 mm"}
+    if blocks is not None:
+        geometry["blocks"] = blocks
+    asked = {
+        "support": {"direction": "y", "min": f"{2.0 / bars!r} N/m"},
+        "deflection": {"direction": "y", "max": f"{50.0 * bars!r} m"},
+        "sag": {"max": f"{50.0 * bars!r} m"},
+    }
+    cases = {
+        "push": {"wrench": {"y": "100 N"}},
+        "hang": {"acceleration": {"level": "100 m/s^2", "axis": "y"}},
+    }
+    body = {"kind": "payload", "mass": "1 kg", "inertia": "1 kg*cm^2"}
+    found = judged(geometry, asked, cases=cases, mechanism=body).checks
+    for name in asked:
+        verdict = row(found, name).verdict.value
+        assert verdict == ("fail" if blocks == "30 mm" else "pass")

@@ -111,6 +111,8 @@ class SpaceBlade:
     direction ``width`` (of any length; what it has along the blade plays no part). ``peak`` are
     the factors by which its shape raises the stress of a section: in bending across the
     thickness, and along the blade. ``warps`` says that its clamps do not keep its ends flat.
+    ``blocks`` is between which lengths lie blocks, as thick as the ends of a hinge, on either side
+    of it up to the rigid bodies [m].
     """
 
     name: str
@@ -124,6 +126,7 @@ class SpaceBlade:
     material: Isotropic | Directed
     peak: tuple[float, float] = (1.0, 1.0)
     warps: bool = False
+    blocks: tuple[float, float] = (0.0, 0.0)
 
     @property
     def axes(self) -> Floats:

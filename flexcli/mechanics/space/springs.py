@@ -31,15 +31,20 @@ BENDING = (0, 1, 5)
 HINGES = (
     Range("e/ρ", most=1.0, why="blunter notches were not compared with solids"),
     Range("2 depth/l", most=2.0, why="deeper notches were not compared with solids"),
-    Range("b/l", least=0.25, most=8.0, why="other widths were not compared with solids"),
+    Range("e/b", most=1.0, why="throats thicker than wide were not compared with solids"),
+    Range("b/l", most=8.0, why="wider ones were not compared with solids"),
     Range("ν", most=0.4, why="others were not compared with solids"),
 )
 """Hinges that were compared, ρ the radius of the throat; fillets are half a notch at either end."""
 
-NOTCH_LOW, NOTCH_HIGH = 0.25, 0.2
-"""Error of a notch's springs as its beam between rigid clamps. CalculiX's solids
-(``tests/benchmarks/hinges_in_space.py``) had between 0.785 and 1.156 of them: less, where the flow
-of forces leaves the flanks behind, more, where a wide throat is kept from narrowing."""
+STRAIGHT, FLANKS = 0.01, np.array([0.15, 0.09, 0.25, 0.12, 0.13])
+"""By how much less than its beam between rigid clamps a notch is stiff at most in five springs, the
+second per 2 depth/l: the flow of forces leaves steep flanks behind. CalculiX's solids
+(``tests/benchmarks/hinges_in_space.py``) had 0.109, 0.062, 0.18, 0.08 and 0.094 of it."""
+
+NARROWS, KEPT, KEPT_MOST = 0.02, 0.15, 0.2
+"""By how much more: a throat is kept from narrowing, the second per b/l, the third at most and
+always in torsion. Solids had nothing more up to b/l = ¼, 0.05 up to ½, 0.156 at most."""
 
 THROAT, THROAT_HIGH = 0.5, 0.02
 """Share of e/ρ by which a throat may bend more than its beam, and of its stiffness what it may be
@@ -50,6 +55,17 @@ FILLETED, LONG = 0.07, 4.0
 
 NODES = 32
 """Gauss nodes on a piece of a hinge."""
+
+SPREAD = 0.5
+"""Over how much of the height of the mouth forces spread into blocks, or end at a rigid body: by
+so much a block may be longer or shorter than the bar that it is taken for."""
+
+WARPED = 0.25
+"""By what share more a hinge may twist between blocks than between rigid bodies, which keep its
+ends flat. Solids had 0.07 of that beyond what is told between rigid bodies."""
+
+SHEARED = 1.2
+"""1/κ of a rectangle in shear."""
 
 
 class MemberSprings(NamedTuple):
@@ -145,7 +161,39 @@ def _hinge(blade: SpaceBlade, l: float) -> MemberSprings:
     springs = BladeSprings(stiffness, across_thickness * l, across_width * l)
     low, high, known = _hinge_errors(blade, l)
     known = known and not isinstance(blade.material, Directed)  # of which no solid was made
+    if any(blade.blocks):
+        springs, low, high = _between_blocks(blade, l, springs, low, high)
     return MemberSprings(springs, low, high, blade.axes, l, STRIP_CONSTRAINTS, known)
+
+
+def _between_blocks(
+    blade: SpaceBlade, l: float, springs: BladeSprings, low: Floats, high: Floats
+) -> tuple[BladeSprings, Floats, Floats]:
+    """Return the springs of a hinge with the blocks beside it, and their errors."""
+    H, (least, most) = blade.profile.mouth(l), blade.blocks
+    alone, whole = 1.0 / springs.stiffness, 1.0 / springs.stiffness + _bars(blade, l, H, least)
+    stiffer = (1.0 - blade.material.nu**2) * _bars(blade, l, H, max(0.0, least - SPREAD * H))
+    softer = _bars(blade, l, H, most + SPREAD * H)
+    found = BladeSprings(1.0 / whole, springs.across_thickness, springs.across_width)
+    softer[3] += WARPED * alone[3]
+    low = whole / (alone / (1.0 + low) + softer) - 1.0
+    return found, low, whole / (alone / (1.0 + high) + stiffer) - 1.0
+
+
+def _bars(blade: SpaceBlade, l: float, H: float, L: float) -> Floats:
+    """Return six compliances of two bars of height H and length L beside a hinge of length l.
+
+    They are about its middle, in the order of its springs [m/N, rad/(N·m)].
+    """
+    E, G, b, near = blade.material.E, blade.material.G, blade.b, l / 2.0
+    arms = 2.0 / 3.0 * ((near + L) ** 3 - near**3)
+    I_y, I_z = H * b**3 / 12.0, b * H**3 / 12.0
+    sheared = 2.0 * SHEARED * L / (G * b * H)
+    twisted = 2.0 * L / (G * float(torsion_constant(H, b)))
+    return np.array(
+        [2.0 * L / (E * b * H), arms / (E * I_z) + sheared, arms / (E * I_y) + sheared, twisted,
+         2.0 * L / (E * I_y), 2.0 * L / (E * I_z)]
+    )  # fmt: skip
 
 
 def _hinge_errors(blade: SpaceBlade, l: float) -> tuple[Floats, Floats, bool]:
@@ -161,11 +209,12 @@ def _hinge_errors(blade: SpaceBlade, l: float) -> tuple[Floats, Floats, bool]:
                 return np.full(6, -FILLETED), np.full(6, FILLETED), bool(known)
         case _:
             raise TypeError("only notches and fillets were compared with solids")
-    sharp = float(e) * float(depth) / reach**2
-    at = {"e/ρ": sharp, "2 depth/l": float(depth) / reach, "b/l": blade.b / l, "ν": nu}
-    low = np.full(6, -NOTCH_LOW)
-    low[5] = -THROAT * sharp / (1.0 + THROAT * sharp) - THROAT_HIGH
-    high = np.append(np.full(5, NOTCH_HIGH), THROAT_HIGH)
+    sharp, deep, wide = float(e) * float(depth) / reach**2, float(depth) / reach, blade.b / l
+    at = {"e/ρ": sharp, "2 depth/l": deep, "e/b": float(e) / blade.b, "b/l": wide, "ν": nu}
+    turn = -THROAT * sharp / (1.0 + THROAT * sharp) - THROAT_HIGH
+    low = np.append(-STRAIGHT - FLANKS * deep, turn)
+    high = np.append(np.full(5, min(NARROWS + KEPT * wide, KEPT_MOST)), THROAT_HIGH)
+    high[3] = KEPT_MOST
     known = not outside(HINGES, at)
     return low, high, known
 

@@ -2,7 +2,8 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar, Final, Literal, NamedTuple
+from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, NamedTuple, cast
 
 import numpy as np
 from pydantic import Field, GetJsonSchemaHandler, model_validator
@@ -24,6 +25,9 @@ from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
 from flexcli.parts.geometries.parallel import straight_share
 from flexcli.results import Value
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout
 
 __all__ = [
     "CONCENTRATION",
@@ -213,6 +217,15 @@ class NotchGeometry(Geometry):
             peak=self.peaks(sizes),
         )  # fmt: skip
         return Layout((Body(MOVING, (0.0, 0.0)),), (strip,), elastic.E, elastic.shear)
+
+    def space_layout(self, elastic: Elastic, sizes: Any, density: float = 0.0) -> "SpaceLayout":
+        """Return the hinge in space, with the blocks that may be beside it."""
+        layout, beside = super().space_layout(elastic, sizes, density), self._beside
+        hinge = cast("SpaceBlade", layout.blades[0])
+        profile, l = self.profile(sizes)
+        # massive blocks give way less than bars as long as high
+        blocks = (beside, beside) if isinstance(beside, float) else (0.0, profile.mouth(number(l)))
+        return replace(layout, blades=(replace(hinge, blocks=blocks),))
 
     def values(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Value]:
         """Return the stiffness along the hinge and the stress concentration factor."""
