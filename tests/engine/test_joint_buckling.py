@@ -1,9 +1,10 @@
 """Buckling of a joint: three models answer one question, at the motion and in the sense asked."""
 
-from math import pi
+from math import pi, sqrt
 
 import numpy as np
 import pytest
+from scipy.optimize import root
 from strategies import design
 
 from flexcli.engine.joint_models.exact import ExactModel
@@ -147,6 +148,37 @@ def test_a_mirrored_design_under_a_mirrored_load_bears_the_same():
     one, _ = critical(ExactModel(), CROSSED, "clamped-guided", 170, stroke=stroke)
     other, _ = critical(ExactModel(), CROSSED, "clamped-guided", -170, stroke=back)
     assert one == pytest.approx(other, rel=1e-7)
+
+
+@pytest.mark.parametrize("share", [0.1, 0.3])
+def test_a_blade_on_hinges_at_a_stroke_is_a_strut_that_leans(share):
+    # it bears Euler's load along itself, and the drive what the force leaves across it
+    geometry = {"kind": "guided-blade", **BLADE}
+    rest, _ = critical(ExactModel(), geometry, "pinned-pinned", 180)
+    stroke = {"translation": f"{share * 20} mm"}
+    found, error = critical(ExactModel(), geometry, "pinned-pinned", 180, stroke=stroke)
+    # its clamps' bending, (h/l)²
+    assert found == pytest.approx(rest * sqrt(1.0 - share**2), rel=1e-4)
+    assert error.high < 1e-3
+
+
+def test_a_pivot_on_hinges_has_blades_of_unchanged_length_at_its_stroke():
+    # held across and from turning, its two struts take the force by their cosines: c₁F/(c₁² + c₂²)
+    theta, l = 0.3, 17.5
+    corner = l / sqrt(8.0)
+    feet, heads = np.array([[-1, 1], [-1, -1]]) * corner, np.array([[1, -1], [1, 1]]) * corner
+    c, s = np.cos(theta), np.sin(theta)
+
+    def struts(place):
+        return heads @ np.array([[c, s], [-s, c]]) + place - feet
+
+    place = root(lambda x: np.linalg.norm(struts(x), axis=1) - l, [0.0, 0.0], tol=1e-12).x
+    cosines = struts(place)[:, 0] / l
+    alone = pi**2 * 210e9 * 3e-3 * 0.3e-3**3 / 12.0 / 17.5e-3**2
+    force = alone * (cosines**2).sum() / cosines.max()
+    found, _ = critical(ExactModel(), CROSSED, "pinned-pinned", 180, stroke={"rotation": "0.3 rad"})
+    # what a strut's own strain and shear change
+    assert found == pytest.approx(force, rel=2e-3)
 
 
 @pytest.mark.parametrize("model", ["closed-form", "linear", "exact"])

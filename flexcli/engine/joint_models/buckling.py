@@ -1,10 +1,11 @@
 """Critical forces of a case by the linear and by the exact model: its body held, at its motion."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, inf, isfinite, sin
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.joint_states import blades_of, layout_of, paths, turned
 from flexcli.engine.joint_models.remembered import Remembered
@@ -39,6 +40,8 @@ __all__ = [
     "warm_shares",
 ]
 
+Floats = NDArray[np.float64]
+
 WAY = "in the plane"
 
 SWAY = 3.0
@@ -62,6 +65,9 @@ ROUGH = 1e-6
 
 SHARES = (0.5, 0.7, 0.85, 0.9, 0.94, 0.97, 0.985, 1.0, 1.015, 1.03, 1.06, 1.12, LEANS)
 """Of the critical force of straight blades: where it is looked whether a joint stands."""
+
+SWINGS = 12
+"""Newton's steps to where blades on hinges keep their lengths: a few are enough."""
 
 QUARTER = 1e-9
 """Sine of twice an angle that counts as a multiple of a right one."""
@@ -204,7 +210,7 @@ def _straight(scene: PushScene, effects: Effects) -> LinearCritical:
     """Return the critical factor of straight blades at rest."""
     try:
         if scene.hold.hinged:
-            return _hinged(scene, effects)
+            return _hinged(scene, effects, ends_held(scene))
         layout = scene.layout
         return linear_critical(
             layout, ends_held(scene), scene.pattern, effects=blades_of(layout, effects)
@@ -229,21 +235,19 @@ def _linear_error(scene: PushScene, found: LinearCritical) -> ErrorRange | None:
     return ErrorRange(-change, change) if change < WIDE else None
 
 
-def _hinged(scene: PushScene, effects: Effects) -> LinearCritical:
+def _hinged(scene: PushScene, effects: Effects, held: Held) -> LinearCritical:
     """Return the critical factor of blades hinged at both ends, one of which buckles alone."""
     layout = scene.layout
     if len(layout.bodies) > 1 or layout.supports:
         raise NotAvailable("would fall apart on hinges: its bodies are held by clamped blades")
-    whole = linear_critical(
-        layout, ends_held(scene), scene.pattern, effects=blades_of(layout, effects)
-    )
+    whole = linear_critical(layout, held, scene.pattern, effects=blades_of(layout, effects))
     least = inf
     for blade, tension in zip(layout.blades, whole.tensions, strict=True):
         if tension < 0.0:
             strut = _strut(blade, layout)
-            held: Held = {"base": (0.0, 0.0, None), "body": (None, 0.0, None)}
+            ends: Held = {"base": (0.0, 0.0, None), "body": (None, 0.0, None)}
             push = Load("body", strut.body("body").point, (-1.0, 0.0))
-            alone = linear_critical(strut, held, [push], effects=blades_of(strut, effects))
+            alone = linear_critical(strut, ends, [push], effects=blades_of(strut, effects))
             least = min(least, alone.factor / -float(tension))
     whole.mode[:] = 0.0
     return LinearCritical(
@@ -257,6 +261,44 @@ def _strut(blade: Blade, layout: Layout) -> Layout:
     bodies = (Body("base", (0.0, 0.0)), Body("body", (l, 0.0)))
     strip = Blade(blade.name, "base", "body", (0.0, 0.0), (l, 0.0), blade.profile, blade.b)
     return Layout(bodies, (strip,), layout.E, layout.G)
+
+
+def _swung(scene: PushScene, motion: Sequence[float | None], near: Floats) -> PushScene:
+    """Return a joint whose body moved as far as blades on hinges let it, which keep their lengths.
+
+    What is given of its motion (x, y, φ) is held; the rest is the nearest to ``near``, where
+    clamped blades bring it.
+    """
+    layout = scene.layout
+    body = layout.body(MOVING)
+    point = np.array(body.point, dtype=np.float64)
+    ends = np.array([(blade.start, blade.end) for blade in layout.blades], dtype=np.float64)
+    moves = np.array([(blade.first == MOVING, blade.second == MOVING) for blade in layout.blades])
+    sense, l = np.where(moves, (-1.0, 1.0), 0.0), np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    free = [i for i, each in enumerate(motion) if each is None]
+    pose = np.array([n if m is None else m for m, n in zip(motion, near, strict=True)])
+    placed = ends
+    for _ in range(SWINGS):
+        c, s = cos(pose[2]), sin(pose[2])
+        arms = (ends - point) @ np.array([[c, s], [-s, c]])
+        placed = np.where(moves[..., None], point + pose[:2] + arms, ends)
+        along = placed[:, 1] - placed[:, 0]
+        now = np.linalg.norm(along, axis=1)
+        x, y = (along / now[:, None]).T
+        turn = sense * (y[:, None] * arms[..., 0] - x[:, None] * arms[..., 1])
+        rates = np.column_stack([x * sense.sum(axis=1), y * sense.sum(axis=1), turn.sum(axis=1)])
+        pose[free] += np.linalg.lstsq(rates[:, free], l - now, rcond=None)[0]
+    moved = body._replace(point=tuple((point + pose[:2]).tolist()))
+    blades = tuple(
+        replace(blade, start=tuple(start), end=tuple(end))
+        for blade, (start, end) in zip(layout.blades, placed.tolist(), strict=True)
+    )
+    (load,) = scene.pattern
+    return replace(
+        scene,
+        layout=replace(layout, bodies=(moved,), blades=blades),
+        pattern=(load._replace(point=moved.point),),
+    )
 
 
 def _travels(ask: Ask) -> tuple[float, ...]:
@@ -282,9 +324,11 @@ class _Exact:
     def critical(self, straight: LinearCritical, least: float) -> Critical | None:
         """Return the critical factor here, or nothing where it is above the least so far."""
         if self.scene.hold.hinged:
-            if self.travel:
-                raise NotAvailable("has no critical load of hinged blades at a stroke")
             error = _linear_error(self.scene, straight)
+            if self.travel:
+                straight = self._on_hinges()
+                change = SWAY * straight.strain * straight.factor
+                error = ErrorRange(-change, change)
             return self._told(straight.factor, straight.stress, error)
         if not self.travel and not isfinite(straight.factor):
             return self._told(inf, straight.stress, ErrorRange(0.0, 0.0))
@@ -306,6 +350,25 @@ class _Exact:
                 raise NotAvailable(f"has no exact critical load: {error}") from error
             return self._where_it_stands(start, straight, near)
         return self._told(reached.factor, straight.stress)
+
+    def _on_hinges(self) -> LinearCritical:
+        """Return the critical factor of blades on hinges, which the stroke turns and does not bend.
+
+        The drive holds the body there.
+        """
+        start, layout = self._start(), self.scene.layout
+        if start is None or len(layout.bodies) > 1 or layout.supports:
+            raise NotAvailable("would fall apart on hinges: its bodies are held by clamped blades")
+        motion = self._driven()[MOVING]
+        swung = _swung(self.scene, motion, start.motions[0, layout.index(MOVING)])
+        x, y, phi = (
+            None if driven is None and kept is None else 0.0
+            for driven, kept in zip(motion, ends_held(swung)[MOVING], strict=True)
+        )
+        try:
+            return _hinged(swung, self.effects, {MOVING: (x, y, phi)})
+        except SolveError as error:
+            raise NotAvailable(f"has no critical load: {error}") from error
 
     @property
     def _blades(self) -> Effects:
