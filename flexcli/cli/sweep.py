@@ -27,6 +27,7 @@ from flexcli.cli.common import (
 from flexcli.cli.files import ForceOption, write_or_end, write_picture
 from flexcli.errors import Finding, SolveError, SpecError
 from flexcli.results import Cost, Result, Status
+from flexcli.units import number_and_unit
 
 if TYPE_CHECKING:
     from flexcli.api import Loaded
@@ -82,7 +83,8 @@ def run(
         typer.Option(
             "--vary",
             metavar="PATH=FROM:TO:POINTS",
-            help="Vary a place of the spec: from:to:points (with :log, at equal ratios), or a,b,c.",
+            help="Vary a place of the spec: from:to:points (with :log, at equal ratios; from:to "
+            "of a sample), or a,b,c.",
         ),
     ] = None,
     each: Annotated[
@@ -235,8 +237,10 @@ def _study(
 
 
 def _variation(text: str) -> Any:
-    """Return what ``FROM:TO:POINTS`` or ``a,b,c`` says, as a study has it."""
+    """Return what ``FROM:TO:POINTS``, ``FROM:TO`` or ``a,b,c`` says, as a study has it."""
     parts = text.split(":")
+    if len(parts) == 2 and all(number_and_unit(part.strip()) for part in parts):
+        return {"from": parts[0].strip(), "to": parts[1].strip()}
     if len(parts) not in (3, 4) or not parts[2].strip().isdigit():
         return [value.strip() for value in text.split(",")]
     spacing = {"spacing": parts[3].strip()} if len(parts) == 4 else {}
@@ -371,7 +375,9 @@ def _kept(path: Path) -> "dict[tuple[str, ...], Row]":
 
 
 def _cell(text: str) -> float | str:
-    try:
-        return float(text)
-    except ValueError:
-        return text
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            continue
+    return text

@@ -171,7 +171,7 @@ def _of_many(limit: Limit) -> _OfMany:
         least,
         most,
         rank if is_known else np.full(rank.shape, Verdict.UNDECIDED.rank),
-        least if is_known else found,
+        (least if is_known else found) / asked,
     )
 
 
@@ -210,9 +210,9 @@ def verdict(between: tuple[float, float] | None, asked: float) -> Verdict:
 
 
 def _order(check: Check) -> tuple[int, float]:
-    """Return which of several limits decides a check: the worst verdict, then the least factor."""
+    """Return which of several limits decides a check: the worst verdict, then the least margin."""
     between = check.factor_range
-    return check.verdict.rank, check.factor if between is None else between[0]
+    return check.verdict.rank, (check.factor if between is None else between[0]) / check.required
 
 
 def factors(design: DesignSpec, **sizes: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:

@@ -192,3 +192,21 @@ def test_a_deflection_that_small_motion_leaves_open_is_decided_by_exact_beams(ch
     support, deflection = found["checks"]
     assert deflection["model"] == "exact"
     assert deflection["demand"] == pytest.approx(20.0 / support["capacity"], rel=1e-2)
+
+
+def test_two_ways_to_miss_a_seat_and_two_points_are_checks_of_their_own(checked):
+    wanted = """
+  misalignment_stress:
+    - {of: t, translation: {along: z, by: 20 um}, factor: 1.2}
+    - {of: t, rotation: {about: [1, 1, 0], by: 0.1 mrad}, factor: 1.1}
+  support:
+    - {direction: x, min: 1 N/um}
+    - {direction: x, min: 1 N/um, point: [0 mm, 0 mm, 20 mm]}
+"""
+    code, found = checked(wanted, TANGENTIAL)
+    assert code == 1  # nobody looks at the stroke
+    names = [check["name"] for check in found["checks"]]
+    assert len(names) == 5
+    assert "misalignment stress t, along z" in names
+    near, far = (check for check in found["checks"] if check["name"].startswith("support x"))
+    assert far["capacity"] < near["capacity"]

@@ -283,3 +283,35 @@ def test_a_model_is_refused_where_none_is_chosen(flexure, spec):
                    "--vary", "geometry.h=0.1mm,0.2mm")  # fmt: skip
     assert done.returncode == 2
     assert "simulate has models of its own" in done.stderr
+
+
+def test_a_range_without_points_is_one_for_a_sample(flexure, spec):
+    run = ("sweep", str(spec), "--sample", "sobol", "--points", "2", "--format", "json", "-j", "1")
+    done = flexure(*run, "--vary", "geometry.h=0.1mm:0.2mm")
+    found = json.loads(done.stdout)
+    assert [row["status"] for row in found["study"]["rows"]] == ["pass", "pass"]
+
+
+ROD = """\
+flexure: 1
+material: ti-6al-4v
+geometry:
+  kind: space-layout
+  bodies: {tip: {at: [0 mm, 0 mm, 50 mm], mass: 10 g}}
+  blades: {}
+  rods: {one: {between: [ground, tip], from: [0 mm, 0 mm, 0 mm], to: [0 mm, 0 mm, 50 mm], d: 1 mm}}
+  moving: tip
+  motion: {translation: x}
+requirements: {stiffness: {max: 1 N/um}}
+"""
+
+
+def test_a_resumed_table_in_space_is_that_of_one_run(flexure, tmp_path):
+    """Freedoms are whole numbers, which stay so."""
+    whole, halved, spec = (tmp_path / name for name in ("whole.csv", "halved.csv", "rod.yaml"))
+    spec.write_text(ROD, encoding="utf-8")
+    run = ("sweep", str(spec), "--vary", "geometry.rods.one.d=1mm,2mm", "-j", "1")
+    flexure(*run, "-o", str(whole))
+    halved.write_text("".join(whole.read_text().splitlines(keepends=True)[:2]))
+    flexure(*run, "-o", str(halved), "--resume")
+    assert halved.read_text() == whole.read_text()

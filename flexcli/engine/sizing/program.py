@@ -170,8 +170,8 @@ class SizingProgram:
         if name not in self.rows:
             raise NoSolution(
                 "no-formula",
-                "the stiffness of what is drawn has no formula to be made least by",
-                "bound it, as requirements: {stiffness: {max: 2 N/mm}}, and make a size or the "
+                "the stiffness of what is drawn has no formula to be made least or largest by",
+                "bound it, e.g. requirements: {stiffness: {max: 2 N/mm}}, and make a size or the "
                 "volume least",
             )
         return Term(name, sign)

@@ -94,7 +94,7 @@ class MisalignmentStress(Requirement):
             raise RequirementError(f"there is no blade '{self.of}'", f"one of {', '.join(names)}")
         found, where = largest_misfit_stress(joint, meant, self._motion)
         yield Limit(
-            f"{self.label} {self.of}",
+            f"{self.label} {self.of}, {self._spoken}",
             "",
             f"nominal stress, von Mises, drive free: {where}",
             found.value,
@@ -105,6 +105,14 @@ class MisalignmentStress(Requirement):
             kind=QuantityKind.SUPPORT,
             error=found.error,
         )
+
+    @property
+    def _spoken(self) -> str:
+        """Return how the seat is off, in words: two ways are two checks."""
+        way = self.rotation.about if self.rotation else self.translation and self.translation.along
+        named = [axis for axis, unit in zip("xyz", np.eye(3), strict=True) if way == tuple(unit)]
+        spoken = named[0] if named else f"({', '.join(f'{c:g}' for c in way or ())})"
+        return f"{'about' if self.rotation else 'along'} {spoken}"
 
     @property
     def _motion(self) -> tuple[float, ...]:

@@ -168,6 +168,13 @@ def turns(direction: Direction) -> bool:
     return direction.startswith("theta")
 
 
+def spoken_place(point: Place) -> str:
+    """Return where a point off the centre is, in words: requirements of two points are two."""
+    if point == CENTRE:
+        return ""
+    return f" at ({', '.join(f'{1e3 * c:g}' for c in point)}) mm"
+
+
 def _along(direction: Direction) -> str:
     return f"about {direction[-1]}" if turns(direction) else f"along {direction}"
 
@@ -316,6 +323,7 @@ class Support(Bound):
             if (given := getattr(self, name)) is not None
         }
         name = f"{self.label} {self.direction}" + (f"/{self.over}" if self.over else "")
+        name += spoken_place(self.point)
         locked = " locked" if self.drive == "locked" else ""
         there = " at stroke" if case else ""
         for limit in self.model_copy(update=plain).bounds(
@@ -379,6 +387,8 @@ class MotionBound(Bound):
     equals: None = None
     direction: Direction
     """Direction of the motion, e.g. ``direction: z, max: 5 um``."""
+    point: Place = CENTRE
+    """Point on the moving body that is asked about, e.g. ``[0 mm, 5 mm, 0 mm]``."""
 
     @field_validator("max", mode="before", json_schema_input_type=LengthOrAngle)
     @classmethod
@@ -410,7 +420,8 @@ class MotionBound(Bound):
         """Yield a motion [m or rad] against its bound, named by its direction."""
         plain = self.model_copy(update={"max": self.max[0]})
         for limit in plain.bounds(value, unit=self.unit, kind=QuantityKind.SUPPORT, **of):
-            yield replace(limit, requirement=f"{self.label} {self.direction}")
+            name = f"{self.label} {self.direction}{spoken_place(self.point)}"
+            yield replace(limit, requirement=name)
 
 
 class Deflection(MotionBound):
