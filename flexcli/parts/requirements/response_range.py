@@ -124,8 +124,11 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
         plain = made(0.0 if density is None else density.value)
         heavy = made(DENSEST) if density is None else None
         joint = carried(geometry, elastic, sizes).motion_stiffness
-    except (MechanismError, NotAvailable) as error:
-        raise RequirementError(str(error), getattr(error, "hint", "")) from error
+    except MechanismError as error:
+        raise RequirementError(str(error), error.hint) from error
+    except NotAvailable as error:
+        hint = "draw it as a space-layout, whose modes are known"
+        raise RequirementError(f"a {geometry.name} {error}", hint) from error
     stands_in = ask.joint_model is STAND_IN  # its stiffness is a number, no joint's
     factor = 1.0 if stands_in else float(ask.joint_model.stiffness(ask)) / joint
     structure = plain.stiffened(factor)
