@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from importlib import import_module
 from io import BytesIO, StringIO
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -454,6 +455,8 @@ class _Reader:
             steps.append(_WORDS.get(word, False))
         if self.kind == "record":
             self._refuse_times(numbers, [line for line, *_ in places])
+        elif not any(steps) and all(a > b for (a, _), (b, _) in pairwise(numbers)):
+            numbers, places = numbers[::-1], places[::-1]  # written from the highest frequency down
         self._raise()
         return np.array(numbers), tuple(places), tuple(steps)
 

@@ -92,6 +92,17 @@ def test_every_bad_row_is_a_finding_with_its_line(flexure, tmp_path):
         assert word in found[line]
 
 
+def test_a_spectrum_may_be_written_from_its_highest_frequency_down(flexure, tmp_path):
+    rows = [(20.0, 0.01), (50.0, 0.05), (600.0, 0.05), (2000.0, 0.01)]
+    heads = ["f [Hz],level [g^2/Hz]"]
+    (tmp_path / "up.csv").write_text(table(heads, rows))
+    (tmp_path / "down.csv").write_text(table(heads, rows[::-1]))
+    told = flexure("asd", "grms", "up.csv", "down.csv", "--format", "json")
+    assert told.returncode == 0, told.stdout
+    one, other = (row["g_rms"] for row in json.loads(told.stdout)["profiles"])
+    assert one == other
+
+
 def test_rows_out_of_order_and_twice_are_findings_with_their_lines(flexure, tmp_path):
     rows = [(20.0, 0.1), (100.0, 0.1), (90.0, 0.1), (95.0, 0.1), (95.0, 0.2), (200.0, 0.2)]
     (tmp_path / "psd.csv").write_text(table(["f [Hz],level [g^2/Hz]"], rows))
@@ -157,11 +168,11 @@ def test_a_table_outside_the_folder_of_a_spec_is_refused_unless_allowed(flexure,
 
 
 def test_a_faulty_table_named_by_a_design_is_found_at_its_own_line(flexure, tmp_path):
-    (tmp_path / "psd.csv").write_text(table(["f [Hz],level [g^2/Hz]"], [(20, 1), (10, 1)]))
+    (tmp_path / "psd.csv").write_text(table(["f [Hz],level [g^2/Hz]"], [(10, 1), (30, 1), (20, 1)]))
     (tmp_path / "flexure.yaml").write_text(STAGE.replace("ASD", "points: psd.csv"))
     told = flexure("check")
     assert told.returncode == 2
-    assert "psd.csv:3:1" in told.stderr
+    assert "psd.csv:4:1" in told.stderr
 
 
 def test_a_shock_s_spectrum_may_be_a_table(flexure, tmp_path):
