@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.beam import Condensed, condense
 from flexcli.mechanics.demand import Demand
-from flexcli.mechanics.element import Attachment, element
+from flexcli.mechanics.element import Attachment, element, turning
 from flexcli.mechanics.layout import Layout
-from flexcli.mechanics.mesh import Effects, Mesh, column, meshes, pick, refined
+from flexcli.mechanics.mesh import Effects, Mesh, across, column, meshes, pick, refined
 from flexcli.mechanics.outer_forces import apply_force, apply_spring
-from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
+from flexcli.numerics.collocation import refining_matrix
 from flexcli.numerics.stack import solve_stack
 
 __all__ = ["FORCE", "Assembly", "Linearised", "assemble", "at_nodes", "finer"]
@@ -30,7 +30,8 @@ class Linearised(NamedTuple):
 
     ``residual`` and the symmetric ``matrix`` are of forces and ends of the blades, then of the
     bodies; ``row_scale`` brings each row to order one before it is solved. ``frames`` and ``local``
-    are directions and forces of the blades of each mesh in the frames of their starts.
+    are directions and forces of the blades of each mesh in the frames of their starts, the designs
+    their last axis.
     """
 
     residual: Floats
@@ -93,58 +94,78 @@ class Assembly(NamedTuple):
 
     def local_forces(self, forces: Floats, motions: Floats, k: int, rows: Integers) -> Floats:
         """Return the forces of the blades of mesh k in the frames of their starts."""
-        return _in_frame(self.frame(motions, k, rows), forces[:, list(self.meshes[k].blades)])
-
-    def frame(self, motions: Floats, k: int, rows: Integers) -> Complexes:
-        """Return the directions of the blades of mesh k, turned with the bodies at their starts."""
-        phi = self.poses(motions)[:, self.first[list(self.meshes[k].blades)], 2]
-        return np.asarray(pick(self.places[k].along, rows) * np.exp(1j * phi))
+        index = list(self.meshes[k].blades)
+        phi = self.poses(motions.transpose(1, 2, 0))[self.first[index], 2]
+        frame = across(self.places[k].along, rows) * (1.0 + turning(phi))
+        return _in_frame(frame, forces[:, index].transpose(1, 2, 0)).transpose(2, 0, 1)
 
     def poses(self, motions: Floats) -> Floats:
-        """Return the motions with the ground's behind."""
-        return np.concatenate([motions, np.zeros_like(motions[:, :1])], axis=1)
+        """Return motions (bodies, 3, designs) with the ground's behind."""
+        return np.concatenate([motions, np.zeros((1, *motions.shape[1:]))])
 
     def linearise(self, x: Floats, share: Floats, rows: Integers, demand: Demand) -> Linearised:
         """Return the equations of the designs ``rows`` about x at the share λ of the way."""
-        rotations, forces, motions = self.split(x)
         designs, k_f = x.shape[0], 3 * self.blades
         total = k_f + 3 * self.bodies + 3
-        residual = np.zeros((designs, total))
-        matrix = np.zeros((designs, total, total))
-        scale = np.ones((designs, total))
+        # designs last: what loops over them runs through memory
+        rotations, forces, motions = self._across(np.ascontiguousarray(x.T))
+        residual = np.zeros((total, designs))
+        matrix = np.zeros((total, total, designs))
+        scale = np.ones((total, designs))
         poses = self.poses(motions)
+        turns = turning(poses[:, 2])
         condensed, frames, local = [], [], []
         for k, mesh in enumerate(self.meshes):
-            index = list(mesh.blades)
-            frames.append(self.frame(motions, k, rows))
-            local.append(_in_frame(frames[k], forces[:, index]))
+            index, slots = list(mesh.blades), self.slots[k]
+            i, j = self.first[index], self.second[index]
+            place = self.places[k].across(rows)
+            place = place._replace(misfit=demand.warmth(share) * place.misfit)
+            frames.append(place.along * (1.0 + turns[i]))
+            local.append(_in_frame(frames[k], forces[index]))
             blade = condense(mesh, rows, rotations[k], local[k])
             condensed.append(blade)
-            place = self.places[k].of(rows)
-            place = place._replace(misfit=demand.warmth(share)[:, None] * place.misfit)
-            i, j = self.first[index], self.second[index]
-            gradient, H = element(place, blade, forces[:, index], poses[:, i], poses[:, j])
-            weight = np.broadcast_to(pick(self.weights[k], rows), gradient.shape[:2])
-            gradient *= weight[..., None]
-            H *= weight[..., None, None]
-            for a, slot in enumerate(self.slots[k]):
-                residual[:, slot] += gradient[:, a]
-                matrix[:, slot[:, None], slot] += H[:, a]
-                scale[:, slot[:3]] = 1.0 / weight[:, a, None]
-        body_r, body_m = residual[:, k_f:-3], matrix[:, k_f:-3, k_f:-3]
+            found = element(place, blade, forces[index], poses[j] - poses[i], turns[i], turns[j])
+            weight = across(self.weights[k], rows)
+            closing = found.closing * weight[:, None, None]
+            matrix[slots[:, :3, None], slots[:, None]] = closing
+            matrix[slots[:, None, 3:], slots[:, :3, None]] = closing[:, :, 3:]
+            scale[slots[:, :3]] = 1.0 / weight[:, None]
+            gradient = found.gradient * weight[:, None]
+            turned_i, turned_j = found.turned_i * weight, found.turned_j * weight
+            for a, slot in enumerate(slots):
+                residual[slot] += gradient[a]
+                matrix[slot[5], slot[5]] += turned_i[a]
+                matrix[slot[8], slot[8]] += turned_j[a]
+        residual, matrix = residual[:-3].T, matrix[:-3, :-3].transpose(2, 0, 1)
+        motions = motions.transpose(2, 0, 1)
         for force in demand.forces:
             before, after = pick(force.before, rows), pick(force.after, rows)
             size = before + share * (after - before)
-            apply_force(force, motions, size, rows, body_r, body_m)
+            apply_force(force, motions, size, rows, residual[:, k_f:], matrix[:, k_f:, k_f:])
         for spring in demand.springs:
-            apply_spring(spring, motions, rows, body_r, body_m)
+            apply_spring(spring, motions, rows, residual[:, k_f:], matrix[:, k_f:, k_f:])
         return Linearised(
-            residual=residual[:, :-3],
-            matrix=matrix[:, :-3, :-3],
-            row_scale=scale[:, :-3],
+            residual=residual,
+            matrix=matrix,
+            row_scale=scale[:-3].T,
             blades=tuple(condensed),
             frames=tuple(frames),
             local=tuple(local),
+        )
+
+    def _across(self, x: Floats) -> tuple[list[Floats], Floats, Floats]:
+        """Return rotations of each mesh, blade forces and body motions (…, 3, designs)."""
+        first, rotations = 0, []
+        for mesh in self.meshes:
+            last = first + mesh.nodes * len(mesh.blades)
+            rotations.append(x[first:last].reshape(len(mesh.blades), mesh.nodes, -1))
+            first = last
+        last = first + 3 * self.blades
+        forces, motions = x[first:last], x[last:]
+        return (
+            rotations,
+            forces.reshape(self.blades, 3, -1),
+            motions.reshape(self.bodies, 3, -1),
         )
 
     def step(self, x: Floats, share: Floats, rows: Integers, demand: Demand) -> Floats:
@@ -191,29 +212,30 @@ class Assembly(NamedTuple):
     ) -> Floats:
         """Return the change of all unknowns for right-hand sides and motions of the held."""
         k_f = 3 * self.blades
-        change = np.zeros_like(right)
+        matrix, scale = at.matrix.transpose(1, 2, 0), at.row_scale.T
+        change = np.zeros(right.T.shape)
         held, free = k_f + demand.held, np.concatenate([np.arange(k_f), k_f + demand.free])
-        change[:, held] = drive
-        load = right - np.einsum("nij,nj->ni", at.matrix[:, :, held], drive)
-        scale = at.row_scale[:, free]
-        square = at.matrix[:, free[:, None], free] * scale[..., None]
-        change[:, free] = solve_stack(square, (load[:, free] * scale)[..., None])[..., 0]
+        change[held] = drive.T
+        load = right.T - np.einsum("ijn,jn->in", matrix[:, held], drive.T)
+        square = matrix[free[:, None], free] * scale[free][:, None]
+        found = solve_stack(square.transpose(2, 0, 1), (load[free] * scale[free]).T[..., None])
+        change[free] = found[..., 0].T
         # the blades' forces follow the bodies in their own frames, the rotations follow the forces
         follow = [self._follow(at, change, k) for k in range(len(self.meshes))]
-        return np.concatenate([*follow, change], axis=1)
+        return np.concatenate([*follow, change]).T
 
     def _follow(self, at: Linearised, change: Floats, k: int) -> Floats:
-        """Return the change of the rotations of mesh k."""
+        """Return the change of the rotations of mesh k, (rotations, designs)."""
         index, k_f = list(self.meshes[k].blades), 3 * self.blades
-        d_forces = change[:, :k_f].reshape(-1, self.blades, 3)
-        d_motions = change[:, k_f:].reshape(-1, self.bodies, 3)
+        d_forces = change[:k_f].reshape(self.blades, 3, -1)
+        d_motions = change[k_f:].reshape(self.bodies, 3, -1)
         q, blade = at.local[k], at.blades[k]
-        dq = _in_frame(at.frames[k], d_forces[:, index])
-        d_phi = self.poses(d_motions)[:, self.first[index], 2]
-        dq[..., 0] += q[..., 1] * d_phi
-        dq[..., 1] -= q[..., 0] * d_phi
-        d_psi = blade.free + np.sum(blade.follow * dq[..., None, :], axis=-1)
-        return np.asarray(d_psi.reshape(change.shape[0], -1))
+        dq = _in_frame(at.frames[k], d_forces[index])
+        d_phi = self.poses(d_motions)[self.first[index], 2]
+        dq[:, 0] += q[:, 1] * d_phi
+        dq[:, 1] -= q[:, 0] * d_phi
+        d_psi = blade.free + np.einsum("bkjn,bjn->bkn", blade.follow, dq)
+        return np.asarray(d_psi.reshape(-1, change.shape[1]))
 
     def length_of(self, x: Floats, step: Floats) -> Floats:
         """Return the length of a step: rotations, motions, and forces over those they add to."""
@@ -250,18 +272,17 @@ def assemble(layout: Layout, effects: Effects, nodes: int) -> Assembly:
     )
     places, weights = [], []
     for mesh in found:
-        rows = []
+        rows: list[Complexes] = []
         for b in mesh.blades:
             blade = layout.blades[b]
-            s_x, s_y, e_x, e_y = map(column, (*blade.start, *blade.end))
-            o_x, o_y = map(column, points[first[b]])
-            t_x, t_y = map(column, points[second[b]])
-            l = np.hypot(e_x - s_x, e_y - s_y)
-            values = (s_x - o_x, s_y - o_y, e_x - t_x, e_y - t_y, e_x - s_x, e_y - s_y)
-            rows.append(np.stack(np.broadcast_arrays(*values), axis=-1) / l[:, None])
-        table = np.stack(np.broadcast_arrays(*rows), axis=1)
+            start, end, origin, to = (
+                column(x) + 1j * column(y)
+                for x, y in (blade.start, blade.end, points[first[b]], points[second[b]])
+            )
+            rows += [start - origin, end - to, end - start]
+        arms = np.stack(np.broadcast_arrays(*rows)).T.reshape(-1, len(mesh.blades), 3)
+        arms /= mesh.l[..., None]
         scale = length[:, None] / mesh.l
-        arms = table[..., ::2] + 1j * table[..., 1::2]
         places.append(_attached(arms, scale, layout, mesh))
         weights.append(mesh.EI / mesh.l / (force * length)[:, None])
     return Assembly(
@@ -282,6 +303,8 @@ def assemble(layout: Layout, effects: Effects, nodes: int) -> Assembly:
 def _attached(arms: Complexes, scale: Floats, layout: Layout, mesh: Mesh) -> Attachment:
     """Return where blades sit, with bodies and blades grown by a temperature."""
     start, end, along = arms[..., 0], arms[..., 1], arms[..., 2]
+    if not layout.body_growth and not layout.blade_growth:
+        return Attachment(start, end, along, scale, np.ones((1, 1)), np.zeros((1, 1), complex))
     blades = [layout.blades[b] for b in mesh.blades]
     growth = [
         [layout.body_growth.get(blade.first, 0.0) for blade in blades],
@@ -309,15 +332,19 @@ def at_nodes(assembly: Assembly, nodes: int) -> Assembly:
 
 
 def _in_frame(along: Complexes, force: Floats) -> Floats:
-    """Return forces and end moments with the forces resolved along and across the direction."""
-    turned = np.conj(along) * (force[..., 0] + 1j * force[..., 1])
-    return np.stack([turned.real, turned.imag, force[..., 2]], axis=-1)
+    """Return forces and end moments with the forces resolved along and across the direction.
+
+    ``along`` is (blades, designs), ``force`` (blades, 3, designs).
+    """
+    turned, found = np.conj(along) * (force[:, 0] + 1j * force[:, 1]), force.copy()
+    found[:, 0], found[:, 1] = turned.real, turned.imag
+    return found
 
 
 def finer(coarse: Assembly, fine: Assembly, x: Floats) -> Floats:
     """Return the unknowns of a coarse assembly interpolated to the nodes of a finer one."""
     rotations, _, _ = coarse.split(x)
-    matrix = interpolation_matrix(coarse.nodes, gauss_nodes(fine.nodes)[0])
+    matrix = refining_matrix(coarse.nodes, fine.nodes)
     columns = []
     for mesh, psi in zip(coarse.meshes, rotations, strict=True):
         parts = []

@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.mesh import Mesh, pick
-from flexcli.numerics.stack import solve_stack
+from flexcli.mechanics.mesh import Mesh, across, pick
+from flexcli.numerics.stack import solve_across
 
 __all__ = ["Condensed", "Local", "condense", "local", "section_forces"]
 
@@ -26,7 +26,7 @@ Integers = NDArray[np.intp]
 
 
 class Local(NamedTuple):
-    """What the sections feel (designs, blades, K): N, Q, f, ∂f/∂(ψ, n_x, n_y), motion rates."""
+    """What the sections feel at the nodes: N, Q, f, ∂f/∂(ψ, n_x, n_y), motion rates."""
 
     N: Floats
     Q: Floats
@@ -43,8 +43,9 @@ class Local(NamedTuple):
 class Condensed(NamedTuple):
     """A blade after its rotations ψ are eliminated from the linearised equations.
 
-    ``motion`` (designs, blades, 3) is (x − 1, y, ψ) of the end once ψ has followed, ``F`` its
-    derivative by (n_x, n_y, m), symmetric; ψ changes by ``free + follow δ(n_x, n_y, m)``.
+    ``motion`` (blades, 3, designs) is (x − 1, y, ψ) of the end once ψ has followed, ``F`` (blades,
+    3, 3, designs) its derivative by (n_x, n_y, m), symmetric; ψ changes by
+    ``free + follow δ(n_x, n_y, m)``.
     """
 
     motion: Floats
@@ -54,9 +55,15 @@ class Condensed(NamedTuple):
 
 
 def local(mesh: Mesh, rows: Integers, psi: Floats, q: Floats) -> Local:
-    """Return forces and motion rates of the sections at the nodes, x' as x' − 1."""
+    """Return forces and motion rates of the sections at the nodes, (designs, blades, K)."""
     axial, shear, rho = (pick(a, rows) for a in (mesh.axial, mesh.shear, mesh.rho))
-    n_x, n_y = q[..., 0, None], q[..., 1, None]
+    return _local(axial, shear, rho, psi, q[..., 0, None], q[..., 1, None])
+
+
+def _local(
+    axial: Floats, shear: Floats, rho: Floats, psi: Floats, n_x: Floats, n_y: Floats
+) -> Local:
+    """Return forces and motion rates of sections, x' as x' − 1."""
     # 1 − cos by the half angle: small strokes keep their digits
     versine = 2.0 * np.sin(psi / 2.0) ** 2
     sin, cos = np.sin(psi), 1.0 - versine
@@ -85,10 +92,10 @@ def condense(mesh: Mesh, rows: Integers, psi: Floats, q: Floats) -> Condensed:
     mesh : Mesh
         The blades.
     rows : array of int
-        The designs that the first axes of psi and q belong to.
-    psi : array, shape (designs, blades, K)
+        The designs that the last axes of psi and q belong to.
+    psi : array, shape (blades, K, designs)
         Rotations at the nodes [rad].
-    q : array, shape (designs, blades, 3)
+    q : array, shape (blades, 3, designs)
         Forces (n_x, n_y) [EI/l²] in the frame of the start and moments m at the end [EI/l].
 
     Returns
@@ -97,44 +104,48 @@ def condense(mesh: Mesh, rows: Integers, psi: Floats, q: Floats) -> Condensed:
         End motions, flexibilities and how the rotations follow.
 
     """
-    at = local(mesh, rows, psi, q)
-    w, A, turn, far_turn = (pick(a, rows) for a in (mesh.w, mesh.A, mesh.turn, mesh.far_turn))
-    axial, shear, rho = (pick(a, rows) for a in (mesh.axial, mesh.shear, mesh.rho))
-    K = mesh.nodes
-    made = _times(np.stack([at.f, at.f_x, at.f_y], axis=-2), A)
-    right = np.empty((*psi.shape, 4))
-    right[..., 0] = made[..., 0, :] + turn * q[..., 2, None] - psi
-    right[..., 1] = made[..., 1, :]
-    right[..., 2] = made[..., 2, :]
-    right[..., 3] = turn
-    matrix = A * -at.f_psi[..., None, :]
-    matrix[..., np.arange(K), np.arange(K)] += 1.0
-    solution = solve_stack(matrix, right)
-    effect = np.empty((*psi.shape[:-1], 3, K))
-    effect[..., 0, :] = w * at.f_x
-    effect[..., 1, :] = w * at.f_y
-    effect[..., 2, :] = far_turn * at.f_psi
-    through = effect @ solution
+    w, A, turn, far_turn, end_turn = (
+        across(a, rows) for a in (mesh.w, mesh.A, mesh.turn, mesh.far_turn, mesh.end_turn)
+    )
+    axial, shear, rho = (across(a, rows) for a in (mesh.axial, mesh.shear, mesh.rho))
+    m = q[:, 2, None]
+    at = _local(axial, shear, rho, psi, q[:, 0, None], q[:, 1, None])
+    blades, K, designs = psi.shape
+    made = _together(at.f, at.f_x, at.f_y)
+    right = np.empty((blades, K, 4, designs))
+    right[:, :, :3] = np.einsum("bikn,bkjn->bijn", A, made)
+    right[:, :, 0] += turn * m - psi
+    right[:, :, 3] = turn
+    matrix = np.empty((blades, K, K, designs))
+    np.multiply(A, -at.f_psi[:, None], out=matrix)
+    matrix.reshape(blades, K * K, designs)[:, :: K + 1] += 1.0
+    solution = solve_across(matrix, right)
+    effect = _together(w * at.f_x, w * at.f_y, far_turn * at.f_psi)
+    through = np.einsum("bkin,bkjn->bijn", effect, solution)
     # what the forces do with the rotations held: all sums over the nodes at once
-    sums = np.empty((*psi.shape[:-1], 8, K))
-    sums[..., 0, :] = axial - rho * at.sin**2
-    sums[..., 1, :] = shear + rho * at.sin**2
-    sums[..., 2, :] = rho * at.sin * at.cos
-    sums[..., 3, :], sums[..., 4, :] = at.shortening, at.rise
-    sums[..., 5, :], sums[..., 6, :], sums[..., 7, :] = at.f, at.f_x, at.f_y
-    weights = np.stack(np.broadcast_arrays(w, far_turn), axis=-1)
-    total = sums @ weights
-    F, end_turn = through[..., 1:].copy(), pick(mesh.end_turn, rows)
-    F[..., 0, 0] += total[..., 0, 0]
-    F[..., 1, 1] += total[..., 1, 0]
-    F[..., 0, 1] += total[..., 2, 0]
-    F[..., 1, 0] += total[..., 2, 0]
-    F[..., 2, :2] += total[..., 6:, 1]
-    F[..., 2, 2] += end_turn
-    motion = through[..., 0].copy()
-    motion[..., :2] += total[..., 3:5, 0]
-    motion[..., 2] += end_turn * q[..., 2] + total[..., 5, 1]
-    return Condensed(motion, F, solution[..., 0], solution[..., 1:])
+    bent = rho * at.sin**2
+    held = _together(axial - bent, shear + bent, rho * at.sin * at.cos, at.shortening, at.rise)
+    held_sum = np.einsum("bkn,bkjn->bjn", w, held)
+    made_sum = np.einsum("bkn,bkjn->bjn", far_turn, made)
+    motion, F = through[:, :, 0], through[:, :, 1:]
+    motion[:, :2] += held_sum[:, 3:]
+    motion[:, 2] += end_turn * q[:, 2] + made_sum[:, 0]
+    F[:, 0, 0] += held_sum[:, 0]
+    F[:, 1, 1] += held_sum[:, 1]
+    F[:, 0, 1] += held_sum[:, 2]
+    F[:, 1, 0] += held_sum[:, 2]
+    F[:, 2, :2] += made_sum[:, 1:]
+    F[:, 2, 2] += end_turn
+    return Condensed(motion, F, solution[:, :, 0], solution[:, :, 1:])
+
+
+def _together(*parts: Floats) -> Floats:
+    """Return arrays (blades, K, designs) as one (blades, K, parts, designs)."""
+    blades, K, designs = parts[0].shape
+    found = np.empty((blades, K, len(parts), designs))
+    for i, part in enumerate(parts):
+        found[:, :, i] = part
+    return found
 
 
 def section_forces(
@@ -149,7 +160,7 @@ def section_forces(
         pick(a, rows) for a in (mesh.w, mesh.back, mesh.end_turn, mesh.far_turn)
     )
     m = q[..., 2, None]
-    inner = m + _times(at.f[..., None, :], back)[..., 0, :]
+    inner = m + np.sum(back * at.f[..., None, :], axis=-1)
     start = m + np.sum(w * at.f, axis=-1, keepdims=True)
     end = end_turn[..., None] * m + np.sum(far_turn * at.f, axis=-1, keepdims=True)
     M = np.concatenate([start, inner, m], axis=-1)
@@ -157,11 +168,3 @@ def section_forces(
     n_x, n_y = q[..., 0, None], q[..., 1, None]
     cos, sin = np.cos(all_psi), np.sin(all_psi)
     return n_x * cos + n_y * sin, n_y * cos - n_x * sin, M
-
-
-def _times(vectors: Floats, matrix: Floats) -> Floats:
-    """Return matrix @ vector for vectors (designs, blades, m, K), in one product if all agree."""
-    if matrix.shape[:2] == (1, 1):
-        flat = vectors.reshape(-1, vectors.shape[-1]) @ matrix[0, 0].T
-        return np.asarray(flat.reshape(vectors.shape))
-    return np.asarray(vectors @ np.swapaxes(matrix, -1, -2))

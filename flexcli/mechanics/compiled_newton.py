@@ -18,7 +18,15 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.assembly import FORCE, Assembly
 from flexcli.mechanics.demand import Demand
-from flexcli.numerics.newton import CONTRACTION, FLOOR, REACH, RESTLESS, NewtonEnd, NewtonResult
+from flexcli.numerics.newton import (
+    BENDS,
+    CONTRACTION,
+    FLOOR,
+    REACH,
+    RESTLESS,
+    NewtonEnd,
+    NewtonResult,
+)
 
 __all__ = ["Compiled"]
 
@@ -113,7 +121,7 @@ class Compiled:
     def step(self, x: Floats, share: Floats, rows: Integers) -> Floats:
         """Return Newton's steps of the designs ``rows`` at x and shares λ (designs, unknowns)."""
         nothing = np.zeros(len(x))
-        return _newton(x.copy(), share, rows, nothing, 0.0, np.inf, 1, self._tables)[0]
+        return _newton(x.copy(), share, rows, nothing, nothing, 0.0, np.inf, 1, self._tables)[0]
 
     def newton(
         self,
@@ -123,16 +131,18 @@ class Compiled:
         *,
         scale: Floats,
         tolerance: float,
-        trust: float,
+        bends: Floats | None = None,
+        trust: float = np.inf,
         most: int = 30,
     ) -> NewtonResult:
         """Return where Newton's method leads from x, as :func:`flexcli.numerics.newton.newton`."""
         y = x.copy()
+        bends = np.full(len(x), BENDS) if bends is None else bends.copy()
         _, end, iterations, last, bend = _newton(
-            y, share, rows, scale, tolerance, trust, most, self._tables
+            y, share, rows, scale, bends, tolerance, trust, most, self._tables
         )
         ends = np.array(_ENDS, dtype=object)[end]
-        return NewtonResult(y, ends, iterations, last, bend)
+        return NewtonResult(y, ends, iterations, last, bend, bends)
 
 
 def _of_blades(values: Sequence[NDArray[Any]], shape: tuple[int, int]) -> NDArray[Any]:
@@ -399,6 +409,7 @@ def _newton(
     share: Floats,
     rows: Integers,
     scale: Floats,
+    bends: Floats,
     tolerance: float,
     trust: float,
     most: int,
@@ -406,7 +417,8 @@ def _newton(
 ) -> tuple[Floats, Integers, Integers, Floats, Floats]:
     """Move the designs ``rows`` from x at shares λ by Newton's method, at most so many steps.
 
-    Return the last steps, how each design ended, iterations, lengths of last and second steps.
+    ``bends``, a step over the square of the one before, is written to. Return the last steps, how
+    each design ended, iterations, lengths of last and second steps.
     """
     designs, size = x.shape
     B, K = t.first.size, t.nodes.shape[-1]
@@ -540,7 +552,9 @@ def _newton(
             ratio = length / (last[p] if last[p] > 0.0 else 1.0)
             last[p] = length
             unit = min(1.0, max(scale[p], _length(y, y, turns, k_f)))
-            ahead = 100.0 * length**2 if count == 0 else length * min(ratio, 1.0) ** 2
+            if count > 0:
+                bends[p] = min(ratio, 1.0) ** 2 / (length if length > 0.0 else 1.0)
+            ahead = bends[p] * length**2
             if ahead <= tolerance * unit or (length <= FLOOR * unit and ratio > 0.5):
                 end[p] = _CONVERGED
                 break

@@ -138,7 +138,7 @@ def held_of(
                 index.append(3 * body + axis)
                 values.append(column(value) / (length if axis < 2 else 1.0))
     coordinates = np.array(index, dtype=np.intp)
-    free = np.setdiff1d(np.arange(3 * len(names)), coordinates)
+    free = np.array([i for i in range(3 * len(names)) if i not in index], dtype=np.intp)
     shape = np.broadcast_shapes(length.shape, *[v.shape for v in values])
     table = np.stack([np.broadcast_to(v, shape) for v in values], axis=-1) if values else None
     return coordinates, free, np.zeros((*shape, 0)) if table is None else table

@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.mechanics.beam import Condensed
-from flexcli.mechanics.mesh import pick
+from flexcli.mechanics.mesh import across
 
-__all__ = ["Attachment", "element", "turned", "turning"]
+__all__ = ["Attachment", "Element", "element", "turned", "turning"]
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
@@ -41,16 +41,30 @@ class Attachment(NamedTuple):
     reach: Floats
     misfit: Complexes
 
-    def of(self, rows: NDArray[np.intp]) -> "Attachment":
-        """Return those of the designs ``rows``."""
+    def across(self, rows: NDArray[np.intp]) -> "Attachment":
+        """Return those of the designs ``rows``, (blades, designs or 1)."""
         return Attachment(
-            pick(self.start, rows),
-            pick(self.end, rows),
-            pick(self.along, rows),
-            pick(self.scale, rows),
-            pick(self.reach, rows),
-            pick(self.misfit, rows),
+            across(self.start, rows),
+            across(self.end, rows),
+            across(self.along, rows),
+            across(self.scale, rows),
+            across(self.reach, rows),
+            across(self.misfit, rows),
         )
+
+
+class Element(NamedTuple):
+    """Gradient and second derivative of blades, order ν_x, ν_y, m, then x, y, φ of both bodies.
+
+    ``gradient`` is (blades, 9, designs), ``closing`` (blades, 3, 9, designs) the first rows of the
+    second derivative; of the others only their transpose, and ``turned_i`` and ``turned_j`` at φ of
+    the start's and of the end's body (blades, designs), are not zero.
+    """
+
+    gradient: Floats
+    closing: Floats
+    turned_i: Floats
+    turned_j: Floats
 
 
 def turning(phi: Floats) -> Complexes:
@@ -67,69 +81,58 @@ def turned(vector: Floats, phi: Floats) -> tuple[Floats, Floats]:
 
 
 def element(
-    at: Attachment, blade: Condensed, force: Floats, pose_i: Floats, pose_j: Floats
-) -> tuple[Floats, Floats]:
-    """Return gradient (designs, blades, 9) and second derivative (designs, blades, 9, 9).
+    at: Attachment,
+    blade: Condensed,
+    force: Floats,
+    apart: Floats,
+    turn_i: Complexes,
+    turn_j: Complexes,
+) -> Element:
+    """Return gradient and second derivative.
 
     Parameters
     ----------
     at : Attachment
-        Geometry at rest.
+        Geometry at rest, (blades, designs or 1).
     blade : Condensed
         The blades about their present forces.
-    force : array, shape (designs, blades, 3)
+    force : array, shape (blades, 3, designs)
         ν and m.
-    pose_i, pose_j : array, shape (designs, blades, 3)
-        Motions of the bodies at start and end, positions in their unit.
-
-    Returns
-    -------
-    gradient, matrix : array
-        Order: ν_x, ν_y, m, then x, y, φ of the start's body, then of the end's.
+    apart : array, shape (blades, 3, designs)
+        By how much the body at the end moved more than that at the start, positions in their unit.
+    turn_i, turn_j : array, shape (blades, designs)
+        ``turning`` of the bodies at start and end.
 
     """
-    nu, m = _complex(force), force[..., 2]
-    turn_i, turn_j = turning(pose_i[..., 2]), turning(pose_j[..., 2])
-    along_moved, a_j_moved = at.along * turn_i, at.end * turn_j
+    nu, m = force[:, 0] + 1j * force[:, 1], force[:, 2]
+    along_moved, a_j_moved, start_moved = at.along * turn_i, at.end * turn_j, at.start * turn_i
     along = at.along + along_moved
-    bent = along * _complex(blade.motion)
-    lever = at.start * (1.0 + turn_i) + at.reach * along + bent
+    bent = along * (blade.motion[:, 0] + 1j * blade.motion[:, 1])
+    lever = at.start + start_moved + at.reach * along + bent
     a_j = at.end + a_j_moved
-    # flexibility in global axes
-    T = np.zeros(blade.F.shape)
-    T[..., 0, 0] = T[..., 1, 1] = along.real
-    T[..., 1, 0], T[..., 0, 1] = along.imag, -along.imag
-    T[..., 2, 2] = 1.0
-    F = T @ blade.F @ np.swapaxes(T, -1, -2)
+    pull, moment, far = at.scale * nu, np.conj(lever) * nu, np.conj(a_j) * nu
+    gap = at.scale * (apart[:, 0] + 1j * apart[:, 1]) + at.misfit + a_j_moved - bent
+    gap -= start_moved + at.reach * along_moved
+    gradient = np.empty((m.shape[0], 9, m.shape[1]))
+    gradient[:, 0], gradient[:, 1] = gap.real, gap.imag
+    gradient[:, 2] = apart[:, 2] - blade.motion[:, 2]
+    gradient[:, 6], gradient[:, 7] = pull.real, pull.imag
+    gradient[:, 3:5] = -gradient[:, 6:8]
+    gradient[:, 5] = -m - moment.imag
+    gradient[:, 8] = m + far.imag
+    H = np.zeros((m.shape[0], 3, 9, m.shape[1]))
+    # −F in global axes: rows and columns turned
+    rows = along[:, None] * (blade.F[:, 0] + 1j * blade.F[:, 1])
+    for i, turned_row in enumerate((rows.real, rows.imag, blade.F[:, 2])):
+        pair = along * (turned_row[:, 0] + 1j * turned_row[:, 1])
+        H[:, i, 0], H[:, i, 1], H[:, i, 2] = -pair.real, -pair.imag, -turned_row[:, 2]
     # a turn of the start turns the force in its frame by −iν
-    p = np.zeros(force.shape)
-    p[..., 0], p[..., 1] = nu.imag, -nu.real
-    deflection = (F @ p[..., None])[..., 0]
-    pull, moment = at.scale * nu, np.conj(lever) * nu
-    far = np.conj(a_j) * nu
-    gap = at.scale * (_complex(pose_j) - _complex(pose_i)) + at.misfit + a_j_moved - bent
-    gap -= at.start * turn_i + at.reach * along_moved
-    gradient = np.empty((*m.shape, 9))
-    gradient[..., 0], gradient[..., 1] = gap.real, gap.imag
-    gradient[..., 2] = pose_j[..., 2] - pose_i[..., 2] - blade.motion[..., 2]
-    gradient[..., 6], gradient[..., 7] = pull.real, pull.imag
-    gradient[..., 3:5] = -gradient[..., 6:8]
-    gradient[..., 5] = -m - moment.imag
-    gradient[..., 8] = m + far.imag
-    H = np.zeros((*m.shape, 9, 9))
-    H[..., :3, :3] = -F
-    H[..., 0, 6] = H[..., 1, 7] = at.scale
-    H[..., 0, 3] = H[..., 1, 4] = -at.scale
-    H[..., :3, 5] = -deflection
-    H[..., 0, 5] += lever.imag
-    H[..., 1, 5] -= lever.real
-    H[..., 2, 5] -= 1.0
-    H[..., 0, 8], H[..., 1, 8], H[..., 2, 8] = -a_j.imag, a_j.real, 1.0
-    H[..., 3:, :3] = np.swapaxes(H[..., :3, 3:], -1, -2)
-    H[..., 5, 5] = moment.real - np.sum(deflection * p, axis=-1)
-    H[..., 8, 8] = -far.real
-    return gradient, H
-
-
-def _complex(vector: Floats) -> Complexes:
-    return np.asarray(vector[..., 0] + 1j * vector[..., 1])
+    H[:, :, 5] = H[:, :, 0] * nu.imag[:, None] - H[:, :, 1] * nu.real[:, None]
+    turned_i = moment.real + (H[:, 0, 5] * nu.imag - H[:, 1, 5] * nu.real)
+    H[:, 0, 6] = H[:, 1, 7] = at.scale
+    H[:, 0, 3] = H[:, 1, 4] = -at.scale
+    H[:, 0, 5] += lever.imag
+    H[:, 1, 5] -= lever.real
+    H[:, 2, 5] -= 1.0
+    H[:, 0, 8], H[:, 1, 8], H[:, 2, 8] = -a_j.imag, a_j.real, 1.0
+    return Element(gradient, H, turned_i, -far.real)

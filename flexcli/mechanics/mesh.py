@@ -17,7 +17,17 @@ from flexcli.formulas.profile import Piece
 from flexcli.mechanics.layout import Blade, Layout
 from flexcli.numerics.collocation import gauss_nodes, integration_matrix
 
-__all__ = ["SHEAR_FACTOR", "Effects", "Mesh", "Segment", "column", "meshes", "pick", "refined"]
+__all__ = [
+    "SHEAR_FACTOR",
+    "Effects",
+    "Mesh",
+    "Segment",
+    "across",
+    "column",
+    "meshes",
+    "pick",
+    "refined",
+]
 
 Floats = NDArray[np.float64]
 Kind = TypeVar("Kind", np.float64, np.complex128)
@@ -84,12 +94,17 @@ class Mesh(NamedTuple):
 
 def column(value: Any) -> Floats:
     """Return a float or (designs,) array as (1,) or (designs,)."""
-    return np.atleast_1d(np.asarray(value, dtype=np.float64))
+    return np.array(value, dtype=np.float64, ndmin=1)
 
 
 def pick(values: NDArray[Kind], rows: NDArray[np.intp]) -> NDArray[Kind]:
     """Return the designs ``rows`` of an array whose first axis is designs, or 1 for all alike."""
     return values if values.shape[0] == 1 else values[rows]
+
+
+def across(values: NDArray[Kind], rows: NDArray[np.intp]) -> NDArray[Kind]:
+    """Return the designs ``rows`` of an array as its last axis, so that loops run over designs."""
+    return np.ascontiguousarray(pick(values, rows).transpose(*range(1, values.ndim), 0))
 
 
 def meshes(layout: Layout, effects: Effects, nodes: int) -> tuple[Mesh, ...]:
@@ -267,14 +282,17 @@ def _rigidity(pieces: Sequence[Piece], l: Floats) -> tuple[Floats, Floats]:
 
 
 def _side_by_side(parts: Sequence[Floats], designs: int) -> Floats:
-    return np.concatenate([np.broadcast_to(p, (designs, p.shape[1])) for p in parts], axis=1)
+    if designs > 1:
+        parts = [np.broadcast_to(p, (designs, p.shape[1])) for p in parts]
+    return np.concatenate(parts, axis=1)
 
 
 def _agreed(alike: Sequence[Floats], axes: tuple[int, ...]) -> Floats:
     """Return one array of all blades, the second axis, from those of each."""
     designs = max(a.shape[0] for a in alike)
-    joined = np.stack([np.broadcast_to(a, (designs, *a.shape[1:])) for a in alike], axis=1)
-    return _collapsed(joined, axes)
+    if designs > 1:
+        alike = [np.broadcast_to(a, (designs, *a.shape[1:])) for a in alike]
+    return _collapsed(np.stack(alike, axis=1), axes)
 
 
 def _collapsed(values: Floats, axes: tuple[int, ...] = (0, 1)) -> Floats:

@@ -34,7 +34,7 @@ def designs_of(assembly: Assembly, demand: Demand) -> int:
         arrays += [force.arm, force.force, force.moment, force.before, force.after]
     for spring in demand.springs:
         arrays += [spring.arm, spring.stiffness]
-    (designs,) = np.broadcast_shapes(*[a.shape[:1] for a in arrays])
+    (designs,) = np.broadcast_shapes(*{a.shape[:1] for a in arrays})
     return int(designs)
 
 

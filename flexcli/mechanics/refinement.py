@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.numerics.continuation import BENT, TRUST, March, march
-from flexcli.numerics.newton import NewtonEnd, NewtonResult, newton
+from flexcli.numerics.newton import BENDS, NewtonEnd, NewtonResult, newton
 
 __all__ = [
     "LEVELS",
@@ -39,6 +39,16 @@ _NOTHING = 1e-280
 
 _NEWTON = 1e-3
 """Newton's tolerance over the tolerance asked."""
+
+_ROUGH = 30.0
+"""The same on a level that may not be the last: where it is not, the next tells what Newton's
+method left as well, and the step that it expects is some times longer than the one that comes."""
+
+_DIGITS = 1e-7
+"""Newton's tolerance on any such level at most: what is read off it beside the next has digits."""
+
+_SURE = 10.0
+"""How much more Newton's steps may bend on finer nodes than they did on few."""
 
 
 class Outcome(Enum):
@@ -77,7 +87,8 @@ class Discretised(Protocol):
         *,
         scale: Floats,
         tolerance: float,
-        trust: float,
+        bends: Floats | None = None,
+        trust: float = np.inf,
     ) -> NewtonResult:
         """Return where Newton's method leads from x (``flexcli.numerics.newton``)."""
 
@@ -152,12 +163,16 @@ def refined(
     parts: list[Reached] = []
     before: list[Reached] = []
     rows, bent, at = np.arange(0), np.arange(designs), coarse
-    here, share = x[:0], np.zeros(0)
+    here, share, bends = x[:0], np.zeros(0), np.full(designs, BENDS)
     if few is not None:
         share = np.ones(designs)
-        tried = _newton(few, coarse.finer(few, x), share, bent, scale, tolerance, BENT)
+        tried = few.newton(
+            coarse.finer(few, x), share, bent,
+            scale=scale, bends=bends, tolerance=_rough(tolerance, 1.0), trust=BENT,
+        )  # fmt: skip
         iterations += tried.iterations
         near = tried.converged & (few.length_of(tried.x, tried.x) <= _NEAR)
+        bends = np.where(near, np.clip(_SURE * tried.bends, 1.0, BENDS), BENDS)
         rows, bent, at = np.flatnonzero(near), np.flatnonzero(~near), few
         here, share = tried.x[rows], share[rows]
     for level in levels:
@@ -165,9 +180,13 @@ def refined(
         last = level == levels[-1]
         if rows.size:
             guess = at.finer(fine, here)
-            found = _newton(fine, guess, share, rows, scale[rows], tolerance)
-            iterations[rows] += found.iterations
+            found = fine.newton(
+                guess, share, rows,
+                scale=scale[rows], bends=bends[rows], tolerance=_rough(tolerance, _ROUGH),
+            )  # fmt: skip
             change = at.changed(fine, here, found.x, scale[rows])
+            found = _ended(fine, found, (change <= tolerance) | last, share, rows, scale, tolerance)
+            iterations[rows] += found.iterations
             # what Newton's method did not finish is no equilibrium: the coarser stands in for it
             kept = np.where(found.converged[:, None], found.x, guess)
             error[rows] = np.where(found.converged, change, np.inf)
@@ -201,6 +220,11 @@ def by_steps(at: Discretised, x: Floats, share: Floats, rows: Integers, **how: A
     return newton(lambda x_of, of: at.step(x_of, share[of], rows[of]), at.length_of, x, **how)
 
 
+def _rough(tolerance: float, times: float) -> float:
+    """Return Newton's tolerance where finer nodes may follow."""
+    return max(_NEWTON * tolerance, min(times * tolerance, _DIGITS))
+
+
 def _newton(
     at: Discretised,
     x: Floats,
@@ -211,6 +235,28 @@ def _newton(
     trust: float = np.inf,
 ) -> NewtonResult:
     return at.newton(x, share, rows, scale=scale, tolerance=_NEWTON * tolerance, trust=trust)
+
+
+def _ended(
+    at: Discretised,
+    found: NewtonResult,
+    last: NDArray[np.bool_],
+    share: Floats,
+    rows: Integers,
+    scale: Floats,
+    tolerance: float,
+) -> NewtonResult:
+    """Return what Newton's method found, gone on with where it is the ``last`` and still rough."""
+    size = np.minimum(1.0, np.maximum(scale[rows], at.length_of(found.x, found.x)))
+    rough = found.bends * found.last_step**2 > _NEWTON * tolerance * size
+    rough &= last & found.converged
+    if not rough.any():
+        return found
+    more = _newton(at, found.x[rough], share[rough], rows[rough], scale[rows[rough]], tolerance)
+    x, end, iterations = found.x.copy(), found.end.copy(), found.iterations.copy()
+    x[rough], end[rough] = more.x, more.end
+    iterations[rough] += more.iterations
+    return found._replace(x=x, end=end, iterations=iterations)
 
 
 def _march(at: Discretised, x: Floats, designs: Integers, scale: Floats, tolerance: float) -> March:

@@ -10,7 +10,13 @@ import functools
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["gauss_nodes", "integration_matrix", "integration_to", "interpolation_matrix"]
+__all__ = [
+    "gauss_nodes",
+    "integration_matrix",
+    "integration_to",
+    "interpolation_matrix",
+    "refining_matrix",
+]
 
 Floats = NDArray[np.float64]
 
@@ -65,6 +71,12 @@ def integration_to(count: int, points: Floats) -> Floats:
 def interpolation_matrix(count: int, points: Floats) -> Floats:
     """Return the matrix that takes values at the Gauss nodes to the points, through Legendre."""
     return np.asarray(np.polynomial.legendre.legvander(points, count - 1) @ _coefficients(count))
+
+
+@functools.cache
+def refining_matrix(count: int, fine: int) -> Floats:
+    """Return the matrix from values at ``count`` Gauss nodes to ``fine``; shared, do not write."""
+    return interpolation_matrix(count, gauss_nodes(fine)[0])
 
 
 @functools.cache

@@ -7,7 +7,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["CONTRACTION", "FLOOR", "REACH", "RESTLESS", "NewtonEnd", "NewtonResult", "newton"]
+__all__ = [
+    "BENDS",
+    "CONTRACTION",
+    "FLOOR",
+    "REACH",
+    "RESTLESS",
+    "NewtonEnd",
+    "NewtonResult",
+    "newton",
+]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -24,6 +33,9 @@ CONTRACTION = 0.5
 FLOOR = 1e-9
 """Length below which a step that no longer shrinks is rounding, and the design is done."""
 
+BENDS = 100.0
+"""A step over the square of the one before, where nothing is known of it yet."""
+
 
 class NewtonEnd(Enum):
     """How the iteration of one design ended."""
@@ -38,7 +50,8 @@ class NewtonResult(NamedTuple):
     """Points reached (designs, m), how each ended, iterations, lengths of two steps.
 
     ``bend`` is the length of the second step, zero where the first was enough; ``last_step`` that
-    of the last.
+    of the last, ``bends`` what a step is over the square of the one before: the next would be
+    ``bends last_step²``.
     """
 
     x: Floats
@@ -46,6 +59,7 @@ class NewtonResult(NamedTuple):
     iterations: Integers
     last_step: Floats
     bend: Floats
+    bends: Floats
 
     @property
     def converged(self) -> NDArray[np.bool_]:
@@ -60,14 +74,15 @@ def newton(
     *,
     tolerance: float,
     scale: Floats | None = None,
+    bends: Floats | None = None,
     trust: float = np.inf,
     most: int = 30,
 ) -> NewtonResult:
     """Return where Newton's method leads from each row of ``start``.
 
     A design is done when the step that would come next, ``|s_k| (|s_k|/|s_{k−1}|)²`` by the
-    quadratic convergence seen so far (``100 |s_0|²`` after the first step), is below the tolerance
-    times the scale.
+    quadratic convergence seen so far (``bends |s_0|²`` after the first step), is below the
+    tolerance times the scale.
 
     Parameters
     ----------
@@ -83,6 +98,8 @@ def newton(
     scale : array, shape (designs,), optional
         Length [-] of what each design is about, by default zero; the length of the point itself
         where that is longer, but at most one.
+    bends : array, shape (designs,), optional
+        Length of a step over the square of the one before, at most; ``BENDS`` by default.
     trust : float
         Longest second step [-]. From a solution nearby the first step is the tangent of the
         path, the second measures how far the path bends away: beyond this, or where any step is
@@ -107,14 +124,16 @@ def newton(
     iterations = np.zeros(designs, dtype=np.intp)
     last = np.full(designs, np.inf)
     bend = np.zeros(designs)
+    bends = np.full(designs, BENDS) if bends is None else bends.copy()
     restless = np.zeros(designs, dtype=np.intp)
     least = np.zeros(designs) if scale is None else scale
     rows = np.arange(designs)
     for count in range(most):
         # a design that diverges may overflow: it ends by its length, and warns of nothing
         with np.errstate(all="ignore"):
-            s = step(x[rows], rows)
-            size = length(x[rows], s)
+            y = x[rows]
+            s = step(y, rows)
+            size = length(y, s)
         iterations[rows] += 1
         sound = np.isfinite(size)
         end[rows[~sound]] = NewtonEnd.SINGULAR
@@ -125,17 +144,21 @@ def newton(
             far = sound & (size > np.minimum(trust, np.maximum(CONTRACTION * last[rows], FLOOR)))
             end[rows[far]] = NewtonEnd.FAR
         keep = sound & ~far
-        rows, s, size = rows[keep], s[keep], size[keep]
-        x[rows] += s * np.minimum(1.0, REACH / np.maximum(size, REACH))[:, None]
+        if not keep.all():
+            rows, y, s, size = rows[keep], y[keep], s[keep], size[keep]
+        y += s * np.minimum(1.0, REACH / np.maximum(size, REACH))[:, None]
+        x[rows] = y
         before = last[rows]
         last[rows] = size
         ratio = size / np.where(before > 0.0, before, 1.0)
-        unit = np.minimum(1.0, np.maximum(least[rows], length(x[rows], x[rows])))
-        ahead = 100.0 * size**2 if count == 0 else size * np.minimum(ratio, 1.0) ** 2
+        unit = np.minimum(1.0, np.maximum(least[rows], length(y, y)))
+        if count > 0:
+            bends[rows] = np.minimum(ratio, 1.0) ** 2 / np.where(size > 0.0, size, 1.0)
+        ahead = bends[rows] * size**2
         done = (ahead <= tolerance * unit) | ((size <= FLOOR * unit) & (ratio > 0.5))
         end[rows[done]] = NewtonEnd.CONVERGED
         restless[rows] = np.where(ratio > 1.0, restless[rows] + 1, 0)
         rows = rows[~done & (restless[rows] < RESTLESS)]
         if rows.size == 0:
             break
-    return NewtonResult(x, end, iterations, last, bend)
+    return NewtonResult(x, end, iterations, last, bend, bends)

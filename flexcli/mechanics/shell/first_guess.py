@@ -16,7 +16,7 @@ from flexcli.mechanics.space.exact.members import FIRST_GUESS, Members
 from flexcli.mechanics.space.exact.rotation import matrix_of, moved
 from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.layout import SpaceLayout
-from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
+from flexcli.numerics.collocation import refining_matrix
 
 __all__ = ["SHELL_LEVELS", "shells_from_beams"]
 
@@ -74,7 +74,7 @@ class FirstGuess(Beams):
         if fine.rods is not None:
             # a rod is of one segment
             count = mesh.per_segment
-            matrix = interpolation_matrix(count, gauss_nodes(fine.rods.level)[0])
+            matrix = refining_matrix(count, fine.rods.level)
             rods[:] = (matrix @ nodes[fine.beams, :count]).ravel()
         return found
 

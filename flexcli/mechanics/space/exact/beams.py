@@ -12,7 +12,7 @@ from flexcli.mechanics.space.exact.mesh import Mesh, mesh_of
 from flexcli.mechanics.space.exact.second_variation import beam_variation
 from flexcli.mechanics.space.exact.section import BeamEffects, section_of
 from flexcli.mechanics.space.layout import SpaceLayout
-from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
+from flexcli.numerics.collocation import refining_matrix
 
 __all__ = ["Beams", "beams_of"]
 
@@ -97,7 +97,7 @@ class Beams:
     def finer(self, fine: Any, z: Floats) -> Floats:
         """Return rows of z interpolated to finer nodes."""
         count = self.mesh.per_segment
-        matrix = interpolation_matrix(count, gauss_nodes(fine.mesh.per_segment)[0])
+        matrix = refining_matrix(count, fine.mesh.per_segment)
         return np.asarray((matrix @ z.reshape(-1, count, 5)).reshape(z.shape[0], -1))
 
 
