@@ -59,6 +59,7 @@ def test_a_unit_stands_with_and_without_a_space(name: str, unit: str) -> None:
     assert parse_quantity(f"2.5 {unit}", name) == parse_quantity(f" 2.5{unit} ", name)
 
 
+@pytest.mark.slow
 @given(st.integers(min_value=1, max_value=10**15))
 def test_the_same_length_has_the_same_digits_in_any_unit(nanometres: int) -> None:
     length = Decimal(nanometres)

@@ -8,6 +8,7 @@ import inspect
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from math import inf, radians
 from typing import Any, NamedTuple
 
@@ -105,6 +106,7 @@ _SECTION = re.compile(r"^(\w+)\n-{3,}\n", re.MULTILINE)
 _UNIT = re.compile(r"\[([^\]]*)\]")
 
 
+@cache
 def sheet(function: Callable[..., Any]) -> Sheet:
     """Return what the docstring of a formula says, section by section."""
     text = inspect.getdoc(function) or ""

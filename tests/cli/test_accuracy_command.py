@@ -22,6 +22,7 @@ def spec(tmp_path):
     return path
 
 
+@pytest.mark.slow
 def test_without_a_file_it_takes_the_spec_of_the_folder(flexure, spec):
     told = flexure("accuracy")
     assert told.returncode == 0, told.stderr

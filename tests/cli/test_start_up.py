@@ -84,6 +84,7 @@ def test_everyday_units_of_either_kind_load_no_library_of_units():
     assert run.stdout.split("\n")[:2] == ["(2000.0, 'N/m')", "False"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not TASKS.exists(), reason="threads are counted as Linux tells them")
 @pytest.mark.skipif((os.cpu_count() or 1) < 2, reason="there is but one core")
 def test_matrices_are_solved_in_one_thread_unless_the_environment_says_otherwise(tmp_path):

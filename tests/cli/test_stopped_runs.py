@@ -56,6 +56,7 @@ def started(folder, *arguments, stderr):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_long_run_says_what_it_does_and_ends_at_ctrl_c(tmp_path, sizing):
     (tmp_path / "flexure.yaml").write_text(sizing.design)
     ours, terminal = os.openpty()

@@ -129,6 +129,7 @@ def test_a_table_of_nothing_is_refused(flexure, spec):
     assert "add --simulate or --sweep" in told.stderr
 
 
+@pytest.mark.slow
 def test_the_seed_can_be_chosen(flexure, spec):
     with_case(spec, LOUD)
     runs = [

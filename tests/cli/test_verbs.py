@@ -122,7 +122,7 @@ def test_a_spec_with_findings_writes_nothing(flexure, tmp_path, example_text):
 
 def test_writing_into_a_missing_folder_is_one_line(flexure, tmp_path, example_text):
     (tmp_path / "flexure.yaml").write_text(example_text)
-    told = flexure("size", "--write", "none/sized.yaml")
+    told = flexure("size", "--model", "source", "--write", "none/sized.yaml")
     assert told.returncode == 2
     assert len(told.stderr.splitlines()) == 1
 

@@ -31,6 +31,7 @@ def test_there_are_notebooks_and_each_has_prose_and_code():
         assert text.count("# %%\n") >= 2
 
 
+@pytest.mark.slow
 def test_the_sized_stage_of_the_notebook_holds_when_it_is_judged_again(ran):
     names = ran["size_a_blade"]
     assert names["sizing"].status is Status.PASS

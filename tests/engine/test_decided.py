@@ -109,6 +109,7 @@ def passes(spec, **sizes):
     return api.check(spec, overrides=overrides).status is Status.PASS
 
 
+@pytest.mark.slow
 def test_a_stage_under_vibration_is_sized_at_the_edge_of_what_it_bears():
     found = api.size(STAGE)
     assert found.status is Status.PASS

@@ -43,6 +43,7 @@ def both():
     return [[check(one, one.fixed_sizes(), "spec", m).values for m in models] for one in ones]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["stiffness", "shift"])
 def test_the_error_of_a_closed_form_bounds_the_true_one_in_95_of_100_designs(both, name):
     held, told = [], []

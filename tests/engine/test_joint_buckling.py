@@ -142,6 +142,7 @@ def test_a_drive_is_no_hold():
     assert driven == pytest.approx(free, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_a_mirrored_design_under_a_mirrored_load_bears_the_same():
     stroke = {"rotation": ["0 deg", "8 deg"]}
     back = {"rotation": ["-8 deg", "0 deg"]}

@@ -49,6 +49,7 @@ def test_a_large_stroke_takes_exact_blades_and_a_small_one_does_not(stroke, mode
     assert list(costs) == ["linear", "exact"][: 1 + (model == "exact")], "no finer one is asked"
 
 
+@pytest.mark.slow
 def test_what_large_motion_changes_stays_within_its_estimate():
     result = plan(guide(stroke={"translation": "10 mm"}), audit=True)
     rows = {row.quantity: row for row in result.audit}
@@ -65,6 +66,7 @@ def test_values_of_a_spec_that_asks_for_accuracy_are_by_the_model_of_its_plan():
     assert result.values["shift"].estimated_error <= 0.1
 
 
+@pytest.mark.slow
 def test_stiffening_is_the_axial_force_over_that_which_buckles_a_guided_blade():
     # far below its modes along the blades, each of them bears half of the mass
     level = 50.0
@@ -78,6 +80,7 @@ def test_stiffening_is_the_axial_force_over_that_which_buckles_a_guided_blade():
     assert 0.88 * share <= row.indicator <= 1.01 * share
 
 
+@pytest.mark.slow
 def test_rows_of_a_vibration_in_space_tell_modes_blade_mass_and_second_order():
     vibration = {"axes": {"x": {"asd": "gevs-acceptance", "scale": "-20 dB"}}, "q": 20}
     found = {row.name.partition(",")[0]: row for row in plan(guide(**vibration)).effects}

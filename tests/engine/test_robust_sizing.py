@@ -73,6 +73,7 @@ def test_the_design_that_is_not_robust_fails_in_half_of_the_parts():
     assert found.tolerances.together.passed < 0.3
 
 
+@pytest.mark.slow
 def test_where_no_sizes_leave_room_for_the_tolerances_it_says_so():
     text = STAGE.replace("[20 um, 1 mm]", "[20 um, 0.22 mm]") + "robust: worst-case\n"
     plain = flexcli.size(text.replace("robust: worst-case\n", ""))

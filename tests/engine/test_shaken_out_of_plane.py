@@ -59,6 +59,7 @@ def drawn(plane, bodies, moving, motion):
             "motion": motion}  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_locked_stage_along_z_is_its_levers_drawn_between_fixed_pivots():
     stage = {**STAGE, "balance-1": BALANCE, "balance-3": BALANCE}
     locked = judged(PIVOT, stage, lock="solid-2")

@@ -92,6 +92,7 @@ def test_an_ill_conditioned_balance_is_said_with_its_sensitivity():
     assert f"{largest:.1f} %" in note.text
 
 
+@pytest.mark.slow
 def test_close_to_the_largest_stroke_the_digits_stay():
     # where the closed solution's denominator all but vanishes; the force keeps b above h
     limit = pi / (6 * S * sqrt(E / (3 * SIGMA)))
@@ -156,6 +157,7 @@ def test_fewer_loads_than_sizes_leave_the_rest_to_the_volume():
     assert x[1] == pytest.approx(1.5 * P, rel=1e-7)  # as the least volume has it
 
 
+@pytest.mark.slow
 def test_of_several_cases_the_hardest_balances_and_the_others_hold():
     cases = CASES | {
         "gentle": {"stroke": {"rotation": "0.5 deg", "cycles": 1e7}},
@@ -166,6 +168,7 @@ def test_of_several_cases_the_hardest_balances_and_the_others_hold():
     assert size_as_printed(many, "spec").status.value == "pass"
 
 
+@pytest.mark.slow
 def test_a_crossed_pivot_balances_with_the_stress_of_the_deciding_end():
     sizes = {"l": {"free": ["2 mm", "80 mm"]}}
     spec = design(crossed(p="-2 mm", **sizes), LOADS, {"bend": BEND, "push": PUSH}, size=BALANCED)

@@ -145,6 +145,7 @@ def test_a_layout_is_sized_on_its_grid():
     assert l * h < 1.1 * ideal_l * ideal_h
 
 
+@pytest.mark.slow
 def test_slopes_are_those_of_finer_differences(guided):
     spec, _ = guided
     design = spec.part
@@ -171,6 +172,7 @@ STROKES = """requirements:
 """
 
 
+@pytest.mark.slow
 def test_slopes_of_exact_beams_in_space_are_those_of_solutions_on_both_sides():
     text = GUIDED.format(**RANGES).replace("model: linear", "model: exact")
     kept = [line for line in text.splitlines(True) if not line.startswith("requirements")]
@@ -227,6 +229,7 @@ def test_the_thickness_of_a_drawn_blade_is_free_without_parameters():
     assert low + high < 0.9 * 2.0 * ((low**3 + high**3) / 2.0) ** (1.0 / 3.0)
 
 
+@pytest.mark.slow
 def test_an_angle_may_be_free():
     text = """flexure: 1
 material: ti-6al-4v

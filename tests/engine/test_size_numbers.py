@@ -105,6 +105,7 @@ def test_the_balanced_design_is_that_of_the_signomials(requirements, certificate
     assert numbers.sizing.remarks == exact.sizing.remarks
 
 
+@pytest.mark.slow
 def test_where_no_balance_exists_the_reason_is_that_of_the_signomials():
     geometry = rcc(b={"free": ["10 mm", "20 mm"]})
     exact, numbers = both(design(geometry, LOADS, size={"objective": "balanced"}))
@@ -136,6 +137,7 @@ def test_a_conflict_names_the_same_requirements_and_relaxations():
     )
 
 
+@pytest.mark.slow
 def test_targets_that_conflict_give_way_to_the_side_that_does():
     asked = {"l/h": {"equals": 50}, "b/h": {"equals": 20}}
     sizes = {"h": {"free": ["0.8 mm", "1 mm"]}, "l": {"free": ["10 mm", "12 mm"]}}
@@ -228,6 +230,7 @@ def test_a_limit_with_a_kink_at_the_optimum_is_refused_with_its_remedy():
     assert "each of its branches" in caught.value.remedy
 
 
+@pytest.mark.slow
 def test_sizes_off_the_domain_of_a_model_are_avoided():
     spec = design(rcc(**BOUNDED), LOADS)
 
@@ -252,6 +255,7 @@ def test_a_design_that_lacks_some_of_the_limits_is_avoided():
     )
 
 
+@pytest.mark.slow
 def test_a_balance_counts_each_joint_with_sizes_of_its_own():
     spec = design(rcc(), LOADS, size={"objective": "balanced"})
 

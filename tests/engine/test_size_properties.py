@@ -3,6 +3,7 @@
 import warnings
 
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from judging import check_as_printed, size_as_printed
 from strategies import specs
@@ -50,6 +51,7 @@ def test_a_sized_design_passes_check(spec):
     }
 
 
+@pytest.mark.slow
 @ALLOWED
 @given(specs())
 def test_shrinking_any_dimension_of_the_least_volume_fails(spec):
@@ -61,6 +63,7 @@ def test_shrinking_any_dimension_of_the_least_volume_fails(spec):
         assert not inside(spec, smaller)
 
 
+@pytest.mark.slow
 @ALLOWED
 @given(specs())
 def test_no_random_neighbour_of_less_volume_is_feasible(spec):
@@ -77,6 +80,7 @@ def test_no_random_neighbour_of_less_volume_is_feasible(spec):
         assert not inside(spec, Blade(*(float(x) for x in candidate)))
 
 
+@pytest.mark.slow
 @ALLOWED
 @given(specs())
 def test_the_least_volume_is_no_larger_than_any_other_choice(spec):

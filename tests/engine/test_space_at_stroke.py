@@ -128,6 +128,7 @@ def hinged(kind, stroke, wanted):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", HINGED)
 def test_hinges_are_judged_at_a_stroke_by_beams_of_varying_thickness(kind, tmp_path):
     """At a stroke of a micrometre they are those of the linear model at rest."""
@@ -341,6 +342,7 @@ def test_a_pull_along_deflected_blades_adds_what_statics_says(tmp_path):
     assert under - rest == pytest.approx(bent + straight, rel=0.2)
 
 
+@pytest.mark.slow
 def test_a_weight_of_blades_is_that_of_their_mass_on_the_bodies(tmp_path):
     """Two designs: blades with a density, and bodies that have half of their mass instead."""
     text = guide("  yield: 1.5").replace("20 mm}}", "20 mm}, acceleration: {level: 50 g, axis: y}}")
@@ -356,6 +358,7 @@ def test_a_weight_of_blades_is_that_of_their_mass_on_the_bodies(tmp_path):
     assert found[0].factor_range[0] < found[1].factor_range[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wrench", ["y: 5 N", "x: 0.02 N"])
 def test_a_drive_in_space_holds_what_loads_add_to_the_joint(tmp_path, wrench):
     """Tension W of a guide adds 6 W/(5 l) to its stiffness, a force along the stroke itself."""

@@ -33,6 +33,7 @@ def checked(tmp_path, force):
     return check
 
 
+@pytest.mark.slow
 def test_a_guide_pushed_down_its_blades_sways_at_the_load_of_its_plates(tmp_path):
     """2 π² E I/l² of both blades times the plate's factor, the drive free."""
     EI = 200e9 * 20e-3 * 0.5e-3**3 / 12.0

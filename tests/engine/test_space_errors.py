@@ -23,6 +23,7 @@ def off_solids(case, row, **how):
     return state, np.max(np.abs(k / np.array(row["support"]) - 1.0))
 
 
+@pytest.mark.slow
 def test_beams_are_off_solids_by_no_more_than_they_tell():
     """CalculiX, C3D20R, two meshes extrapolated; guides and pivots, b/l to 1.5, ν to 0.45."""
     most = 0.0
@@ -51,6 +52,7 @@ def beams_off_shells(case, row):
     return off - (beam_errors(state).support - SOLIDS + edges + row["modes"])
 
 
+@pytest.mark.slow
 def test_beams_are_off_shells_by_no_more_than_they_tell():
     rows = blades.found("shells")
     assert {case.kind for case, _ in rows} == {"guide", "folded", "cross", "remote"}
@@ -92,6 +94,7 @@ requirements:
 """
 
 
+@pytest.mark.slow
 def test_a_material_whose_sections_curl_more_has_a_wider_range(tmp_path):
     """ν = 0.45: beams are 6.7 % over the solids, where 6 % was told of every material."""
     path = tmp_path / "flexure.yaml"
@@ -133,6 +136,7 @@ requirements: {yield: 1.25, buckling: 2}
 """  # noqa: E501
 
 
+@pytest.mark.slow
 def test_a_mount_of_stout_rods_is_decided_by_beams(tmp_path):
     """d/l = 1/35: far from its limits, and nothing is a shell."""
     path = tmp_path / "flexure.yaml"

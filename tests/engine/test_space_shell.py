@@ -42,6 +42,7 @@ def only(result):
     return check
 
 
+@pytest.mark.slow
 def test_support_at_stroke_is_that_of_solids_within_half_of_what_beams_tell(tmp_path):
     units = {axis: "N/m" if axis in "yz" else "N*m/rad" for axis in SOLID}
     wanted = ", ".join(
@@ -57,6 +58,7 @@ def test_support_at_stroke_is_that_of_solids_within_half_of_what_beams_tell(tmp_
         assert shell.source.endswith("thin shells")
 
 
+@pytest.mark.slow
 def test_what_beams_leave_undecided_shells_decide(tmp_path):
     """0.917 N/µm of solids: 4 % above the limit, within what beams tell."""
     path = spec(tmp_path, "  support: {direction: z, min: 0.88 N/um, at: full-stroke}")

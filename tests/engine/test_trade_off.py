@@ -33,6 +33,7 @@ def front_of(size, **overrides):
     return flexcli.size(STAGE.replace("SIZE", size), overrides=overrides or None)
 
 
+@pytest.mark.slow
 def test_a_front_is_the_convex_truth_evenly_spread_and_proved():
     found = front_of("{objective: [volume, parasitic_shift], points: 7}")
     front = found.front

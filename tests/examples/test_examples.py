@@ -2,6 +2,7 @@
 
 import json
 from decimal import Decimal
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -27,11 +28,12 @@ DIMENSION_OF = {
 }
 
 
-def run(folder, expected):
-    arguments = [*expected["command"].split(), str(folder / "flexure.yaml"), "--format", "json"]
+@cache
+def run(folder, command, file="flexure.yaml"):
+    """Return the exit code of a command on a file of an example, and what it printed."""
+    arguments = [*command.split(), str(folder / file), "--format", "json"]
     result = CliRunner().invoke(command_line(), arguments)
-    assert result.exit_code == expected.get("exit_code", 0), result.output
-    return json.loads(result.stdout)
+    return result.exit_code, json.loads(result.stdout)
 
 
 def found(document, path):
@@ -73,11 +75,9 @@ def defaults():
 @pytest.mark.parametrize(("folder", "verb", "expected"), list(defaults()))
 def test_ends_with_its_verdict(folder, verb, expected):
     verdict = expected["verdict"]
-    arguments = [verb, str(folder / "flexure.yaml"), "--format", "json"]
-    result = CliRunner().invoke(command_line(), arguments)
-    document = json.loads(result.stdout)
+    exit_code, document = run(folder, verb)
     assert document["status"] == verdict
-    assert result.exit_code == (0 if verdict == "pass" else 1)
+    assert exit_code == (0 if verdict == "pass" else 1)
     verdicts = {check["verdict"] for check in document["checks"]}
     assert verdicts <= {"pass", "fail", "undecided"}, "every load is judged"
     assert ("fail" in verdicts) == (verdict == "fail")
@@ -89,13 +89,10 @@ def test_ends_with_its_verdict(folder, verb, expected):
         assert ("undecided" in verdicts) >= (verdict == "undecided")
 
 
-RESULTS = {}
-
-
 @pytest.mark.parametrize(("folder", "expected", "row"), list(cases()))
 def test_prints_the_number_of_its_source(folder, expected, row):
-    document = RESULTS.setdefault(folder, None) or run(folder, expected)
-    RESULTS[folder] = document
+    exit_code, document = run(folder, expected["command"])
+    assert exit_code == expected.get("exit_code", 0)
     value, unit = found(document, row["of"])
     number, printed_unit, tolerance = half_digit(row["printed"], row.get("decimals"))
     scale = parse_quantity(f"1 {printed_unit}", DIMENSION_OF[unit]) if printed_unit else 1.0
@@ -116,12 +113,9 @@ def test_the_units_of_expected_numbers_are_known():
 def test_a_crossed_pivot_of_its_size_fails_for_its_shift(name):
     shifts = []
     for file, code in (("flexure.yaml", 0), ("crossed.yaml", 1)):
-        result = CliRunner().invoke(
-            command_line(), ["check", str(ROOT / name / file), "--format", "json"]
-        )
-        assert result.exit_code == code, result.output
-        checks = json.loads(result.stdout)["checks"]
-        (check,) = (c for c in checks if c["name"].startswith("parasitic shift"))
+        exit_code, document = run(ROOT / name, "check", file)
+        assert exit_code == code
+        (check,) = (c for c in document["checks"] if c["name"].startswith("parasitic shift"))
         assert check["verdict"] == ("fail" if code else "pass")
         shifts.append(check["demand"])
     # the README tells 0.21 of it with three planes, and none by symmetry in one

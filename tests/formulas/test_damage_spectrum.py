@@ -56,6 +56,7 @@ def test_gunfire_of_a_tenth_of_the_time_is_louder_by_the_exponent():
     assert 10.0 * np.log10(float(equal_damage_factor(1.0, 10.0, 8.0))) == pytest.approx(2.5)
 
 
+@pytest.mark.slow
 def test_cycles_counted_in_records_agree_with_the_narrow_band():
     """Of a lightly damped oscillator; the scatter of damage is some sqrt(Q/(f T)) times b."""
     rainflow = pytest.importorskip("rainflow")

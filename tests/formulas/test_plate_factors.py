@@ -166,6 +166,7 @@ def test_clamp_stress_is_a_sixth_to_a_quarter_above_the_beams_and_von_mises_a_te
         assert ((equivalent > 1.02) & (equivalent < 1.12)).all()
 
 
+@pytest.mark.slow
 def test_a_thick_blade_has_the_factor_of_a_narrower_plate():
     b, h, nu = 0.2, 0.02, 0.3
     at = {"b": b, "l": 1.0, "poisson_ratio": nu}

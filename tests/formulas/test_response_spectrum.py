@@ -87,6 +87,7 @@ def test_the_maximum_tends_to_miles_worst_case_as_q_grows(Q):
     assert most.frequency == pytest.approx(worst.frequency, rel=1 / Q)
 
 
+@pytest.mark.slow
 @given(profile=profiles(), unit=st.floats(1e-3, 1e3))
 @settings(max_examples=20)
 def test_units_scale_out(profile, unit):

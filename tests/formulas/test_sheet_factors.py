@@ -8,6 +8,7 @@ from flexcli.formulas import sheet_factors as sheets
 RITZ = 5e-5
 
 
+@pytest.mark.slow
 def test_ritz_solution_converges():
     for bends in (False, True):
         coarse = Sheet(0.5, 0.3, bends=bends, bubbles=3)

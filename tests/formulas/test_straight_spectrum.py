@@ -12,6 +12,7 @@ from flexcli.formulas.spectrum_integrals import rms
 from flexcli.formulas.straight_spectrum import power_sum, straight_lines
 
 
+@pytest.mark.slow
 @given(lines(), lines())
 def test_a_sum_is_the_sum_everywhere_and_its_mean_square_too(one, other):
     ends = min(one[0][0], other[0][0]), max(one[0][-1], other[0][-1])

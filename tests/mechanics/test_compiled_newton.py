@@ -16,6 +16,8 @@ from flexcli.parts.geometries.base import MOVING
 
 pytest.importorskip("numba")
 
+pytestmark = pytest.mark.slow  # a fresh copy compiles for a quarter of a minute first
+
 TOLERANCE = 1e-12
 """What both are asked for: Newton's method ends far below it."""
 

@@ -156,6 +156,7 @@ def test_no_critical_load_is_said_to_be_none():
     assert said.value.code == "no-critical-load"
 
 
+@pytest.mark.slow
 def test_a_blade_that_a_moment_rolls_up_has_an_endless_path():
     roll = PUSH._replace(force=(0.0, 0.0), moment=EI / l)
     with pytest.raises(SolveError) as said:
@@ -197,6 +198,7 @@ def weight(newton, rise=2e-3):
     return [Load("top", (0.0, rise), (0.0, -newton))]
 
 
+@pytest.mark.slow
 def test_the_path_of_a_shallow_arch_turns_twice_and_ends_stable():
     rise = 2e-3
     path = trace(arch(rise), GUIDED, loads=weight(100.0))

@@ -149,6 +149,7 @@ def test_halves_in_series_are_the_whole_blade():
     )
 
 
+@pytest.mark.slow
 @given(
     x=st.floats(-0.05, 0.05),
     y=st.floats(-0.05, 0.05),
@@ -163,6 +164,7 @@ def test_moved_to_another_point_and_axes_it_agrees(x, y, z, a):
     )
 
 
+@pytest.mark.slow
 @given(a=st.floats(-pi, pi), x=st.floats(-1.0, 1.0))
 def test_turning_and_moving_the_whole_layout_changes_nothing_in_its_own_axes(a, x):
     def placed(point):

@@ -93,6 +93,7 @@ def geometric_programs(draw):
     return goal, limits, names
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(geometric_programs())
 def test_a_posynomial_as_numbers_has_the_optimum_of_the_convex_solver(problem):

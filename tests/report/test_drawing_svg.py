@@ -64,11 +64,13 @@ DRAWN += [
 ]  # fmt: skip
 
 
-def pages(found):
-    for width in WIDTHS:
-        yield drawing_svg(found, "a <joint> & more", stress=True, width=width)
-    for view in VIEWS:
-        yield view_svg(found, "a <joint> & more", view, stress=True)
+@cache
+def pages(make):
+    """Return the drawing for each width and from each side, with what XML reads of it."""
+    found, title = make(), "a <joint> & more"
+    drawn = [drawing_svg(found, title, stress=True, width=width) for width in WIDTHS]
+    drawn += [view_svg(found, title, view, stress=True) for view in VIEWS]
+    return tuple((svg, ElementTree.fromstring(svg)) for svg in drawn)
 
 
 def labels(root):
@@ -83,8 +85,7 @@ def labels(root):
 
 @pytest.mark.parametrize("make", DRAWN)
 def test_labels_keep_off_each_other_and_on_the_page(make):
-    for svg in pages(make()):
-        root = ElementTree.fromstring(svg)
+    for _, root in pages(make):
         width, height = float(root.get("width")), float(root.get("height"))
         rooms = list(labels(root))
         assert rooms
@@ -99,8 +100,7 @@ def test_labels_keep_off_each_other_and_on_the_page(make):
 
 @pytest.mark.parametrize("make", DRAWN)
 def test_a_drawing_has_a_title_and_says_what_it_shows(make):
-    for svg in pages(make()):
-        root = ElementTree.fromstring(svg)
+    for svg, root in pages(make):
         assert root.find(f"{SVG}title").text == "a <joint> & more"
         assert "not in the spec" in root.find(f"{SVG}desc").text
         assert not re.search(r"\b(nan|inf)\b", svg)

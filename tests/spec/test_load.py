@@ -357,6 +357,7 @@ def test_any_value_anywhere_is_accepted_or_refused(
     load_or_refuse(scratch, put(WHOLE, path, new))
 
 
+@pytest.mark.slow
 @given(VALUES)
 def test_any_value_is_accepted_or_refused(scratch: Path, value: Any) -> None:
     load_or_refuse(scratch, {"flexure": 1, "material": value})
@@ -366,6 +367,7 @@ def test_any_value_is_accepted_or_refused(scratch: Path, value: Any) -> None:
 EXTENTS = st.floats(min_value=-30, max_value=30).map(lambda power: f"{10.0**power!r} m")
 
 
+@pytest.mark.slow
 @given(EXTENTS, EXTENTS, EXTENTS, EXTENTS, st.floats(min_value=1e-9, max_value=89.999999))
 def test_any_size_is_accepted_or_refused(
     scratch: Path,

@@ -102,6 +102,7 @@ def test_any_text_is_read_or_refused(text: str) -> None:
     assert all(f.line >= 1 and f.text and f.hint for f in findings_in(text))
 
 
+@pytest.mark.slow
 @given(
     st.recursive(
         st.booleans() | st.integers(-(10**9), 10**9) | st.floats(allow_nan=False, width=32),

@@ -202,6 +202,7 @@ def said(path: str, text: str, file: str = "", **_: Any) -> str:
     return f"{file} {path}: {text}".lstrip()
 
 
+@pytest.mark.slow
 def test_a_wrong_spec_is_invalid_unless_only_relations_are_wrong() -> None:
     told = {name: (accepts(root), texts) for name, root, texts in wrong()}
     unequal = {n: t for n, (valid, t) in told.items() if valid != all(map(reason, t))}

@@ -107,6 +107,7 @@ def test_support_stiffness_of_a_deflected_guide_is_that_of_solids(b, stroke, for
     assert 1.0 / np.diag(C)[2:] == pytest.approx(stiffness[1:], rel=0.012)
 
 
+@pytest.mark.slow
 def test_a_deflected_guide_converges_and_tells_its_error():
     found = {}
     for modes in (12, 16, 20, 24):
@@ -188,6 +189,7 @@ def test_the_drive_force_is_the_slope_of_the_energy_and_its_slope_the_tangent():
     assert 1.0 / C[0, 0] == pytest.approx(force, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_a_column_as_wide_as_long_buckles_as_a_plate():
     """Clamped, its other end free in everything but its turns: against Ritz's plate."""
     l, h = 0.1, 1e-4

@@ -356,6 +356,7 @@ def test_what_a_state_becomes_is_off_by_the_square_of_the_change():
     assert rates == pytest.approx(2.0, abs=0.2)
 
 
+@pytest.mark.slow
 def test_loads_and_springs_are_in_balance_with_the_blades():
     """Virtual work of the energy of a spring and the loads: the reactions of a body held whole."""
     layout = askew()

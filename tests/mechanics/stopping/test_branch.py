@@ -41,6 +41,7 @@ def test_at_a_fold_two_motions_meet_and_none_lies_beyond(branch):
     assert driven.periodic(end.angular * 1.001, near.start) is None
 
 
+@pytest.mark.slow
 def test_the_unstable_motions_end_where_the_one_without_contact_meets_the_stop(branch):
     motion, end = branch
     driven = motion.driven

@@ -69,6 +69,7 @@ def plateaus():
     return found
 
 
+@pytest.mark.slow
 def test_mass_has_no_effect_on_the_range_over_the_gap(plateaus):
     # section 8.3, note 1: from 9.96 g to 15.35 g "no discernable trend"
     assert plateaus[4, 20e-6] == pytest.approx(plateaus[0, 20e-6], rel=5e-3)
@@ -94,6 +95,7 @@ def test_contact_is_held_to_a_third_above_the_natural_frequency_and_ends_there()
     assert 1.195 < end.angular / own < 1.5
 
 
+@pytest.mark.slow
 def test_gap_and_height_make_four_kinds_of_peak():
     """Notes 3, 5 and 6 of section 8.3: tall low on the beam, wide at a small gap, else free."""
     sample, shares = TABLE["samples"][2], (1.0, 0.9985, 0.994)

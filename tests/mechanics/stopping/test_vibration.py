@@ -145,6 +145,7 @@ def test_a_rigid_stop_on_a_blade_with_residual_compliance_is_a_named_error():
     assert caught.value.code == "rigid-stop-residual"
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(
     st.sampled_from(LAWS),
