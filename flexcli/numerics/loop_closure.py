@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 
-__all__ = ["Curve", "Equations", "Solution", "follow", "solve_at"]
+__all__ = ["Curve", "CurvePoints", "Equations", "follow", "solve_at"]
 
 Floats = NDArray[np.float64]
 
@@ -51,8 +51,8 @@ class Equations(Protocol):
         ...
 
 
-class Solution(NamedTuple):
-    """Solutions q, shape (m, n), with dq/dt and d²q/dt²."""
+class CurvePoints(NamedTuple):
+    """Points q of a curve of solutions, shape (m, n), with dq/dt and d²q/dt²."""
 
     q: Floats
     first: Floats
@@ -64,7 +64,7 @@ class Curve:
     """A curve of solutions: its points at parameters t, rising, shape (k,)."""
 
     parameters: Floats
-    points: Solution
+    points: CurvePoints
 
 
 def follow(equations: Equations, q: Floats, *, start: float, low: float, high: float) -> Curve:
@@ -108,11 +108,11 @@ def follow(equations: Equations, q: Floats, *, start: float, low: float, high: f
     points = np.array([*falling_q[::-1], q, *rising_q])
     return Curve(
         np.array([*falling_t[::-1], start, *rising_t]),
-        Solution(points, *_derivatives(equations, points)),
+        CurvePoints(points, *_derivatives(equations, points)),
     )
 
 
-def solve_at(equations: Equations, curve: Curve, parameters: Floats) -> Solution:
+def solve_at(equations: Equations, curve: Curve, parameters: Floats) -> CurvePoints:
     """Return the solutions on a curve at any parameters, shape (m,), and their derivatives.
 
     Raises
@@ -136,7 +136,7 @@ def solve_at(equations: Equations, curve: Curve, parameters: Floats) -> Solution
             "Newton's method did not settle on the curve",
             "follow the curve more closely",
         )
-    return Solution(q, *_derivatives(equations, q))
+    return CurvePoints(q, *_derivatives(equations, q))
 
 
 def _branch(

@@ -44,8 +44,8 @@ from flexcli.results import ErrorRange
 
 __all__ = [
     "WARPING_ERROR",
-    "Motion",
     "Place",
+    "StrokeEnd",
     "Told",
     "across_stress",
     "acting_groups",
@@ -105,7 +105,7 @@ class Told(NamedTuple):
         return Told(self.value * factor, both)
 
 
-class Motion(NamedTuple):
+class StrokeEnd(NamedTuple):
     """Motion of the moving body's point at an end of a stroke, along the axes of cases.
 
     ``first`` and ``second`` are its orders (6,) [m, rad], ``doubt`` the share of each that may be
@@ -151,7 +151,7 @@ def acting_groups(joint: SpaceJoint, scene: Scene) -> list[Acting]:
     ]
 
 
-def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[Motion, ...]:
+def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[StrokeEnd, ...]:
     """Return the motion at both ends of a stroke, the drive locked there; loads play no part.
 
     With a temperature the joint has grown besides; without a stroke its drive is free then.
@@ -179,7 +179,7 @@ def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[Motion, ...]:
         turned = float(np.linalg.norm(bent[3:]))
         shifted = float(np.linalg.norm(bent[:3])) + length * turned
         floors = (length * floor + shifted, floor + turned)
-        found.append(Motion(one, two, share, floors, growth))
+        found.append(StrokeEnd(one, two, share, floors, growth))
     return tuple(found)
 
 

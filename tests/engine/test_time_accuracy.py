@@ -15,7 +15,7 @@ from flexcli.engine.comparing import time_motions
 from flexcli.engine.comparing.penalty_law import penalty_law
 from flexcli.engine.comparing.time_accuracy import accuracy_in_time, bounded
 from flexcli.engine.comparing.time_methods import stretches
-from flexcli.engine.comparing.time_motions import PERIODS, Motion, motions
+from flexcli.engine.comparing.time_motions import PERIODS, StoppedMotion, motions
 from flexcli.mechanics.stopping.laws import LinearStop, Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.numerics.signal_pieces import Piece
@@ -86,7 +86,9 @@ def test_the_bound_on_a_swing_between_springs_holds_against_its_closed_form():
     one = np.ones(1)
     blade = ModalBlade(angular=one, damping=0 * one, base=one, tip=one, stop=one, base_moment=one)
     pieces = (Piece(3 * period, ()),)
-    motion = Motion("free", "free", blade, Stops(LinearStop(k), 1.0, 1.0), pieces, np.array([1.1]))
+    motion = StoppedMotion(
+        "free", "free", blade, Stops(LinearStop(k), 1.0, 1.0), pieces, np.array([1.1])
+    )
     truth = (travel, k * (travel - 1), 2.5 * period + touch)
     for (_, value, bound), true in zip(bounded(motion), truth, strict=True):
         assert abs(value / true - 1.0) <= bound < 1e-8

@@ -11,7 +11,7 @@ from flexcli.engine.comparing.time_methods import (
     penalty_run,
     stretches,
 )
-from flexcli.engine.comparing.time_motions import Motion
+from flexcli.engine.comparing.time_motions import StoppedMotion
 from flexcli.mechanics.stopping.laws import (
     LinearStop,
     RigidStop,
@@ -37,7 +37,7 @@ def blade(**changes):
 def free(law, length, *, speed=SPEED, **changes):
     """Give a free swing from the middle between stops at ±1."""
     motion = (blade(**changes), Stops(law, 1.0, 1.0), (Piece(length, ()),), np.array([speed]))
-    return Motion("swing", "swing", *motion)
+    return StoppedMotion("swing", "swing", *motion)
 
 
 def bilinear():

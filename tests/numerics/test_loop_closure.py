@@ -7,7 +7,7 @@ import pytest
 
 from flexcli.errors import SolveError
 from flexcli.numerics import loop_closure as module
-from flexcli.numerics.loop_closure import Curve, Solution, follow, solve_at
+from flexcli.numerics.loop_closure import Curve, CurvePoints, follow, solve_at
 
 ROUNDING = 1e-13
 FOLD = 1e-10  # where a curve that turns back ends, and a decade
@@ -128,7 +128,7 @@ def test_refuses_a_solution_on_another_curve():
     # from these points Newton's method settles, but on the other half of the circle
     ends = np.array([[-0.1, -0.05], [0.1, -0.05]])
     steep = np.array([[1.0, 20.0], [1.0, 20.0]])
-    curve = Curve(np.array([-0.1, 0.1]), Solution(ends, steep, np.zeros((2, 2))))
+    curve = Curve(np.array([-0.1, 0.1]), CurvePoints(ends, steep, np.zeros((2, 2))))
     with pytest.raises(SolveError, match="on the curve"):
         solve_at(Circle(), curve, np.array([0.05, -0.05]))
 
@@ -136,6 +136,6 @@ def test_refuses_a_solution_on_another_curve():
 def test_says_so_when_newton_does_not_settle():
     no_solution = np.array([[0.0, 1.0], [2.0, 1.0]])
     flat = np.zeros((2, 2))
-    curve = Curve(np.array([0.0, 2.0]), Solution(no_solution, flat, flat))
+    curve = Curve(np.array([0.0, 2.0]), CurvePoints(no_solution, flat, flat))
     with pytest.raises(SolveError, match="did not settle"):
         solve_at(Circle(), curve, np.array([1.9]))

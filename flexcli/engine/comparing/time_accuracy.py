@@ -9,7 +9,7 @@ import numpy as np
 from flexcli.engine.comparing.compared import Settled, Timed, compared, relative_bound
 from flexcli.engine.comparing.penalty_law import RIGID_PENALTY
 from flexcli.engine.comparing.time_methods import Method, TimePeaks, event_driven, penalty_run
-from flexcli.engine.comparing.time_motions import Motion, motions
+from flexcli.engine.comparing.time_motions import StoppedMotion, motions
 from flexcli.mechanics.stopping.laws import RigidStop
 from flexcli.numerics.signal_pieces import Piece
 from flexcli.parts.design import DesignSpec
@@ -49,7 +49,7 @@ class TimeMethod(NamedTuple):
     """A method by the name that reports give it."""
 
     name: str
-    by: Callable[[Motion], TimePeaks]
+    by: Callable[[StoppedMotion], TimePeaks]
 
 
 def accuracy_in_time(
@@ -84,11 +84,11 @@ def time_methods() -> tuple[TimeMethod, ...]:
     return (*general, TimeMethod("event-driven", lambda motion: event_driven(motion)[0]))
 
 
-def _general(method: Method, tolerance: float) -> Callable[[Motion], TimePeaks]:
+def _general(method: Method, tolerance: float) -> Callable[[StoppedMotion], TimePeaks]:
     return lambda motion: penalty_run(motion, method, tolerance)
 
 
-def bounded(motion: Motion) -> Iterator[tuple[TimeNumber, float, float | None]]:
+def bounded(motion: StoppedMotion) -> Iterator[tuple[TimeNumber, float, float | None]]:
     """Yield each number by the event-driven run and its bound, nothing where it is unsure.
 
     The bound is the distance to a control, that control's distance from a coarser one, and the
@@ -118,7 +118,7 @@ def _cut(pieces: Iterable[Piece]) -> Iterator[Piece]:
 
 
 def _timed(
-    shaken: list[Motion],
+    shaken: list[StoppedMotion],
     models: tuple[TimeMethod, ...],
     runs: int,
     columns: list[tuple[int, int]],

@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar
 
 from flexcli.engine.comparing.penalty_law import penalty_law
-from flexcli.engine.comparing.time_motions import Motion
+from flexcli.engine.comparing.time_motions import StoppedMotion
 from flexcli.mechanics.stopping.vibration import simulate
 from flexcli.numerics.signal_pieces import Piece
 
@@ -37,7 +37,7 @@ class TimePeaks(NamedTuple):
     last_contact: float
 
 
-def event_driven(motion: Motion) -> tuple[TimePeaks, float]:
+def event_driven(motion: StoppedMotion) -> tuple[TimePeaks, float]:
     """Return what the event-driven run gives, and its energy residual as a share of what moved."""
     found = simulate(motion.blade, motion.stops, motion.pieces, rate=motion.rate)
     balance, times = found.balance, found.contacts.time
@@ -66,7 +66,7 @@ def _goes_on(last: Piece, piece: Piece) -> bool:
     )
 
 
-def penalty_run(motion: Motion, method: Method, tolerance: float) -> TimePeaks:
+def penalty_run(motion: StoppedMotion, method: Method, tolerance: float) -> TimePeaks:
     """Return what a general integrator gives that knows the forces and no events.
 
     Tolerance relative, and absolute as a share of the gap and of the speed that the first mode
@@ -127,7 +127,7 @@ def _greatest(function: Callable[[float], float], times: Floats, values: Floats)
 class _Penalty:
     """The equations of motion of modes (q, q') between stops that are forces."""
 
-    def __init__(self, motion: Motion) -> None:
+    def __init__(self, motion: StoppedMotion) -> None:
         blade = motion.blade
         self._n = blade.angular.size
         self._blade, self._push = blade, penalty_law(blade, motion.stops.law)

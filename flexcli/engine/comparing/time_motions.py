@@ -19,7 +19,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.mechanisms.tip_mass import TipMass
 
-__all__ = ["PERIODS", "Motion", "motions"]
+__all__ = ["PERIODS", "StoppedMotion", "motions"]
 
 Floats = NDArray[np.float64]
 
@@ -27,7 +27,7 @@ PERIODS = 6
 """Length of a run in periods of the first mode: short enough for the slowest method."""
 
 
-class Motion(NamedTuple):
+class StoppedMotion(NamedTuple):
     """A blade between stops, what shakes its base, and its modal rates at the start."""
 
     name: str
@@ -38,7 +38,7 @@ class Motion(NamedTuple):
     rate: Floats
 
 
-def motions(design: DesignSpec, sizes: Sizes) -> Iterator[Motion]:
+def motions(design: DesignSpec, sizes: Sizes) -> Iterator[StoppedMotion]:
     """Yield the first periods, from rest, of every sine and shock between the chosen stops."""
     mechanism = design.mechanism
     if design.stops is None or not isinstance(mechanism, TipMass):
@@ -58,7 +58,7 @@ def motions(design: DesignSpec, sizes: Sizes) -> Iterator[Motion]:
         ]
         window = PERIODS * 2.0 * pi / float(blade.angular[0])
         for count, shaken in enumerate(all_shaken, 1):
-            yield Motion(
+            yield StoppedMotion(
                 name=name if len(all_shaken) == 1 else f"{name}_{count}",
                 label=f"{name}, {shaken.kind}, first {PERIODS} periods of the blade",
                 blade=blade,

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.linkages.equations import Loops, loops
 from flexcli.mechanics.linkages.linkage import Linkage
-from flexcli.numerics.loop_closure import Solution
+from flexcli.numerics.loop_closure import CurvePoints
 
 __all__ = ["LinkageMotion", "moved"]
 
@@ -38,7 +38,7 @@ class LinkageMotion:
         return u + x * c - y * s, v + x * s + y * c
 
 
-def moved(linkage: Linkage, inputs: Floats, solution: Solution) -> LinkageMotion:
+def moved(linkage: Linkage, inputs: Floats, solution: CurvePoints) -> LinkageMotion:
     """Return the motion that solutions of the loop equations, one per input, stand for."""
     equations = loops(linkage)
     unit = equations.units()
