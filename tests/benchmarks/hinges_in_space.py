@@ -42,15 +42,12 @@ def hinges(count=75, seed=3):
             yield found
 
 
-def narrow(count=60, seed=2):
-    """Yield notches of b < 0.6 l, from shallow to as deep as long, in the same way."""
+def notches(count=60, seed=2, poisson=(0.0, 0.2, 0.4), widest=-0.25):
+    """Yield notches from shallow to as deep as long in the same way, b over R up to 10^widest."""
     random = np.random.default_rng(seed)
     while count:
-        nu, depth = (
-            float(random.choice([0.0, 0.2, 0.4])),
-            float(random.choice([0.3, 1.0, 1.5, 2.0])),
-        )
-        e, b = float(10 ** random.uniform(-2.5, -0.2)), float(10 ** random.uniform(-2.2, -0.25))
+        nu, depth = float(random.choice(poisson)), float(random.choice([0.3, 1.0, 1.5, 2.0]))
+        e, b = float(10 ** random.uniform(-2.5, -0.2)), float(10 ** random.uniform(-2.2, widest))
         if e * depth <= 1.0 and e <= b:
             count -= 1
             yield "notch", [e, depth], 2.0, b, nu
@@ -70,7 +67,8 @@ def stiffness(kind, numbers, l, b, nu, fineness=1):
 
 def main():
     rows = []
-    for hinge in (*hinges(), *narrow()):
+    soft = notches(12, 4, (0.45, 0.49), 1.2)
+    for hinge in (*hinges(), *notches(), *soft):
         rows.append([*hinge, stiffness(*hinge).tolist()])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")
     FOUND.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n", encoding="utf-8")
