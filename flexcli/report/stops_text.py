@@ -110,9 +110,13 @@ def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
     yield Line((f"Frequency response with stops: {sweep.case}, {sweep.how}", "bold"))
     if sweep.law:
         yield Line(f"  stop: {sweep.law}; {show(sweep.seconds, 's', 3)}")
+    if not sweep.steps:
+        yield Line("  no step of it was done")
+        return
+    so_far = "" if sweep.is_complete else " in the steps that were done"
     for way, band in (("up", sweep.contact_up), ("down", sweep.contact_down)):
         if band is None:
-            yield Line(f"  going {way} the blade does not touch")
+            yield Line(f"  going {way} the blade does not touch{so_far}")
         else:
             yield Line(f"  going {way} it touches from {_band(band)}")
     if sweep.metastable is not None:

@@ -97,6 +97,15 @@ def test_a_long_response_is_thinned_and_says_so():
     assert "every 3. of 60 steps" in text
 
 
+def test_a_response_that_was_stopped_tells_no_more_than_was_done():
+    none = StopSweep("shake", "up", (), None, None, None, is_complete=False)
+    text = told(result(sweeps=(none,)))
+    assert "no step of it was done" in text
+    assert "does not touch" not in text
+    one = none._replace(steps=(step(True, 40.0),))
+    assert "does not touch in the steps that were done" in told(result(sweeps=(one,)))
+
+
 def test_csv_keeps_every_digit():
     history = StopHistory("a", (0.1, 0.2), (1 / 3, -1e-5), (0.0, 0.0), (0.0, 2.5))
     rows = history_csv(result(histories=(history,))).splitlines()
