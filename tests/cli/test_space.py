@@ -210,3 +210,17 @@ def test_two_ways_to_miss_a_seat_and_two_points_are_checks_of_their_own(checked)
     assert "misalignment stress t, along z" in names
     near, far = (check for check in found["checks"] if check["name"].startswith("support x"))
     assert far["capacity"] < near["capacity"]
+
+
+def test_a_deflection_beyond_buckling_says_why_it_is_open(checked):
+    text = TANGENTIAL.split("cases:")[0] + "cases: {push: {wrench: {z: -4 kN}}}\n"
+    text = text.replace("about: z}}", "about: x}}").replace("from: [40 mm, -12 mm, 0 mm]", "FROM")
+    upright = text.replace("FROM", "from: [40 mm, 0 mm, -60 mm]").replace(
+        "to: [40 mm, 12 mm, 0 mm]", "to: [40 mm, 0 mm, 0 mm]"
+    )
+    upright = upright.replace("width: z", "width: y") + "requirements: REQUIREMENTS\n"
+    code, found = checked("{deflection: {direction: z, max: 1 mm}}", upright)
+    assert code == 1
+    check = found["checks"][0]
+    assert check["verdict"] == "undecided"
+    assert "the joint has no deflection" in check["source"]

@@ -6,7 +6,7 @@ is two limits, one either way.
 
 from collections.abc import Mapping
 from dataclasses import replace
-from math import e, isfinite, log, nan
+from math import e, inf, isfinite, log, nan
 from typing import NamedTuple
 
 import numpy as np
@@ -79,10 +79,11 @@ def reading(design: DesignSpec, plan: Plan) -> dict[Row, Margin]:
 
 
 def first_plan(design: DesignSpec) -> Plan:
-    """Return for each question the cheapest model that is sure, else the finest that answers."""
+    """Return for each question the cheapest model that is sure, else the surest that answers."""
     series = [named.name for named in model_series(design)]
     count = len(list(design.questions(design.scenes())))
     plan: dict[int, str] = {}
+    widths: dict[int, float] = {}
     left = set(range(count))
     for name in series:
         found = reading(design, dict.fromkeys(left, name))
@@ -90,24 +91,40 @@ def first_plan(design: DesignSpec) -> Plan:
             rows = [margin for row, margin in found.items() if row.question == index]
             if not rows:
                 continue
-            plan[index] = name
+            width = _widest(rows)
+            if index not in plan or width < widths[index] or widths[index] == inf:
+                plan[index], widths[index] = name, width
             if all(margin.is_sure for margin in rows):
                 left.discard(index)
     return plan
 
 
 def finer(design: DesignSpec, plan: Plan, questions: set[int]) -> Plan:
-    """Return a plan that puts questions to the next finer model that has an answer, if any."""
+    """Return a plan that puts questions to the next finer model that is surer, if any.
+
+    What is exact at a stroke may be less sure of a stiffness at rest than small motion is.
+    """
     series = [named.name for named in model_series(design)]
     found = dict(plan)
     for index in questions & plan.keys():
+        present = _widest(_asked(design, index, plan[index]))
         for name in series[series.index(plan[index]) + 1 :]:
-            margins = reading(design, {index: name}).items()
-            known = [isfinite(margin.low) for row, margin in margins if row.question == index]
-            if known and all(known):
+            if _widest(_asked(design, index, name)) < present:
                 found[index] = name
                 break
     return found
+
+
+def _asked(design: DesignSpec, index: int, name: str) -> list[Margin]:
+    """Return the margins of a question by a model."""
+    margins = reading(design, {index: name}).items()
+    return [margin for row, margin in margins if row.question == index]
+
+
+def _widest(margins: list[Margin]) -> float:
+    """Return the widest range of margins; without limit if one is unknown, or there is none."""
+    widths = [margin.high - margin.low for margin in margins]
+    return max(widths, default=inf) if all(map(isfinite, widths)) else inf
 
 
 def _margins(question: int, limits: list[Limit]) -> dict[Row, Margin]:

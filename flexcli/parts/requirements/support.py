@@ -453,8 +453,9 @@ class Deflection(MotionBound):
         assert ask.scene.wrench is not None  # it applies
         try:
             found, source = ask.joint_model.deflections(ask, self.point, self.direction), EXACT
-        except NotAvailable:
-            found, source = (self._at_rest(ask),), SOURCE
+        except NotAvailable as reason:
+            found = (self._at_rest(ask),)
+            source = SOURCE if found[0][1] is not None else f"{SOURCE}; the joint {reason}"
         for value, error in found:
             yield from self.bounds_in_direction(
                 abs(value),
