@@ -180,6 +180,14 @@ def test_loads_and_temperature_buckle_together():
     assert 1.0 < factors[1] < factors[0]
 
 
+def test_a_load_across_heated_blades_does_not_hide_that_they_buckle():
+    """A hair of a force across bows them from the first on, and nothing gets unstable then."""
+    text = BRIDGE.format(change=1.5 * EULER).replace("hot: {", "hot: {wrench: {y: 1e-4 N}, ")
+    buckling = next(check for check in flexcli.check(text).checks if check.name == "buckling")
+    assert buckling.verdict is not Verdict.PASS
+    assert buckling.factor_range[0] < 1.0
+
+
 def test_a_shift_at_the_end_of_a_stroke_counts_the_temperature():
     stroke = "stroke: {translation: 0.5 mm}"
     warm = "temperature: {uniform: 40 K, expansion: {moving: 0 1/K, ground: 0 1/K}}"

@@ -1,6 +1,6 @@
 """Buckling: the force on the joint against the one at which it, or a blade of it, gives way."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import ClassVar
 
 import numpy as np
@@ -11,7 +11,7 @@ from flexcli.numerics.rows import number
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.material import Material
-from flexcli.parts.requirements.ask import Ask, RequirementError
+from flexcli.parts.requirements.ask import Ask, CriticalShare, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import ErrorRange, QuantityKind
@@ -73,6 +73,7 @@ class Buckling(FactorRequirement):
         if ask.scene.temperature is not None:
             alone = ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}
             what = "the temperature" if alone else "temperature and loads"
+        heated = _by_temperature_alone(ask)
         for found in ask.joint_model.critical_shares(ask):
             yield Limit(
                 self.label,
@@ -85,8 +86,30 @@ class Buckling(FactorRequirement):
                 required=self.factor,
                 kind=QuantityKind.BUCKLING,
                 in_capacity=True,
-                error=found.error,
+                error=_with(heated, found),
             )
+
+
+def _by_temperature_alone(ask: Ask) -> tuple[CriticalShare, ...]:
+    """Return what a temperature does without the loads beside it, where there are both.
+
+    A load across blades makes them bow from the first on, and no direction gets unstable on that
+    way: what would buckle without it moves far instead.
+    """
+    if ask.scene.temperature is None or ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}:
+        return ()
+    alone = ask._replace(scene=ask.scene.without_loads())
+    return ask.joint_model.critical_shares(alone)
+
+
+def _with(heated: Sequence[CriticalShare], found: CriticalShare) -> ErrorRange | None:
+    """Return the error of a share that may be as little as that of the temperature alone."""
+    least = [found.error, *(each.error for each in heated)]
+    shares = [found.share, *(each.share for each in heated)]
+    ends = [share * (1.0 + error.low) for share, error in zip(shares, least, strict=True) if error]
+    if found.error is None or len(ends) < len(shares):
+        return None
+    return ErrorRange(min(ends) / found.share - 1.0, found.error.high)
 
 
 def borne(critical: Critical, material: Material) -> tuple[Computed, str]:
