@@ -285,18 +285,28 @@ def first_critical(search: Stretch, low: Point, high: Point) -> CriticalPoint:
             return _between(low, high)
         if halve or not np.isfinite(s):
             older, newest, halve = newest, search.at((low.s + high.s) / 2.0, low, high), False
-        elif min(s - low.s, high.s - s) <= aside:
+        elif (met := _met(search, s, low, high)) is None:
             before, after = search.at(s - aside, low, high), search.at(s + aside, low, high)
             if before.unstable == 0 < after.unstable:
                 return _between(before, after)
             older, newest, halve = low, before if before.unstable else after, True
         else:
             width = high.s - low.s
-            older, newest = newest, search.at(s, low, high)
+            older, newest = newest, met
             # an end that stands still is brought nearer by halves
             halve = max(newest.s - low.s, high.s - newest.s) > 0.9 * width
         low, high = (low, newest) if newest.unstable else (newest, high)
     raise lost_path()
+
+
+def _met(search: Stretch, s: float, low: Point, high: Point) -> Point | None:
+    """Return the equilibrium at s, or nothing beside an end or where the equations are singular."""
+    if min(s - low.s, high.s - s) <= _ASIDE * search.length:
+        return None
+    try:
+        return search.at(s, low, high)
+    except SolveError:
+        return None
 
 
 def on_finer(search: _Stretch, fine: _Stretch, found: CriticalPoint) -> CriticalPoint:
