@@ -62,14 +62,14 @@ def _frequency(setting: Setting) -> Change | None:
     if setting.geometry.has_limbs(setting.material.elastic, setting.sizes):
         return SLOWER
     density = setting.material.density
+    rho = DENSEST if density is None else density.value
+    value = _ratio(setting, rho)
+    error = abs(value - _ratio(setting, 0.0)) * _sections(setting)
+    if setting.material.elastic.shear is not None:
+        value, error = _ratio(setting, rho, thick=True), THICK * error
     if density is None:
-        return Change(None, abs(_ratio(setting, DENSEST)), 0.0, -1)
-    value, light = _ratio(setting, density.value), _ratio(setting, 0.0)
-    share = abs(value - light) * _sections(setting)
-    if setting.material.elastic.shear is None:
-        return Change(value, abs(value), share)
-    thick = _ratio(setting, density.value, thick=True)
-    return Change(thick, abs(thick), THICK * share)
+        return Change(None, 1.0 - (1.0 + value) * (1.0 - error), 0.0, -1)
+    return Change(value, abs(value), error)
 
 
 def _ratio(setting: Setting, density: float, *, thick: bool = False) -> float:

@@ -5,8 +5,8 @@ from math import pi, sqrt, tan, tanh
 
 import numpy as np
 import pytest
-from scipy.linalg import expm
 from strategies import design
+from thick_beam import timoshenko
 
 from flexcli.engine.check import check
 from flexcli.formulas.handbook.tip_mass import tip_mass_frequencies
@@ -177,16 +177,7 @@ def test_a_guided_heavy_payload_turns_into_the_static_stiffness():
     assert found == pytest.approx(sqrt(12.0 * EI / l**3 / heavy), rel=1e-6)
 
 
-def timoshenko(omega, thick, tip, G):
-    """Return what vanishes at an angular frequency of a clamped beam with a mass at its tip."""
-    A, I = b * thick, b * thick**3 / 12.0
-    line, turn = rho * A * omega**2, rho * I * omega**2
-    # w' = φ + Q/κGA, φ' = M/EI, M' = −Q − ρIω²φ, Q' = −ρAω²w
-    rates = [[0, 1, 0, 1.2 / (G * A)], [0, 0, 1 / (E * I), 0], [0, -turn, 0, -1], [-line, 0, 0, 0]]
-    # per M and Q at the clamp
-    end = expm(np.array(rates) * l)[:, 2:]
-    free = np.array([end[2], end[3] - tip * omega**2 * end[0]])
-    return float(np.linalg.det(free / np.abs(free).max(axis=0)))
+THICK = {"E": E, "rho": rho, "l": l, "b": b}
 
 
 @pytest.mark.parametrize("slender", [0.02, 0.1, 0.25])
@@ -199,14 +190,16 @@ def test_a_thick_blade_has_the_frequency_of_timoshenkos_equations(slender, mass)
     one = Blade("blade", "ground", "tip", (0.0, 0.0), (l, 0.0), Constant(thick), b)
     found = vibrating_layout(Layout((body,), (one,), E, G), rho, thick=True)
     first = natural_modes(found.stiffness, found.mass).angular[0]
-    below, above = (timoshenko(first * (1.0 + off), thick, tip, G) for off in (-1e-4, 1e-4))
+    below, above = (
+        timoshenko(first * (1.0 + off), **THICK, G=G, h=thick, m=tip) for off in (-1e-4, 1e-4)
+    )
     assert below * above < 0.0
 
 
 @pytest.mark.parametrize(("share", "verdict"), [(0.98, Verdict.PASS), (1.02, Verdict.FAIL)])
 def test_a_thick_blade_heavier_than_its_payload_is_decided_near_its_frequency(share, verdict):
     thick, tip = 0.2 * l, 0.05 * rho * b * 0.2 * l
-    angular = root(lambda x: timoshenko(x, thick, tip, E / 2.0), 1e4, 1e5)
+    angular = root(lambda x: timoshenko(x, **THICK, G=E / 2.0, h=thick, m=tip), 1e4, 1e5)
     spec = design(
         {"kind": "cantilever", "h": f"{thick} m", "l": f"{l} m", "b": f"{b} m"},
         {"frequency": {"min": f"{share * angular / (2.0 * pi)!r} Hz"}},
