@@ -25,7 +25,7 @@ from flexcli.engine.joint_models.space_stroke import (
 )
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
-from flexcli.mechanics.space.exact.critical import critical_load
+from flexcli.mechanics.space.exact.critical import critical_load, straight_critical_factor
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.stresses import BladeStress, blade_stresses
@@ -297,7 +297,12 @@ def _most_off(
 
 
 def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
-    """Yield what buckles it at both ends of a stroke; what is no wrench acts either way."""
+    """Yield what buckles it at both ends of a stroke; what is no wrench acts either way.
+
+    Loads across make blades bow from the first on, and the path passes no critical point where
+    they would buckle without: the share may be as little as that of beams which stay straight,
+    which is below that of shells.
+    """
     scene = ask.scene
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes, scene.temperature)
     layout, drive = joint.layout, joint.layout.drive
@@ -314,6 +319,9 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     for travel in travels:
         state = at_travel(ask, travel, blades, warm=False)
         known, start = blades.errors(state), state if scene.moves else None
+        beams = start
+        if start is not None and blades is not BEAMS:
+            beams = at_travel(ask, travel, BEAMS, warm=False)
         own = driven_coordinate(layout) % 6
         held = {drive.body: [travel if i == own else None for i in range(6)]} if start else None
         for signs in product(*senses):
@@ -325,16 +333,18 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
                     levels=levels, tolerance=tolerance, made=blades.made,
                 )  # fmt: skip
             except SolveError as error:
-                if error.code != "no-critical-load":
-                    raise NotAvailable(f"has no buckling load: {error}") from error
-                error_range = (
-                    ErrorRange(-known.support - unsure, inf) if known and isfinite(unsure) else None
-                )
-                yield CriticalShare(MOST_SHARE, f"{spoken}: none up to that", error_range)
-                continue
-            off = found.estimated_error + (known.support if known else inf) + unsure
-            error_range = ErrorRange(-off, off) if isfinite(off) else None
-            yield CriticalShare(found.factor, spoken, error_range)
+                raise NotAvailable(f"has no buckling load: {error}") from error
+            share, off = found.factor, found.estimated_error + unsure
+            off = off + known.support if known else inf
+            high = off
+            if share > MOST_SHARE:
+                share, high, spoken = MOST_SHARE, inf, f"{spoken}: none up to that"
+            straight = straight_critical_factor(
+                layout, held, pattern, most=MOST_SHARE, frames=drive_frame(drive), start=beams
+            )
+            low = min(1.0, straight / share) * (1.0 - off)
+            error_range = ErrorRange(low - 1.0, high) if isfinite(off) else None
+            yield CriticalShare(share, spoken, error_range)
 
 
 def _weight_of_blades(joint: SpaceJoint) -> float:

@@ -7,11 +7,10 @@ import pytest
 from layouts_in_space import INERTIA, LOADS, STEEL, askew, guide, rod, strip
 from support import body_stiffness
 
-from flexcli.errors import SolveError
 from flexcli.formulas.plate_factors import guided_factor
 from flexcli.formulas.restrained_torsion import restrained_stresses
 from flexcli.formulas.torsion_section import torsion_constant
-from flexcli.mechanics.space.exact.critical import critical_load
+from flexcli.mechanics.space.exact.critical import critical_load, straight_critical_factor
 from flexcli.mechanics.space.exact.demand import Frame
 from flexcli.mechanics.space.exact.equilibrium import solve
 from flexcli.mechanics.space.exact.section import BeamEffects
@@ -148,6 +147,8 @@ def test_a_strip_buckles_sideways_at_michells_load():
     load = SpaceLoad("tip", (l, 0, 0), (0, 0, -critical))
     found = critical_load(strip(h=h, b=b, l=l), None, [load], most=2.0, effects=effects)
     assert found.factor == pytest.approx(1.0, rel=2e-5)
+    straight = straight_critical_factor(strip(h=h, b=b, l=l), None, [load], most=2.0)
+    assert straight == pytest.approx(1.0, rel=0.03)  # with warping and plates
     assert found.multiplicity == 1
     assert not found.turns
     # it goes sideways and turns
@@ -165,6 +166,8 @@ def test_a_rod_buckles_at_eulers_load_held_or_free(held, factor):
     found = critical_load(rod(d=d, l=l), motion, [load], most=6.0,
                           effects=BeamEffects(shear=False))  # fmt: skip
     assert found.factor == pytest.approx(factor, rel=1e-5)
+    straight = straight_critical_factor(rod(d=d, l=l), motion, [load], most=6.0)
+    assert straight == pytest.approx(factor, rel=2e-3)
     assert found.multiplicity == 2
     assert (np.max(np.abs(found.mode)) == 0.0) == bool(held)
 
@@ -180,8 +183,20 @@ def test_what_buckles_only_with_the_drive_free_is_counted_then():
 
 def test_nothing_critical_is_told():
     load = SpaceLoad("tip", (0.1, 0, 0), (1.0, 0, 0))
-    with pytest.raises(SolveError, match="no equilibrium up to 3 times"):
-        critical_load(rod(d=1e-3), None, [load], most=3.0)
+    found = critical_load(rod(d=1e-3), None, [load], most=3.0)
+    assert found.factor == np.inf
+    assert straight_critical_factor(rod(d=1e-3), None, [load], most=3.0) == np.inf
+
+
+def test_a_rod_that_bows_from_the_first_on_has_the_load_of_a_straight_one_beside_it():
+    """A force across leaves no critical point at Euler's load, from where on the rod bows far."""
+    d, l = 1e-4, 0.1
+    EI = E * np.pi * d**4 / 64
+    euler = np.pi**2 * EI / (4.0 * l**2)
+    load = SpaceLoad("tip", (l, 0, 0), (-euler, 1e-4 * euler, 0))
+    assert critical_load(rod(d=d, l=l), None, [load], most=1.05).factor > 1.05
+    straight = straight_critical_factor(rod(d=d, l=l), None, [load], most=1.05)
+    assert straight == pytest.approx(1.0, rel=2e-3)
 
 
 def test_stresses_are_those_of_a_bent_and_a_twisted_strip():

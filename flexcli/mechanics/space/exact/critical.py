@@ -6,11 +6,13 @@ bodies that stand still are found as well.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import SolveError
 from flexcli.mechanics.critical_point import (
     CriticalPoint,
     Point,
@@ -34,7 +36,7 @@ from flexcli.mechanics.space.exact.support import unstable_when_free
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad
 from flexcli.numerics.arc_length import CLOSE, Hyperplane, Steps, follow
 
-__all__ = ["SpaceCritical", "critical_load"]
+__all__ = ["SpaceCritical", "critical_load", "straight_critical_factor"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -44,6 +46,9 @@ _CORRECTION = 1e-12
 
 _STILL = 1e-6
 """Motion of the bodies in a mode, over the forces in it, below which only blades buckle."""
+
+_CLOSE = 1e-3
+"""How closely the factor of a mechanism that keeps its first shape is found, relative."""
 
 _LEVEL = 1e-4
 """Slope of the load over the arc length below which the load turns."""
@@ -55,7 +60,8 @@ class SpaceCritical:
 
     ``mode`` (bodies, 6) is the motion of the bodies in the unstable direction, in their frames,
     with a largest entry (lengths in mean blade lengths) of one, zero when only blades buckle.
-    ``turns`` tells a limit point from a branching point; ``estimated_error`` is relative.
+    ``turns`` tells a limit point from a branching point; ``estimated_error`` is relative. The
+    factor is infinite where no equilibrium up to the largest of interest is critical.
     """
 
     factor: float
@@ -143,31 +149,106 @@ def critical_load(
     Raises
     ------
     SolveError
-        ``unstable-start`` when it is unstable without the pattern, ``no-critical-load`` when
-        nothing is critical up to ``most``, ``lost-path`` when the path ends before, ``inaccurate``
-        when the finest nodes leave the factor unsure.
+        ``unstable-start`` when it is unstable without the pattern, ``lost-path`` when the path
+        ends before anything is critical, ``inaccurate`` when the finest nodes leave the factor
+        unsure.
 
     """
-    effects = BeamEffects() if effects is None else effects
-    frames = {} if frames is None else frames
     cold = replace(layout, body_growth={}, blade_growth={})
     rest = solve(
         cold, held, frames=frames, effects=effects, start=start, tolerance=tolerance,
         levels=levels, made=made,
     ).checked()  # fmt: skip
+    coarse, demand, free = _begun(layout, held, pattern, most, released, rest, made)
+    try:
+        search, low, high = _stretch(coarse, demand, free, rest.part.x, most)
+        found = first_critical(search, low, high)
+        finer_levels = (level for level in levels if level > coarse.members.level)
+        return _critical(*refined(search, found, finer_levels, tolerance), most)
+    except SolveError as error:
+        if error.code != "no-critical-load":
+            raise
+        return SpaceCritical(inf, 0, np.zeros((coarse.bodies, 6)), False, 0.0)
+
+
+def straight_critical_factor(
+    layout: SpaceLayout,
+    held: Held | None,
+    pattern: Sequence[SpaceLoad],
+    *,
+    most: float,
+    frames: Mapping[str, Frame] | None = None,
+    start: SpaceEquilibrium | None = None,
+) -> float:
+    """Return the least factor on a load pattern at which beams that do not move would buckle.
+
+    They bear the forces of small motion in their first shape. A small load across a slender beam
+    makes it bow from the first on, and its path passes no critical point where the straight beam
+    buckles, though it moves far from there on.
+
+    Parameters
+    ----------
+    layout, held, pattern, most, frames
+        As in :func:`critical_load`.
+    start : SpaceEquilibrium or None
+        Beams without the pattern, as they are held.
+
+    Returns
+    -------
+    float
+        The factor, to a thousandth below; infinite where there is none up to ``most``.
+
+    Raises
+    ------
+    SolveError
+        ``unstable-start`` when it is unstable without the pattern.
+
+    Notes
+    -----
+    The second variation is linear in the forces while nothing moves, so that what is unstable
+    stays so beyond: the factor is bisected.
+
+    """
+    cold = replace(layout, body_growth={}, blade_growth={})
+    rest = solve(cold, held, frames=frames, start=start).checked()
+    assembly, demand, free = _begun(layout, held, pattern, most, (), rest, beams_of)
+    x = rest.part.x
+    rate = assembly.split(assembly.steps(x, 0.0, demand)[1]).forces
+
+    def is_stable(share: float) -> bool:
+        still = x.copy()
+        assembly.split(still).forces[:] += share * rate
+        return _counted(assembly, demand, free, still, share)[1] == 0
+
+    if is_stable(1.0):
+        return inf
+    low, high = 0.0, 1.0
+    while high - low > _CLOSE * high and high > _CORRECTION:
+        middle = (low + high) / 2.0
+        low, high = (middle, high) if is_stable(middle) else (low, middle)
+    return low * most
+
+
+def _begun(
+    layout: SpaceLayout,
+    held: Held | None,
+    pattern: Sequence[SpaceLoad],
+    most: float,
+    released: Sequence[int],
+    rest: SpaceEquilibrium,
+    made: MembersOf,
+) -> tuple[Assembly, Demand, Integers]:
+    """Return a mechanism at rest, what its loads ask of it, and the coordinates free to buckle."""
     if unstable_when_free(rest, released):
         raise unstable_start()
-    coarse = assemble(layout, effects, rest.part.assembly.members.level, frames, made)
+    coarse = assemble(layout, rest.effects, rest.part.assembly.members.level, rest.frames, made)
     coarse = coarse._replace(growth=most * coarse.growth)
     demand = started(
         rest,
         demand_of(layout, held or {}, pattern, coarse.points, coarse.length, coarse.force, most),
     )._replace(grown=False)
     free = np.union1d(demand.free, np.asarray(released, dtype=np.intp)).astype(np.intp)
-    search, low, high = _stretch(coarse, demand, free, rest.part.x, most)
-    found = first_critical(search, low, high)
-    finer_levels = (level for level in levels if level > coarse.members.level)
-    return _critical(*refined(search, found, finer_levels, tolerance), most)
+    return coarse, demand, free
 
 
 def _counted(
