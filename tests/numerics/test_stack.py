@@ -23,3 +23,12 @@ def test_a_system_without_a_first_pivot_is_solved_and_a_singular_one_spoils_no_o
     assert x[:, 0].tolist() == [3.0, 4.0]
     assert x[:, 1].tolist() == [4.0, 3.0]
     assert np.isnan(x[:, 2]).all()
+
+
+@pytest.mark.parametrize("pivot", [2e-3, 2e-2, 0.2])
+def test_a_first_pivot_that_nearly_vanishes_takes_no_digits(pivot):
+    """Without an exchange of rows the residual is 1/pivot of rounding, as the numbers grow so."""
+    A = np.stack([[[p, 1.0], [1.0, 1.0 + 1.0 / 3.0]] for p in pivot * np.linspace(1.0, 3.0, 600)])
+    b = np.broadcast_to([[1.0 / 7.0], [1.0]], (600, 2, 1))
+    x = solve_across(A.transpose(1, 2, 0)[None], b.transpose(1, 2, 0)[None])[0].transpose(2, 0, 1)
+    assert np.max(np.abs(A @ x - b)) < 4.0 * np.finfo(float).eps
