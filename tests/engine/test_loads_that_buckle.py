@@ -52,6 +52,26 @@ def test_a_column_beyond_its_euler_load_does_not_pass_by_any_model():
         assert judged(1.2 * EULER, model=model).verdict is not Verdict.PASS
 
 
+@pytest.mark.parametrize("model", [None, "exact"])
+@pytest.mark.parametrize("degrees", [179.0, 170.0, 150.0])
+def test_a_column_that_leans_from_the_first_on_may_bear_no_more_than_euler_s_load(degrees, model):
+    spec = design(
+        {"kind": "cantilever", "h": f"{H} m", "l": f"{L} m", "b": f"{B} m"}, {"buckling": 1.0},
+        {"push": {"load": {"force": f"{EULER / 1.1} N", "direction": f"{degrees} deg"},
+                  "ends": "clamped-free"}},
+        material={**STEEL, "poisson_ratio": 0.0},
+    )  # fmt: skip
+    (row,) = (
+        row
+        for row in check(spec, spec.fixed_sizes(), "test", model).checks
+        if "in the plane" in row.source or "thickness" in row.quantity
+    )
+    low, high = row.factor_range
+    along = 1.1 / abs(cos(degrees * pi / 180.0))
+    assert low <= along * (1.0 + SLENDER)
+    assert high >= along * (1.0 - SLENDER)
+
+
 def worst(geometry, case):
     spec = design(geometry, {"yield": 1.5}, {"work": case}, material=STEEL)
     (row,) = check(spec, spec.fixed_sizes(), "test").checks

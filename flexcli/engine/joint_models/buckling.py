@@ -406,7 +406,8 @@ class _Exact:
     ) -> Critical:
         """Return the largest force looked at under which the joint still stands.
 
-        A joint that leans from the start, be it by a millionth, has no branching to be found.
+        A joint that leans from the start, be it by a millionth, has no branching to be found: what
+        straight blades bear is the low end of its range.
         """
         kept, driven = self._kept(start)[MOVING], self._driven().get(MOVING, (None, None, None))
         along = tuple(d if k is None else k for k, d in zip(kept, driven, strict=True))
@@ -421,13 +422,15 @@ class _Exact:
             raise NotAvailable(f"has no exact critical load: {error}") from error
         stands = state.converged & (inertia_count_held(state, self._kept(start)) == 0)
         if stands.all():
-            told = self._told(float(factors[-1]), straight.stress, ErrorRange(0.0, 0.0))
+            error = ErrorRange(1.0 / LEANS - 1.0, 0.0)
+            told = self._told(float(factors[-1]), straight.stress, error)
             return told._replace(source=f"{told.source}; beyond, it leans away")
         first = int(np.argmin(stands))
         if first == 0:
             raise NotAvailable("has no exact critical load: its path is lost from the start")
-        gap = float(factors[first] / factors[first - 1]) - 1.0
-        return self._told(float(factors[first - 1]), straight.stress, ErrorRange(0.0, gap))
+        last = float(factors[first - 1])
+        error = ErrorRange(min(0.0, near / last - 1.0), float(factors[first]) / last - 1.0)
+        return self._told(last, straight.stress, error)
 
     def _told(self, force: float, stress: float, error: ErrorRange | None = None) -> Critical:
         unit = self.ask.geometry.travel_unit
