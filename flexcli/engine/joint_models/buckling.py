@@ -422,15 +422,15 @@ class _Exact:
             raise NotAvailable(f"has no exact critical load: {error}") from error
         stands = state.converged & (inertia_count_held(state, self._kept(start)) == 0)
         if stands.all():
-            error = ErrorRange(1.0 / LEANS - 1.0, 0.0)
-            told = self._told(float(factors[-1]), straight.stress, error)
+            leaning = ErrorRange(1.0 / LEANS - 1.0, 0.0)
+            told = self._told(float(factors[-1]), straight.stress, leaning)
             return told._replace(source=f"{told.source}; beyond, it leans away")
         first = int(np.argmin(stands))
         if first == 0:
             raise NotAvailable("has no exact critical load: its path is lost from the start")
         last = float(factors[first - 1])
-        error = ErrorRange(min(0.0, near / last - 1.0), float(factors[first]) / last - 1.0)
-        return self._told(last, straight.stress, error)
+        between = ErrorRange(min(0.0, near / last - 1.0), float(factors[first]) / last - 1.0)
+        return self._told(last, straight.stress, between)
 
     def _told(self, force: float, stress: float, error: ErrorRange | None = None) -> Critical:
         unit = self.ask.geometry.travel_unit
