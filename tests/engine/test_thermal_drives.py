@@ -237,7 +237,9 @@ def test_solids_of_thick_and_wide_blades_soften_in_heat_as_far_as_is_told(thick,
 FRAME = """
 flexure: 1
 material: {{youngs_modulus: 114 GPa, poisson_ratio: 0.3, thermal_expansion: 9e-6 1/K,
-           yield_strength: 800 MPa}}
+           yield_strength: 800 MPa, over_temperature: {{
+             youngs_modulus: {{points: [[100 K, 114 GPa], [500 K, 114 GPa]]}},
+             yield_strength: {{points: [[100 K, 800 MPa], [500 K, 800 MPa]]}}}}}}
 geometry:
   kind: layout
   bodies: {{stage: {{at: [0 mm, 20 mm]}}}}

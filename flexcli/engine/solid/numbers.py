@@ -320,7 +320,7 @@ class SolidNumbers:
         forces = next(states.printed.tables("forces"))
         found = {}
         for body in bodies:
-            arms = places[body.nodes, :2] - np.array(body.point)
+            arms = places[body.nodes, :2] - np.array(body.point[:2])
             on_blade = np.array([forces[n][:2] for n in body.nodes + 1])
             moment = -float(np.sum(on_blade * arms)) / model.share
             if abs(moment) <= SETTLED * float(np.abs(on_blade * arms).sum()):
