@@ -1,6 +1,7 @@
 """A study as a table: on the terminal, as CSV, as Parquet."""
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from math import isnan
 
 from rich.console import RenderableType
@@ -62,7 +63,7 @@ def section(result: Result) -> Iterator[RenderableType]:
     found = result.study
     units = {column.name: column.unit for column in found.columns}
     shown = [name for name in found.shown if name in units]
-    names = [*found.varied, "", "nearest its limit", "over required", *shown]
+    names = [*_short(found.varied), "", "nearest its limit", "over required", *shown]
     count = len(found.varied)
     rows = table("Study", *names, numbers=range(count + 2, len(names)))
     kept: list[StudyRow | None] = list(found.rows)
@@ -84,6 +85,18 @@ def section(result: Result) -> Iterator[RenderableType]:
     done = len(found.rows)
     left = f"; {found.points - done} of {found.points} were not done" * (done < found.points)
     yield Line(f"{found.passed} of {done} designs pass{left}")
+
+
+def _short(paths: Sequence[str]) -> list[str]:
+    """Return the ends of paths that tell them apart, of two words or more: stroke.translation."""
+    short = [path.split(".")[-2:] for path in paths]
+    while len({tuple(each) for each in short}) < len(short):
+        known = Counter(map(tuple, short))
+        short = [
+            path.split(".")[-len(each) - (known[tuple(each)] > 1) :]
+            for path, each in zip(paths, short, strict=True)
+        ]
+    return [".".join(each) for each in short]
 
 
 def _shown(cell: float | str, unit: str) -> str:

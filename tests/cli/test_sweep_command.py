@@ -55,6 +55,15 @@ def test_every_row_is_what_check_says_of_that_design(flexure, spec, tmp_path):
     assert "of 4 designs pass" in done.stdout
 
 
+def test_columns_are_told_by_the_ends_of_their_paths(flexure, spec):
+    cases = "cases: {a: {stroke: {translation: 1 mm}}, b: {stroke: {translation: 1 mm}}}"
+    spec.write_text(STAGE.replace("stroke: {translation: 1 mm, cycles: 1e6}", cases))
+    ways = ("geometry.h=0.2mm", "cases.a.stroke.translation=1mm", "cases.b.stroke.translation=2mm")
+    told = flexure("sweep", str(spec), *(word for way in ways for word in ("--vary", way)))
+    heads = told.stdout.split("Study\n")[1].splitlines()[0].split()
+    assert heads[:3] == ["geometry.h", "a.stroke.translation", "b.stroke.translation"]
+
+
 def test_verdicts_alone_are_those_of_the_checks(flexure, spec, tmp_path):
     for each in ("check", "verdict"):
         flexure("sweep", str(spec), "--each", each, "--vary", "geometry.h=0.1mm:0.4mm:4",
