@@ -69,7 +69,7 @@ BEYOND = {
         "follow from two of them", "actuator grows", "nobody says how it grows", "has no arm",
         "no actuator that drives", "a sag is along one axis",
         "in its plane alone", "a load is one in a plane", "carries no mechanism",
-        "in space under a vibration", "is judged at assembly, not", "is not made of straight blades",
+        "in space under a vibration", "is judged at assembly, not", "not made of straight blades",
     ),
     "between bodies and blades of a layout": (
         "lies where", "not held to the ground", "this blade is thicker than wide",
