@@ -57,8 +57,9 @@ MODULUS_DRIFT = 8e-4
 over temperature [1/K]: more than the steepest curve that is shipped, of Invar (NIST)."""
 
 STRENGTH_LOSS, WARM = 4e-3, 80.0
-"""What a strength loses at most for each kelvin above assembly where nobody gave it there [1/K],
-and up to where that holds [K]: age-hardened aluminium goes soft beyond."""
+"""What a strength is allowed to lose for each kelvin above assembly where nobody gave it there
+[1/K], and up to where [K]: an allowance, no bound from a source. Age-hardened aluminium goes soft
+beyond."""
 
 
 class MissingProperty(ValueError):
