@@ -271,3 +271,40 @@ def test_examples_that_leave_sizes_free_are_sized_to_pass(example):
     found = flexcli.size(spec)
     assert found.status is Status.PASS
     assert flexcli.check(flexcli.sized(spec, found)).status is Status.PASS
+
+
+TANGENTIAL = """\
+flexure: 1
+material: ti-6al-4v
+parameters: {l: {free: [8 mm, 60 mm]}}
+geometry:
+  kind: space-layout
+  bodies: {mirror: {at: [0 mm, 0 mm, 0 mm]}}
+  blades:
+    tangent: {between: [ground, mirror], from: [75 mm, -l/2, 0 mm], to: [75 mm, l/2, 0 mm],
+              h: 0.5 mm, b: 8 mm, width: z, repeat: {count: 3, about: z}}
+  moving: mirror
+  motion: {translation: z}
+cases:
+  cold: {temperature: {uniform: -70 K, expansion: {ground: 23e-6 1/K, mirror: 0.5e-6 1/K}}}
+requirements: {yield: 3}
+size: {objective: least-volume}
+"""
+
+
+@pytest.mark.slow
+def test_a_kinematic_mount_is_sized_for_the_cold():
+    """Each blade gives way by the radius' growth u between clamps: σ = 3 E h u/l²."""
+    spec = flexcli.load(TANGENTIAL)
+    result = flexcli.size(spec)
+    (l,) = (value.value for name, value in result.values.items() if name == "l")
+    along, across = result.checks
+    u = 75e-3 * (23e-6 - 0.5e-6) * 70.0
+    by_hand = 3.0 * 113.8e9 * 0.5e-3 * u / l**2
+    assert by_hand < along.demand < by_hand / (1.0 - 0.342**2)  # from a strip to a plate
+    assert across.demand > along.demand  # clamps keep blades from growing across
+    assert (
+        flexcli.check(TANGENTIAL.replace("{free: [8 mm, 60 mm]}", f"{l!r} m")).status is Status.PASS
+    )
+    short = TANGENTIAL.replace("{free: [8 mm, 60 mm]}", f"{0.95 * l!r} m")
+    assert flexcli.check(short).status is not Status.PASS
