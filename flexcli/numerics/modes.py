@@ -89,12 +89,13 @@ def vibration_of(M: Floats, G: Floats) -> Vibration:
     root = axes * np.sqrt(np.maximum(weight, 0.0))[:, None, :]
     compliance = np.swapaxes(root, -1, -2) @ G @ root
     soft, vectors = np.linalg.eigh((compliance + np.swapaxes(compliance, -1, -2)) / 2.0)
-    # growing modes first (the most negative 1/ω² grows slowest), then from soft to stiff
-    order = np.argsort(np.where(soft < 0.0, -np.inf, -soft), axis=-1, kind="stable")
-    soft = np.take_along_axis(soft, order, axis=-1)
-    shapes = np.take_along_axis(G @ root @ vectors, order[:, None, :], axis=-1)
     largest = np.max(np.abs(soft), axis=-1, keepdims=True, initial=0.0)
     moves = np.abs(soft) > HELD * largest
-    square = np.where(moves, 1.0 / np.where(moves, soft, 1.0), np.inf)
-    shapes = np.where(moves[:, None, :], shapes / np.where(moves, soft, 1.0)[:, None, :], 0.0)
+    over = np.where(moves, soft, 1.0)
+    square = np.where(moves, 1.0 / over, np.inf)
+    shapes = np.where(moves[:, None, :], G @ root @ vectors / over[:, None, :], 0.0)
+    # growing modes first, the fastest before all, then from soft to stiff
+    order = np.argsort(square, axis=-1, kind="stable")
+    square = np.take_along_axis(square, order, axis=-1)
+    shapes = np.take_along_axis(shapes, order[:, None, :], axis=-1)
     return Vibration(square, shapes)
