@@ -14,7 +14,7 @@ from flexcli.engine import assess
 from flexcli.engine.models import NamedModel
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
-from flexcli.parts.elastic import Buckled, Elastic, NotAvailable
+from flexcli.parts.elastic import ANY, Buckled, NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.parts.requirements import Limit, Requirement, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
@@ -62,9 +62,6 @@ WOULD_LOOK = {
 OUT_OF_PLANE = frozenset({LoadKind.WRENCH, LoadKind.ACCELERATION, LoadKind.TEMPERATURE})
 """Loads that only a model of the whole joint looks at, where they act out of its plane."""
 
-
-UNIT = Elastic(1.0, 0.0)
-"""To ask whether a joint has a layout at all."""
 
 FAR = 1.5
 """Factors over the required one beyond which a sizing asks no finer model."""
@@ -427,7 +424,7 @@ def _not_judged(scene: Scene, looked_at: set[LoadKind], joint: Geometry) -> Iter
 def _but_not_in_space(joint: Geometry) -> str:
     """Return why a joint without a plane has no model in space either, if it has none."""
     try:
-        joint.space_layout(UNIT, joint.probe())
+        joint.space_layout(ANY, joint.probe())
     except NotAvailable as error:
         return f", but a {joint.name} {error}"
     return ""

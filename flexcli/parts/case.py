@@ -28,7 +28,7 @@ else:
     Shock = Annotated[Any, Named("flexcli.parts.shock:Shock")]
     Temperature = Annotated[Any, Named("flexcli.parts.temperature:Temperature")]
 
-__all__ = ["Case", "EndCondition", "Load", "SteadyAcceleration"]
+__all__ = ["Case", "EndCondition", "Load", "SteadyAcceleration", "components_along"]
 
 
 class Load(Part):
@@ -83,6 +83,12 @@ class Wrench(Part):
         return self.x, self.y, self.z, self.theta_x, self.theta_y, self.theta_z
 
 
+def components_along(axis: str | None, level: float) -> tuple[float, float, float]:
+    """Return the components along x, y and z of what acts along one of them."""
+    x, y, z = (level if axis == each else 0.0 for each in "xyz")
+    return x, y, z
+
+
 class SteadyAcceleration(Part):
     """Gravity or a quasi-static acceleration along x (stroke, bisector), y (in plane) or z (b).
 
@@ -132,8 +138,7 @@ class SteadyAcceleration(Part):
         """Return its components along x, y and z [m/s²]."""
         if self.level is None:
             return self.x, self.y, self.z
-        x, y, z = (self.level if self.axis == each else 0.0 for each in "xyz")
-        return x, y, z
+        return components_along(self.axis, self.level)
 
     @property
     def size(self) -> float:
@@ -143,8 +148,8 @@ class SteadyAcceleration(Part):
     @property
     def only_axis(self) -> str:
         """Return the axis that it acts along, nothing where it is not along one."""
-        along = [each for each, a in zip("xyz", self.vector, strict=True) if a != 0.0]
-        return self.axis or (along[0] if len(along) == 1 else "")
+        axes = [each for each, a in zip("xyz", self.vector, strict=True) if a != 0.0]
+        return axes[0] if len(axes) == 1 else ""
 
 
 class Case(Part):

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-__all__ = ["Buckled", "Elastic", "NotAvailable"]
+__all__ = ["ANY", "Buckled", "Elastic", "NotAvailable"]
 
 
 class NotAvailable(ValueError):
@@ -37,3 +37,7 @@ class Elastic(NamedTuple):
         if self.shear is None:
             raise NotAvailable("needs material.poisson_ratio for its shear modulus")
         return self.shear
+
+
+ANY = Elastic(1.0, 0.0)
+"""To draw a joint whatever its material, or to ask whether it has a layout at all."""

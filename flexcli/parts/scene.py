@@ -7,8 +7,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from flexcli.numerics.rows import atan2, copysign, cos, hypot, number, sin
-from flexcli.parts.case import Case
-from flexcli.parts.elastic import Elastic
+from flexcli.parts.case import Case, components_along
+from flexcli.parts.elastic import ANY
 from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries import Geometry, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING
@@ -27,9 +27,6 @@ __all__ = ["IN_PLANE", "LoadKind", "Push", "Scene", "Wrench", "largest_travel", 
 
 IN_PLANE = (0, 1, 5)
 """Components of a wrench in the joint's plane."""
-
-ANY = Elastic(1.0, 0.0)
-"""To ask whether a joint has a layout at all."""
 
 ROUNDING = 1e-12
 """Of a component over the whole: below it, it is none."""
@@ -647,7 +644,7 @@ def _accelerations(
             worst = applied.worst_case(vibration.q.largest)
             rms = number(worst.response)
             peak = vibration.sigma * rms
-            load(kind, _along(axis, peak), f"F_{vibration.sigma:g}sigma")
+            load(kind, components_along(axis, peak), f"F_{vibration.sigma:g}sigma")
             if rms <= worst_rms:
                 continue
             worst_rms = rms
@@ -662,13 +659,8 @@ def _accelerations(
     if shock is not None and _loading(case, LoadKind.SHOCK, (shock.axis,), mechanism, geometry):
         worst_shock = shock.worst_acceleration()
         if worst_shock is not None:
-            load(LoadKind.SHOCK, _along(shock.axis, worst_shock), "F_shock")
+            load(LoadKind.SHOCK, components_along(shock.axis, worst_shock), "F_shock")
     return found
-
-
-def _along(axis: str, level: float) -> tuple[float, ...]:
-    """Return the components of an acceleration along an axis [m/s²]."""
-    return tuple(level if each == axis else 0.0 for each in "xyz")
 
 
 def _loading(

@@ -425,9 +425,8 @@ def _changed(
 def _free_stiffness(state: SpaceEquilibrium) -> float:
     """Return the stiffness along the drive's motion, the drive free."""
     drive = state.layout.drive
-    own = np.zeros(6)
-    own[3 * drive.turns : 3 * drive.turns + 3] = drive.direction
-    return float(1.0 / (own @ support_compliance(state, drive.body, drive.point) @ own))
+    C = support_compliance(state, drive.body, drive.point)
+    return float(1.0 / (drive.motion @ C @ drive.motion))
 
 
 def _lowest(state: SpaceEquilibrium) -> float:

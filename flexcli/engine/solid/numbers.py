@@ -22,6 +22,7 @@ from flexcli.engine.solid.deck import (
 from flexcli.engine.solid.model import SolidModel, solid_model, solid_model_in_space
 from flexcli.engine.solid.states import FaceStress, Runner, SolidStates, solid_states
 from flexcli.formulas.profile import Constant, NeckedDown, Tabulated
+from flexcli.formulas.rigid_motion import motion_at
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.layout import Body, Layout, Load, Number
 from flexcli.mechanics.mesh import column
@@ -355,11 +356,8 @@ def moving_body(ask: Ask) -> str:
 def _way(ask: Ask) -> Floats:
     """Return by what motions of its body's point (6,) a drive in space is moved."""
     layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
-    drive, e = layout.drive, np.array(layout.drive.direction)
-    if drive.turns:
-        return np.concatenate([np.zeros(3), e])
-    arm = np.subtract(drive.point, layout.body(drive.body).point)
-    return np.concatenate([e, np.cross(arm, e)])
+    arm = np.subtract(layout.drive.point, layout.body(layout.drive.body).point)
+    return np.asarray(motion_at(arm).T @ layout.drive.motion)
 
 
 def moving_masses(ask: Ask) -> Layout:

@@ -187,6 +187,13 @@ class Drive(NamedTuple):
     direction: Vector
     point: Vector
 
+    @property
+    def motion(self) -> Floats:
+        """Return it as a motion (6,) of its point along the axes of the drawing."""
+        found = np.zeros(6)
+        found[3 * self.turns : 3 * self.turns + 3] = self.direction
+        return found
+
 
 @dataclass(frozen=True, eq=False)
 class SpaceLayout:

@@ -9,13 +9,10 @@ from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.layout import Layout, Point
 from flexcli.parts.bending import WideBlades
 from flexcli.parts.bending.wide import wide_by_shapes, wide_drawn
-from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.elastic import ANY, Elastic, NotAvailable
 from flexcli.parts.geometries.base import Blade, Extent, Geometry, Held, Sizes
 
 __all__ = ["OwnBlades", "blade_names"]
-
-ANY = Elastic(1.0, 0.0)
-"""To draw a joint whatever its material."""
 
 
 def blade_names(geometry: Geometry) -> tuple[str, ...]:
