@@ -180,7 +180,8 @@ def _cheapest(design: DesignSpec, found: Judgement) -> str:
     first = series_of(design)[0]
     if first == "closed-form":
         return first
-    return first if {check.model for check in found.checks} <= {first, ""} else "exact"
+    later = {named.name for named in found.models[1:]}
+    return "exact" if any(check.model in later for check in found.checks) else first
 
 
 def _has_something_to_judge(design: DesignSpec) -> bool:

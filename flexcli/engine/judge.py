@@ -16,7 +16,7 @@ from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import ANY, Buckled, NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
-from flexcli.parts.requirements import Limit, Requirement, RequirementError
+from flexcli.parts.requirements import Ask, Limit, Requirement, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import (
     Check,
@@ -105,9 +105,15 @@ class Interrupted(KeyboardInterrupt):
         self.so_far = so_far
 
 
-def judge(design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...]) -> Judgement:
-    """Return every check of a design by the models in turn; raise Interrupted at Ctrl-C."""
-    series = _Series(design, sizes, models)
+def judge(
+    design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...], *, formulas: bool = True
+) -> Judgement:
+    """Return every check of a design by the models in turn; raise Interrupted at Ctrl-C.
+
+    Before several models the formula of a requirement is asked, where it has one and formulas
+    may judge.
+    """
+    series = _Series(design, sizes, models, formulas=formulas)
     found = list(assess.checks(design.own_limits(sizes)))
     scenes = design.scenes()
     looked_at: dict[str, set[LoadKind]] = {scene.case: set() for scene in scenes}
@@ -206,7 +212,8 @@ def finest(
     for index, (requirement, scene) in enumerate(design.questions(scenes)):
         if only is not None and index not in only:
             continue
-        for check in series.climbed(requirement, scene, _is_sure, (first or {}).get(index, 0)):
+        started = (first or {}).get(index, 0)
+        for check in series.by_models(requirement, scene, _is_sure, started):
             share = _share(check)
             is_known = check.factor_range is not None or not known
             if isfinite(share) and share > 0.0 and is_known:
@@ -225,6 +232,10 @@ def _is_sure(check: Check) -> bool:
     return low > FAR * check.required or high - low <= SURE * abs(low)
 
 
+def _is_decided(check: Check) -> bool:
+    return check.verdict is not Verdict.UNDECIDED
+
+
 def _share(check: Check) -> float:
     if check.is_target:
         return check.demand / check.capacity
@@ -241,18 +252,43 @@ class _Series:
         sizes: Sizes,
         models: tuple[NamedModel, ...],
         near: tuple[DesignSpec, Sizes] | None = None,
+        *,
+        formulas: bool = True,
     ) -> None:
+        self.formulas = formulas and len(models) > 1
         self.design = design
         self.sizes = sizes
         self.models = models
         self.near = near
         self.seconds: dict[str, float] = {}
 
-    def climbed(
+    def climbed(self, requirement: Requirement, scene: Scene) -> tuple[Check, ...]:
+        """Return the checks of a requirement in a case, by the cheapest that decides them all."""
+        by_formula = self._by_formula(requirement, scene)
+        if by_formula and all(map(_is_decided, by_formula)):
+            return by_formula
+        return tuple(self.by_models(requirement, scene, _is_decided))
+
+    def _by_formula(self, requirement: Requirement, scene: Scene) -> tuple[Check, ...]:
+        """Return the checks by the requirement's own formula, where no model is insisted on."""
+        name = requirement.formula(scene) if self.formulas else ""
+        if not name:
+            return ()
+        started = perf_counter()
+        ask = self.design.ask(scene, self.sizes, self.models[0].joint_model)
+        try:
+            found = assess.checks(_known(self.design, ask, requirement.by_formula(ask)))
+        except (NotAvailable, RequirementError, SolveError):
+            found = ()  # said where the models judge
+        took = perf_counter() - started
+        self.seconds[name] = self.seconds.get(name, 0.0) + took
+        return tuple(check._replace(model=name, seconds=took) for check in found)
+
+    def by_models(
         self,
         requirement: Requirement,
         scene: Scene,
-        enough: Callable[[Check], bool] = lambda check: check.verdict is not Verdict.UNDECIDED,
+        enough: Callable[[Check], bool],
         first: int = 0,
     ) -> Iterator[Check]:
         """Yield the checks of a requirement in a case, each by the first model that does.
@@ -288,7 +324,7 @@ class _Series:
         if requirement.is_of_stress:
             best |= self._overborne(best, scene)
         if not best and first > 0:
-            yield from self.climbed(requirement, scene, enough)
+            yield from self.by_models(requirement, scene, enough)
         elif not best:
             yield _no_answer(requirement, scene, reason, self.models[-1].name, spent)
         yield from best.values()
@@ -329,9 +365,14 @@ def limits_by(
     if near is not None:
         known, at = near
         ask = ask._replace(near=known.ask(scene, at, model.joint_model))
+    yield from _known(design, ask, requirement.limits(ask))
+
+
+def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Limit]:
+    """Yield limits, each with the error of its number, and of the material's."""
     errors: dict[QuantityKind, ErrorRange | None] = {}
-    in_space = design.geometry.in_space or bool(scene.across_by)
-    for limit in requirement.limits(ask):
+    in_space = design.geometry.in_space or bool(ask.scene.across_by)
+    for limit in limits:
         kind, error = limit.kind, limit.error
         if kind is None:
             yield limit

@@ -16,7 +16,13 @@ from flexcli.parts.geometries import Sizes
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements import Ask, RequirementError, Requirements
 from flexcli.parts.requirements.response_range import uncertain_structure
-from flexcli.parts.requirements.shaking import RANDOM, SHAKES, at_once, shakings
+from flexcli.parts.requirements.shaking import (
+    RANDOM,
+    SHAKES,
+    at_once,
+    random_at_once,
+    shakings,
+)
 from flexcli.parts.response import REACH, Output, random_response
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import Structure
@@ -72,7 +78,7 @@ def respond(
         values |= _worst_values(ask)
     if not responses:
         raise SolveError("no-vibration", "no case has a vibration or a shock", "add asd: to a case")
-    judged = judge(_dynamic_only(design), sizes, models)
+    judged = judge(_dynamic_only(design), sizes, models, formulas=False)
     checks = tuple(check for check in judged.checks if _is_of_response(check, design))
     return Result(
         command="asd response",
@@ -95,13 +101,16 @@ def respond(
 
 
 def _planned(design: DesignSpec, sizes: Sizes) -> dict[str, str]:
-    """Return by case the joint's model that the accuracy of the spec calls for, if it asks any."""
+    """Return by case the joint's model that the accuracy of the spec calls for, if it asks any.
+
+    Where Miles' formula will do, the cheapest has the modes.
+    """
     if design.accuracy is None:
         return {}
     from flexcli.engine.planning.scene_models import MODES, scene_plans
 
     plans = scene_plans(design, sizes, design.accuracy)
-    return {each.case: each.model.removeprefix(MODES) for each in plans}
+    return {p.case: p.model.removeprefix(MODES) for p in plans if p.model.startswith(MODES)}
 
 
 def _dynamic_only(design: DesignSpec) -> DesignSpec:
@@ -129,11 +138,8 @@ def _responses(ask: Ask) -> Iterator[CaseResponse]:
     """Yield what the modes make of each excitation of a case."""
     structure, scene = structure_of_case(ask), ask.scene
     try:
-        if scene.vibration is not None:
-            every = scene.vibration
-            each = [every.alone(axis) for axis in every.axes] if scene.in_turn else [every]
-            for vibration in each:
-                yield _random(ask, structure, vibration)
+        for vibration in random_at_once(scene):
+            yield _random(ask, structure, vibration)
         for shaking in shakings(ask, _by_sigma):
             if shaking.kind not in RANDOM:
                 peaks = shaking.peaks(structure)

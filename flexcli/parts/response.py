@@ -19,9 +19,12 @@ from flexcli.results.vibration import ModeResult
 __all__ = [
     "REACH",
     "Output",
+    "OutputRows",
     "RandomResponse",
     "apparent_mass",
+    "excited_modes",
     "mode_qualities",
+    "participations",
     "random_outputs",
     "random_response",
     "response_density",
@@ -68,7 +71,7 @@ class RandomResponse:
     outputs: Mapping[str, Output]
 
 
-class _Rows:
+class OutputRows:
     """The outputs of a structure as one stack of rows, and back to their names."""
 
     def __init__(self, structure: Structure) -> None:
@@ -113,12 +116,12 @@ def _moments(
     structure: Structure, vibration: Vibration, modes: Modes
 ) -> Iterator[tuple[str, Floats]]:
     """Yield the spectral moments (4, places, components) of outputs, all modes and axes added."""
-    rows = _Rows(structure)
+    rows = OutputRows(structure)
     qualities = mode_qualities(structure, vibration.q, vibration.axes, modes)
     total = np.zeros((4, rows.matrix.shape[0]))
     for axis, applied in vibration.by_axis().items():
-        participation, share, static = _excitation(structure, modes, rows.matrix, axis)
-        excited = _excited(modes, share, applied)
+        participation, share, static = participations(structure, modes, rows.matrix, axis)
+        excited = excited_modes(modes, share, applied)
         per_mode = (-(rows.matrix @ modes.shapes) * participation)[:, excited]
         static_part = (per_mode / modes.angular[excited] ** 2).sum(axis=1)
         angular, Q = modes.angular[excited], qualities[excited]
@@ -130,13 +133,13 @@ def _each_mode(
     structure: Structure, vibration: Vibration, modes: Modes
 ) -> tuple[Floats, list[dict[str, float]]]:
     """Return the mass share of each mode and its own rms responses, none where not excited."""
-    rows = _Rows(structure)
+    rows = OutputRows(structure)
     qualities = mode_qualities(structure, vibration.q, vibration.axes, modes)
     squares = np.zeros((modes.angular.size, rows.matrix.shape[0]))
     shares, dynamic = np.zeros(modes.angular.size), np.zeros(modes.angular.size, dtype=bool)
     for axis, applied in vibration.by_axis().items():
-        participation, share, _ = _excitation(structure, modes, rows.matrix, axis)
-        excited = _excited(modes, share, applied)
+        participation, share, _ = participations(structure, modes, rows.matrix, axis)
+        excited = excited_modes(modes, share, applied)
         shares, dynamic = np.maximum(shares, share), dynamic | excited
         per_mode = -(rows.matrix @ modes.shapes) * participation
         for i in np.flatnonzero(excited):
@@ -153,7 +156,7 @@ def _each_mode(
     return shares, alone
 
 
-def _excited(modes: Modes, share: Floats, applied: AppliedASD) -> NDArray[np.bool_]:
+def excited_modes(modes: Modes, share: Floats, applied: AppliedASD) -> NDArray[np.bool_]:
     """Return which modes may resonate: in reach of the band, and moved by the base."""
     reach = 2.0 * pi * REACH * float(applied.frequency[-1])
     return np.asarray((modes.angular < reach) & (share > PARTICIPATES))
@@ -220,7 +223,7 @@ def sine_peaks(
         Amplitudes: of a sweep the largest over its frequencies, each as if it had settled.
 
     """
-    modes, rows = natural_modes(structure.stiffness, structure.mass), _Rows(structure)
+    modes, rows = natural_modes(structure.stiffness, structure.mass), OutputRows(structure)
     Q = mode_qualities(structure, quality, (axis,), modes)
     ends = min(frequencies), max(frequencies)
     f = np.union1d(sweep_points(ends, modes.angular / (2.0 * pi), Q), frequencies)
@@ -288,7 +291,7 @@ def response_density(
         [(m/s²)²/Hz]; by output its own, in the unit of the output squared per hertz.
 
     """
-    densities, rows = vibration.by_axis(), _Rows(structure)
+    densities, rows = vibration.by_axis(), OutputRows(structure)
     modes = natural_modes(structure.stiffness, structure.mass)
     Q = mode_qualities(structure, vibration.q, densities, modes)
     f, levels = _density_points(densities, modes.angular / (2.0 * pi), Q)
@@ -321,7 +324,7 @@ def _gain(
     structure: Structure, modes: Modes, rows: Floats, axis: str, Q: float | Floats, f: Floats
 ) -> NDArray[np.complex128]:
     """Return the complex amplitude of rows per acceleration of the base, by all modes."""
-    participation, _, static = _excitation(structure, modes, rows, axis)
+    participation, _, static = participations(structure, modes, rows, axis)
     per_mode = -(rows @ modes.shapes) * participation
     residual = static - (per_mode / modes.angular**2).sum(axis=1)
     return harmonic_gain(f, modes.angular, Q, per_mode, residual)
@@ -377,8 +380,8 @@ def shock_peaks(structure: Structure, shock: Shock) -> dict[str, float]:
 
     Raises ValueError where a spectrum does not reach a mode that has a part in a peak.
     """
-    modes, rows = natural_modes(structure.stiffness, structure.mass), _Rows(structure)
-    participation, share, _ = _excitation(structure, modes, rows.matrix, shock.axis)
+    modes, rows = natural_modes(structure.stiffness, structure.mass), OutputRows(structure)
+    participation, share, _ = participations(structure, modes, rows.matrix, shock.axis)
     excited = np.flatnonzero(share > PARTICIPATES)
     angular = modes.angular[excited]
     fn = angular / (2.0 * pi)
@@ -401,7 +404,7 @@ def shock_peaks(structure: Structure, shock: Shock) -> dict[str, float]:
     return peaks
 
 
-def _excitation(
+def participations(
     structure: Structure, modes: Modes, rows: Floats, axis: str
 ) -> tuple[Floats, Floats, Floats]:
     """Return participation and mass share of each mode, and the static response of each row."""

@@ -221,7 +221,7 @@ def test_a_plan_tells_what_a_vibration_calls_for(respond):
     (scene,) = found["plan"]["scenes"]
     errors = {row["name"]: row["error"] for row in scene["models"]}
     assert errors[scene["model"]] == min(errors.values())
-    assert errors["Miles"] >= max(abs(miles - 1.0), errors["modes, closed-form"])
+    assert errors["Miles"] >= errors["modes, closed-form"], "it leaves more out"
 
 
 def found_force(respond, case):

@@ -59,7 +59,8 @@ def test_the_plan_of_a_response_takes_the_cheapest_model_within_the_accuracy():
     (rough,) = flexcli.plan(shaken("20 %")).plan.scenes
     assert rough.model == "modes, closed-form"
     assert rough.estimated_error <= 0.2
-    assert [row.name for row in rough.models] == ["modes, closed-form"], "no finer asked"
+    # the stage swings below the band, where Miles has nothing; no finer model is asked
+    assert [row.name for row in rough.models] == ["modes, closed-form"]
     (fine,) = flexcli.plan(shaken("0.001 %")).plan.scenes
     names = ["modes, closed-form", "modes, linear", "modes, exact"]
     assert [row.name for row in fine.models] == names
@@ -67,8 +68,19 @@ def test_the_plan_of_a_response_takes_the_cheapest_model_within_the_accuracy():
     assert fine.estimated_error == min(row.error for row in fine.models)
 
 
-def test_a_plan_has_the_error_that_judges_the_response():
-    source = shaken("20 %")
+def test_the_plan_takes_miles_where_his_formula_is_accurate_enough():
+    stiffer = yaml.safe_load(shaken("20 %"))
+    stiffer["geometry"]["h"] = "1 mm"
+    (planned,) = flexcli.plan(yaml.safe_dump(stiffer)).plan.scenes
+    assert planned.model == "Miles"
+    assert [row.name for row in planned.models] == ["Miles"], "no finer asked"
+
+
+@pytest.mark.parametrize("h", ["0.3 mm", "1 mm"])  # below the band, and in it
+def test_a_plan_has_the_error_that_judges_the_response(h):
+    source = yaml.safe_load(shaken("20 %"))
+    source["geometry"]["h"] = h
+    source = yaml.safe_dump(source)
     (planned,) = flexcli.plan(source).plan.scenes
     (check,) = (c for c in flexcli.check(source).checks if c.name == "dynamic yield")
     low, high = (end / check.factor - 1.0 for end in check.factor_range)

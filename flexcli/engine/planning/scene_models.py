@@ -1,8 +1,9 @@
 """The models of what shakes the base, in turn as they judge: which is accurate enough, and why.
 
-Modes are those of the blades with their mass, as stiff as the joint is by each of its models; what
-that stiffness and the stress may be off by moves resonances, which is the error of the peaks. Where
-stops are in the way, a run in time follows the operating line, its contact finer each time.
+Miles' formula has the strongest mode alone, and what is left out as its error. Modes are those of
+the blades with their mass, as stiff as the joint is by each of its models; what that stiffness and
+the stress may be off by moves resonances, which is the error of the peaks. Where stops are in the
+way, a run in time follows the operating line, its contact finer each time.
 """
 
 from collections.abc import Iterator
@@ -11,14 +12,12 @@ from math import inf
 from flexcli.engine.models import model_series
 from flexcli.engine.planning.coverage import COVERAGE
 from flexcli.engine.planning.in_space import COSTS
-from flexcli.engine.planning.vibration_effects import against_miles, largest_peaks
-from flexcli.engine.response_spectra import structure_of_case
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Ask, RequirementError
-from flexcli.parts.requirements.dynamic import Dynamic, DynamicYield
+from flexcli.parts.requirements.dynamic import Dynamic, DynamicYield, FindsPeaks
 from flexcli.parts.requirements.shaking import SHAKES
 from flexcli.parts.scene import Scene
 from flexcli.results.plan import ModelRow, ScenePlan
@@ -30,6 +29,10 @@ MODES = "modes, "
 
 RESPONSE = 60.0
 """Cost in closed forms of a response over the range of its structure, as measured: 60 ms."""
+BY_FORMULA = 30.0
+"""The same of Miles' formula, which looks at no mode over that range but those that tell."""
+OUTSIDE = ("other modes", "slope and ends of the band")
+"""What Miles' formula leaves out."""
 RUN = 300.0
 """The same of a run between stops with a rigid or linear contact; Hertz' takes five times it."""
 
@@ -60,41 +63,39 @@ def _chosen(case: str, rows: tuple[ModelRow, ...], asked: float, why: str) -> Sc
 
 
 def _responses(design: DesignSpec, sizes: Sizes, scene: Scene, asked: float) -> Iterator[ModelRow]:
-    """Yield Miles' worst case and the modes by each model of the joint, until one will do."""
-    requirement = _requirement(design, scene)
+    """Yield Miles' formula and the modes by each model of the joint, until one will do."""
+    requirement, series = _requirement(design, scene), model_series(design)
     costs = COSTS if design.geometry.in_space else {n: row.cost for n, row in COVERAGE.items()}
-    for index, model in enumerate(model_series(design)):
-        ask = design.ask(scene, sizes, model.joint_model)
-        try:
-            errors = [peak.error for peak in requirement.peaks(ask, "stress")]
-        except (NotAvailable, RequirementError, SolveError):
-            continue
-        error = max((inf if each is None else each.largest for each in errors), default=inf)
-        if index == 0:
-            yield from _miles(ask, error)
-        yield ModelRow(f"{MODES}{model.name}", RESPONSE + costs.get(model.name, 0.0), error, ())
-        if error <= asked:
-            return
+    formula = requirement.formula(scene) if len(series) > 1 else ""
+    if formula:
+        ask = design.ask(scene, sizes, series[0].joint_model)
+        error = _error(requirement.miles_peaks, ask)
+        if error is not None:
+            yield ModelRow(formula, BY_FORMULA, error, OUTSIDE)
+            if error <= asked:
+                return
+    for model in series:
+        error = _error(requirement.peaks, design.ask(scene, sizes, model.joint_model))
+        if error is not None:
+            cost = RESPONSE + costs.get(model.name, 0.0)
+            yield ModelRow(f"{MODES}{model.name}", cost, error, ())
+            if error <= asked:
+                return
+
+
+def _error(peaks: FindsPeaks, ask: Ask) -> float | None:
+    """Return the largest error of the stresses, or nothing where there is no answer."""
+    try:
+        errors = [peak.error for peak in peaks(ask, "stress", inf)]
+    except (NotAvailable, RequirementError, SolveError):
+        return None
+    return max((inf if each is None else each.largest for each in errors), default=inf)
 
 
 def _requirement(design: DesignSpec, scene: Scene) -> Dynamic:
     """Return what is asked of the response, so that its own peaks count; else the stress."""
     asked = (each for _, each in design.requirements.each() if isinstance(each, Dynamic))
     return next((each for each in asked if each.applies(scene)), DynamicYield(factor=1.0))
-
-
-def _miles(ask: Ask, of_modes: float) -> Iterator[ModelRow]:
-    """Yield Miles' worst case, which sizes blades: what it is off by is seen in the modes.
-
-    It is off by that and by what the modes are.
-    """
-    try:
-        peaks = largest_peaks(ask, structure_of_case(ask))
-    except (SolveError, ValueError, RequirementError):
-        return  # said where it is judged
-    for row in against_miles(ask, peaks):
-        error = (1.0 + row.estimate) * (1.0 + of_modes) - 1.0
-        yield ModelRow("Miles", 1.0, error, ("higher modes", "blade mass"))
 
 
 def _why(design: DesignSpec, scene: Scene) -> str:

@@ -107,6 +107,14 @@ class Requirement(Part):
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the limits for one case (or for the design, where it is not per case)."""
 
+    def formula(self, scene: Scene) -> str:
+        """Return the name of a formula that is cheaper than any model; here there is none."""
+        return ""
+
+    def by_formula(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the limits by that formula, of the joint as the cheapest model has it."""
+        raise NotImplementedError
+
     def judged(self, ask: Ask) -> Iterator[Limit]:
         """Yield the limits, or raise :class:`RequirementError` for what the joint has no form of.
 

@@ -4,7 +4,7 @@ They judge a given blade; its modes are no posynomials, so they cannot size one.
 modes and lives is imported where it is called: few designs ask, and all would wait for it.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import inf
 from typing import Annotated, ClassVar, Literal, NamedTuple
 
@@ -12,6 +12,7 @@ from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.peaks import MINIMUM_CYCLES, peak_factor
 from flexcli.parts.asd import Vibration
 from flexcli.parts.base import QuantityOf
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
@@ -19,23 +20,36 @@ from flexcli.parts.requirements.buckling import borne
 from flexcli.parts.requirements.closed_form import least_blade_force
 from flexcli.parts.requirements.heated import standing
 from flexcli.parts.requirements.response_range import (
+    Answer,
     Uncertain,
     between,
     compounded,
     over,
     uncertain_structure,
 )
-from flexcli.parts.requirements.shaking import RANDOM, SHAKES, SINES, Shaking, at_once, shakings
+from flexcli.parts.requirements.shaking import (
+    RANDOM,
+    SHAKES,
+    SINES,
+    Shaking,
+    at_once,
+    random_at_once,
+    refuse_unknown_axes,
+    shakings,
+)
 from flexcli.parts.requirements.yielding import Allowable
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.structure import MOTIONS, Structure
 from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["Dynamic", "DynamicBuckling", "DynamicLife", "DynamicYield"]
+__all__ = ["Dynamic", "DynamicBuckling", "DynamicLife", "DynamicYield", "FindsPeaks"]
 
 
 AXIAL_TOO = "bending with the axial force"
 
+
+MILES = "Miles"
+"""Name of the formula of one mode under a random vibration."""
 
 WARM = " and what the temperature strains"
 """What the stress of a case with a temperature has besides."""
@@ -49,6 +63,13 @@ class _Peak(NamedTuple):
     error: ErrorRange | None
     what: str
     source: str
+
+
+FindsPeaks = Callable[[Ask, str, float], Iterator[_Peak]]
+"""Finds the peaks of outputs by a prefix, up to what is bearable."""
+
+Ranges = Mapping[str, tuple[float, ErrorRange | None]]
+"""Peaks by output, each with the range of its error."""
 
 
 class Dynamic(FactorRequirement):
@@ -81,15 +102,45 @@ class Dynamic(FactorRequirement):
                 ranges = found.of(shaking.peaks)
             except ValueError as error:
                 raise RequirementError(str(error), shaking.hint) from error
-            own = [ranges[name] for name in MOTIONS if name in ranges]
-            most = max((_largest(*ranges[n]) for n in ranges if n.startswith(prefix)), default=0.0)
-            reached = min(1.0, bearable / most) if most > 0.0 else 1.0
-            travel = _largest(*own[0]) if own else 0.0
-            rest = found.stress_error(ask, travel, shaking.peaks, reached)
+            rest = _rest(ask, found, ranges, shaking.peaks, prefix, bearable)
             for name, (value, off) in ranges.items():
                 if name.startswith(prefix):
                     what = f"{shaking.named(found.structure, name)} {name}"
                     yield _Peak(name, value, compounded(off, rest), what, shaking.source)
+
+    def formula(self, scene: Scene) -> str:
+        """Return Miles' name where his formula may tell the peak: of random vibration in a plane.
+
+        How many cycles a duration has is not in it.
+        """
+        shakes = scene.loads & SHAKES
+        told = bool(shakes) and shakes <= RANDOM and not scene.vibrates_in_space
+        return MILES if told and self.peak == "sigma" else ""
+
+    def miles_peaks(self, ask: Ask, prefix: str, bearable: float = inf) -> Iterator[_Peak]:
+        """Yield the peaks by Miles' formula, what it leaves out in their errors."""
+        from flexcli.parts.miles_response import miles_outputs
+
+        found = uncertain_structure(ask, ())
+        if found.stiffer is None:
+            raise NotAvailable("has no response by Miles: its stiffness or masses are not known")
+        for vibration in random_at_once(ask.scene):
+            refuse_unknown_axes(found.structure, vibration.axes)
+            outputs = miles_outputs(found.structure, vibration, found.stiffer)
+            sigma = vibration.sigma
+            ranges = {
+                name: (sigma * one.rms, between(one.rms, [one.least, one.most]))
+                for name, one in outputs.items()
+            }
+            rest = _rest(ask, found, ranges, lambda _structure: {}, prefix, bearable)
+            for name, (value, off) in ranges.items():
+                if not name.startswith(prefix):
+                    continue
+                error = compounded(off, rest)
+                if error is None:  # of nothing, below or above the band, not even a zero is known
+                    raise NotAvailable("has no response by Miles: its mode is outside the band")
+                what, source = f"{sigma:.3g}σ {name}", f"{MILES}, {vibration.q.told}"
+                yield _Peak(name, value, error, what, source)
 
     def _peak_factor(self, scene: Scene, vibration: Vibration, rate: float) -> float:
         if self.peak == "sigma":
@@ -97,6 +148,17 @@ class Dynamic(FactorRequirement):
         duration = _duration(scene, vibration)
         enough = rate * duration > MINIMUM_CYCLES
         return float(peak_factor(rate, duration)) if enough else vibration.sigma
+
+
+def _rest(
+    ask: Ask, found: Uncertain, ranges: Ranges, answer: Answer, prefix: str, bearable: float
+) -> ErrorRange | None:
+    """Return how far stresses are off besides their range, at the motion that gets that far."""
+    own = [ranges[name] for name in MOTIONS if name in ranges]
+    most = max((_largest(*ranges[n]) for n in ranges if n.startswith(prefix)), default=0.0)
+    reached = min(1.0, bearable / most) if most > 0.0 else 1.0
+    travel = _largest(*own[0]) if own else 0.0
+    return found.stress_error(ask, travel, answer, reached)
 
 
 def _largest(value: float, error: ErrorRange | None) -> float:
@@ -130,13 +192,20 @@ class DynamicYield(Dynamic):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the peak stress at every joint against the allowable."""
+        yield from self._limits_of(ask, self.peaks)
+
+    def by_formula(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the same by Miles' formula."""
+        yield from self._limits_of(ask, self.miles_peaks)
+
+    def _limits_of(self, ask: Ask, peaks: FindsPeaks) -> Iterator[Limit]:
         try:
             strength = ask.material.strength(self.allowable.replace("-", "_"))
         except MissingProperty as missing:
             raise RequirementError(str(missing), f"give material.{missing.field}") from missing
         still, still_error, changed = standing(ask)
         kind = "von Mises" if ask.scene.vibrates_in_space else AXIAL_TOO
-        for peak in self.peaks(ask, "stress", strength / self.factor):
+        for peak in peaks(ask, "stress", strength / self.factor):
             error = compounded(peak.error, changed)
             yield Limit(
                 self.label,
@@ -191,6 +260,13 @@ class DynamicBuckling(Dynamic):
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the peak axial force in every joint's blades against their critical force."""
+        yield from self._limits_of(ask, self.peaks)
+
+    def by_formula(self, ask: Ask) -> Iterator[Limit]:
+        """Yield the same by Miles' formula."""
+        yield from self._limits_of(ask, self.miles_peaks)
+
+    def _limits_of(self, ask: Ask, peaks: FindsPeaks) -> Iterator[Limit]:
         scene = ask.scene
         if scene.ends is None:
             raise RequirementError(
@@ -207,7 +283,7 @@ class DynamicBuckling(Dynamic):
         capacity, crushed = borne(critical, ask.material)
         per_force = ask.geometry.axial_stress(1.0, ask.sizes)
         own = _of_plain_beams(critical.error, ask)
-        for peak in self.peaks(ask, "axial stress"):
+        for peak in peaks(ask, "axial stress", inf):
             yield Limit(
                 self.label,
                 scene.case,
@@ -244,6 +320,10 @@ class DynamicLife(Dynamic):
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return the random vibration, and sines that stand on it."""
         return scene.loads & (RANDOM | SINES)
+
+    def formula(self, scene: Scene) -> str:
+        """Return none: damage hangs on all of the response's spectrum."""
+        return ""
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the duration of the vibration against the life of every joint."""

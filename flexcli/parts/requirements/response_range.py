@@ -19,7 +19,7 @@ from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.structure import Structure
 from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["Uncertain", "between", "compounded", "over", "uncertain_structure"]
+__all__ = ["Answer", "Uncertain", "between", "compounded", "over", "uncertain_structure"]
 
 Floats = NDArray[np.float64]
 
@@ -50,6 +50,8 @@ class Uncertain:
     shape_error: Callable[[Answer, float], ErrorRange | None] = lambda *_: ErrorRange(0.0, 0.0)
     """How far the stress of a response may be off besides at a share of its peaks, by the shapes
     of its modes."""
+    stiffer: tuple[float, float] | None = None
+    """Between which factors all of its stiffness lies, where nothing else of it is unsure."""
 
     def of(self, answer: Answer) -> dict[str, tuple[float, ErrorRange | None]]:
         """Return each number of a response with the range of its error over all structures."""
@@ -147,7 +149,8 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
         onto = sorted(set(_onto(base, frequencies, low, high)))
         chosen = {*np.linspace(low, high, STEPS).tolist(), *onto[:: 1 + len(onto) // MOST_FACTORS]}
         others += [base.stiffened(each) for each in sorted(chosen)]
-    return Uncertain(structure, tuple(others))
+    stiffer = (low / factor, high / factor) if heavy is None else None
+    return Uncertain(structure, tuple(others), stiffer=stiffer)
 
 
 def _in_space(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
@@ -181,6 +184,8 @@ def _onto(
     structure: Structure, frequencies: tuple[float, ...], low: float, high: float
 ) -> Iterator[float]:
     """Yield factors of the stiffness that put a mode onto one of the frequencies."""
+    if not frequencies:
+        return
     modes = natural_modes(structure.stiffness, structure.mass).angular[:MOST_MODES] / (2.0 * pi)
     for frequency in frequencies:
         for factor in (frequency / modes) ** 2:

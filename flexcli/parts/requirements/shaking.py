@@ -25,6 +25,8 @@ __all__ = [
     "Shaking",
     "at_once",
     "quality_of",
+    "random_at_once",
+    "refuse_unknown_axes",
     "shakings",
 ]
 
@@ -71,15 +73,21 @@ def shakings(ask: Ask, factor: PeakFactor) -> Iterator[Shaking]:
 
     """
     scene = ask.scene
-    if scene.vibration is not None:
-        every = scene.vibration
-        for vibration in [every.alone(axis) for axis in every.axes] if scene.in_turn else [every]:
-            yield _random(scene, vibration, factor)
+    for vibration in random_at_once(scene):
+        yield _random(scene, vibration, factor)
     if scene.shock is not None:
         yield _shock(scene.shock)
     for kind, sines in _sines_of(scene).items():
         for sine in sines:
             yield _sine(kind, sine, quality_of(ask.mechanism, scene))
+
+
+def random_at_once(scene: Scene) -> Sequence[Vibration]:
+    """Return the random vibration of a case, by axis where its axes act in turn."""
+    every = scene.vibration
+    if every is None:
+        return []
+    return [every.alone(axis) for axis in every.axes] if scene.in_turn else [every]
 
 
 def _sines_of(scene: Scene) -> "dict[LoadKind, Sequence[Sine | Sweep | Tone]]":
@@ -143,7 +151,7 @@ def quality_of(mechanism: Mechanism | None, scene: Scene) -> "Quality":
     )
 
 
-def _refuse_unknown_axes(structure: Structure, axes: Sequence[str]) -> None:
+def refuse_unknown_axes(structure: Structure, axes: Sequence[str]) -> None:
     """Raise :class:`RequirementError` for an axis along which nothing says how it responds."""
     for axis in axes:
         if axis not in structure.pull:
@@ -159,7 +167,7 @@ def _random(scene: Scene, vibration: Vibration, factor: PeakFactor) -> Shaking:
     axes = vibration.axes
 
     def peaks(structure: Structure) -> dict[str, float]:
-        _refuse_unknown_axes(structure, axes)
+        refuse_unknown_axes(structure, axes)
         return {
             name: factor(scene, vibration, output.crossing_rate) * output.rms
             for name, output in random_outputs(structure, vibration).items()
@@ -201,7 +209,7 @@ def _shock(shock: Shock) -> Shaking:
     from flexcli.parts.response import shock_peaks
 
     def peaks(structure: Structure) -> dict[str, float]:
-        _refuse_unknown_axes(structure, (shock.axis,))
+        refuse_unknown_axes(structure, (shock.axis,))
         return shock_peaks(structure, shock)
 
     return Shaking(
@@ -222,7 +230,7 @@ def _sine(kind: LoadKind, sine: "Sine | Sweep | Tone", quality: "Quality") -> Sh
     frequencies = tuple(dict.fromkeys((low, *sine.crossovers, high)))
 
     def peaks(structure: Structure) -> dict[str, float]:
-        _refuse_unknown_axes(structure, (sine.axis,))
+        refuse_unknown_axes(structure, (sine.axis,))
         return sine_peaks(structure, sine.level, quality, frequencies, sine.axis)
 
     return Shaking(
