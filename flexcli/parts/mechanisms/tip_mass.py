@@ -1,31 +1,27 @@
 """A tip mass: a rigid body on the end of a cantilever, its centre beyond the blade's end."""
 
-from math import pi, sqrt
+from math import sqrt
 from typing import Annotated, ClassVar, Literal
 
 from flexcli.formulas.quantity import Quantity
-from flexcli.mechanics.layout import Body, Layout
 from flexcli.mechanics.single_freedom import SingleFreedom
 from flexcli.parts.base import Inertia, Length, QuantityOf
-from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import Geometry, Sizes
-from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode
-from flexcli.parts.mechanisms.carried import body_on, carried
+from flexcli.parts.geometries.base import Geometry
+from flexcli.parts.mechanisms.base import MechanismError, Mode
+from flexcli.parts.mechanisms.carried import CarriedBody
 from flexcli.parts.stroke import Stroke
-from flexcli.parts.structure import Structure
-from flexcli.results import QuantityKind, Value
 
 __all__ = ["TipMass"]
 
 BodyMass = Annotated[float, QuantityOf("mass", above=0.0)]
-SOURCE = "massless cantilever with a body beyond its end, T ± √(T² − 4D)"
 
 
-class TipMass(Mechanism):
+class TipMass(CarriedBody):
     """A body on the end of a cantilever that bends along x; y is along the blade."""
 
-    joints: ClassVar[int] = 1
-    joint_motion: ClassVar[str | None] = None
+    body_name: ClassVar[str] = "tip mass"
+    joint_name: ClassVar[str] = "blade"
+    frequency_source: ClassVar[str] = "massless cantilever, body beyond its end, T ± √(T² − 4D)"
     joint_kind: ClassVar[str | None] = "cantilever"
 
     kind: Literal["tip-mass"]
@@ -52,11 +48,6 @@ class TipMass(Mechanism):
         trace = m * (1.0 + 3.0 * a * (1.0 + a)) + 3.0 * r
         return (trace + sqrt(trace**2 - 3.0 * m * r)) / 2.0
 
-    @property
-    def turning_inertia(self) -> float | None:
-        """Return its inertia [kg·m²]."""
-        return self.inertia
-
     def joint_travel(self, stroke: Stroke, geometry: Geometry) -> tuple[float, float]:
         """Return the stroke of the blade's end, a translation."""
         if stroke.motion != "translation":
@@ -78,43 +69,6 @@ class TipMass(Mechanism):
             )
         return Mode(joint_stiffness, self.equivalent_mass(length))
 
-    def locked_forces(self, body: str, acceleration: float) -> dict[str, float]:
-        """Refuse: a locked tip mass loads no blade."""
-        raise MechanismError("lock", f"locking '{body}' would unload the blade", "leave it out")
-
-    def free_force(self, acceleration: float) -> float:
-        """Return mass times acceleration, along the blade."""
-        return self.mass * acceleration
-
-    def hanging_mass(self) -> float:
-        """Return the mass."""
-        return self.mass
-
-    def carried_body(self, geometry: Geometry, layout: Layout) -> Body:
-        """Return the body with what it is fixed to, in the joint's axes."""
-        return body_on(
-            geometry, layout, "tip mass", mass=self.mass, inertia=self.inertia, offset=self.offset
-        )
-
-    def structure(
-        self,
-        geometry: Geometry,
-        elastic: Elastic,
-        sizes: Sizes,
-        lock: str | None,
-        density: float = 0.0,
-        *,
-        thick: bool = False,
-    ) -> Structure:
-        """Return the body on the end of the blade, which stands along y."""
-        if lock is not None:
-            raise MechanismError("lock", "a locked tip mass loads no blade", "leave the lock out")
-        return carried(
-            geometry, elastic, sizes,
-            name="tip mass", joint="blade",
-            mass=self.mass, inertia=self.inertia, offset=self.offset, density=density, thick=thick,
-        )  # fmt: skip
-
     def freedom(
         self,
         joint_stiffness: float,
@@ -127,15 +81,3 @@ class TipMass(Mechanism):
         raise MechanismError(
             "mechanism", "a tip mass on one blade cannot be balanced", "take flexure stops"
         )
-
-    def values(self, joint_stiffness: float, geometry: Geometry) -> dict[str, Value]:
-        """Return the natural frequency where the blade's length is known."""
-        if not self.is_point and geometry.extents["l"].fixed is None:
-            return {}
-        mode = self.mode(joint_stiffness, geometry)
-        frequency = sqrt(mode.stiffness / mode.mass) / (2 * pi)
-        return {
-            "f_0": Value(
-                frequency, "Hz", "natural frequency", source=SOURCE, kind=QuantityKind.FREQUENCY
-            )
-        }
