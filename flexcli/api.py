@@ -281,11 +281,7 @@ def simulate(source: Spec, *, points: int = 11, overrides: Overrides | None = No
     """
 
     def verb(design: DesignSpec, sizes: Sizes, name: str) -> Result:
-        if design.geometry.in_space:
-            from flexcli.engine.simulate_space import simulate_in_space
-
-            return simulate_in_space(design, sizes, name, points)
-        if design.accuracy is not None:
+        if design.accuracy is not None and not design.geometry.in_space:
             from flexcli.engine.planning.by_plan import simulate_by_plan
 
             return simulate_by_plan(design, sizes, name, points)
@@ -570,7 +566,7 @@ def support_over_stroke(
 
     Raises :class:`SolveError` where no case has a stroke, or the sizing chose no sizes.
     """
-    from flexcli.engine.simulate_space import support_over_stroke as swept
+    from flexcli.engine.simulate import support_over_stroke as swept
 
     spec = _design(source, overrides)
     if spec.part.geometry.free:

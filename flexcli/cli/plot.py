@@ -21,6 +21,7 @@ from flexcli.results import Result, Status
 if TYPE_CHECKING:
     from flexcli.api import Loaded
     from flexcli.report.plots.plot import Plot
+    from flexcli.results.simulation import Sweep
 
 __all__ = ["NAME", "run"]
 
@@ -109,15 +110,15 @@ def _plots(path: Path, stated: list[str] | None, what: str | None) -> "list[Plot
 def _support(spec: "Loaded") -> "list[Plot]":
     """Return support stiffness over the stroke, in six axes where the joint has them in space."""
     from flexcli import api
-    from flexcli.report.plots.stroke import space_stroke_plots, stroke_plots
+    from flexcli.report.plots.stroke import stroke_plots
 
     swept = api.support_over_stroke(spec)
     for note in swept.notes:
         typer.echo(f"in space, {note}", err=True)
     if swept.in_plane:
         typer.echo("so the plot has three axes, the joint's own in its plane", err=True)
-    in_space = [p for s in swept.in_space for p in space_stroke_plots(s)]
-    return [*in_space, *(p for s in swept.in_plane if len(s.points) > 1 for p in stroke_plots(s))]
+    followed: list[Sweep] = [*swept.in_space, *swept.in_plane]
+    return [plot for s in followed if len(s.points) > 1 for plot in stroke_plots(s)]
 
 
 def _of_another_verb(spec: "Loaded", what: str) -> "list[Plot]":

@@ -50,13 +50,10 @@ def run(
         return api.simulate(spec, points=points)
 
     def text() -> str | None:
-        if results[0].space_sweeps:
-            from flexcli.report.space_sweep_text import space_sweep_csv
-
-            return space_sweep_csv(results[0].space_sweeps)
         from flexcli.report.sweep_text import sweep_csv
 
-        return sweep_csv(results[0].sweeps) if results[0].sweeps else None
+        sweeps = results[0].sweeps or results[0].space_sweeps
+        return sweep_csv(sweeps) if sweeps else None
 
     results = on_each(NAME, specs, stated, verb)
     with saved(table, text, force=force, nothing="no stroke was simulated"):

@@ -21,7 +21,7 @@ from flexcli.results import Result
 from flexcli.results.dossier import Dossier, Equation, Region, Spectrum
 from flexcli.results.drawing import Drawing
 from flexcli.results.explanation import SymbolRow
-from flexcli.results.simulation import SpaceSweep, SweepResult
+from flexcli.results.simulation import Sweep
 
 __all__ = ["dossier"]
 
@@ -57,8 +57,7 @@ def dossier(
     not_shown: list[str] = []
     drawn: Drawing | None = None
     whole: Drawing | None = None
-    sweeps: tuple[SweepResult, ...] = ()
-    space_sweeps: tuple[SpaceSweep, ...] = ()
+    sweeps: tuple[Sweep, ...] = ()
     region: Region | None = None
     try:
         drawn = drawing(design, sizes)
@@ -70,12 +69,8 @@ def dossier(
         not_shown.append(f"no drawing: {reason.text}")
     if any(scene.moves for scene in design.scenes()):
         try:
-            if design.geometry.in_space:
-                from flexcli.engine.simulate_space import strokes_in_space
-
-                space_sweeps = strokes_in_space(design, sizes, POINTS_IN_SPACE)
-            else:
-                sweeps = strokes(design, sizes, POINTS)
+            points = POINTS_IN_SPACE if design.geometry.in_space else POINTS
+            sweeps = strokes(design, sizes, points)
         except SolveError as reason:
             not_shown.append(f"no simulation over the stroke: {reason.text}")
     if len(chosen) > 1:
@@ -86,7 +81,6 @@ def dossier(
         drawing=drawn,
         mechanism=whole,
         sweeps=sweeps,
-        space_sweeps=space_sweeps,
         spectra=tuple(_spectra(design, result)),
         equations=tuple(_equations(design, sizes)),
         region=region,

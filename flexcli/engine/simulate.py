@@ -1,49 +1,59 @@
 """The verb simulate: the joint over its stroke, in exact equilibrium at every travel."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from math import inf, pi, sqrt
+from functools import partial
 from time import perf_counter
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import Any, NamedTuple
 
 from flexcli.engine import omitted_effects
 from flexcli.engine import values as design_values
-from flexcli.engine.joint_models.exact import TOLERANCE, ExactModel, driven_stiffness
-from flexcli.engine.joint_models.holds import driven_axis
-from flexcli.engine.joint_models.joint_states import blades_of, layout_of, over_travels
+from flexcli.engine.joint_models.joint_states import layout_of
 from flexcli.engine.judge import Interrupted, Judgement, judge, stopped_result
 from flexcli.engine.models import model_series
 from flexcli.errors import NoSolution, SolveError
-from flexcli.mechanics.demand import Held
-from flexcli.mechanics.energy import strain_energy
-from flexcli.mechanics.equilibrium import solve
-from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.mesh import Effects
-from flexcli.mechanics.points import point_motion
-from flexcli.mechanics.stability import is_stable
-from flexcli.mechanics.state import Equilibrium, Outcome
-from flexcli.mechanics.stresses import greatest_stress
-from flexcli.mechanics.tangent import body_stiffness
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.geometries.base import MOVING
-from flexcli.parts.mechanisms import MechanismError
-from flexcli.parts.own_motion import own_mode
 from flexcli.parts.requirements import Ask, JointModel
 from flexcli.results import Cost, QuantityKind, Result, Status, Value
 from flexcli.results.activity import doing
-from flexcli.results.simulation import Deflection, SweepPoint, SweepResult
+from flexcli.results.simulation import (
+    SpacePoint,
+    SpaceSweep,
+    SupportSweeps,
+    Sweep,
+    SweepPoint,
+    SweepResult,
+)
 
-__all__ = ["moving_cases", "simulate", "strokes"]
-
-Floats = NDArray[np.float64]
+__all__ = ["simulate", "strokes", "support_over_stroke"]
 
 ALL = Effects()
 
-EXACT_MODEL = ExactModel.name
+
+class Follower(NamedTuple):
+    """A model of the joint, and how it follows the stroke of a case at so many travels."""
+
+    joint_model: JointModel
+    follow: Callable[[Ask, int], Sweep]
+
+
+def _in_plane(blades: Effects = ALL) -> Follower:
+    from flexcli.engine.joint_models.exact import ExactModel
+    from flexcli.engine.stroke_in_plane import stroke_in_plane
+
+    return Follower(ExactModel(blades), partial(stroke_in_plane, blades=blades))
+
+
+def _in_space(model: str | None = None) -> Follower:
+    from flexcli.engine.joint_models.space_exact import SpaceExactModel
+    from flexcli.engine.joint_models.space_shell import SpaceShellModel
+    from flexcli.engine.stroke_in_space import stroke_in_space
+
+    joint_model = SpaceShellModel() if model == "shell" else SpaceExactModel()
+    return Follower(joint_model, partial(stroke_in_space, model=joint_model))
 
 
 def simulate(
@@ -51,7 +61,8 @@ def simulate(
 ) -> Result:
     """Return the sweep of every case that has a stroke, and the margins by the exact model.
 
-    ``blades`` are the deformations that they have besides bending.
+    ``blades`` are the deformations that they have besides bending, in a plane. In space it is the
+    shell model where the spec names that.
 
     Raises
     ------
@@ -61,14 +72,13 @@ def simulate(
 
     """
     started = perf_counter()
-    joint_model = ExactModel(blades)
-    moving = moving_cases(design, sizes, joint_model)
-    models = model_series(design, EXACT_MODEL)
-    sweeps: tuple[SweepResult, ...] = ()
+    by = _in_space(design.model) if design.geometry.in_space else _in_plane(blades)
+    moving = _moving_cases(design, sizes, by)
+    models = model_series(design, by.joint_model.name)
+    sweeps: list[Sweep] = []
     try:
-        for ask in moving:
-            sweeps += (_sweep(ask, points, blades),)
-        values = design_values.values(design, sizes, joint_model)
+        sweeps.extend(_swept(moving, points, by))
+        values = design_values.values(design, sizes, by.joint_model)
         found = judge(design, sizes, models)
     except NotAvailable as error:
         raise _no_sweep(moving[0], error) from error
@@ -77,11 +87,12 @@ def simulate(
             raise
         so_far = stopped.so_far if isinstance(stopped, Interrupted) else Judgement((), {}, models)
         result = stopped_result("simulate", design, spec, so_far, perf_counter() - started)
-        return replace(result, sweeps=sweeps)
+        return replace(result, **_by_kind(sweeps))
     reached = not any(sweep.missed for sweep in sweeps)
     effects = omitted_effects.effects(design, sizes, models[0].joint_model)
-    told = {**values, **_at_ends(design, sweeps)}
-    errors = [p.estimated_error for sweep in sweeps for p in sweep.points]
+    told = {**values, **_at_ends(design, sweeps, by.joint_model.name)}
+    errors = [_error(point) for sweep in sweeps for point in sweep.points]
+    known = [error for error in errors if error is not None]
     return Result(
         command="simulate",
         spec=spec,
@@ -91,19 +102,19 @@ def simulate(
             told, omitted_effects.errors_of(design, sizes, models[0].joint_model, told)
         ),
         checks=found.checks,
-        sweeps=sweeps,
         effects=effects,
         warnings=omitted_effects.warnings(design, sizes, effects),
         cost=Cost(
             perf_counter() - started,
-            joint_model.name,
-            max(errors, default=None),
+            by.joint_model.name,
+            max(known, default=None) if len(known) == len(errors) else None,
             by_model=found.by_model,
         ),
+        **_by_kind(sweeps),
     )
 
 
-def strokes(design: DesignSpec, sizes: Sizes, points: int) -> tuple[SweepResult, ...]:
+def strokes(design: DesignSpec, sizes: Sizes, points: int) -> tuple[Sweep, ...]:
     """Return the sweep of every case that has a stroke, without a verdict.
 
     Raises
@@ -112,25 +123,57 @@ def strokes(design: DesignSpec, sizes: Sizes, points: int) -> tuple[SweepResult,
         As :func:`simulate`.
 
     """
-    moving = moving_cases(design, sizes, ExactModel())
+    by = _in_space() if design.geometry.in_space else _in_plane()
+    return _followed(design, sizes, points, by)
+
+
+def support_over_stroke(design: DesignSpec, sizes: Sizes, points: int) -> SupportSweeps:
+    """Return what holds the joint over the stroke of every case, in space where it can be followed.
+
+    A joint of the plane can where it is made of blades of constant thickness whose shear modulus
+    is known; else it has the sweep in its plane.
+
+    Raises
+    ------
+    SolveError
+        When no case has a stroke, or the joint has no sweep in its plane either.
+
+    """
+    followed = _followed(design, sizes, points, _in_space())
+    left = {sweep.case for sweep in followed if len(sweep.points) < 2}
+    swept = strokes(design, sizes, points) if left and not design.geometry.in_space else ()
+    kept = [sweep for sweep in followed if sweep.case not in left]
+    return SupportSweeps(
+        tuple(sweep for sweep in kept if isinstance(sweep, SpaceSweep)),
+        tuple(s for s in swept if isinstance(s, SweepResult) and s.case in left),
+        tuple(f"{sweep.case}: {sweep.missed}" for sweep in followed if sweep.missed),
+    )
+
+
+def _followed(design: DesignSpec, sizes: Sizes, points: int, by: Follower) -> tuple[Sweep, ...]:
+    """Return the sweep of every case that has a stroke."""
+    moving = _moving_cases(design, sizes, by)
     try:
-        return tuple(_sweep(ask, points, ALL) for ask in moving)
+        return tuple(_swept(moving, points, by))
     except NotAvailable as error:
         raise _no_sweep(moving[0], error) from error
 
 
-def moving_cases(
-    design: DesignSpec, sizes: Sizes, joint_model: JointModel, stroke: str = "rotation: 5 deg"
-) -> list[Ask]:
-    """Return what is asked in the cases that have a stroke; ``stroke`` is an example of one.
+def _swept(moving: Sequence[Ask], points: int, by: Follower) -> Iterator[Sweep]:
+    """Yield the sweep of each case, and say which is under way."""
+    for ask in moving:
+        doing(f"the stroke of {ask.scene.case}")
+        yield by.follow(ask, points)
 
-    Raises :class:`SolveError` where none has.
-    """
-    moving = [ask for ask in design.asks(sizes, joint_model) if ask.scene.moves]
+
+def _moving_cases(design: DesignSpec, sizes: Sizes, by: Follower) -> list[Ask]:
+    """Return what is asked in the cases that have a stroke; raise SolveError where none has."""
+    moving = [ask for ask in design.asks(sizes, by.joint_model) if ask.scene.moves]
     if not moving:
-        raise SolveError(
-            "no-stroke", "no case moves the joint", f"add stroke: to a case, e.g. {{{stroke}}}"
-        )
+        turns = design.geometry.motion == "rotation"
+        stroke = "rotation: 5 deg" if turns else "translation: 1 mm"
+        remedy = f"add stroke: to a case, e.g. {{{stroke}}}"
+        raise SolveError("no-stroke", "no case moves the joint", remedy)
     return moving
 
 
@@ -146,87 +189,18 @@ def _no_sweep(ask: Ask, error: NotAvailable) -> SolveError:
     return NoSolution("no-equilibrium", text, remedy)
 
 
-def _sweep(ask: Ask, points: int, blades: Effects) -> SweepResult:
-    scene = ask.scene
-    doing(f"the stroke of {scene.case}")
-    travels = np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points)
-
-    def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> Equilibrium:
-        return solve(
-            layout, held, loads=loads, effects=blades_of(layout, blades), tolerance=TOLERANCE
-        )
-
-    state = over_travels(ask, solver, travels)
-    missed = [i for i, outcome in enumerate(state.outcome) if outcome is not Outcome.CONVERGED]
-    why = ""
-    if missed:
-        cause = str(state.outcome[missed[0]].value)
-        why = f"{len(missed)} of {points} travels were not reached: {cause}"
-    points_found = _points(ask, state, travels)
-    reached = np.array([point.travel for point in points_found])
-    deflections = tuple(
-        Deflection(joint, unit, tuple(values.tolist()))
-        for joint, (unit, values) in ask.geometry.joint_deflections(reached).items()
-    )
-    return SweepResult(scene.case, ask.geometry.motion, points_found, why, deflections)
+def _by_kind(sweeps: Sequence[Sweep]) -> dict[str, Any]:
+    """Return sweeps as fields of a result: all are in a plane, or all in space."""
+    in_space = any(isinstance(sweep, SpaceSweep) for sweep in sweeps)
+    return {"space_sweeps" if in_space else "sweeps": tuple(sweeps)}
 
 
-def _points(ask: Ask, state: Equilibrium, travels: Floats) -> tuple[SweepPoint, ...]:
-    layout, axis = state.layout, driven_axis(ask.geometry)
-    shift = point_motion(state, MOVING, layout.body(MOVING).point)
-    peak = greatest_stress(state)
-    worst = np.argmax(peak.total, axis=1)
-    effort = state.reactions[:, layout.index(MOVING), axis]
-    stiffness, energy, stable = driven_stiffness(state, ask), strain_energy(state), is_stable(state)
-    plane = _in_plane(state, axis, stiffness)
-    return tuple(
-        SweepPoint(
-            travel=float(travels[i]),
-            effort=float(effort[i]),
-            stiffness=float(stiffness[i]),
-            stiffness_x=float(plane[i, 0]),
-            stiffness_y=float(plane[i, 1]),
-            stiffness_phi=float(plane[i, 2]),
-            shift_x=float(shift[i, 0]),
-            shift_y=float(shift[i, 1]),
-            bending=float(peak.bending[i].max()),
-            total=float(peak.total[i, worst[i]]),
-            blade=layout.blades[worst[i]].name,
-            energy=float(energy[i]),
-            frequency=_frequency(ask, float(stiffness[i])),
-            stable=bool(stable[i]),
-            outcome=state.outcome[i].name.lower(),
-            estimated_error=float(state.estimated_error[i]),
-        )
-        for i in range(state.designs)
-        if state.outcome[i] is Outcome.CONVERGED
-    )
+def _error(point: SweepPoint | SpacePoint) -> float | None:
+    """Return the error of what is told of a travel, where it is known."""
+    return point.estimated_error if isinstance(point, SweepPoint) else point.error
 
 
-def _in_plane(state: Equilibrium, driven: int, own: Floats) -> Floats:
-    """Return the stiffness along x, along y and in rotation, the drive held (designs, 3)."""
-    K = body_stiffness(state, MOVING)
-    free = [axis for axis in range(3) if axis != driven]
-    found = np.full((state.designs, 3), inf)  # between blades that do not stretch
-    if np.isfinite(K).all():
-        C = np.linalg.inv(K[:, free][:, :, free])
-        found[:, free] = 1.0 / np.diagonal(C, axis1=1, axis2=2)
-    found[:, driven] = own
-    return found
-
-
-def _frequency(ask: Ask, stiffness: float) -> float | None:
-    """Return √(k/m)/2π of the mechanism's own motion with a joint's tangent stiffness [Hz]."""
-    if stiffness <= 0.0:
-        return None
-    try:
-        mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
-    except MechanismError:
-        return None
-    return sqrt(float(mode.stiffness) / mode.mass) / (2.0 * pi)
-
-
-def _at_ends(design: DesignSpec, sweeps: tuple[SweepResult, ...]) -> dict[str, Value]:
+def _at_ends(design: DesignSpec, sweeps: Sequence[Sweep], model: str) -> dict[str, Value]:
     """Return how the stiffness changes over the stroke, case by case."""
     found = {}
     unit = design.geometry.stiffness_unit
@@ -236,7 +210,5 @@ def _at_ends(design: DesignSpec, sweeps: tuple[SweepResult, ...]) -> dict[str, V
             suffix = "" if len(sweeps) == 1 else f"_{sweep.case}"
             for name, value in (("k_least", min(stiffness)), ("k_most", max(stiffness))):
                 label = f"{name[2:]} stiffness over the stroke"
-                found[name + suffix] = Value(
-                    value, unit, label, "exact", kind=QuantityKind.STIFFNESS
-                )
+                found[name + suffix] = Value(value, unit, label, model, kind=QuantityKind.STIFFNESS)
     return found

@@ -1,18 +1,19 @@
 """Results as JSON by the output contract: stable keys, SI numbers, also when a run fails."""
 
 import json
+from cmath import phase
 from collections.abc import Callable, Mapping
 from math import isfinite, nan
 from typing import Any
 
 from flexcli import __version__
 from flexcli.errors import Finding
-from flexcli.report.balance_json import balance_document
 from flexcli.report.formats import Page, Report
-from flexcli.report.plan_json import plan_document
-from flexcli.report.stops_json import stops_document
 from flexcli.results import Cost, Result, Status
+from flexcli.results.balance import BalanceResult
+from flexcli.results.plan import Plan
 from flexcli.results.sizing import SizingResult
+from flexcli.results.stops import StopsResult
 from flexcli.results.verification import Verification
 
 __all__ = ["FORMAT", "contents", "document", "dumps", "listing", "render", "summary"]
@@ -90,20 +91,8 @@ def document(result: Result) -> dict[str, Any]:
             }
             for check in result.checks
         ],
-        "effects": [
-            {
-                "name": effect.name,
-                "on": effect.on,
-                "indicator": effect.indicator,
-                "estimate": effect.estimate,
-                "reason": effect.reason,
-                "estimates": dict(effect.estimates),
-                "asked": effect.asked,
-                "models": list(effect.models),
-            }
-            for effect in result.effects
-        ],
-        "warnings": [{"code": note.code, "text": note.text} for note in result.warnings],
+        "effects": result.effects,
+        "warnings": result.warnings,
         "findings": [finding(found) for found in result.findings],
     }
     for name, section in result.sections.items():
@@ -183,11 +172,53 @@ def _verification(found: Verification) -> dict[str, Any]:
     return {**found._asdict(), "numbers": rows}
 
 
+def _balance(found: BalanceResult) -> dict[str, Any]:
+    return {
+        "outcome": found.outcome,
+        "reason": found.reason,
+        "remedy": found.remedy,
+        "unknowns": found.unknowns,
+        "base_motion": found.motion,
+        "q": found.quality,
+        "transfer": [
+            {
+                "frequency": row.frequency,
+                "T_init": row.init,
+                "T_final": row.final,
+                "T_init_damped": _complex(row.init_damped),
+                "T_final_damped": _complex(row.final_damped),
+            }
+            for row in found.transfer
+        ],
+        "stroke": found.stroke,
+        "over_stroke": found.over_stroke,
+        "sensitivities": found.sensitivities,
+        "gravity": [{**row._asdict(), "sag_unit": found.output_unit} for row in found.gravity],
+    }
+
+
+def _complex(number: complex | None) -> dict[str, float] | None:
+    """Return a complex number as magnitude and phase [rad]."""
+    return None if number is None else {"magnitude": abs(number), "phase": phase(number)}
+
+
+def _stops(found: StopsResult) -> dict[str, Any]:
+    """Return all but the histories, which are for the CSV file alone."""
+    return {key: value for key, value in found._asdict().items() if key != "histories"}
+
+
+def _plan(found: Plan) -> dict[str, Any]:
+    """Return a plan without its effects, which stand beside it as those of any result."""
+    told = ("accuracy", "reported", "on", "model", "cost", "estimated_error", "tolerance",
+            "models", "scenes")  # fmt: skip
+    return {name: getattr(found, name) for name in told}
+
+
 SECTIONS: Mapping[str, Callable[[Any], Any]] = {
     "sizing": _sizing,
-    "balance": balance_document,
-    "stops": stops_document,
-    "plan": plan_document,
+    "balance": _balance,
+    "stops": _stops,
+    "plan": _plan,
     "verification": _verification,
 }
 """Sections that the contract has otherwise than their records are."""
@@ -198,7 +229,7 @@ def _plain(content: Any) -> Any:
         return content if isfinite(content) else None
     if hasattr(content, "_asdict"):  # a row of a result
         return _plain(content._asdict())
-    if isinstance(content, dict):
+    if isinstance(content, Mapping):
         return {key: _plain(value) for key, value in content.items()}
     if isinstance(content, list | tuple):
         return [_plain(value) for value in content]

@@ -35,7 +35,7 @@ SECTIONS = {
     "responses": "response_text",
     "spectra": "spectra_text",
     "sweeps": "sweep_text",
-    "space_sweeps": "space_sweep_text",
+    "space_sweeps": "sweep_text",
     "plan": "plan_text",
     "audit": "plan_text",
     "study": "study_table",

@@ -1,25 +1,49 @@
 """A static sweep on screen, and as rows for a spreadsheet."""
 
 from collections.abc import Iterator, Sequence
+from math import isinf
 
 from rich.console import RenderableType
 
 from flexcli.report.rows_csv import rows_csv
 from flexcli.report.tables import Line, table
 from flexcli.results import Result
-from flexcli.results.simulation import SweepPoint, SweepResult
+from flexcli.results.simulation import (
+    Deflection,
+    SpacePoint,
+    SpaceSweep,
+    Sweep,
+    SweepPoint,
+    SweepResult,
+)
 from flexcli.units import shown_unit
 
-__all__ = ["section", "sweep_csv", "sweep_table"]
+__all__ = ["section", "sweep_csv"]
+
+SUPPORT = ("travel", "effort", "k_x", "k_y", "k_z", "k_theta_x", "k_theta_y", "k_theta_z", "stress")
+"""What of a stroke in space stands on screen; the CSV file has all."""
 
 
-def _units(sweep: SweepResult) -> dict[str, str]:
+def _units(sweep: Sweep) -> dict[str, str]:
     """Return the SI unit of every number of a point."""
     turns = sweep.motion == "rotation"
-    return {
+    own = {
         "travel": "rad" if turns else "m",
         "effort": "N*m" if turns else "N",
         "stiffness": "N*m/rad" if turns else "N/m",
+        "frequency": "Hz",
+    }
+    if isinstance(sweep, SpaceSweep):
+        return {
+            **own,
+            **{f"shift_{axis}": "m" for axis in "xyz"},
+            **{f"turn_{axis}": "rad" for axis in "xyz"},
+            **{f"k_{axis}": "N/m" for axis in "xyz"},
+            **{f"k_theta_{axis}": "N*m/rad" for axis in "xyz"},
+            "stress": "Pa",
+        }
+    return {
+        **own,
         "stiffness_x": "N/m",
         "stiffness_y": "N/m",
         "stiffness_phi": "N*m/rad",
@@ -28,18 +52,21 @@ def _units(sweep: SweepResult) -> dict[str, str]:
         "bending": "Pa",
         "total": "Pa",
         "energy": "J",
-        "frequency": "Hz",
     }
 
 
 def section(result: Result) -> Iterator[RenderableType]:
     """Yield the sweep of every case."""
-    for sweep in result.sweeps:
-        yield from sweep_table(sweep)
+    sweeps: tuple[Sweep, ...] = (*result.sweeps, *result.space_sweeps)
+    for sweep in sweeps:
+        if sweep.missed:
+            yield Line((sweep.missed, "yellow"))
+        if sweep.points:
+            yield from _in_plane(sweep) if isinstance(sweep, SweepResult) else _in_space(sweep)
 
 
-def sweep_table(sweep: SweepResult) -> Iterator[RenderableType]:
-    """Yield the sweep of one case as a table, and what is to be said of it."""
+def _in_plane(sweep: SweepResult) -> Iterator[RenderableType]:
+    """Yield motion and stress over a stroke, and what is to be said of it."""
     units = _units(sweep)
     columns = {
         "travel": "travel",
@@ -50,10 +77,6 @@ def sweep_table(sweep: SweepResult) -> Iterator[RenderableType]:
         "bending": "bending",
         "total": "at faces",
     }
-    if sweep.missed:
-        yield Line((sweep.missed, "yellow"))
-    if not sweep.points:
-        return
     if all(point.frequency is not None for point in sweep.points):
         columns["frequency"] = "frequency"
     scales = {
@@ -71,6 +94,28 @@ def sweep_table(sweep: SweepResult) -> Iterator[RenderableType]:
         yield Line(("unstable where the drive is let go", "yellow"))
 
 
+def _in_space(sweep: SpaceSweep) -> Iterator[RenderableType]:
+    """Yield effort and support stiffness over a stroke, the drive locked."""
+    units, scales = _units(sweep), {}
+    for name in SUPPORT:
+        sizes = [abs(getattr(p, name)) for p in sweep.points]
+        known = [size for size in sizes if not isinf(size)]
+        scales[name] = shown_unit(max(known, default=1.0), units[name])
+    titles = [f"{_title(name, sweep)} [{scales[name][0]}]" for name in SUPPORT]
+    found = table(f"Support over the stroke, drive locked, {sweep.case}", *titles,
+                  numbers=range(len(titles)))  # fmt: skip
+    for point in sweep.points:
+        cells = [(getattr(point, name), scales[name][1]) for name in SUPPORT]
+        found.add_row(*("held" if isinf(v) else f"{v / unit:.4g}" for v, unit in cells))
+    yield found
+
+
+def _title(name: str, sweep: SpaceSweep) -> str:
+    if name == "effort":
+        return "moment" if sweep.motion == "rotation" else "force"
+    return name.replace("theta_", "θ").replace("k_", "k ")
+
+
 def _deflections(sweep: SweepResult, input_scale: tuple[str, float]) -> RenderableType:
     """Return the deflection of every joint of a linkage over its input."""
     name, unit = input_scale
@@ -85,14 +130,19 @@ def _deflections(sweep: SweepResult, input_scale: tuple[str, float]) -> Renderab
     return found
 
 
-def sweep_csv(sweeps: Sequence[SweepResult]) -> str:
+def sweep_csv(sweeps: Sequence[Sweep]) -> str:
     """Return every point of every case as CSV, SI units in the heading."""
-    units, names = _units(sweeps[0]), SweepPoint._fields
+    units = _units(sweeps[0])
+    names = (SpacePoint if isinstance(sweeps[0], SpaceSweep) else SweepPoint)._fields
     heading = ["case", *(f"{n} [{units[n]}]" if n in units else n for n in names)]
-    heading += [f"{d.joint} [{d.unit}]" for d in sweeps[0].deflections]
+    heading += [f"{d.joint} [{d.unit}]" for d in _of_joints(sweeps[0])]
     rows = (
-        (sweep.case, *point, *(d.values[index] for d in sweep.deflections))
+        (sweep.case, *point, *(d.values[index] for d in _of_joints(sweep)))
         for sweep in sweeps
         for index, point in enumerate(sweep.points)
     )
     return rows_csv(heading, rows)
+
+
+def _of_joints(sweep: Sweep) -> Sequence[Deflection]:
+    return sweep.deflections if isinstance(sweep, SweepResult) else ()

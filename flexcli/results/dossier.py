@@ -7,7 +7,7 @@ from flexcli.results.drawing import Drawing
 from flexcli.results.explanation import SymbolRow
 from flexcli.results.result import Result
 from flexcli.results.shown import rendered
-from flexcli.results.simulation import SpaceSweep, SweepResult
+from flexcli.results.simulation import Sweep
 
 __all__ = ["Dossier", "Equation", "Region", "Spectrum"]
 
@@ -68,8 +68,7 @@ class Dossier:
     text: str
     drawing: Drawing | None = None
     mechanism: Drawing | None = None
-    sweeps: tuple[SweepResult, ...] = ()
-    space_sweeps: tuple[SpaceSweep, ...] = ()
+    sweeps: tuple[Sweep, ...] = ()
     spectra: tuple[Spectrum, ...] = ()
     equations: tuple[Equation, ...] = ()
     region: Region | None = None

@@ -1,12 +1,13 @@
 """What a static sweep of a joint over its stroke found."""
 
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 __all__ = [
     "Deflection",
     "SpacePoint",
     "SpaceSweep",
     "SupportSweeps",
+    "Sweep",
     "SweepPoint",
     "SweepResult",
 ]
@@ -106,6 +107,10 @@ class SweepResult(NamedTuple):
     points: tuple[SweepPoint, ...]
     missed: str = ""
     deflections: tuple[Deflection, ...] = ()
+
+
+Sweep: TypeAlias = SweepResult | SpaceSweep
+"""The sweep of a joint in its plane, or in space."""
 
 
 class SupportSweeps(NamedTuple):

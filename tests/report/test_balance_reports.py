@@ -5,9 +5,10 @@ from math import pi
 
 from rich.console import Console
 
+from flexcli.report.as_json import contents
 from flexcli.report.balance_csv import transfer_csv
-from flexcli.report.balance_json import balance_document
 from flexcli.report.balance_text import MOST_ROWS, balance_tables
+from flexcli.results import Result, Status
 from flexcli.results.balance import BalanceResult, GravityRow, StrokeRow, TransferRow, UnknownResult
 
 ROWS = (
@@ -36,7 +37,7 @@ def test_the_csv_has_a_row_per_frequency_and_empty_cells_for_no_number():
 
 
 def test_json_splits_complex_numbers_into_magnitude_and_phase():
-    rows = balance_document(result())["transfer"]
+    rows = contents(Result("balance", "spec", Status.PASS, balance=result()))["balance"]["transfer"]
     assert rows[0]["T_init_damped"] == {"magnitude": 1e-6, "phase": pi / 2}
     assert rows[1]["T_init"] is None
     assert rows[1]["T_init_damped"] is None

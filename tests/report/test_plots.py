@@ -9,7 +9,7 @@ import pytest
 
 from flexcli.report.plots.chart import Axis, Chart, standalone
 from flexcli.report.plots.sizes import front_plot, region_plot
-from flexcli.report.plots.stroke import space_stroke_plots
+from flexcli.report.plots.stroke import stroke_plots
 from flexcli.report.plots.tolerances import tolerances_plots
 from flexcli.results.dossier import Region
 from flexcli.results.simulation import SpacePoint, SpaceSweep
@@ -171,13 +171,13 @@ def test_a_stroke_in_space_has_all_six_support_stiffnesses_but_the_drives_own():
     names = SpacePoint._fields
     each = dict.fromkeys(names, 1.0) | {"blade": "a", "k_y": float("inf")}
     points = tuple(SpacePoint(**each | {"travel": t, "k_x": 1e6 * (2 + t)}) for t in (-1.0, 0, 1.0))
-    found = {p.name: p for p in space_stroke_plots(SpaceSweep("work", "translation", points))}
+    found = {p.name: p for p in stroke_plots(SpaceSweep("work", "translation", points))}
     assert set(found) == {"stress", "stiffness", "shift", "support"}
     said = texts(found["support"].svg)
     assert {"along x", "along z", "about x", "about y", "about z"} <= set(said)
     assert "along y" not in said, "the drive holds it"
     driven = SpaceSweep("work", "translation", points, drive="y")
-    found |= {p.name: p for p in space_stroke_plots(driven)}
+    found |= {p.name: p for p in stroke_plots(driven)}
     assert "along y" in texts(found["support"].svg), "its own stiffness, where the drive is along y"
     for plot in found.values():
         assert_legible(plot.svg)

@@ -6,9 +6,10 @@ from io import StringIO
 import pytest
 from rich.console import Console
 
+from flexcli.report.as_json import contents
 from flexcli.report.stops_csv import history_csv, sweep_csv
-from flexcli.report.stops_json import stops_document
 from flexcli.report.stops_text import stops_tables
+from flexcli.results import Result, Status
 from flexcli.results.stops import (
     StopEnd,
     StopHistory,
@@ -139,4 +140,5 @@ def test_a_range_and_the_periods_of_a_motion_are_told():
 
 def test_json_leaves_histories_to_the_csv_file():
     history = StopHistory("a", (0.1,), (0.0,), (0.0,), (0.0,))
-    assert "histories" not in stops_document(result(histories=(history,)))
+    told = Result("stops", "spec", Status.PASS, stops=result(histories=(history,)))
+    assert "histories" not in contents(told)["stops"]

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from flexcli.report.plots.plot import Plot
 from flexcli.report.plots.sizes import front_plot, region_plot
-from flexcli.report.plots.stroke import along_plot, space_stroke_plots, stroke_plots
+from flexcli.report.plots.stroke import along_plot, stroke_plots
 from flexcli.report.plots.vibration import spectrum_plot
 from flexcli.results.dossier import Dossier
 
@@ -16,9 +16,6 @@ def plots(dossier: Dossier) -> Iterator[Plot]:
     for sweep in dossier.sweeps:
         if len(sweep.points) > 1:
             yield from stroke_plots(sweep)
-    for swept in dossier.space_sweeps:
-        if len(swept.points) > 1:
-            yield from space_stroke_plots(swept)
     if dossier.drawing is not None and any(s.stress for s in dossier.drawing.states):
         yield along_plot(dossier.drawing)
     for spectrum in dossier.spectra:

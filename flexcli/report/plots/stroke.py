@@ -8,10 +8,10 @@ import numpy as np
 from flexcli.report.plots.chart import DASHES, Axis, Chart
 from flexcli.report.plots.plot import Plot, curves, in_unit
 from flexcli.results.drawing import Drawing
-from flexcli.results.simulation import SpaceSweep, SweepResult
+from flexcli.results.simulation import SpaceSweep, Sweep, SweepResult
 from flexcli.units import shown_unit
 
-__all__ = ["along_plot", "space_stroke_plots", "stroke_plots"]
+__all__ = ["along_plot", "stroke_plots"]
 
 MODEL = "exact beams."
 IN_PLANE = "exact beams, plate widening left out."
@@ -19,7 +19,7 @@ IN_PLANE = "exact beams, plate widening left out."
 HELD = f"the drive held and all else free; along the drive it is its own; {MODEL}"
 
 
-def _travels(sweep: SweepResult | SpaceSweep) -> tuple[list[float], Axis]:
+def _travels(sweep: Sweep) -> tuple[list[float], Axis]:
     """Return the travels as a person reads them, and their axis."""
     travels = [point.travel for point in sweep.points]
     if sweep.motion == "rotation":
@@ -28,9 +28,7 @@ def _travels(sweep: SweepResult | SpaceSweep) -> tuple[list[float], Axis]:
     return [travel / size for travel in travels], Axis(f"travel, {unit}")
 
 
-def _over(
-    sweep: SweepResult | SpaceSweep, what: str, unit: str, rows: dict[str, list[float]]
-) -> str:
+def _over(sweep: Sweep, what: str, unit: str, rows: dict[str, list[float]]) -> str:
     """Return the chart of quantities of a unit over the stroke."""
     travels, axis = _travels(sweep)
     name, size = in_unit((value for values in rows.values() for value in values), unit)
@@ -40,7 +38,12 @@ def _over(
     return curves(travels, scaled, axis, y._replace(most=most if isfinite(most) else y.most))
 
 
-def stroke_plots(sweep: SweepResult) -> Iterator[Plot]:
+def stroke_plots(sweep: Sweep) -> Iterator[Plot]:
+    """Yield stress, stiffness, motion and support stiffness over the stroke of a case."""
+    yield from _in_plane(sweep) if isinstance(sweep, SweepResult) else _in_space(sweep)
+
+
+def _in_plane(sweep: SweepResult) -> Iterator[Plot]:
     """Yield stress, stiffness, shift and support over the stroke of a case in the plane."""
     rotates, points, case = sweep.motion == "rotation", sweep.points, sweep.case
     yield Plot(
@@ -65,7 +68,7 @@ def stroke_plots(sweep: SweepResult) -> Iterator[Plot]:
     )  # fmt: skip
 
 
-def space_stroke_plots(sweep: SpaceSweep) -> Iterator[Plot]:
+def _in_space(sweep: SpaceSweep) -> Iterator[Plot]:
     """Yield stress, stiffness, motion and all six support stiffnesses over a stroke in space."""
     points, case = sweep.points, sweep.case
     yield Plot(
@@ -92,7 +95,7 @@ def space_stroke_plots(sweep: SpaceSweep) -> Iterator[Plot]:
     )  # fmt: skip
 
 
-def _tangent(sweep: SweepResult | SpaceSweep, model: str) -> Plot:
+def _tangent(sweep: Sweep, model: str) -> Plot:
     unit = "N*m/rad" if sweep.motion == "rotation" else "N/m"
     return Plot(
         "stiffness", f"Stiffness over the stroke, {sweep.case}",
@@ -102,7 +105,7 @@ def _tangent(sweep: SweepResult | SpaceSweep, model: str) -> Plot:
 
 
 def _support(
-    sweep: SweepResult | SpaceSweep, along: dict[str, str], about: dict[str, str], caption: str
+    sweep: Sweep, along: dict[str, str], about: dict[str, str], caption: str
 ) -> Iterator[Plot]:
     """Yield what holds the body: stiffness along axes in ink, about them in violet."""
     travels, axis = _travels(sweep)
