@@ -17,8 +17,11 @@ def test_the_support_over_the_stroke_is_on_screen_and_in_the_file(flexure, tmp_p
 
 def test_json_has_every_travel_and_null_for_what_is_held(flexure):
     told = flexure("simulate", str(GUIDE), "--points", "2", "--format", "json")
-    (sweep,) = json.loads(told.stdout)["space_sweeps"]
+    found = json.loads(told.stdout)
+    (sweep,) = found["space_sweeps"]
     first, last = sweep["points"]
+    stiffness = sorted(point["stiffness"] for point in sweep["points"])
+    assert [found["values"][name]["value"] for name in ("k_least", "k_most")] == stiffness
     assert first["travel"] == -last["travel"] == -20e-3
     assert last["k_x"] is None
     assert last["k_z"] > 0.0
