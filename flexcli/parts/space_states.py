@@ -77,6 +77,10 @@ KNOWN = 0.3
 STIFFENS = 12.0
 """Axial force [EI/l²] that would change the bending of a blade by as much as it is."""
 
+SOFTENED = 0.5
+"""Share of the forces that buckle straight blades up to which what follows the first order is told:
+at half of them all that bows is twice as much, and errors of shape are as well."""
+
 THIRD = 0.4
 """Of l θ³ for the largest rotation θ of a blade: what the third order may move off the path."""
 
@@ -479,7 +483,7 @@ def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> Error
         for a, b in zip(added, here, strict=True)
     )
     inside = float(stresses.of_moments(after.inside).max())
-    more = (second + inside) / most + _third_order(after)
+    more = (second + inside) / (most * max(1.0 - after.buckling, SOFTENED)) + _third_order(after)
     if more > KNOWN:
         return None
     more = more / (1.0 - more) + _springs(joint, state)
@@ -499,7 +503,12 @@ def _largest(stress: BladeStress) -> float:
 
 
 def _third_order(after: SecondOrder) -> float:
-    """Return the share of a linear result that orders beyond the second may change."""
+    """Return the share of a linear result that orders beyond the second may change.
+
+    It is infinite near what buckles straight blades, or turns bodies over.
+    """
+    if after.buckling > SOFTENED:
+        return inf
     return TURNS * after.rotation**2 + after.axial / STIFFENS
 
 

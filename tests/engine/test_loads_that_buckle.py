@@ -115,3 +115,78 @@ def test_thin_blades_of_a_three_blade_pivot_are_strings_far_out():
     string = 210e9 * (strain + sqrt(3.0 * strain) * at_body)
     assert row.verdict is Verdict.FAIL
     assert row.demand == pytest.approx(string, rel=0.05)
+
+
+STRIP = {"name": "without Poisson's ratio", "youngs_modulus": "200 GPa", "poisson_ratio": 0.0,
+         "yield_strength": "2000 MPa"}  # fmt: skip
+PRANDTL = 4.013 * sqrt(200e9 * 100e9 * (1.0 - 0.63 * 0.05) * 2e-3**2 * 0.1e-3**6 / 36.0) / 0.1**2
+"""Of a strip 0.1 × 2 mm², 100 mm long, pushed along its width [N] (Prandtl 1899)."""
+
+
+def pushed_along_its_width(force, kind, requirements):
+    drawn = {
+        "cantilever": {"kind": "cantilever", "h": "0.1 mm", "l": "100 mm", "b": "2 mm"},
+        "space-layout": {
+            "kind": "space-layout",
+            "bodies": {"tip": {"at": ["100 mm", "0 mm", "0 mm"]}},
+            "blades": {
+                "strip": {
+                    "between": ["ground", "tip"], "from": ["0 mm", "0 mm", "0 mm"],
+                    "to": ["100 mm", "0 mm", "0 mm"], "width": "z", "h": "0.1 mm", "b": "2 mm",
+                },
+            },
+            "moving": "tip", "motion": {"translation": "y"},
+        },
+    }[kind]  # fmt: skip
+    case = {"push": {"wrench": {"z": f"{force} N"}}}
+    spec = design(drawn, requirements, case, material=STRIP)
+    return check(spec, spec.fixed_sizes(), "test").checks
+
+
+@pytest.mark.parametrize(("kind", "times"), [("cantilever", 4.0), ("space-layout", 1.1)])
+def test_a_blade_that_turns_aside_under_a_load_along_its_width_fails(kind, times):
+    (row,) = pushed_along_its_width(times * PRANDTL, kind, {"yield": 1.5})
+    assert row.verdict is Verdict.FAIL
+    # clamps keep it from warping over some of its width at either end
+    assert row.factor == pytest.approx(1.0 / times, rel=0.03)
+    assert "buckles" in row.quantity
+
+
+def test_buckling_is_asked_of_a_load_along_the_width_of_a_blade():
+    asked = {"buckling": 1.5, "yield": 1.5}
+    buckling, bent = pushed_along_its_width(PRANDTL / 2.0, "cantilever", asked)
+    assert buckling.verdict is Verdict.PASS
+    assert bent.verdict is Verdict.PASS
+    low, high = buckling.factor_range
+    assert low < 2.0 < high < 2.2
+
+
+def test_a_body_that_falls_over_its_blades_fails_though_it_stands_straight():
+    # a mass at a height on a cross of two blades falls where m a s exceeds their stiffness k_θ
+    found = []
+    for height in (40.0, 120.0):
+        spec = design(
+            {
+                "kind": "space-layout",
+                "bodies": {
+                    "mast": {"at": ["0 mm", "0 mm", "0 mm"], "mass": "0.4 kg",
+                             "com": ["0 mm", f"{height} mm", "0 mm"]},
+                },
+                "blades": {
+                    "left": {"between": ["ground", "mast"], "from": ["-10 mm", "-10 mm", "-20 mm"],
+                             "to": ["10 mm", "10 mm", "-20 mm"], "width": "z", "h": "0.3 mm",
+                             "b": "10 mm"},
+                    "right": {"between": ["ground", "mast"], "from": ["10 mm", "-10 mm", "20 mm"],
+                              "to": ["-10 mm", "10 mm", "20 mm"], "width": "z", "h": "0.3 mm",
+                              "b": "10 mm"},
+                },
+                "moving": "mast",
+                "motion": {"rotation": {"about": "z", "at": ["0 mm", "0 mm", "0 mm"]}},
+            },
+            {"yield": 1.5}, {"ground": {"acceleration": {"y": "-1 g"}}}, material=STEEL,
+        )  # fmt: skip
+        (row,) = check(spec, spec.fixed_sizes(), "test").checks
+        found.append(row)
+    k = 2.0 * 210e9 * 10e-3 * 0.3e-3**3 / 12.0 / (sqrt(2.0) * 20e-3)
+    assert 0.4 * 9.81 * 0.04 < k < 0.4 * 9.81 * 0.12
+    assert [row.verdict for row in found] == [Verdict.PASS, Verdict.FAIL]

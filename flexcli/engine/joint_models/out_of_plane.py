@@ -2,12 +2,15 @@
 
 The stress of such a load is that at rest, added to the planar one as if both were largest at the
 same place; the true one is no less than either. What the stroke changes in it is estimated by
-the second order of both together.
+the second order of both together. Where that is not small, or blades bend aside under such a load,
+exact beams in space take all of a case together.
 """
 
+from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 from flexcli.engine.joint_models.remembered import Remembered
+from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Setting
@@ -22,6 +25,12 @@ if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["OutOfPlane"]
+
+UNKNOWN = ErrorRange(-1.0, inf)
+"""Of a share whose error nobody knows, for which that of the planar model is not taken."""
+
+FINEST = ("exact", "shell")
+"""Models beside which exact beams in space are no more than what was asked for."""
 
 
 class _Parts(NamedTuple):
@@ -46,6 +55,7 @@ class OutOfPlane(JointModel):
         self.at_stroke = inner.at_stroke
         self.directs_blades = inner.directs_blades
         self._known: Remembered[_Parts] = Remembered()
+        self._space = SpaceExactModel() if inner.name in FINEST else None
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:
         """Return the effects of the planar model."""
@@ -94,8 +104,15 @@ class OutOfPlane(JointModel):
         return self.inner.critical(ask)
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
-        """Return the planar model's: of temperature and forces in the plane."""
-        return self.inner.critical_shares(ask)
+        """Return those of all loads in space; without any across, the planar model's."""
+        if not ask.scene.across_by:
+            return self.inner.critical_shares(ask)
+        if self._space is None:
+            raise NotAvailable("has no buckling under loads out of its plane")
+        return tuple(
+            share if share.error is not None else share._replace(error=UNKNOWN)
+            for share in self._space.critical_shares(ask)
+        )
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the planar stresses, that of the loads out of the plane on top of each.
@@ -105,6 +122,8 @@ class OutOfPlane(JointModel):
         if not ask.scene.across_by:
             return self.inner.stresses(ask)
         parts = self._parts(ask)
+        if self._space is not None and parts.across.error is None:
+            return self._space.stresses(ask)
         across, found = parts.across.value, list[EndStress]()
         for stress in parts.planar or [EndStress("blade", 0.0, 0.0, 0.0)]:
             found.append(stress._replace(axial=stress.axial + across))
@@ -126,7 +145,7 @@ class OutOfPlane(JointModel):
             return None
         across, error = parts.across
         if error is None:
-            return None
+            return None if self._space is None else self._space.error(ask, kind)
         a, b = parts.largest, across
         if a + b == 0.0:
             return planar

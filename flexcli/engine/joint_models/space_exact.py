@@ -6,7 +6,7 @@ About rest it is the linear model.
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import product
 from math import inf, isfinite
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,7 @@ from flexcli.engine.joint_models.space_stroke import (
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.space.exact.critical import critical_load, straight_critical_factor
-from flexcli.mechanics.space.exact.demand import drive_frame
+from flexcli.mechanics.space.exact.demand import Held, drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.stresses import BladeStress, blade_stresses
 from flexcli.mechanics.space.exact.support import support_compliance, vibration
@@ -34,9 +34,10 @@ from flexcli.mechanics.space.inertia import blade_masses
 from flexcli.mechanics.space.layout import SpaceLoad, Vector
 from flexcli.mechanics.space.states import Acting, Stresses
 from flexcli.mechanics.space.stresses import equivalent
-from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.own_motion import TAKES_PART
 from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare, DriveEffort, EndStress
+from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.parts.space_states import WARPING_ERROR, Told, acting_groups, bent_by_gradient
 from flexcli.results import ErrorRange, QuantityKind
@@ -218,11 +219,24 @@ class SpaceExactModel(SpaceLinearModel):
         return float((under.coordinates - free.coordinates).ravel()[own])
 
     def _loaded_ends(self, ask: Ask) -> Iterator[tuple[SpaceEquilibrium, ...]]:
-        """Yield the joint at the ends of its stroke, its loads acting in one sense or another."""
+        """Yield the joint at the ends of its stroke, its loads acting in one sense or another.
+
+        Raises
+        ------
+        Buckled
+            Where the loads make it lose its stability on their way.
+
+        """
         joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
         groups = [_loads(joint, each) for each in acting_groups(joint, ask.scene)]
         for signs in product((1.0, -1.0), repeat=len(groups)):
-            yield self._ends(ask, tuple(_signed(groups, signs)))
+            loads = tuple(_signed(groups, signs))
+            try:
+                ends = self._ends(ask, loads)
+            except (NotAvailable, SolveError):
+                _prove_buckled(ask, self.blades, loads)
+                raise
+            yield ends
 
     def _at_ends(
         self,
@@ -309,28 +323,22 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     acting = acting_groups(joint, scene)
     groups = [_loads(joint, each) for each in acting]
     unsure = LOADED if scene.moves else 0.0
-    if any(np.any(each.acceleration) for each in acting):
-        unsure += _weight_of_blades(joint)
+    unsure += max((_weight_of_blades(joint, each) for each in acting), default=0.0)
     levels, tolerance = blades.critical
     senses: list[tuple[float, ...]] = [(1.0, -1.0)] * len(groups)
     if any(scene.stated):
         senses[0] = (1.0,)
-    travels = dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel))
-    for travel in travels:
-        state = at_travel(ask, travel, blades, warm=False)
-        known, start = blades.errors(state), state if scene.moves else None
-        beams = start
-        if start is not None and blades is not BEAMS:
-            beams = at_travel(ask, travel, BEAMS, warm=False)
-        own = driven_coordinate(layout) % 6
-        held = {drive.body: [travel if i == own else None for i in range(6)]} if start else None
+    for travel in _travels(scene):
+        path = _path_at(ask, travel, blades)
+        known = blades.errors(at_travel(ask, travel, blades, warm=False))
+        beams = path if blades is BEAMS else _path_at(ask, travel, BEAMS)
         for signs in product(*senses):
             pattern = list(_signed(groups, signs))
-            spoken = "drive locked at its stroke" if start else "drive free"
+            spoken = "drive locked at its stroke" if scene.moves else "drive free"
             try:
                 found = critical_load(
-                    layout, held, pattern, most=MOST_SHARE, frames=drive_frame(drive), start=start,
-                    levels=levels, tolerance=tolerance, made=blades.made,
+                    layout, path.held, pattern, most=MOST_SHARE, frames=drive_frame(drive),
+                    start=path.start, levels=levels, tolerance=tolerance, made=blades.made,
                 )  # fmt: skip
             except SolveError as error:
                 raise NotAvailable(f"has no buckling load: {error}") from error
@@ -340,19 +348,63 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
             if share > MOST_SHARE:
                 share, high, spoken = MOST_SHARE, inf, f"{spoken}: none up to that"
             straight = straight_critical_factor(
-                layout, held, pattern, most=MOST_SHARE, frames=drive_frame(drive), start=beams
-            )
+                layout, beams.held, pattern, most=MOST_SHARE, frames=drive_frame(drive),
+                start=beams.start,
+            )  # fmt: skip
             low = min(1.0, straight / share) * (1.0 - off)
             error_range = ErrorRange(low - 1.0, high) if isfinite(off) else None
             yield CriticalShare(share, spoken, error_range)
 
 
-def _weight_of_blades(joint: SpaceJoint) -> float:
+class _Path(NamedTuple):
+    """What the drive holds while loads grow, and where they start: rest where it holds nothing."""
+
+    held: Held | None
+    start: SpaceEquilibrium | None
+
+
+def _path_at(ask: Ask, travel: float, blades: Blades) -> _Path:
+    """Return how loads grow at an end of a stroke; a guide is not among what is held."""
+    if not ask.scene.moves:
+        return _Path(None, None)
+    state = at_travel(ask, travel, blades, warm=False)
+    own = driven_coordinate(state.layout) % 6
+    return _Path({state.layout.drive.body: [travel if i == own else None for i in range(6)]}, state)
+
+
+def _travels(scene: Scene) -> tuple[float, ...]:
+    """Return both ends of a stroke, or rest."""
+    return tuple(dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel)))
+
+
+def _prove_buckled(ask: Ask, blades: Blades, loads: Loads) -> None:
+    """Raise :class:`Buckled` where loads make the joint lose its stability as they grow."""
+    layout = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature).layout
+    levels, tolerance = blades.critical
+    for travel in _travels(ask.scene):
+        try:
+            path = _path_at(ask, travel, blades)
+            found = critical_load(
+                layout, path.held, loads, most=1.0, frames=drive_frame(layout.drive),
+                start=path.start, levels=levels, tolerance=tolerance, made=blades.made,
+            )  # fmt: skip
+        except (NotAvailable, SolveError):
+            continue
+        if found.factor < 1.0:
+            raise Buckled(found.factor)
+
+
+def _weight_of_blades(joint: SpaceJoint, acting: Acting) -> float:
     """Return the share of what bodies weigh by which their blades may be off as half weights.
 
-    The force along a blade that its own weight makes is between none and all of it at its end.
+    The force along a blade that its own weight makes is between none and all of it at its end. What
+    a mechanism weighs on its joint is in the wrench.
     """
+    size = float(np.linalg.norm(acting.acceleration))
+    if size == 0.0:
+        return 0.0
     bodies = sum(body.mass for body in joint.layout.bodies)
+    bodies += float(np.linalg.norm(acting.wrench[:3])) / size
     halves = float(np.sum(blade_masses(joint.assembly))) / 2.0
     return halves / bodies if bodies > 0.0 else inf
 

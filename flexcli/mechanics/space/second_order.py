@@ -7,7 +7,9 @@ twisted as the linear solution says, but between ends that move as finite rotati
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
+from scipy.linalg import block_diag
 
 from flexcli.formulas.blade_spring import deformation_rows
 from flexcli.formulas.profile import Constant
@@ -27,6 +29,19 @@ NODES, WEIGHTS = gauss_rule(6)
 PLACES = np.linspace(0.0, 1.0, 9)
 """Along a blade, where its inner moments are looked at."""
 
+TWISTS = (Polynomial([0.0, 1.0, -1.0]), Polynomial([0.0, 1.0, -3.0, 2.0]))
+BENDS = (Polynomial([0.0, 0.0, 1.0, -2.0, 1.0]), Polynomial([0.0, 0.0, 1.0, -4.0, 5.0, -2.0]))
+"""Shapes of a blade, over its length, that its ends do not feel: with them it buckles alone."""
+
+TWIST, TWIST_RATE = (np.array([f.deriv(n)(NODES) for f in TWISTS]).T for n in (0, 1))
+BEND_SLOPE, BEND_RATE = (np.array([f.deriv(n)(NODES) for f in BENDS]).T for n in (1, 2))
+
+INNER = 2 * len(TWISTS) + len(BENDS)
+INNER_STIFFNESS = np.array(
+    [(WEIGHTS[:, None] * f**2).sum(0) for f in (TWIST_RATE, BEND_RATE, BEND_RATE)]
+)
+"""Energy of the shapes of twist, of bending about y and about z, over GJ/l and EI/l."""
+
 EPSILON = 1e-30
 """Step of the complex derivative of a quadratic form."""
 
@@ -34,10 +49,12 @@ EPSILON = 1e-30
 class SecondOrder(NamedTuple):
     """What one order more adds to a linear state: to its coordinates and forces.
 
-    ``inside`` are the moments about x, y, z of each blade (blades, 3, places) that its ends do not
-    feel: what its own deflection makes of their forces. ``rotation`` is the largest angle between
-    the two ends of a blade, or of its chord against either [rad]; ``axial`` the largest axial
-    force of either order over EI/l² of its blade [-].
+    ``buckling`` is the share of the forces of the state over those under which its bodies, or
+    blades between ends that stand still, turn aside as straight beams do [-]. ``inside`` are the
+    moments about x, y, z of each blade (blades, 3, places) that its ends do not feel: what its own
+    deflection makes of their forces. ``rotation`` is the largest angle between the two ends of a
+    blade, or of its chord against either [rad]; ``axial`` the largest axial force of either order
+    over EI/l² of its blade [-].
     """
 
     coordinates: Floats
@@ -45,6 +62,7 @@ class SecondOrder(NamedTuple):
     inside: Floats
     rotation: float
     axial: float
+    buckling: float
 
 
 def second_order(
@@ -87,6 +105,7 @@ def second_order(
     q = found.coordinates[:, 0]
     misfits = np.zeros((len(assembly.rows), 1))
     gradient = np.zeros(assembly.size)
+    softening = _Softening(assembly)
     most, inside = 0.0, []
     motions = [_of_body(assembly, q, i) for i in range(len(assembly.layout.bodies))]
     for k in range(len(assembly.members)):
@@ -97,6 +116,7 @@ def second_order(
         for end, i in enumerate(quadratic.bodies):
             if i is not None:
                 gradient[6 * i : 6 * i + 6] += slope[6 * end : 6 * end + 6]
+        softening.add(quadratic, found.forces[rows, 0], k)
         most = max(most, quadratic.rotation)
         inside.append(quadratic.inside(found.forces[rows, 0]))
     for load in loads:
@@ -108,6 +128,7 @@ def second_order(
         theta = motion[3:]
         turned = np.cross(np.cross(arm, theta), force) + np.cross(arm, np.cross(force, theta))
         gradient[6 * i + 3 : 6 * i + 6] -= (turned - np.cross(theta, moment)) / 2.0
+        softening.turn(i, arm, force)
     at = assembly.moving
     gradient[at] = _turn(assembly).T @ gradient[at]
     travel = np.zeros(1) if locked else None
@@ -123,7 +144,50 @@ def second_order(
         np.array(inside),
         most,
         axial,
+        softening.share(locked=locked),
     )
+
+
+class _Softening:
+    """What forces at rest make softer: second derivatives of the energy at constant forces.
+
+    In the coordinates of the bodies, along the axes of the drawing, and in the inner shapes of the
+    blades of constant thickness.
+    """
+
+    def __init__(self, assembly: SpaceAssembly) -> None:
+        self.assembly, self.bodies = assembly, assembly.size
+        size = self.bodies + INNER * len(assembly.members)
+        self.matrix = np.zeros((size, size))
+        self.root = np.zeros(size - self.bodies)
+
+    def add(self, quadratic: "_Quadratic", forces: Floats, k: int) -> None:
+        """Add what the springs' forces of a blade do."""
+        curved, inner = quadratic.curvature(forces), self.bodies + INNER * k
+        at = [
+            np.arange(6 * i, 6 * i + 6) if i is not None else np.full(6, -1)
+            for i in quadratic.bodies
+        ]
+        where = np.concatenate([*at, np.arange(inner, inner + INNER)])
+        if not quadratic.is_uniform:
+            where[12:] = -1
+        kept = where >= 0
+        self.matrix[np.ix_(where[kept], where[kept])] += curved[np.ix_(kept, kept)]
+        stiffness = self.assembly.members[k].springs.stiffness[3:, None] * INNER_STIFFNESS
+        self.root[INNER * k : INNER * (k + 1)] = 1.0 / np.sqrt(stiffness.ravel())
+
+    def turn(self, i: int, arm: Floats, force: Floats) -> None:
+        """Add what a force that keeps its direction does on a lever that turns with a body."""
+        turns, lever = slice(6 * i + 3, 6 * i + 6), np.outer(arm, force)
+        self.matrix[turns, turns] += (arm @ force) * np.eye(3) - (lever + lever.T) / 2.0
+
+    def share(self, *, locked: bool) -> float:
+        """Return the share of the forces at which a direction loses its stiffness."""
+        at, turned = self.assembly.moving, _turn(self.assembly)
+        self.matrix[at] = turned.T @ self.matrix[at]
+        self.matrix[:, at] = self.matrix[:, at] @ turned
+        root = block_diag(self.assembly.compliance_root(locked=locked), np.diag(self.root))
+        return max(float(np.linalg.eigvalsh(-root @ self.matrix @ root.T)[-1]), 0.0)
 
 
 def _point(assembly: SpaceAssembly, body: int) -> Floats:
@@ -156,6 +220,7 @@ class _Quadratic:
         blade, member = assembly.layout.blades[k], assembly.members[k]
         names = [body.name for body in assembly.layout.bodies]
         self.l = member.l
+        self.is_uniform = isinstance(blade, SpaceRod) or isinstance(blade.profile, Constant)
         if isinstance(blade, SpaceRod):
             self.gyration = blade.d**2 / 8.0
         else:
@@ -184,12 +249,28 @@ class _Quadratic:
         self.value = self._of(d[:, None].astype(np.complex128))[:, 0].real
         steps = d[:, None] + 1j * EPSILON * np.eye(12)
         self.slope = self._of(steps).imag / EPSILON @ place
+        self.place = place
         along = np.cross(d[3:6], [self.l, 0.0, 0.0])
         self.local = np.concatenate([d[6:9] - d[:3] - along, d[9:12] - d[3:6]])
         chord = (d[7:9] - d[1:3]) / self.l
         against = [np.array([chord[0] - t[2], chord[1] + t[1]]) for t in (d[3:6], d[9:12])]
         each = [d[9:12] - d[3:6], *against]
         self.rotation = max(float(np.linalg.norm(angle)) for angle in each)
+
+    def curvature(self, forces: Floats) -> Floats:
+        """Return the second derivatives of ``Σ s·e_2`` at forces s in the bodies' motions.
+
+        After these twelve come the inner shapes.
+        """
+        size = 12 + INNER
+        row, column = np.triu_indices(size)
+        pairs = (np.eye(size)[row] + np.eye(size)[column]).T.astype(np.complex128)
+        two, found = forces @ self._of(pairs[:12], pairs[12:]).real, np.zeros((size, size))
+        found[row, column] = two
+        one = np.diagonal(found) / 4.0
+        found[row, column] = found[column, row] = two - one[row] - one[column]
+        place = block_diag(self.place, np.eye(INNER))
+        return np.asarray(place.T @ found @ place)
 
     def inside(self, forces: Floats) -> Floats:
         """Return the moments along the blade that its ends do not feel (3, places) [N·m].
@@ -222,8 +303,12 @@ class _Quadratic:
         found[1:] -= np.polynomial.polynomial.polyval(xi, slopes)
         return np.asarray(found)
 
-    def _of(self, d: Complexes) -> Complexes:
-        """Return the second-order deformations (6, columns) of ends' motions (12, columns)."""
+    def _of(self, d: Complexes, inner: Complexes | None = None) -> Complexes:
+        """Return the second-order deformations (6, columns) of ends' motions (12, columns).
+
+        ``inner`` (6, columns) are shares of the inner shapes: twist [rad], and bending about y and
+        about z over the length.
+        """
         l = self.l
         u_i, t_i, u_j, t_j = (d[3 * n : 3 * n + 3] for n in range(4))
         along: Complexes = np.array([[l], [0.0], [0.0]], dtype=np.complex128)
@@ -255,6 +340,10 @@ class _Quadratic:
             ]
         )
         w = (WEIGHTS * l)[:, None]
+        if inner is not None:
+            twist, about_y, about_z = inner[:2], inner[2:4], inner[4:]
+            theta += np.stack([TWIST @ twist, -BEND_SLOPE @ about_y, BEND_SLOPE @ about_z])
+            rate += np.stack([TWIST_RATE @ twist, -BEND_RATE @ about_y, BEND_RATE @ about_z]) / l
         spin = _cross(theta, rate) / 2.0
         # ∫₀ˡ∫₀ˢ f = ∫ (l − s) f
         twice = (l * (1.0 - xi)) * w * spin

@@ -30,18 +30,19 @@ class Buckling(FactorRequirement):
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case puts a force along the blades, or any load in space."""
-        shares = scene.in_space or scene.temperature is not None
-        return self.covers(scene) and (scene.is_loaded if shares else scene.blade_force > 0.0)
+        pushes = scene.is_loaded if _in_shares(scene) else scene.blade_force > 0.0
+        return self.covers(scene) and (pushes or bool(scene.across_by))
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return what pushes the joint."""
-        return scene.pushed_by
+        """Return what pushes the joint, in its plane or out of it."""
+        return scene.pushed_by | scene.across_by
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield force against what is borne, in the plane and across the blades' width."""
         scene = ask.scene
-        if scene.in_space or scene.temperature is not None:
+        if _in_shares(scene) or scene.across_by:
             yield from self._shares(ask)
+        if _in_shares(scene) or not scene.blade_force:
             return
         if scene.ends is None:
             raise RequirementError(
@@ -68,7 +69,9 @@ class Buckling(FactorRequirement):
 
     def _shares(self, ask: Ask) -> Iterator[Limit]:
         """Yield the loads of a case against the share of them that buckles blades or bodies."""
-        beams = ask.joint_model.at_stroke if ask.scene.in_space else "exact beams in the plane"
+        beams = "exact beams in the plane"
+        if ask.scene.in_space or ask.scene.across_by:
+            beams = ask.joint_model.at_stroke if ask.scene.in_space else "exact beams in space"
         what = "the loads of the case"
         if ask.scene.temperature is not None:
             alone = ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}
@@ -88,6 +91,11 @@ class Buckling(FactorRequirement):
                 in_capacity=True,
                 error=_with(heated, found),
             )
+
+
+def _in_shares(scene: Scene) -> bool:
+    """Return whether all of a case is judged at once, as a share of its loads."""
+    return scene.in_space or scene.temperature is not None
 
 
 def _by_temperature_alone(ask: Ask) -> tuple[CriticalShare, ...]:

@@ -3,8 +3,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from geometries_for_tests import geometry
+from scipy.optimize import brentq
 from space_mechanisms import (
     STEEL,
+    blade,
     guide,
     random_mechanism,
     rod,
@@ -155,3 +157,39 @@ def test_a_planar_joint_moves_as_its_exact_model_to_second_order(kind):
         size = float(np.max(np.abs(expected)))
     # what is left is of third order or higher
     assert errors[1] < errors[0] / 6.0 or errors[0] < 1e-9 * size
+
+
+def buckles_at(blade_, load):
+    """Return the force at which a cantilever between the ground and its tip turns aside [N]."""
+    tip = SpaceBody("tip", blade_.end, blade_.end)
+    layout = SpaceLayout((tip,), (blade_,), Drive("tip", False, (0.0, 1.0, 0.0), tip.point))
+    assembly = assemble(layout)
+    moved = assembly.moved(assembly.load(load)[:, None])
+    after = second_order(assembly, moved, (load,), locked=False)
+    return np.linalg.norm(load.force) / after.buckling if after.buckling else np.inf
+
+
+STRIP = {"h": 0.1e-3, "b": 2e-3, "material": STEEL._replace(G=STEEL.E / 2.0)}
+EI = STEEL.E * 2e-3 * 0.1e-3**3 / 12.0
+GJ = STEEL.E / 2.0 * 2e-3 * 0.1e-3**3 / 3.0 * (1.0 - 0.63 * 0.05)
+
+
+@pytest.mark.parametrize("beyond", [0.0, 0.05, 0.2])
+def test_a_column_with_a_lever_on_its_tip_buckles_where_its_sine_says(beyond):
+    # the tip deflects by D cos β l, as a bar of this length leans by D β sin β l (ν = 0)
+    strip, l = blade("s", "ground", "tip", (0, 0, 0), (0.1, 0, 0), **STRIP), 0.1
+    load = SpaceLoad("tip", (l + beyond, 0.0, 0.0), (-1e-9, 0.0, 0.0))
+    root = brentq(lambda x: np.cos(x) - x * beyond / l * np.sin(x), 1e-3, 2.0)
+    assert buckles_at(strip, load) == pytest.approx(EI * (root / l) ** 2, rel=1e-4)
+
+
+def test_a_strip_loaded_along_its_width_turns_aside_at_prandtl_s_load():
+    # Prandtl (1899): 4.013 √(EI GJ)/l²; clamps keep the strip from warping over some b at its ends
+    strip = blade("s", "ground", "tip", (0, 0, 0), (0.1, 0, 0), **STRIP)
+    load = SpaceLoad("tip", (0.1, 0.0, 0.0), (0.0, 0.0, 1e-9))
+    assert buckles_at(strip, load) == pytest.approx(4.013 * (EI * GJ) ** 0.5 / 0.1**2, rel=0.02)
+
+
+def test_nothing_buckles_that_is_pulled():
+    strip = blade("s", "ground", "tip", (0, 0, 0), (0.1, 0, 0), **STRIP)
+    assert buckles_at(strip, SpaceLoad("tip", strip.end, (1e-3, 0.0, 0.0))) > 1e6 * EI / 0.1**2
