@@ -51,6 +51,7 @@ __all__ = [
     "acting_groups",
     "bent_by_gradient",
     "beyond_first_order",
+    "beyond_linear_sag",
     "largest_misfit_stress",
     "left_by_temperature",
     "motions",
@@ -252,13 +253,14 @@ def sag(joint: SpaceJoint, scene: Scene) -> Told:
     """Return how far the moving body's point sags along a steady acceleration [m]."""
     body = joint.layout.body(joint.layout.drive.body)
     along = np.array([float(axis == scene.axis) for axis in "xyz"])
-    state = action(joint.assembly, Acting(0.0, np.zeros(6), body.point, scene.acceleration * along))
+    acting = Acting(0.0, np.zeros(6), body.point, scene.acceleration * along)
+    state = action(joint.assembly, acting)
     row = along @ joint.assembly.motion(body.name, body.point)[:3]
     found = float(row @ state.moved.coordinates[:, 0])
     if found == 0.0:
         return Told(found, None)
-    after = state.following()
-    more = _third_order(after) + abs(float(row @ after.coordinates) / found)
+    # a body that hangs may stand as well: an acceleration acts either way
+    more = max(_second_share(each, row) for each in (state, combined([state], [-1.0])))
     if more > KNOWN:
         return Told(found, None)
     answer = joint.assembly.moved(row[:, None]).deformations[:, 0]
@@ -295,20 +297,66 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
     first = float(sought @ moved)
     if first == 0.0:
         return None
+    along = motion_along(axes_about_z(ask.geometry.axes))
+    body = joint.layout.body(joint.layout.drive.body)
     if joint.is_uniform and not ask.geometry.is_guided:
-        along = motion_along(axes_about_z(ask.geometry.axes))
-        body = joint.layout.body(joint.layout.drive.body)
-        state = action(joint.assembly, Acting(0.0, along.T @ load, body.point, np.zeros(3)))
-        after = state.following()
-        two = along @ joint.assembly.motion(body.name, body.point) @ after.coordinates
-        more = _third_order(after) + abs(float(sought @ two) / first)
-        return more / (1.0 - more) if more <= KNOWN else None
+        acting = Acting(0.0, along.T @ load, body.point, np.zeros(3))
+        row = sought @ along @ joint.assembly.motion(body.name, body.point)
+        return _amplified(_second_share(action(joint.assembly, acting), row))
     try:
         share = _share_of_buckling(ask, load)
     except NotAvailable:  # not in a plane
         return None
-    more = TURNS * float(moved[3:] @ moved[3:]) + share
-    return more / (1.0 - more) if more <= KNOWN else None
+    return _amplified(TURNS * float(moved[3:] @ moved[3:]) + share)
+
+
+def beyond_linear_sag(ask: Ask) -> float | None:
+    """Return by what share of itself the sag of a joint may differ from its linear one.
+
+    Returns
+    -------
+    share : float or None
+        Nothing where it is not small, or where what the body weighs nearly buckles its blades or
+        turns it over: the acceleration acts either way.
+
+    """
+    scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
+    body = joint.layout.body(joint.layout.drive.body)
+    along = motion_along(axes_about_z(ask.geometry.axes))
+    row = along["xyz".index(scene.axis)] @ joint.assembly.motion(body.name, body.point)
+    still = scene._replace(stated=(0.0,) * 6)
+    states = [
+        action(
+            joint.assembly,
+            each._replace(wrench=s * each.wrench, acceleration=s * each.acceleration),
+        )
+        for each in acting_groups(joint, still)
+        for s in (1.0, -1.0)
+    ]
+    if joint.is_uniform and not ask.geometry.is_guided:
+        return _amplified(max((_second_share(state, row) for state in states), default=0.0))
+    load = sum((np.array(wrench) for wrench in scene.inertial), np.zeros(6))
+    try:
+        share = _share_of_buckling(ask, load)
+    except NotAvailable:  # not in a plane
+        return None
+    for state in [] if ask.geometry.is_guided else states:
+        after = state.following()
+        share = max(share, after.buckling) + TURNS * after.rotation**2
+    return _amplified(share)
+
+
+def _second_share(state: SpaceState, row: Floats) -> float:
+    """Return what the second order and further ones add to a motion, over its first order."""
+    after, first = state.following(), float(row @ state.moved.coordinates[:, 0])
+    if first == 0.0:
+        return 0.0
+    return _third_order(after) + abs(float(row @ after.coordinates) / first)
+
+
+def _amplified(share: float) -> float | None:
+    """Return s/(1 − s), which all orders add to a first one that the second adds s to."""
+    return share / (1.0 - share) if share <= KNOWN else None
 
 
 def _share_of_buckling(ask: Ask, load: Floats) -> float:

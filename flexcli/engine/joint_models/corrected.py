@@ -144,8 +144,15 @@ class Corrected(JointModel):
         found = self.inner.error(ask, kind)
         if found is None:
             return None
-        carried = self.inner.sag_carries(ask) if kind is QuantityKind.SAG else frozenset()
-        return self._left(ask, kind, found, carried)
+        if kind is not QuantityKind.SAG or not ask.scene.sags:
+            return self._left(ask, kind, found)
+        from flexcli.parts.space_states import beyond_linear_sag
+
+        left, more = (
+            self._left(ask, kind, found, self.inner.sag_carries(ask)),
+            beyond_linear_sag(ask),
+        )
+        return None if left is None or more is None else left + ErrorRange(-more, more)
 
     def _left(
         self,
