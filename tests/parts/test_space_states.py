@@ -218,7 +218,8 @@ def test_loads_out_of_the_plane_add_no_more_than_exact_beams_say(kind, travel, l
     layout = from_plane(flat, "moving", turns=joint.motion == "rotation")
     there, point = SpaceJoint(layout), layout.body("moving").point
     across = frozenset({LoadKind.WRENCH})
-    scale = 50e6 / across_stress(there, SCENE._replace(stated=ACROSS[load])).value
+    # well below what turns the blades aside, beyond which no such error is told
+    scale = 20e6 / across_stress(there, SCENE._replace(stated=ACROSS[load])).value
     wrench = tuple(scale * component for component in ACROSS[load])
     found = across_stress(there, moved(travel, stated=wrench, across_by=across))
     planar = exact_largest(layout, travel)
