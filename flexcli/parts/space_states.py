@@ -78,9 +78,9 @@ KNOWN = 0.3
 STIFFENS = 12.0
 """Axial force [EI/l²] that would change the bending of a blade by as much as it is."""
 
-SOFTENED = 0.5
-"""Share of the forces that buckle straight blades up to which what follows the first order is told:
-at half of them all that bows is twice as much, and errors of shape are as well."""
+SOFTENED = 0.75
+"""Share of what turns straight blades and bodies aside up to which what follows is told: it makes
+the second order four times as much there. A polynomial or two a blade gives it to some per cent."""
 
 THIRD = 0.4
 """Of l θ³ for the largest rotation θ of a blade: what the third order may move off the path."""
@@ -531,7 +531,9 @@ def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> Error
         for a, b in zip(added, here, strict=True)
     )
     inside = float(stresses.of_moments(after.inside).max())
-    more = (second + inside) / (most * max(1.0 - after.buckling, SOFTENED)) + _third_order(after)
+    more = (second + inside) / (most * max(1.0 - after.buckling, 1.0 - SOFTENED)) + _third_order(
+        after
+    )
     if more > KNOWN:
         return None
     more = more / (1.0 - more) + _springs(joint, state)

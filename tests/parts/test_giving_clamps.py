@@ -240,13 +240,15 @@ def test_support_and_buckling_contain_what_the_roots_give_way():
         "pushed": {"load": {"force": "10 N", "direction": "180 deg"}, "ends": "clamped-guided"},
     }
     payload = {"mechanism": {"kind": "payload", "mass": "100 g"}, "cases": cases}
-    firm = judged(spec, {"support": {"direction": "z", "min": "1 N/m"}, "buckling": 1.0}, **payload)
+    pushed = {"factor": 1.0, "cases": ["pushed"]}
+    asked = {"support": {"direction": "z", "min": "1 N/m"}, "buckling": pushed}
+    firm = judged(spec, asked, **payload)
     asked = {
         "support": {
             "direction": "z",
             "min": f"{row(firm.checks, 'support').factor / 1.02!r} N/m",
         },
-        "buckling": {"factor": 0.98 * row(firm.checks, "buckling").factor},
+        "buckling": {**pushed, "factor": 0.98 * row(firm.checks, "buckling").factor},
     }
     for clamps, verdict in (("rigid", True), ("monolithic", False)):
         found = judged({**spec, "clamps": clamps}, asked, **payload)
