@@ -37,6 +37,19 @@ class LinearResponse(NamedTuple):
                 y[j] += polynomial_at(p, t) * turn
         return y
 
+    def span(self, row: Sequence[complex]) -> tuple[float, float]:
+        """Return ``Re(row · y)`` at the start, and how far from that it may go, no root growing."""
+        start = reach = 0.0
+        T = self.piece.duration
+        for r, root, own, forced in zip(row, self.system.roots, self.own, self.forced, strict=True):
+            found, size = _moved(own, root, T)
+            for (rate, _), p in zip(self.piece.terms, forced, strict=True):
+                value, more = _moved(p, rate, T)
+                found, size = found + value, size + more
+            start += (r * found).real
+            reach += abs(r) * size
+        return start, reach
+
     def output(
         self, row: Sequence[complex], constant: float = 0.0, direct: float = 0.0
     ) -> ExponentialSum:
@@ -79,6 +92,17 @@ def respond(system: LinearSystem, w: Complexes, y: Complexes, piece: Piece) -> L
         own.append([start, *(drive[j] * c for c in secular[1:])])
         forced.append(tuple(parts))
     return LinearResponse(system, piece, tuple(own), tuple(forced))
+
+
+def _moved(p: Sequence[complex], rate: complex, T: float) -> tuple[complex, float]:
+    """Return p(t) exp(λt) at zero, and what it is away from that at most until T, Re λ ≤ 0."""
+    if not p:
+        return 0j, 0.0
+    size, power = abs(p[0]) * min(2.0, abs(rate) * T), 1.0
+    for c in p[1:]:
+        power *= T
+        size += abs(c) * power
+    return p[0], size
 
 
 def _forced_part(p: Sequence[complex], gap: complex, T: float) -> list[complex]:

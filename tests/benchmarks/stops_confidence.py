@@ -33,7 +33,7 @@ PLACE = choose(TASK).place
 def peak(seed: int, confidence: float) -> float:
     """Return the highest travel of a run [m]."""
     options = DESIGN.stops.simulation.model_copy(update={"confidence": confidence, "seed": seed})
-    (run,) = stop_runs(DESIGN, TASK, SIZES, PLACE, "launch", options=options, rigid=True)
+    (run,) = stop_runs(DESIGN, TASK, SIZES, PLACE, "launch", options=options)
     return float(run.told(lambda _: True).travel)
 
 

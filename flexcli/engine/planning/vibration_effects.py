@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import replace
 from math import hypot, inf, isfinite, log, pi
 
 import numpy as np
@@ -24,7 +23,6 @@ from flexcli.parts.requirements import Ask, RequirementError
 from flexcli.parts.requirements.response_range import uncertain_structure
 from flexcli.parts.requirements.shaking import SHAKES, at_once, quality_of
 from flexcli.parts.response import random_outputs
-from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.space_vibration import likely_structures
 from flexcli.parts.structure import MOTIONS, Structure
 from flexcli.results import EffectRow
@@ -154,23 +152,10 @@ def _second_order(ask: Ask) -> Iterator[EffectRow]:
 
 def _stiffened(ask: Ask, structure: Structure) -> Iterator[EffectRow]:
     """Yield what the axial force of the peak changes in the frequency: to first order ½ P/P_cr."""
-    in_space = ask.geometry.in_space
-    share = _share_in_space(ask, structure) if in_space else axial_share(ask, structure)
+    share = axial_share(ask, structure)
     if share is not None:
         text = f"axial force in a blade at {share:.2g} of the critical one, either way"
         yield _row(ask, "stress stiffening", share, {"frequency": 0.5 * share}, text)
-
-
-def _share_in_space(ask: Ask, structure: Structure) -> float:
-    """Return the largest peak axial force of a blade over π²EI/l², as between guided ends."""
-    assembly = joint_in_space(ask.geometry, ask.material, ask.sizes).assembly
-    blades = list(zip(assembly.layout.blades, assembly.members, strict=True))
-    axial = {blade.name: structure.outputs[f"force {blade.name}"][:, 0] for blade, _ in blades}
-    peaks = largest_peaks(ask, replace(structure, outputs=axial))
-    return max(
-        peaks[blade.name] * member.l / (pi**2 * float(member.springs.stiffness[4:].min()))
-        for blade, member in blades
-    )
 
 
 def _higher_modes(ask: Ask, structure: Structure, peaks: Peaks) -> Iterator[EffectRow]:

@@ -31,8 +31,10 @@ __all__ = ["StoppedVibration", "simulate"]
 
 Floats = NDArray[np.float64]
 
-CHATTER = 1e-13
+CHATTER = 1e-9
 """A bounce lower than that share of the room between the stops is the last: the blade is held."""
+FAR = 1.0 + 1e-9
+"""Times what the blade may move in a piece that a stop is away to be out of its reach."""
 NUDGE = 1e-6
 """Share of the fastest time scale that first passes unasked when events fall on one time."""
 MOST_EVENTS = 20_000
@@ -69,6 +71,8 @@ class StoppedVibration:
         self._rate = np.zeros(n) if rate is None else np.array(rate, dtype=np.float64)
         at_stop = float(blade.stop @ self._q)
         refuse_start(blade, stops, at_stop)
+        s, damper = blade.stop, np.diagonal(blade.damper)
+        self._striking = s, damper, float(s @ s), float(s @ (damper * s))
         self._room = stops.room or abs(at_stop) or 1.0
         self._phases = phases_of(blade, stops)
         self._free = self._phase = self._phases[Contact.FREE, 0]
@@ -187,12 +191,14 @@ class StoppedVibration:
             self._evaluations += count
             return (time, phase.side) if time < inf else (inf, 0)
         found, at = inf, 0
-        row = phase.deflection.on_y
+        row = phase.deflection.on_y.tolist()
+        start, reach = response.span(row)
         for side in (1, -1):
-            if self._stops.gap(side) == inf:
+            gap, head = self._stops.gap(side), self._heads.distance(side, self._time)
+            if gap == inf or (head is None and gap - side * start > reach * FAR):
                 continue
-            distance = response.output((-side * row).tolist(), self._stops.gap(side))
-            if head := self._heads.distance(side, self._time):
+            distance = response.output([-side * r for r in row], gap)
+            if head:
                 distance = distance.plus(head)
             time, count = first_crossing(distance, min(found, horizon))
             self._evaluations += count
@@ -220,16 +226,15 @@ class StoppedVibration:
 
     def _strike(self, side: int, speed: float, a: float, restitution: float) -> None:
         """Turn the speed at a rigid stop round; hold the blade when the bounces have died."""
-        s = self._blade.stop
-        weight = float(s @ s)
+        s, damper, weight, damped = self._striking
         speed = max(speed, 0.0)
         after = restitution * speed
-        square, damper = self._blade.angular**2, np.diagonal(self._blade.damper)
+        square = self._blade.angular**2
         pressing = side * float(
             s @ (-self._blade.base * a - damper * self._rate - square * self._q)
         )
         # the jump of the speed changes the damping's part of the pressing as well
-        pressing += float(s @ (damper * s)) * (speed + after) / weight
+        pressing += damped * (speed + after) / weight
         held = pressing > 0.0 and after**2 < 2.0 * pressing * CHATTER * self._room
         left = 0.0 if held else after
         impulse = (speed + left) / weight

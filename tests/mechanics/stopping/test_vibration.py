@@ -18,7 +18,7 @@ from flexcli.numerics.signal_pieces import Samples, sine
 BALANCE = 1e-11
 """Energy and momentum unaccounted for, as a share of what moved: rounding of some 1e3 events."""
 CHATTER = 1e-9
-"""The last bounces are some 1e-13 high and 1e-6 long: rounding of the height in their length."""
+"""The bounces left out are some 1e-9 high and 1e-4 long: the load changes over them by no more."""
 LAWS = (RigidStop(1.0), RigidStop(0.6), LinearStop(80.0), LinearStop(80.0, 3.0))
 
 
@@ -88,7 +88,7 @@ def test_chatter_under_a_constant_load_accumulates_at_the_analytic_time():
     bounces = 2.0 * np.arctan(speed * e ** np.arange(1, 80) / (g - 1.0))
     expected = fall + np.concatenate([[0.0], np.cumsum(bounces)])
     count = result.contacts.time.size - 1
-    assert 15 < count < 30
+    assert 10 < count < 30
     np.testing.assert_allclose(result.contacts.time[:-1], expected[:count], rtol=CHATTER)
     assert result.contacts.time[-1] == pytest.approx(expected[-1], rel=CHATTER)
     # from there on it is held: all energy that the load gave is lost
