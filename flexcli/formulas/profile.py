@@ -37,11 +37,15 @@ def per_design(x: Any) -> Number:
 
 
 class Piece(NamedTuple):
-    """A smooth piece: position s(u) [m] from the blade's start, ds/du [m], thickness h(u) [m]."""
+    """A smooth piece: position s(u) [m] from the blade's start, ds/du [m], thickness h(u) [m].
+
+    ``is_uniform`` says that the last two are known to be the same at all u.
+    """
 
     position: Callable[[Floats], Floats]
     slope: Callable[[Floats], Floats]
     thickness: Callable[[Floats], Floats]
+    is_uniform: bool = False
 
 
 class Edge(NamedTuple):
@@ -240,4 +244,5 @@ def _straight(start: Number, length: Number, h_0: Number, h_1: Number) -> Piece:
         lambda u: np.asarray(start + length * fraction(u)),
         lambda u: np.asarray(length / 2.0 * np.ones_like(u)),
         lambda u: np.asarray(h_0 + (h_1 - h_0) * fraction(u)),
+        is_uniform=h_0 is h_1,
     )

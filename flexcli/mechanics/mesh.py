@@ -38,6 +38,9 @@ SHEAR_FACTOR = 5.0 / 6.0
 _FINE = 24
 """Gauss nodes a piece in the mean rigidity, which is a unit only."""
 
+_ANY = np.zeros(1)
+"""A place of a piece that is the same everywhere."""
+
 _GAP = 1e-12
 """Share of the length between two flexible pieces above which a rigid piece lies there."""
 
@@ -58,7 +61,7 @@ class Segment(NamedTuple):
 
 
 class Mesh(NamedTuple):
-    """Blades with the same pieces, at K nodes each; arrays (designs or 1, blades or 1, ...).
+    """Blades with the same pieces, at K nodes each; arrays (designs or 1, blades or 1, K or 1, …).
 
     ``l``, ``b`` and the least thickness ``thinnest`` in [m], ``EI`` in [N·m²] and ``flexible``,
     the mean of (thinnest/h)³, do not depend on the nodes. ``w`` are the weights ds, ``c`` the
@@ -229,7 +232,10 @@ def _reference(pattern: tuple[tuple[int, bool], ...]) -> tuple[Floats, Floats]:
 
 
 def _thickness(segments: tuple[Segment, ...], l: Floats) -> tuple[Floats, Floats]:
-    """Return thickness [m] (0: rigid) and ds/du [m] at the nodes of a blade, (designs or 1, K)."""
+    """Return thickness [m] (0: rigid) and ds/du [m] at the nodes of a blade, (designs or 1, K).
+
+    One number stands for all nodes of a blade that is the same all along.
+    """
     at_end = np.array([-1.0, 1.0])
     end = np.zeros((1, 1))
     h, slope = [], []
@@ -241,7 +247,8 @@ def _thickness(segments: tuple[Segment, ...], l: Floats) -> tuple[Floats, Floats
             slope.append((start - end) / 2.0)
             end = start
         else:
-            u = gauss_nodes(segment.nodes)[0]
+            is_alike = segment.piece.is_uniform and len(segments) == 1
+            u = _ANY if is_alike else gauss_nodes(segment.nodes)[0]
             h.append(np.atleast_2d(segment.piece.thickness(u)))
             slope.append(np.atleast_2d(segment.piece.slope(u)))
             if segment is not segments[-1]:
@@ -271,12 +278,12 @@ def _rigidity(pieces: Sequence[Piece], l: Floats) -> tuple[Floats, Floats]:
 
     Always by the same rule: the units of an assembly must not change when it is refined.
     """
-    u, weight = gauss_nodes(_FINE)
-    h = [np.atleast_2d(piece.thickness(u)) for piece in pieces]
+    rules = [(_ANY, np.array([2.0])) if p.is_uniform else gauss_nodes(_FINE) for p in pieces]
+    h = [np.atleast_2d(piece.thickness(u)) for piece, (u, _) in zip(pieces, rules, strict=True)]
     thinnest = functools.reduce(np.minimum, [np.min(a, axis=1) for a in h])
     flexible = sum(
         (np.atleast_2d(piece.slope(u)) / l[:, None] * (thinnest[:, None] / a) ** 3) @ weight
-        for piece, a in zip(pieces, h, strict=True)
+        for piece, a, (u, weight) in zip(pieces, h, rules, strict=True)
     )
     return thinnest, np.asarray(flexible)
 
@@ -289,10 +296,7 @@ def _side_by_side(parts: Sequence[Floats], designs: int) -> Floats:
 
 def _agreed(alike: Sequence[Floats], axes: tuple[int, ...]) -> Floats:
     """Return one array of all blades, the second axis, from those of each."""
-    designs = max(a.shape[0] for a in alike)
-    if designs > 1:
-        alike = [np.broadcast_to(a, (designs, *a.shape[1:])) for a in alike]
-    return _collapsed(np.stack(alike, axis=1), axes)
+    return _collapsed(np.stack(np.broadcast_arrays(*alike), axis=1), axes)
 
 
 def _collapsed(values: Floats, axes: tuple[int, ...] = (0, 1)) -> Floats:

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["solve_across", "solve_stack"]
+__all__ = ["PIVOT", "solve_across", "solve_stack"]
 
 Floats = NDArray[np.float64]
 
@@ -13,7 +13,7 @@ _SMALL = 12
 _AT_ONCE = 512
 """Systems that are eliminated together: so many stay in the cache of a core."""
 
-_PIVOT = 0.3
+PIVOT = 0.3
 """Pivot of a matrix of order one below which LAPACK exchanges rows: each that is smaller takes
 digits, which a stiffness beside buckling does not have to spare."""
 
@@ -99,7 +99,7 @@ def _eliminated(A: Floats, b: Floats) -> Floats:
             T[:, :, k + 1 :] -= T[:, :, k, None] * row[:, None]
             T[:, k, k + 1 :] = row
     x = T[:, :, n:]
-    small = ~(np.abs(pivots).min(axis=0) > _PIVOT)
+    small = ~(np.abs(pivots).min(axis=0) > PIVOT)
     if small.any():
         i, j = np.nonzero(small)
         x[i, :, :, j] = solve_stack(A[i, :, :, j], b[i, :, :, j])
