@@ -5,6 +5,7 @@ reaches across the required one, the next model is asked, so that a wide margin 
 """
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from math import inf, isfinite, isnan, nan
 from time import perf_counter
@@ -143,16 +144,24 @@ def judge(
 def again(
     design: DesignSpec, sizes: Sizes, models: tuple[NamedModel, ...], checks: Iterable[Check]
 ) -> tuple[Check, ...]:
-    """Return checks of a design that was judged before, judged anew as it is now."""
-    asked = {(check.path, check.case) for check in checks}
-    series = _Series(design, sizes, models)
+    """Return checks of a design as it is now, each by the model that decided it before.
+
+    No finer one is asked. A check of which that model says nothing any more is left out.
+    """
+    deciding: dict[tuple[tuple[str, ...], str], set[str]] = {}
+    for check in checks:
+        deciding.setdefault((check.path, check.case), set()).add(check.model)
     found: list[Check] = []
     paths = {id(each): ("requirements", *path) for path, each in design.requirements.each()}
     for requirement, scene in design.questions(design.scenes()):
-        case = requirement.case_of(scene)
-        if (paths[id(requirement)], case) in asked:
-            found.extend(series.climbed(requirement, scene))
-    return assess.worst_of_each(found)
+        names = deciding.get((paths[id(requirement)], requirement.case_of(scene)), set())
+        for model in models:
+            if model.name not in names:
+                continue
+            with suppress(NotAvailable, RequirementError, SolveError):
+                limits = list(limits_by(design, sizes, requirement, scene, model))
+                found.extend(check._replace(model=model.name) for check in assess.checks(limits))
+    return tuple(found)
 
 
 def stopped_result(
