@@ -148,7 +148,7 @@ def again(
 
     No finer one is asked. A check of which that model says nothing any more is left out.
     """
-    deciding: dict[tuple[tuple[str, ...], str], set[str]] = {}
+    deciding: dict[tuple[tuple[str | int, ...], str], set[str]] = {}
     for check in checks:
         deciding.setdefault((check.path, check.case), set()).add(check.model)
     found: list[Check] = []

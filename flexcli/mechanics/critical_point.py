@@ -39,6 +39,13 @@ _ASIDE = 1e-6
 Nearer, rounding grows as the equations get singular; the error of what is read off between the two
 sides is the square."""
 
+_NEAR = 1e-4
+"""How near the next crossing is, over the longest step, where its two sides are looked at: by then
+it is off by the product of the last two ways, which is less than the sides are apart."""
+
+_SETTLING = 0.3
+"""Way to the next crossing over the way to the last, below which the crossings converge."""
+
 _CORRECTION = 1e-12
 _MOST = 60
 
@@ -186,8 +193,7 @@ def on_plane(
     found = correct_on(foot, steps, _CORRECTION)
     if found is None:
         raise lost_path()
-    x, parameter, _ = found
-    return x, parameter
+    return found.x, found.parameter
 
 
 def refined(
@@ -278,22 +284,25 @@ def first_critical(search: Stretch, low: Point, high: Point) -> CriticalPoint:
 
     """
     aside = _ASIDE * search.length
-    older, newest, halve = low, high, False
+    older, newest, halve, last = low, high, False, np.inf
     for _ in range(_MOST):
         s, _ = crossing(older, newest, low.s, high.s)
         if high.s - low.s <= 2.0 * aside:
             return _between(low, high)
-        if halve or not np.isfinite(s):
+        move = abs(s - newest.s)
+        settles, last = move <= _SETTLING * last, move
+        if (halve and not settles) or not np.isfinite(s):
             older, newest, halve = newest, search.at((low.s + high.s) / 2.0, low, high), False
-        elif (met := _met(search, s, low, high)) is None:
+        elif move <= _NEAR * search.length or (met := _met(search, s, low, high)) is None:
             before, after = search.at(s - aside, low, high), search.at(s + aside, low, high)
             if before.unstable == 0 < after.unstable:
                 return _between(before, after)
-            older, newest, halve = low, before if before.unstable else after, True
+            older, newest = low, before if before.unstable else after
+            halve, last = True, 0.0
         else:
             width = high.s - low.s
             older, newest = newest, met
-            # an end that stands still is brought nearer by halves
+            # an end that stands still is brought nearer by halves, unless the other arrives
             halve = max(newest.s - low.s, high.s - newest.s) > 0.9 * width
         low, high = (low, newest) if newest.unstable else (newest, high)
     raise lost_path()

@@ -42,7 +42,7 @@ __all__ = ["Critical", "critical_load", "inertia_count_held", "is_stable"]
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
-_MOST = 200
+_MOST = 100
 """Points of a path: those that lead to a critical load have a dozen."""
 
 _CORRECTION = 1e-12

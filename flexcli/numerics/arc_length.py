@@ -34,10 +34,17 @@ class Hyperplane(NamedTuple):
     weight: Floats
 
 
-def correct_on(
-    plane: Hyperplane, steps: Steps, tolerance: float
-) -> tuple[Floats, float, int] | None:
-    """Return where the path meets the hyperplane, from its foot, and the iterations; or None.
+class Corrected(NamedTuple):
+    """A point (x, λ) of a path, dx/dλ before the last step that led there, and the iterations."""
+
+    x: Floats
+    parameter: float
+    rate: Floats
+    iterations: int
+
+
+def correct_on(plane: Hyperplane, steps: Steps, tolerance: float) -> "Corrected | None":
+    """Return where the path meets the hyperplane, from its foot; None when the steps don't shrink.
 
     Parameters
     ----------
@@ -47,11 +54,6 @@ def correct_on(
         Newton's step at constant λ and dx/dλ.
     tolerance : float
         Length of the step [-] that ends the iteration.
-
-    Returns
-    -------
-    tuple or None
-        x, λ and iterations; None when the steps don't shrink.
 
     """
     x, parameter = plane.x.copy(), plane.parameter
@@ -68,7 +70,7 @@ def correct_on(
             return None
         x, parameter, before = x + change, parameter + float(d), size
         if size <= tolerance or (restless and size <= _FLOOR):
-            return x, parameter, count
+            return Corrected(x, parameter, rate, count)
     return None
 
 
@@ -121,7 +123,7 @@ def follow(
 
     """
     x, parameter = start
-    points = [_tangent(steps, x, parameter, weight, None)]
+    points = [_tangent(x, parameter, steps(x, parameter)[1], weight, None)]
     here = kind(x, parameter)
     while len(points) < most and not goal(points[-1].x, points[-1].parameter):
         last = points[-1]
@@ -130,8 +132,8 @@ def follow(
         )
         found = correct_on(guess, steps, tolerance)
         if found is not None:
-            x, parameter, count = found
-            point = _tangent(steps, x, parameter, weight, last)
+            x, parameter, rate, iterations = found
+            point = _tangent(x, parameter, rate, weight, last)
             # a sharp bend means that the path was lost for another one
             bend = point.tangent @ (weight * last.tangent) + point.slope * last.slope
             off = x - guess.x
@@ -141,7 +143,7 @@ def follow(
             if bend > _STRAIGHT and astray < _ASTRAY * stride and sound:
                 points.append(point)
                 here = there
-                stride = min(longest, stride * float(np.clip(_WANTED / count, 0.5, 2.0)))
+                stride = min(longest, stride * float(np.clip(_WANTED / iterations, 0.5, 2.0)))
                 continue
         stride /= 2.0
         if stride < _SHORTEST * longest:
@@ -159,10 +161,9 @@ _SHORTEST = 1e-6
 
 
 def _tangent(
-    steps: Steps, x: Floats, parameter: float, weight: Floats, last: Hyperplane | None
+    x: Floats, parameter: float, rate: Floats, weight: Floats, last: Hyperplane | None
 ) -> Hyperplane:
-    """Return the point with the unit tangent that goes on in the direction of the last."""
-    _, rate = steps(x, parameter)
+    """Return the point with the unit tangent along dx/dλ, in the direction of the last."""
     length = float(np.sqrt(rate @ (weight * rate) + 1.0))
     tangent, slope = rate / length, 1.0 / length
     if last is not None and tangent @ (weight * last.tangent) + slope * last.slope < 0.0:

@@ -327,8 +327,10 @@ def _by_small_steps(
             break
     if not loads or not state.converged.all():
         return state
-    patterns = (_state_of(held, loads, which) for which in range(states))
-    bears = np.array([_borne_straight(layout, *each, how.get("effects")) for each in patterns])
+    patterns = [tuple(_state_of(held, loads, which)[1]) for which in range(states)]
+    effects, (there, _) = how.get("effects"), _state_of(held, loads, 0)
+    known = {each: _borne_straight(layout, there, each, effects) for each in set(patterns)}
+    bears = np.array([known[each] for each in patterns])
     for stride in (*STRIDES, inf):
         grown = np.minimum(stride * bears, 1.0)
         state = solve(layout, held, loads=loads, load_factor=grown, start=state, **how)
