@@ -146,7 +146,10 @@ def told_values(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> di
         remedy = "hold or support every body, or lessen the loads of the cases"
         raise NoSolution(f"{joint_model.name}-has-no-answer", text, remedy) from error
     errors = omitted_effects.errors_of(design, sizes, joint_model, found)
-    return design_values.with_errors(found, errors)
+    told = design_values.with_errors(found, errors)
+    if not design.left_out:
+        return told
+    return design_values.with_whole(told, told_values(design.whole, sizes, joint_model))
 
 
 def _values_of_any(

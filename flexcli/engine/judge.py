@@ -14,6 +14,7 @@ from typing import NamedTuple
 from flexcli.engine import assess
 from flexcli.engine.models import NamedModel
 from flexcli.errors import SolveError
+from flexcli.numerics.rows import one_alone
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import ANY, Buckled, NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
@@ -369,7 +370,57 @@ def limits_by(
     model: NamedModel,
     near: tuple[DesignSpec, Sizes] | None = None,
 ) -> Iterator[Limit]:
-    """Yield the limits of a requirement in a case by one model, each with its error."""
+    """Yield the limits of a requirement in a case by one model, each with its error.
+
+    What blades in space are without, as the spec switches it off, stays in it.
+    """
+    found = list(_limits_of(design, sizes, requirement, scene, model, near))
+    if not design.left_out:
+        yield from found
+        return
+    one_alone()
+    whole: dict[str, tuple[float, float] | None] = {}
+    for limit in _limits_of(design.whole, sizes, requirement, scene, model, near):
+        between, worst = assess.span(replace(limit, tolerance=None)), whole.get(limit.name)
+        if limit.name not in whole or (worst and (not between or between < worst)):
+            whole[limit.name] = between
+    finite = {limit.name for limit in found if isfinite(_factor(limit))}
+    for limit in found:
+        # no demand has no range of its own: others of its check tell it
+        told = isfinite(_factor(limit)) or limit.name not in finite
+        error = _with_whole(limit, whole.get(limit.name)) if told else limit.error
+        yield replace(limit, error=error)
+
+
+def _factor(limit: Limit) -> float:
+    plain = replace(limit, tolerance=None)
+    return assess.factor(plain, float(limit.demand), float(limit.capacity))
+
+
+def _with_whole(limit: Limit, whole: tuple[float, float] | None) -> ErrorRange | None:
+    """Return the error of a limit by which its factor reaches to those of the whole design."""
+    own, found = assess.span(replace(limit, tolerance=None)), _factor(limit)
+    if own == whole:
+        return limit.error
+    if own is None or whole is None:
+        return None
+    low, high = min(own[0], whole[0]), max(own[1], whole[1])
+    if not (low > 0.0 and isfinite(found) and isfinite(high)):
+        return None
+    if limit.in_capacity:
+        return ErrorRange(low / found - 1.0, high / found - 1.0)
+    return ErrorRange(found / high - 1.0, found / low - 1.0)
+
+
+def _limits_of(
+    design: DesignSpec,
+    sizes: Sizes,
+    requirement: Requirement,
+    scene: Scene,
+    model: NamedModel,
+    near: tuple[DesignSpec, Sizes] | None,
+) -> Iterator[Limit]:
+    """Yield the limits of a design as it is felt, each with the error of its model."""
     ask = design.ask(scene, sizes, model.joint_model)
     if near is not None:
         known, at = near

@@ -57,11 +57,12 @@ def series_of(design: DesignSpec) -> tuple[str, ...]:
 def _has_shells(design: DesignSpec) -> bool:
     """Return whether a joint has blades in space, or is asked for its support at a stroke.
 
-    While its sizes are sought, beams are fine enough; rods are beams always.
+    While its sizes are sought, beams are fine enough; rods are beams always. Shells are whole:
+    nothing of them can be left out.
     """
     asked = any(each.is_of_a_case for each in design.requirements.support or ())
     drawn = design.geometry.in_space and design.geometry.has_blades
-    return design.fixed_sizes() is not None and (drawn or asked)
+    return design.fixed_sizes() is not None and (drawn or asked) and not design.left_out
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:

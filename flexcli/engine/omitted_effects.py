@@ -30,7 +30,11 @@ MADE = 5e-6
 def setting(design: DesignSpec, sizes: Sizes) -> Setting:
     """Return a design as effects are estimated on it."""
     scenes = tuple(design.scenes())
-    return Setting(design.material, design.geometry, design.mechanism, sizes, scenes, design.stops)
+    asked = design.requirements
+    return Setting(
+        design.material, design.geometry, design.mechanism, sizes, scenes, design.stops,
+        supports=bool(asked.support or asked.deflection) or any(s.across_by for s in scenes),
+    )  # fmt: skip
 
 
 def reported(design: DesignSpec, given: Setting) -> tuple[str, ...]:
@@ -60,7 +64,7 @@ def effects(
     if design.geometry.in_space:
         return ()
     given = setting(design, sizes)
-    names = reported(design, given)
+    names = (*reported(design, given), QuantityKind.SUPPORT.value)
     carries = joint_model.carried(given)
     rows = []
     for effect in MODEL_EFFECTS:

@@ -17,6 +17,7 @@ __all__ = [
     "stated_strength",
     "values",
     "with_errors",
+    "with_whole",
 ]
 
 STRENGTHS = ("admissible_stress", "fatigue_amplitude", "yield_strength")
@@ -128,6 +129,23 @@ def _corrected_frequencies(
         value = found["f_init"].value * sqrt(before / (before + added))
         changed["f_init"] = found["f_init"]._replace(value=value, model=model)
     return changed
+
+
+def with_whole(values: Mapping[str, Value], whole: Mapping[str, Value]) -> dict[str, Value]:
+    """Return values with errors that reach to those of the design that nothing is left out of."""
+
+    def error(name: str, value: Value) -> float | None:
+        other = whole.get(name)
+        if value.estimated_error is None or other is None or other.estimated_error is None:
+            return None
+        if value.value == other.value:
+            return max(value.estimated_error, other.estimated_error)
+        if value.value == 0.0:
+            return None
+        ratio = other.value / value.value
+        return max(value.estimated_error, abs(ratio - 1.0) + abs(ratio) * other.estimated_error)
+
+    return {n: v._replace(estimated_error=error(n, v)) for n, v in values.items()}
 
 
 def with_errors(values: Mapping[str, Value], errors: Mapping[str, float]) -> dict[str, Value]:

@@ -21,7 +21,7 @@ from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.case import Case
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import EFFECTS, SCENE_EFFECTS
-from flexcli.parts.geometries import AnyGeometry, NotAvailable, Sizes
+from flexcli.parts.geometries import BEAM_EFFECTS, AnyGeometry, Geometry, NotAvailable, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import AnyMechanism, MechanismError
 from flexcli.parts.named import Named
@@ -157,6 +157,7 @@ class DesignSpec(Part):
 
     _corrections: Mapping[str, Correction] = PrivateAttr(default_factory=dict)
     _losses: Mapping[str, Correction] = PrivateAttr(default_factory=dict)
+    _felt: tuple[Geometry, Geometry] | None = PrivateAttr(None)
 
     @model_validator(mode="before")
     @classmethod
@@ -393,7 +394,8 @@ class DesignSpec(Part):
             When the material says nothing of that temperature.
 
         """
-        geometry, own = self.geometry.drawn(sizes)
+        drawn, own = self.geometry.drawn(sizes)
+        geometry = self._as_felt(drawn)
         material, temperature = self.material, scene.temperature
         if temperature is not None:
             try:
@@ -403,6 +405,28 @@ class DesignSpec(Part):
             except NotAvailable as error:
                 raise SolveError("outside-material", str(error), "give it there too") from error
         return Ask(material, geometry, self.mechanism, own, scene, joint_model, self.actuator)
+
+    @property
+    def left_out(self) -> frozenset[EffectName]:
+        """Return what the spec switches off of blades in space."""
+        return frozenset(name for name in BEAM_EFFECTS if self.is_off(name))
+
+    @property
+    def whole(self) -> "DesignSpec":
+        """Return the design with everything that blades in space feel."""
+        keys = {name.key for name in self.left_out}
+        if not keys:
+            return self
+        kept = {key: wish for key, wish in self.effects.items() if key not in keys}
+        return self.model_copy(update={"effects": kept})
+
+    def _as_felt(self, geometry: Geometry) -> Geometry:
+        """Return a geometry without what is left out; of the same the same again."""
+        if not self.left_out:
+            return geometry
+        if self._felt is None or self._felt[0] is not geometry:
+            self._felt = geometry, geometry.leaving_out(self.left_out)
+        return self._felt[1]
 
     def asks(self, sizes: Sizes, joint_model: JointModel) -> list[Ask]:
         """Return what is asked in every case."""

@@ -16,6 +16,7 @@ class EffectName(StrEnum):
     AXIAL_LOAD = "axial load"
     PLATE_WIDENING = "plate widening"
     ANTICLASTIC = "anticlastic"
+    WARPING = "warping"
     CLAMP_STRESS = "clamp stress"
     ROOT_RADIUS = "root radius"
     CLAMP_COMPLIANCE = "clamp compliance"

@@ -1,10 +1,11 @@
-"""Notches and blades with fillets at rest, between rigid bodies: solids by CalculiX, in six axes.
+"""Notches, fillets and tapers at rest, between rigid bodies: solids by CalculiX, in six axes.
 
 Run by hand: python tests/benchmarks/hinges_in_space.py
-It writes tests/mechanics/space/hinges.json in ten minutes of one processor: for each hinge, in
-units of the radius of its roots or of half its length, its kind, its profile's numbers, its length,
-its width and ν, and six stiffnesses about its middle, each with all else free, over E. The mesh is
-the coarsest of ``verify``; twice as fine a one has up to 4 % more or less where a notch is deep.
+It writes tests/mechanics/space/hinges.json in fifteen minutes of one processor: for each hinge, in
+units of the radius of its roots, of half its length or of a millimetre, its kind, its profile's
+numbers, its length, its width and ν, and six stiffnesses about its middle, each with all else free,
+over E. The mesh is the coarsest of ``verify``; twice as fine a one has up to 4 % more or less where
+a notch is deep.
 """
 
 import json
@@ -16,12 +17,12 @@ import numpy as np
 from flexcli.engine.solid.calculix import run
 from flexcli.engine.solid.deck import compliance_deck
 from flexcli.engine.solid.model import solid_model
-from flexcli.formulas.profile import Filleted, Notch
+from flexcli.formulas.profile import Filleted, Notch, Tabulated
 from flexcli.mechanics.layout import Blade, Body, Layout
 
 FOUND = Path(__file__).parents[1] / "mechanics/space/hinges.json"
 R, E, MM = 1e-3, 200e9, 1e3
-KINDS = {"notch": Notch, "filleted": Filleted}
+KINDS = {"notch": Notch, "filleted": Filleted, "taper": lambda *h: Tabulated(*tapered(*h))}
 
 
 def hinges(count=75, seed=3):
@@ -53,6 +54,35 @@ def notches(count=60, seed=2, poisson=(0.0, 0.2, 0.4), widest=-0.25):
             yield "notch", [e, depth], 2.0, b, nu
 
 
+def tapered(first, last, *between):
+    """Return places and thicknesses of a taper of two or three thicknesses, at even distances."""
+    each = (first, *between, last)
+    return tuple(np.linspace(0.0, 1.0, len(each)).tolist()), each
+
+
+def tapers(count=36, seed=5):
+    """Yield tapers, thinner or thicker in the middle or to one end, in the same way."""
+    random = np.random.default_rng(seed)
+    l = 20.0
+    while count:
+        nu, b = (
+            float(random.choice([0.0, 0.2, 0.3, 0.4])),
+            float(l * 10 ** random.uniform(-1.2, 0.0)),
+        )
+        thin = float(l * 10 ** random.uniform(-2.0, -1.0))
+        ratio = 1.0 + float(random.choice([0.3, 1.0, 3.0])) * random.random()
+        each = [thin, thin * ratio]
+        if random.random() < 0.7:
+            each = (
+                [thin * ratio, thin * ratio, thin]
+                if random.random() < 0.7
+                else [thin, thin, thin * ratio]
+            )
+        if max(each) <= b and max(each) <= 0.12 * l:
+            count -= 1
+            yield "taper", each, l, b, nu
+
+
 def stiffness(kind, numbers, l, b, nu, fineness=1):
     """Return six stiffnesses about the middle of a hinge by solids, over E."""
     profile = KINDS[kind](*(R * n for n in numbers))
@@ -68,7 +98,7 @@ def stiffness(kind, numbers, l, b, nu, fineness=1):
 def main():
     rows = []
     soft = notches(12, 4, (0.45, 0.49), 1.2)
-    for hinge in (*hinges(), *notches(), *soft):
+    for hinge in (*hinges(), *notches(), *soft, *tapers()):
         rows.append([*hinge, stiffness(*hinge).tolist()])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")
     FOUND.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n", encoding="utf-8")

@@ -32,9 +32,15 @@ from flexcli.formulas.profile import Constant
 from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.mechanics.refinement import LEVELS
 from flexcli.mechanics.space.exact.equilibrium import solve
-from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.exact.support import support_compliance
-from flexcli.mechanics.space.layout import Drive, Isotropic, SpaceBlade, SpaceBody, SpaceLayout
+from flexcli.mechanics.space.layout import (
+    BeamEffects,
+    Drive,
+    Isotropic,
+    SpaceBlade,
+    SpaceBody,
+    SpaceLayout,
+)
 
 Floats = NDArray[np.float64]
 

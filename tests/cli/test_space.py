@@ -263,3 +263,17 @@ def test_a_small_force_across_does_not_hide_that_blades_buckle(checked):
     # plates are stiffer, and the low end counts the error of the beams
     assert check["verdict"] == "undecided"
     assert buckles * 0.95 < low < buckles * 1.06
+
+
+def test_warping_that_is_switched_off_is_told_and_leaves_the_verdict_open(checked):
+    text = STAGE.replace("push: {wrench: {z: 5 N, theta_x: 100 N*mm}, ends: clamped-guided}",
+                         "travel: {stroke: {translation: 10 mm}}")  # fmt: skip
+    text += "effects: {warping: off}\n"
+    need = "{support: {direction: z, min: 0.2 N/um, at: full-stroke, drive: locked}}"
+    code, found = checked(need, text)
+    (check,), (row,) = found["checks"], [e for e in found["effects"] if e["name"] == "warping"]
+    assert code == 1
+    assert check["verdict"] == "undecided"
+    assert not row["on"]
+    assert row["estimates"]["support"] >= check["factor_range"][1] / check["factor"] - 1.0
+    assert any("warping, left out" in warning["text"] for warning in found["warnings"])

@@ -94,3 +94,68 @@ def test_a_load_that_is_switched_off_is_named_and_nothing_passes_without_it(effe
     assert [row.name for row in rows] == [next(iter(load))]
     assert all(check.verdict is Verdict.PASS for check in checks if check not in rows)
     assert status_of(checks) is Status.UNDECIDED
+
+
+LEAF = {"h": 0.5e-3, "b": 50e-3, "l": 0.1}
+TRAVEL = 20e-3
+
+
+def guide(least="0.1 N/um", *off):
+    """Return a guide of two blades over a fifth of their length, some effects switched off."""
+    sizes = {name: f"{1e3 * size} mm" for name, size in LEAF.items()}
+    support = {"direction": "z", "min": least, "drive": "locked"}
+    return DesignSpec.model_validate(
+        {
+            "flexure": 1, "material": MATERIAL,
+            "geometry": {"kind": "leaf-spring-stage", "spacing": "200 mm", **sizes},
+            "cases": {"work": {"stroke": {"translation": f"{TRAVEL} m"}}},
+            "requirements": {"support": [support, {**support, "at": "full-stroke"}]},
+            "effects": dict.fromkeys(off, "off"),
+        }
+    )  # fmt: skip
+
+
+def test_a_guide_without_warping_is_saint_venants_and_reaches_to_the_one_with_it():
+    rest, stroke = "support z locked (min)", "support z at stroke locked (min)"
+    whole = judged(guide(), "exact")
+    bare = judged(guide("0.1 N/um", "warping", "plate-widening", "anticlastic"), "exact")
+    elastic = guide().material.elastic
+    h, b, l = LEAF.values()
+    # half a blade bends and shears in its plane; the force twists it where it is bent to an S
+    width, area = h * b**3 / 12.0, h * b
+    straight = l**3 / (12.0 * elastic.E * width) + 1.2 * l / (elastic.G * area)
+    J = b * h**3 / 3.0 * (1.0 - 0.63 * h / b)
+    bent = straight + TRAVEL**2 * l / (28.0 * elastic.G * J)
+    # the plane of a plate adds 2 %, what a twist stretches half of one
+    assert bare[rest].capacity == pytest.approx(2.0 / straight, rel=1e-3)
+    assert bare[stroke].capacity == pytest.approx(2.0 / bent, rel=0.01)
+    for name in (rest, stroke):
+        low, high = bare[name].factor_range
+        assert low <= bare[name].factor <= high
+        assert low <= whole[name].factor_range[0]
+        assert high >= whole[name].factor_range[1]
+    assert whole[stroke].factor > 3.0 * bare[stroke].factor
+
+
+def test_what_held_ends_alone_make_pass_or_fail_is_undecided_without_them():
+    stroke = "support z at stroke locked (min)"
+    whole = judged(guide("0.5 N/um"), "exact")[stroke]
+    assert whole.verdict is Verdict.PASS
+    assert judged(guide("0.5 N/um", "warping"), "exact")[stroke].verdict is Verdict.UNDECIDED
+
+
+def test_a_torsion_bar_without_warping_is_saint_venants():
+    bar = {"h": 0.2, "b": 4.0, "l": 6.0, "warping": "restrained"}
+    on, off = (
+        judged(design("torsion-bar", effects, **bar), "closed-form")
+        for effects in ({}, {"warping": "off"})
+    )
+    elastic = design("torsion-bar", {}, **bar).material.elastic
+    h, b, l = 0.2e-3, 4e-3, 6e-3
+    J = b * h**3 / 3.0 * (1.0 - 0.63 * h / b)
+    plain = off["stiffness (min)"]
+    assert plain.capacity == pytest.approx(
+        SAMPLES["torsion-bar"]["bars"] * elastic.G * J / l, rel=1e-4
+    )
+    assert plain.factor_range[1] >= on["stiffness (min)"].factor > 1.2 * plain.factor
+    assert plain.factor_range[0] <= plain.factor

@@ -3,12 +3,18 @@
 import numpy as np
 import pytest
 
-from flexcli.formulas.handbook.guide_support import lateral_stiffness, twist_share
+from flexcli.formulas.guide_support import lateral_stiffness, twist_share
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.exact.equilibrium import solve
-from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.exact.support import support_compliance
-from flexcli.mechanics.space.layout import Drive, Isotropic, SpaceBlade, SpaceBody, SpaceLayout
+from flexcli.mechanics.space.layout import (
+    BeamEffects,
+    Drive,
+    Isotropic,
+    SpaceBlade,
+    SpaceBody,
+    SpaceLayout,
+)
 
 E, G, L = 190e9, 190e9 / 2.6, 0.1
 MIDDLE = (0.0, L / 2.0, 0.0)

@@ -8,9 +8,8 @@ from space_mechanisms import STEEL, blade, guide, random_mechanism, rod
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import solve as solve_in_space
-from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.exact.stresses import blade_stresses
-from flexcli.mechanics.space.layout import Drive, SpaceBody, SpaceLayout, SpaceLoad
+from flexcli.mechanics.space.layout import BeamEffects, Drive, SpaceBody, SpaceLayout, SpaceLoad
 from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.parts.elastic import Elastic

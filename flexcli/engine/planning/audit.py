@@ -34,6 +34,7 @@ HOW: dict[str, str] = {
     EffectName.HINGE_LENGTH: "exact at a hundredth of the stroke over the closed form of pins",
     EffectName.PLATE_WIDENING: "exact with and without the correction of the plate",
     EffectName.ANTICLASTIC: "exact with and without the correction of the curved plate",
+    EffectName.WARPING: "closed form with and without",
     EffectName.CLAMP_COMPLIANCE: "exact with and without the correction of the roots",
     EffectName.THICK_NOTCH: "exact with and without the correction of the plane body",
     EffectName.EXPANSION: "exact with and without the temperature, over the larger of both",
@@ -117,6 +118,12 @@ def _change(effect: str, ask: Ask, name: str) -> float | None:
         return None
     if name == "sag" and not ask.scene.sags:
         return None
+    if effect == EffectName.WARPING:
+        whole, without = (
+            ask._replace(geometry=ask.geometry.leaving_out(frozenset(off)))
+            for off in ((), (EffectName.WARPING,))
+        )
+        return number(AS_PRINTED, whole) / number(AS_PRINTED, without) - 1.0
     full, calm = _exact(ALL), ask._replace(scene=ask.scene.without_loads())
     scene = calm.scene._replace(
         travel=SMALL * calm.scene.travel, mean_travel=SMALL * calm.scene.mean_travel,

@@ -43,6 +43,7 @@ OUTER = frozenset(
     {
         EffectName.PLATE_WIDENING,
         EffectName.ANTICLASTIC,
+        EffectName.WARPING,
         EffectName.CLAMP_STRESS,
         EffectName.CLAMP_COMPLIANCE,
         EffectName.THICK_NOTCH,

@@ -6,16 +6,27 @@ solved: a finer model is asked only where those before it do not do.
 """
 
 from collections.abc import Iterator
+from contextlib import suppress
 from math import inf
 
+import numpy as np
+
 from flexcli.engine.models import NamedModel, series_of
+from flexcli.engine.omitted_effects import setting
 from flexcli.engine.planning.candidates import not_reached
 from flexcli.errors import SolveError
+from flexcli.formulas.plate_factors import bound
+from flexcli.formulas.profile import Constant
+from flexcli.mechanics.space.layout import SpaceBlade
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
+from flexcli.parts.effects import Setting
+from flexcli.parts.effects.warping import Warping
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.geometries import Sizes
+from flexcli.parts.geometries import BEAM_EFFECTS, Sizes
 from flexcli.parts.requirements import Ask, JointModel
+from flexcli.parts.requirements.support import CENTRE, HELD, compliance_of
+from flexcli.parts.space_joint import joint_in_space
 from flexcli.results import EffectRow, QuantityKind
 from flexcli.results.plan import AuditRow, ModelRow, Plan
 
@@ -44,10 +55,12 @@ def plan_in_space(design: DesignSpec, sizes: Sizes, model: str | None, asked: fl
     """
     kinds = tuple(_reported(design))
     names = (model,) if model is not None else series_of(design)
+    felt = tuple(_of_blades(design, sizes, kinds))
+    left = {k.value: sum(e.estimates.get(k.value, 0.0) for e in felt if not e.on) for k in kinds}
     found: dict[str, dict[str, float]] = {}
     for name in names:
         asks = design.asks(sizes, NamedModel(design, name).joint_model)
-        found[name] = {kind.value: _error(asks, kind) for kind in kinds}
+        found[name] = {kind.value: _error(asks, kind) + left[kind.value] for kind in kinds}
         if max(found[name].values()) <= asked:
             break
     chosen = min(found, key=lambda name: (max(*found[name].values(), asked), COSTS[name]))
@@ -58,7 +71,7 @@ def plan_in_space(design: DesignSpec, sizes: Sizes, model: str | None, asked: fl
     return Plan(
         accuracy=asked,
         reported=tuple(kind.value for kind in kinds),
-        effects=tuple(_large_motion(design, sizes, kinds, chosen)),
+        effects=(*_large_motion(design, sizes, kinds, chosen), *felt),
         models=tuple(
             ModelRow(name, COSTS[name], max(errors.values()), ()) for name, errors in found.items()
         ),
@@ -72,19 +85,25 @@ def plan_in_space(design: DesignSpec, sizes: Sizes, model: str | None, asked: fl
 
 
 def audit_in_space(design: DesignSpec, sizes: Sizes, found: Plan) -> tuple[AuditRow, ...]:
-    """Return what large motion truly changes, exact blades over linear ones, beside the plan."""
-    asks, fine = design.asks(sizes, _linear(design)), NamedModel(design, FINEST).joint_model
-    rows = []
+    """Return what effects truly change by exact blades, largest of all cases, beside the plan.
+
+    Large motion is over linear blades, what blades feel over exact ones without it.
+    """
+    asks, rows = design.whole.asks(sizes, NamedModel(design, FINEST).joint_model), []
     for effect in found.effects:
+        if effect.name == EffectName.LARGE_ROTATION:
+            how, others = f"{FINEST} over linear", design.whole.asks(sizes, _linear(design))
+        else:
+            how, others = f"{FINEST} with and without", _without(asks, EffectName(effect.name))
         for name, estimate in effect.estimates.items():
-            change, how = None, f"{FINEST} over linear, largest of all cases"
+            change = None
             try:
-                each = [_number(a._replace(joint_model=fine), name) / _number(a, name) - 1.0
-                        for a in asks if a.scene.moves]  # fmt: skip
-                change = max(each, key=abs)
+                change = max(_changes(asks, others, name), key=abs)
             except (NotAvailable, SolveError) as error:
                 how = f"the {FINEST} model does not tell: a {design.geometry.name} {error}"
-            right = None if change is None else effect.on or abs(change) <= found.accuracy
+            right = None
+            if change is not None and effect.asked != "off":
+                right = effect.on or abs(change) <= found.accuracy
             rows.append(AuditRow(effect.name, effect.on, name, estimate, change, right, how))
     return tuple(rows)
 
@@ -117,6 +136,8 @@ def _has(ask: Ask, kind: QuantityKind) -> bool:
     """Return whether a case has a number of a kind."""
     if kind is QuantityKind.STRESS:
         return ask.scene.is_stressed
+    if kind is QuantityKind.SAG:
+        return ask.scene.sags
     return kind is not QuantityKind.SHIFT or ask.scene.moves
 
 
@@ -156,8 +177,98 @@ def _shrunk(ask: Ask) -> Ask:
     )
 
 
-def _number(ask: Ask, name: str) -> float:
-    """Return the stress or the shift of a case by the model that is asked."""
-    if name == QuantityKind.SHIFT:
-        return float(ask.joint_model.parasitic_shift(ask))
-    return max(abs(float(each.largest)) for each in ask.joint_model.stresses(ask)[1])
+def _of_blades(
+    design: DesignSpec, sizes: Sizes, kinds: tuple[QuantityKind, ...]
+) -> Iterator[EffectRow]:
+    """Yield what blades feel that a spec may leave out, and what it changes of small motion.
+
+    What curvature flattens is bounded, as is what held ends stiffen at a stroke.
+    """
+    given, asks = setting(design, sizes), design.whole.asks(sizes, _linear(design))
+    names = [kind.value for kind in kinds]
+    if given.supports:
+        names.append(QuantityKind.SUPPORT.value)
+    nu = given.poisson_bound
+    for name in BEAM_EFFECTS:
+        text, indicator = _felt(asks[0], given, name)
+        if not indicator:
+            continue
+        others = _without(asks, name)
+        estimates = {n: max(map(abs, _changes(asks, others, n)), default=0.0) for n in names}
+        plate = float(bound(nu))
+        if name is EffectName.ANTICLASTIC:
+            # moments by no more than a plate's, torsion by no more than GJ/(1 − ν)
+            estimates |= {n: plate for n in OF_TRAVEL if n in estimates}
+            if given.supports:
+                estimates[QuantityKind.SUPPORT] = nu / (1.0 - nu)
+        elif name is EffectName.PLATE_WIDENING:
+            # at a stroke with what curvature does to it
+            at_stroke = (*OF_TRAVEL, QuantityKind.SUPPORT)
+            estimates |= {n: 2.0 * plate for n in at_stroke if given.largest_travel and n in names}
+        elif name is EffectName.WARPING:
+            estimates |= Warping().estimates(given)
+        on = name not in design.left_out
+        why = f"{text}; {'in every model' if on else 'off by the spec'}"
+        asked = design.effects.get(name.key, "auto")
+        yield EffectRow(name, on, indicator, max(estimates.values()), why, estimates, asked)
+
+
+def _felt(ask: Ask, given: Setting, name: EffectName) -> tuple[str, float]:
+    """Return how much of an effect the blades have, in words and as a number."""
+    if name is EffectName.WARPING:
+        found = Warping().indicator(given._replace(supports=True))
+        return ("", 0.0) if found is None else (found.text, found.value)
+    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    travel = np.array([given.largest_travel])
+    moved = joint.assembly.moved(travel=travel).deformations[:, 0]
+    widest, curled = 0.0, 0.0
+    for k, (blade, member) in enumerate(
+        zip(joint.layout.blades, joint.assembly.members, strict=True)
+    ):
+        if isinstance(blade, SpaceBlade) and isinstance(blade.profile, Constant):
+            b, l = blade.b, member.l
+            kappa = abs(moved[6 * k + 5]) / l + 6.0 * abs(moved[6 * k + 1]) / l**2
+            widest = max(widest, b / l)
+            curled = max(curled, float(b**2 * kappa / blade.profile.h))
+    if name is EffectName.PLATE_WIDENING:
+        return f"b/l = {widest:.3g}", widest
+    return f"b²κ/h = {curled:.2g}", curled
+
+
+def _without(asks: list[Ask], effect: EffectName) -> list[Ask]:
+    """Return the same questions of blades that do not feel an effect."""
+    bare = {id(ask.geometry): ask.geometry.leaving_out(frozenset({effect})) for ask in asks}
+    return [ask._replace(geometry=bare[id(ask.geometry)]) for ask in asks]
+
+
+def _changes(asks: list[Ask], others: list[Ask], name: str) -> Iterator[float]:
+    """Yield by what share a number of each case differs from that of another question."""
+    for one, other in zip(asks, others, strict=True):
+        if _has(one, QuantityKind(name)):
+            pairs = zip(_numbers(one, name), _numbers(other, name), strict=True)
+            yield from (a / b - 1.0 for a, b in pairs if b != 0.0)
+
+
+def _numbers(ask: Ask, name: str) -> list[float]:
+    """Return a number of a case by its model; of the support all that the drive does not hold."""
+    model = ask.joint_model
+    match name:
+        case QuantityKind.STIFFNESS:
+            return [float(model.stiffness(ask))]
+        case QuantityKind.FREQUENCY:
+            return [float(model.frequency_squared(ask)) ** 0.5]
+        case QuantityKind.SAG:
+            return [1.0 / float(model.sag_stiffness(ask))]
+        case QuantityKind.SHIFT:
+            return [float(model.parasitic_shift(ask))]
+        case QuantityKind.STRESS:
+            return [max(abs(float(each.largest)) for each in model.stresses(ask)[1])]
+    if not ask.scene.moves or model.name == "linear":
+        C = np.diag(compliance_of(ask, locked=True)).reshape(2, 3)
+        return [float(1.0 / c) for block in C for c in block if c > HELD * block.sum()]
+    found = []
+    for index in range(6):
+        with suppress(NotAvailable):  # the drive holds it
+            ends = model.support_at_stroke(ask, index, CENTRE, locked=True)
+            found += [value for value, _ in ends]
+    return found

@@ -1,9 +1,9 @@
 """Formulas for calculation by hand: explain prints them, no verdict rests on them."""
 
+from flexcli.formulas import guide_support
 from flexcli.formulas.handbook import (
     actuator,
     contact_load,
-    guide_support,
     impact,
     large_stroke,
     loaded_pivot,

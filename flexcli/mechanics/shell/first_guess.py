@@ -14,8 +14,7 @@ from flexcli.mechanics.shell.shells import Shells, shells_of
 from flexcli.mechanics.space.exact.beams import Beams, beams_of
 from flexcli.mechanics.space.exact.members import FIRST_GUESS, Members
 from flexcli.mechanics.space.exact.rotation import matrix_of, moved
-from flexcli.mechanics.space.exact.section import BeamEffects
-from flexcli.mechanics.space.layout import SpaceLayout
+from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout
 from flexcli.numerics.collocation import refining_matrix
 
 __all__ = ["SHELL_LEVELS", "shells_from_beams"]

@@ -18,8 +18,7 @@ from flexcli.mechanics.space.exact.members import EndMotions, Variation
 from flexcli.mechanics.space.exact.mesh import mesh_of
 from flexcli.mechanics.space.exact.rotation import matrix_of, skew, spun
 from flexcli.mechanics.space.exact.second_variation import swing
-from flexcli.mechanics.space.exact.section import BeamEffects
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, SpaceRod
+from flexcli.mechanics.space.layout import BeamEffects, SpaceBlade, SpaceLayout, SpaceRod
 from flexcli.numerics.stack import solve_stack
 
 __all__ = ["Shells", "shells_of"]

@@ -5,7 +5,7 @@ the pose in which nothing is strained; a body of no listed name is the ground.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -15,6 +15,7 @@ from flexcli.formulas.clamped_blade import Across
 from flexcli.formulas.profile import Profile
 
 __all__ = [
+    "BeamEffects",
     "Directed",
     "Drive",
     "Isotropic",
@@ -29,6 +30,7 @@ __all__ = [
     "along",
     "grown_ends",
     "seats_grown",
+    "without",
 ]
 
 Floats = NDArray[np.float64]
@@ -89,6 +91,31 @@ class Directed(NamedTuple):
         return 2.0 * (1.0 + self.nu) * self.G * self.wider**2 / self.E
 
 
+class BeamEffects(NamedTuple):
+    """What a blade feels besides bending and Saint-Venant's torsion.
+
+    ``plate`` multiplies bending, stretching and shear by what rigid clamps do to a wide blade;
+    ``warping`` keeps clamped ends from warping, ``long_fibres`` is the stretch of the fibres that
+    twist makes into helices (Wagner's term). ``curling`` joins it with the flattening of a curved
+    section (:mod:`flexcli.mechanics.space.exact.section_law`); where a blade bends to and fro, it
+    costs more nodes.
+    """
+
+    extension: bool = True
+    shear: bool = True
+    plate: bool = True
+    warping: bool = True
+    long_fibres: bool = True
+    curling: bool = True
+
+    def and_(self, other: "BeamEffects") -> "BeamEffects":
+        """Return what both have."""
+        return BeamEffects(*(one and two for one, two in zip(self, other, strict=True)))
+
+
+_EVERYTHING = BeamEffects()
+
+
 class SpaceBody(NamedTuple):
     """A rigid body: the point its motion is stated at [m], mass [kg] and its centre [m].
 
@@ -112,7 +139,7 @@ class SpaceBlade:
     the factors by which its shape raises the stress of a section: in bending across the
     thickness, and along the blade. ``warps`` says that its clamps do not keep its ends flat.
     ``blocks`` is between which lengths lie blocks, as thick as the ends of a hinge, on either side
-    of it up to the rigid bodies [m].
+    of it up to the rigid bodies [m]. ``feels`` is what models do not leave out of it.
     """
 
     name: str
@@ -127,6 +154,12 @@ class SpaceBlade:
     peak: tuple[float, float] = (1.0, 1.0)
     warps: bool = False
     blocks: tuple[float, float] = (0.0, 0.0)
+    feels: BeamEffects = _EVERYTHING
+
+    @property
+    def warps_freely(self) -> bool:
+        """Return whether nothing is counted that keeps its ends flat."""
+        return self.warps or not self.feels.warping
 
     @property
     def axes(self) -> Floats:
@@ -225,6 +258,16 @@ class SpaceLayout:
     def body(self, name: str) -> SpaceBody:
         """Return a body that may move."""
         return self.bodies[self.index(name)]
+
+
+def without(layout: SpaceLayout, *effects: str) -> SpaceLayout:
+    """Return a mechanism whose blades do not feel some effects, by their names in BeamEffects."""
+    off = _EVERYTHING._replace(**dict.fromkeys(effects, False))
+    blades = (
+        replace(blade, feels=blade.feels.and_(off)) if isinstance(blade, SpaceBlade) else blade
+        for blade in layout.blades
+    )
+    return replace(layout, blades=tuple(blades))
 
 
 def seats_grown(layout: SpaceLayout, blade: SpaceBlade | SpaceRod) -> Floats:

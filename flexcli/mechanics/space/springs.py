@@ -11,7 +11,7 @@ from flexcli.formulas.clamped_blade import VALIDITY, ClampedSprings, clamped_bla
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch
 from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.mechanics.space.exact.mesh import mesh_of
-from flexcli.mechanics.space.exact.section import BeamEffects, section_of
+from flexcli.mechanics.space.exact.section import section_of
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod
 
 __all__ = ["HINGES", "STRETCH", "STRIP_CONSTRAINTS", "MemberSprings", "springs_of"]
@@ -133,9 +133,13 @@ def _clamped(blade: SpaceBlade, h: float, l: float) -> tuple[ClampedSprings, boo
     b = blade.b if across is None else max(1.0, across.wider) * blade.b
     known = not outside(VALIDITY, {"h/l": h / l, "b/l": b / l})
     found = clamped_blade(E=material.E, G=material.G, h=h, l=l, b=blade.b, across=across)
-    if blade.warps:
+    if blade.warps_freely:
         found.stiffness[3] = material.G * float(torsion_constant(h, blade.b)) / l
         found.low[3] = found.high[3] = 0.0
+    if not blade.feels.plate:
+        beam = blade_springs(profile=Constant(h), l=l, b=blade.b, E=material.E, G=material.G)
+        bent = [0, 1, 2, 4, 5]
+        found.stiffness[bent] = beam.stiffness[bent]
     return found, known
 
 
@@ -152,7 +156,7 @@ def _in_series(hinge: ClampedSprings, arm: float) -> ClampedSprings:
 
 def _hinge(blade: SpaceBlade, l: float) -> MemberSprings:
     """Return a notch or a blade with fillets: its beams at rest, with what solids tell of it."""
-    section = section_of(blade, BeamEffects())
+    section = section_of(blade, blade.feels)
     mesh = mesh_of((section,), NODES)
     s, w, C = mesh.s[0], mesh.w[0], mesh.C[0]
     axial, sheared_y, sheared_z = w @ C

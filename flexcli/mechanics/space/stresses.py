@@ -134,7 +134,7 @@ def _torsion(
 ) -> tuple[Floats, Floats]:
     """Return shear at the faces and normal stress at a corner per torque, at the sections."""
     E, G, b = member.material.E, member.material.G, member.b
-    if member.warps or not isinstance(member.profile, Constant):
+    if member.warps_freely or not isinstance(member.profile, Constant):
         free = shear_factor(h, b) * np.minimum(h, b) / torsion_constant(h, b)
         return free, np.zeros_like(s)
     theta = 1.0 / float(found.springs.stiffness[3])

@@ -19,6 +19,7 @@ from flexcli.parts.effects.plate import PlateWidening
 from flexcli.parts.effects.random_vibration import RandomVibration
 from flexcli.parts.effects.shear import Shear
 from flexcli.parts.effects.shock import ShockLoad
+from flexcli.parts.effects.warping import Warping
 
 __all__ = [
     "EFFECTS",
@@ -44,6 +45,7 @@ MODEL_EFFECTS: tuple[ModelEffect, ...] = (
     AxialLoad(),
     PlateWidening(),
     Anticlastic(),
+    Warping(),
     ClampStress(),
     RootRadius(),
     ClampCompliance(),

@@ -30,6 +30,8 @@ class Setting(NamedTuple):
     sizes: Sizes
     scenes: tuple[Scene, ...]
     stops: "Stops | None" = None
+    supports: bool = False
+    """Whether it is asked how stiff the joint is off its motion."""
 
     @property
     def blade(self) -> Blade | None:

@@ -4,10 +4,11 @@ from typing import Annotated, TypeAlias
 
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.any_flexure import FLEXURES
-from flexcli.parts.geometries.base import Blade, Critical, Extent, Geometry, Sizes
+from flexcli.parts.geometries.base import BEAM_EFFECTS, Blade, Critical, Extent, Geometry, Sizes
 from flexcli.parts.named import Kinds
 
 __all__ = [
+    "BEAM_EFFECTS",
     "GEOMETRIES",
     "AnyGeometry",
     "Blade",

@@ -3,11 +3,11 @@
 from abc import abstractmethod
 from collections.abc import Mapping
 from math import cos, inf, pi
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import AliasPath, Field, GetJsonSchemaHandler, model_validator
+from pydantic import AliasPath, Field, GetJsonSchemaHandler, PrivateAttr, model_validator
 from pydantic_core import CoreSchema
 
 from flexcli.formulas.card import Card, Range, outside
@@ -42,6 +42,13 @@ ROUNDING = 1e-9
 RIGHT = 1e-9
 """Cosine of an angle that counts as a right one."""
 
+BEAM_EFFECTS = {
+    EffectName.PLATE_WIDENING: "plate",
+    EffectName.ANTICLASTIC: "curling",
+    EffectName.WARPING: "warping",
+}
+"""What of blades in space a spec may leave out, and how beams call it."""
+
 AT_REST = frozenset({QuantityKind.STIFFNESS, QuantityKind.FREQUENCY, QuantityKind.SAG})
 """Kinds of numbers that closed forms state at rest, whatever the travel."""
 
@@ -67,6 +74,7 @@ ACROSS_WIDTH = "across the width"
 
 __all__ = [
     "ACROSS_WIDTH",
+    "BEAM_EFFECTS",
     "GROUND",
     "MOVING",
     "Blade",
@@ -203,6 +211,8 @@ class Geometry(Part):
     """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
     has_plane: ClassVar[bool] = True
     """Whether forces bend it in a plane as its stroke does; bars along an axis only turn there."""
+    _left_out: frozenset[EffectName] = PrivateAttr(frozenset())
+
     turns_freely: ClassVar[bool] = False
     """Whether its formulas leave the body free to turn as it moves, which a case may not."""
     keeps_level: ClassVar[bool] = False
@@ -225,6 +235,19 @@ class Geometry(Part):
                     f"{cls.__name__} draws its own layout and inherits {formula} of "
                     f"{owner.__name__}: state it, or name a base without a layout that does"
                 )
+
+    @property
+    def left_out(self) -> frozenset[EffectName]:
+        """Return the effects that its formulas, and its blades in space, are without."""
+        return self._left_out
+
+    def leaving_out(self, effects: frozenset[EffectName]) -> Self:
+        """Return it without effects of ``BEAM_EFFECTS``, and with those that are not named."""
+        if effects == self._left_out:
+            return self
+        copied = self.model_copy()
+        copied._left_out = effects
+        return copied
 
     @property
     def name(self) -> str:
@@ -594,8 +617,17 @@ class Geometry(Part):
         """Return the joint as bodies and blades in space, its plane being z = 0.
 
         Its base is the ground; the drive tells its moving body and its motion. ``density`` is that
-        of the blades [kg/m³].
+        of the blades [kg/m³]. Its blades are without the effects that are left out.
         """
+        layout = self.laid_in_space(elastic, sizes, density)
+        if not self._left_out:
+            return layout
+        from flexcli.mechanics.space.layout import without
+
+        return without(layout, *(BEAM_EFFECTS[name] for name in self._left_out))
+
+    def laid_in_space(self, elastic: Elastic, sizes: Sizes, density: float) -> "SpaceLayout":
+        """Return bodies and blades in space that feel everything."""
         from flexcli.mechanics.space.planar import from_plane
 
         layout = self.layout(elastic, sizes)

@@ -218,9 +218,9 @@ class NotchGeometry(Geometry):
         )  # fmt: skip
         return Layout((Body(MOVING, (0.0, 0.0)),), (strip,), elastic.E, elastic.shear)
 
-    def space_layout(self, elastic: Elastic, sizes: Any, density: float = 0.0) -> "SpaceLayout":
+    def laid_in_space(self, elastic: Elastic, sizes: Any, density: float) -> "SpaceLayout":
         """Return the hinge in space, with the blocks that may be beside it."""
-        layout, beside = super().space_layout(elastic, sizes, density), self._beside
+        layout, beside = super().laid_in_space(elastic, sizes, density), self._beside
         hinge = cast("SpaceBlade", layout.blades[0])
         profile, l = self.profile(sizes)
         # massive blocks give way less than bars as long as high

@@ -273,7 +273,7 @@ class SpaceDrawing(Drawn):
         for name, rod in self.rods.items():
             yield from rod.copies(name, None)
 
-    def space_layout(self, elastic: Elastic, sizes: Sizes, density: float = 0.0) -> SpaceLayout:
+    def laid_in_space(self, elastic: Elastic, sizes: Sizes, density: float) -> SpaceLayout:
         """Return the drawing as the solvers take it."""
         material = Isotropic(elastic.E, elastic.G, density)
         members: list[SpaceBlade | SpaceRod] = []

@@ -30,6 +30,7 @@ from flexcli.mechanics.space.layout import (
 )
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.twist import EndErrors, Twist
+from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import (
     GROUND,
@@ -177,7 +178,7 @@ class TorsionGeometry(Geometry):
     ) -> Iterator[SpaceBlade | SpaceRod]:
         """Yield what a bar is, from its start to where the body is."""
 
-    def space_layout(self, elastic: Elastic, sizes: Any, density: float = 0.0) -> SpaceLayout:
+    def laid_in_space(self, elastic: Elastic, sizes: Any, density: float) -> SpaceLayout:
         """Return the bars along z up to the body in the origin, a second one beyond it."""
         if self.bars > 2:
             raise NotAvailable("has more than two bars: on which side they are is open")
@@ -268,8 +269,8 @@ class TorsionBar(TorsionGeometry):
 
     @property
     def is_restrained(self) -> bool:
-        """Return what the spec says of the clamps."""
-        return self.warping == "restrained"
+        """Return what the spec says of the clamps, unless it leaves warping out."""
+        return self.warping == "restrained" and EffectName.WARPING not in self.left_out
 
     def rate(self, elastic: Elastic, sizes: Blade, twist: float) -> Computed:
         """Return the twist per length, that at mid-length where the ends cannot warp [rad/m]."""
@@ -300,7 +301,7 @@ class TorsionBar(TorsionGeometry):
 
     def stiffness(self, elastic: Elastic, sizes: Blade) -> Computed:
         """Return the rotational stiffness [N·m/rad]."""
-        if self.warping == "free":
+        if not self.is_restrained:
             return super().stiffness(elastic, sizes)
         h, l, b = sizes
         return self.bars * restrained_torsion.restrained_stiffness(
@@ -309,7 +310,7 @@ class TorsionBar(TorsionGeometry):
 
     def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return von Mises' equivalent stress at mid-length and, where clamped, at the ends."""
-        if self.warping == "free":
+        if not self.is_restrained:
             return super().end_stresses(elastic, sizes, travel)
         h, l, b = sizes
         found = restrained_torsion.restrained_stresses(

@@ -25,8 +25,14 @@ from flexcli.mechanics.layout import Blade, Body, Layout
 from flexcli.mechanics.refinement import Outcome
 from flexcli.mechanics.space.exact.demand import Frame, drive_frame
 from flexcli.mechanics.space.exact.equilibrium import beside, solve
-from flexcli.mechanics.space.exact.section import BeamEffects
-from flexcli.mechanics.space.layout import Drive, Isotropic, SpaceBlade, SpaceLayout, SpaceLoad
+from flexcli.mechanics.space.layout import (
+    BeamEffects,
+    Drive,
+    Isotropic,
+    SpaceBlade,
+    SpaceLayout,
+    SpaceLoad,
+)
 from flexcli.mechanics.tangent import body_stiffness as planar_stiffness
 
 BEAM = BeamEffects(plate=False)

@@ -13,14 +13,13 @@ from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.mechanics.space.exact.critical import critical_load, straight_critical_factor
 from flexcli.mechanics.space.exact.demand import Frame
 from flexcli.mechanics.space.exact.equilibrium import solve
-from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.exact.stresses import blade_stresses
 from flexcli.mechanics.space.exact.support import (
     support_compliance,
     unstable_when_free,
     vibration,
 )
-from flexcli.mechanics.space.layout import SpaceLoad
+from flexcli.mechanics.space.layout import BeamEffects, SpaceLoad
 
 E, G, nu = STEEL.E, STEEL.G, STEEL.nu
 HELD = {"two": (None, None, None, 0.01, -0.02, 0.1)}

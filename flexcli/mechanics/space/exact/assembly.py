@@ -25,8 +25,7 @@ from flexcli.mechanics.space.exact.rotation import (
     spun,
     vector_of,
 )
-from flexcli.mechanics.space.exact.section import BeamEffects
-from flexcli.mechanics.space.layout import SpaceLayout, seats_grown
+from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout, seats_grown
 from flexcli.numerics.stack import solve_stack
 
 __all__ = ["Assembly", "Linearised", "Unknowns", "assemble", "at_nodes", "finer"]

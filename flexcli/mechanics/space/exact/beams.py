@@ -10,8 +10,8 @@ from flexcli.mechanics.space.exact.blade import along, condense
 from flexcli.mechanics.space.exact.members import EndMotions, Members, Variation
 from flexcli.mechanics.space.exact.mesh import Mesh, mesh_of
 from flexcli.mechanics.space.exact.second_variation import beam_variation
-from flexcli.mechanics.space.exact.section import BeamEffects, section_of
-from flexcli.mechanics.space.layout import SpaceLayout
+from flexcli.mechanics.space.exact.section import section_of
+from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout
 from flexcli.numerics.collocation import refining_matrix
 
 __all__ = ["Beams", "beams_of"]

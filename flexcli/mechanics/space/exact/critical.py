@@ -31,9 +31,8 @@ from flexcli.mechanics.space.exact.demand import Demand, Frame, Held, demand_of
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve, started
 from flexcli.mechanics.space.exact.members import MembersOf
 from flexcli.mechanics.space.exact.second_variation import inertia_count, second_variation
-from flexcli.mechanics.space.exact.section import BeamEffects
 from flexcli.mechanics.space.exact.support import unstable_when_free
-from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad
+from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout, SpaceLoad
 from flexcli.numerics.arc_length import CLOSE, Hyperplane, Steps, follow
 
 __all__ = ["SpaceCritical", "critical_load", "straight_critical_factor"]

@@ -40,8 +40,7 @@ from flexcli.mechanics.space.exact.second_variation import (
     inertia_count,
     second_variation,
 )
-from flexcli.mechanics.space.exact.section import BeamEffects
-from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector
+from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout, SpaceLoad, Vector
 from flexcli.numerics.newton import NewtonResult
 
 __all__ = ["SpaceEquilibrium", "SpacePart", "beside", "solve", "started"]

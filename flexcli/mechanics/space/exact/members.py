@@ -10,8 +10,7 @@ from typing import Any, NamedTuple, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.space.exact.section import BeamEffects
-from flexcli.mechanics.space.layout import SpaceLayout
+from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout
 
 __all__ = ["FIRST_GUESS", "EndMotions", "Members", "MembersOf", "Variation"]
 

@@ -20,33 +20,15 @@ from flexcli.formulas.torsion_fibres import rectangle_fourth_moment
 from flexcli.formulas.torsion_section import torsion_constant, warping
 from flexcli.formulas.torsion_shapes import circle_torsion_constant
 from flexcli.mechanics.mesh import SHEAR_FACTOR
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
+from flexcli.mechanics.space.layout import BeamEffects, SpaceBlade, SpaceRod
 from flexcli.mechanics.wide_hinge import wide_hinge
 
-__all__ = ["BeamEffects", "Compliances", "Section", "section_of"]
+__all__ = ["Compliances", "Section", "section_of"]
 
 Floats = NDArray[np.float64]
 
 ROUND_SHEAR_FACTOR = 0.9
 """κ of a round section, from the energy of the parabolic shear stress along its load."""
-
-
-class BeamEffects(NamedTuple):
-    """What a blade feels besides bending and Saint-Venant's torsion.
-
-    ``plate`` multiplies bending, stretching and shear by what rigid clamps do to a wide blade;
-    ``warping`` keeps clamped ends from warping, ``long_fibres`` is the stretch of the fibres that
-    twist makes into helices (Wagner's term). ``curling`` joins it with the flattening of a curved
-    section (:mod:`flexcli.mechanics.space.exact.section_law`); where a blade bends to and fro, it
-    costs more nodes.
-    """
-
-    extension: bool = True
-    shear: bool = True
-    plate: bool = True
-    warping: bool = True
-    long_fibres: bool = True
-    curling: bool = True
 
 
 class Compliances(NamedTuple):
@@ -147,6 +129,7 @@ def _strip(blade: SpaceBlade, l: float, effects: BeamEffects) -> Section:
     ends = np.array([-1.0, 1.0])
     thin = min(float(np.min(piece.thickness(ends))) for each in stretches for piece in each)
     EI = blade.material.E * second_moment(blade.b, thin)
+    effects = effects.and_(blade.feels)
     plate = _plate(blade, l, thin, effects) if effects.plate and blade.b > thin else _Plate()
     at = partial(_of_strip, blade, l, effects, plate, EI)
     return Section(EI, l, blade.material.nu, stretches, at)
@@ -193,7 +176,7 @@ def _of_strip(
     edge = (1.0 / plate.guided - 1.0 / plate.pure) / 0.8
     shear = effects.shear * EI / (SHEAR_FACTOR * G * A * l**2)
     I_p, J = bent + wide, torsion_constant(h, b)
-    held = effects.warping and not blade.warps
+    held = effects.warping and not blade.warps_freely
     curls = h == plate.curls
     fourth = rectangle_fourth_moment(h, b) - I_p**2 / A - curls * h * b**5 / 180.0
     apart = 1.0 - held * J / I_p

@@ -17,8 +17,8 @@ from flexcli.formulas.torsion_section import shear_factor, warping
 from flexcli.mechanics.space.exact.beams import Beams
 from flexcli.mechanics.space.exact.blade import along
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
-from flexcli.mechanics.space.exact.section import BeamEffects, Section
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod
+from flexcli.mechanics.space.exact.section import Section
+from flexcli.mechanics.space.layout import BeamEffects, SpaceBlade, SpaceRod
 from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
 
 __all__ = ["BladeStress", "beam_stresses", "blade_stresses"]
@@ -142,7 +142,8 @@ def _of_section(
         )
     b = blade.b
     thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
-    held = (effects.warping and not blade.warps) * E / (1.0 - nu**2) * warping(h, b).largest * rates
+    held = effects.warping and not blade.warps_freely
+    warped = held * E / (1.0 - nu**2) * warping(h, b).largest * rates
     r2 = (h**2 + b**2) / 12.0
     fibres = long_fibres * E * tau**2 / 2.0 * ((h**2 + b**2) / 4.0 - r2)
     axial = N / (b * h)
@@ -154,8 +155,8 @@ def _of_section(
         axial=axial,
         bend_thin=np.abs(thin),
         bend_wide=np.abs(wide),
-        warping=np.abs(held),
+        warping=np.abs(warped),
         fibres=fibres,
-        corner=corner + held[:, None] * y * z,
+        corner=corner + warped[:, None] * y * z,
         shear=G * np.minimum(h, b) * np.abs((shear_factor(h, b) - 0.5) * f + 0.5 * tau),
     )
