@@ -265,7 +265,7 @@ class _Series:
         *,
         formulas: bool = True,
     ) -> None:
-        self.formulas = formulas and len(models) > 1
+        self.formulas = formulas and len(models) > 1 and not design.left_out
         self.design = design
         self.sizes = sizes
         self.models = models

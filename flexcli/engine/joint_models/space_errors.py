@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas.card import Range
-from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch
+from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.rotation import conjugate, matrix_of, product, vector_of
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod, Vector
@@ -175,6 +175,9 @@ def _hinge_error(blade: SpaceBlade, bend: Bend) -> float | None:
         case Filleted(h=h):
             turn = max(turn, bend.curve)
             curls = blade.b**2 / (float(h) * l)
+        case Tabulated(thicknesses=h):
+            turn = max(turn, bend.curve)
+            curls = blade.b**2 / (float(min(h)) * l)
         case Notch():
             pass
         case _:

@@ -136,15 +136,13 @@ def _strip(blade: SpaceBlade, l: float, effects: BeamEffects) -> Section:
 
 
 def _plate(blade: SpaceBlade, l: float, h: float, effects: BeamEffects) -> _Plate:
-    """Return the factors of constant thickness, or that of the bending of a hinge's plate.
+    """Return the factors of constant thickness and of tapers, or of a hinge's plate in bending.
 
     What stretching and shear across the width feel of a short throat's clamps is left out, and so
     is its curling where its thickness varies: there it is too short.
     """
     b, nu, profile = blade.b, blade.material.nu, blade.profile
-    if isinstance(profile, Tabulated):
-        return _Plate()
-    curls = h * (effects.long_fibres and effects.curling)
+    curls = h * (effects.long_fibres and effects.curling and not isinstance(profile, Tabulated))
     if isinstance(profile, Notch | Filleted):
         numbers = tuple(float(each) for each in vars(profile).values())
         bent = wide_hinge(type(profile), numbers, l, b, nu).stiffness
