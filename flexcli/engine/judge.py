@@ -374,13 +374,19 @@ def limits_by(
 
     What blades in space are without, as the spec switches it off, stays in it.
     """
-    found = list(_limits_of(design, sizes, requirement, scene, model, near))
     if not design.left_out:
-        yield from found
+        yield from _limits_of(design, sizes, requirement, scene, model, near)
         return
     one_alone()
     whole: dict[str, tuple[float, float] | None] = {}
-    for limit in _limits_of(design.whole, sizes, requirement, scene, model, near):
+    # what buckles without it may stand with it, and what stands may not
+    of_whole = list(_limits_of(design.whole, sizes, requirement, scene, model, near))
+    try:
+        found = list(_limits_of(design, sizes, requirement, scene, model, near))
+    except Buckled as buckled:
+        names = ", ".join(sorted(name.key for name in design.left_out))
+        raise NotAvailable(f"buckles without {names}, which is switched off") from buckled
+    for limit in of_whole:
         between, worst = assess.span(replace(limit, tolerance=None)), whole.get(limit.name)
         if limit.name not in whole or (worst and (not between or between < worst)):
             whole[limit.name] = between

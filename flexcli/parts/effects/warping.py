@@ -43,8 +43,9 @@ class Warping(ModelEffect):
 
     def changes(self, setting: Setting) -> Changes:
         """Return nothing to correct: what it changes has it."""
-        names = ("stiffness", "frequency", "stress") if _twists(setting) else ()
-        names += ("support",) if setting.supports else ()
+        names = ["stiffness", "frequency", "stress"] if _twists(setting) else []
+        if setting.supports:
+            names.append("support")
         return dict.fromkeys(names, Change(0.0, 0.0, 0.0))
 
     def estimates(self, setting: Setting) -> Mapping[str, float]:
