@@ -7,6 +7,7 @@ holds the table against Pint.
 """
 
 import re
+from collections.abc import Iterable
 from decimal import Context, Decimal, localcontext
 from functools import cache, lru_cache
 from math import inf
@@ -20,6 +21,7 @@ __all__ = [
     "Dimension",
     "QuantityError",
     "number_and_unit",
+    "numbers_and_unit",
     "parse_quantity",
     "registry",
     "show",
@@ -183,6 +185,16 @@ def number_and_unit(text: str) -> tuple[float, str] | None:
     """Return the number of a quantity and its unit as written, or nothing where it is none."""
     match = _NUMBER.fullmatch(text) if len(text) <= MAX_LENGTH else None
     return None if match is None else (float(match[1]), match[2])
+
+
+def numbers_and_unit(texts: Iterable[str]) -> tuple[list[float], str] | None:
+    """Return numbers and their unit as written; nothing where one has none, or another one."""
+    read = [number_and_unit(text) for text in texts]
+    there = [each for each in read if each is not None]
+    units = {unit for _, unit in there}
+    if len(there) < len(read) or len(units) != 1:
+        return None
+    return [number for number, _ in there], units.pop()
 
 
 @lru_cache(maxsize=4096)  # a drawing that follows free parameters is read at each of their values

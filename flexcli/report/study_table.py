@@ -11,7 +11,7 @@ from flexcli.report.columns_file import parquet_bytes as columns_parquet
 from flexcli.report.tables import Line, table
 from flexcli.results import Result
 from flexcli.results.study import StudyResult, StudyRow
-from flexcli.units import show
+from flexcli.units import numbers_and_unit, show
 
 __all__ = ["FIXED", "parquet_bytes", "section", "study_csv"]
 
@@ -30,13 +30,20 @@ def study_csv(result: StudyResult) -> str:
 def parquet_bytes(result: StudyResult) -> bytes:
     """Return a row a design; each column's unit is in its metadata.
 
+    What varies in one unit is numbers in it, where CSV keeps the words that a study goes on from.
+
     Raises
     ------
     SolveError
         When what writes Parquet is not installed.
 
     """
-    return columns_parquet(_columns(result))
+    columns = _columns(result)
+    for k, name in enumerate(result.varied):
+        read = numbers_and_unit(row.point.get(name, "") for row in result.rows)
+        if read is not None:
+            columns[k] = FileColumn(name, read[1], "as the spec writes it", read[0])
+    return columns_parquet(columns)
 
 
 def _columns(result: StudyResult) -> list[FileColumn]:

@@ -150,9 +150,13 @@ def test_each_design_may_be_sized(flexure, spec, tmp_path):
 
 def test_parquet_has_the_units_in_its_schema(flexure, spec, tmp_path):
     parquet = import_module("pyarrow.parquet")
-    flexure("sweep", str(spec), "--vary", "geometry.h=0.1mm:0.2mm:2", "-o", "h.parquet", "-j", "1")
+    vary = ("--vary", "geometry.h=0.1mm:0.2mm:2", "--vary", "material=ti-6al-4v")
+    flexure("sweep", str(spec), *vary, "-o", "h.parquet", "-j", "1")
     found = parquet.read_table(tmp_path / "h.parquet")
     assert found.num_rows == 2
+    assert found["geometry.h"].to_pylist() == [0.1, 0.2]
+    assert found.schema.field("geometry.h").metadata[b"unit"] == b"mm"
+    assert found["material"].to_pylist() == ["ti-6al-4v"] * 2
     field = found.schema.field("k_stage")
     assert field.metadata[b"unit"] == b"N/m"
     one = flexcli.check(spec, overrides={"geometry.h": "0.1 mm"}).values["k_stage"].value

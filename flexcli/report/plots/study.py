@@ -10,7 +10,7 @@ from flexcli.errors import SolveError
 from flexcli.report.plots.chart import DASHES, Axis, Chart
 from flexcli.report.plots.plot import Plot, in_unit
 from flexcli.results.study import StudyResult, StudyRow
-from flexcli.units import number_and_unit
+from flexcli.units import numbers_and_unit
 
 __all__ = ["study_plot"]
 
@@ -66,12 +66,8 @@ def study_plot(found: StudyResult) -> Plot:
 
 def _varied(name: str, rows: Sequence[StudyRow]) -> _Varied | None:
     """Return what varies as numbers of one unit; nothing where it is words."""
-    read = [number_and_unit(row.point.get(name, "")) for row in rows]
-    there = [each for each in read if each is not None]
-    units = {unit for _, unit in there}
-    if not rows or len(there) < len(rows) or len(units) > 1:
-        return None
-    return _Varied(name, units.pop(), np.array([number for number, _ in there]))
+    read = numbers_and_unit(row.point.get(name, "") for row in rows)
+    return None if read is None else _Varied(name, read[1], np.array(read[0]))
 
 
 def _number(cells: Mapping[str, float | str], name: str) -> float:
