@@ -348,7 +348,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
             if share > MOST_SHARE:
                 share, high, spoken = MOST_SHARE, inf, f"{spoken}: none up to that"
             straight = straight_critical_factor(
-                layout, beams.held, pattern, most=MOST_SHARE, frames=drive_frame(drive),
+                layout, beams.held, pattern, most=share, frames=drive_frame(drive),
                 start=beams.start,
             )  # fmt: skip
             low = min(1.0, straight / share) * (1.0 - off)

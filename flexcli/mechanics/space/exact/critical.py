@@ -221,7 +221,8 @@ def straight_critical_factor(
 
     if is_stable(1.0):
         return inf
-    low, high = 0.0, 1.0
+    # a straight column's own load is found by its path as well: it is just below
+    low, high = (1.0 - _CLOSE, 1.0) if is_stable(1.0 - _CLOSE) else (0.0, 1.0 - _CLOSE)
     while high - low > _CLOSE * high and high > _CORRECTION:
         middle = (low + high) / 2.0
         low, high = (middle, high) if is_stable(middle) else (low, middle)
