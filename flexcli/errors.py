@@ -1,8 +1,9 @@
-"""Findings about a spec, and the errors that carry them to the edge of the program."""
+"""Findings about a spec, how solutions end, and the errors that carry both to the user."""
 
 from dataclasses import dataclass
+from enum import Enum
 
-__all__ = ["Finding", "NoSolution", "SolveError", "SpecError", "printable"]
+__all__ = ["Finding", "NoSolution", "Outcome", "SolveError", "SpecError", "printable"]
 
 
 @dataclass(frozen=True)
@@ -43,6 +44,44 @@ class SolveError(Exception):
 
 class NoSolution(SolveError):
     """A good spec of which a solver found no answer, or of which there is none: exit code 1."""
+
+
+class Outcome(Enum):
+    """How a solution ended: the cause and its remedy."""
+
+    CONVERGED = ("converged", "")
+    INFEASIBLE = (
+        "no values of the variables satisfy all constraints",
+        "relax one of the smallest conflicting set, which `conflict` finds",
+    )
+    UNBOUNDED = (
+        "the objective falls without limit",
+        "give bounds to the variables that run away",
+    )
+    STALLED = (
+        "did not converge",
+        "start nearer to the design, or look for coefficients or exponents that are out of "
+        "proportion",
+    )
+    TURNED = (
+        "the path from rest turns or branches before the demand is met",
+        "hold a motion in place of the load, or follow the path by arc length",
+    )
+    SINGULAR = (
+        "the mechanism at rest has no unique answer",
+        "hold or support every body, and let blades extend where more of them than needed share "
+        "a load",
+    )
+    INACCURATE = (
+        "the finest nodes do not reach the tolerance",
+        "ask for less, or take out what makes the forces so large (blades held against "
+        "stretching, boundary layers)",
+    )
+
+    def error(self, where: str = "") -> SolveError:
+        """Return the error that says of what was solved how it ended."""
+        cause, remedy = self.value
+        return SolveError(self.name.lower(), where + cause, remedy)
 
 
 def printable(text: str) -> str:

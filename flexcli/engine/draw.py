@@ -20,13 +20,13 @@ from flexcli.engine.drawn_layout import (
 from flexcli.engine.joint_models.exact import TOLERANCE, ExactModel
 from flexcli.engine.joint_models.joint_states import blades_of, over_travels
 from flexcli.engine.values import stated_strength
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Body, Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.points import point_motion
-from flexcli.mechanics.state import Equilibrium, Outcome
+from flexcli.mechanics.state import Equilibrium
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
@@ -182,7 +182,7 @@ def _moved(ask: Ask, turn: Turn) -> tuple[tuple[DrawnState, ...], tuple[XY, ...]
     state = over_travels(ask, solver, travels)
     for outcome in state.outcome:
         if outcome is not Outcome.CONVERGED:
-            return (), (), str(outcome.value)
+            return (), (), str(outcome.error())
     layout = state.layout
     centre = numbers(layout.body(MOVING).point)
     path = centre + point_motion(state, MOVING, layout.body(MOVING).point)

@@ -14,11 +14,10 @@ from flexcli.engine.draw import drawing, drawn_case, strength_shown
 from flexcli.engine.drawn_layout import drawn_blade, drawn_bodies, drawn_states, turning
 from flexcli.engine.joint_models.exact import TOLERANCE
 from flexcli.engine.joint_models.joint_states import blades_of
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
-from flexcli.mechanics.state import Outcome
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
@@ -121,7 +120,7 @@ def _moved(layout: Layout, travels: Sequence[float]) -> tuple[tuple[DrawnState, 
     state = solve(layout, held, effects=effects, tolerance=TOLERANCE)
     for outcome in state.outcome:
         if outcome is not Outcome.CONVERGED:
-            return (), str(outcome.value)
+            return (), str(outcome.error())
     return drawn_states(state, AS_DRAWN, SOLID_2, dict(enumerate(travels))), ""
 
 

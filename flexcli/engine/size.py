@@ -17,8 +17,8 @@ from flexcli.engine.sizing.runaway import refuse_runaway
 from flexcli.engine.sizing.scouting import best_settled
 from flexcli.engine.sizing.stock import StockChoice, from_stock, points_about
 from flexcli.engine.sizing.trust_region import AGREED, UNKNOWN, Settled, least_eased
-from flexcli.errors import NoSolution
-from flexcli.numerics.solution import Outcome, Solution
+from flexcli.errors import NoSolution, Outcome
+from flexcli.numerics.solution import Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Objective

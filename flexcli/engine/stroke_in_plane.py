@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from flexcli.engine.joint_models.exact import TOLERANCE, driven_stiffness
 from flexcli.engine.joint_models.holds import driven_axis
 from flexcli.engine.joint_models.joint_states import blades_of, over_travels
+from flexcli.errors import Outcome
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.energy import strain_energy
 from flexcli.mechanics.equilibrium import solve
@@ -16,7 +17,7 @@ from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.stability import is_stable
-from flexcli.mechanics.state import Equilibrium, Outcome
+from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import greatest_stress
 from flexcli.mechanics.tangent import body_stiffness
 from flexcli.parts.geometries.base import MOVING
@@ -47,7 +48,7 @@ def stroke_in_plane(ask: Ask, points: int, blades: Effects) -> SweepResult:
     missed = [i for i, outcome in enumerate(state.outcome) if outcome is not Outcome.CONVERGED]
     why = ""
     if missed:
-        cause = str(state.outcome[missed[0]].value)
+        cause = state.outcome[missed[0]].error()
         why = f"{len(missed)} of {points} travels were not reached: {cause}"
     points_found = _points(ask, state, travels)
     reached = np.array([point.travel for point in points_found])

@@ -27,13 +27,13 @@ from flexcli.mechanics.inertia_count import inertia_count
 from flexcli.mechanics.layout import Layout, Load, Number
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.prescribed_motion import demand_of, designs_of
-from flexcli.mechanics.refinement import LEVELS, Outcome, Reached, by_steps, refined
+from flexcli.mechanics.refinement import LEVELS, Reached, by_steps, refined
 from flexcli.mechanics.refinement import difference as relative_difference
 from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.compilation import is_compiled
 from flexcli.numerics.newton import NewtonResult
 
-__all__ = ["LEVELS", "Equilibrium", "Outcome", "difference", "solve"]
+__all__ = ["LEVELS", "Equilibrium", "difference", "solve"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]

@@ -4,19 +4,18 @@ What is discretised plays no part: blades in the plane or in space, one design o
 """
 
 from collections.abc import Sequence
-from enum import Enum
 from typing import Any, NamedTuple, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import Outcome
 from flexcli.numerics.continuation import BENT, TRUST, March, march
 from flexcli.numerics.newton import BENDS, NewtonEnd, NewtonResult, newton
 
 __all__ = [
     "LEVELS",
     "Discretised",
-    "Outcome",
     "Reached",
     "Refined",
     "by_steps",
@@ -49,24 +48,6 @@ _DIGITS = 1e-7
 
 _SURE = 10.0
 """How much more Newton's steps may bend on finer nodes than they did on few."""
-
-
-class Outcome(Enum):
-    """How the solution of one design ended, with the remedy."""
-
-    CONVERGED = "converged"
-    TURNED = (
-        "the path from rest turns or branches before the demand is met: "
-        "hold a motion in place of the load, or follow the path by arc length"
-    )
-    SINGULAR = (
-        "the mechanism at rest has no unique answer: hold or support every body, and let blades "
-        "extend where more of them than needed share a load"
-    )
-    INACCURATE = (
-        "the finest nodes do not reach the tolerance: ask for less, or take out what makes the "
-        "forces so large (blades held against stretching, boundary layers)"
-    )
 
 
 class Discretised(Protocol):

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.mechanics.assembly import Assembly, assemble
 from flexcli.mechanics.critical_point import (
     CriticalPoint,
@@ -34,7 +34,7 @@ from flexcli.mechanics.inertia_count import (
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.prescribed_motion import demand_of
-from flexcli.mechanics.state import Equilibrium, Outcome, Part
+from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.arc_length import CLOSE, follow
 
 __all__ = ["Critical", "critical_load", "inertia_count_held", "is_stable"]

@@ -8,16 +8,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome
 from flexcli.mechanics.assembly import Assembly, Linearised
 from flexcli.mechanics.demand import Demand
 from flexcli.mechanics.inertia_count import inertia_count
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
-from flexcli.mechanics.refinement import Outcome
 from flexcli.mechanics.si import blade_forces, body_forces, body_motions
 
-__all__ = ["Equilibrium", "Outcome", "Part"]
+__all__ = ["Equilibrium", "Part"]
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -89,9 +88,8 @@ class Equilibrium:
         """
         for i, outcome in enumerate(self.outcome):
             if outcome is not Outcome.CONVERGED:
-                cause, remedy = str(outcome.value).split(": ", 1)
                 where = f"design {i}, at {self.reached[i]:.4g} of the demand: " * (self.designs > 1)
-                raise SolveError(outcome.name.lower(), where + cause, remedy)
+                raise outcome.error(where)
         return self
 
     def scatter(self, values: Sequence[Floats]) -> Floats:

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import Outcome
 from flexcli.numerics.interior_point import Point, central_path, kkt_residual, polish
 from flexcli.numerics.log_sum_exp import LogSumExp
 from flexcli.numerics.signomial import Floats
-from flexcli.numerics.solution import Outcome
 
 FEASIBLE = 1e-9
 """Log violation below which a set counts as feasible, and log margin below which its interior

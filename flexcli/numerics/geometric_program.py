@@ -6,11 +6,12 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from flexcli.errors import Outcome
 from flexcli.numerics.many_starts import solve
 from flexcli.numerics.ratios import Equality, Ratio, Settled
 from flexcli.numerics.signomial import Floats, Signomial, as_signomial
 from flexcli.numerics.signomial_program import SignomialProgram, signomial_program
-from flexcli.numerics.solution import Outcome, Solution
+from flexcli.numerics.solution import Solution
 
 __all__ = ["minimize"]
 

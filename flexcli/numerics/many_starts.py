@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import Outcome
 from flexcli.numerics.convex_program import (
     FEASIBLE,
     Convex,
@@ -19,7 +20,7 @@ from flexcli.numerics.interior_point import kkt_residual
 from flexcli.numerics.log_program import LogProgram, violation
 from flexcli.numerics.log_sum_exp import LogSumExp
 from flexcli.numerics.signomial import Floats
-from flexcli.numerics.solution import ACTIVE, Outcome, Solution
+from flexcli.numerics.solution import ACTIVE, Solution
 from flexcli.numerics.successive import RIM, Descent, descend
 
 __all__ = ["solve", "spread", "starts_among"]

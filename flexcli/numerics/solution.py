@@ -1,29 +1,15 @@
 """How a program over positive variables was solved: outcome, optimum, multipliers, certificate."""
 
 from dataclasses import dataclass
-from enum import Enum
 from typing import Literal
 
-__all__ = ["ACTIVE", "Outcome", "Solution"]
+from flexcli.errors import Outcome
+
+__all__ = ["ACTIVE", "Solution"]
 
 ACTIVE = 1e-7
 """A constraint is active when its log utilisation is within this of zero: far above the solver's
 residual, far below any tolerance of manufacture."""
-
-
-class Outcome(Enum):
-    """How a solve ended; the text states cause and remedy."""
-
-    CONVERGED = "converged"
-    INFEASIBLE = (
-        "no values of the variables satisfy all constraints; relax one of the smallest "
-        "conflicting set, which `conflict` finds"
-    )
-    UNBOUNDED = "the objective falls without limit; give bounds to the variables that run away"
-    STALLED = (
-        "did not converge; start nearer to the design, or look for coefficients or exponents "
-        "that are out of proportion"
-    )
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from flexcli.errors import Outcome
 from flexcli.numerics.convex_model import ModelStep, best_step
 from flexcli.numerics.convex_program import FEASIBLE
 from flexcli.numerics.interior_point import kkt_residual, polish
 from flexcli.numerics.log_program import LogProgram, violation
 from flexcli.numerics.log_sum_exp import Expansion
 from flexcli.numerics.signomial import Floats
-from flexcli.numerics.solution import Outcome
 
 __all__ = ["RIM", "Descent", "descend"]
 

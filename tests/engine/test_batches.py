@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from geometries_for_tests import ELASTIC, SAMPLES, geometry
 
+from flexcli.errors import Outcome
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.mesh import Effects
-from flexcli.mechanics.state import Outcome
 from flexcli.parts.geometries.base import MOVING
 
 KINDS = sorted(set(SAMPLES) - {"torsion-bar", "round-torsion-bar", "torsion-star"})

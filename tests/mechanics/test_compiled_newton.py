@@ -7,7 +7,8 @@ import pytest
 from geometries_for_tests import ELASTIC, SAMPLES, geometry, travel, varied
 from mechanisms_for_tests import cantilever, pivot
 
-from flexcli.mechanics.equilibrium import Outcome, solve
+from flexcli.errors import Outcome
+from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Body, Load, Support
 from flexcli.mechanics.mesh import Effects
 from flexcli.numerics.compilation import compiled

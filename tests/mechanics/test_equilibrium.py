@@ -11,11 +11,11 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, fsolve
 from scipy.special import ellipeinc, ellipkinc
 
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.formulas.pivot import parasitic_shift, rotational_stiffness
 from flexcli.mechanics.assembly import assemble
 from flexcli.mechanics.energy import strain_energy
-from flexcli.mechanics.equilibrium import Outcome, solve
+from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Body, Load, Support
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.prescribed_motion import demand_of

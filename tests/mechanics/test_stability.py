@@ -8,10 +8,10 @@ from mechanisms_for_tests import E, G, cantilever, parallelogram, pivot
 from paths import trace
 from scipy.optimize import brentq
 
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.formulas.buckling import euler_load
 from flexcli.formulas.profile import Constant
-from flexcli.mechanics.equilibrium import Outcome, solve
+from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Blade, Body, Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.stability import critical_load, is_stable

@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 from scipy.optimize import linprog
 from scipy.optimize import minimize as scipy_minimize
 
+from flexcli.errors import Outcome
 from flexcli.numerics.geometric_program import minimize
 from flexcli.numerics.ratios import Equality, Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, as_signomial, variables
 from flexcli.numerics.signomial_program import signomial_program
-from flexcli.numerics.solution import Outcome
 
 DIGITS = 1e-10  # solutions are polished to rounding; logarithms of size 50 leave some 1e-14
 ONE = as_signomial(1.0)

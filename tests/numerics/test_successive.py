@@ -5,13 +5,13 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from flexcli.errors import Outcome
 from flexcli.numerics.black_box import BlackBox
 from flexcli.numerics.geometric_program import minimize
 from flexcli.numerics.log_utilisation import log_utilisation
 from flexcli.numerics.many_starts import solve, spread, starts_among
 from flexcli.numerics.ratios import Ratio
 from flexcli.numerics.signomial import Signomial, as_signomial
-from flexcli.numerics.solution import Outcome
 from flexcli.numerics.successive import descend
 
 

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.holds import driven_axis, held_at_rest, held_by_stroke, hold_of
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.mechanics.demand import Held
-from flexcli.mechanics.equilibrium import LEVELS, Outcome, solve
+from flexcli.mechanics.equilibrium import LEVELS, solve
 from flexcli.mechanics.layout import Layout, Load, Point, Support
 from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.mesh import Effects

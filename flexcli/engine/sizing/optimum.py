@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from flexcli.engine.sizing.program import STARTS, SizingProgram
 from flexcli.engine.sizing.rows import Term, size_of
-from flexcli.errors import NoSolution
+from flexcli.errors import NoSolution, Outcome
 from flexcli.numerics.log_stencil import differences
-from flexcli.numerics.solution import Outcome, Solution
+from flexcli.numerics.solution import Solution
 from flexcli.parts.sizing import Objective
 from flexcli.results.sizing import Sensitivity
 
@@ -48,9 +48,8 @@ def refuse(
         )
     if solution.outcome is Outcome.STALLED:
         if program.exact:
-            raise NoSolution(
-                "did-not-converge", "the sizing did not converge", solution.outcome.value
-            )
+            remedy = solution.outcome.error().remedy
+            raise NoSolution("did-not-converge", "the sizing did not converge", remedy)
         raise NoSolution(
             "did-not-converge",
             "the sizing did not converge on limits that are numbers",

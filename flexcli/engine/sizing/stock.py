@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from flexcli.engine import assess
 from flexcli.engine.sizing.program import SizingProgram
 from flexcli.engine.sizing.rows import ONE, Term, size_of
-from flexcli.numerics.solution import Outcome, Solution
+from flexcli.errors import Outcome
+from flexcli.numerics.solution import Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.sizing import Grid
 

@@ -9,10 +9,9 @@ from plates.clamped_sheet import Sheet
 from plates.clamped_strip import Strip
 from support import body_stiffness
 
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.formulas.plate_flattening import secant_factor
 from flexcli.formulas.profile import NeckedDown
-from flexcli.mechanics.refinement import Outcome
 from flexcli.mechanics.shell.element import derivatives
 from flexcli.mechanics.shell.first_guess import shells_from_beams
 from flexcli.mechanics.shell.shells import shells_of

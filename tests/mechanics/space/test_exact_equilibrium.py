@@ -11,7 +11,7 @@ from scipy.optimize import root
 from scipy.spatial.transform import Rotation
 from support import body_stiffness
 
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.formulas.blade_spring import blade_springs, deformation_rows
 from flexcli.formulas.plate_factors import guided_factor, pure_bending_factor
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
@@ -22,7 +22,6 @@ from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.formulas.torsion_section import warping as section_warping
 from flexcli.mechanics import equilibrium as planar
 from flexcli.mechanics.layout import Blade, Body, Layout
-from flexcli.mechanics.refinement import Outcome
 from flexcli.mechanics.space.exact.demand import Frame, drive_frame
 from flexcli.mechanics.space.exact.equilibrium import beside, solve
 from flexcli.mechanics.space.layout import (

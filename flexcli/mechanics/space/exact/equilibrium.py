@@ -15,10 +15,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome
 from flexcli.mechanics.refinement import (
     LEVELS,
-    Outcome,
     Reached,
     by_steps,
     difference,
@@ -99,8 +98,7 @@ class SpaceEquilibrium:
             Saying why it did not.
         """
         if self.outcome is not Outcome.CONVERGED:
-            cause, remedy = str(self.outcome.value).split(": ", 1)
-            raise SolveError(self.outcome.name.lower(), cause, remedy)
+            raise self.outcome.error()
         return self
 
     @cached_property
