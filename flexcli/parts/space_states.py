@@ -320,7 +320,11 @@ def beyond_linear_sag(ask: Ask) -> float | None:
         turns it over: the acceleration acts either way.
 
     """
-    scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
+    scene = ask.scene
+    try:
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    except NotAvailable:  # no shear modulus, or no blades
+        return None
     body = joint.layout.body(joint.layout.drive.body)
     along = motion_along(axes_about_z(ask.geometry.axes))
     row = along["xyz".index(scene.axis)] @ joint.assembly.motion(body.name, body.point)
