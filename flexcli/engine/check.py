@@ -230,14 +230,14 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
 
 def _rigid_clamps(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
     """Yield which passes rest on clamps that nobody said are rigid."""
-    giving, slender = design.geometry.with_giving_clamps(), design.geometry.slenderness(sizes)
-    if giving is None or slender is None or design.stops is not None:
+    softer, slender = design.geometry.with_compliant_clamps(), design.geometry.slenderness(sizes)
+    if softer is None or slender is None or design.stops is not None:
         return
     near = [check for check in found.checks if _is_near(check, slender)]
     if near:
         from flexcli.engine.rigid_clamps import rests_on_rigid_clamps
 
-        yield from rests_on_rigid_clamps(design, sizes, near, giving, found.models)
+        yield from rests_on_rigid_clamps(design, sizes, near, softer, found.models)
 
 
 def _is_near(check: Check, slender: float) -> bool:

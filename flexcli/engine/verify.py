@@ -216,7 +216,7 @@ def _asks(design: DesignSpec, sizes: Sizes, model: NamedModel) -> list[_Asked]:
 def _between_rigid_clamps(design: DesignSpec, sizes: Sizes) -> tuple[DesignSpec, list[Note]]:
     """Return a design whose clamps are rigid, as those of the solids, and what to say of it."""
     geometry = design.geometry
-    if geometry.giving_clamps(sizes, design.material.elastic.nu or 0.0) is None:
+    if geometry.compliant_clamps(sizes, design.material.elastic.nu or 0.0) is None:
         return design, []
     if "clamps" not in type(geometry).model_fields:
         text = f"flexures of this {geometry.name} give at their roots, those of solids here do not"

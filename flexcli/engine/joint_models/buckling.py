@@ -151,7 +151,7 @@ def _widening(ask: Ask) -> float:
     if blade is not None:
         h, l, b = (float(size) for size in blade)
         most = float(pure_bending_factor(b=b, l=l, h=h, poisson_ratio=nu)) - 1.0
-    return most + ask.clamps_give
+    return most + ask.clamp_softening
 
 
 def _crushed(ask: Ask, found: Reached) -> tuple[float, str]:

@@ -14,9 +14,9 @@ __all__ = [
     "Bending",
     "Change",
     "Changes",
+    "CompliantClamps",
     "Factor",
     "FilletedRoots",
-    "Giving",
     "Thick",
     "WideBlades",
     "together",
@@ -126,8 +126,8 @@ class FilletedRoots(NamedTuple):
     arc: float
 
 
-class Giving(NamedTuple):
-    """What clamps that give way change in a joint, over rigid ones.
+class CompliantClamps(NamedTuple):
+    """What clamps that are not rigid change in a joint.
 
     ``stress`` and ``shift`` are between which the change lies; ``softest`` is by how much any
     compliance of the joint may rise, off its motion and out of its plane too.

@@ -7,7 +7,7 @@ from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.linear import LinearSolution, linear
 from flexcli.numerics.rows import one_alone
 from flexcli.parts.bending.base import FilletedRoots
-from flexcli.parts.bending.giving import Shift, shift_within
+from flexcli.parts.bending.compliant_clamps import Shift, shift_within
 from flexcli.parts.geometries.base import MOVING, Held
 
 __all__ = ["filleted_roots"]

@@ -5,7 +5,7 @@ from typing import ClassVar, Generic, TypeVar
 
 from flexcli.formulas import clamps
 from flexcli.numerics.rows import design_by_design, larger, number
-from flexcli.parts.bending import UNKNOWN, Change, Changes, FilletedRoots, Giving, whole
+from flexcli.parts.bending import UNKNOWN, Change, Changes, CompliantClamps, FilletedRoots, whole
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.effects.plate import wide_of
@@ -67,10 +67,10 @@ class ClampCompliance(ModelEffect):
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return the largest h/l of a blade, and what rigid clamps leave out where none is told."""
-        giving, slender = _GIVING.of(setting), setting.slenderness
-        if giving is not None:
-            return Indicator(giving.ratio, f"h/l = {giving.ratio:.2g}")
-        if slender is None or setting.geometry.with_giving_clamps() is None:
+        softened, slender = _CLAMPS.of(setting), setting.slenderness
+        if softened is not None:
+            return Indicator(softened.ratio, f"h/l = {softened.ratio:.2g}")
+        if slender is None or setting.geometry.with_compliant_clamps() is None:
             return None
         softer = 6.0 * clamps.extra_length(h=slender)
         text = (
@@ -81,20 +81,20 @@ class ClampCompliance(ModelEffect):
 
     def changes(self, setting: Setting) -> Changes:
         """Return the softer stiffness, and between what all that follows from it lies."""
-        giving = _GIVING.of(setting)
-        if giving is None:
+        softened = _CLAMPS.of(setting)
+        if softened is None:
             return {}
-        found = {"stiffness": _within(*giving.stiffness[:3])}
+        found = {"stiffness": _within(*softened.stiffness[:3])}
         if any(scene.blade_force for scene in setting.scenes):
-            found["buckling"] = _within(*giving.buckling[:3])
+            found["buckling"] = _within(*softened.buckling[:3])
         if setting.largest_travel:
-            least, most = giving.stress
+            least, most = softened.stress
             if any(scene.is_loaded for scene in setting.scenes):
-                most = giving.loaded
+                most = softened.loaded
             found["stress"] = _between(least, most)
-            found["shift"] = _between(*giving.shift)
+            found["shift"] = _between(*softened.shift)
         if not setting.sags_along_stroke:
-            found["sag"] = Change(None, giving.softest, 0.0, 1)
+            found["sag"] = Change(None, softened.softest, 0.0, 1)
         return found
 
 
@@ -152,8 +152,8 @@ class _Last(Generic[Found]):
         return self.found
 
 
-_GIVING: _Last[Giving] = _Last(
-    "clamps", lambda geometry, sizes, nu: geometry.giving_clamps(sizes, nu)
+_CLAMPS: _Last[CompliantClamps] = _Last(
+    "clamps", lambda geometry, sizes, nu: geometry.compliant_clamps(sizes, nu)
 )
 _FILLETED: _Last[FilletedRoots] = _Last(
     "fillets", lambda geometry, sizes, nu: geometry.filleted(sizes, nu)

@@ -15,7 +15,7 @@ from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.mechanics.layout import Layout, Point
 from flexcli.numerics.rows import hypot, number
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, or_free, spec_error
-from flexcli.parts.bending import Bending, FilletedRoots, Giving, Thick, WideBlades
+from flexcli.parts.bending import Bending, CompliantClamps, FilletedRoots, Thick, WideBlades
 from flexcli.parts.bending.unknown import NotEstimated
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import Elastic, NotAvailable
@@ -482,7 +482,7 @@ class Geometry(Part):
         """Return what plane elasticity changes in its notch hinges, nothing where it has none."""
         return None
 
-    def giving_clamps(self, sizes: Sizes, nu: float) -> Giving | None:
+    def compliant_clamps(self, sizes: Sizes, nu: float) -> CompliantClamps | None:
         """Return what its blades' roots change as they give way, nothing where none is told to."""
         return None
 
@@ -501,7 +501,7 @@ class Geometry(Part):
         """
         return {}
 
-    def with_giving_clamps(self) -> "Geometry | None":
+    def with_compliant_clamps(self) -> "Geometry | None":
         """Return it cut from one piece with its bodies where nothing says how its blades end."""
         return None
 
@@ -509,7 +509,7 @@ class Geometry(Part):
         """Return whether another has the same bodies and blades, which may end otherwise."""
         if self is other:
             return True
-        mine, theirs = self.with_giving_clamps(), other.with_giving_clamps()
+        mine, theirs = self.with_compliant_clamps(), other.with_compliant_clamps()
         return (mine is None) != (theirs is None) and (mine == other or theirs == self)
 
     @property

@@ -16,7 +16,7 @@ from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Number, Point
 from flexcli.numerics.rows import number
 from flexcli.numerics.signomial import Signomial
-from flexcli.parts.bending import FilletedRoots, Giving
+from flexcli.parts.bending import CompliantClamps, FilletedRoots
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import (
     ACROSS_WIDTH,
@@ -45,21 +45,21 @@ class ClampedBlades(Geometry):
     nothing is said, e.g. ``monolithic``.
     """
 
-    def giving_clamps(self, sizes: Sizes, nu: float) -> Giving | None:
+    def compliant_clamps(self, sizes: Sizes, nu: float) -> CompliantClamps | None:
         """Return what roots in one piece with bodies change, and fillets beyond their beam."""
         is_rigid, radius = self.clamps in (None, "rigid"), number(self.fillet(sizes))
         if is_rigid and not radius:
             return None
-        from flexcli.parts.bending.giving import Roots, giving_clamps
+        from flexcli.parts.bending.compliant_clamps import Roots, compliant_clamps
 
-        return giving_clamps(
+        return compliant_clamps(
             self.blades_layout(Elastic(1.0, nu), sizes),
             self.held(1.0),
             Roots(nu, is_rigid, self.clamps == "monolithic-flush", radius, self.joined_in),
             lambda pure, bent: self.shift_change(sizes, pure, bent),
         )
 
-    def with_giving_clamps(self) -> Geometry | None:
+    def with_compliant_clamps(self) -> Geometry | None:
         """Return it cut from one piece where nothing is said of its clamps."""
         return None if self.clamps else self.model_copy(update={"clamps": "monolithic"})
 

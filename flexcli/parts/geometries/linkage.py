@@ -16,7 +16,7 @@ from flexcli.mechanics.linkages.extremes import Extremes, extremes
 from flexcli.mechanics.linkages.linkage import Linkage, Prismatic, Revolute
 from flexcli.mechanics.linkages.travel import Travel, motion, travel
 from flexcli.parts.base import Angle, Length, Part, spec_error
-from flexcli.parts.bending import Giving, Thick, WideBlades
+from flexcli.parts.bending import CompliantClamps, Thick, WideBlades
 from flexcli.parts.bending.thick import thick_linked
 from flexcli.parts.bending.wide import wide_linked
 from flexcli.parts.elastic import Elastic, NotAvailable
@@ -243,21 +243,21 @@ class LinkageGeometry(Geometry):
         """Return the range of its joints."""
         return thick_linked([f.thick_notches(self.sizes_of(n, sizes)) for n, f in self.flexures()])
 
-    def giving_clamps(self, sizes: Sizes, nu: float) -> Giving | None:
+    def compliant_clamps(self, sizes: Sizes, nu: float) -> CompliantClamps | None:
         """Return the range of its joints."""
-        each = [f.giving_clamps(self.sizes_of(name, sizes), nu) for name, f in self.flexures()]
+        each = [f.compliant_clamps(self.sizes_of(name, sizes), nu) for name, f in self.flexures()]
         if not any(each):
             return None
-        from flexcli.parts.bending.giving import giving_linked
+        from flexcli.parts.bending.compliant_clamps import linked_clamps
 
-        return giving_linked(each)
+        return linked_clamps(each)
 
-    def with_giving_clamps(self) -> Geometry | None:
+    def with_compliant_clamps(self) -> Geometry | None:
         """Return it with such flexures where nothing is said of theirs."""
         found = {
-            name: self.joints[name].model_copy(update={"flexure": giving})
+            name: self.joints[name].model_copy(update={"flexure": clamped})
             for name, flexure in self.flexures()
-            if (giving := flexure.with_giving_clamps()) is not None
+            if (clamped := flexure.with_compliant_clamps()) is not None
         }
         return self.model_copy(update={"joints": {**self.joints, **found}}) if found else None
 

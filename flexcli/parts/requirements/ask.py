@@ -113,11 +113,11 @@ class Ask(NamedTuple):
     near: "Ask | None" = None
 
     @property
-    def clamps_give(self) -> float:
+    def clamp_softening(self) -> float:
         """Return by how much its clamps may raise any compliance, off the motion too [-]."""
         given = self.material.poisson_ratio
-        giving = self.geometry.giving_clamps(self.sizes, 0.5 if given is None else given.value)
-        return 0.0 if giving is None else giving.softest
+        clamped = self.geometry.compliant_clamps(self.sizes, 0.5 if given is None else given.value)
+        return 0.0 if clamped is None else clamped.softest
 
 
 class JointModel(ABC):

@@ -128,6 +128,6 @@ def across_width(ask: Ask) -> Iterator[Critical]:
         high = 0.0 if ENDS[scene.ends].hinged else least**2 - 1.0
         stress = scene.axial_share / (h * b)
         force = critical.force / scene.axial_share
-        low = (1.0 - softer) / (1.0 + ask.clamps_give) - 1.0
+        low = (1.0 - softer) / (1.0 + ask.clamp_softening) - 1.0
         error = ErrorRange(low, larger(high, 0.0))
         yield Critical(ACROSS_WIDTH, force, critical.source, stress, error)

@@ -140,7 +140,7 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
     ends = [factor * (1.0 + off.low), factor * (1.0 + off.high)]
     if _leaves_its_motion(ask):
         # what stretches the blades is no softer or stiffer by their width, but by their clamps
-        ends += [1.0, 1.0 / (1.0 + ask.clamps_give)]
+        ends += [1.0, 1.0 / (1.0 + ask.clamp_softening)]
     low, high = max(min(ends), 0.0), max(ends)
     if low <= 0.0:
         return Uncertain(structure, None)
@@ -169,7 +169,7 @@ def _in_space(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
     if others is not None:
         onto = sorted(set(_onto(own, frequencies, low, high)))
         others += tuple(own.stiffened(f) for f in onto[:: 1 + len(onto) // MOST_FACTORS])
-        others += (own.stiffened(1.0 / (1.0 + ask.clamps_give)),)
+        others += (own.stiffened(1.0 / (1.0 + ask.clamp_softening)),)
     return Uncertain(own, others, partial(shape_error, joint, own, ask.scene.shaken_axes))
 
 

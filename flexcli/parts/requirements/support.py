@@ -134,7 +134,7 @@ def deflection_form(ask: Ask, sought: NDArray[np.float64], load: NDArray[np.floa
         # what guides it keeps it from turning about z
         turns = rows[5] @ moved.coordinates
         strained = strained - np.outer(strained[:, 2], turns / turns[2])
-    return joint.form(strained[:, 0], strained[:, 1], ask.clamps_give)
+    return joint.form(strained[:, 0], strained[:, 1], ask.clamp_softening)
 
 
 def _at(place: NDArray[np.float64]) -> Place:
@@ -364,7 +364,7 @@ def _with_clamps(ask: Ask, error: ErrorRange | None) -> ErrorRange | None:
     """Return the error of a stiffness with what clamps that give way may take from it."""
     if error is None:
         return None
-    return error._replace(low=(1.0 + error.low) / (1.0 + ask.clamps_give) - 1.0)
+    return error._replace(low=(1.0 + error.low) / (1.0 + ask.clamp_softening) - 1.0)
 
 
 def _of_ratio(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | None:

@@ -101,7 +101,7 @@ class Stops(Part):
                 "give mechanism: (kind: tip-mass, mass: …)",
                 at=("stops",),
             )
-        if geometry.giving_clamps(geometry.probe(), 0.5) is not None:
+        if geometry.compliant_clamps(geometry.probe(), 0.5) is not None:
             raise spec_error(
                 "blades at stops end in rigid clamps, without fillets",
                 "write clamps: rigid, and leave root_radius out",

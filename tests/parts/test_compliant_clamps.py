@@ -34,7 +34,7 @@ def geometry(kind, clamps, **sizes):
 
 def giving(spec, nu=NU):
     joint = TypeAdapter(AnyGeometry).validate_python(spec)
-    return joint.giving_clamps(joint.sized({}), nu)
+    return joint.compliant_clamps(joint.sized({}), nu)
 
 
 @pytest.mark.parametrize("body", BODIES)
@@ -288,6 +288,6 @@ def test_a_cross_may_hold_its_blades_better_than_a_body():
         {"kind": "cross-spring", "delta": 0.0, "half_angle": "45 deg", "clamps": "monolithic",
          "h": "0.1 mm", "l": "10 mm", "b": "10 mm"}
     )  # fmt: skip
-    outer = parts.giving_clamps(parts.sized({}), NU).stiffness
+    outer = parts.compliant_clamps(parts.sized({}), NU).stiffness
     assert found.stiffness.low == pytest.approx(outer.low, rel=1e-3)
     assert found.stiffness.high > outer.high

@@ -1,4 +1,4 @@
-"""Giving clamps: what blades cut from one piece with their bodies are softer than clamped ones."""
+"""Compliant clamps: how much softer blades cut from one piece with their bodies are."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
@@ -12,10 +12,10 @@ from flexcli.formulas.profile import Filleted, Notch
 from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.linear import linear
 from flexcli.numerics.rows import one_alone
-from flexcli.parts.bending.base import Factor, Giving
+from flexcli.parts.bending.base import CompliantClamps, Factor
 from flexcli.parts.geometries.base import MOVING, PIECE, ROUNDING, Held
 
-__all__ = ["Roots", "Shift", "giving_clamps", "giving_linked", "shift_within"]
+__all__ = ["Roots", "Shift", "compliant_clamps", "linked_clamps", "shift_within"]
 
 Floats = NDArray[np.float64]
 
@@ -71,12 +71,12 @@ class _Strip(NamedTuple):
     """By how much any compliance across its width rises at most."""
 
 
-def giving_clamps(
+def compliant_clamps(
     layout: Layout,
     held: Held,
     roots: Roots,
     shift: Shift,
-) -> Giving:
+) -> CompliantClamps:
     """Return what roots that give way change in a joint, by how the beams of its layout bend.
 
     With the forces of rigid clamps the energy of the roots bounds the stiffness from below, with
@@ -105,7 +105,7 @@ def giving_clamps(
     low, high = _bounds(layout, held, strips) or (lowest, 1.0)
     least = min(_arc(strip.blade, strip.least) for strip in strips)
     most = max(_arc(strip.blade, strip.most) for strip in strips)
-    return Giving(
+    return CompliantClamps(
         max(strip.slender for strip in strips),
         Factor((low + high) / 2.0, low, high),
         (lowest - 1.0, spread if len(layout.bodies) > 1 else 0.0),
@@ -132,15 +132,15 @@ def _bounds(layout: Layout, held: Held, strips: list[_Strip]) -> tuple[float, fl
     return 1.0 / (1.0 + by_force / whole), 1.0 + by_motion / whole
 
 
-def giving_linked(each: Sequence[Giving | None]) -> Giving | None:
+def linked_clamps(each: Sequence[CompliantClamps | None]) -> CompliantClamps | None:
     """Return the range of a linkage's joints, which reflect their stiffness to the input."""
-    found = [giving for giving in each if giving is not None]
+    found = [one for one in each if one is not None]
     if not found:
         return None
     high = 1.0 if len(found) < len(each) else max(g.stiffness.high for g in found)
     low = min(g.stiffness.low for g in found)
     held = min(g.buckling.low for g in found)
-    return Giving(
+    return CompliantClamps(
         max(g.ratio for g in found),
         Factor((low + high) / 2.0, low, high),
         (low - 1.0, high - low),
