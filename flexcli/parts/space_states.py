@@ -6,6 +6,7 @@ unknown.
 """
 
 from collections.abc import Iterable, Iterator
+from functools import partial
 from itertools import product
 from math import inf, isfinite, pi
 from typing import NamedTuple
@@ -14,11 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
+from flexcli.formulas.profile import Tabulated
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
 from flexcli.mechanics.layout import Load
 from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.space.freedoms import misfit
-from flexcli.mechanics.space.layout import SpaceRod, Vector
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.mechanics.space.modes import SpaceModes, natural_modes, own_blade_frequency
 from flexcli.mechanics.space.second_order import SecondOrder
@@ -32,7 +34,7 @@ from flexcli.mechanics.space.states import (
     misfitted,
     warmed,
 )
-from flexcli.mechanics.space.stresses import equivalent
+from flexcli.mechanics.space.stresses import equivalent, hinge_error
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Geometry, Sizes
 from flexcli.parts.material import Material
@@ -75,6 +77,9 @@ AROUND_ERROR = 5e-3
 KNOWN = 0.3
 """Share of the linear result that further orders may change it by and still be told."""
 
+EXACT, NODES = 1e-5, (18, 27, 40)
+"""Error of the forces of exact beams beside a stroke, relative, and their nodes, level by level."""
+
 STIFFENS = 12.0
 """Axial force [EI/l²] that would change the bending of a blade by as much as it is."""
 
@@ -93,6 +98,10 @@ INNER = 0.8
 
 TWOFOLD = 2.0
 """Times what uneven sections do at rest: how much they may do at a stroke."""
+
+ACROSS, MANY = (2, 3, 4), 6
+"""Springs of a blade that loads out of its plane strain, and how many kinds of them in a joint are
+looked at one by one."""
 
 WEIGHTS = (0.0, 0.25, 0.5, 0.75, 1.0, 2.0, 4.0)
 """Of the mean stress beside the amplitude, among which a place is the worst for some method."""
@@ -430,29 +439,27 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
     """Return the largest stress of a case's loads out of the plane of a joint, and its error.
 
     Each load acts either way, the drive free, in the pose at rest. The error counts what the
-    stroke and these loads do together to second order.
+    stroke and these loads do together: to second order, in joints with hinges by exact beams.
     """
     stresses, across = Stresses(joint.assembly), np.isin(np.arange(6), scene.across)
-    groups = []
-    for each in acting_groups(joint, scene):
-        apart = each._replace(
+    acting = [
+        each._replace(
             wrench=np.where(across, each.wrench, 0.0),
             acceleration=np.where(across[:3], each.acceleration, 0.0),
         )
-        if apart.wrench.any() or apart.acceleration.any():
-            groups.append(action(joint.assembly, apart))
-    if not groups:
+        for each in acting_groups(joint, scene)
+    ]
+    acting = [each for each in acting if each.wrench.any() or each.acceleration.any()]
+    if not acting:
         return Told(0.0, ErrorRange(0.0, 0.0))
-    each_by_blade = zip(
-        *(stresses.of(g.moved.forces[:, 0], g.weights) for g in groups), strict=True
-    )
-    rest = max(
-        float(np.max(sum(equivalent(s.normal, s.shear) for s in each))) for each in each_by_blade
-    )
+    groups = [action(joint.assembly, each) for each in acting]
+    rest = _at_once(groups, stresses)
     if scene.temperature is not None:
         return Told(rest, None)  # nobody has told how far what it strains stiffens the rest
-    if not joint.is_known or not joint.is_uniform:
-        return Told(rest, None)  # how a wide throat spreads its stress nobody has compared
+    if not joint.is_known:
+        return Told(rest, None)
+    if not joint.is_uniform:
+        return _across_hinges(joint, scene, acting, groups, stresses)
     found = list(_beside(joint, scene, groups, stresses))
     most = max(more for more, _ in found)
     error = max(each for _, each in found)
@@ -460,6 +467,105 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
         return Told(rest + most, None)
     # what the stroke adds was taken as if largest at one place
     return Told(rest + most, ErrorRange(-error - most / (rest + most), error))
+
+
+def _at_once(groups: list[SpaceState], stresses: Stresses) -> float:
+    """Return the largest stress of groups of loads that act either way, as if alike there [Pa]."""
+    each = (stresses.of(state.moved.forces[:, 0], state.weights) for state in groups)
+    blades = zip(*each, strict=True)
+    return max(float(np.max(sum(equivalent(s.normal, s.shear) for s in own))) for own in blades)
+
+
+def _across_hinges(
+    joint: SpaceJoint,
+    scene: Scene,
+    acting: list[Acting],
+    groups: list[SpaceState],
+    stresses: Stresses,
+) -> Told:
+    """Return the stress of loads out of the plane of a joint with hinges, and its error.
+
+    Exact beams tell by what share of itself it changes at a stroke; that of the blades' own weight,
+    which they do not bear, is taken to change as that of the loads.
+    """
+    rest = _at_once(groups, stresses)
+    known = _hull(map(_of_hinge, joint.layout.blades))
+    unsure = _unevenly_sprung(joint, acting, stresses, rest)
+    if unsure is None or known is None or any(not state.loads for state in groups):
+        return Told(rest, None)
+    if any(_is_taper(blade) for blade in joint.layout.blades):
+        return Told(rest, None)  # how a taper spreads its stress across nobody has compared
+    ends = [scene.middle + scene.travel, scene.middle - scene.travel] if scene.moves else [0.0]
+    least, most = 0.0, 1.0
+    # with all loads the other way it is its own mirror image
+    for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
+        loads = combined(groups, list(signs))
+        forces = loads.moved.forces[:, 0]
+        here = max(map(_largest, stresses.of(forces, np.zeros_like(loads.weights))))
+        for end in dict.fromkeys(ends):
+            there = _added(joint, loads, end)
+            if there is None:
+                return Told(rest, None)
+            least, most = max(least, there), max(most, there / here)
+    found = rest * most
+    # warping between straight clamps is as unsure as a hinge's is
+    low = (1.0 + min(known.low, -WARPING_ERROR)) * (1.0 + unsure.low)
+    high = (1.0 + max(known.high, WARPING_ERROR)) * (1.0 + unsure.high)
+    return Told(found, ErrorRange(least / found * low - 1.0, high - 1.0))
+
+
+def _unevenly_sprung(
+    joint: SpaceJoint, acting: list[Acting], stresses: Stresses, rest: float
+) -> ErrorRange | None:
+    """Return the error that springs out of the plane make of the largest stress of loads, ``rest``.
+
+    Blades of the same shape are off alike; each kind of their springs is as soft or as stiff as it
+    may be beside the others. Nothing where that is unknown, or blades are of many shapes.
+    """
+    if len(joint.layout.blades) == 1:  # what acts on it are the loads
+        return ErrorRange(0.0, 0.0)
+    alike = dict[tuple[object, ...], list[int]]()
+    for k, blade in enumerate(joint.layout.blades):
+        if isinstance(blade, SpaceRod):
+            return None
+        shape = (*vars(blade.profile).values(), blade.b, joint.assembly.members[k].l)
+        for spring in ACROSS:
+            alike.setdefault((spring, *shape), []).append(6 * k + spring)
+    rows = list(alike.values())
+    if len(rows) > MANY or not np.isfinite(joint.high[np.concatenate(rows)]).all():
+        return None
+    found = list[float]()
+    for ends in product((joint.low, joint.high), repeat=len(rows)):
+        factors = np.ones(len(joint.assembly.stiffness))
+        for own, end in zip(rows, ends, strict=True):
+            factors[own] += end[own]
+        assembly = joint.assembly.scaled(factors)
+        found.append(_at_once([action(assembly, each) for each in acting], stresses) / rest - 1.0)
+    return ErrorRange(min(0.0, *found), max(0.0, *found))
+
+
+def _added(joint: SpaceJoint, loads: SpaceState, travel: float) -> float | None:
+    """Return the largest stress that loads add at a travel by exact beams, the drive held [Pa].
+
+    Nothing where there is no such state.
+    """
+    # exact beams are for hinges alone
+    from flexcli.mechanics.space.exact.demand import drive_frame
+    from flexcli.mechanics.space.exact.equilibrium import solve
+    from flexcli.mechanics.space.exact.stresses import largest_added
+
+    drive = joint.layout.drive
+    held: list[float | None] = [None] * 6
+    held[3 if drive.turns else 0] = travel
+    at = partial(
+        solve, joint.layout, {drive.body: tuple(held)}, frames=drive_frame(drive), tolerance=EXACT
+    )
+    try:
+        state = at(loads=loads.loads, levels=NODES).checked()
+        plain = at(levels=(state.nodes,)).checked()
+    except SolveError:
+        return None
+    return largest_added(state, plain)
 
 
 def _beside(
@@ -543,7 +649,20 @@ def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> Error
     more = more / (1.0 - more) + _springs(joint, state)
     warped = _warped(here, most)
     around = AROUND_ERROR if any(isinstance(x, SpaceRod) for x in joint.layout.blades) else 0.0
-    return ErrorRange(-more - warped - around, more + warped)
+    hinges = _hull(_of_hinge(blade) for blade in joint.layout.blades)
+    if hinges is None:
+        return None
+    return ErrorRange(-more - warped - around, more + warped) + hinges
+
+
+def _of_hinge(blade: SpaceBlade | SpaceRod) -> ErrorRange | None:
+    """Return how far the stress of a blade's section may be off where it is a hinge."""
+    error = hinge_error(blade)
+    return None if error is None else ErrorRange(*error)
+
+
+def _is_taper(blade: SpaceBlade | SpaceRod) -> bool:
+    return isinstance(blade, SpaceBlade) and isinstance(blade.profile, Tabulated)
 
 
 def _warped(stresses: list[BladeStress], most: float) -> float:

@@ -29,6 +29,35 @@ def checked(tmp_path, flexure):
     return check
 
 
+NOTCH = """
+flexure: 1
+material:
+  name: Ti
+  youngs_modulus: 114 GPa
+  poisson_ratio: 0.34
+  density: 4430 kg/m^3
+  yield_strength: 830 MPa
+geometry: {kind: notch-hinge, e: 0.2 mm, r: 2 mm, b: 8 mm, blocks: massive}
+mechanism: {kind: payload, mass: 0.3 kg, inertia: 1e-5 kg*m^2}
+cases:
+  launch: {acceleration: {level: 400 m/s^2, axis: z}}
+requirements: REQUIREMENTS
+"""
+
+
+@pytest.mark.parametrize(("factor", "verdict"), [(3.5, "pass"), (5.0, "undecided"), (7.5, "fail")])
+def test_a_notch_that_is_shaken_across_its_plane_is_judged_by_yield(checked, factor, verdict):
+    # a throat that is wide against √(e r) is sheared evenly: √3 m a/(b e) is a factor of 5.9
+    code, found = checked(f"{{yield: {factor}}}", NOTCH)
+    assert code == (verdict != "pass")
+    (check,) = found["checks"]
+    assert check["verdict"] == verdict
+    low, high = check["factor_range"]
+    nominal = 830e6 / (np.sqrt(3.0) * 0.3 * 400.0 / (8e-3 * 0.2e-3))
+    assert low < nominal < high
+    assert high < 2.0 * low
+
+
 def test_a_wrench_out_of_the_plane_is_judged_by_yield(checked):
     code, found = checked("{yield: 1.5}")
     assert code == 0

@@ -11,6 +11,8 @@ from flexcli.mechanics.space.exact.equilibrium import solve as solve_in_space
 from flexcli.mechanics.space.exact.stresses import blade_stresses
 from flexcli.mechanics.space.layout import BeamEffects, Drive, SpaceBody, SpaceLayout, SpaceLoad
 from flexcli.mechanics.space.planar import from_plane
+from flexcli.mechanics.space.states import Stresses
+from flexcli.mechanics.space.stresses import equivalent
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.scene import NO_WRENCH, LoadKind, Scene
@@ -244,6 +246,39 @@ def test_at_rest_a_force_out_of_the_plane_bends_the_widths():
     found = across_stress(SpaceJoint(layout), SCENE._replace(stated=ACROSS["force"]))
     assert found.value == pytest.approx(1.0 / 3.0 * 10e-3 / (0.1e-3 * 5e-3**2 / 6.0), rel=1e-9)
     assert found.error.largest < 0.05
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.05, 0.15])
+def test_a_moment_on_a_turned_notch_twists_its_throat_too(angle):
+    # the throat turns by half as much as the body, and bears what acts on that; its two flanks turn
+    # by less and by more, so that their torques differ and the throat warps besides
+    joint = geometry("notch-hinge")
+    layout = from_plane(joint.layout(Elastic(114e9, 0.3), joint.probe()), "moving", turns=True)
+    there, moment = SpaceJoint(layout), 1e-3
+    acting = (0.0, 0.0, 0.0, 0.0, moment, 0.0)
+    scene = SCENE._replace(stated=acting)
+    if angle:
+        scene = moved(angle, stated=acting, across_by=frozenset({LoadKind.WRENCH}))
+    found = across_stress(there, scene)
+    at_rest = Stresses(there.assembly).rows[0]
+    forces = np.zeros(9)
+    forces[3:5] = moment * np.sin(angle / 2.0), moment * np.cos(angle / 2.0)
+    expected = np.max(equivalent(at_rest.normal @ forces, at_rest.shear @ forces))
+    assert 0.99 < found.value / expected < (1.2 if angle else 1.01)
+    assert -0.5 < found.error.low < 0.0 < found.error.high < 0.5
+
+
+@pytest.mark.parametrize("kind", ["hinged-stage", "hinged-pivot"])
+def test_the_stress_of_loads_out_of_the_plane_of_hinges_is_told_to_a_half(kind):
+    there = flat(kind)
+    found = across_stress(there, SCENE._replace(stated=ACROSS["both"]))
+    scale = 50e6 / found.value
+    acting = tuple(scale * component for component in ACROSS["both"])
+    travel = 0.02 if kind != "hinged-stage" else 5e-4
+    far = across_stress(there, moved(travel, stated=acting, across_by=frozenset({LoadKind.WRENCH})))
+    for each in (found, far):
+        assert -0.5 < each.error.low < 0.0 < each.error.high < 0.6
+    assert far.value > 0.98 * 50e6
 
 
 def strained(joint, wrenches):

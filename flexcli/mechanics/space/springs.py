@@ -10,11 +10,19 @@ from flexcli.formulas.card import Range, outside
 from flexcli.formulas.clamped_blade import VALIDITY, ClampedSprings, clamped_blade, clamped_rod
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.formulas.torsion_section import torsion_constant
-from flexcli.mechanics.space.exact.mesh import mesh_of
+from flexcli.mechanics.space.exact.mesh import Mesh, mesh_of
 from flexcli.mechanics.space.exact.section import section_of
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod
 
-__all__ = ["HINGES", "STRETCH", "STRIP_CONSTRAINTS", "MemberSprings", "springs_of"]
+__all__ = [
+    "HINGES",
+    "NODES",
+    "STRETCH",
+    "STRIP_CONSTRAINTS",
+    "MemberSprings",
+    "springs_of",
+    "twist_rate",
+]
 
 Floats = NDArray[np.float64]
 
@@ -176,11 +184,8 @@ def _hinge(blade: SpaceBlade, l: float) -> MemberSprings:
     axial, sheared_y, sheared_z = w @ C
     across_thickness, turn_z, bent_y = bending(s, w / (1.0 + mesh.clamped[0]))
     across_width, turn_y, bent_z = bending(s, w * mesh.bend_y[0])
-    twist = mesh.twist[0]
-    rate = np.linalg.solve(np.diag(mesh.hold[0]) + twist * mesh.torsion[0], twist.sum(axis=1))
-    flexible = [
-        axial, bent_y + sheared_y, bent_z + sheared_z, w @ (rate + mesh.spin[0]), turn_y, turn_z
-    ]  # fmt: skip
+    twist = w @ (twist_rate(mesh) + mesh.spin[0])
+    flexible = [axial, bent_y + sheared_y, bent_z + sheared_z, twist, turn_y, turn_z]
     stiffness = section.EI / np.array(flexible) / np.repeat([l**3, l], 3)
     springs = BladeSprings(stiffness, across_thickness * l, across_width * l)
     low, high, known = _hinge_errors(blade, l)
@@ -188,6 +193,13 @@ def _hinge(blade: SpaceBlade, l: float) -> MemberSprings:
     if any(blade.blocks):
         springs, low, high = _between_blocks(blade, l, springs, low, high)
     return MemberSprings(springs, low, high, blade.axes, l, STRIP_CONSTRAINTS, known)
+
+
+def twist_rate(mesh: Mesh) -> Floats:
+    """Return the twist of a single blade that warping takes part in, per torque along it (K,)."""
+    twist = mesh.twist[0]
+    held = np.diag(mesh.hold[0]) + twist * mesh.torsion[0]
+    return np.asarray(np.linalg.solve(held, twist.sum(axis=1)))
 
 
 def _between_blocks(

@@ -17,11 +17,18 @@ from flexcli.formulas.torsion_section import shear_factor, warping
 from flexcli.mechanics.space.exact.beams import Beams
 from flexcli.mechanics.space.exact.blade import along
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
-from flexcli.mechanics.space.exact.section import Section
 from flexcli.mechanics.space.layout import BeamEffects, SpaceBlade, SpaceRod
+from flexcli.mechanics.space.stresses import SectionForces, at_places, equivalent, twisted
 from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
 
-__all__ = ["BladeStress", "beam_stresses", "blade_stresses"]
+__all__ = [
+    "BladeStress",
+    "SectionStates",
+    "beam_stresses",
+    "blade_stresses",
+    "largest_added",
+    "section_states",
+]
 
 Floats = NDArray[np.float64]
 
@@ -29,6 +36,11 @@ _ENDS = np.array([-1.0, 1.0])
 
 _STILL = 1e-6
 """Of the largest ds/du on a segment, the least that is divided by."""
+
+_THICK = 4.0
+"""Thickness over the least of a blade from which on its stress is none of the largest: that of a
+force past a throat is so where it is twice as thick. There the slope of warping is lost in its
+digits."""
 
 
 class BladeStress(NamedTuple):
@@ -52,16 +64,64 @@ class BladeStress(NamedTuple):
     shear: Floats
 
 
+class SectionStates(NamedTuple):
+    """What acts in sections of a blade at places s over its length (places,), h thick [m].
+
+    Forces and moments are along the section's own axes [N, N·m]; ``warps`` is what it warps by
+    and ``turns`` its twist [rad/m], ``slope`` how the first changes along the blade [rad/m²].
+    """
+
+    s: Floats
+    h: Floats
+    N: Floats
+    V_y: Floats
+    V_z: Floats
+    M_y: Floats
+    M_z: Floats
+    warps: Floats
+    turns: Floats
+    slope: Floats
+
+
 def blade_stresses(state: SpaceEquilibrium) -> tuple[BladeStress, ...]:
     """Return the stresses of every blade and rod of an equilibrium of beams."""
+    members, inside = _beams_of(state)
+    return beam_stresses(members, inside, state.own_forces, state.layout.blades, state.effects)
+
+
+def section_states(state: SpaceEquilibrium) -> list[SectionStates]:
+    """Return what acts in the sections of every blade and rod of an equilibrium of beams."""
+    return _sections_along(*_beams_of(state), state.own_forces)
+
+
+def _beams_of(state: SpaceEquilibrium) -> tuple[Beams, Floats]:
+    """Return the beams of an equilibrium, and what is inside of them."""
     part = state.part
     assembly = part.assembly.warmed(part.demand.warmth(part.share))
     if not isinstance(assembly.members, Beams):
         raise TypeError("the blades of this equilibrium are no beams")
-    inside = assembly.at(state.part.x).inside
-    return beam_stresses(
-        assembly.members, inside, state.own_forces, state.layout.blades, state.effects
-    )
+    return assembly.members, assembly.at(part.x).inside
+
+
+def largest_added(state: SpaceEquilibrium, before: SpaceEquilibrium) -> float:
+    """Return the largest stress of what a state of blades has more than another [Pa].
+
+    Both have the same nodes. Von Mises' stress of the difference of both their stresses, at the
+    places of :func:`flexcli.mechanics.space.stresses.at_places`.
+    """
+    found = 0.0
+    each = zip(state.layout.blades, section_states(state), section_states(before), strict=True)
+    for blade, now, then in each:
+        assert isinstance(blade, SpaceBlade)
+        thin = now.h <= _THICK * now.h.min()
+        more = SectionStates(*(np.subtract(now, then)[:, thin]))
+        s, h = now.s[thin], now.h[thin]
+        torsion = twisted(blade, h, more.warps, more.turns, more.slope)
+        forces = (more.N, more.V_y, more.V_z, more.M_y, more.M_z, *torsion)
+        columns = SectionForces(*(each[:, None] for each in forces))
+        rows = at_places(blade, s, h, ("",) * len(s), columns)
+        found = max(found, float(equivalent(rows.normal, rows.shear).max()))
+    return found
 
 
 def beam_stresses(
@@ -75,53 +135,56 @@ def beam_stresses(
 
     ``forces`` (blades, 6) are force and end moment in the frames of the starts, scaled.
     """
+    found = _sections_along(beams, inside, forces)
+    each = zip(blades, found, strict=True)
+    return tuple(_of_section(*one, effects) for one in each)
+
+
+def _sections_along(beams: Beams, inside: Floats, forces: Floats) -> list[SectionStates]:
+    """Return what acts in the sections of beams, at their nodes and the ends of their segments.
+
+    ``forces`` (blades, 6) are force and end moment in the frames of the starts, scaled.
+    """
     mesh = beams.mesh
     nodes = beams.nodes(inside)
     felt = along(mesh, nodes, forces)
     out = []
-    for i, (blade, section) in enumerate(zip(blades, mesh.sections, strict=True)):
+    for i, section in enumerate(mesh.sections):
         unit = section.EI / section.l**2
         values = np.concatenate(
-            [
-                unit * felt.N[i, :, :1],
-                unit * section.l * felt.M[i],
-                nodes[i, :, 4:] / section.l,
-            ],
-            axis=-1,
+            [unit * felt.N[i], unit * section.l * felt.M[i], nodes[i, :, 4:] / section.l], axis=-1
         )
         # the twist rate becomes what the section warps by
-        values[:, 4] /= np.where(mesh.apart[i] > 0.0, mesh.apart[i], 1.0)
+        values[:, 6] /= np.where(mesh.apart[i] > 0.0, mesh.apart[i], 1.0)
         nodes_u, at, slope = gauss_nodes(mesh.per_segment)[0], [], []
-        u = np.concatenate([_ENDS[:1], nodes_u, _ENDS[1:]])
         count = mesh.per_segment
-        onto = interpolation_matrix(count, u)
         for k in range(mesh.nodes // count):
             own = slice(k * count, (k + 1) * count)
             if not np.any(mesh.flexible[i, own]) or not np.any(mesh.w[i, own]):
                 continue
+            # where its thickness varies, its ends lie beyond what the nodes tell
+            varies = float(np.ptp(mesh.h[i, own])) > 0.0
+            u = nodes_u if varies else np.concatenate([_ENDS[:1], nodes_u, _ENDS[1:]])
+            onto = interpolation_matrix(count, u)
             known = np.column_stack([mesh.s[i, own], mesh.half[i, own], mesh.h[i, own]])
             at.append(np.hstack([onto @ known, onto @ values[own]]))
             rise = np.polynomial.legendre.legder(
-                np.polynomial.legendre.legfit(nodes_u, values[own, 4], count - 1)
+                np.polynomial.legendre.legfit(nodes_u, values[own, 6], count - 1)
             )
             # a notch begins where its face is steep: there the nodes stand still
             ds = np.maximum(at[-1][:, 1], _STILL * np.max(mesh.half[i, own])) * section.l
             slope.append(np.polynomial.legendre.legval(u, rise) / ds)
-        rows, rates = np.concatenate(at), np.concatenate(slope)
-        out.append(_of_section(blade, section, rows, rates, effects))
-    return tuple(out)
+        s, _, h, N, V_y, V_z, M_x, M_y, M_z, f = np.concatenate(at).T
+        felt_here = section.at(h)
+        turns = f * felt_here.apart + felt_here.spin / section.EI * M_x
+        out.append(SectionStates(s, h, N, V_y, V_z, M_y, M_z, f, turns, np.concatenate(slope)))
+    return out
 
 
 def _of_section(
-    blade: SpaceBlade | SpaceRod,
-    section: Section,
-    rows: Floats,
-    rates: Floats,
-    effects: BeamEffects,
+    blade: SpaceBlade | SpaceRod, at: SectionStates, effects: BeamEffects
 ) -> BladeStress:
-    s, _, h, N, M_x, M_y, M_z, f = rows.T
-    felt = section.at(h)
-    tau = f * felt.apart + felt.spin / section.EI * M_x
+    s, h, N, M_y, M_z, tau = at.s, at.h, at.N, at.M_y, at.M_z, at.turns
     E, G, nu = blade.material.E, blade.material.G, blade.material.nu
     long_fibres = effects.long_fibres
     if isinstance(blade, SpaceRod):
@@ -143,7 +206,7 @@ def _of_section(
     b = blade.b
     thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
     held = effects.warping and not blade.warps_freely
-    warped = held * E / (1.0 - nu**2) * warping(h, b).largest * rates
+    warped = held * E / (1.0 - nu**2) * warping(h, b).largest * at.slope
     r2 = (h**2 + b**2) / 12.0
     fibres = long_fibres * E * tau**2 / 2.0 * ((h**2 + b**2) / 4.0 - r2)
     axial = N / (b * h)
@@ -158,5 +221,5 @@ def _of_section(
         warping=np.abs(warped),
         fibres=fibres,
         corner=corner + warped[:, None] * y * z,
-        shear=G * np.minimum(h, b) * np.abs((shear_factor(h, b) - 0.5) * f + 0.5 * tau),
+        shear=G * np.minimum(h, b) * np.abs((shear_factor(h, b) - 0.5) * at.warps + 0.5 * tau),
     )
