@@ -547,7 +547,8 @@ def _unevenly_sprung(
 def _added(joint: SpaceJoint, loads: SpaceState, travel: float) -> float | None:
     """Return the largest stress that loads add at a travel by exact beams, the drive held [Pa].
 
-    Nothing where there is no such state.
+    Nothing where there is no such state, or little more of the loads would turn the joint aside,
+    there or at rest with its drive free.
     """
     # exact beams are for hinges alone
     from flexcli.mechanics.space.exact.demand import drive_frame
@@ -557,13 +558,15 @@ def _added(joint: SpaceJoint, loads: SpaceState, travel: float) -> float | None:
     drive = joint.layout.drive
     held: list[float | None] = [None] * 6
     held[3 if drive.turns else 0] = travel
-    at = partial(
-        solve, joint.layout, {drive.body: tuple(held)}, frames=drive_frame(drive), tolerance=EXACT
-    )
+    at = {drive.body: tuple(held)}
+    made = partial(solve, joint.layout, frames=drive_frame(drive), tolerance=EXACT)
     try:
-        state = at(loads=loads.loads, levels=NODES).checked()
-        plain = at(levels=(state.nodes,)).checked()
+        free = made(loads=loads.loads, load_factor=1.0 / SOFTENED, levels=NODES).checked()
+        state = made(at, loads=loads.loads, levels=NODES).checked()
+        plain = made(at, levels=(state.nodes,)).checked()
     except SolveError:
+        return None
+    if free.unstable or state.unstable:
         return None
     return largest_added(state, plain)
 
