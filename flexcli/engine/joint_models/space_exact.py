@@ -345,6 +345,8 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
             share, off = found.factor, found.estimated_error + unsure
             off = off + known.support if known else inf
             high = off
+            if found.is_lost:
+                high, spoken = inf, f"{spoken}: no more of its path is found, stable so far"
             if share > MOST_SHARE:
                 share, high, spoken = MOST_SHARE, inf, f"{spoken}: none up to that"
             straight = straight_critical_factor(
@@ -390,7 +392,7 @@ def _prove_buckled(ask: Ask, blades: Blades, loads: Loads) -> None:
             )  # fmt: skip
         except (NotAvailable, SolveError):
             continue
-        if found.factor < 1.0:
+        if found.factor < 1.0 and not found.is_lost:
             raise Buckled(found.factor)
 
 

@@ -4,6 +4,8 @@ It has what beams leave out: how a plate bends between its clamps, how it curls 
 its length, and the stress at a clamp.
 """
 
+from math import inf
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,7 +19,7 @@ from flexcli.mechanics.shell.stresses import rod_stresses, shell_stresses
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.support import driven_stiffness
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["SHELLS", "SpaceShellModel"]
@@ -62,6 +64,18 @@ class SpaceShellModel(SpaceExactModel):
         if ask.scene.temperature is not None:
             return super().stiffness(ask)
         return _driven(at_travel(ask, 0.0, self.blades))
+
+    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
+        """Return the shares of the loads that buckle it, where beams find the end of their path.
+
+        Where beams lose it, shells would walk for minutes and lose it as well.
+        """
+        for each in SpaceExactModel().critical_shares(ask):
+            if each.share < MOST_SHARE and each.error is not None and each.error.high == inf:
+                raise NotAvailable(
+                    "has no buckling load by shells: beams lose the path of the loads"
+                )
+        return super().critical_shares(ask)
 
     def signed_stresses(self, state: SpaceEquilibrium) -> dict[str, Floats]:
         """Return von Mises' stress at places of both faces, signed as the stress along [Pa]."""

@@ -198,6 +198,24 @@ def test_a_rod_that_bows_from_the_first_on_has_the_load_of_a_straight_one_beside
     assert straight == pytest.approx(1.0, rel=2e-3)
 
 
+def test_a_path_that_is_lost_tells_how_far_it_was_stable():
+    """Bowed blades under a force along their width: motion and force from rest at once lead there.
+
+    Their sections snap somewhat beyond, where the walk by arc length ends.
+    """
+    bowed, motion = guide(b=20e-3), {"stage": (5e-3, None, None, None, None, None)}
+    load = SpaceLoad("stage", (0.0, 0.05, 0.0), (0.0, 0.0, 200.0))
+    start = solve(bowed, motion, tolerance=1e-5)
+    levels = (12, 18, 27, 40)
+    found = critical_load(
+        bowed, motion, [load], most=5.0, start=start, levels=levels, tolerance=1e-3
+    )
+    assert found.is_lost
+    assert found.factor > 1.5
+    there = solve(bowed, motion, loads=[load], load_factor=0.99 * found.factor, tolerance=1e-4)
+    assert there.checked().unstable == 0
+
+
 def test_stresses_are_those_of_a_bent_and_a_twisted_strip():
     l, b, h = 0.1, 20e-3, 0.2e-3
     layout = strip(h=h, b=b, l=l)

@@ -33,7 +33,7 @@ from flexcli.mechanics.space.exact.members import MembersOf
 from flexcli.mechanics.space.exact.second_variation import inertia_count, second_variation
 from flexcli.mechanics.space.exact.support import unstable_when_free
 from flexcli.mechanics.space.layout import BeamEffects, SpaceLayout, SpaceLoad
-from flexcli.numerics.arc_length import CLOSE, Hyperplane, Steps, follow
+from flexcli.numerics.arc_length import CLOSE, Hyperplane, Steps, correct_on, follow
 
 __all__ = ["SpaceCritical", "critical_load", "straight_critical_factor"]
 
@@ -42,6 +42,13 @@ Integers = NDArray[np.intp]
 
 _FIRST, _LONGEST, _MOST = 0.02, 0.2, 100
 _CORRECTION = 1e-12
+
+_WALKED = 1e-8
+"""Accuracy of the points that the walk goes over. Newton's method gains a digit a step there where
+sections curl: to more digits its iterations would not tell how long the steps may be."""
+
+_BACK = (1.0, 0.95, 0.8)
+"""Of how far a path was seen: where it is looked whether it stands on finer nodes."""
 
 _STILL = 1e-6
 """Motion of the bodies in a mode, over the forces in it, below which only blades buckle."""
@@ -60,7 +67,8 @@ class SpaceCritical:
     ``mode`` (bodies, 6) is the motion of the bodies in the unstable direction, in their frames,
     with a largest entry (lengths in mean blade lengths) of one, zero when only blades buckle.
     ``turns`` tells a limit point from a branching point; ``estimated_error`` is relative. The
-    factor is infinite where no equilibrium up to the largest of interest is critical.
+    factor is infinite where no equilibrium up to the largest of interest is critical. Where the
+    path ``is_lost`` it is how far that was followed, stable: what is critical lies beyond.
     """
 
     factor: float
@@ -68,6 +76,7 @@ class SpaceCritical:
     mode: Floats
     turns: bool
     estimated_error: float
+    is_lost: bool = False
 
 
 class _Search(NamedTuple):
@@ -98,12 +107,7 @@ class _Search(NamedTuple):
     def on(self, nodes: int) -> "_Search":
         """Return the same stretch at another number of nodes."""
         fine = at_nodes(self.assembly, nodes)
-        plane = self.plane._replace(
-            x=finer(self.assembly, fine, self.plane.x[None])[0],
-            tangent=finer(self.assembly, fine, self.plane.tangent[None])[0],
-            weight=_weight(fine),
-        )
-        return self._replace(assembly=fine, plane=plane)
+        return self._replace(assembly=fine, plane=_lifted(self.plane, self.assembly, fine))
 
 
 def critical_load(
@@ -149,8 +153,8 @@ def critical_load(
     ------
     SolveError
         ``unstable-start`` when it is unstable without the pattern, ``lost-path`` when the path
-        ends before anything is critical, ``inaccurate`` when the finest nodes leave the factor
-        unsure.
+        is lost and where it was seen last does not stand on finer nodes, ``inaccurate`` when the
+        finest nodes leave the factor unsure.
 
     """
     cold = replace(layout, body_growth={}, blade_growth={})
@@ -159,15 +163,25 @@ def critical_load(
         levels=levels, made=made,
     ).checked()  # fmt: skip
     coarse, demand, free = _begun(layout, held, pattern, most, released, rest, made)
+    points, falls = _walk(coarse, demand, free, rest.part.x)
+    finer_levels = [level for level in levels if level > coarse.members.level]
+    still = np.zeros((coarse.bodies, 6))
     try:
-        search, low, high = _stretch(coarse, demand, free, rest.part.x, most)
+        if not falls and points[-1].parameter >= 1.0:
+            raise none_up_to(most)
+        if not falls:
+            raise lost_path()
+        search, low, high = _stretch(coarse, demand, free, *points[-2:])
         found = first_critical(search, low, high)
-        finer_levels = (level for level in levels if level > coarse.members.level)
         return _critical(*refined(search, found, finer_levels, tolerance), most)
     except SolveError as error:
+        if error.code == "lost-path" and finer_levels:
+            fine = at_nodes(coarse, finer_levels[0])
+            share, off = _seen(coarse, fine, demand, free, points[:-1] if falls else points)
+            return SpaceCritical(share * most, 0, still, False, off, is_lost=True)
         if error.code != "no-critical-load":
             raise
-        return SpaceCritical(inf, 0, np.zeros((coarse.bodies, 6)), False, 0.0)
+        return SpaceCritical(inf, 0, still, False, 0.0)
 
 
 def straight_critical_factor(
@@ -263,10 +277,10 @@ def _counted(
     )
 
 
-def _stretch(
-    assembly: Assembly, demand: Demand, free: Integers, x: Floats, most: float
-) -> tuple[_Search, Point, Point]:
-    """Return the first step of the path over which stability is lost, and its ends."""
+def _walk(
+    assembly: Assembly, demand: Demand, free: Integers, x: Floats
+) -> tuple[list[Hyperplane], bool]:
+    """Return the points of a path as far as it is found, and whether the last is unstable."""
     known: list[tuple[Floats, int]] = []
 
     def unstable(x: Floats, parameter: float) -> int:
@@ -282,14 +296,45 @@ def _stretch(
         longest=_LONGEST,
         goal=lambda x, parameter: parameter >= 1.0 or unstable(x, parameter) > 0,
         kind=unstable,
-        tolerance=_CORRECTION,
+        tolerance=_WALKED,
         most=_MOST,
         close=CLOSE,
     )
-    last = points[-1]
-    if unstable(last.x, last.parameter) == 0:
-        raise none_up_to(most) if last.parameter >= 1.0 else lost_path()
-    before = points[-2]
+    return points, unstable(points[-1].x, points[-1].parameter) > 0
+
+
+def _seen(
+    coarse: Assembly, fine: Assembly, demand: Demand, free: Integers, points: list[Hyperplane]
+) -> tuple[float, float]:
+    """Return a share up to which a path that is lost was stable, and by how much it may be off.
+
+    It is the farthest of its points that stands on finer nodes as well; how far off it is there
+    tells its error.
+    """
+    for share in _BACK:
+        seen = [point for point in points if point.parameter <= share * points[-1].parameter][-1]
+        found = correct_on(_lifted(seen, coarse, fine), _steps(fine, demand), _WALKED)
+        if found is None or _counted(fine, demand, free, found.x, found.parameter)[1]:
+            continue
+        if seen.parameter > 0.0 and found.parameter > 0.0:
+            least = min(seen.parameter, found.parameter)
+            return least, abs(found.parameter - seen.parameter) / least
+    raise lost_path()
+
+
+def _lifted(plane: Hyperplane, coarse: Assembly, fine: Assembly) -> Hyperplane:
+    """Return a point of a path with its tangent at the nodes of a finer assembly."""
+    return plane._replace(
+        x=finer(coarse, fine, plane.x[None])[0],
+        tangent=finer(coarse, fine, plane.tangent[None])[0],
+        weight=_weight(fine),
+    )
+
+
+def _stretch(
+    assembly: Assembly, demand: Demand, free: Integers, before: Hyperplane, last: Hyperplane
+) -> tuple[_Search, Point, Point]:
+    """Return a step of the path over which stability is lost, and its ends."""
     s = float(before.tangent @ (before.weight * (last.x - before.x)))
     s += before.slope * (last.parameter - before.parameter)
     size = np.max(np.abs(_counted(assembly, demand, free, before.x, before.parameter)[0]), axis=-1)
