@@ -114,11 +114,11 @@ def test_the_history_is_saved(flexure, spec, tmp_path):
 
 @pytest.mark.slow
 def test_the_response_is_saved_and_shown(flexure, spec, tmp_path):
-    with_case(spec, "sweep: {from: 160 Hz, to: 220 Hz, rate: 200 Hz/s, acceleration: 1.5 g}")
+    with_case(spec, "sweep: {from: 170 Hz, to: 200 Hz, rate: 200 Hz/s, acceleration: 1.5 g}")
     told = flexure("stops", "--sweep", "--no-simulate", "--csv", "sweep.csv", COLUMNS="160")
     rows = list(csv.DictReader((tmp_path / "sweep.csv").read_text().splitlines()))
     assert {row["direction"] for row in rows} == {"up", "down"}
-    assert len(rows) > 80
+    assert len(rows) > 40
     assert "going up it touches from" in told.stdout
     assert told.returncode == 1  # the design fails its travel
 
