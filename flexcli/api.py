@@ -174,19 +174,20 @@ def size(source: Spec, *, model: str | None = None, overrides: Overrides | None 
 
     moving = moving_bound(design)
 
-    def at(bound: str | None) -> Result:
-        return _sized_of_options(
-            spec if bound is None else _again(spec, {moving.path: bound}), name
-        )
+    def at(bound: str | None, near: Mapping[str, float]) -> Result:
+        again = spec if bound is None else _again(spec, {moving.path: bound})
+        return _sized_of_options(again, name, near)
 
     return front_of(design, moving, at, design.size.points)
 
 
-def _sized_of_options(spec: Loaded, model: str | None) -> Result:
-    """Return the sizing of the best of the options of a spec."""
+def _sized_of_options(
+    spec: Loaded, model: str | None, near: Mapping[str, float] | None = None
+) -> Result:
+    """Return the sizing of the best of the options of a spec, or ``near`` where it has none."""
     among = spec.part.size.among
     if not among or not spec.part.geometry.free:
-        return _sized_once(spec, model)
+        return _sized_once(spec, model, near)
     from flexcli.engine.trade_off import best_option
 
     def sized(option: Mapping[str, Any]) -> tuple[DesignSpec | None, Result]:
@@ -204,15 +205,15 @@ def _sized_of_options(spec: Loaded, model: str | None) -> Result:
     return best_option(among, sized)
 
 
-def _sized_once(spec: Loaded, model: str | None) -> Result:
-    """Return the sizing of a design as it stands."""
+def _sized_once(spec: Loaded, model: str | None, near: Mapping[str, float] | None = None) -> Result:
+    """Return the sizing of a design as it stands, drawings looked for from sizes ``near``."""
     if spec.part.robust is not None and spec.part.geometry.free:
         from flexcli.engine.tolerances.robust import robust_size
 
         return placed(robust_size(spec.part, _name(spec), model), spec.document)
     from flexcli.engine.size import size as chosen
 
-    return placed(chosen(spec.part, _name(spec), model), spec.document)
+    return placed(chosen(spec.part, _name(spec), model, near), spec.document)
 
 
 def sized(source: Spec, sizing: Result) -> Loaded:

@@ -63,7 +63,12 @@ LARGE_SENSITIVITY = 3.0
 """Per cent by which 1 % more of a demand must move a dimension to be called ill-conditioned."""
 
 
-def size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
+def size(
+    design: DesignSpec,
+    spec: str,
+    model: str | None = None,
+    near: Mapping[str, float] | None = None,
+) -> Result:
     """Return the sized design with margins, or the conflict that leaves none.
 
     The sources' formulas choose, corrected in rounds until they say what the models that judge
@@ -78,6 +83,8 @@ def size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
         Its name in the result.
     model : str, optional
         The model that alone judges, over that of the spec.
+    near : mapping, optional
+        The free sizes of a design like it [SI], from which that of a drawing is looked for.
 
     Raises
     ------
@@ -93,7 +100,7 @@ def size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
     if design.fixed_sizes() is not None or (model or design.model) == "source":
         result = _chosen_and_judged(design, spec, series, model)
     else:
-        result = _decided(design, spec, series, model)
+        result = _decided(design, spec, series, model, near)
     values = dict(result.values)
     if height is not None:
         values["H"] = Value(
@@ -117,10 +124,14 @@ def _merit(design: DesignSpec) -> float | None:
 
 
 def _decided(
-    design: DesignSpec, spec: str, series: tuple[NamedModel, ...], model: str | None
+    design: DesignSpec,
+    spec: str,
+    series: tuple[NamedModel, ...],
+    model: str | None,
+    near: Mapping[str, float] | None = None,
 ) -> Result:
     """Return the design sized by formulas that say at the choice what the models that judge do."""
-    start = _first(design)
+    start = _first(design, near)
     if start is None:
         return _chosen_and_judged(design, spec, series, model)
     is_gridded = set(design.geometry.free) <= design.size.rounding.keys()
@@ -241,13 +252,13 @@ def _spreads(result: Result) -> dict[str, float]:
     }
 
 
-def _first(design: DesignSpec) -> Sizes | None:
+def _first(design: DesignSpec, near: Mapping[str, float] | None) -> Sizes | None:
     """Return the sizes that the formulas choose without a grid, or that miss what is asked least.
 
     Nothing where not even the sizes' own bounds leave any.
     """
     if not design.geometry.closed_forms:
-        return design.geometry.probe()
+        return design.geometry.sized(near) if near else design.geometry.probe()
     doing("the optimum by the formulas")
     free = design.model_copy(update={"size": design.size.model_copy(update={"rounding": {}})})
     program = sizing_program(free)

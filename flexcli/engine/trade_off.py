@@ -98,7 +98,7 @@ def best_option(
 def front_of(
     design: DesignSpec,
     moving: MovingBound,
-    sized: Callable[[str | None], Result],
+    sized: Callable[[str | None, Mapping[str, float]], Result],
     count: int,
 ) -> Result:
     """Return the front of a design, and the sizing at its knee.
@@ -110,7 +110,8 @@ def front_of(
     moving : MovingBound
         The requirement that is the second.
     sized : callable
-        Sizes the design for the first objective with a bound on the second as the spec writes it.
+        Sizes the design for the first objective with a bound on the second as the spec writes it,
+        beginning with sizes that were found at another bound, if any.
     count : int
         How many designs the front has.
 
@@ -147,7 +148,10 @@ class _Run:
     """A front on its way: its designs by the bound that led to them."""
 
     def __init__(
-        self, design: DesignSpec, moving: MovingBound, sized: Callable[[str | None], Result]
+        self,
+        design: DesignSpec,
+        moving: MovingBound,
+        sized: Callable[[str | None, Mapping[str, float]], Result],
     ) -> None:
         self.design, self.moving, self.sized = design, moving, sized
         self.found: list[FrontPoint] = []
@@ -165,7 +169,7 @@ class _Run:
         """Return the design at a bound on the second objective, if one passes."""
         text = None if bound is None else f"{bound!r} {self.unit}".strip()
         doing(f"{self.moving.key} at {text or 'its loosest'}")
-        self.last = result = self.sized(text)
+        self.last = result = self.sized(text, self._nearest(bound))
         free = self.design.geometry.free
         if result.status is not Status.PASS or any(n not in result.values for n in free):
             return None
@@ -179,6 +183,12 @@ class _Run:
         self.found.append(point)
         self.results[bound] = result
         return point
+
+    def _nearest(self, bound: float | None) -> Mapping[str, float]:
+        """Return the sizes of the design whose second objective is nearest to a bound."""
+        if bound is None or not self.found:
+            return {}
+        return min(self.found, key=lambda point: abs(log(point.second / bound))).sizes
 
     def _second(self, result: Result) -> float:
         """Return the worst value of the second objective over the cases."""
