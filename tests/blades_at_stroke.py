@@ -20,7 +20,14 @@ from flexcli.mechanics.space.exact.demand import Frame
 from flexcli.mechanics.space.exact.equilibrium import solve
 from flexcli.mechanics.space.exact.second_variation import swing
 from flexcli.mechanics.space.exact.support import support_compliance
-from flexcli.mechanics.space.layout import Drive, Isotropic, SpaceBlade, SpaceBody, SpaceLayout
+from flexcli.mechanics.space.layout import (
+    Drive,
+    Isotropic,
+    SpaceBlade,
+    SpaceBody,
+    SpaceLayout,
+    SpaceLoad,
+)
 
 E, LENGTH = 200e9, 0.1
 
@@ -95,14 +102,29 @@ def mechanism(case):
 
 def at_stroke(case, **how):
     """Return the equilibrium of a case with its drive locked."""
-    layout = mechanism(case)
+    held, frames = held_at_stroke(case)
+    return solve(mechanism(case), held, frames=frames, **how)
+
+
+WAYS = {"push": (0.0, -1.0, 0.0), "pull": (0.0, 1.0, 0.0), "back": (-1.0, 0.0, 0.0)}
+"""Of forces on the stage, along the blades of a guide or the bisector of a pivot."""
+
+
+def pushed(case, way, size=1.0):
+    """Return a force on the stage of a case, in EI/l² of one of its blades."""
+    EI = E * case.b * case.h**3 * LENGTH**4 / 12.0
+    force = tuple(size * EI / LENGTH**2 * c for c in WAYS[way])
+    return SpaceLoad("stage", mechanism(case).drive.point, force)
+
+
+def held_at_stroke(case):
+    """Return what holds the drive of a case at its stroke, and the frames of that."""
     held = [None] * 6
     if case.turns:
         held[5] = np.deg2rad(case.stroke)
     else:
         held[0] = case.stroke * LENGTH * (2 if case.kind == "folded" else 1)
-    frames = {"stage": Frame(layout.drive.point, np.eye(3))}
-    return solve(layout, {"stage": held}, frames=frames, **how)
+    return {"stage": held}, {"stage": Frame(mechanism(case).drive.point, np.eye(3))}
 
 
 def supports(state):

@@ -411,7 +411,7 @@ def _with_whole(limit: Limit, whole: tuple[float, float] | None) -> ErrorRange |
     if own is None or whole is None:
         return None
     low, high = min(own[0], whole[0]), max(own[1], whole[1])
-    if not (low > 0.0 and isfinite(found) and isfinite(high)):
+    if not (low > 0.0 and isfinite(found)):
         return None
     if limit.in_capacity:
         return ErrorRange(low / found - 1.0, high / found - 1.0)

@@ -1,8 +1,9 @@
 """Blades at stroke: solids by CalculiX, shells and beams over width, thickness, stroke and ν.
 
-Run by hand: python tests/benchmarks/blades_at_stroke.py solids|shells|print
-``solids`` and ``shells`` write tests/mechanics/space/blades_at_stroke.json, ``print`` reads it.
-Two hours of one processor for the solids, ten minutes for the shells.
+Run by hand: python tests/benchmarks/blades_at_stroke.py solids|shells|buckled|print
+The first three write tests/mechanics/space/blades_at_stroke.json, ``print`` reads it. Two hours
+of one processor for the solids, ten minutes each for the shells and for what buckles them: of
+loads about those that buckle beams, which shells still stand and under which they fall.
 
 A solid is one blade of C3D20R, one element through its thickness, crowded towards its clamps. Its
 end is moved to the pose of a guide or of a pivot, free along itself, then a little to either side
@@ -28,16 +29,22 @@ from blades_at_stroke import (
     E,
     at_stroke,
     found,
+    held_at_stroke,
+    mechanism,
     one_blade,
     own_stiffness,
+    pushed,
     supports,
     two_of_them,
 )
 
 from flexcli.engine.joint_models.space_errors import beam_errors, shell_errors
+from flexcli.engine.joint_models.space_stroke import BEAMS
 from flexcli.engine.solid.bricks import CORNERS
 from flexcli.engine.solid.calculix import run
 from flexcli.mechanics.shell.first_guess import SHELL_LEVELS, shells_from_beams
+from flexcli.mechanics.space.exact.critical import critical_load
+from flexcli.mechanics.space.exact.equilibrium import Outcome, solve
 
 MM = 1e3
 MESHES = (20, 30)
@@ -238,6 +245,43 @@ def shell_row(case):
     return {"case": list(case), "support": k.tolist(), "modes": modes}
 
 
+def buckling_cases():
+    for h in (0.005, 0.01, 0.02):
+        for b in (0.1, 0.2, 0.5, 1.0, 1.5):
+            yield from ((Case("guide", b, h, s), "push") for s in (0.02, 0.05, 0.1, 0.2))
+    for nu in (0.0, 0.45):
+        yield from ((Case("guide", b, 0.005, 0.1, nu), "push") for b in (0.2, 0.5, 1.0))
+    for b in (0.2, 0.5, 1.0):
+        yield Case("cross", b, 0.005, 3.0), "back"
+    for b, s in ((0.3, 0.05), (0.3, 0.1), (0.5, 0.05), (0.5, 0.1)):
+        yield from ((Case("folded", b, 0.005, s), way) for way in ("push", "pull"))
+    for b, h, s in ((0.5, 0.01, 0.15), (0.4, 0.01, 0.2), (0.6, 0.01, 0.2), (0.5, 0.007, 0.2)):
+        yield Case("guide", b, h, s), "push"
+
+
+def buckled_row(case, way, level=14):
+    held, frames = held_at_stroke(case)
+    layout = mechanism(case)
+    beams, (levels, tolerance) = at_stroke(case, tolerance=1e-5), BEAMS.critical
+    found = critical_load(
+        layout, held, [pushed(case, way)], most=400.0, frames=frames, start=beams, levels=levels,
+        tolerance=tolerance,
+    )  # fmt: skip
+    stands, state = 0.0, at_stroke(
+        case, tolerance=5e-3, levels=(0, level), made=shells_from_beams
+    ).checked()  # fmt: skip
+    for share in (0.5, 0.8, 0.9, 0.94, 0.97, 0.99, 1.0, 1.01, 1.02, 1.04, 1.07, 1.1):
+        size = share * found.factor
+        state = solve(
+            layout, held, loads=[pushed(case, way, size)], frames=frames, start=state,
+            levels=(level,), made=shells_from_beams, tolerance=1e-4,
+        )  # fmt: skip
+        if state.outcome is not Outcome.CONVERGED or state.unstable:
+            return {"case": list(case), "way": way, "stands": stands, "falls": size}
+        stands = size
+    raise ValueError(f"{case} does not buckle")
+
+
 def told():
     print("over solids, %: beams (least, most), shells, what is told of each")
     for case, row in found("solids"):
@@ -256,9 +300,11 @@ def main(what):
     if what == "print":
         told()
         return
-    rows = (
-        [solid_row(c) for c in SOLIDS] if what == "solids" else list(map(shell_row, shell_cases()))
-    )
+    rows = {
+        "solids": lambda: [solid_row(c) for c in SOLIDS],
+        "shells": lambda: [shell_row(c) for c in shell_cases()],
+        "buckled": lambda: [buckled_row(*c) for c in buckling_cases()],
+    }[what]()
     whole = json.loads(FOUND.read_text(encoding="utf-8")) if FOUND.exists() else {}
     whole[what] = rows
     digits = json.dumps(whole, default=float)

@@ -8,7 +8,9 @@ import pytest
 
 import flexcli
 from flexcli.engine.joint_models.space_errors import SOLIDS, beam_errors, shell_errors
+from flexcli.engine.joint_models.space_stroke import BEAMS
 from flexcli.mechanics.shell.first_guess import shells_from_beams
+from flexcli.mechanics.space.exact.critical import critical_load
 
 SHELLS = {"levels": (0, 12, 16), "tolerance": 5e-3, "made": shells_from_beams}
 
@@ -58,6 +60,22 @@ def test_beams_are_off_shells_by_no_more_than_they_tell():
     assert {case.kind for case, _ in rows} == {"guide", "folded", "cross", "remote"}
     for case, row in rows:
         assert beams_off_shells(case, row) <= 0.0, case
+
+
+@pytest.mark.slow
+def test_what_buckles_beams_at_a_stroke_is_what_buckles_shells():
+    """Shells stand one load and fall under another; nodes too few led past the first of one."""
+    rows = blades.found("buckled")
+    hard = blades.Case("guide", 0.5, 0.01, 0.2)
+    for case, row in [*rows[::12], next(each for each in rows if each[0] == hard)]:
+        held, frames = blades.held_at_stroke(case)
+        state, (levels, tolerance) = blades.at_stroke(case, tolerance=1e-5), BEAMS.critical
+        found = critical_load(
+            blades.mechanism(case), held, [blades.pushed(case, row["way"])], most=400.0,
+            frames=frames, start=state, levels=levels, tolerance=tolerance,
+        )  # fmt: skip
+        assert 0.98 * row["stands"] <= found.factor <= 1.02 * row["falls"], case
+        assert beam_errors(state).support > 0.02
 
 
 def test_beyond_what_was_compared_beams_tell_nothing_and_shells_more():

@@ -26,7 +26,8 @@ Floats = NDArray[np.float64]
 class StrokeErrors(NamedTuple):
     """Relative errors at a stroke beside that of the level: of what blades are made of.
 
-    A critical load is as far off as the support stiffness that it takes away.
+    A critical load is as far off as the support stiffness that it takes away: beams at strokes were
+    within 0.02 of shells in it.
     ``rest`` is what a motion beside the stroke may be off besides, however small it is [m].
     """
 

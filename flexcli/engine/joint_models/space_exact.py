@@ -52,11 +52,6 @@ Floats = NDArray[np.float64]
 ROUNDING = 1e-6
 """Error of a ratio of two states at the same nodes."""
 
-LOADED = 0.05
-"""Of a critical share at a stroke besides: loads up to it bend and curl blades further than the
-stroke whose stiffness is known. A judgement: shells lose the path there. At rest shells of a guide
-and of a crossed pivot have 0.001 and 0.019 more than beams."""
-
 
 class SpaceExactModel(SpaceLinearModel):
     """The linear model about rest, and exact beams at the ends of strokes."""
@@ -322,8 +317,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     layout, drive = joint.layout, joint.layout.drive
     acting = acting_groups(joint, scene)
     groups = [_loads(joint, each) for each in acting]
-    unsure = LOADED if scene.moves else 0.0
-    unsure += max((_weight_of_blades(joint, each) for each in acting), default=0.0)
+    unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
     levels, tolerance = blades.critical
     senses: list[tuple[float, ...]] = [(1.0, -1.0)] * len(groups)
     if any(scene.stated):

@@ -161,7 +161,7 @@ def support_at_stroke(
     return tuple(found)
 
 
-BEAMS = Blades("exact", beams_of, LEVELS, TOLERANCE, beam_errors, ((12, 18, 27, 40), 1e-3))
+BEAMS = Blades("exact", beams_of, LEVELS, TOLERANCE, beam_errors, ((12, 18, 27, 40, 60), 1e-3))
 """Exact beams: their critical loads are far more accurate than beams are."""
 
 

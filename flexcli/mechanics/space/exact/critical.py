@@ -56,6 +56,9 @@ _STILL = 1e-6
 _CLOSE = 1e-3
 """How closely the factor of a mechanism that keeps its first shape is found, relative."""
 
+_MOVED = 0.01
+"""Share by which more nodes may move a critical load: one that moves more may be another."""
+
 _LEVEL = 1e-4
 """Slope of the load over the arc length below which the load turns."""
 
@@ -173,7 +176,9 @@ def critical_load(
             raise lost_path()
         search, low, high = _stretch(coarse, demand, free, *points[-2:])
         found = first_critical(search, low, high)
-        return _critical(*refined(search, found, finer_levels, tolerance), most)
+        search, last, change = refined(search, found, finer_levels, tolerance)
+        if abs(last.parameter / found.parameter - 1.0) <= max(_MOVED, 2.0 * tolerance):
+            return _critical(search, last, change, most)
     except SolveError as error:
         if error.code == "lost-path" and finer_levels:
             fine = at_nodes(coarse, finer_levels[0])
@@ -182,6 +187,11 @@ def critical_load(
         if error.code != "no-critical-load":
             raise
         return SpaceCritical(inf, 0, still, False, 0.0)
+    # too few nodes led past the first point: those that are more look for it from the start
+    return critical_load(
+        layout, held, pattern, most=most, released=released, frames=frames, start=start,
+        effects=effects, tolerance=tolerance, levels=finer_levels, made=made,
+    )  # fmt: skip
 
 
 def straight_critical_factor(
