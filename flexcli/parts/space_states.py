@@ -80,6 +80,9 @@ KNOWN = 0.3
 EXACT, NODES = 1e-5, (18, 27, 40)
 """Error of the forces of exact beams beside a stroke, relative, and their nodes, level by level."""
 
+FAR = 0.2
+"""Turn of a hinge by loads out of its plane, by small motion, that exact beams follow [rad]."""
+
 STIFFENS = 12.0
 """Axial force [EI/l²] that would change the bending of a blade by as much as it is."""
 
@@ -500,6 +503,9 @@ def _across_hinges(
     # with all loads the other way it is its own mirror image
     for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
         loads = combined(groups, list(signs))
+        turned = loads.moved.deformations[: 6 * len(joint.layout.blades), 0].reshape(-1, 6)[:, 3:]
+        if np.abs(turned).max() > FAR:
+            return Told(rest, None)  # far beyond what it bears, and costly to follow
         forces = loads.moved.forces[:, 0]
         here = max(map(_largest, stresses.of(forces, np.zeros_like(loads.weights))))
         for end in dict.fromkeys(ends):
