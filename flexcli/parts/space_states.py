@@ -39,7 +39,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.own_motion import DENSEST, TAKES_PART
-from flexcli.parts.requirements.ask import Ask
+from flexcli.parts.requirements.ask import MOST_SHARE, Ask
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.results import ErrorRange
@@ -62,6 +62,7 @@ __all__ = [
     "poses",
     "sag",
     "state_error",
+    "straight_shares",
     "stress_places",
 ]
 
@@ -95,6 +96,9 @@ THIRD = 0.4
 
 TURNS = 2.0
 """Times the square of a blade's rotation that the third order may add."""
+
+SHARES = (MOST_SHARE, 4.0, 3.0, 2.5, 2.0, 1.75, 1.5, 1.25, 1.0)
+"""Of the loads of a case, at which a linear state is looked at, to say that nothing buckles."""
 
 INNER = 0.8
 """Frequency over that of a blade between held ends up to which blades follow their ends."""
@@ -692,6 +696,36 @@ def _third_order(after: SecondOrder) -> float:
     if after.buckling > SOFTENED:
         return inf
     return TURNS * after.rotation**2 + after.axial / STIFFENS
+
+
+def straight_shares(joint: SpaceJoint, scene: Scene) -> Iterator[tuple[float, float]]:
+    """Yield the share of a case's loads that turns straight blades aside, and one that is sure.
+
+    That is at each end of the stroke, the drive locked there, else free, and whichever way loads
+    without a direction act. Up to the second share, zero where none is, the linear state tells its
+    stress, which no loss of stability leaves near what it was; both are ``MOST_SHARE`` at most.
+    """
+    stresses = Stresses(joint.assembly)
+    acting = acting_groups(joint, scene)
+    groups = [action(joint.assembly, each) for each in acting]
+    senses: list[tuple[float, ...]] = [(1.0, -1.0)] * len(groups)
+    if any(scene.stated):
+        senses[0] = (1.0,)
+    centre = joint.layout.body(joint.layout.drive.body).point
+    for end in dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel)):
+        stroke = [action(joint.assembly, Acting(end, np.zeros(6), centre, np.zeros(3)))] * bool(end)
+        for signs in product(*senses):
+
+            def told(
+                share: float, signs: tuple[float, ...] = signs, parts: list[SpaceState] = stroke
+            ) -> bool:
+                state = combined([*parts, *groups], [1.0] * len(parts) + [share * s for s in signs])
+                return _of_state(joint, state, stresses) is not None
+
+            loads = combined(groups, list(signs))
+            buckling = loads.following().buckling
+            least = next((share for share in SHARES if told(share)), 0.0)
+            yield max(least, min(1.0 / max(buckling, 1e-9), MOST_SHARE)), least
 
 
 def _springs(joint: SpaceJoint, state: SpaceState) -> float:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
+from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.formulas.quantity import Computed
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Setting
@@ -52,10 +53,11 @@ class OutOfPlane(JointModel):
     def __init__(self, inner: JointModel) -> None:
         self.inner = inner
         self.name = inner.name
-        self.at_stroke = inner.at_stroke
         self.directs_blades = inner.directs_blades
         self._known: Remembered[_Parts] = Remembered()
-        self._space = SpaceExactModel() if inner.name in FINEST else None
+        self._space = _in_space(inner.name)
+        self._is_finest = inner.name in FINEST
+        self.at_stroke = inner.at_stroke if self._space is None else self._space.at_stroke
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:
         """Return the effects of the planar model."""
@@ -122,7 +124,7 @@ class OutOfPlane(JointModel):
         if not ask.scene.across_by:
             return self.inner.stresses(ask)
         parts = self._parts(ask)
-        if self._space is not None and parts.across.error is None:
+        if self._is_finest and self._space and parts.across.error is None:
             return self._space.stresses(ask)
         across, found = parts.across.value, list[EndStress]()
         for stress in parts.planar or [EndStress("blade", 0.0, 0.0, 0.0)]:
@@ -145,7 +147,7 @@ class OutOfPlane(JointModel):
             return None
         across, error = parts.across
         if error is None:
-            return None if self._space is None else self._space.error(ask, kind)
+            return self._space.error(ask, kind) if self._is_finest and self._space else None
         a, b = parts.largest, across
         if a + b == 0.0:
             return planar
@@ -161,3 +163,10 @@ class OutOfPlane(JointModel):
             name, planar = self.inner.stresses(ask)
         joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
         return _Parts(name, planar, across_stress(joint, ask.scene))
+
+
+def _in_space(name: str) -> SpaceLinearModel | None:
+    """Return the model of the whole joint in space beside a planar one, which it may not have."""
+    if name in FINEST:
+        return SpaceExactModel()
+    return SpaceLinearModel() if name == SpaceLinearModel.name else None

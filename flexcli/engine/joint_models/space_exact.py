@@ -36,7 +36,14 @@ from flexcli.mechanics.space.states import Acting, Stresses
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.own_motion import TAKES_PART
-from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare, DriveEffort, EndStress
+from flexcli.parts.requirements import (
+    MOST_SHARE,
+    Ask,
+    CriticalShare,
+    DriveEffort,
+    EndStress,
+    JointModel,
+)
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.parts.space_states import WARPING_ERROR, Told, acting_groups, bent_by_gradient
@@ -57,6 +64,7 @@ class SpaceExactModel(SpaceLinearModel):
     """The linear model about rest, and exact beams at the ends of strokes."""
 
     name = "exact"
+    at_stroke = JointModel.at_stroke
     blades = BEAMS
     """What blades are made of at the ends of strokes."""
     stress_kind = "nominal stress in space, von Mises"

@@ -6,7 +6,7 @@ not small.
 """
 
 from functools import partial
-from math import isfinite
+from math import inf, isfinite
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,9 +16,17 @@ from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
-from flexcli.parts.requirements import Ask, EndStress, JointModel
+from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
-from flexcli.parts.space_states import Place, Told, motions, own_frequency, sag, stress_places
+from flexcli.parts.space_states import (
+    Place,
+    Told,
+    motions,
+    own_frequency,
+    sag,
+    straight_shares,
+    stress_places,
+)
 from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -31,6 +39,7 @@ class SpaceLinearModel(JointModel):
     """Small motion in space from rest."""
 
     name = "linear"
+    at_stroke = "straight beams in space"
 
     def __init__(self) -> None:
         self._stresses: Remembered[tuple[list[Place], ErrorRange | None]] = Remembered()
@@ -97,6 +106,20 @@ class SpaceLinearModel(JointModel):
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Refuse: nothing here says at what load a mechanism in space buckles."""
         raise NotAvailable("has no buckling load in space")
+
+    def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
+        """Return the shares of the loads that turn straight blades aside.
+
+        The range has no upper end: up to its lower one nothing buckles.
+        """
+        scene, joint = ask.scene, _joint(ask)
+        if scene.temperature is not None or not joint.is_uniform or ask.geometry.is_guided:
+            raise NotAvailable("has no linear model of what buckles it")
+        held = "drive locked at its stroke" if scene.moves else "drive free"
+        return tuple(
+            CriticalShare(share, held, ErrorRange(least / share - 1.0, inf))
+            for share, least in straight_shares(joint, scene)
+        )
 
     def _places(self, ask: Ask) -> tuple[list[Place], ErrorRange | None]:
         return self._stresses.of("stress", ask, lambda: stress_places(_joint(ask), ask.scene))

@@ -69,9 +69,8 @@ class Buckling(FactorRequirement):
 
     def _shares(self, ask: Ask) -> Iterator[Limit]:
         """Yield the loads of a case against the share of them that buckles blades or bodies."""
-        beams = "exact beams in the plane"
-        if ask.scene.in_space or ask.scene.across_by:
-            beams = ask.joint_model.at_stroke if ask.scene.in_space else "exact beams in space"
+        in_space = ask.scene.in_space or ask.scene.across_by
+        beams = ask.joint_model.at_stroke if in_space else "exact beams in the plane"
         what = "the loads of the case"
         if ask.scene.temperature is not None:
             alone = ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}
