@@ -19,6 +19,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import ANY, Buckled, NotAvailable
 from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.parts.requirements import Ask, Limit, Requirement, RequirementError
+from flexcli.parts.requirements.base import FactorRequirement
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import (
     Check,
@@ -325,7 +326,8 @@ class _Series:
                 if key not in best or not enough(best[key]):
                     best[key] = check._replace(model=model.name, seconds=spent)
             if buckled is not None:
-                for check in list(best.values()) or [_no_answer(requirement, scene, "", "", 0.0)]:
+                nobody = [_no_answer(requirement, scene, "", "", 0.0)] if first == 0 else []
+                for check in list(best.values()) or nobody:
                     if not enough(check):
                         fails = _buckles(check, buckled.share)
                         best[check.full_name] = fails._replace(model=model.name, seconds=spent)
@@ -470,7 +472,8 @@ def _not_done(requirement: Requirement, scene: Scene) -> Check:
 
 def _open_row(requirement: Requirement, scene: Scene, text: str) -> Check:
     case = requirement.case_of(scene)
-    return Check(requirement.label, case, text, nan, nan, "", nan, nan, Verdict.UNDECIDED, "")
+    asked = requirement.factor if isinstance(requirement, FactorRequirement) else nan
+    return Check(requirement.label, case, text, nan, nan, "", nan, asked, Verdict.UNDECIDED, "")
 
 
 def _buckles(check: Check, share: float) -> Check:
