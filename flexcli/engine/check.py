@@ -147,7 +147,7 @@ def told_values(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> di
         raise NoSolution(f"{joint_model.name}-has-no-answer", text, remedy) from error
     errors = omitted_effects.errors_of(design, sizes, joint_model, found)
     told = design_values.with_errors(found, errors)
-    if not design.left_out:
+    if not design.omitted:
         return told
     return design_values.with_whole(told, told_values(design.whole, sizes, joint_model))
 

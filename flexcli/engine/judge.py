@@ -266,7 +266,7 @@ class _Series:
         *,
         formulas: bool = True,
     ) -> None:
-        self.formulas = formulas and len(models) > 1 and not design.left_out
+        self.formulas = formulas and len(models) > 1 and not design.omitted
         self.design = design
         self.sizes = sizes
         self.models = models
@@ -376,7 +376,7 @@ def limits_by(
 
     What blades in space are without, as the spec switches it off, stays in it.
     """
-    if not design.left_out:
+    if not design.omitted:
         yield from _limits_of(design, sizes, requirement, scene, model, near)
         return
     one_alone()
@@ -386,7 +386,7 @@ def limits_by(
     try:
         found = list(_limits_of(design, sizes, requirement, scene, model, near))
     except Buckled as buckled:
-        names = ", ".join(sorted(name.key for name in design.left_out))
+        names = ", ".join(sorted(name.key for name in design.omitted))
         raise NotAvailable(f"buckles without {names}, which is switched off") from buckled
     for limit in of_whole:
         between, worst = assess.span(replace(limit, tolerance=None)), whole.get(limit.name)

@@ -62,7 +62,7 @@ def _has_shells(design: DesignSpec) -> bool:
     """
     asked = any(each.is_of_a_case for each in design.requirements.support or ())
     drawn = design.geometry.in_space and design.geometry.has_blades
-    return design.fixed_sizes() is not None and (drawn or asked) and not design.left_out
+    return design.fixed_sizes() is not None and (drawn or asked) and not design.omitted
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:

@@ -1,4 +1,4 @@
-"""A linear system ``q'' + C q' + K q = b f(t)`` in the basis in which it falls apart."""
+"""A linear system ``q'' + C q' + K q = b f(t)`` in the basis that decouples it."""
 
 from dataclasses import dataclass
 

@@ -407,25 +407,25 @@ class DesignSpec(Part):
         return Ask(material, geometry, self.mechanism, own, scene, joint_model, self.actuator)
 
     @property
-    def left_out(self) -> frozenset[EffectName]:
-        """Return what the spec switches off of blades in space."""
+    def omitted(self) -> frozenset[EffectName]:
+        """Return the effects that the spec omits from blades in space."""
         return frozenset(name for name in BEAM_EFFECTS if self.is_off(name))
 
     @property
     def whole(self) -> "DesignSpec":
-        """Return the design with everything that blades in space feel."""
-        keys = {name.key for name in self.left_out}
+        """Return the design with all effects of blades in space, omitted ones too."""
+        keys = {name.key for name in self.omitted}
         if not keys:
             return self
         kept = {key: wish for key, wish in self.effects.items() if key not in keys}
         return self.model_copy(update={"effects": kept})
 
     def _as_felt(self, geometry: Geometry) -> Geometry:
-        """Return a geometry without what is left out; of the same the same again."""
-        if not self.left_out:
+        """Return a geometry without the omitted effects, the same one for the same."""
+        if not self.omitted:
             return geometry
         if self._felt is None or self._felt[0] is not geometry:
-            self._felt = geometry, geometry.leaving_out(self.left_out)
+            self._felt = geometry, geometry.omitting(self.omitted)
         return self._felt[1]
 
     def asks(self, sizes: Sizes, joint_model: JointModel) -> list[Ask]:

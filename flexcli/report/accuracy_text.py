@@ -39,7 +39,7 @@ LEAVES_OUT_IN_TIME = (
 
 
 def section(result: Result) -> Iterator[RenderableType]:
-    """Yield what a result has of it."""
+    """Yield the comparison of the models on a design."""
     if result.accuracy is not None:
         yield from accuracy_tables(result.accuracy)
 

@@ -19,7 +19,7 @@ MOST_ROWS = 25
 
 
 def section(result: Result) -> Iterator[RenderableType]:
-    """Yield what a result has of it."""
+    """Yield what balances a mechanism, and how well."""
     if result.balance is not None:
         yield from balance_tables(result.balance)
 

@@ -24,7 +24,7 @@ MOST_STEPS = 25
 
 
 def section(result: Result) -> Iterator[RenderableType]:
-    """Yield what a result has of it."""
+    """Yield the stop that was chosen and what verified it."""
     if result.stops is not None:
         yield from stops_tables(result.stops)
 

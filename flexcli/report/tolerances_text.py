@@ -23,7 +23,7 @@ GAIN = 0.001
 
 
 def section(result: Result) -> Iterator[RenderableType]:
-    """Yield what a result has of it."""
+    """Yield the share of parts that pass, the worst of them, and what it hangs on."""
     found = result.tolerances
     if found is None:
         return

@@ -14,7 +14,7 @@ __all__ = ["section"]
 
 
 def section(result: Result) -> Iterator[RenderableType]:
-    """Yield what a result has of them."""
+    """Yield the front of a trade-off, and the options of a spec beside each other."""
     if result.choices is not None:
         yield from _choices(result.choices)
     if result.front is not None:

@@ -23,7 +23,7 @@ MEASURES = (
 
 
 def section(result: Result) -> Iterator[RenderableType]:
-    """Yield what a result has of it."""
+    """Yield the comparison with solid elements."""
     found = result.verification
     if found is None:
         return

@@ -120,7 +120,7 @@ def _change(effect: str, ask: Ask, name: str) -> float | None:
         return None
     if effect == EffectName.WARPING:
         whole, without = (
-            ask._replace(geometry=ask.geometry.leaving_out(frozenset(off)))
+            ask._replace(geometry=ask.geometry.omitting(frozenset(off)))
             for off in ((), (EffectName.WARPING,))
         )
         return number(AS_PRINTED, whole) / number(AS_PRINTED, without) - 1.0

@@ -207,7 +207,7 @@ def _of_blades(
             estimates |= {n: 2.0 * plate for n in at_stroke if given.largest_travel and n in names}
         elif name is EffectName.WARPING:
             estimates |= Warping().estimates(given)
-        on = name not in design.left_out
+        on = name not in design.omitted
         why = f"{text}; {'in every model' if on else 'off by the spec'}"
         asked = design.effects.get(name.key, "auto")
         yield EffectRow(name, on, indicator, max(estimates.values()), why, estimates, asked)
@@ -237,7 +237,7 @@ def _felt(ask: Ask, given: Setting, name: EffectName) -> tuple[str, float]:
 
 def _without(asks: list[Ask], effect: EffectName) -> list[Ask]:
     """Return the same questions of blades that do not feel an effect."""
-    bare = {id(ask.geometry): ask.geometry.leaving_out(frozenset({effect})) for ask in asks}
+    bare = {id(ask.geometry): ask.geometry.omitting(frozenset({effect})) for ask in asks}
     return [ask._replace(geometry=bare[id(ask.geometry)]) for ask in asks]
 
 

@@ -71,13 +71,13 @@ class Warping(ModelEffect):
 
 def _twists(setting: Setting) -> bool:
     """Return whether the joint's own motion twists bars whose ends are kept flat."""
-    bars = setting.geometry.leaving_out(frozenset()).twisting_bars(setting.sizes)
+    bars = setting.geometry.omitting(frozenset()).twisting_bars(setting.sizes)
     return bars is not None and bars.restrained
 
 
 def _whole_and_without(setting: Setting) -> tuple[Geometry, Geometry]:
     off = frozenset({EffectName.WARPING})
-    return setting.geometry.leaving_out(frozenset()), setting.geometry.leaving_out(off)
+    return setting.geometry.omitting(frozenset()), setting.geometry.omitting(off)
 
 
 def _beside_free(setting: Setting) -> float:

@@ -211,7 +211,7 @@ class Geometry(Part):
     """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
     has_plane: ClassVar[bool] = True
     """Whether forces bend it in a plane as its stroke does; bars along an axis only turn there."""
-    _left_out: frozenset[EffectName] = PrivateAttr(frozenset())
+    _omitted: frozenset[EffectName] = PrivateAttr(frozenset())
 
     turns_freely: ClassVar[bool] = False
     """Whether its formulas leave the body free to turn as it moves, which a case may not."""
@@ -237,16 +237,16 @@ class Geometry(Part):
                 )
 
     @property
-    def left_out(self) -> frozenset[EffectName]:
+    def omitted(self) -> frozenset[EffectName]:
         """Return the effects that its formulas, and its blades in space, are without."""
-        return self._left_out
+        return self._omitted
 
-    def leaving_out(self, effects: frozenset[EffectName]) -> Self:
+    def omitting(self, effects: frozenset[EffectName]) -> Self:
         """Return it without effects of ``BEAM_EFFECTS``, and with those that are not named."""
-        if effects == self._left_out:
+        if effects == self._omitted:
             return self
         copied = self.model_copy()
-        copied._left_out = effects
+        copied._omitted = effects
         return copied
 
     @property
@@ -620,11 +620,11 @@ class Geometry(Part):
         of the blades [kg/m³]. Its blades are without the effects that are left out.
         """
         layout = self.laid_in_space(elastic, sizes, density)
-        if not self._left_out:
+        if not self._omitted:
             return layout
         from flexcli.mechanics.space.layout import without
 
-        return without(layout, *(BEAM_EFFECTS[name] for name in self._left_out))
+        return without(layout, *(BEAM_EFFECTS[name] for name in self._omitted))
 
     def laid_in_space(self, elastic: Elastic, sizes: Sizes, density: float) -> "SpaceLayout":
         """Return bodies and blades in space that feel everything."""

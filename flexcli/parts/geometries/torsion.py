@@ -270,7 +270,7 @@ class TorsionBar(TorsionGeometry):
     @property
     def is_restrained(self) -> bool:
         """Return what the spec says of the clamps, unless it leaves warping out."""
-        return self.warping == "restrained" and EffectName.WARPING not in self.left_out
+        return self.warping == "restrained" and EffectName.WARPING not in self.omitted
 
     def rate(self, elastic: Elastic, sizes: Blade, twist: float) -> Computed:
         """Return the twist per length, that at mid-length where the ends cannot warp [rad/m]."""
