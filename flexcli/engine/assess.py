@@ -209,10 +209,14 @@ def verdict(between: tuple[float, float] | None, asked: float) -> Verdict:
     return Verdict.UNDECIDED if between[1] >= least else Verdict.FAIL
 
 
-def _order(check: Check) -> tuple[int, float]:
-    """Return which of several limits decides a check: the worst verdict, then the least margin."""
+def _order(check: Check) -> tuple[int, float, float]:
+    """Return which of several limits decides a check: the worst verdict, then the least margin.
+
+    Ranges that reach to the same end, but for rounding, leave it to the factors themselves.
+    """
     between = check.factor_range
-    return check.verdict.rank, (check.factor if between is None else between[0]) / check.required
+    margin = (check.factor if between is None else between[0]) / check.required
+    return check.verdict.rank, float(f"{margin:.12g}"), check.factor
 
 
 def factors(design: DesignSpec, **sizes: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
