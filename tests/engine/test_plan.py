@@ -244,3 +244,12 @@ def test_a_plan_s_error_is_the_model_s_own_and_all_that_is_left_out_together(mod
         assert found.errors[name] == pytest.approx(own + sum(left), rel=1e-12)
     assert several > 0
     assert found.estimated_error == max(found.errors.values())
+
+
+def test_a_plan_s_error_is_no_less_than_what_a_check_tells_of_the_same_bar():
+    bar = {"kind": "torsion-bar", "h": "0.3 mm", "l": "20 mm", "b": "5 mm", "warping": "restrained"}
+    design = design_of(bar, {"rotation": "1 deg"}, accuracy=0.05)
+    (told,) = check(design, design.fixed_sizes(), "test", "closed-form").checks
+    low, high = told.factor_range
+    found = planned(design)
+    assert found.errors["stress"] >= 0.99 * (high - low) / (high + low) > 1e-3

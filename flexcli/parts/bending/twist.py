@@ -91,7 +91,7 @@ class Twist(Bending):
         """
         ends = self.bars.end_errors(self.sizes, self.elastic.nu)
         error = self.bars.core_error(self.sizes) + ends.stiffness
-        found = {"stiffness": Change(0.0, 0.0, error) if isfinite(error) else UNKNOWN}
+        found = {"stiffness": Change(0.0, error, error) if isfinite(error) else UNKNOWN}
         if not self.theta:
             return found
         plain = max(
@@ -107,7 +107,7 @@ class Twist(Bending):
         error = (high - low) / (high + low) + self.ratio
         error += self.bars.side_error(self.sizes) + ends.stress
         error += min(UNEVEN, value) * self.bars.is_restrained
-        found["stress"] = Change(value, value, error, 1) if isfinite(error) else UNKNOWN
+        found["stress"] = Change(value, value + error, error, 1) if isfinite(error) else UNKNOWN
         return found
 
     def tension(self) -> Changes:
