@@ -42,3 +42,28 @@ def test_a_stroke_that_it_does_not_reach_exits_1(flexure, spec):
     assert told.returncode == 1
     assert "drive" in told.stdout
     assert "s_reached" in told.stdout
+
+
+LEANING = """
+flexure: 1
+material: ti-6al-4v
+geometry: {kind: leaf-spring-stage, h: 0.3 mm, l: 40 mm, b: 10 mm, spacing: 30 mm}
+mechanism: {kind: payload, mass: 150 g}
+actuator: {blocking_force: 20 N, free_stroke: 5 mm, drives: both-ways}
+cases:
+  work: {stroke: {translation: 1 mm}LOAD}
+requirements: {drive: 1.5}
+"""
+
+
+def test_a_load_out_of_the_plane_leaves_the_drive_an_answer(flexure, tmp_path):
+    def drive(load):
+        (tmp_path / "flexure.yaml").write_text(LEANING.replace("LOAD", load))
+        told = flexure("check", "--format", "json")
+        return next(c for c in json.loads(told.stdout)["checks"] if c["name"] == "drive")
+
+    plain, loaded = drive(""), drive(", wrench: {z: 2 N}")
+    assert loaded["verdict"] == "pass"
+    low, high = loaded["factor_range"]
+    # a force along z turns no blade of a symmetric stage aside to first order
+    assert low < plain["factor"] < high < 1.2 * low

@@ -72,10 +72,12 @@ class OutOfPlane(JointModel):
         return self.inner.stiffness(ask)
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
-        """Return the planar model's, where nothing acts out of the plane besides."""
-        if ask.scene.across_by:
+        """Return the planar model's; under loads out of the plane, that of exact beams in space."""
+        if not ask.scene.across_by:
+            return self.inner.effort(ask)
+        if self._space is None:
             raise NotAvailable("has no force at stroke under loads out of its plane")
-        return self.inner.effort(ask)
+        return self._space.effort(ask)
 
     def sag_stiffness(self, ask: Ask) -> Computed:
         """Return the planar model's, which has that along z."""
