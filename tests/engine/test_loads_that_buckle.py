@@ -191,3 +191,15 @@ def test_a_body_that_falls_over_its_blades_fails_though_it_stands_straight():
     k = 2.0 * 210e9 * 10e-3 * 0.3e-3**3 / 12.0 / (sqrt(2.0) * 20e-3)
     assert 0.4 * 9.81 * 0.04 < k < 0.4 * 9.81 * 0.12
     assert [row.verdict for row in found] == [Verdict.PASS, Verdict.FAIL]
+
+
+def test_a_torsion_bar_that_is_pushed_along_its_axis_buckles_as_a_column():
+    half = pi**2 / 8.0 * 210e9 * 3e-3 * 0.5e-3**3 / 12.0 / 0.05**2
+    spec = design(
+        {"kind": "torsion-bar", "h": "0.5 mm", "l": "50 mm", "b": "3 mm"}, {"buckling": 1.9},
+        {"push": {"wrench": {"z": f"-{half} N"}}}, material=STEEL,
+    )  # fmt: skip
+    (row,) = check(spec, spec.fixed_sizes(), "test", "exact").checks
+    # a wide bar is stiffer by what its clamps keep it from curling
+    assert row.factor == pytest.approx(2.0, rel=0.01)
+    assert row.verdict is Verdict.PASS
