@@ -109,13 +109,17 @@ class Requirements(Part):
     dynamic_life: Several[DynamicLife] | None = Field(None, alias="dynamic-life")
     """Factor on the fatigue life under random vibration, e.g. ``4``."""
     stiffness: Several[Stiffness] | None = None
-    """Bounds on the stiffness of a joint along its motion, e.g. ``{max: 15 N*m/rad}``."""
+    """Bounds on the stiffness of a joint along its motion, at rest without the loads of cases,
+    e.g. ``{max: 15 N*m/rad}``.
+    """
     drive: Several[Drive] | None = None
     """Factor on the force at the ends of the stroke against what the actuator has left there,
     e.g. ``1.5``.
     """
     frequency: Several[Frequency] | None = None
-    """Bounds on the frequency of the mechanism's own motion, e.g. ``{min: 20 Hz}``."""
+    """Bounds on the frequency of the mechanism's own motion, at rest without the loads of cases:
+    a weight that stands on its blades lowers it, e.g. ``{min: 20 Hz}``.
+    """
     sag: Several[Sag] | None = None
     """Bounds on how far a steady acceleration moves the body, e.g. ``{max: 10 um}``."""
     mass: Several[Mass] | None = None
