@@ -25,6 +25,9 @@ REACH = 4.0
 REACH_OFF = 60.0
 """The same of a compliance off the motion, which grows with the bodies."""
 
+LOADS = 0.01
+"""Share of a stiffness from which it is told that the loads of a case change it."""
+
 OFF = (QuantityKind.SUPPORT, QuantityKind.SAG, QuantityKind.RESPONSE)
 
 
@@ -114,6 +117,7 @@ def judged(
             *_open(design, sizes, found),
             *_rigid_clamps(design, sizes, found),
             *_shaken(design, sizes, joint_model, found),
+            *_without_loads(design, sizes, found),
         ),
         cost=Cost(0.0, found.deciding, max(errors, default=None), by_model=found.by_model),
     )
@@ -135,6 +139,30 @@ def _shaken(
 
         with suppress(SolveError):  # said where the response is judged
             yield from vibration_notes(design.ask(design.scene(case), sizes, joint_model))
+
+
+def _without_loads(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
+    """Yield the cases whose loads change the stiffness that is judged without them."""
+    of_rest = (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY)
+    geometry, scenes = design.geometry, [design.scene(case) for case in design.cases]
+    loaded = [scene for scene in scenes if scene.is_loaded or scene.across_by]
+    asked = any(check.kind in of_rest and not check.case for check in found.checks)
+    if not asked or not loaded or geometry.is_guided:
+        return
+    from flexcli.parts.space_joint import joint_in_space
+    from flexcli.parts.space_states import stiffened_by
+
+    for scene in loaded:
+        with suppress(NotAvailable, SolveError):
+            joint = joint_in_space(geometry, design.material, sizes, None)
+            stated, either = stiffened_by(joint, scene)
+            if joint.is_uniform and abs(stated) + either > LOADS:
+                share = f"{stated:+.0%}" if abs(stated) > either else f"±{abs(stated) + either:.0%}"
+                text = (
+                    f"the loads of case '{scene.case}' change the stiffness of the joint by some "
+                    f"{share}; stiffness and frequency are judged without them"
+                )
+                yield Note("without-loads", text)
 
 
 def told_values(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> dict[str, Value]:

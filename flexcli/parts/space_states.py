@@ -23,7 +23,7 @@ from flexcli.mechanics.space.freedoms import misfit
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceRod, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.mechanics.space.modes import SpaceModes, natural_modes, own_blade_frequency
-from flexcli.mechanics.space.second_order import SecondOrder
+from flexcli.mechanics.space.second_order import SecondOrder, stiffened_by_loads
 from flexcli.mechanics.space.states import (
     Acting,
     BladeStress,
@@ -62,6 +62,7 @@ __all__ = [
     "poses",
     "sag",
     "state_error",
+    "stiffened_by",
     "straight_shares",
     "stress_places",
 ]
@@ -696,6 +697,25 @@ def _third_order(after: SecondOrder) -> float:
     if after.buckling > SOFTENED:
         return inf
     return TURNS * after.rotation**2 + after.axial / STIFFENS
+
+
+def stiffened_by(joint: SpaceJoint, scene: Scene) -> tuple[float, float]:
+    """Return by what shares the loads of a case change the stiffness along the motion [-].
+
+    To first order in them: that of what is stated with its sign, and the most of what acts either
+    way.
+    """
+    body = joint.layout.body(joint.layout.drive.body)
+    unit = action(joint.assembly, Acting(1.0, np.zeros(6), body.point, np.zeros(3))).moved
+    along, k, stated, either = unit.coordinates[:, 0], float(unit.drive[0]), 0.0, 0.0
+    for each in acting_groups(joint, scene):
+        state = action(joint.assembly, each)
+        found = stiffened_by_loads(joint.assembly, state.moved, state.loads, along) / k
+        if each.acceleration.any():
+            either += abs(found)
+        else:
+            stated += found
+    return stated, either
 
 
 def straight_shares(joint: SpaceJoint, scene: Scene) -> Iterator[tuple[float, float]]:

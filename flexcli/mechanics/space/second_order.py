@@ -18,7 +18,7 @@ from flexcli.mechanics.space.layout import SpaceLoad, SpaceRod, grown_ends
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.numerics.quadrature import gauss_rule
 
-__all__ = ["SecondOrder", "second_order"]
+__all__ = ["SecondOrder", "second_order", "stiffened_by_loads"]
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
@@ -148,6 +148,26 @@ def second_order(
     )
 
 
+def stiffened_by_loads(
+    assembly: SpaceAssembly, found: Moved, loads: tuple[SpaceLoad, ...], along: Floats
+) -> float:
+    """Return what the forces of a linear state add to the stiffness along a motion.
+
+    To first order in the forces: ``dᵀ K_g d`` with the geometric stiffness K_g of blades and loads,
+    of the coordinates d that the motion has without them [N/m or N·m/rad].
+    """
+    softening, q = _Softening(assembly), found.coordinates[:, 0]
+    motions = [_of_body(assembly, q, i) for i in range(len(assembly.layout.bodies))]
+    for k in range(len(assembly.members)):
+        quadratic = _Quadratic(assembly, k, motions, 0.0)
+        softening.add(quadratic, found.forces[6 * k : 6 * k + 6, 0], k)
+    for load in loads:
+        i = assembly.layout.index(load.body)
+        softening.turn(i, np.subtract(load.point, _point(assembly, i)), np.asarray(load.force))
+    matrix = softening.of_coordinates()[: assembly.size, : assembly.size]
+    return float(along @ matrix @ along)
+
+
 class _Softening:
     """What forces at rest make softer: second derivatives of the energy at constant forces.
 
@@ -183,11 +203,16 @@ class _Softening:
 
     def share(self, *, locked: bool) -> float:
         """Return the share of the forces at which a direction loses its stiffness."""
-        at, turned = self.assembly.moving, _turn(self.assembly)
-        self.matrix[at] = turned.T @ self.matrix[at]
-        self.matrix[:, at] = self.matrix[:, at] @ turned
         root = block_diag(self.assembly.compliance_root(locked=locked), np.diag(self.root))
-        return max(float(np.linalg.eigvalsh(-root @ self.matrix @ root.T)[-1]), 0.0)
+        return max(float(np.linalg.eigvalsh(-root @ self.of_coordinates() @ root.T)[-1]), 0.0)
+
+    def of_coordinates(self) -> Floats:
+        """Return the matrix in the coordinates of the assembly, the inner shapes after them."""
+        at, turned = self.assembly.moving, _turn(self.assembly)
+        found = self.matrix.copy()
+        found[at] = turned.T @ found[at]
+        found[:, at] = found[:, at] @ turned
+        return found
 
 
 def _point(assembly: SpaceAssembly, body: int) -> Floats:

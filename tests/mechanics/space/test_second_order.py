@@ -19,7 +19,7 @@ from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.space.layout import Drive, SpaceBody, SpaceLayout, SpaceLoad
 from flexcli.mechanics.space.linear import assemble
 from flexcli.mechanics.space.planar import from_plane
-from flexcli.mechanics.space.second_order import second_order
+from flexcli.mechanics.space.second_order import second_order, stiffened_by_loads
 from flexcli.parts.elastic import Elastic
 
 FLAT = Elastic(114e9, 0.0)
@@ -193,3 +193,20 @@ def test_a_strip_loaded_along_its_width_turns_aside_at_prandtl_s_load():
 def test_nothing_buckles_that_is_pulled():
     strip = blade("s", "ground", "tip", (0, 0, 0), (0.1, 0, 0), **STRIP)
     assert buckles_at(strip, SpaceLoad("tip", strip.end, (1e-3, 0.0, 0.0))) > 1e6 * EI / 0.1**2
+
+
+def test_a_weight_that_stands_on_a_stage_or_a_lever_softens_it():
+    # 6 F/(5 l) of the stage's blades together (Timoshenko); F s of a lever s on a stiff body
+    layout, force = guide(l=0.1, h=0.5e-3), 1.0
+    assembly = assemble(layout)
+    pushed = SpaceLoad("stage", (0.0, 0.1, 0.0), (0.0, -force, 0.0))
+    moved = assembly.moved(assembly.load(pushed)[:, None])
+    along = assembly.moved(travel=np.ones(1)).coordinates[:, 0]
+    found = stiffened_by_loads(assembly, moved, (pushed,), along)
+    assert found == pytest.approx(-1.2 * force / 0.1, rel=1e-3)  # shear, (h/l)²
+    turned = np.zeros(assembly.size)
+    turned[5] = 1.0  # about the stage's own z, the blades' forces left out
+    high = pushed._replace(point=(0.0, 0.3, 0.0))
+    unloaded = moved._replace(forces=0.0 * moved.forces)
+    levered = stiffened_by_loads(assembly, unloaded, (high,), turned)
+    assert levered == pytest.approx(-force * 0.2, rel=1e-9)
