@@ -45,6 +45,7 @@ from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.results import ErrorRange
 
 __all__ = [
+    "SOFTENED",
     "WARPING_ERROR",
     "Place",
     "StrokeEnd",

@@ -5,7 +5,7 @@ Beams were held against shells, and both against CalculiX's solids, over the ran
 """
 
 from dataclasses import replace
-from math import inf
+from math import inf, pi
 from typing import NamedTuple
 
 import numpy as np
@@ -16,9 +16,18 @@ from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabu
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.rotation import conjugate, matrix_of, product, vector_of
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod, Vector
+from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.springs import MemberSprings, springs_of
 
-__all__ = ["SEEN", "Bend", "StrokeErrors", "beam_errors", "shell_errors", "strain_error"]
+__all__ = [
+    "SEEN",
+    "Bend",
+    "StrokeErrors",
+    "beam_errors",
+    "shell_errors",
+    "strain_error",
+    "width_error",
+]
 
 Floats = NDArray[np.float64]
 
@@ -106,6 +115,11 @@ CANCELLED = 5e-4
 stroke may be off in which the shortening of blades cancels. Beams were up to 5e-4 l θ² from shells
 in crossed, triple and butterfly pivots."""
 
+WIDTH, WIDTH_MOST = 0.17, 0.3
+"""Times (b/l)², and the most: by how much more beams bear along their width than shells before they
+turn aside, where their ends are kept from turning. Guides had 0.034 at b/l 0.5, 0.124 at 1 and
+0.213 at 1.5, at ν = 0.3 and h/l 0.0025 and 0.01, 0.150 at ν = 0.45 and b/l 1; cantilevers 0.01."""
+
 HINGE_TURN, HINGE_TWIST, AT_STROKE = 0.21, 1e-3, 0.015
 """Turn of a hinge [rad], and that about itself, up to which its errors are those of its springs at
 rest, and what a stroke adds: CalculiX's solids of notches at 5° have the ratios to beams that they
@@ -161,6 +175,23 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
         support = max(support, hinged + AT_STROKE)
         return StrokeErrors(support, inf, inf, inf)
     return StrokeErrors(support, moments + SHIFTED, moments + MOMENTS, _cancelled(state))
+
+
+def width_error(assembly: SpaceAssembly, forces: Floats) -> float:
+    """Return by how much less than beams blades may bear that are bent across their width.
+
+    ``forces`` are those of the springs (rows,) [N, N·m] of a linear state. It counts in full from
+    ``M l = π/2 √(EI GJ)`` on, by which no strip turns aside.
+    """
+    most = 0.0
+    for k, (blade, member) in enumerate(zip(assembly.layout.blades, assembly.members, strict=True)):
+        if isinstance(blade, SpaceRod):
+            continue
+        l, stiffness = member.l, member.springs.stiffness
+        M = abs(forces[6 * k + 4]) + abs(forces[6 * k + 2]) * l / 2.0
+        felt = min(float(M / np.sqrt(stiffness[3] * stiffness[5])) / (pi / 2.0), 1.0)
+        most = max(most, felt * min(WIDTH * (blade.b / l) ** 2, WIDTH_MOST))
+    return most
 
 
 def _hinge_error(blade: SpaceBlade, bend: Bend) -> float | None:

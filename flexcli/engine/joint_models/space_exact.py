@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.space_deflection import deflections
-from flexcli.engine.joint_models.space_errors import StrokeErrors, strain_error
+from flexcli.engine.joint_models.space_errors import StrokeErrors, strain_error, width_error
 from flexcli.engine.joint_models.space_frequency import locked_frequency
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_stroke import (
@@ -32,7 +32,7 @@ from flexcli.mechanics.space.exact.stresses import BladeStress, blade_stresses
 from flexcli.mechanics.space.exact.support import support_compliance, vibration
 from flexcli.mechanics.space.inertia import blade_masses
 from flexcli.mechanics.space.layout import SpaceLoad, Vector
-from flexcli.mechanics.space.states import Acting, Stresses
+from flexcli.mechanics.space.states import Acting, Stresses, action, combined
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.own_motion import TAKES_PART
@@ -46,7 +46,13 @@ from flexcli.parts.requirements import (
 )
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
-from flexcli.parts.space_states import WARPING_ERROR, Told, acting_groups, bent_by_gradient
+from flexcli.parts.space_states import (
+    SOFTENED,
+    WARPING_ERROR,
+    Told,
+    acting_groups,
+    bent_by_gradient,
+)
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -55,6 +61,9 @@ if TYPE_CHECKING:
 __all__ = ["SpaceExactModel", "beam_peaks", "section_peaks"]
 
 Floats = NDArray[np.float64]
+
+ROUGH = 0.02
+"""By how much beams may bear too much that is not looked at further."""
 
 ROUNDING = 1e-6
 """Error of a ratio of two states at the same nodes."""
@@ -279,6 +288,8 @@ class SpaceExactModel(SpaceLinearModel):
         beside = sum(_stress_of_weight(joint, each) for each in acting_groups(joint, ask.scene))
         beside += bent_by_gradient(joint, ask.scene)[0]
         most, unsure, largest = 0.0, beside, 0.0
+        if self.blades is BEAMS and _may_turn_aside(joint, ask.scene):
+            return None
         try:
             for ends in self._loaded_ends(ask):
                 known = _most_off(
@@ -295,6 +306,18 @@ class SpaceExactModel(SpaceLinearModel):
             return None
         most += unsure / largest
         return ErrorRange(-most, most)
+
+
+def _may_turn_aside(joint: SpaceJoint, scene: Scene) -> bool:
+    """Return whether loads nearly turn blades aside that are so wide that beams bear too much."""
+    states = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
+    for signs in product((1.0, -1.0), repeat=len(states)):
+        both = combined(states, list(signs)) if states else None
+        if both is None or width_error(joint.assembly, both.moved.forces[:, 0]) < ROUGH:
+            continue
+        if both.following().buckling > SOFTENED:
+            return True
+    return False
 
 
 def _most_off(
@@ -325,6 +348,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     layout, drive = joint.layout, joint.layout.drive
     acting = acting_groups(joint, scene)
     groups = [_loads(joint, each) for each in acting]
+    rest = [action(joint.assembly, each) for each in acting] if blades is BEAMS else []
     unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
     levels, tolerance = blades.critical
     senses: list[tuple[float, ...]] = [(1.0, -1.0)] * len(groups)
@@ -356,6 +380,9 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
                 start=beams.start,
             )  # fmt: skip
             low = min(1.0, straight / share) * (1.0 - off)
+            if rest:
+                forces = combined(rest, [share * sign for sign in signs]).moved.forces[:, 0]
+                low /= 1.0 + width_error(joint.assembly, forces)
             error_range = ErrorRange(low - 1.0, high) if isfinite(off) else None
             yield CriticalShare(share, spoken, error_range)
 

@@ -149,12 +149,3 @@ def test_wide_blades_in_the_plane_and_as_shells_agree_within_what_both_tell():
 def test_a_model_without_the_force_at_a_stroke_decides_nothing():
     asked = spec(STAGE, {"translation": "20 um"}, more={"model": "linear"})
     assert flexcli.check(asked).status is Status.UNDECIDED
-
-
-def test_loads_beside_a_stroke_that_no_model_has_leave_it_undecided():
-    asked = spec(
-        STAGE, {"translation": "20 um"}, more={"mechanism": {"kind": "payload", "mass": "20 g"}},
-        acceleration={"level": "1 g", "axis": "z"},
-    )  # fmt: skip
-    verdicts = {check.name: check.verdict for check in flexcli.check(asked).checks}
-    assert verdicts["drive"] is Verdict.UNDECIDED
