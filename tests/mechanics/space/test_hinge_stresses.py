@@ -13,8 +13,8 @@ from flexcli.mechanics.space.springs import springs_of
 from flexcli.mechanics.space.stresses import equivalent, hinge_error, stress_rows
 
 SOLIDS = json.loads((Path(__file__).parent / "hinge_stresses.json").read_text(encoding="utf-8"))
-"""By ``tests/benchmarks/hinge_stresses.py``. The notches' bound was set before these were solved, that
-of fillets was raised from 0.15 to 0.20 by them."""
+"""By ``tests/benchmarks/hinge_stresses.py``. The bound of notches was set before these were solved,
+that of fillets was raised from 0.15 to 0.20 by them."""
 
 
 def hinge(kind, numbers, l, b, nu):
