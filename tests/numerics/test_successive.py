@@ -108,7 +108,8 @@ def test_a_posynomial_as_numbers_has_the_optimum_of_the_convex_solver(problem):
 
     found = descend(black_box(rows, names, len(limits)), np.zeros(len(names)))
     assert found.outcome is Outcome.CONVERGED
-    assert found.values[0] == pytest.approx(np.log(exact.objective), abs=1e-8)
+    # it ends where a step gains less than 1e-9, and many such may be left
+    assert found.values[0] == pytest.approx(np.log(exact.objective), abs=1e-7)
     if exact.unique:
         x = np.array([exact.x[name] for name in names])
         assert found.y == pytest.approx(np.log(x), abs=1e-5)
