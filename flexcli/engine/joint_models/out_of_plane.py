@@ -126,8 +126,9 @@ class OutOfPlane(JointModel):
         if not ask.scene.across_by:
             return self.inner.stresses(ask)
         parts = self._parts(ask)
-        if self._is_finest and self._space and parts.across.error is None:
-            return self._space.stresses(ask)
+        beams = self._beams(ask) if parts.across.error is None else None
+        if beams is not None:
+            return beams.stresses(ask)
         across, found = parts.across.value, list[EndStress]()
         for stress in parts.planar or [EndStress("blade", 0.0, 0.0, 0.0)]:
             found.append(stress._replace(axial=stress.axial + across))
@@ -149,12 +150,18 @@ class OutOfPlane(JointModel):
             return None
         across, error = parts.across
         if error is None:
-            return self._space.error(ask, kind) if self._is_finest and self._space else None
+            beams = self._beams(ask)
+            return None if beams is None else beams.error(ask, kind)
         a, b = parts.largest, across
         if a + b == 0.0:
             return planar
         low = max(a * (1.0 + planar.low), b * (1.0 + error.low)) / (a + b) - 1.0
         return ErrorRange(low, (a * (1.0 + planar.high) + b * (1.0 + error.high)) / (a + b) - 1.0)
+
+    def _beams(self, ask: Ask) -> SpaceLinearModel | None:
+        """Return exact beams where they may say more: of hinges' stress they know no error."""
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        return self._space if self._is_finest and joint.is_uniform else None
 
     def _parts(self, ask: Ask) -> _Parts:
         return self._known.of("parts", ask, lambda: self._find(ask))
