@@ -173,7 +173,7 @@ def _moving(geometry: Geometry) -> str:
 def _moved(ask: Ask, turn: Turn) -> tuple[tuple[DrawnState, ...], tuple[XY, ...], str]:
     """Return the ends of the stroke, the path of the centre, and what was not reached."""
     scene = ask.scene
-    travels = np.linspace(scene.middle + scene.travel, scene.middle - scene.travel, STATES)
+    travels = np.linspace(*scene.stroke_ends, STATES)
 
     def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> Equilibrium:
         effects = blades_of(layout, Effects())

@@ -118,9 +118,8 @@ def space_drawing(
     space = ask.geometry.space_layout(ask.material.elastic, ask.sizes)
     scene, found, missed = ask.scene, {}, ""
     if scene.moves:
-        ends = (scene.middle + scene.travel, scene.middle - scene.travel)
         try:
-            found = {travel: at_travel(ask, travel) for travel in dict.fromkeys(ends)}
+            found = {travel: at_travel(ask, travel) for travel in dict.fromkeys(scene.stroke_ends)}
         except (NotAvailable, SolveError) as reason:
             missed = str(reason)
     drawn = {

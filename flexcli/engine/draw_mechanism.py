@@ -76,7 +76,7 @@ def mechanism_drawing(design: DesignSpec, sizes: Sizes, case: str | None = None)
     missed = ""
     if scene.moves and scene.lock is None:
         per_motion = stage.joint_travel_per_motion
-        travels = [(scene.middle + s * scene.travel) / per_motion for s in (1.0, -1.0)]
+        travels = [travel / per_motion for travel in scene.stroke_ends]
         states, missed = _moved(layout, travels[:1] if scene.travel == 0.0 else travels)
     height = stage.height
     lengths = [DrawnLength("H", (0.0, 0.0), (0.0, height))]

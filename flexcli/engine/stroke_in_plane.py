@@ -37,7 +37,7 @@ def stroke_in_plane(ask: Ask, points: int, blades: Effects) -> SweepResult:
     Raises :class:`NotAvailable` where the joint is not made of blades in a plane.
     """
     scene = ask.scene
-    travels = np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points)
+    travels = np.linspace(*scene.stroke_ends, points)[::-1]
 
     def solver(layout: Layout, held: Held, loads: Sequence[Load]) -> Equilibrium:
         return solve(

@@ -34,7 +34,7 @@ def stroke_in_space(ask: Ask, points: int, model: SpaceExactModel) -> SpaceSweep
     """Return the joint at so many travels of a case, those left out that were not reached."""
     scene = ask.scene
     found, missed, why, drive = list[SpacePoint](), 0, "", ""
-    for travel in np.linspace(scene.middle - scene.travel, scene.middle + scene.travel, points):
+    for travel in np.linspace(*scene.stroke_ends, points)[::-1]:
         try:
             state = at_travel(ask, float(travel), model.blades)
             drive = _driven_axis(ask, state.layout.drive)

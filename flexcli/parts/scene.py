@@ -142,6 +142,11 @@ class Scene(NamedTuple):
         return bool(self.travel > 0.0 or self.mean_travel > 0.0)
 
     @property
+    def stroke_ends(self) -> tuple[float, float]:
+        """Return the travels of both ends of the stroke, rest without one [m or rad]."""
+        return self.middle + self.travel, self.middle - self.travel
+
+    @property
     def sags(self) -> bool:
         """Return whether a steady acceleration along one axis makes the body sag along it."""
         return self.acceleration > 0.0 and bool(self.axis)

@@ -62,6 +62,7 @@ __all__ = [
     "parasitic_frequency",
     "poses",
     "sag",
+    "senses",
     "state_error",
     "stiffened_by",
     "straight_shares",
@@ -174,6 +175,15 @@ def acting_groups(joint: SpaceJoint, scene: Scene) -> list[Acting]:
     ]
 
 
+def senses(scene: Scene, groups: int) -> Iterator[tuple[float, ...]]:
+    """Yield the senses in which the acting groups of a case act at once.
+
+    What is stated, the first of them, acts in its own sense alone.
+    """
+    stated = (1.0,) if any(scene.stated) else (1.0, -1.0)
+    return product(*(stated if k == 0 else (1.0, -1.0) for k in range(groups)))
+
+
 def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[StrokeEnd, ...]:
     """Return the motion at both ends of a stroke, the drive locked there; loads play no part.
 
@@ -184,7 +194,7 @@ def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[StrokeEnd, ..
     body = joint.layout.body(joint.layout.drive.body)
     to_point = axes @ joint.assembly.motion(body.name, body.point)
     bent, found = bent_by_gradient(joint, scene)[1], []
-    for travel in (scene.middle + scene.travel, scene.middle - scene.travel):
+    for travel in scene.stroke_ends:
         state = action(joint.assembly, Acting(travel, np.zeros(6), body.point, np.zeros(3)))
         if joint.layout.grows:
             heat = warmed(joint.assembly, locked=scene.moves)
@@ -245,7 +255,7 @@ def poses(joint: SpaceJoint, scene: Scene) -> tuple[list[tuple[float, Floats]], 
     assembly, layout = joint.assembly, joint.layout
     found, doubt = list[tuple[float, Floats]](), 0.0
     centre = layout.body(layout.drive.body).point
-    for travel in dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel)):
+    for travel in dict.fromkeys(scene.stroke_ends):
         if travel == 0.0:
             continue
         state = action(assembly, Acting(travel, np.zeros(6), centre, np.zeros(3)))
@@ -347,14 +357,8 @@ def beyond_linear_sag(ask: Ask) -> float | None:
     along = motion_along(axes_about_z(ask.geometry.axes))
     row = along["xyz".index(scene.axis)] @ joint.assembly.motion(body.name, body.point)
     still = scene._replace(stated=(0.0,) * 6)
-    states = [
-        action(
-            joint.assembly,
-            each._replace(wrench=s * each.wrench, acceleration=s * each.acceleration),
-        )
-        for each in acting_groups(joint, still)
-        for s in (1.0, -1.0)
-    ]
+    groups = [action(joint.assembly, each) for each in acting_groups(joint, still)]
+    states = [combined([state], [sense]) for state in groups for sense in (1.0, -1.0)]
     if joint.is_uniform and not ask.geometry.is_guided:
         return _amplified(max((_second_share(state, row) for state in states), default=0.0))
     load = sum((np.array(wrench) for wrench in scene.inertial), np.zeros(6))
@@ -432,8 +436,7 @@ def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRa
         swing = combined([unit], [scene.travel])
         swings = stresses.of(swing.moved.forces[:, 0], swing.weights)
         found += [p for s, m in zip(swings, means, strict=True) for p in _places(s, m)]
-        ends = [scene.middle + scene.travel, scene.middle - scene.travel]
-        states = [combined(parts, [end, *loads]) for end in ends]
+        states = [combined(parts, [end, *loads]) for end in scene.stroke_ends]
         errors.append(_error(joint, states, stresses))
     whole, bent = _hull(errors), bent_by_gradient(joint, scene)[0]
     if whole is None or bent == 0.0:
@@ -468,7 +471,7 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
     if not joint.is_known:
         return Told(rest, None)
     if not joint.is_uniform:
-        return _across_hinges(joint, scene, acting, groups, stresses)
+        return _across_hinges(joint, scene, acting, groups, stresses, rest)
     found = list(_beside(joint, scene, groups, stresses))
     most = max(more for more, _ in found)
     error = max(each for _, each in found)
@@ -491,20 +494,20 @@ def _across_hinges(
     acting: list[Acting],
     groups: list[SpaceState],
     stresses: Stresses,
+    rest: float,
 ) -> Told:
     """Return the stress of loads out of the plane of a joint with hinges, and its error.
 
-    Exact beams tell by what share of itself it changes at a stroke; that of the blades' own weight,
-    which they do not bear, is taken to change as that of the loads.
+    ``rest`` is the stress at rest [Pa]. Exact beams tell by what share of itself it changes at a
+    stroke; that of the blades' own weight, which they do not bear, is taken to change as that of
+    the loads.
     """
-    rest = _at_once(groups, stresses)
     known = _hull(map(_of_hinge, joint.layout.blades))
     unsure = _unevenly_sprung(joint, acting, stresses, rest)
     if unsure is None or known is None or any(not state.loads for state in groups):
         return Told(rest, None)
     if any(_is_taper(blade) for blade in joint.layout.blades):
         return Told(rest, None)  # how a taper spreads its stress across nobody has compared
-    ends = [scene.middle + scene.travel, scene.middle - scene.travel] if scene.moves else [0.0]
     least, most = 0.0, 1.0
     # with all loads the other way it is its own mirror image
     for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
@@ -514,7 +517,7 @@ def _across_hinges(
             return Told(rest, None)  # far beyond what it bears, and costly to follow
         forces = loads.moved.forces[:, 0]
         here = max(map(_largest, stresses.of(forces, np.zeros_like(loads.weights))))
-        for end in dict.fromkeys(ends):
+        for end in dict.fromkeys(scene.stroke_ends):
             there = _added(joint, loads, end)
             if there is None:
                 return Told(rest, None)
@@ -591,9 +594,9 @@ def _beside(
     That is at each end of the stroke, and whichever way the loads act.
     """
     body = joint.layout.body(joint.layout.drive.body)
-    ends = [scene.middle + scene.travel, scene.middle - scene.travel] if scene.moves else [0.0]
-    for end, signs in product(ends, product(*((1.0, -1.0) for _ in groups))):
-        loads = combined(groups, list(signs))
+    either = [(1.0, -1.0)] * len(groups)
+    for end, *signs in product(dict.fromkeys(scene.stroke_ends), *either):
+        loads = combined(groups, signs)
         stroke = action(joint.assembly, Acting(end, np.zeros(6), body.point, np.zeros(3)))
         both = combined([stroke, loads], [1.0, 1.0]) if end else loads
         after, alone = both.following(), stroke.following()
@@ -727,26 +730,26 @@ def straight_shares(joint: SpaceJoint, scene: Scene) -> Iterator[tuple[float, fl
     stress, which no loss of stability leaves near what it was; both are ``MOST_SHARE`` at most.
     """
     stresses = Stresses(joint.assembly)
-    acting = acting_groups(joint, scene)
-    groups = [action(joint.assembly, each) for each in acting]
-    senses: list[tuple[float, ...]] = [(1.0, -1.0)] * len(groups)
-    if any(scene.stated):
-        senses[0] = (1.0,)
+    groups = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
     centre = joint.layout.body(joint.layout.drive.body).point
-    for end in dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel)):
+    for end in dict.fromkeys(scene.stroke_ends):
         stroke = [action(joint.assembly, Acting(end, np.zeros(6), centre, np.zeros(3)))] * bool(end)
-        for signs in product(*senses):
-
-            def told(
-                share: float, signs: tuple[float, ...] = signs, parts: list[SpaceState] = stroke
-            ) -> bool:
-                state = combined([*parts, *groups], [1.0] * len(parts) + [share * s for s in signs])
-                return _of_state(joint, state, stresses) is not None
-
+        for signs in senses(scene, len(groups)):
             loads = combined(groups, list(signs))
             buckling = loads.following().buckling
-            least = next((share for share in SHARES if told(share)), 0.0)
+            least = _told_up_to(joint, stroke, loads, stresses)
             yield max(least, min(1.0 / max(buckling, 1e-9), MOST_SHARE)), least
+
+
+def _told_up_to(
+    joint: SpaceJoint, stroke: list[SpaceState], loads: SpaceState, stresses: Stresses
+) -> float:
+    """Return the largest share of loads, beside a stroke, whose stress the linear state tells."""
+    for share in SHARES:
+        state = combined([*stroke, loads], [1.0] * len(stroke) + [share])
+        if _of_state(joint, state, stresses) is not None:
+            return share
+    return 0.0
 
 
 def _springs(joint: SpaceJoint, state: SpaceState) -> float:

@@ -126,7 +126,7 @@ def _stiffness_at_end(ask: Ask) -> float:
     model, scene = ask.joint_model, ask.scene
     if not isinstance(model, SpaceExactModel):
         return _stiffness(ask)
-    state = at_travel(ask, scene.middle + scene.travel, model.blades)
+    state = at_travel(ask, scene.stroke_ends[0], model.blades)
     return driven_stiffness(state, driven_coordinate(state.layout))
 
 

@@ -306,8 +306,7 @@ def _travels(ask: Ask) -> tuple[float, ...]:
     scene = ask.scene
     if not scene.moves:
         return (0.0,)
-    ends = (scene.middle + scene.travel, scene.middle - scene.travel)
-    return tuple(dict.fromkeys((*ends, 0.0)))
+    return tuple(dict.fromkeys((*scene.stroke_ends, 0.0)))
 
 
 @dataclass(frozen=True, eq=False)

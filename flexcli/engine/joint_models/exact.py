@@ -148,14 +148,13 @@ class ExactModel(JointModel):
         """Return what holds the joint at both ends of the stroke, under the case's loads."""
         one_alone()
         states, scene = self.states(ask), ask.scene
-        ends = (scene.middle + scene.travel, scene.middle - scene.travel)
         body, axis = states.layout.index(MOVING), driven_axis(ask.geometry)
-        sagged = states.motions[:, body, axis] - np.tile(ends, states.designs // 2)
+        sagged = states.motions[:, body, axis] - np.tile(scene.stroke_ends, states.designs // 2)
         held = states.reactions[:, body, axis]
         before = None if states.coarser is None else states.coarser.reactions[:, body, axis]
         pushed = np.abs(sagged) * self._stiffness(ask)[0] if np.any(sagged) else sagged
         found = []
-        for end, travel in enumerate(ends):
+        for end, travel in enumerate(scene.stroke_ends):
             sense = -1.0 if travel < 0.0 else 1.0
             efforts, loads = sense * held[end::2], pushed[end::2]
             worst = int(np.argmax(efforts + loads))

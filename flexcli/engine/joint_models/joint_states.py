@@ -100,8 +100,7 @@ def of_case(ask: Ask, solver: Solver[Found]) -> Found:
     signs = _signs(scene)
     if not scene.moves:
         return _states(ask, solver, None, signs)
-    ends = np.array([scene.middle + scene.travel, scene.middle - scene.travel])
-    travels = np.concatenate([ends] * len(signs))
+    travels = np.tile(scene.stroke_ends, len(signs))
     return _states(ask, solver, travels, np.repeat(signs, 2, axis=0))
 
 
@@ -160,11 +159,10 @@ def paths(ask: Ask) -> Iterator[tuple[float | None, Layout, Held, list[Load]]]:
     """
     one_alone()
     scene, geometry = ask.scene, ask.geometry
-    ends = (scene.middle + scene.travel, scene.middle - scene.travel)
     across = hold_of(scene).across and not scene.moves
     angle = _facing(scene) if across else 0.0
     layout = turned(warmed(ask), -angle)
-    for travel in dict.fromkeys(ends) if scene.moves else (None,):
+    for travel in dict.fromkeys(scene.stroke_ends) if scene.moves else (None,):
         held = held_at_rest(scene, geometry)
         if travel is not None:
             held = held_by_stroke(scene, geometry, travel)

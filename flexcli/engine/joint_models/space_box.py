@@ -45,7 +45,7 @@ def _box(ask: Ask, moved: Callable[[], Poses]) -> tuple[SweptBox, tuple[str, ...
 def _exact_poses(ask: Ask) -> Poses:
     """Return the motion of every body at the ends of the stroke, and how far off it is [m]."""
     scene, found, doubt = ask.scene, list[tuple[float, Floats]](), 0.0
-    for travel in dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel)):
+    for travel in dict.fromkeys(scene.stroke_ends):
         if travel == 0.0:
             continue
         try:

@@ -65,10 +65,10 @@ def deflections(
     best, (first, known, work) = compliance_of(ask), deflection_form(ask, sought, load)
     try:
         rest = compliance_along_cases(ask, at_travel(ask, 0.0), CENTRE, locked=False)
-        ends = (scene.middle + scene.travel, scene.middle - scene.travel) if scene.moves else ()
+        ends = dict.fromkeys(scene.stroke_ends) if scene.moves else ()
         there = [
             compliance_along_cases(ask, at_travel(ask, travel), CENTRE, locked=False)
-            for travel in dict.fromkeys(ends)
+            for travel in ends
         ]
         bent = {sign: _moved(ask, sign * load, sought) for sign in (1.0, -1.0)}
     except SolveError as failed:

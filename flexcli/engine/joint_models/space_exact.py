@@ -52,6 +52,7 @@ from flexcli.parts.space_states import (
     Told,
     acting_groups,
     bent_by_gradient,
+    senses,
 )
 from flexcli.results import ErrorRange, QuantityKind
 
@@ -120,10 +121,9 @@ class SpaceExactModel(SpaceLinearModel):
         scene = ask.scene
         if not scene.moves:
             raise NotAvailable("has no force at stroke without a stroke")
-        ends = (scene.middle + scene.travel, scene.middle - scene.travel)
         plain = [_effort(state) for state in self._ends(ask)]
         k, found = float(self.stiffness(ask)), []
-        for end, travel in enumerate(ends):
+        for end, travel in enumerate(scene.stroke_ends):
             each = []
             for states in self._loaded_ends(ask):
                 state = states[end]
@@ -212,7 +212,7 @@ class SpaceExactModel(SpaceLinearModel):
         if not scene.moves:
             return (at_travel(ask, None, self.blades, loads=loads),)
         sag = self._sag_of_drive(ask, loads) if loads else 0.0
-        travels = (scene.middle + scene.travel + sag, scene.middle - scene.travel + sag)
+        travels = tuple(end + sag for end in scene.stroke_ends)
         ends = tuple(at_travel(ask, travel, self.blades, loads=loads) for travel in travels)
         levels = [state.part.assembly.members.level for state in ends]
         if levels[0] == levels[1]:
@@ -351,14 +351,11 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     rest = [action(joint.assembly, each) for each in acting] if blades is BEAMS else []
     unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
     levels, tolerance = blades.critical
-    senses: list[tuple[float, ...]] = [(1.0, -1.0)] * len(groups)
-    if any(scene.stated):
-        senses[0] = (1.0,)
-    for travel in _travels(scene):
+    for travel in dict.fromkeys(scene.stroke_ends):
         path = _path_at(ask, travel, blades)
         known = blades.errors(at_travel(ask, travel, blades, warm=False))
         beams = path if blades is BEAMS else _path_at(ask, travel, BEAMS)
-        for signs in product(*senses):
+        for signs in senses(scene, len(groups)):
             pattern = list(_signed(groups, signs))
             spoken = "drive locked at its stroke" if scene.moves else "drive free"
             try:
@@ -403,16 +400,11 @@ def _path_at(ask: Ask, travel: float, blades: Blades) -> _Path:
     return _Path({state.layout.drive.body: [travel if i == own else None for i in range(6)]}, state)
 
 
-def _travels(scene: Scene) -> tuple[float, ...]:
-    """Return both ends of a stroke, or rest."""
-    return tuple(dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel)))
-
-
 def _prove_buckled(ask: Ask, blades: Blades, loads: Loads) -> None:
     """Raise :class:`Buckled` where loads make the joint lose its stability as they grow."""
     layout = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature).layout
     levels, tolerance = blades.critical
-    for travel in _travels(ask.scene):
+    for travel in dict.fromkeys(ask.scene.stroke_ends):
         try:
             path = _path_at(ask, travel, blades)
             found = critical_load(

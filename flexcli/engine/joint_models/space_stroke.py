@@ -149,7 +149,7 @@ def support_at_stroke(
     """
     scene, blades = ask.scene, BEAMS if blades is None else blades
     found = []
-    for travel in dict.fromkeys((scene.middle + scene.travel, scene.middle - scene.travel)):
+    for travel in dict.fromkeys(scene.stroke_ends):
         state = at_travel(ask, travel, blades)
         value = _stiffness(ask, state, index, point, locked=locked)
         known, error = blades.errors(state), None

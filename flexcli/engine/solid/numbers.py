@@ -115,8 +115,7 @@ class SolidNumbers:
         scene = self.ask.scene
         travels = None
         if scene.moves:
-            end = scene.middle + scene.travel
-            travels = end * np.array([1.0 - BESIDE, 1.0, 1.0 + BESIDE])
+            travels = scene.stroke_ends[0] * np.array([1.0 - BESIDE, 1.0, 1.0 + BESIDE])
         return over_travels(self.ask, self._solve, travels)
 
     def stiffness_at_end(self) -> float:
@@ -175,7 +174,7 @@ class SolidNumbers:
     def across_at_end(self, force: float) -> float:
         """Return the stiffness along the layout's x at the end of the stroke, the drive held."""
         scene, layout = self.ask.scene, warmed(self.ask)
-        held: Held = {MOVING: self.ask.geometry.held(scene.middle + scene.travel)}
+        held: Held = {MOVING: self.ask.geometry.held(scene.stroke_ends[0])}
         point = layout.body(MOVING).point
         loads = [Load(MOVING, point, (np.array([-force, force]), 0.0))]
         state = self._solve(layout, held, loads)
@@ -188,7 +187,7 @@ class SolidNumbers:
         By forces along z on two places of the body that lie along an axis of cases there.
         """
         scene, geometry, layout = self.ask.scene, self.ask.geometry, layout_of(self.ask)
-        end, arm = scene.middle + scene.travel, _longest(layout)
+        end, arm = scene.stroke_ends[0], _longest(layout)
         back = end if geometry.motion == "rotation" else 0.0
         x, y = (float(column(c)[0]) for c in layout.body(MOVING).point)
         ways = [geometry.axes - back, geometry.axes - back + pi / 2.0]

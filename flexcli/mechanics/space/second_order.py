@@ -21,7 +21,6 @@ from flexcli.numerics.quadrature import gauss_rule
 __all__ = ["SecondOrder", "second_order", "stiffened_by_loads"]
 
 Floats = NDArray[np.float64]
-Complexes = NDArray[np.complex128]
 
 NODES, WEIGHTS = gauss_rule(6)
 """On the whole blade: exact for products of cubics and their slopes."""
@@ -41,9 +40,6 @@ INNER_STIFFNESS = np.array(
     [(WEIGHTS[:, None] * f**2).sum(0) for f in (TWIST_RATE, BEND_RATE, BEND_RATE)]
 )
 """Energy of the shapes of twist, of bending about y and about z, over GJ/l and EI/l."""
-
-EPSILON = 1e-30
-"""Step of the complex derivative of a quadratic form."""
 
 
 class SecondOrder(NamedTuple):
@@ -102,33 +98,23 @@ def second_order(
     terms of e², and by those of the square of the rotation. The bodies turn by rotation vectors.
 
     """
-    q = found.coordinates[:, 0]
+    blades = _blades(assembly, found, warmth)
+    softening = _Softening(assembly, blades, loads)
     misfits = np.zeros((len(assembly.rows), 1))
     gradient = np.zeros(assembly.size)
-    softening = _Softening(assembly)
-    most, inside = 0.0, []
-    motions = [_of_body(assembly, q, i) for i in range(len(assembly.layout.bodies))]
-    for k in range(len(assembly.members)):
-        rows = slice(6 * k, 6 * k + 6)
-        quadratic = _Quadratic(assembly, k, motions, warmth)
-        misfits[rows, 0] = quadratic.value
-        slope = quadratic.slope.T @ found.forces[rows, 0]
-        for end, i in enumerate(quadratic.bodies):
+    for k, blade in enumerate(blades):
+        misfits[6 * k : 6 * k + 6, 0] = blade.value
+        for end, i in enumerate(blade.bodies):
             if i is not None:
-                gradient[6 * i : 6 * i + 6] += slope[6 * end : 6 * end + 6]
-        softening.add(quadratic, found.forces[rows, 0], k)
-        most = max(most, quadratic.rotation)
-        inside.append(quadratic.inside(found.forces[rows, 0]))
+                gradient[6 * i : 6 * i + 6] += blade.gradient[6 * end : 6 * end + 6]
     for load in loads:
         i = assembly.layout.index(load.body)
-        motion = motions[i]
         arm = np.subtract(load.point, _point(assembly, i))
         # work of ½ θ × (θ × a) by the force; spin is θ' + ½ θ × θ'
         force, moment = np.asarray(load.force), np.asarray(load.moment)
-        theta = motion[3:]
+        theta = _of_body(assembly, found.coordinates[:, 0], i)[3:]
         turned = np.cross(np.cross(arm, theta), force) + np.cross(arm, np.cross(force, theta))
         gradient[6 * i + 3 : 6 * i + 6] -= (turned - np.cross(theta, moment)) / 2.0
-        softening.turn(i, arm, force)
     at = assembly.moving
     gradient[at] = _turn(assembly).T @ gradient[at]
     travel = np.zeros(1) if locked else None
@@ -141,8 +127,8 @@ def second_order(
     return SecondOrder(
         added.coordinates[:, 0],
         added.forces[:, 0],
-        np.array(inside),
-        most,
+        np.array([blade.inside() for blade in blades]),
+        max(blade.rotation for blade in blades),
         axial,
         softening.share(locked=locked),
     )
@@ -156,14 +142,7 @@ def stiffened_by_loads(
     To first order in the forces: ``dᵀ K_g d`` with the geometric stiffness K_g of blades and loads,
     of the coordinates d that the motion has without them [N/m or N·m/rad].
     """
-    softening, q = _Softening(assembly), found.coordinates[:, 0]
-    motions = [_of_body(assembly, q, i) for i in range(len(assembly.layout.bodies))]
-    for k in range(len(assembly.members)):
-        quadratic = _Quadratic(assembly, k, motions, 0.0)
-        softening.add(quadratic, found.forces[6 * k : 6 * k + 6, 0], k)
-    for load in loads:
-        i = assembly.layout.index(load.body)
-        softening.turn(i, np.subtract(load.point, _point(assembly, i)), np.asarray(load.force))
+    softening = _Softening(assembly, _blades(assembly, found), loads)
     matrix = softening.of_coordinates()[: assembly.size, : assembly.size]
     return float(along @ matrix @ along)
 
@@ -175,28 +154,35 @@ class _Softening:
     blades of constant thickness.
     """
 
-    def __init__(self, assembly: SpaceAssembly) -> None:
+    def __init__(
+        self, assembly: SpaceAssembly, blades: list["_Quadratic"], loads: tuple[SpaceLoad, ...]
+    ) -> None:
         self.assembly, self.bodies = assembly, assembly.size
-        size = self.bodies + INNER * len(assembly.members)
+        size = self.bodies + INNER * len(blades)
         self.matrix = np.zeros((size, size))
         self.root = np.zeros(size - self.bodies)
+        for k, blade in enumerate(blades):
+            self._add(blade, k)
+        for load in loads:
+            i = assembly.layout.index(load.body)
+            arm = np.subtract(load.point, _point(assembly, i))
+            self._turn(i, arm, np.asarray(load.force))
 
-    def add(self, quadratic: "_Quadratic", forces: Floats, k: int) -> None:
+    def _add(self, blade: "_Quadratic", k: int) -> None:
         """Add what the springs' forces of a blade do."""
-        curved, inner = quadratic.curvature(forces), self.bodies + INNER * k
+        inner = self.bodies + INNER * k
         at = [
-            np.arange(6 * i, 6 * i + 6) if i is not None else np.full(6, -1)
-            for i in quadratic.bodies
+            np.arange(6 * i, 6 * i + 6) if i is not None else np.full(6, -1) for i in blade.bodies
         ]
         where = np.concatenate([*at, np.arange(inner, inner + INNER)])
-        if not quadratic.is_uniform:
+        if not blade.is_uniform:
             where[12:] = -1
         kept = where >= 0
-        self.matrix[np.ix_(where[kept], where[kept])] += curved[np.ix_(kept, kept)]
+        self.matrix[np.ix_(where[kept], where[kept])] += blade.curvature[np.ix_(kept, kept)]
         stiffness = self.assembly.members[k].springs.stiffness[3:, None] * INNER_STIFFNESS
         self.root[INNER * k : INNER * (k + 1)] = 1.0 / np.sqrt(stiffness.ravel())
 
-    def turn(self, i: int, arm: Floats, force: Floats) -> None:
+    def _turn(self, i: int, arm: Floats, force: Floats) -> None:
         """Add what a force that keeps its direction does on a lever that turns with a body."""
         turns, lever = slice(6 * i + 3, 6 * i + 6), np.outer(arm, force)
         self.matrix[turns, turns] += (arm @ force) * np.eye(3) - (lever + lever.T) / 2.0
@@ -236,15 +222,32 @@ def _of_body(assembly: SpaceAssembly, q: Floats, body: int) -> Floats:
     return np.asarray(_turn(assembly) @ own if moving else own)
 
 
+def _blades(assembly: SpaceAssembly, found: Moved, warmth: float = 0.0) -> list["_Quadratic"]:
+    """Return the blades in a linear state, of one column."""
+    q = found.coordinates[:, 0]
+    motions = [_of_body(assembly, q, i) for i in range(len(assembly.layout.bodies))]
+    forces = found.forces[:, 0].reshape(-1, 6)
+    return [_Quadratic(assembly, k, motions, own, warmth) for k, own in enumerate(forces)]
+
+
 class _Quadratic:
-    """The second-order deformation of a blade's springs, and its slope in its ends' motions."""
+    """The second-order deformation of a blade's springs, and its energy at their forces.
+
+    ``value`` are the deformations (6,), ``gradient`` the derivative of their energy in the motions
+    of the two bodies (12,), ``curvature`` its second derivatives, the inner shapes after them.
+    """
 
     def __init__(
-        self, assembly: SpaceAssembly, k: int, motions: list[Floats], warmth: float
+        self,
+        assembly: SpaceAssembly,
+        k: int,
+        motions: list[Floats],
+        forces: Floats,
+        warmth: float,
     ) -> None:
         blade, member = assembly.layout.blades[k], assembly.members[k]
         names = [body.name for body in assembly.layout.bodies]
-        self.l = member.l
+        self.l, self.forces = member.l, forces
         self.is_uniform = isinstance(blade, SpaceRod) or isinstance(blade.profile, Constant)
         if isinstance(blade, SpaceRod):
             self.gyration = blade.d**2 / 8.0
@@ -252,7 +255,7 @@ class _Quadratic:
             h = float(blade.profile.h) if isinstance(blade.profile, Constant) else 0.0
             self.gyration = (blade.b**2 + h**2) / 12.0
         self.bodies: list[int | None] = []
-        self.arms: list[Complexes] = []
+        self.arms: list[Floats] = []
         d = np.zeros(12)
         turn = motion_along(member.axes)
         place = np.zeros((12, 12))
@@ -263,7 +266,7 @@ class _Quadratic:
             self.bodies.append(i)
             at = slice(6 * end, 6 * end + 6)
             arm = np.subtract(point, _point(assembly, i)) if i is not None else np.zeros(3)
-            self.arms.append((member.axes @ arm)[:, None].astype(np.complex128))
+            self.arms.append((member.axes @ arm)[:, None])
             place[at, at] = turn @ motion_at(arm)
             if i is not None:
                 d[at] = place[at, at] @ motions[i]
@@ -271,10 +274,11 @@ class _Quadratic:
             for first, seat in zip((0, 6), grown_ends(assembly.layout, blade), strict=True):
                 d[first : first + 3] += warmth * (member.axes @ seat)
         self.to_springs = deformation_rows(member.springs, np.array([self.l, 0.0, 0.0]))
-        self.value = self._of(d[:, None].astype(np.complex128))[:, 0].real
-        steps = d[:, None] + 1j * EPSILON * np.eye(12)
-        self.slope = self._of(steps).imag / EPSILON @ place
-        self.place = place
+        self.value = self._of(d[:, None])[:, 0]
+        curved = self._curvature()
+        self.gradient = place.T @ curved[:12, :12] @ d
+        to_bodies = block_diag(place, np.eye(INNER))
+        self.curvature = to_bodies.T @ curved @ to_bodies
         along = np.cross(d[3:6], [self.l, 0.0, 0.0])
         self.local = np.concatenate([d[6:9] - d[:3] - along, d[9:12] - d[3:6]])
         chord = (d[7:9] - d[1:3]) / self.l
@@ -282,27 +286,27 @@ class _Quadratic:
         each = [d[9:12] - d[3:6], *against]
         self.rotation = max(float(np.linalg.norm(angle)) for angle in each)
 
-    def curvature(self, forces: Floats) -> Floats:
-        """Return the second derivatives of ``Σ s·e_2`` at forces s in the bodies' motions.
+    def _curvature(self) -> Floats:
+        """Return the second derivatives of ``Σ s·e_2`` at the forces s in the ends' motions.
 
         After these twelve come the inner shapes.
         """
         size = 12 + INNER
         row, column = np.triu_indices(size)
-        pairs = (np.eye(size)[row] + np.eye(size)[column]).T.astype(np.complex128)
-        two, found = forces @ self._of(pairs[:12], pairs[12:]).real, np.zeros((size, size))
+        pairs = (np.eye(size)[row] + np.eye(size)[column]).T
+        two, found = self.forces @ self._of(pairs[:12], pairs[12:]), np.zeros((size, size))
         found[row, column] = two
         one = np.diagonal(found) / 4.0
         found[row, column] = found[column, row] = two - one[row] - one[column]
-        place = block_diag(self.place, np.eye(INNER))
-        return np.asarray(place.T @ found @ place)
+        return found
 
-    def inside(self, forces: Floats) -> Floats:
+    def inside(self) -> Floats:
         """Return the moments along the blade that its ends do not feel (3, places) [N·m].
 
         ``ΔM = (r_end − r) × n − θ × M``, without its mean, and in bending without what is linear
         along the blade: those are in the springs' forces.
         """
+        forces = self.forces
         l, n = self.l, forces[:3, None]
         xi = PLACES
         first, turned = self.local[:3], self.local[3:]
@@ -328,7 +332,7 @@ class _Quadratic:
         found[1:] -= np.polynomial.polynomial.polyval(xi, slopes)
         return np.asarray(found)
 
-    def _of(self, d: Complexes, inner: Complexes | None = None) -> Complexes:
+    def _of(self, d: Floats, inner: Floats | None = None) -> Floats:
         """Return the second-order deformations (6, columns) of ends' motions (12, columns).
 
         ``inner`` (6, columns) are shares of the inner shapes: twist [rad], and bending about y and
@@ -336,7 +340,7 @@ class _Quadratic:
         """
         l = self.l
         u_i, t_i, u_j, t_j = (d[3 * n : 3 * n + 3] for n in range(4))
-        along: Complexes = np.array([[l], [0.0], [0.0]], dtype=np.complex128)
+        along = np.array([[l], [0.0], [0.0]])
         apart = u_j - u_i
         first = apart - _cross(t_i, along)
         turned = t_j - t_i
@@ -381,9 +385,9 @@ class _Quadratic:
         return np.asarray(self.to_springs @ np.concatenate([shift, turn]))
 
 
-def _cross(a: Complexes, b: Complexes) -> Complexes:
+def _cross(a: Floats, b: Floats) -> Floats:
     # np.cross spends most of its time on its axes, and this is called for every blade and step
-    found: Complexes = np.stack(
+    found: Floats = np.stack(
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
     )
     return found
