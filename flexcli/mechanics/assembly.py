@@ -4,16 +4,17 @@ One row of unknowns per design: rotations at the nodes of all blades, then force
 each blade (scaled by the blade), then (x, y, φ) of each body (lengths in a unit of the design).
 """
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.beam import Condensed, condense
+from flexcli.mechanics.beam import Condensed, Sections, condense, turning
 from flexcli.mechanics.demand import Demand
-from flexcli.mechanics.element import Attachment, element, turning
+from flexcli.mechanics.element import Attachment, Ends, element
 from flexcli.mechanics.layout import Layout
-from flexcli.mechanics.mesh import Effects, Mesh, across, column, meshes, pick, refined
+from flexcli.mechanics.mesh import Effects, Mesh, chosen, column, meshes, pick, refined, table
 from flexcli.mechanics.outer_forces import apply_force, apply_spring
 from flexcli.numerics.collocation import refining_matrix
 from flexcli.numerics.stack import solve_stack
@@ -29,9 +30,9 @@ class Linearised(NamedTuple):
     """The equations of the designs about a state, rotations at the nodes eliminated.
 
     ``residual`` and the symmetric ``matrix`` are of forces and ends of the blades, then of the
-    bodies; ``row_scale`` brings each row to order one before it is solved. ``frames`` and ``local``
-    are directions and forces of the blades of each mesh in the frames of their starts, the designs
-    their last axis.
+    bodies; ``row_scale`` (designs or 1, …) brings each row to order one before it is solved.
+    ``frames`` and ``local`` are directions and forces n_x + i n_y of the blades of each mesh in the
+    frames of their starts, the designs their last axis.
     """
 
     residual: Floats
@@ -39,15 +40,33 @@ class Linearised(NamedTuple):
     row_scale: Floats
     blades: tuple[Condensed, ...]
     frames: tuple[Complexes, ...]
-    local: tuple[Floats, ...]
+    local: tuple[Complexes, ...]
+
+
+class Bound(NamedTuple):
+    """The blades of a mesh between their bodies, as the equations take them, designs last.
+
+    ``blades`` chooses them among all, ``first`` and ``second`` are their bodies, ``slots`` the rows
+    that the 9 rows of a blade's element go to, ``on`` (bodies, 2 · blades) tells which end of which
+    blade is on which body.
+    """
+
+    blades: slice | Integers
+    first: Integers
+    second: Integers
+    slots: Integers
+    on: Floats
+    sections: Sections
+    ends: Ends
 
 
 class Assembly(NamedTuple):
     """A layout ready to be solved; ``length`` [m] and ``force`` [N] are the units of each design.
 
     ``first`` and ``second`` are the bodies of each blade, the ground being the last, which never
-    moves; ``weights`` are the energy units of blades over that of the design, ``slots`` the
-    rows that the 9 rows of a blade's element go to.
+    moves; ``weights`` are the energy units of blades over that of the design, ``row_scale`` (rows,
+    designs or 1) brings its equations to order one, ``turns`` is the number of rotations at nodes
+    in a row of unknowns, ``slenderness`` the least thickness over length of any blade.
     """
 
     layout: Layout
@@ -58,9 +77,13 @@ class Assembly(NamedTuple):
     weights: tuple[Floats, ...]
     first: Integers
     second: Integers
-    slots: tuple[Integers, ...]
+    bound: tuple[Bound, ...]
+    row_scale: Floats
     length: Floats
     force: Floats
+    turns: int
+    designs: int
+    slenderness: float
 
     @property
     def bodies(self) -> int:
@@ -71,11 +94,6 @@ class Assembly(NamedTuple):
     def blades(self) -> int:
         """Return the number of blades."""
         return len(self.layout.blades)
-
-    @property
-    def turns(self) -> int:
-        """Return the number of rotations at nodes in a row of unknowns."""
-        return sum(mesh.nodes * len(mesh.blades) for mesh in self.meshes)
 
     @property
     def size(self) -> int:
@@ -94,84 +112,99 @@ class Assembly(NamedTuple):
 
     def local_forces(self, forces: Floats, motions: Floats, k: int, rows: Integers) -> Floats:
         """Return the forces of the blades of mesh k in the frames of their starts."""
-        index = list(self.meshes[k].blades)
-        phi = self.poses(motions.transpose(1, 2, 0))[self.first[index], 2]
-        frame = across(self.places[k].along, rows) * (1.0 + turning(phi))
-        return _in_frame(frame, forces[:, index].transpose(1, 2, 0)).transpose(2, 0, 1)
-
-    def poses(self, motions: Floats) -> Floats:
-        """Return motions (bodies, 3, designs) with the ground's behind."""
-        return np.concatenate([motions, np.zeros((1, *motions.shape[1:]))])
+        at = self.bound[k]
+        found = forces[:, at.blades]
+        phi = np.concatenate([motions[..., 2], np.zeros((len(motions), 1))], axis=1)[:, at.first]
+        frame = pick(self.places[k].along, rows) * (1.0 + turning(phi))
+        q = (found[..., 0] + 1j * found[..., 1]) * frame.conj()
+        return np.stack([q.real, q.imag, found[..., 2]], axis=-1)
 
     def linearise(self, x: Floats, share: Floats, rows: Integers, demand: Demand) -> Linearised:
         """Return the equations of the designs ``rows`` about x at the share λ of the way."""
         designs, k_f = x.shape[0], 3 * self.blades
-        total = k_f + 3 * self.bodies + 3
-        # designs last: what loops over them runs through memory
-        rotations, forces, motions = self._across(np.ascontiguousarray(x.T))
-        residual = np.zeros((total, designs))
-        matrix = np.zeros((total, total, designs))
-        scale = np.ones((total, designs))
-        poses = self.poses(motions)
-        turns = turning(poses[:, 2])
+        total, bodies = k_f + 3 * self.bodies, self.bodies
+        # designs last: what loops over them runs through memory; the ground behind the bodies
+        rotations, forces, poses = self._across(x)
+        residual = np.zeros((total + 3, designs))
+        matrix = np.zeros((total + 3, total + 3, designs))
+        nu, turns = forces[:, 0] + 1j * forces[:, 1], turning(poses[:, 2])
+        gaps = residual[:k_f].reshape(self.blades, 3, designs)
+        on = np.zeros((bodies, 4, designs))
         condensed, frames, local = [], [], []
-        for k, mesh in enumerate(self.meshes):
-            index, slots = list(mesh.blades), self.slots[k]
-            i, j = self.first[index], self.second[index]
-            place = self.places[k].across(rows)
-            place = place._replace(misfit=demand.warmth(share) * place.misfit)
-            frames.append(place.along * (1.0 + turns[i]))
-            local.append(_in_frame(frames[k], forces[index]))
-            blade = condense(mesh, rows, rotations[k], local[k])
+        for at, psi in zip(self.bound, rotations, strict=True):
+            ends, force = at.ends.chosen(rows), (nu[at.blades], forces[at.blades, 2])
+            turn = turns.take([at.first, at.second], axis=0)
+            frame = ends.along * (1.0 + turn[0])
+            q = force[0] * frame.conj()
+            blade = condense(at.sections.chosen(rows), psi, q, force[1])
+            apart = poses.take(at.second, axis=0) - poses.take(at.first, axis=0)
+            found = element(ends, blade, frame, force, apart, turn, demand.warmth(share))
+            gaps[at.blades] = found.gap
+            matrix[at.slots[:, :3, None], at.slots[:, None]] = found.closing
+            matrix[at.slots[:, None, 3:], at.slots[:, :3, None]] = found.closing[:, :, 3:]
+            on += np.einsum("ij,jkn->ikn", at.on, found.on.reshape(at.on.shape[1], 4, designs))
             condensed.append(blade)
-            found = element(place, blade, forces[index], poses[j] - poses[i], turns[i], turns[j])
-            weight = across(self.weights[k], rows)
-            closing = found.closing * weight[:, None, None]
-            matrix[slots[:, :3, None], slots[:, None]] = closing
-            matrix[slots[:, None, 3:], slots[:, :3, None]] = closing[:, :, 3:]
-            scale[slots[:, :3]] = 1.0 / weight[:, None]
-            gradient = found.gradient * weight[:, None]
-            turned_i, turned_j = found.turned_i * weight, found.turned_j * weight
-            for a, slot in enumerate(slots):
-                residual[slot] += gradient[a]
-                matrix[slot[5], slot[5]] += turned_i[a]
-                matrix[slot[8], slot[8]] += turned_j[a]
+            frames.append(frame)
+            local.append(q)
+        residual[k_f:-3] = on[:, :3].reshape(3 * bodies, designs)
+        turned = np.arange(k_f + 2, total, 3)
+        matrix[turned, turned] = on[:, 3]
         residual, matrix = residual[:-3].T, matrix[:-3, :-3].transpose(2, 0, 1)
-        motions = motions.transpose(2, 0, 1)
-        for force in demand.forces:
-            before, after = pick(force.before, rows), pick(force.after, rows)
-            size = before + share * (after - before)
-            apply_force(force, motions, size, rows, residual[:, k_f:], matrix[:, k_f:, k_f:])
-        for spring in demand.springs:
-            apply_spring(spring, motions, rows, residual[:, k_f:], matrix[:, k_f:, k_f:])
+        if demand.forces or demand.springs:
+            motions = poses[:-1].transpose(2, 0, 1)
+            self._push(motions, share, rows, demand, residual[:, k_f:], matrix[:, k_f:, k_f:])
         return Linearised(
             residual=residual,
             matrix=matrix,
-            row_scale=scale[:-3].T,
+            row_scale=chosen(self.row_scale, rows).T,
             blades=tuple(condensed),
             frames=tuple(frames),
             local=tuple(local),
         )
 
+    def _push(
+        self,
+        motions: Floats,
+        share: Floats,
+        rows: Integers,
+        demand: Demand,
+        residual: Floats,
+        matrix: Floats,
+    ) -> None:
+        """Add forces and springs on the bodies to their balance and to its derivative."""
+        for force in demand.forces:
+            before, after = pick(force.before, rows), pick(force.after, rows)
+            size = before + share * (after - before)
+            apply_force(force, motions, size, rows, residual, matrix)
+        for spring in demand.springs:
+            apply_spring(spring, motions, rows, residual, matrix)
+
     def _across(self, x: Floats) -> tuple[list[Floats], Floats, Floats]:
-        """Return rotations of each mesh, blade forces and body motions (…, 3, designs)."""
+        """Return rotations of each mesh, blade forces and poses of bodies and ground (…, 3, n)."""
+        designs = x.shape[0]
+        across = np.zeros((x.shape[1] + 3, designs))
+        across[:-3] = x.T
         first, rotations = 0, []
         for mesh in self.meshes:
             last = first + mesh.nodes * len(mesh.blades)
-            rotations.append(x[first:last].reshape(len(mesh.blades), mesh.nodes, -1))
+            rotations.append(across[first:last].reshape(len(mesh.blades), mesh.nodes, designs))
             first = last
         last = first + 3 * self.blades
-        forces, motions = x[first:last], x[last:]
         return (
             rotations,
-            forces.reshape(self.blades, 3, -1),
-            motions.reshape(self.bodies, 3, -1),
+            across[first:last].reshape(self.blades, 3, designs),
+            across[last:].reshape(self.bodies + 1, 3, designs),
         )
 
     def step(self, x: Floats, share: Floats, rows: Integers, demand: Demand) -> Floats:
         """Return Newton's steps; the held coordinates go where they shall be."""
-        at = self.linearise(x, share, rows, demand)
-        return self._answer(at, -at.residual, self._astray(x, share, rows, demand), demand)
+        found = np.empty_like(x)
+        for first in range(0, len(x), _AT_ONCE):
+            some = slice(first, first + _AT_ONCE)
+            y, of, way = x[some], rows[some], share[some]
+            at = self.linearise(y, way, of, demand)
+            found[some] = self._answer(at, -at.residual, self._astray(y, way, of, demand), demand)
+        return found
 
     def steps(
         self, x: Floats, share: Floats, rows: Integers, demand: Demand
@@ -200,8 +233,8 @@ class Assembly(NamedTuple):
     def _astray(self, x: Floats, share: Floats, rows: Integers, demand: Demand) -> Floats:
         """Return how far the held coordinates are from where they shall be."""
         before, after = pick(demand.before, rows), pick(demand.after, rows)
-        there = before + share[:, None] * (after - before)
-        return np.asarray(there - x[:, self.turns + 3 * self.blades + demand.held])
+        now = x[:, self.turns + 3 * self.blades + demand.held]
+        return np.asarray(before + share[:, None] * (after - before) - now)
 
     def _answer(
         self,
@@ -211,80 +244,108 @@ class Assembly(NamedTuple):
         demand: Demand,
     ) -> Floats:
         """Return the change of all unknowns for right-hand sides and motions of the held."""
-        k_f = 3 * self.blades
+        k_f, turns = 3 * self.blades, self.turns
         matrix, scale = at.matrix.transpose(1, 2, 0), at.row_scale.T
-        change = np.zeros(right.T.shape)
+        designs = right.shape[0]
+        step = np.zeros((turns + right.shape[1] + 3, designs))
+        change = step[turns:-3]
         held, free = k_f + demand.held, np.concatenate([np.arange(k_f), k_f + demand.free])
         change[held] = drive.T
-        load = right.T - np.einsum("ijn,jn->in", matrix[:, held], drive.T)
-        square = matrix[free[:, None], free] * scale[free][:, None]
-        found = solve_stack(square.transpose(2, 0, 1), (load[free] * scale[free]).T[..., None])
+        rows, scale = matrix[free], scale[free]
+        load = right.T[free] - np.einsum("ijn,jn->in", rows[:, held], drive.T)
+        square = rows[:, free] * scale[:, None]
+        found = solve_stack(square.transpose(2, 0, 1), (load * scale).T[..., None])
         change[free] = found[..., 0].T
         # the blades' forces follow the bodies in their own frames, the rotations follow the forces
-        follow = [self._follow(at, change, k) for k in range(len(self.meshes))]
-        return np.concatenate([*follow, change]).T
-
-    def _follow(self, at: Linearised, change: Floats, k: int) -> Floats:
-        """Return the change of the rotations of mesh k, (rotations, designs)."""
-        index, k_f = list(self.meshes[k].blades), 3 * self.blades
-        d_forces = change[:k_f].reshape(self.blades, 3, -1)
-        d_motions = change[k_f:].reshape(self.bodies, 3, -1)
-        q, blade = at.local[k], at.blades[k]
-        dq = _in_frame(at.frames[k], d_forces[index])
-        d_phi = self.poses(d_motions)[self.first[index], 2]
-        dq[:, 0] += q[:, 1] * d_phi
-        dq[:, 1] -= q[:, 0] * d_phi
-        d_psi = blade.free + np.einsum("bkjn,bjn->bkn", blade.follow, dq)
-        return np.asarray(d_psi.reshape(-1, change.shape[1]))
+        forces = step[turns : turns + k_f].reshape(self.blades, 3, designs)
+        d_nu, d_phi = forces[:, 0] + 1j * forces[:, 1], step[turns + k_f + 2 :: 3]
+        first = 0
+        for bound, blade, frame, q in zip(self.bound, at.blades, at.frames, at.local, strict=True):
+            d_q = frame.conj() * d_nu[bound.blades] - 1j * q * d_phi[bound.first]
+            d_local = forces[bound.blades].copy()
+            d_local[:, 0], d_local[:, 1] = d_q.real, d_q.imag
+            d_psi = blade.free + np.einsum("bkjn,bjn->bkn", blade.follow, d_local)
+            last = first + d_psi.shape[0] * d_psi.shape[1]
+            step[first:last] = d_psi.reshape(last - first, designs)
+            first = last
+        return step[:-3].T
 
     def length_of(self, x: Floats, step: Floats) -> Floats:
         """Return the length of a step: rotations, motions, and forces over those they add to."""
         k_f = slice(self.turns, self.turns + 3 * self.blades)
-        forces = np.max(np.abs(x[:, k_f]), axis=1, initial=0.0)
         size = np.abs(step)
-        size[:, k_f] /= (FORCE + forces)[:, None]
-        return np.asarray(np.max(size, axis=1))
+        forces = size[:, k_f] if x is step else np.abs(x[:, k_f])
+        size[:, k_f] /= FORCE + forces.max(axis=1, initial=0.0, keepdims=True)
+        return np.asarray(size.max(axis=1))
 
 
 FORCE = 10.0
 """Scaled force [EI/l²] that counts as one in the length of a step: that of an Euler column."""
 
+_AT_ONCE = 1024
+"""Designs of a step at a time: what it works on stays in the cache of a core."""
+
 
 def assemble(layout: Layout, effects: Effects, nodes: int) -> Assembly:
-    """Return the layout at ``nodes`` Gauss nodes on each piece of each blade."""
+    """Return the layout at ``nodes`` Gauss nodes on each piece of each blade.
+
+    A single design keeps what it is at each number of nodes, for its next equilibrium.
+    """
+    known: dict[int, Assembly] = layout.prepared.setdefault(effects, {})
+    found = known.get(nodes)
+    if found is None:
+        coarse = next(iter(known.values()), None)
+        found = _assembled(layout, effects, nodes) if coarse is None else _refined(coarse, nodes)
+        if found.designs == 1:
+            known[nodes] = found
+    return found
+
+
+def at_nodes(assembly: Assembly, nodes: int) -> Assembly:
+    """Return the same layout at another number of Gauss nodes on each piece."""
+    if assembly.designs == 1:
+        return assemble(assembly.layout, assembly.effects, nodes)
+    return _refined(assembly, nodes)
+
+
+def _refined(assembly: Assembly, nodes: int) -> Assembly:
+    layout, effects = assembly.layout, assembly.effects
+    found = tuple(refined(mesh, layout, effects, nodes) for mesh in assembly.meshes)
+    bound = tuple(
+        each._replace(sections=Sections.of(mesh))
+        for each, mesh in zip(assembly.bound, found, strict=True)
+    )
+    return assembly._replace(nodes=nodes, meshes=found, bound=bound, turns=_turns(found))
+
+
+def _assembled(layout: Layout, effects: Effects, nodes: int) -> Assembly:
     found = meshes(layout, effects, nodes)
     names = {body.name: i for i, body in enumerate(layout.bodies)}
-    ground = len(names)
+    ground, blades = len(names), len(layout.blades)
     first = np.array([names.get(blade.first, ground) for blade in layout.blades])
     second = np.array([names.get(blade.second, ground) for blade in layout.blades])
-    length = sum(m.l.sum(axis=1) for m in found) / len(layout.blades)
-    force = sum((m.EI / m.l).sum(axis=1) for m in found) / len(layout.blades) / length
-    points = [body.point for body in layout.bodies] + [(0.0, 0.0)]
-    k_f, three = 3 * len(layout.blades), np.arange(3)
-    slots = tuple(
-        np.array(
-            [
-                [*three + 3 * b, *three + k_f + 3 * first[b], *three + k_f + 3 * second[b]]
-                for b in mesh.blades
-            ]
+    length = sum(m.l.sum(axis=1) for m in found) / blades
+    force = sum((m.EI / m.l).sum(axis=1) for m in found) / blades / length
+    starts, ends, points = (
+        table([point[0] for point in drawn]) + 1j * table([point[1] for point in drawn])
+        for drawn in (
+            [blade.start for blade in layout.blades],
+            [blade.end for blade in layout.blades],
+            [*(body.point for body in layout.bodies), (0.0, 0.0)],
         )
-        for mesh in found
     )
+    arms = starts - points[:, first], ends - points[:, second], ends - starts
     places, weights = [], []
     for mesh in found:
-        rows: list[Complexes] = []
-        for b in mesh.blades:
-            blade = layout.blades[b]
-            start, end, origin, to = (
-                column(x) + 1j * column(y)
-                for x, y in (blade.start, blade.end, points[first[b]], points[second[b]])
-            )
-            rows += [start - origin, end - to, end - start]
-        arms = np.stack(np.broadcast_arrays(*rows)).T.reshape(-1, len(mesh.blades), 3)
-        arms /= mesh.l[..., None]
+        index = list(mesh.blades)
+        start, end, along = (np.asarray(arm[:, index] / mesh.l, complex) for arm in arms)
         scale = length[:, None] / mesh.l
-        places.append(_attached(arms, scale, layout, mesh))
+        places.append(_attached(start, end, along, scale, layout, mesh))
         weights.append(mesh.EI / mesh.l / (force * length)[:, None])
+    row_scale = np.ones((3 * (blades + len(layout.bodies)), _designs(weights)))
+    for mesh, weight in zip(found, weights, strict=True):
+        rows = row_scale[: 3 * blades].reshape(blades, 3, -1)
+        rows[list(mesh.blades)] = 1.0 / weight.T[:, None]
     return Assembly(
         layout=layout,
         effects=effects,
@@ -294,15 +355,49 @@ def assemble(layout: Layout, effects: Effects, nodes: int) -> Assembly:
         weights=tuple(weights),
         first=first,
         second=second,
-        slots=slots,
+        bound=tuple(
+            _bound(*each, first, second, len(names))
+            for each in zip(found, places, weights, strict=True)
+        ),
+        row_scale=row_scale,
         length=length,
         force=force,
+        turns=_turns(found),
+        designs=_designs([length, force, *weights, *(values for at in places for values in at)]),
+        slenderness=min(float(np.min(mesh.thinnest / mesh.l)) for mesh in found),
     )
 
 
-def _attached(arms: Complexes, scale: Floats, layout: Layout, mesh: Mesh) -> Attachment:
+def _designs(arrays: Sequence[NDArray[Any]]) -> int:
+    return max(len(values) for values in arrays)
+
+
+def _turns(found: Sequence[Mesh]) -> int:
+    return sum(mesh.nodes * len(mesh.blades) for mesh in found)
+
+
+def _bound(
+    mesh: Mesh, place: Attachment, weight: Floats, first: Integers, second: Integers, bodies: int
+) -> Bound:
+    """Return the blades of a mesh between their bodies."""
+    index, three, k_f = np.array(mesh.blades), np.arange(3), 3 * first.size
+    sides = np.concatenate([first[index], second[index]])
+    starts = [3 * index, k_f + 3 * first[index], k_f + 3 * second[index]]
+    return Bound(
+        blades=slice(None) if index.size == first.size else index,
+        first=first[index],
+        second=second[index],
+        slots=np.concatenate([start[:, None] + three for start in starts], axis=1),
+        on=(np.arange(bodies)[:, None] == sides).astype(np.float64),
+        sections=Sections.of(mesh),
+        ends=Ends.of(place, weight),
+    )
+
+
+def _attached(
+    start: Complexes, end: Complexes, along: Complexes, scale: Floats, layout: Layout, mesh: Mesh
+) -> Attachment:
     """Return where blades sit, with bodies and blades grown by a temperature."""
-    start, end, along = arms[..., 0], arms[..., 1], arms[..., 2]
     if not layout.body_growth and not layout.blade_growth:
         return Attachment(start, end, along, scale, np.ones((1, 1)), np.zeros((1, 1), complex))
     blades = [layout.blades[b] for b in mesh.blades]
@@ -324,32 +419,15 @@ def _attached(arms: Complexes, scale: Floats, layout: Layout, mesh: Mesh) -> Att
     )
 
 
-def at_nodes(assembly: Assembly, nodes: int) -> Assembly:
-    """Return the same layout at another number of Gauss nodes on each piece."""
-    layout, effects = assembly.layout, assembly.effects
-    found = tuple(refined(mesh, layout, effects, nodes) for mesh in assembly.meshes)
-    return assembly._replace(nodes=nodes, meshes=found)
-
-
-def _in_frame(along: Complexes, force: Floats) -> Floats:
-    """Return forces and end moments with the forces resolved along and across the direction.
-
-    ``along`` is (blades, designs), ``force`` (blades, 3, designs).
-    """
-    turned, found = np.conj(along) * (force[:, 0] + 1j * force[:, 1]), force.copy()
-    found[:, 0], found[:, 1] = turned.real, turned.imag
-    return found
-
-
 def finer(coarse: Assembly, fine: Assembly, x: Floats) -> Floats:
     """Return the unknowns of a coarse assembly interpolated to the nodes of a finer one."""
-    rotations, _, _ = coarse.split(x)
-    matrix = refining_matrix(coarse.nodes, fine.nodes)
-    columns = []
-    for mesh, psi in zip(coarse.meshes, rotations, strict=True):
-        parts = []
-        for piece, first, count in mesh.segments[0]:
+    matrix = refining_matrix(coarse.nodes, fine.nodes).T
+    found = np.empty((x.shape[0], fine.size))
+    found[:, fine.turns :] = x[:, coarse.turns :]
+    rotations, to = coarse.split(x)[0], fine.split(found)[0]
+    for mesh, finer_mesh, psi, into in zip(coarse.meshes, fine.meshes, rotations, to, strict=True):
+        pieces = zip(mesh.segments[0], finer_mesh.segments[0], strict=True)
+        for (piece, first, count), (_, start, more) in pieces:
             here = psi[..., first : first + count]
-            parts.append(here if piece is None else here @ matrix.T)
-        columns.append(np.concatenate(parts, axis=-1).reshape(x.shape[0], -1))
-    return np.concatenate([*columns, x[:, coarse.turns :]], axis=1)
+            into[..., start : start + more] = here if piece is None else here @ matrix
+    return found

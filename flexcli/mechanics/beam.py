@@ -16,87 +16,135 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.mesh import Mesh, across, pick
+from flexcli.mechanics.mesh import Mesh, across, chosen, pick
 from flexcli.numerics.stack import solve_across
 
-__all__ = ["Condensed", "Local", "condense", "local", "section_forces"]
+__all__ = ["Condensed", "Local", "Sections", "condense", "local", "section_forces", "turning"]
 
 Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
 Integers = NDArray[np.intp]
 
 
+def turning(phi: Floats) -> Complexes:
+    """Return ``exp(iφ) − 1`` in full relative precision: how far a unit vector moves by turning."""
+    half = 0.5 * phi
+    at = np.empty(half.shape, dtype=np.complex128)
+    np.cos(half, out=at.real)
+    np.sin(half, out=at.imag)
+    return np.asarray(2.0j * at.imag * at)
+
+
 class Local(NamedTuple):
-    """What the sections feel at the nodes: N, Q, f, ∂f/∂(ψ, n_x, n_y), motion rates."""
+    """What the sections feel at the nodes: N, Q, f, ∂f/∂ψ.
+
+    As x + iy: ``pull`` is ∂f/∂(n_x, n_y), ``moved`` how far the direction of the section has moved,
+    ``rate`` (x' − 1, y').
+    """
 
     N: Floats
     Q: Floats
     f: Floats
     f_psi: Floats
-    f_x: Floats
-    f_y: Floats
-    cos: Floats
-    sin: Floats
-    shortening: Floats
-    rise: Floats
+    pull: Complexes
+    moved: Complexes
+    rate: Complexes
+
+
+class Sections(NamedTuple):
+    """What a blade's condensing takes of a mesh, (blades or 1, K or 1, …, designs or 1).
+
+    ``stretch`` and ``slide`` are the flexibilities by axial force and shear of a straight blade.
+    """
+
+    w: Floats
+    A: Floats
+    turn: Floats
+    far_turn: Floats
+    end_turn: Floats
+    axial: Floats
+    shear: Floats
+    rho: Floats
+    stretch: Floats
+    slide: Floats
+
+    @classmethod
+    def of(cls, mesh: Mesh) -> "Sections":
+        """Return those of a mesh, its designs the last axis."""
+        return cls(
+            across(mesh.w),
+            across(mesh.A),
+            across(mesh.turn),
+            across(mesh.far_turn),
+            across(mesh.end_turn),
+            across(mesh.axial),
+            across(mesh.shear),
+            across(mesh.rho),
+            across((mesh.w * mesh.axial).sum(axis=-1)),
+            across((mesh.w * mesh.shear).sum(axis=-1)),
+        )
+
+    def chosen(self, rows: Integers) -> "Sections":
+        """Return those of the designs ``rows``."""
+        return Sections(*(chosen(values, rows) for values in self))
 
 
 class Condensed(NamedTuple):
     """A blade after its rotations ψ are eliminated from the linearised equations.
 
-    ``motion`` (blades, 3, designs) is (x − 1, y, ψ) of the end once ψ has followed, ``F`` (blades,
-    3, 3, designs) its derivative by (n_x, n_y, m), symmetric; ψ changes by
-    ``free + follow δ(n_x, n_y, m)``.
+    ``end`` (blades, 3, 4, designs) has (x − 1, y, ψ) of the end once ψ has followed, and its
+    derivative by (n_x, n_y, m), symmetric; ψ changes by ``free + follow δ(n_x, n_y, m)``.
     """
 
-    motion: Floats
-    F: Floats
+    end: Floats
     free: Floats
     follow: Floats
 
 
-def local(mesh: Mesh, rows: Integers, psi: Floats, q: Floats) -> Local:
-    """Return forces and motion rates of the sections at the nodes, (designs, blades, K)."""
+def local(mesh: Mesh, rows: Integers, psi: Floats, n: Complexes) -> Local:
+    """Return forces and motion rates of the sections at the nodes, (designs, blades, K).
+
+    ``n`` are the forces n_x + i n_y in the frame of the start, (designs, blades).
+    """
     axial, shear, rho = (pick(a, rows) for a in (mesh.axial, mesh.shear, mesh.rho))
-    return _local(axial, shear, rho, psi, q[..., 0, None], q[..., 1, None])
+    return _local(axial, shear, rho, psi, n[..., None])
 
 
-def _local(
-    axial: Floats, shear: Floats, rho: Floats, psi: Floats, n_x: Floats, n_y: Floats
-) -> Local:
-    """Return forces and motion rates of sections, x' as x' − 1."""
-    # 1 − cos by the half angle: small strokes keep their digits
-    versine = 2.0 * np.sin(psi / 2.0) ** 2
-    sin, cos = np.sin(psi), 1.0 - versine
-    N, Q = n_x * cos + n_y * sin, n_y * cos - n_x * sin
-    stretch, slide = 1.0 + rho * N, rho * Q
-    elongation, shear_angle = axial * N, shear * Q
+def _local(axial: Floats, shear: Floats, rho: Floats, psi: Floats, n: Complexes) -> Local:
+    """Return forces and motion rates of sections under the force n_x + i n_y."""
+    moved = turning(psi)
+    turned = 1.0 + moved
+    force = n * turned.conj()
+    N, Q = force.real, force.imag
+    soft, strain = np.empty_like(force), np.empty_like(force)
+    slide = np.multiply(rho, Q, out=soft.real)
+    stretch = np.add(1.0, rho * N, out=soft.imag)
+    np.multiply(axial, N, out=strain.real)
+    np.multiply(shear, Q, out=strain.imag)
     return Local(
         N=N,
         Q=Q,
         f=Q * stretch,
-        f_psi=slide * Q - N * stretch,
-        f_x=slide * cos - sin * stretch,
-        f_y=cos * stretch + slide * sin,
-        cos=cos,
-        sin=sin,
-        shortening=elongation * cos - shear_angle * sin - versine,
-        rise=sin + elongation * sin + shear_angle * cos,
+        f_psi=slide * Q - stretch * N,
+        pull=soft * turned,
+        moved=moved,
+        rate=moved + strain * turned,
     )
 
 
-def condense(mesh: Mesh, rows: Integers, psi: Floats, q: Floats) -> Condensed:
-    """Return the blades' end motions and flexibilities about rotations psi and forces q.
+def condense(at: Sections, psi: Floats, n: Complexes, m: Floats) -> Condensed:
+    """Return the blades' end motions and flexibilities about rotations psi and forces.
 
     Parameters
     ----------
-    mesh : Mesh
+    at : Sections
         The blades.
-    rows : array of int
-        The designs that the last axes of psi and q belong to.
     psi : array, shape (blades, K, designs)
         Rotations at the nodes [rad].
-    q : array, shape (blades, 3, designs)
-        Forces (n_x, n_y) [EI/l²] in the frame of the start and moments m at the end [EI/l].
+    n : array, shape (blades, designs)
+        Forces n_x + i n_y [EI/l²] in the frame of the start.
+    m : array, shape (blades, designs)
+        Moments at the end [EI/l].
 
     Returns
     -------
@@ -104,48 +152,41 @@ def condense(mesh: Mesh, rows: Integers, psi: Floats, q: Floats) -> Condensed:
         End motions, flexibilities and how the rotations follow.
 
     """
-    w, A, turn, far_turn, end_turn = (
-        across(a, rows) for a in (mesh.w, mesh.A, mesh.turn, mesh.far_turn, mesh.end_turn)
-    )
-    axial, shear, rho = (across(a, rows) for a in (mesh.axial, mesh.shear, mesh.rho))
-    m = q[:, 2, None]
-    at = _local(axial, shear, rho, psi, q[:, 0, None], q[:, 1, None])
+    here = _local(at.axial, at.shear, at.rho, psi, n[:, None])
     blades, K, designs = psi.shape
-    made = _together(at.f, at.f_x, at.f_y)
-    right = np.empty((blades, K, 4, designs))
-    right[:, :, :3] = np.einsum("bikn,bkjn->bijn", A, made)
-    right[:, :, 0] += turn * m - psi
-    right[:, :, 3] = turn
-    matrix = np.empty((blades, K, K, designs))
-    np.multiply(A, -at.f_psi[:, None], out=matrix)
-    matrix.reshape(blades, K * K, designs)[:, :: K + 1] += 1.0
-    solution = solve_across(matrix, right)
-    effect = _together(w * at.f_x, w * at.f_y, far_turn * at.f_psi)
-    through = np.einsum("bkin,bkjn->bijn", effect, solution)
-    # what the forces do with the rotations held: all sums over the nodes at once
-    bent = rho * at.sin**2
-    held = _together(axial - bent, shear + bent, rho * at.sin * at.cos, at.shortening, at.rise)
-    held_sum = np.einsum("bkn,bkjn->bjn", w, held)
-    made_sum = np.einsum("bkn,bkjn->bjn", far_turn, made)
-    motion, F = through[:, :, 0], through[:, :, 1:]
-    motion[:, :2] += held_sum[:, 3:]
-    motion[:, 2] += end_turn * q[:, 2] + made_sum[:, 0]
-    F[:, 0, 0] += held_sum[:, 0]
-    F[:, 1, 1] += held_sum[:, 1]
-    F[:, 0, 1] += held_sum[:, 2]
-    F[:, 1, 0] += held_sum[:, 2]
-    F[:, 2, :2] += made_sum[:, 1:]
-    F[:, 2, 2] += end_turn
-    return Condensed(motion, F, solution[:, :, 0], solution[:, :, 1:])
-
-
-def _together(*parts: Floats) -> Floats:
-    """Return arrays (blades, K, designs) as one (blades, K, parts, designs)."""
-    blades, K, designs = parts[0].shape
-    found = np.empty((blades, K, len(parts), designs))
-    for i, part in enumerate(parts):
-        found[:, :, i] = part
-    return found
+    made, effect = np.empty((2, blades, K, 3, designs))
+    made[:, :, 0], made[:, :, 1], made[:, :, 2] = here.f, here.pull.real, here.pull.imag
+    # (1 − A f_ψ) δψ = right-hand sides
+    system = np.empty((blades, K, K + 4, designs))
+    right = system[:, :, K:]
+    right[:, :, :3] = np.einsum("bikn,bkjn->bijn", at.A, made)
+    right[:, :, 0] += at.turn * m[:, None] - psi
+    right[:, :, 3] = at.turn
+    if here.f_psi.any():
+        matrix = system[:, :, :K]
+        np.multiply(at.A, -here.f_psi[:, None], out=matrix)
+        system.reshape(blades, K * (K + 4), designs)[:, :: K + 5] += 1.0
+        right = solve_across(system)
+    np.multiply(at.w[:, :, None], made[:, :, 1:], out=effect[:, :, :2])
+    np.multiply(at.far_turn, here.f_psi, out=effect[:, :, 2])
+    end = np.einsum("bkin,bkjn->bijn", effect, right)
+    # what the forces do with the rotations held
+    sin = here.moved.imag
+    held = np.empty((blades, K, 4, designs))
+    bent = at.rho * sin
+    np.multiply(bent, sin, out=held[:, :, 0])
+    np.multiply(bent, 1.0 + here.moved.real, out=held[:, :, 1])
+    held[:, :, 2], held[:, :, 3] = here.rate.real, here.rate.imag
+    total = np.einsum("bkn,bkjn->bjn", at.w, held)
+    more = np.zeros((blades, 3, 4, designs))
+    more[:, :2, 0] = total[:, 2:]
+    more[:, 0, 1], more[:, 1, 2] = at.stretch - total[:, 0], at.slide + total[:, 0]
+    more[:, 0, 2] = more[:, 1, 1] = total[:, 1]
+    more[:, 2, :3] = np.einsum("bkn,bkjn->bjn", at.far_turn, made)
+    more[:, 2, 0] += at.end_turn * m
+    more[:, 2, 3] = at.end_turn
+    end += more
+    return Condensed(end, right[:, :, 0], right[:, :, 1:])
 
 
 def section_forces(
@@ -155,7 +196,7 @@ def section_forces(
 
     N and Q at the start belong to ψ = 0; those at the end to the rotation of the end.
     """
-    at = local(mesh, rows, psi, q)
+    at = local(mesh, rows, psi, q[..., 0] + 1j * q[..., 1])
     w, back, end_turn, far_turn = (
         pick(a, rows) for a in (mesh.w, mesh.back, mesh.end_turn, mesh.far_turn)
     )

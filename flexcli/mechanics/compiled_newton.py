@@ -68,6 +68,23 @@ _CONVERGED, _SINGULAR, _DIVERGED, _FAR = (
 )
 
 
+class _Blades(NamedTuple):
+    """What of the tables of an assembly hangs on no demand; names as in ``_Tables``."""
+
+    ends: Floats
+    scales: Floats
+    w: Floats
+    axial: Floats
+    shear: Floats
+    rho: Floats
+    turn: Floats
+    far_turn: Floats
+    A: Floats
+    end_turn: Floats
+    first: Integers
+    second: Integers
+
+
 class _Tables(NamedTuple):
     """An assembly and its demand as plain arrays; the first axis is the design (or 1), then blades.
 
@@ -153,8 +170,6 @@ class Compiled:
     """Newton's method for a layout of one mesh under a demand."""
 
     def __init__(self, assembly: Assembly, demand: Demand) -> None:
-        (mesh,), (place,), (weight,) = assembly.meshes, assembly.places, assembly.weights
-        bound = list(mesh.blades)
         closing = np.arange(3 * assembly.blades)
         forces = [
             (f.arm, f.force, f.moment[:, None], f.before[:, None], f.after[:, None])
@@ -162,18 +177,7 @@ class Compiled:
         ]
         springs = [(spring.arm, spring.stiffness) for spring in demand.springs]
         self._tables = _Tables(
-            ends=_of_blades(place.start, place.end, place.along, place.misfit).view(np.float64),
-            scales=_of_blades(place.scale, place.reach, weight),
-            w=mesh.w,
-            axial=mesh.axial,
-            shear=mesh.shear,
-            rho=mesh.rho,
-            turn=mesh.turn,
-            far_turn=mesh.far_turn,
-            A=mesh.A.reshape(*mesh.A.shape[:2], -1),
-            end_turn=mesh.end_turn[..., None],
-            first=assembly.first[bound],
-            second=assembly.second[bound],
+            *_blades_of(assembly),
             held=demand.held,
             unknown=np.concatenate([closing, 3 * assembly.blades + demand.free]),
             before=np.ascontiguousarray(demand.before[:, None]),
@@ -211,6 +215,33 @@ class Compiled:
         _, at = _newton(y, share, rows, scale, bends, tolerance, trust, most, self._tables)
         end = np.array(_ENDS, dtype=object)[at.end]
         return NewtonResult(y, end, at.iterations, at.last, at.bend, bends)
+
+
+def _blades_of(assembly: Assembly) -> _Blades:
+    """Return the tables of the blades; a single design keeps them."""
+    key = Compiled, assembly.effects, assembly.nodes
+    found: _Blades | None = assembly.layout.prepared.get(key)
+    if found is not None:
+        return found
+    (mesh,), (place,), (weight,) = assembly.meshes, assembly.places, assembly.weights
+    bound = list(mesh.blades)
+    found = _Blades(
+        ends=_of_blades(place.start, place.end, place.along, place.misfit).view(np.float64),
+        scales=_of_blades(place.scale, place.reach, weight),
+        w=mesh.w,
+        axial=mesh.axial,
+        shear=mesh.shear,
+        rho=mesh.rho,
+        turn=mesh.turn,
+        far_turn=mesh.far_turn,
+        A=np.ascontiguousarray(mesh.A.reshape(*mesh.A.shape[:2], -1)),
+        end_turn=mesh.end_turn[..., None],
+        first=assembly.first[bound],
+        second=assembly.second[bound],
+    )
+    if assembly.designs == 1:
+        assembly.layout.prepared[key] = found
+    return found
 
 
 def _of_blades(*values: NDArray[Any]) -> NDArray[Any]:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.mechanics.layout import Layout, Load, Number
-from flexcli.mechanics.mesh import column
+from flexcli.mechanics.mesh import column, table
 
 __all__ = ["Demand", "Force", "Held", "Spring", "forces_of", "held_of", "springs_of", "weights_of"]
 
@@ -19,6 +19,9 @@ Floats = NDArray[np.float64]
 
 Held: TypeAlias = Mapping[str, tuple[Number | None, Number | None, Number | None]]
 """Motion (x [m], y [m], φ [rad]) of the reference point of bodies; None leaves it free."""
+
+
+_FREE, _NO_AXIS = (None, None, None), (False, False, False)
 
 
 class Force(NamedTuple):
@@ -95,11 +98,12 @@ def forces_of(
 def weights_of(layout: Layout) -> tuple[Load, ...]:
     """Return the weight of every body with mass, at its centre of mass."""
     a_x, a_y = layout.acceleration
+    if all(isinstance(a, float) and a == 0.0 for a in (a_x, a_y)):
+        return ()
     return tuple(
         Load(body.name, body.com, (body.mass * a_x, body.mass * a_y))
         for body in layout.bodies
         if np.any(np.asarray(body.mass) != 0.0)
-        and (np.any(np.asarray(a_x) != 0.0) or np.any(np.asarray(a_y) != 0.0))
     )
 
 
@@ -131,14 +135,15 @@ def held_of(
             raise KeyError(f"held is {name!r}, which is no body of the layout")
     index, values = [], []
     for body, name in enumerate(names):
-        guided = layout.guides.get(name, (False, False, False))
-        for axis, asked in enumerate(held.get(name, (None, None, None))):
+        guided = layout.guides.get(name, _NO_AXIS)
+        for axis, asked in enumerate(held.get(name, _FREE)):
             value = 0.0 if asked is None and guided[axis] else asked
             if value is not None:
                 index.append(3 * body + axis)
-                values.append(column(value) / (length if axis < 2 else 1.0))
-    coordinates = np.array(index, dtype=np.intp)
+                values.append(value)
     free = np.array([i for i in range(3 * len(names)) if i not in index], dtype=np.intp)
-    shape = np.broadcast_shapes(length.shape, *[v.shape for v in values])
-    table = np.stack([np.broadcast_to(v, shape) for v in values], axis=-1) if values else None
-    return coordinates, free, np.zeros((*shape, 0)) if table is None else table
+    coordinates = np.array(index, dtype=np.intp)
+    if not values:
+        return coordinates, free, np.zeros((length.size, 0))
+    unit = np.where(coordinates % 3 == 2, 1.0, length[:, None])
+    return coordinates, free, table(values) / unit

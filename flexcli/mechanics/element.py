@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.mechanics.beam import Condensed
-from flexcli.mechanics.mesh import across
+from flexcli.mechanics.mesh import across, chosen
 
-__all__ = ["Attachment", "Element", "element", "turned", "turning"]
+__all__ = ["Attachment", "Element", "Ends", "element", "turned"]
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
@@ -41,35 +41,64 @@ class Attachment(NamedTuple):
     reach: Floats
     misfit: Complexes
 
-    def across(self, rows: NDArray[np.intp]) -> "Attachment":
-        """Return those of the designs ``rows``, (blades, designs or 1)."""
-        return Attachment(
-            across(self.start, rows),
-            across(self.end, rows),
-            across(self.along, rows),
-            across(self.scale, rows),
-            across(self.reach, rows),
-            across(self.misfit, rows),
+
+class Ends(NamedTuple):
+    """What an element takes of an attachment, (blades or 1, …, designs or 1).
+
+    ``lever`` reaches from the start's body to the end of the blade, ``weight`` is the energy unit
+    of the blade over that of the design, ``still`` what of the second derivative does not change.
+    """
+
+    lever: Complexes
+    end: Complexes
+    along: Complexes
+    scale: Floats
+    misfit: Complexes
+    weight: Floats
+    still: Floats
+
+    @classmethod
+    def of(cls, at: Attachment, weight: Floats) -> "Ends":
+        """Return those of blades with energy units (designs or 1, blades)."""
+        still = np.zeros((*np.broadcast_shapes(at.scale.shape, at.along.shape), 3, 9))
+        still[..., 0, 6] = still[..., 1, 7] = at.scale
+        still[..., 0, 3] = still[..., 1, 4] = -at.scale
+        still[..., 2, 5], still[..., 2, 8] = -1.0, 1.0
+        return cls(
+            across(at.start + at.reach * at.along),
+            across(at.end),
+            across(at.along),
+            across(at.scale),
+            across(at.misfit),
+            across(weight),
+            across(still),
+        )
+
+    def chosen(self, rows: NDArray[np.intp]) -> "Ends":
+        """Return those of the designs ``rows``."""
+        return Ends(
+            chosen(self.lever, rows),
+            chosen(self.end, rows),
+            chosen(self.along, rows),
+            chosen(self.scale, rows),
+            chosen(self.misfit, rows),
+            chosen(self.weight, rows),
+            chosen(self.still, rows),
         )
 
 
 class Element(NamedTuple):
-    """Gradient and second derivative of blades, order ν_x, ν_y, m, then x, y, φ of both bodies.
+    """Gradient and second derivative of blades in units of energy, the designs the last axis.
 
-    ``gradient`` is (blades, 9, designs), ``closing`` (blades, 3, 9, designs) the first rows of the
-    second derivative; of the others only their transpose, and ``turned_i`` and ``turned_j`` at φ of
-    the start's and of the end's body (blades, designs), are not zero.
+    ``gap`` (blades, 3, designs) is the gradient by ν_x, ν_y, m, ``closing`` (blades, 3, 9, designs)
+    its derivative by these and by x, y, φ of both bodies. ``on`` (2, blades, 4, designs) are the
+    gradients by x, y, φ of the start's and the end's body, and the second derivative by that φ:
+    of the rest only the transpose of ``closing`` is not zero.
     """
 
-    gradient: Floats
+    gap: Floats
     closing: Floats
-    turned_i: Floats
-    turned_j: Floats
-
-
-def turning(phi: Floats) -> Complexes:
-    """Return ``exp(iφ) − 1`` in full relative precision: how far a unit vector moves by turning."""
-    return np.asarray(-2.0 * np.sin(phi / 2.0) ** 2 + 1j * np.sin(phi))
+    on: Floats
 
 
 def turned(vector: Floats, phi: Floats) -> tuple[Floats, Floats]:
@@ -81,58 +110,69 @@ def turned(vector: Floats, phi: Floats) -> tuple[Floats, Floats]:
 
 
 def element(
-    at: Attachment,
+    at: Ends,
     blade: Condensed,
-    force: Floats,
+    along: Complexes,
+    force: tuple[Complexes, Floats],
     apart: Floats,
-    turn_i: Complexes,
-    turn_j: Complexes,
+    turns: Complexes,
+    warmth: Floats,
 ) -> Element:
     """Return gradient and second derivative.
 
     Parameters
     ----------
-    at : Attachment
-        Geometry at rest, (blades, designs or 1).
+    at : Ends
+        Geometry at rest.
     blade : Condensed
         The blades about their present forces.
-    force : array, shape (blades, 3, designs)
-        ν and m.
+    along : array, shape (blades, designs)
+        Direction of the blades' starts.
+    force : tuple of array, shape (blades, designs)
+        ν as ν_x + i ν_y, and m.
     apart : array, shape (blades, 3, designs)
         By how much the body at the end moved more than that at the start, positions in their unit.
-    turn_i, turn_j : array, shape (blades, designs)
+    turns : array, shape (2, blades, designs)
         ``turning`` of the bodies at start and end.
+    warmth : array, shape (designs,)
+        Share of the misfit that is there.
 
     """
-    nu, m = force[:, 0] + 1j * force[:, 1], force[:, 2]
-    along_moved, a_j_moved, start_moved = at.along * turn_i, at.end * turn_j, at.start * turn_i
-    along = at.along + along_moved
-    bent = along * (blade.motion[:, 0] + 1j * blade.motion[:, 1])
-    lever = at.start + start_moved + at.reach * along + bent
-    a_j = at.end + a_j_moved
-    pull, moment, far = at.scale * nu, np.conj(lever) * nu, np.conj(a_j) * nu
-    gap = at.scale * (apart[:, 0] + 1j * apart[:, 1]) + at.misfit + a_j_moved - bent
-    gap -= start_moved + at.reach * along_moved
-    gradient = np.empty((m.shape[0], 9, m.shape[1]))
-    gradient[:, 0], gradient[:, 1] = gap.real, gap.imag
-    gradient[:, 2] = apart[:, 2] - blade.motion[:, 2]
-    gradient[:, 6], gradient[:, 7] = pull.real, pull.imag
-    gradient[:, 3:5] = -gradient[:, 6:8]
-    gradient[:, 5] = -m - moment.imag
-    gradient[:, 8] = m + far.imag
-    H = np.zeros((m.shape[0], 3, 9, m.shape[1]))
-    # −F in global axes: rows and columns turned
-    rows = along[:, None] * (blade.F[:, 0] + 1j * blade.F[:, 1])
-    for i, turned_row in enumerate((rows.real, rows.imag, blade.F[:, 2])):
-        pair = along * (turned_row[:, 0] + 1j * turned_row[:, 1])
-        H[:, i, 0], H[:, i, 1], H[:, i, 2] = -pair.real, -pair.imag, -turned_row[:, 2]
+    (nu, m), weight = force, at.weight
+    pulled = nu.conj()
+    blades, _, _, designs = blade.end.shape
+    # end and derivatives turned into global axes: x and y of the end first, then of the forces
+    turned_end = along[:, None] * (blade.end[:, 0] + 1j * blade.end[:, 1])
+    rows = np.empty((blades, 3, 3, designs))
+    rows[:, 0], rows[:, 1] = turned_end[:, 1:].real, turned_end[:, 1:].imag
+    rows[:, 2] = blade.end[:, 2, 1:]
+    F = along[:, None] * (rows[:, :, 0] + 1j * rows[:, :, 1])
+    bent = turned_end[:, 0]
+    lever_moved, end_moved = at.lever * turns[0], at.end * turns[1]
+    lever, end = at.lever + lever_moved + bent, at.end + end_moved
+    moment, far = pulled * lever, pulled * end
+    opens = at.scale * (apart[:, 0] + 1j * apart[:, 1]) + warmth * at.misfit
+    opens += end_moved - bent - lever_moved
+    gap = np.empty((blades, 3, designs))
+    gap[:, 0], gap[:, 1] = opens.real, opens.imag
+    np.subtract(apart[:, 2], blade.end[:, 2, 0], out=gap[:, 2])
+    H = np.empty((blades, 3, 9, designs))
+    H[...] = at.still
+    np.negative(F.real, out=H[:, :, 0])
+    np.negative(F.imag, out=H[:, :, 1])
+    np.negative(rows[:, :, 2], out=H[:, :, 2])
     # a turn of the start turns the force in its frame by −iν
-    H[:, :, 5] = H[:, :, 0] * nu.imag[:, None] - H[:, :, 1] * nu.real[:, None]
-    turned_i = moment.real + (H[:, 0, 5] * nu.imag - H[:, 1, 5] * nu.real)
-    H[:, 0, 6] = H[:, 1, 7] = at.scale
-    H[:, 0, 3] = H[:, 1, 4] = -at.scale
+    with_start = (F * pulled[:, None]).imag
+    H[:, :, 5] += with_start
     H[:, 0, 5] += lever.imag
     H[:, 1, 5] -= lever.real
-    H[:, 2, 5] -= 1.0
-    H[:, 0, 8], H[:, 1, 8], H[:, 2, 8] = -a_j.imag, a_j.real, 1.0
-    return Element(gradient, H, turned_i, -far.real)
+    np.negative(end.imag, out=H[:, 0, 8])
+    H[:, 1, 8] = end.real
+    on = np.empty((2, blades, 4, designs))
+    pull = at.scale * nu
+    on[1, :, 0], on[1, :, 1] = pull.real, pull.imag
+    np.negative(on[1, :, :2], out=on[0, :, :2])
+    on[0, :, 2], on[1, :, 2] = moment.imag - m, m - far.imag
+    on[0, :, 3] = with_start[:, 0] * nu.imag - with_start[:, 1] * nu.real + moment.real
+    np.negative(far.real, out=on[1, :, 3])
+    return Element(gap * weight[:, None], H * weight[:, None, None], on * weight[:, None])

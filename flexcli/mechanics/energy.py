@@ -35,7 +35,7 @@ def blade_energies(state: Equilibrium) -> Floats:
         energy = np.zeros((part.rows.size, assembly.blades))
         for k, mesh in enumerate(assembly.meshes):
             q = assembly.local_forces(forces, motions, k, part.rows)
-            at = local(mesh, part.rows, rotations[k], q)
+            at = local(mesh, part.rows, rotations[k], q[..., 0] + 1j * q[..., 1])
             M = section_forces(mesh, part.rows, rotations[k], q)[2][..., 1:-1]
             w, c, axial, shear = (
                 pick(a, part.rows) for a in (mesh.w, mesh.c, mesh.axial, mesh.shear)

@@ -201,5 +201,5 @@ def _compiler(assembly: Assembly, designs: int) -> Callable[[Assembly, Demand], 
 
 def difference(coarse: Assembly, fine: Assembly, x: Floats, y: Floats, scale: Floats) -> Floats:
     """Return by how much forces and motions at two levels differ, over the largest of each."""
-    stretch = min(float(np.min(mesh.thinnest / mesh.l)) for mesh in fine.meshes) ** 2 / 12.0
+    stretch = fine.slenderness**2 / 12.0
     return relative_difference(coarse.split(x)[1:], fine.split(y)[1:], stretch, scale)

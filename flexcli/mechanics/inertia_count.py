@@ -87,7 +87,7 @@ def _blades_alone(assembly: Assembly, at: Linearised, x: Floats, rows: Integers)
     rotations, _, _ = assembly.split(x)
     count = np.zeros(rows.size, dtype=np.intp)
     for psi, mesh, q in zip(rotations, assembly.meshes, at.local, strict=True):
-        f_psi = local(mesh, rows, psi, q.transpose(2, 0, 1)).f_psi
+        f_psi = local(mesh, rows, psi, q.T).f_psi
         A = pick(mesh.A, rows)
         bound = np.max(np.abs(A) @ np.maximum(f_psi, 0.0)[..., None], axis=(-2, -1))
         doubtful = bound >= 1.0

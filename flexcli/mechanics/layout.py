@@ -80,7 +80,8 @@ class Layout:
     ``guides`` are bodies on ideal joints to the ground: which of (x, y, φ) of their reference
     points cannot move in the plane. ``body_growth`` and ``blade_growth`` are the free strains that
     a temperature gives bodies and blades by name [-]: a body grows about its reference point, the
-    ground about the origin, a blade along itself.
+    ground about the origin, a blade along itself. ``prepared`` is what a solver keeps of a layout
+    for its next use; nothing of a layout may be written to.
     """
 
     bodies: tuple[Body, ...]
@@ -93,6 +94,7 @@ class Layout:
     guides: Mapping[str, tuple[bool, bool, bool]] = field(default_factory=dict)
     body_growth: Mapping[str, Number] = field(default_factory=dict)
     blade_growth: Mapping[str, Number] = field(default_factory=dict)
+    prepared: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     def index(self, name: str) -> int:
         """Return where a body stands among those that may move; it must be one of them."""

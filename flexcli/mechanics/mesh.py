@@ -6,7 +6,6 @@ EI the mean flexural rigidity l/∫ds/EI(s), so that no number depends on units 
 
 import functools
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Piece
-from flexcli.mechanics.layout import Blade, Layout
+from flexcli.mechanics.layout import Layout
 from flexcli.numerics.collocation import gauss_nodes, integration_matrix
 
 __all__ = [
@@ -23,10 +22,12 @@ __all__ = [
     "Mesh",
     "Segment",
     "across",
+    "chosen",
     "column",
     "meshes",
     "pick",
     "refined",
+    "table",
 ]
 
 Floats = NDArray[np.float64]
@@ -40,6 +41,9 @@ _FINE = 24
 
 _ANY = np.zeros(1)
 """A place of a piece that is the same everywhere."""
+
+_ENDS = np.array([-1.0, 1.0])
+"""Both ends of a piece."""
 
 _GAP = 1e-12
 """Share of the length between two flexible pieces above which a rigid piece lies there."""
@@ -105,22 +109,52 @@ def pick(values: NDArray[Kind], rows: NDArray[np.intp]) -> NDArray[Kind]:
     return values if values.shape[0] == 1 else values[rows]
 
 
-def across(values: NDArray[Kind], rows: NDArray[np.intp]) -> NDArray[Kind]:
-    """Return the designs ``rows`` of an array as its last axis, so that loops run over designs."""
-    return np.ascontiguousarray(pick(values, rows).transpose(*range(1, values.ndim), 0))
+def across(values: NDArray[Kind]) -> NDArray[Kind]:
+    """Return an array with its first axis, the designs, the last: loops run over designs."""
+    return np.ascontiguousarray(values.transpose(*range(1, values.ndim), 0))
+
+
+def chosen(values: NDArray[Kind], rows: NDArray[np.intp]) -> NDArray[Kind]:
+    """Return the designs ``rows`` of an array whose last axis is designs, or 1 for all alike."""
+    return values if values.shape[-1] == 1 else values.take(rows, axis=-1)
+
+
+def table(numbers: Sequence[Any]) -> Floats:
+    """Return numbers, each a float or (designs,), side by side: (designs or 1, numbers)."""
+    if all(isinstance(number, float) for number in numbers):
+        return np.array([numbers], dtype=np.float64)
+    columns = [column(number) for number in numbers]
+    if len({each.size for each in columns}) > 1:
+        columns = list(np.broadcast_arrays(*columns))
+    return np.ascontiguousarray(np.array(columns).T)
+
+
+def _lengths(layout: Layout) -> Floats:
+    """Return the lengths of the blades (designs or 1, blades) [m]."""
+    dx, dy = (
+        table([blade.end[axis] - blade.start[axis] for blade in layout.blades]) for axis in (0, 1)
+    )
+    return np.asarray(np.hypot(dx, dy))
 
 
 def meshes(layout: Layout, effects: Effects, nodes: int) -> tuple[Mesh, ...]:
     """Return the blades at ``nodes`` Gauss nodes a piece, those with equal pieces together."""
-    kinds: dict[tuple[int, ...], list[_Blank]] = {}
+    kinds: dict[tuple[int, ...], list[int]] = {}
+    l, pieces, rigidities = _lengths(layout), [], []
     for i, blade in enumerate(layout.blades):
-        blank = _blank(i, blade, layout, nodes)
-        kinds.setdefault(tuple(s.nodes for s in blank.segments), []).append(blank)
+        along = l[:, i]
+        pieces.append(_segments(blade.profile.pieces(along[:, None]), along, nodes))
+        rigidities.append(_rigidity(pieces[i], along))
+        kinds.setdefault(tuple(s.nodes for s in pieces[i]), []).append(i)
+    thinnest, flexible = (table([each[k] for each in rigidities]) for k in (0, 1))
+    b = table([blade.b for blade in layout.blades])
+    EI = column(layout.E)[:, None] * b * thinnest**3 / 12.0 / flexible
+    units = np.broadcast_arrays(l, EI, b, thinnest, flexible)
     return tuple(
         _at_nodes(
-            tuple(blank.number for blank in alike),
-            tuple(blank.segments for blank in alike),
-            [_agreed([blank.units[i] for blank in alike], (0,)) for i in range(5)],
+            tuple(alike),
+            tuple(pieces[i] for i in alike),
+            [_collapsed(each[:, alike], (0,)) for each in units],
             layout,
             effects,
         )
@@ -142,22 +176,40 @@ def refined(mesh: Mesh, layout: Layout, effects: Effects, nodes: int) -> Mesh:
     return _at_nodes(mesh.blades, tuple(segments), units, layout, effects)
 
 
-class _Blank(NamedTuple):
-    """A blade with its pieces and units: l, EI, b, thinnest, flexible (designs or 1,)."""
+class _Integrals(NamedTuple):
+    """What of a mesh hangs on ds/du and the flexural compliance alone; names as there."""
 
-    number: int
-    segments: tuple[Segment, ...]
-    units: tuple[Floats, ...]
+    w: Floats
+    c: Floats
+    back: Floats
+    turn: Floats
+    A: Floats
+    end_turn: Floats
+    far_turn: Floats
 
 
-def _blank(index: int, blade: Blade, layout: Layout, nodes: int) -> _Blank:
-    dx, dy = (column(e - s) for s, e in zip(blade.start, blade.end, strict=True))
-    l = np.hypot(dx, dy)
-    segments = _segments(blade.profile.pieces(l[:, None]), l, nodes)
-    thinnest, flexible = _rigidity([s.piece for s in segments if s.piece is not None], l)
-    b = column(blade.b)
-    EI = column(layout.E) * b * thinnest**3 / 12.0 / flexible
-    return _Blank(index, segments, (l, EI, b, thinnest, flexible))
+def _integrals(pattern: tuple[tuple[int, bool], ...], ds: Floats, c: Floats) -> _Integrals:
+    J_u, w_u = _reference(pattern)
+    w = w_u * ds
+    J = J_u * ds[..., None, :]
+    back = w[..., None, :] - J
+    J_c = J * c[..., None, :]
+    return _Integrals(
+        w=w,
+        c=c,
+        back=back,
+        turn=J_c.sum(axis=-1),
+        A=np.moveaxis(across(J_c @ back), -1, 0),
+        end_turn=np.sum(w * c, axis=-1),
+        far_turn=((w * c)[..., None, :] @ back)[..., 0, :],
+    )
+
+
+@functools.cache
+def _integrals_of_uniform(nodes: int) -> _Integrals:
+    """Return those of blades of one thickness: shared, do not write."""
+    one = np.ones((1, 1, 1))
+    return _integrals(((nodes, False),), 0.5 * one, one)
 
 
 def _at_nodes(
@@ -168,21 +220,24 @@ def _at_nodes(
     effects: Effects,
 ) -> Mesh:
     l, EI, b, thinnest, flexible = units
-    each = [_thickness(pieces, l[:, min(i, l.shape[1] - 1)]) for i, pieces in enumerate(segments)]
-    h, slope = (_agreed([pair[i] for pair in each], (0, 1)) for i in (0, 1))
-    rigid = h == 0.0
-    per_h = np.where(rigid, 0.0, thinnest[..., None] / np.where(rigid, 1.0, h))
-    ds = _collapsed(slope / l[..., None])
-    c = _collapsed(per_h**3 / flexible[..., None])
     # EI/(EA l²) and EI/(κGA l²)
-    axial = (thinnest**2 / (12.0 * flexible * l**2))[..., None] * per_h
-    shear = axial * _shear_softness(layout, effects)
+    axial = (thinnest**2 / (12.0 * flexible * l**2))[..., None]
+    if all(_is_uniform(pieces) for pieces in segments):
+        found = _integrals_of_uniform(segments[0][0].nodes)
+    else:
+        each = [
+            _thickness(pieces, l[:, min(i, l.shape[1] - 1)]) for i, pieces in enumerate(segments)
+        ]
+        h, slope = (_agreed([pair[i] for pair in each], (0, 1)) for i in (0, 1))
+        rigid = h == 0.0
+        per_h = np.where(rigid, 0.0, thinnest[..., None] / np.where(rigid, 1.0, h))
+        ds = _collapsed(slope / l[..., None])
+        c = _collapsed(per_h**3 / flexible[..., None])
+        axial = axial * per_h
+        pattern = tuple((s.nodes, s.piece is None) for s in segments[0])
+        found = _integrals(pattern, ds, c)
+    shear = _collapsed(axial * _shear_softness(layout, effects))
     axial = _collapsed(axial * effects.extension)
-    J_u, w_u = _reference(tuple((s.nodes, s.piece is None) for s in segments[0]))
-    w = w_u * ds
-    J = J_u * ds[..., None, :]
-    back = w[..., None, :] - J
-    J_c = J * c[..., None, :]
     return Mesh(
         blades=blades,
         segments=segments,
@@ -191,17 +246,17 @@ def _at_nodes(
         b=b,
         thinnest=thinnest,
         flexible=flexible,
-        w=w,
-        c=c,
         axial=axial,
-        shear=_collapsed(shear),
+        shear=shear,
         rho=_collapsed(axial - shear),
-        back=back,
-        turn=J_c.sum(axis=-1),
-        A=J_c @ back,
-        end_turn=np.sum(w * c, axis=-1),
-        far_turn=((w * c)[..., None, :] @ back)[..., 0, :],
+        **found._asdict(),
     )
+
+
+def _is_uniform(segments: tuple[Segment, ...]) -> bool:
+    """Return whether a blade is known to have the same thickness all along."""
+    piece = segments[0].piece
+    return len(segments) == 1 and piece is not None and piece.is_uniform
 
 
 def _shear_softness(layout: Layout, effects: Effects) -> Floats:
@@ -236,13 +291,12 @@ def _thickness(segments: tuple[Segment, ...], l: Floats) -> tuple[Floats, Floats
 
     One number stands for all nodes of a blade that is the same all along.
     """
-    at_end = np.array([-1.0, 1.0])
     end = np.zeros((1, 1))
     h, slope = [], []
     for i, segment in enumerate(segments):
         if segment.piece is None:
             following = [s.piece for s in segments[i:] if s.piece is not None]
-            start = following[0].position(at_end)[..., :1] if following else l[:, None]
+            start = following[0].position(_ENDS)[..., :1] if following else l[:, None]
             h.append(np.zeros_like(end))
             slope.append((start - end) / 2.0)
             end = start
@@ -252,32 +306,35 @@ def _thickness(segments: tuple[Segment, ...], l: Floats) -> tuple[Floats, Floats
             h.append(np.atleast_2d(segment.piece.thickness(u)))
             slope.append(np.atleast_2d(segment.piece.slope(u)))
             if segment is not segments[-1]:
-                end = np.atleast_2d(segment.piece.position(at_end))[:, 1:]
+                end = np.atleast_2d(segment.piece.position(_ENDS))[:, 1:]
     designs = max(a.shape[0] for a in (*h, *slope))
     return _side_by_side(h, designs), _side_by_side(slope, designs)
 
 
 def _segments(pieces: Sequence[Piece], l: Floats, nodes: int) -> tuple[Segment, ...]:
     """Return the pieces in order with a rigid segment of one node in every gap."""
-    ends = [np.atleast_2d(p.position(np.array([-1.0, 1.0]))) for p in pieces]
-    stops = [np.zeros((1, 2)), *ends, np.repeat(l[:, None], 2, axis=1)]
     found: list[Segment] = []
-    first = 0
-    for piece, (before, after) in zip([*pieces, None], pairwise(stops), strict=True):
-        if np.any(after[:, 0] - before[:, 1] > _GAP * l):
+    first, before = 0, np.zeros(1)
+    for piece in (*pieces, None):
+        ends = l[:, None] if piece is None else np.atleast_2d(piece.position(_ENDS))
+        if (ends[:, 0] - before > _GAP * l).any():
             found.append(Segment(None, first, 1))
             first += 1
         if piece is not None:
             found.append(Segment(piece, first, nodes))
             first += nodes
+        before = ends[:, -1]
     return tuple(found)
 
 
-def _rigidity(pieces: Sequence[Piece], l: Floats) -> tuple[Floats, Floats]:
-    """Return the least thickness h_0 and ``∫ (h_0/h)³ ds/l``, (designs, 1), at any number of nodes.
+def _rigidity(segments: tuple[Segment, ...], l: Floats) -> tuple[Floats, Floats]:
+    """Return the least thickness h_0 and ``∫ (h_0/h)³ ds/l``, (designs,), at any number of nodes.
 
     Always by the same rule: the units of an assembly must not change when it is refined.
     """
+    pieces = [segment.piece for segment in segments if segment.piece is not None]
+    if _is_uniform(segments):
+        return np.atleast_2d(pieces[0].thickness(_ANY))[:, 0], np.ones(1)
     rules = [(_ANY, np.array([2.0])) if p.is_uniform else gauss_nodes(_FINE) for p in pieces]
     h = [np.atleast_2d(piece.thickness(u)) for piece, (u, _) in zip(pieces, rules, strict=True)]
     thinnest = functools.reduce(np.minimum, [np.min(a, axis=1) for a in h])

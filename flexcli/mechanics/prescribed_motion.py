@@ -25,16 +25,12 @@ Integers = NDArray[np.intp]
 
 def designs_of(assembly: Assembly, demand: Demand) -> int:
     """Return the number of designs of the whole: the longest first axis of any number."""
-    arrays = [assembly.length, assembly.force, demand.after, demand.before]
-    for place in assembly.places:
-        arrays += [place.start.real, place.end.real, place.along.real, place.scale]
-        arrays += [place.reach, place.misfit.real]
-    arrays += [a for mesh in assembly.meshes for a in mesh[2:]]
+    arrays = [demand.after, demand.before]
     for force in demand.forces:
         arrays += [force.arm, force.force, force.moment, force.before, force.after]
     for spring in demand.springs:
         arrays += [spring.arm, spring.stiffness]
-    (designs,) = np.broadcast_shapes(*{a.shape[:1] for a in arrays})
+    (designs,) = np.broadcast_shapes((assembly.designs,), *{a.shape[:1] for a in arrays})
     return int(designs)
 
 

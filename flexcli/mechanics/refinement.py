@@ -297,16 +297,14 @@ def difference(
     """
     (forces, motions), (fine_forces, fine_motions) = before, after
     pulled, moved = (_largest(each) for each in after)
-    change = np.zeros(scale.shape)
-    for a, b, size in (
-        (forces, fine_forces, np.maximum(pulled, moved)),
-        (motions, fine_motions, np.maximum(moved, stretch * pulled)),
-    ):
-        over = np.maximum(np.maximum(scale, size), _NOTHING)
-        change = np.maximum(change, _largest(b - a) / over)
-    return change
+    least = np.maximum(scale, _NOTHING)
+    pull = np.maximum(least, np.maximum(pulled, moved))
+    move = np.maximum(least, np.maximum(moved, stretch * pulled))
+    return np.maximum(
+        _largest(fine_forces - forces) / pull, _largest(fine_motions - motions) / move
+    )
 
 
 def _largest(values: Floats) -> Floats:
     flat = np.abs(values).reshape(values.shape[0], -1)
-    return np.asarray(np.max(flat, axis=1, initial=0.0))
+    return np.asarray(flat.max(axis=1, initial=0.0))

@@ -37,6 +37,10 @@ BENDS = 100.0
 """A step over the square of the one before, where nothing is known of it yet."""
 
 
+_TINY = 1e-300
+"""Least length that anything is divided by."""
+
+
 class NewtonEnd(Enum):
     """How the iteration of one design ended."""
 
@@ -121,44 +125,57 @@ def newton(
     x = start.copy()
     designs = x.shape[0]
     end = np.full(designs, NewtonEnd.DIVERGED, dtype=object)
-    iterations = np.zeros(designs, dtype=np.intp)
+    iterations = np.full(designs, most, dtype=np.intp)
     last = np.full(designs, np.inf)
     bend = np.zeros(designs)
     bends = np.full(designs, BENDS) if bends is None else bends.copy()
+    # of the designs that go on: points, lengths of the last steps and what they are over squares
+    rows, y, before, bent = np.arange(designs), x, last, bends
     restless = np.zeros(designs, dtype=np.intp)
     least = np.zeros(designs) if scale is None else scale
-    rows = np.arange(designs)
-    for count in range(most):
+    for count in range(most if designs else 0):
         # a design that diverges may overflow: it ends by its length, and warns of nothing
         with np.errstate(all="ignore"):
-            y = x[rows]
             s = step(y, rows)
             size = length(y, s)
-        iterations[rows] += 1
-        sound = np.isfinite(size)
-        end[rows[~sound]] = NewtonEnd.SINGULAR
         if count == 1:
             bend[rows] = size
-        far = np.zeros_like(sound)
-        if count > 0 and np.isfinite(trust):
-            far = sound & (size > np.minimum(trust, np.maximum(CONTRACTION * last[rows], FLOOR)))
-            end[rows[far]] = NewtonEnd.FAR
-        keep = sound & ~far
-        if not keep.all():
-            rows, y, s, size = rows[keep], y[keep], s[keep], size[keep]
-        y += s * np.minimum(1.0, REACH / np.maximum(size, REACH))[:, None]
-        x[rows] = y
-        before = last[rows]
-        last[rows] = size
-        ratio = size / np.where(before > 0.0, before, 1.0)
-        unit = np.minimum(1.0, np.maximum(least[rows], length(y, y)))
+        longest, kept = size.max(), size < np.inf
+        end[rows[~kept]] = NewtonEnd.SINGULAR
+        if count > 0 and trust < np.inf:
+            near = size <= np.minimum(trust, np.maximum(CONTRACTION * before, FLOOR))
+            end[rows[kept & ~near]] = NewtonEnd.FAR
+            kept &= near
+        if not kept.all():
+            gone = rows[~kept]
+            x[gone], last[gone], bends[gone] = y[~kept], before[~kept], bent[~kept]
+            iterations[gone] = count + 1
+            rows, restless = rows[kept], restless[kept]
+            y, s, size, before, bent, least = (
+                each[kept] for each in (y, s, size, before, bent, least)
+            )
+            longest = size.max(initial=0.0)
+        if longest > REACH:
+            s = s * np.minimum(1.0, REACH / np.maximum(size, REACH))[:, None]
+        y = y + s
+        unit = np.minimum(1.0, np.maximum(least, length(y, y)))
         if count > 0:
-            bends[rows] = np.minimum(ratio, 1.0) ** 2 / np.where(size > 0.0, size, 1.0)
-        ahead = bends[rows] * size**2
-        done = (ahead <= tolerance * unit) | ((size <= FLOOR * unit) & (ratio > 0.5))
-        end[rows[done]] = NewtonEnd.CONVERGED
-        restless[rows] = np.where(ratio > 1.0, restless[rows] + 1, 0)
-        rows = rows[~done & (restless[rows] < RESTLESS)]
+            ratio = size / before
+            bent = np.minimum(ratio, 1.0) ** 2 / np.maximum(size, _TINY)
+            done = (size <= FLOOR * unit) & (ratio > 0.5)
+            restless = (restless + 1) * (ratio > 1.0)
+        else:
+            done = np.zeros(rows.size, dtype=np.bool_)
+        done |= bent * size**2 <= tolerance * unit
+        before = size
+        kept = ~done & (restless < RESTLESS)
+        if count + 1 == most or not kept.all():
+            gone = ~kept | (count + 1 == most)
+            at = rows[gone]
+            end[rows[done]] = NewtonEnd.CONVERGED
+            x[at], last[at], bends[at], iterations[at] = y[gone], size[gone], bent[gone], count + 1
+            rows, restless = rows[kept], restless[kept]
+            y, before, bent, least = (each[kept] for each in (y, before, bent, least))
         if rows.size == 0:
             break
     return NewtonResult(x, end, iterations, last, bend, bends)

@@ -51,7 +51,7 @@ def solve_stack(A: Floats, b: Floats) -> Floats:
         return x
 
 
-def solve_across(A: Floats, b: Floats) -> Floats:
+def solve_across(system: Floats) -> Floats:
     """Return x of ``A x = b`` for a stack whose last axis runs over the systems.
 
     Small systems are eliminated in many matrices at once, without exchanging rows; where a pivot
@@ -59,10 +59,8 @@ def solve_across(A: Floats, b: Floats) -> Floats:
 
     Parameters
     ----------
-    A : array, shape (p, n, n, designs)
-        Matrices of order one with a large diagonal, mostly.
-    b : array, shape (p, n, m, designs)
-        Right-hand sides.
+    system : array, shape (p, n, n + m, designs)
+        Matrices of order one with a large diagonal, mostly; behind them the right-hand sides.
 
     Returns
     -------
@@ -71,36 +69,40 @@ def solve_across(A: Floats, b: Floats) -> Floats:
 
     Examples
     --------
-    >>> A = np.array([[2.0, 1.0], [1.0, 3.0]])[None, :, :, None]
-    >>> solve_across(A, np.array([[5.0], [10.0]])[None, :, :, None]).ravel().tolist()
+    >>> system = np.array([[2.0, 1.0, 5.0], [1.0, 3.0, 10.0]])[None, :, :, None]
+    >>> solve_across(system).ravel().tolist()
     [1.0, 3.0]
 
     """
-    n = A.shape[1]
+    n, designs = system.shape[1], system.shape[3]
     if n > _SMALL:
-        x = solve_stack(A.transpose(0, 3, 1, 2), b.transpose(0, 3, 1, 2))
-        return np.asarray(x.transpose(0, 2, 3, 1))
-    x = np.empty(b.shape)
-    for first in range(0, b.shape[3], _AT_ONCE):
+        stack = system.transpose(0, 3, 1, 2)
+        return np.asarray(solve_stack(stack[..., :n], stack[..., n:]).transpose(0, 2, 3, 1))
+    if designs <= _AT_ONCE:
+        return _eliminated(system)
+    x = np.empty((*system.shape[:2], system.shape[2] - n, designs))
+    for first in range(0, designs, _AT_ONCE):
         some = slice(first, first + _AT_ONCE)
-        x[..., some] = _eliminated(A[..., some], b[..., some])
+        x[..., some] = _eliminated(system[..., some])
     return x
 
 
-def _eliminated(A: Floats, b: Floats) -> Floats:
+def _eliminated(system: Floats) -> Floats:
     """Return x by Gauss and Jordan's elimination of all systems at once."""
-    n = A.shape[1]
-    T = np.concatenate([A, b], axis=2)
-    pivots = np.empty((n, A.shape[0], A.shape[3]))
+    T = system.copy()
+    p, n, width, designs = T.shape
     with np.errstate(all="ignore"):  # a pivot of zero spoils its own system, which LAPACK solves
         for k in range(n):
-            pivots[k] = T[:, k, k]
-            row = T[:, k, k + 1 :] / pivots[k][:, None]
-            T[:, :, k + 1 :] -= T[:, :, k, None] * row[:, None]
-            T[:, k, k + 1 :] = row
+            rest = T[:, :, k + 1 :]
+            row = rest[:, k] / T[:, k, k, None]
+            rest -= T[:, :, k, None] * row[:, None]
+            rest[:, k] = row
     x = T[:, :, n:]
-    small = ~(np.abs(pivots).min(axis=0) > PIVOT)
+    # the column of each was left as it stood
+    pivots = T.reshape(p, n * width, designs)[:, :: width + 1]
+    small = ~(np.abs(pivots).min(axis=1) > PIVOT)
     if small.any():
         i, j = np.nonzero(small)
-        x[i, :, :, j] = solve_stack(A[i, :, :, j], b[i, :, :, j])
+        left = system[i, :, :, j]
+        x[i, :, :, j] = solve_stack(left[..., :n], left[..., n:])
     return x

@@ -49,6 +49,23 @@ def test_closed_forms_are_the_limit_of_a_small_stroke(kind, joint_model):
     assert most == pytest.approx(max(abs(float(s.largest)) for s in closed), rel=2e-2)
 
 
+def test_the_stiffness_at_rest_is_settled_on_one_layout(monkeypatch):
+    """Its levels of nodes differ in nothing else, whatever a temperature does before."""
+    drawn = []
+
+    def noted(self, *of):
+        drawn.append(of)
+        return draw(self, *of)
+
+    joint_model = ExactModel(levels=(6, 9, 14, 21))
+    ask = ask_of("rcc", joint_model)
+    draw = type(ask.geometry).plane_layout
+    monkeypatch.setattr(type(ask.geometry), "plane_layout", noted)
+    k = joint_model.stiffness(ask)
+    assert len(drawn) == 1
+    assert k == pytest.approx(ExactModel(levels=(30, 31)).stiffness(ask), rel=1e-9)
+
+
 NO_SHIFT = {"three-blade", "star"}
 """Whose closed forms have none: their centre stays by symmetry, or moves as nobody has written."""
 

@@ -13,6 +13,7 @@ from scipy.special import ellipeinc, ellipkinc
 
 from flexcli.errors import Outcome, SolveError
 from flexcli.formulas.pivot import parasitic_shift, rotational_stiffness
+from flexcli.formulas.profile import Constant
 from flexcli.mechanics.assembly import assemble
 from flexcli.mechanics.energy import strain_energy
 from flexcli.mechanics.equilibrium import solve
@@ -311,6 +312,43 @@ def test_a_batch_gives_the_answers_of_its_designs():
         one = solve(layout, {"out": (None, None, theta[i])}).checked()
         assert batch.motions[i] == pytest.approx(one.motions[0], rel=1e-9, abs=1e-14)
         assert batch.reactions[i] == pytest.approx(one.reactions[0], rel=1e-8, abs=1e-12)
+
+
+class Counted(Constant):
+    """A blade that counts how often its pieces are asked for."""
+
+    def pieces(self, l):
+        reads.append(l)
+        return super().pieces(l)
+
+
+reads = []
+
+
+def test_a_layout_is_read_once_for_all_its_equilibria_and_their_digits_are_the_same():
+    def made(**changed):
+        plain = pivot(**changed)
+        blades = (replace(blade, profile=Counted(blade.profile.h)) for blade in plain.blades)
+        return replace(plain, blades=tuple(blades))
+
+    layout, turns = made(), (0.02, 0.2, 0.6)
+    reads.clear()
+    found = [solve(layout, {"out": (None, None, turn)}) for turn in turns]
+    assert len(reads) == len(layout.blades)
+    for state, turn in zip(found, turns, strict=True):
+        alone = solve(made(), {"out": (None, None, turn)})
+        assert (state.end_forces == alone.end_forces).all()
+        assert state.nodes.tolist() == alone.nodes.tolist()
+
+
+def test_what_is_known_of_a_layout_is_nothing_to_a_changed_copy_and_effects_are_apart():
+    layout, held = pivot(), {"out": (None, None, 0.2)}
+    once = solve(layout, held)
+    other = replace(layout, E=2.0 * layout.E, G=2.0 * layout.G)
+    assert solve(other, held).end_forces == pytest.approx(2.0 * once.end_forces, rel=1e-12)
+    slender = solve(layout, held, effects=SLENDER)
+    assert (slender.end_forces == solve(pivot(), held, effects=SLENDER).end_forces).all()
+    assert not (slender.end_forces == once.end_forces).all()
 
 
 def test_the_work_of_the_drive_is_the_energy_stored():

@@ -123,9 +123,11 @@ class ExactModel(JointModel):
 
     def _settled_stiffness(self, ask: Ask) -> tuple[float, float]:
         found, error = nan, inf
+        layout, held = at_rest(ask, self.effects)
+        effects = blades_of(layout, self.effects)
         for nodes in self.levels:
             before = found
-            state = at_rest(ask, self.effects, self.tolerance, (nodes,))
+            state = solved(layout, held, effects=effects, tolerance=self.tolerance, levels=(nodes,))
             found = of_each(driven_stiffness(state, ask))
             error = abs(before / found - 1.0) if isfinite(before) else inf
             if error <= self.tolerance:

@@ -268,17 +268,12 @@ def exactly(
     return solver
 
 
-def at_rest(
-    ask: Ask, effects: Effects, tolerance: float, levels: Sequence[int] = LEVELS
-) -> Equilibrium:
+def at_rest(ask: Ask, effects: Effects) -> tuple[Layout, Held]:
     """Return the joint at rest, its driven motion held where the case's temperature leaves it."""
     layout, travel = warmed(ask), 0.0
     if ask.scene.temperature is not None:
         travel = float(_left_by_temperature(ask, effects)[driven_axis(ask.geometry)])
-    held = {MOVING: ask.geometry.held(travel)}
-    return solved(
-        layout, held, effects=blades_of(layout, effects), tolerance=tolerance, levels=levels
-    )
+    return layout, {MOVING: ask.geometry.held(travel)}
 
 
 def solved(layout: Layout, held: Held, *, loads: Sequence[Load] = (), **how: Any) -> Equilibrium:
