@@ -17,7 +17,16 @@ from flexcli.formulas.blade_spring import middle_stiffness
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.restrained_torsion import restrained_stiffness, restraint_error
 
-__all__ = ["CARDS", "VALIDITY", "Across", "ClampedSprings", "clamped_blade", "clamped_rod"]
+__all__ = [
+    "CARDS",
+    "NARROWER",
+    "OF_RODS",
+    "VALIDITY",
+    "Across",
+    "ClampedSprings",
+    "clamped_blade",
+    "clamped_rod",
+]
 
 Floats = NDArray[np.float64]
 
@@ -32,9 +41,18 @@ EDGE = 0.63
 """Share of the torsion constant that the ends of a thin section take, times h/b [-]."""
 
 VALIDITY = (
-    Range("b/l", most=2.0, why="a wider blade was not compared in torsion"),
-    Range("h/l", most=0.2, why="thicker ones are no beams or plates between their clamps"),
+    Range("b/l", most=4.0, why="wider blades were not compared with solids"),
+    Range("h/l", most=0.3, why="thicker ones were not compared with solids"),
 )
+"""Blades of an isotropic material whose springs are those of CalculiX's solids, h ≤ b."""
+
+NARROWER = (
+    Range("b/l", most=2.0, why="wider ones were not compared"),
+    Range("h/l", most=0.2, why="thicker ones were not compared"),
+)
+"""The same of their stress, and of plates that are stiffer one way, b as of an isotropic one."""
+
+OF_RODS = (Range("d/l", most=0.2, why="thicker ones are no beams between their clamps"),)
 
 
 class Across(NamedTuple):
@@ -119,11 +137,11 @@ def clamped_blade(
     pure, thin_pure = plates.pure_bending_factor(**size, h=h_), plates.pure_bending_factor(**size)
     guided, thin_guided = plates.guided_factor(**size, h=h_), plates.guided_factor(**size)
     Phi = 1.2 * E_ / G_thin * (h_ / l_) ** 2
-    off_pure = plates.factor_error(pure, thin_pure)
-    # clamps make the shear more even and less soft
-    off_guided = plates.factor_error(guided, thin_guided) + Phi / 10.0
-    # clamps hold a thick blade's thickness too, which a sheet's narrows and widens
+    # clamps hold a thick blade's thickness too, which a plate or sheet narrows and widens
     held = nu**2 * h_ / l_
+    off_pure = plates.factor_error(pure, thin_pure) + held * h_ / l_
+    # clamps make the shear more even and less soft
+    off_guided = plates.factor_error(guided, thin_guided) + Phi / 10.0 + held / 2.0
     twist = restraint_error(nu=nu, h=h_, b=wider * b_, l=l_).stiffness
     stretched, flat = sheets.axial_factor(**size), sheets.bending_factor(**size)
     stiffness = (
@@ -223,6 +241,6 @@ CARDS = (
         "clamped-rod",
         clamped_rod,
         {"E": 114e9, "G": 42.5e9, "d": 0.5e-3, "l": 30e-3},
-        (Range("d/l", most=0.2, why="thicker ones are no beams between their clamps"),),
+        OF_RODS,
     ),
 )

@@ -18,7 +18,7 @@ from flexcli.formulas.anisotropy import (
     turned_stiffness,
 )
 from flexcli.formulas.card import outside
-from flexcli.formulas.clamped_blade import VALIDITY, Across
+from flexcli.formulas.clamped_blade import NARROWER, Across
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceLayout, SpaceRod
 from flexcli.parts.base import Angle, Part, QuantityOf, Stress, spec_error
@@ -227,7 +227,7 @@ def _directed(
         and 0.0 <= strip.nu <= SHRUNK
         and strip.twists <= TWISTS
         and h <= blade.b
-        and not outside(VALIDITY, {"h/l": h / l, "b/l": b / l})
+        and not outside(NARROWER, {"h/l": h / l, "b/l": b / l})
     )
     if not compared:
         return None

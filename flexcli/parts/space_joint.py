@@ -72,6 +72,11 @@ class SpaceJoint:
         return all(member.is_known for member in self.assembly.members)
 
     @property
+    def is_known_in_stress(self) -> bool:
+        """Return whether they are those of which nominal stresses were compared as well."""
+        return self.is_known and all(member.in_stress for member in self.assembly.members)
+
+    @property
     def is_directed(self) -> bool:
         """Return whether its springs and their errors are those of the blades' directions."""
         return all(isinstance(blade.material, Directed) for blade in self.layout.blades)

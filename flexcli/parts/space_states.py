@@ -468,7 +468,7 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
     rest = _at_once(groups, stresses)
     if scene.temperature is not None:
         return Told(rest, None)  # nobody has told how far what it strains stiffens the rest
-    if not joint.is_known:
+    if not joint.is_known_in_stress:
         return Told(rest, None)
     if not joint.is_uniform:
         return _across_hinges(joint, scene, acting, groups, stresses, rest)
@@ -629,7 +629,7 @@ def _places(swing: BladeStress | None, still: BladeStress) -> Iterator[Place]:
 
 def _error(joint: SpaceJoint, states: list[SpaceState], stresses: Stresses) -> ErrorRange | None:
     """Return the error of the largest stress in states, the worst of them."""
-    if not joint.is_known:
+    if not joint.is_known_in_stress:
         return None
     each = [_of_state(joint, state, stresses) for state in states]
     return _hull(each)

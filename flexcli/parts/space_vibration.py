@@ -133,7 +133,7 @@ def likely_structures(
         return found.without_motion() if lock is not None else found
 
     own = structure(joint.assembly)
-    if not joint.is_known or (
+    if not joint.is_known_in_stress or (
         not geometry.in_space and geometry.has_limbs(material.elastic, sizes)
     ):
         return Likely(joint, own, None, (1.0, 1.0))

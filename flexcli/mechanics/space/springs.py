@@ -1,5 +1,6 @@
 """A blade or rod of a mechanism in space as six springs, with the error of each."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -7,12 +8,19 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.blade_spring import BladeSprings, bending, blade_springs
 from flexcli.formulas.card import Range, outside
-from flexcli.formulas.clamped_blade import VALIDITY, ClampedSprings, clamped_blade, clamped_rod
+from flexcli.formulas.clamped_blade import (
+    NARROWER,
+    OF_RODS,
+    VALIDITY,
+    ClampedSprings,
+    clamped_blade,
+    clamped_rod,
+)
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.mechanics.space.exact.mesh import Mesh, mesh_of
 from flexcli.mechanics.space.exact.section import section_of
-from flexcli.mechanics.space.layout import Directed, SpaceBlade, SpaceRod
+from flexcli.mechanics.space.layout import Directed, Isotropic, SpaceBlade, SpaceRod
 
 __all__ = [
     "HINGES",
@@ -25,6 +33,9 @@ __all__ = [
 ]
 
 Floats = NDArray[np.float64]
+
+TURNED = [0, 2, 1, 3, 5, 4]
+"""The springs of a blade whose thickness and width change places."""
 
 STRETCH = (0,)
 """The spring of a rod that constrains: along it."""
@@ -102,7 +113,8 @@ class MemberSprings(NamedTuple):
     ``low`` and ``high`` have shape (6,): true = stiffness · (1 + error); a high of infinity says
     that clamps stiffen by nobody knows how much. ``axes`` are the blade's as rows, ``l`` is its
     length [m], ``constrains`` lists the springs that an ideal blade is rigid in. ``is_known``
-    says that its proportions are those for which the errors hold.
+    says that its proportions are those for which the errors hold, ``in_stress`` that they are those
+    for which nominal stresses were compared.
     """
 
     springs: BladeSprings
@@ -112,6 +124,7 @@ class MemberSprings(NamedTuple):
     l: float
     constrains: tuple[int, ...]
     is_known: bool = True
+    in_stress: bool = True
 
 
 def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
@@ -119,22 +132,22 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
 
     Blades and hinges of constant thickness, and tapers, have the factors of plates and sheets,
     notches and blades with fillets that of their plate in bending. What is thicker than wide is a
-    beam that may warp, and stiffer between clamps by an unknown amount.
+    blade turned by a right angle about its length; where it is stiffer one way, a beam that may
+    warp, and stiffer between clamps by an unknown amount.
     """
     l = float(np.linalg.norm(np.subtract(member.end, member.start)))
     material = member.material
     if isinstance(member, SpaceRod):
         rod = clamped_rod(E=material.E, G=material.G, d=member.d, l=l)
-        known = not outside(VALIDITY, {"h/l": member.d / l})
-        return _at_middle(rod, member.axes, l, STRETCH, is_known=known)
+        known = not outside(OF_RODS, {"d/l": member.d / l})
+        return _at_middle(rod, (known, known), member.axes, l, STRETCH)
     match member.profile:
-        case Constant(h=h) if h <= member.b:
-            blade, known = _clamped(member, float(h), l)
-            return _at_middle(blade, member.axes, l, STRIP_CONSTRAINTS, is_known=known)
-        case NeckedDown(h=h, hinge=hinge) if h <= member.b:
+        case Constant(h=h) if h <= member.b or isinstance(material, Isotropic):
+            return _at_middle(*_clamped(member, float(h), l), member.axes, l, STRIP_CONSTRAINTS)
+        case NeckedDown(h=h, hinge=hinge) if h <= member.b or isinstance(material, Isotropic):
             each, known = _clamped(member, float(h), float(hinge))
             both = _in_series(each, (l - float(hinge)) / 2.0)
-            return _at_middle(both, member.axes, l, STRIP_CONSTRAINTS, is_known=known)
+            return _at_middle(both, known, member.axes, l, STRIP_CONSTRAINTS)
         case Notch() | Filleted() | Tabulated():
             return _hinge(member, l)
         case _:
@@ -148,12 +161,22 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
             return MemberSprings(beam, np.zeros(6), high, member.axes, l, STRIP_CONSTRAINTS)
 
 
-def _clamped(blade: SpaceBlade, h: float, l: float) -> tuple[ClampedSprings, bool]:
-    """Return the springs of a stretch of constant thickness, and whether its errors are known."""
+def _clamped(
+    blade: SpaceBlade, h: float, l: float
+) -> tuple[ClampedSprings, tuple[bool, bool]]:
+    """Return the springs of a stretch of constant thickness, and what of it was compared.
+
+    That is whether its errors are known, and whether those of its stress are.
+    """
+    if h > blade.b:
+        turned, known = _clamped(replace(blade, b=h), blade.b, l)
+        return ClampedSprings(*(each[TURNED] for each in turned)), known
     material = blade.material
     across = material.across if isinstance(material, Directed) else None
     b = blade.b if across is None else max(1.0, across.wider) * blade.b
-    known = not outside(VALIDITY, {"h/l": h / l, "b/l": b / l})
+    in_stress, in_springs = (
+        not outside(ranges, {"h/l": h / l, "b/l": b / l}) for ranges in (NARROWER, VALIDITY)
+    )
     found = clamped_blade(E=material.E, G=material.G, h=h, l=l, b=blade.b, across=across)
     if blade.warps_freely:
         found.stiffness[3] = material.G * float(torsion_constant(h, blade.b)) / l
@@ -162,7 +185,7 @@ def _clamped(blade: SpaceBlade, h: float, l: float) -> tuple[ClampedSprings, boo
         beam = blade_springs(profile=Constant(h), l=l, b=blade.b, E=material.E, G=material.G)
         bent = [0, 1, 2, 4, 5]
         found.stiffness[bent] = beam.stiffness[bent]
-    return found, known
+    return found, (in_springs if across is None else in_stress, in_stress)
 
 
 def _in_series(hinge: ClampedSprings, arm: float) -> ClampedSprings:
@@ -277,8 +300,12 @@ def _taper_errors(blade: SpaceBlade, l: float, nu: float) -> tuple[Floats, Float
 
 
 def _at_middle(
-    found: ClampedSprings, axes: Floats, l: float, constrains: tuple[int, ...], *, is_known: bool
+    found: ClampedSprings,
+    known: tuple[bool, bool],
+    axes: Floats,
+    l: float,
+    constrains: tuple[int, ...],
 ) -> MemberSprings:
     middle = np.asarray(l / 2.0)
     springs = BladeSprings(found.stiffness, middle, middle)
-    return MemberSprings(springs, found.low, found.high, axes, l, constrains, is_known)
+    return MemberSprings(springs, found.low, found.high, axes, l, constrains, *known)
