@@ -55,12 +55,15 @@ def series_of(design: DesignSpec) -> tuple[str, ...]:
 
 
 def _has_shells(design: DesignSpec) -> bool:
-    """Return whether a joint has blades in space, or is asked for its support at a stroke.
+    """Return whether a joint has blades in space, or is asked for what loads do at a stroke.
 
     While its sizes are sought, beams are fine enough; rods are beams always. Shells are whole:
     nothing of them can be left out.
     """
     asked = any(each.is_of_a_case for each in design.requirements.support or ())
+    if design.requirements.deflection:
+        scenes = design.scenes()
+        asked = asked or any(each.moves and each.wrench is not None for each in scenes)
     drawn = design.geometry.in_space and design.geometry.has_blades
     return design.fixed_sizes() is not None and (drawn or asked) and not design.omitted
 

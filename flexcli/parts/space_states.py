@@ -330,7 +330,9 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
     if joint.is_uniform and not ask.geometry.is_guided:
         acting = Acting(0.0, along.T @ load, body.point, np.zeros(3))
         row = sought @ along @ joint.assembly.motion(body.name, body.point)
-        return _amplified(_second_share(action(joint.assembly, acting), row))
+        state = action(joint.assembly, acting)
+        either = (state, combined([state], [-1.0]))  # a wrench acts either way
+        return _amplified(max(_second_share(each, row) for each in either))
     try:
         share = _share_of_buckling(ask, load)
     except NotAvailable:  # not in a plane

@@ -5,7 +5,7 @@ It writes tests/mechanics/space/hinges.json in fifteen minutes of one processor:
 units of the radius of its roots, of half its length or of a millimetre, its kind, its profile's
 numbers, its length, its width and ν, and six stiffnesses about its middle, each with all else free,
 over E. The mesh is the coarsest of ``verify``; twice as fine a one has up to 4 % more or less where
-a notch is deep. That of blades is twice as fine, and three times as fine a one has up to 0.3 % less.
+a notch is deep. That of blades is twice as fine; three times as fine a one has up to 0.3 % less.
 """
 
 import json
@@ -87,7 +87,7 @@ def tapers(count=36, seed=5):
 
 
 def blades(count=24, seed=7):
-    """Yield blades wider than twice their length, or thicker than a fifth of it, in the same way."""
+    """Yield blades wider than 2 l, or thicker than a fifth of l, in the same way."""
     random = np.random.default_rng(seed)
     l = 10.0
     for k in range(count):

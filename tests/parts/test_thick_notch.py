@@ -1,7 +1,9 @@
 """Thick notches are as soft as plane bodies: finite elements at shapes that no fit has seen."""
 
+import json
 from functools import cache
 from math import pi
+from pathlib import Path
 
 import pytest
 import yaml
@@ -320,3 +322,25 @@ def test_support_deflection_and_sag_count_the_blocks_that_are_stated(blocks):
     for name in asked:
         verdict = row(found, name).verdict.value
         assert verdict == ("fail" if blocks == "30 mm" else "pass")
+
+
+def test_a_thick_notch_that_is_kept_wide_is_as_soft_as_the_solid():
+    """``tests/benchmarks/hinges_in_space.py``, clamped at the mouth: ν from 0.3, b/e from 10."""
+    rows = json.loads((Path(__file__).parents[1] / "mechanics/space/hinges.json").read_text())
+    thick = [row for row in rows if row[0] == "notch" and row[1][0] > 0.2 and row[4] >= 0.3]
+    wide = [row for row in thick if row[3] > 10.0 * row[1][0]]
+    assert len(wide) >= 10
+    for _, (e, depth), l, b, nu, solid in wide:
+        sizes = {"e": e, "depth": depth, "l": l, "b": b}
+        geometry = {"kind": "elliptic-hinge", "blocks": "0 mm"}
+        geometry |= {name: f"{size} mm" for name, size in sizes.items()}
+        k = 100e9 * solid[5]
+        steel = {
+            "name": "s",
+            "youngs_modulus": "100 GPa",
+            "poisson_ratio": nu,
+            "density": "8 g/cm^3",
+        }
+        for share, status in ((0.87, Status.PASS), (1.13, Status.FAIL)):
+            asked = {"stiffness": {"min": f"{share * k!r} N*m/rad"}}
+            assert judged(geometry, asked, material=steel).status is status, (e, depth, l, b, nu)

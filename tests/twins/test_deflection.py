@@ -74,3 +74,54 @@ def test_no_load_in_the_plane_of_a_joint_moves_it_out_of_it(kind):
     found["geometry"] |= {"p": "2 mm", "half_angle": "40 deg"} if kind == "rcc" else {}
     said = checked(found, "deflection")
     assert said.verdict == "pass", said
+
+
+def test_a_wrench_that_may_buckle_the_joint_fails_its_deflection():
+    """A pull of Euler's load of the cantilever and a quarter more: a wrench acts either way."""
+    force = 1.25 * pi**2 * EI / (4.0 * L**2)
+    shortens = force * L / (E * B * H)
+    case = {"wrench": {"y": f"{-force} N"}}
+    said = checked(spec("cantilever", case, 2.0 * shortens, "y"), "deflection")
+    assert said.verdict == "fail", said
+    assert said.factors == (pytest.approx(0.8, rel=PLATE),)
+
+
+@pytest.mark.parametrize("share", [0.3, 0.6])
+def test_a_body_that_stands_on_its_blade_sags_across_as_a_beam_column_does(share):
+    """A mass at the tip, shaken along and across at once by no more than a sag is asked along."""
+    found = spec("cantilever", {"acceleration": {"level": "1 m/s^2", "axis": "y"}}, 1.0)
+    mass = share * pi**2 * EI / (4.0 * L**2)
+    found["mechanism"] = {"kind": "payload", "mass": f"{mass} kg"}
+    shortens = mass * L / (E * B * H)
+    for limit, verdict in ((0.98, "fail"), (1.02, "pass")):
+        found["requirements"] = {"sag": {"max": f"{limit * shortens!r} m"}}
+        said = checked(found, "sag")
+        assert said.verdict == verdict, said
+
+
+def test_a_body_too_heavy_to_stand_on_its_blade_fails_its_sag():
+    """An acceleration acts either way; near Euler's load nobody is sure that the blade stands."""
+    for share, verdict in ((0.75, "pass"), (0.97, "undecided"), (1.5, "fail")):
+        found = spec("cantilever", {"acceleration": {"level": "1 m/s^2", "axis": "y"}}, 1.0)
+        mass = share * pi**2 * EI / (4.0 * L**2)
+        found["mechanism"] = {"kind": "payload", "mass": f"{mass} kg"}
+        found["requirements"] = {"sag": {"max": f"{1.1 * mass * L / (E * B * H)!r} m"}}
+        said = checked(found, "sag")
+        assert said.verdict == verdict, said
+
+
+def test_a_deflection_along_bent_blades_is_decided_by_the_tangent_at_the_stroke():
+    """x/l = p h²/(12 l²) − 3 w²/(5 l²) + p w²/(700 l²) of guided blades, and f = (12 + 6 p/5) w/l.
+
+    p and f over EI/l² of each; with f held, p moves w by −w/10 (Awtar et al. 2007).
+    """
+    w = 3e-4
+    straight = 1e-3 * L / (2.0 * E * B * H)
+    bent = 1e-3 * w**2 * L * (0.12 + 1.0 / 700.0) / (2.0 * EI)
+    assert bent > 10.0 * straight
+    case = {"stroke": {"translation": f"{w} m"}, "wrench": {"y": "1 mN"}}
+    for limit, verdict in ((0.92, "fail"), (1.08, "pass")):
+        stage = spec("leaf-spring-stage", case, limit * (straight + bent), "y")
+        stage["geometry"] |= {"blades": 2, "spacing": "20 mm"}
+        said = checked(stage, "deflection")
+        assert said.verdict == verdict, said

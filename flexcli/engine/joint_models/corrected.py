@@ -98,6 +98,18 @@ class Corrected(JointModel):
         carried = self.inner.sag_carries(ask)
         return self.inner.sag_stiffness(ask) / self._factor(ask, QuantityKind.SAG, carried)
 
+    def sags(self, ask: Ask) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return the sags in either sense, with what their size changes in them."""
+        changes = self.inner.sag_changes(ask)
+        sag, known = float(self.sag(ask)), self.inner.error(ask, QuantityKind.SAG)
+        if known is not None:
+            known = self._left(ask, QuantityKind.SAG, known, self.inner.sag_carries(ask))
+        found = list[tuple[float, ErrorRange | None]]()
+        for more, off in changes:
+            of_change = ErrorRange(-off / (1.0 + more), off / (1.0 + more))
+            found.append((sag * (1.0 + more), None if known is None else known + of_change))
+        return tuple(found)
+
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the signed shift at the end of the case's stroke [m]."""
         return self.inner.parasitic_shift(ask) * self._factor(ask, QuantityKind.SHIFT)

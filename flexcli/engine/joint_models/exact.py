@@ -56,6 +56,9 @@ SAMPLED = 1e-6
 NU_UNKNOWN = 0.5
 """Poisson's ratio where the material gives none: the largest."""
 
+FIRST_ORDER = 2e-3
+"""Of a sag: what its size may change so that nothing else is asked."""
+
 WARPINGS: tuple[Warping, ...] = ("restrained", "free")
 """What the ends of blades in torsion may do."""
 
@@ -178,6 +181,25 @@ class ExactModel(JointModel):
         if ask.geometry.sags_along_stroke(ask.scene.axis):
             return frozenset()
         return frozenset({EffectName.PLATE_WIDENING, EffectName.CLAMP_COMPLIANCE})
+
+    def sag_changes(self, ask: Ask) -> tuple[tuple[float, float], ...]:
+        """Return what exact beams in space tell of a sag that is not small.
+
+        Raises
+        ------
+        Buckled
+            When what the body weighs surely buckles the joint, or turns it over.
+
+        """
+        from flexcli.engine.joint_models.space_deflection import sag_changes
+        from flexcli.parts.space_states import beyond_linear_sag
+
+        if not ask.scene.sags:
+            raise NotAvailable("does not sag along one axis")
+        small = beyond_linear_sag(ask)
+        if small is not None and small <= FIRST_ORDER:
+            raise NotAvailable("has a sag of first order")
+        return tuple(sag_changes(ask))
 
     def _sag_error(self, ask: Ask) -> ErrorRange | None:
         """Return the error of a sag, where there is one: off the stroke that of springs in space.

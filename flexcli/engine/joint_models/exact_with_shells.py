@@ -1,6 +1,7 @@
-"""The exact model of a joint of the plane, whose support stiffness at stroke is that of shells."""
+"""The exact model of a joint of the plane, its support and deflections at stroke by shells."""
 
 from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.space_deflection import deflections
 from flexcli.engine.joint_models.space_shell import SHELLS, SpaceShellModel
 from flexcli.engine.joint_models.space_stroke import support_at_stroke
 from flexcli.parts.requirements import Ask
@@ -21,3 +22,9 @@ class ExactWithShells(ExactModel):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return the support stiffness at both ends of the stroke, by the joint in space."""
         return support_at_stroke(ask, index, point, locked=locked, blades=SHELLS)
+
+    def deflections(
+        self, ask: Ask, point: tuple[float, float, float], direction: str
+    ) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return how far the wrench moves a point, the tangents at the stroke being shells'."""
+        return deflections(ask, point, direction, SHELLS)

@@ -83,6 +83,10 @@ class OutOfPlane(JointModel):
         """Return the planar model's, which has that along z."""
         return self.inner.sag_stiffness(ask)
 
+    def sags(self, ask: Ask) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return the planar model's, which has those along z."""
+        return self.inner.sags(ask)
+
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
         """Return the planar model's."""
         return self.inner.envelope(ask)

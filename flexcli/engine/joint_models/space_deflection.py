@@ -1,23 +1,38 @@
-"""How far a wrench moves a joint in space: exact beams under it, and their tangent at a stroke."""
+"""How far loads move a joint in space: exact beams under them, and tangents at a stroke."""
+
+from collections.abc import Iterator
+from contextlib import suppress
+from math import inf
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.space_stroke import (
+    BEAMS,
+    Blades,
+    Loads,
     along_cases,
     at_travel,
     compliance_along_cases,
+    driven_coordinate,
 )
 from flexcli.errors import SolveError
 from flexcli.formulas.rigid_motion import motion_at
+from flexcli.mechanics.space.exact.critical import critical_load
+from flexcli.mechanics.space.exact.demand import drive_frame
+from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.layout import SpaceLoad
-from flexcli.parts.elastic import NotAvailable
+from flexcli.mechanics.space.second_order import SecondOrder
+from flexcli.mechanics.space.states import Acting, SpaceState, action, combined
+from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.requirements import Ask
 from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, compliance_of, deflection_form
-from flexcli.parts.space_joint import joint_in_space
+from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space
+from flexcli.parts.space_states import acting_groups
 from flexcli.results import ErrorRange
 
-__all__ = ["deflections"]
+__all__ = ["deflections", "sag_changes"]
 
 Floats = NDArray[np.float64]
 
@@ -34,6 +49,26 @@ LOAD_ERROR = 0.05
 MOST = 1.0
 """Change over the number at rest beyond which that is not known any more."""
 
+SURELY = 0.9
+"""Share of its loads at which a joint buckles by beams, up to which it does so surely: shells were
+within 2 % of them, or bear less, besides what springs are off."""
+
+BEYOND, NEAR = 1.1, 0.5
+"""Times its loads, besides what springs are off, at which a joint has to stand as well, or it may
+not stand under them; from which share of what turns straight blades aside that is looked at."""
+
+WALKED, FAR = 3.0, 1.5
+"""Times what turns straight blades aside, how far loads are followed to where they buckle, and from
+where on that is done before their whole size is looked for."""
+
+ROUGH = (12, 18, 27), 1e-2
+"""Nodes and accuracy of the share of loads that buckles a joint."""
+
+TURNED = 1.0
+"""Turn of a blade by small motion beyond which loads are not followed [rad]."""
+
+SMALL = 1e-3
+"""Share of its loads under which a sag is of first order."""
 
 IN, OUT = [0, 1, 5], [2, 3, 4]
 """Motions and loads in the plane of a joint, and out of it."""
@@ -42,19 +77,53 @@ ROUNDING = 1e-9
 """Share of a compliance without units below which a direction is held."""
 
 
+class _Tangent(NamedTuple):
+    """The compliance along the axes of cases at a travel (6, 6), of beams and of what is finest.
+
+    ``coarser`` is that on the level before; ``off`` is by what share of √(g·C g · f·C f) the motion
+    g·C f may be off besides, if that is known.
+    """
+
+    travel: float
+    beams: Floats
+    finest: Floats
+    coarser: Floats
+    off: float | None
+
+
+class _Told(NamedTuple):
+    """A motion and how far it may be off either way, in its own unit; infinite if unknown."""
+
+    value: float
+    low: float
+    high: float
+
+    @property
+    def with_error(self) -> tuple[float, ErrorRange | None]:
+        """Return the motion and its relative error."""
+        if self.value == 0.0 or not np.isfinite(self.high - self.low):
+            return self.value, None
+        low, high = sorted((self.low / self.value, self.high / self.value))
+        return self.value, ErrorRange(low, high)
+
+
 def deflections(
-    ask: Ask, point: tuple[float, float, float], direction: str
+    ask: Ask, point: tuple[float, float, float], direction: str, blades: Blades = BEAMS
 ) -> tuple[tuple[float, ErrorRange | None], ...]:
     """Return how far the wrench of a case, either way, moves a point along an axis of cases.
 
     To the deflection of the joint at rest by its best springs, what the size of the wrench changes
     and what the stroke changes are added, both by exact beams; each is known to a share of itself.
-    No load in the plane of a joint that is its own mirror image there moves it out of it.
+    At a stroke the tangent there, by beams or shells, is as sure as a support stiffness is; what
+    is surer of the two counts. No load in the plane of a joint that is its own mirror image there
+    moves it out of it.
 
     Raises
     ------
     NotAvailable
         When there is no stable equilibrium.
+    Buckled
+        When the wrench surely buckles it.
 
     """
     scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
@@ -62,52 +131,213 @@ def deflections(
         raise NotAvailable("has no deflection by exact beams beside a temperature")
     assert scene.wrench is not None  # of a case that has one
     load, sought = np.array(scene.wrench), motion_at(point)[DIRECTIONS.index(direction)]
-    best, (first, known, work) = compliance_of(ask), deflection_form(ask, sought, load)
-    try:
-        rest = compliance_along_cases(ask, at_travel(ask, 0.0), CENTRE, locked=False)
-        ends = dict.fromkeys(scene.stroke_ends) if scene.moves else ()
-        there = [
-            compliance_along_cases(ask, at_travel(ask, travel), CENTRE, locked=False)
-            for travel in ends
-        ]
-        bent = {sign: _moved(ask, sign * load, sought) for sign in (1.0, -1.0)}
-    except SolveError as failed:
-        raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
     if joint.is_mirrored and not (np.any(load[OUT]) or np.any(sought[IN])):
         return ((0.0, ErrorRange(0.0, 0.0)),)
-    found: list[tuple[float, ErrorRange | None]] = []
-    # what varies in thickness is no surer than its springs
-    unsure = 0.0 if joint.is_uniform else float(np.max(np.maximum(joint.high, -joint.low)))
-    if not np.isfinite(unsure):
-        known = None
-    beams = max(LOAD_ERROR, unsure) + _largest_share(best - rest, rest)
-    for sign, moved in bent.items():
+    centre = joint.layout.body(joint.layout.drive.body).point
+    state = action(joint.assembly, Acting(0.0, along_cases(ask).T @ load, centre, np.zeros(3)))
+    try:
+        rest = compliance_along_cases(ask, at_travel(ask, 0.0), CENTRE, locked=False)
+        ends = dict.fromkeys(scene.stroke_ends) if scene.moves else (0.0,)
+        there = [_tangent(ask, travel, blades) for travel in ends]
+    except SolveError as failed:
+        raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
+    asked = _Asked(ask, joint, sought, load, rest, deflection_form(ask, sought, load))
+    found = []
+    for sign, moved in _either_way(ask, state, sought):
+        acting = combined([state], [sign])
         own = moved - sign * float(sought @ rest @ load)
-        for C in there or [rest]:
-            turned = sign * float(sought @ (C - rest) @ load)
-            value = sign * first + own + turned
-            share = _largest_share(C - rest, rest)
-            # a load amplifies as 1/(1 − s), s its share of what buckles the joint
-            off = beams * abs(own) * (1.0 + abs(own) / work)
-            off += max(STROKE_ERROR, unsure) * share * work
-            off += abs(own) * share  # what both do to each other
-            if known is None or value == 0.0 or abs(own) + share * work > MOST * work:
-                found.append((value, None))
-                continue
-            low, high = sorted(sign * end for end in known)
-            ends_of = sorted(((low - off) / value, (high + off) / value))
-            found.append((value, ErrorRange(*ends_of)))
+        for end in there:
+            told = [asked.from_rest(sign, own, end)]
+            if end.travel != 0.0:
+                told.append(asked.by_tangent(sign, own, end, acting.loads))
+            found.append(min(told, key=lambda each: each.high - each.low).with_error)
     return tuple(found)
 
 
-def _moved(ask: Ask, load: Floats, sought: Floats) -> float:
-    """Return how far a wrench moves what is sought from rest, the drive free [m or rad]."""
-    layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
-    along, body = along_cases(ask), layout.body(layout.drive.body)
-    wrench = (along.T @ load).tolist()
-    acting = SpaceLoad(body.name, body.point, tuple(wrench[:3]), tuple(wrench[3:]))
-    state = at_travel(ask._replace(near=None), None, loads=(acting,))
+class _Asked:
+    """A motion under a load that is asked for, and what is known of it at rest."""
+
+    def __init__(
+        self, ask: Ask, joint: SpaceJoint, sought: Floats, load: Floats, rest: Floats, form: Form
+    ) -> None:
+        self.ask, self.sought, self.load, self.rest, self.form = ask, sought, load, rest, form
+        self.turns = joint.layout.drive.turns
+        # what varies in thickness is no surer than its springs
+        self.unsure = _unsure(joint)
+        self.beams = max(LOAD_ERROR, self.unsure) + _largest_share(compliance_of(ask) - rest, rest)
+
+    def from_rest(self, sign: float, own: float, end: _Tangent) -> _Told:
+        """Return it by what the stroke and the size of the load, ``own``, change at rest."""
+        change = end.beams - self.rest
+        share, (first, known, work) = _largest_share(change, self.rest), self.form
+        value = sign * first + own + sign * float(self.sought @ change @ self.load)
+        if known is None or abs(own) + share * work > MOST * work:
+            return _Told(value, -inf, inf)
+        # and what both do to each other
+        off = self._grown(own, work) + max(STROKE_ERROR, self.unsure) * share * work
+        off += abs(own) * share
+        low, high = sorted(sign * end for end in known)
+        return _Told(value, low - off, high + off)
+
+    def by_tangent(self, sign: float, own: float, end: _Tangent, loads: Loads) -> _Told:
+        """Return it by the tangent at the end of a stroke, and what the size of the load changes.
+
+        ``own`` is that at rest; there it is looked for where the stroke may change it.
+        """
+        pair = np.stack([self.sought, self.load])
+        (one, both), (_, other) = pair @ end.finest @ pair.T
+        if end.off is None or one <= 0.0 or other <= 0.0:
+            return _Told(sign * both + own, -inf, inf)
+        work = float((one * other) ** 0.5)
+        size = np.sqrt(np.outer((one, other), (one, other)))
+        level = float(np.abs(pair @ (end.coarser - end.finest) @ pair.T / size).max())
+        doubt = abs(own) * _largest_share(end.beams - self.rest, self.rest)
+        # rotations about several axes do not add up
+        if doubt > ROUNDING * work and not (self.turns and self.sought[3:].any()):
+            with suppress(NotAvailable, SolveError):
+                moved = _moved_at(self.ask, end.travel, loads, self.sought)
+                own, doubt = moved - sign * float(self.sought @ end.beams @ self.load), 0.0
+        off = (end.off + level) * work + self._grown(own, work) + doubt
+        return _Told(sign * float(both) + own, -off, off)
+
+    def _grown(self, own: float, work: float) -> float:
+        """Return how far what the size of the load changes is off, infinite where nobody knows."""
+        if abs(own) > MOST * work:
+            return inf
+        # a load amplifies as 1/(1 − s), s its share of what buckles the joint
+        return self.beams * abs(own) * (1.0 + abs(own) / work)
+
+
+def sag_changes(ask: Ask) -> Iterator[tuple[float, float]]:
+    """Yield by what share of itself its size changes a sag, and how far that is off.
+
+    That is by exact beams from rest, the drive free, for either sense of the acceleration.
+
+    Raises
+    ------
+    NotAvailable
+        When there is no stable equilibrium, or its change is not known.
+    Buckled
+        When what the body weighs surely buckles the joint, or turns it over.
+
+    """
+    scene, joint = ask.scene, joint_in_space(ask.geometry, ask.material, ask.sizes)
+    if scene.temperature is not None:
+        raise NotAvailable("has no sag by exact beams beside a temperature")
+    sought = np.eye(6)["xyz".index(scene.axis)]
+    groups = acting_groups(joint, scene._replace(stated=(0.0,) * 6))
+    state = combined([action(joint.assembly, each) for each in groups], [1.0] * len(groups))
+    either = dict(_either_way(ask, state, sought))
+    try:
+        rest = compliance_along_cases(ask, at_travel(ask, 0.0), CENTRE, locked=False)
+        small = _moved(ask, combined([state], [SMALL]), sought) / SMALL
+    except SolveError as failed:
+        raise NotAvailable(f"has no sag by exact beams: {failed}") from failed
+    beams = max(LOAD_ERROR, _unsure(joint)) + _largest_share(compliance_of(ask) - rest, rest)
+    for sign, moved in either.items():
+        more = sign * moved / small - 1.0
+        if not abs(more) <= MOST:
+            raise NotAvailable("sags far beyond small motion")
+        yield more, beams * abs(more) * (1.0 + abs(more))
+
+
+def _unsure(joint: SpaceJoint) -> float:
+    """Return by how much the springs of what varies in thickness may be off, at most."""
+    if joint.is_uniform:
+        return 0.0
+    return float(np.max(np.maximum(joint.high, -joint.low)))
+
+
+def _tangent(ask: Ask, travel: float, blades: Blades) -> _Tangent:
+    """Return the compliances at a travel, by beams and by what is finest there."""
+
+    def compliance(state: SpaceEquilibrium) -> Floats:
+        return compliance_along_cases(ask, state, CENTRE, locked=False)
+
+    state = at_travel(ask, travel)
+    beams = compliance(state)
+    if blades is not BEAMS and travel != 0.0:
+        with suppress(NotAvailable, SolveError):  # else shells do not take them
+            finer = at_travel(ask, travel, blades)
+            if blades.errors(finer) is not None:
+                state = finer
+            else:
+                blades = BEAMS
+    known = blades.errors(state)
+    if known is None or state.coarser is None or known.support >= 1.0:
+        return _Tangent(travel, beams, beams, beams, None)
+    off = (1.0 + ask.clamp_softening) / (1.0 - known.support) - 1.0
+    return _Tangent(travel, beams, compliance(state), compliance(state.coarser), off)
+
+
+def _either_way(ask: Ask, state: SpaceState, sought: Floats) -> Iterator[tuple[float, float]]:
+    """Yield either sense of loads, and how far they move what is sought from rest [m or rad].
+
+    The sense that is nearer to buckling the joint comes first, for it may be all that counts.
+    """
+    after = {sign: combined([state], [sign]).following() for sign in (1.0, -1.0)}
+    more = BEYOND * (1.0 + _unsure(joint_in_space(ask.geometry, ask.material, ask.sizes)))
+    for sign in sorted(after, key=lambda each: -after[each].buckling):
+        acting, second = combined([state], [sign]), after[sign]
+        if second.buckling > FAR:
+            _prove_buckled(ask, acting, second)
+        if second.rotation > TURNED:
+            raise NotAvailable("has no deflection that is told: its blades turn too far")
+        try:
+            moved = _moved(ask, acting, sought)
+            if second.buckling * more > NEAR:
+                # what a little more of it buckles may be buckled
+                _moved(ask, combined([acting], [more]), sought)
+        except (NotAvailable, SolveError) as failed:
+            _prove_buckled(ask, acting, second)
+            raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
+        yield sign, moved
+
+
+def _moved(ask: Ask, acting: SpaceState, sought: Floats) -> float:
+    """Return how far loads move what is sought from rest, the drive free [m or rad]."""
+    along, layout = along_cases(ask), acting.assembly.layout
+    body = layout.body(layout.drive.body)
+    state = at_travel(ask._replace(near=None), None, loads=acting.loads)
     return float(sought @ along @ state.motion_of(body.name, body.point))
+
+
+def _moved_at(ask: Ask, travel: float, loads: Loads, sought: Floats) -> float:
+    """Return how far loads move what is sought from a travel, what drives it there held."""
+    along, ask = along_cases(ask), ask._replace(near=None)
+    held = at_travel(ask, travel)
+    drive = held.layout.drive
+    effort = float(held.reactions.ravel()[driven_coordinate(held.layout)])
+    x, y, z = (effort * float(each) for each in drive.direction)
+    push = SpaceLoad(drive.body, drive.point, (0.0, 0.0, 0.0), (x, y, z))
+    if not drive.turns:
+        push = SpaceLoad(drive.body, drive.point, (x, y, z))
+    body = held.layout.body(drive.body)
+    under, free = (at_travel(ask, None, loads=(push, *more)) for more in (loads, ()))
+    moved = (state.motion_of(body.name, body.point) for state in (under, free))
+    return float(sought @ along @ np.subtract(*moved))
+
+
+def _prove_buckled(ask: Ask, acting: SpaceState, second: SecondOrder) -> None:
+    """Raise :class:`Buckled` where loads surely make a joint unstable long before they are whole.
+
+    Whole loads may be thousands of times too large to be followed at once.
+    """
+    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    most = min(1.0, WALKED / second.buckling) if second.buckling > 0.0 else 1.0
+    if not joint.is_known or most * second.rotation > TURNED:
+        return
+    body = joint.layout.drive.body
+    held = {body: [None, None, None, None, None, 0.0]} if ask.geometry.is_guided else None
+    try:
+        found = critical_load(
+            joint.layout, held, acting.loads, most=most, frames=drive_frame(joint.layout.drive),
+            levels=ROUGH[0], tolerance=ROUGH[1],
+        )  # fmt: skip
+    except SolveError:
+        return
+    if not found.is_lost and found.factor * (1.0 + _unsure(joint)) < SURELY:
+        raise Buckled(found.factor)
 
 
 def _largest_share(change: Floats, C: Floats) -> float:

@@ -214,7 +214,8 @@ def _hinge_error(blade: SpaceBlade, bend: Bend) -> float | None:
             pass
         case _:
             return None
-    if not springs.is_known or turn > HINGE_TURN or bend.twist > HINGE_TWIST:
+    compared = springs.is_known and springs.in_stress
+    if not compared or turn > HINGE_TURN or bend.twist > HINGE_TWIST:
         return None
     curled = blade.material.nu**2 * min(curls * turn / CURL, 1.0)
     return _most(springs) + SUPPORT_CURLED * curled

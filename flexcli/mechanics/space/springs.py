@@ -114,7 +114,7 @@ class MemberSprings(NamedTuple):
     that clamps stiffen by nobody knows how much. ``axes`` are the blade's as rows, ``l`` is its
     length [m], ``constrains`` lists the springs that an ideal blade is rigid in. ``is_known``
     says that its proportions are those for which the errors hold, ``in_stress`` that they are those
-    for which nominal stresses were compared.
+    for which nominal stresses, and hinges at a stroke, were compared.
     """
 
     springs: BladeSprings
@@ -143,11 +143,12 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
         return _at_middle(rod, (known, known), member.axes, l, STRETCH)
     match member.profile:
         case Constant(h=h) if h <= member.b or isinstance(material, Isotropic):
-            return _at_middle(*_clamped(member, float(h), l), member.axes, l, STRIP_CONSTRAINTS)
+            blade, compared = _clamped(member, float(h), l)
+            return _at_middle(blade, compared, member.axes, l, STRIP_CONSTRAINTS)
         case NeckedDown(h=h, hinge=hinge) if h <= member.b or isinstance(material, Isotropic):
-            each, known = _clamped(member, float(h), float(hinge))
+            each, compared = _clamped(member, float(h), float(hinge))
             both = _in_series(each, (l - float(hinge)) / 2.0)
-            return _at_middle(both, known, member.axes, l, STRIP_CONSTRAINTS)
+            return _at_middle(both, compared, member.axes, l, STRIP_CONSTRAINTS)
         case Notch() | Filleted() | Tabulated():
             return _hinge(member, l)
         case _:
@@ -161,9 +162,7 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
             return MemberSprings(beam, np.zeros(6), high, member.axes, l, STRIP_CONSTRAINTS)
 
 
-def _clamped(
-    blade: SpaceBlade, h: float, l: float
-) -> tuple[ClampedSprings, tuple[bool, bool]]:
+def _clamped(blade: SpaceBlade, h: float, l: float) -> tuple[ClampedSprings, tuple[bool, bool]]:
     """Return the springs of a stretch of constant thickness, and what of it was compared.
 
     That is whether its errors are known, and whether those of its stress are.

@@ -170,6 +170,17 @@ class JointModel(ABC):
         )
         return scene.acceleration * mass / self.sag_stiffness(ask)
 
+    def sags(self, ask: Ask) -> tuple[tuple[float, ErrorRange | None], ...]:
+        """Return the sag in either sense of the acceleration, beyond first order [m]."""
+        raise NotAvailable("has no sag beyond first order by this model: take --model exact")
+
+    def sag_changes(self, ask: Ask) -> tuple[tuple[float, float], ...]:
+        """Return by what share of itself its size changes a sag either way, and how far it is off.
+
+        Nothing is available where first order tells it.
+        """
+        raise NotAvailable("has no sag beyond first order by this model: take --model exact")
+
     def frequency_squared(self, ask: Ask) -> Computed:
         """Return the square of the natural frequency of the mechanism's own motion [Hz²]."""
         from flexcli.parts.own_motion import own_mode

@@ -3,12 +3,14 @@
 from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
+from flexcli.formulas.quantity import Computed
 from flexcli.parts.base import QuantityOf
+from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.results import QuantityKind
+from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["Sag"]
 
@@ -42,14 +44,25 @@ class Sag(Bound):
                 "give that of the sag a case of its own, with level: and axis:",
             )
         try:
-            sag = ask.joint_model.sag(ask)
-        except MechanismError as error:
-            raise RequirementError(str(error), error.hint) from error
-        yield from self.bounds(
-            sag,
-            case=scene.case,
-            quantity=f"sag along {scene.axis}",
-            unit="m",
-            source=ask.geometry.source,
-            kind=QuantityKind.SAG,
-        )
+            found = self._found(ask)
+        except MechanismError as failed:
+            raise RequirementError(str(failed), failed.hint) from failed
+        for sag, error in found:
+            yield from self.bounds(
+                sag,
+                case=scene.case,
+                quantity=f"sag along {scene.axis}",
+                unit="m",
+                source=ask.geometry.source,
+                kind=QuantityKind.SAG,
+                error=error,
+            )
+
+    def _found(self, ask: Ask) -> tuple[tuple[Computed, ErrorRange | None], ...]:
+        """Return the sags, each with its error where that is not the model's."""
+        try:
+            return ask.joint_model.sags(ask)
+        except Buckled:
+            raise
+        except NotAvailable:
+            return ((ask.joint_model.sag(ask), None),)

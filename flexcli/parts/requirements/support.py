@@ -24,7 +24,7 @@ from flexcli.parts.base import (
     in_either,
     spec_error,
 )
-from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.scene import LoadKind, Scene
@@ -453,6 +453,8 @@ class Deflection(MotionBound):
         assert ask.scene.wrench is not None  # it applies
         try:
             found, source = ask.joint_model.deflections(ask, self.point, self.direction), EXACT
+        except Buckled:
+            raise
         except NotAvailable as reason:
             found = (self._at_rest(ask),)
             source = SOURCE if found[0][1] is not None else f"{SOURCE}; the joint {reason}"
