@@ -11,6 +11,7 @@ from twins.verdicts import ERROR, FALSE_FAIL, UNDECIDED, UNSAFE, answer, checked
 PIVOTS = ("rcc", "cross-spring", "star", "three-blade", "unseparated-cross", "hinged-pivot")
 HINGES = ("moment-blade", "notch-hinge", "elliptic-hinge", "filleted-hinge")
 NOTCHES = HINGES[1:]
+LIMBS = ("hinged-pivot", "hinged-stage")
 BARS = ("torsion-bar", "round-torsion-bar", "torsion-star")
 STAGES = ("cantilever", "guided-blade", "leaf-spring-stage", "necked-down-stage", "hinged-stage")
 DRAWN = ("layout", "layout-pivot")
@@ -36,6 +37,13 @@ def mouth(notch):
     sizes = {key: float(value.split()[0]) for key, value in notch.items() if key in "erh"}
     depth = float(notch["depth"].split()[0]) if "depth" in notch else sizes["r"]
     return sizes.get("e", sizes.get("h", 0.0)) + 2.0 * depth
+
+
+def limb(hinged, density=4430.0):
+    """Return the mass and inertia of a bar as high as the mouths between two hinges."""
+    e, r, l, b = (float(hinged[key].split()[0]) for key in "erlb")
+    mass = density * b * (e + 2.0 * r) * l
+    return {"mass": f"{mass!r} kg", "inertia": f"{mass * l**2 / 12.0!r} kg*m^2"}
 
 
 @dataclass
@@ -84,7 +92,9 @@ class _Writer:
         if rng.random() < 0.1:
             spec["accuracy"] = self.log(1e-3, 0.1)
         requirements = self.requirements(cases, mechanism, material)
-        if self.kind in NOTCHES and rng.random() < 0.7:
+        if self.kind in LIMBS and rng.random() < 0.5:
+            geometry["limb"] = limb(geometry, self.log(1e3, 1e4))
+        if self.kind in NOTCHES and rng.random() < 0.5:
             geometry["blocks"] = self.one("massive", m(mouth(geometry) * self.log(0.3, 3.0)))
         return Scene(self.kind, spec, requirements)
 
@@ -366,10 +376,12 @@ LACKS = "lacks a property"
 OMITS = "leaves out"
 NOT_ASKED = "nothing to ask"
 OPEN = {
-    "needs-poisson-ratio": "poisson_ratio", "needs-density": "density", "limbs-without-mass": None,
+    "needs-poisson-ratio": "poisson_ratio", "needs-density": "density", "limbs-without-mass": "limb",
     "needs-spacing": "spacing", "needs-blocks": "blocks",
 }  # fmt: skip
-"""Notes on what the spec does not give: a property of the material, or of the geometry."""
+"""Notes on what the spec does not give: a property of the material, or of the geometry.
+
+What stands between the necks of a stage has no key of its own: a layout with masses would decide."""
 
 
 def near_its_limits(seed, kinds=KINDS):
@@ -450,7 +462,8 @@ def _outcome(spec, name, said, finest):
 def _lacks(said, spec, name):
     """Return whether a property that the spec does not give would decide."""
     missing = [OPEN[code] for code in said.notes if code in OPEN]
-    if not missing or None in missing:
+    has_limb = spec["geometry"]["kind"] in LIMBS
+    if not missing or ("limb" in missing and not has_limb):
         return bool(missing)
     given = {"poisson_ratio": 0.3, "density": "4430 kg/m^3"}
     material = {**{each: given[each] for each in missing if each in given}, **spec["material"]}
@@ -458,6 +471,8 @@ def _lacks(said, spec, name):
     spec = {**spec, "material": material, "requirements": requirements}
     if "spacing" in missing:
         spec["geometry"] = {**spec["geometry"], "spacing": spec["geometry"]["l"]}
+    if "limb" in missing:
+        spec["geometry"] = {**spec["geometry"], "limb": limb(spec["geometry"])}
     if "blocks" in missing:
         spec["geometry"] = {**spec["geometry"], "blocks": m(mouth(spec["geometry"]))}
     return checked(spec, name).verdict != UNDECIDED
