@@ -376,12 +376,12 @@ LACKS = "lacks a property"
 OMITS = "leaves out"
 NOT_ASKED = "nothing to ask"
 OPEN = {
-    "needs-poisson-ratio": "poisson_ratio", "needs-density": "density", "limbs-without-mass": "limb",
-    "needs-spacing": "spacing", "needs-blocks": "blocks",
+    "needs-poisson-ratio": "poisson_ratio", "needs-density": "density", "needs-blocks": "blocks",
+    "needs-spacing": "spacing", "limbs-without-mass": "limb",
 }  # fmt: skip
 """Notes on what the spec does not give: a property of the material, or of the geometry.
 
-What stands between the necks of a stage has no key of its own: a layout with masses would decide."""
+What stands between the necks of a stage has no key: a layout with masses would decide."""
 
 
 def near_its_limits(seed, kinds=KINDS):
