@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.beam import Condensed, Sections, condense, turning
+from flexcli.mechanics.beam import Condensed, Sections, condense, paired, turning
 from flexcli.mechanics.demand import Demand
 from flexcli.mechanics.element import Attachment, Ends, element
 from flexcli.mechanics.layout import Layout
@@ -116,7 +116,7 @@ class Assembly(NamedTuple):
         found = forces[:, at.blades]
         phi = np.concatenate([motions[..., 2], np.zeros((len(motions), 1))], axis=1)[:, at.first]
         frame = pick(self.places[k].along, rows) * (1.0 + turning(phi))
-        q = (found[..., 0] + 1j * found[..., 1]) * frame.conj()
+        q = paired(found[..., 0], found[..., 1]) * frame.conj()
         return np.stack([q.real, q.imag, found[..., 2]], axis=-1)
 
     def linearise(self, x: Floats, share: Floats, rows: Integers, demand: Demand) -> Linearised:
@@ -127,7 +127,7 @@ class Assembly(NamedTuple):
         rotations, forces, poses = self._across(x)
         residual = np.zeros((total + 3, designs))
         matrix = np.zeros((total + 3, total + 3, designs))
-        nu, turns = forces[:, 0] + 1j * forces[:, 1], turning(poses[:, 2])
+        nu, turns = paired(forces[:, 0], forces[:, 1]), turning(poses[:, 2])
         gaps = residual[:k_f].reshape(self.blades, 3, designs)
         on = np.zeros((bodies, 4, designs))
         condensed, frames, local = [], [], []
@@ -258,7 +258,7 @@ class Assembly(NamedTuple):
         change[free] = found[..., 0].T
         # the blades' forces follow the bodies in their own frames, the rotations follow the forces
         forces = step[turns : turns + k_f].reshape(self.blades, 3, designs)
-        d_nu, d_phi = forces[:, 0] + 1j * forces[:, 1], step[turns + k_f + 2 :: 3]
+        d_nu, d_phi = paired(forces[:, 0], forces[:, 1]), step[turns + k_f + 2 :: 3]
         first = 0
         for bound, blade, frame, q in zip(self.bound, at.blades, at.frames, at.local, strict=True):
             d_q = frame.conj() * d_nu[bound.blades] - 1j * q * d_phi[bound.first]

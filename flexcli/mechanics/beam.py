@@ -19,11 +19,27 @@ from numpy.typing import NDArray
 from flexcli.mechanics.mesh import Mesh, across, chosen, pick
 from flexcli.numerics.stack import solve_across
 
-__all__ = ["Condensed", "Local", "Sections", "condense", "local", "section_forces", "turning"]
+__all__ = [
+    "Condensed",
+    "Local",
+    "Sections",
+    "condense",
+    "local",
+    "paired",
+    "section_forces",
+    "turning",
+]
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
 Integers = NDArray[np.intp]
+
+
+def paired(x: Floats, y: Floats) -> Complexes:
+    """Return x + iy."""
+    found = np.empty(x.shape, dtype=np.complex128)
+    found.real, found.imag = x, y
+    return found
 
 
 def turning(phi: Floats) -> Complexes:
@@ -196,7 +212,7 @@ def section_forces(
 
     N and Q at the start belong to ψ = 0; those at the end to the rotation of the end.
     """
-    at = local(mesh, rows, psi, q[..., 0] + 1j * q[..., 1])
+    at = local(mesh, rows, psi, paired(q[..., 0], q[..., 1]))
     w, back, end_turn, far_turn = (
         pick(a, rows) for a in (mesh.w, mesh.back, mesh.end_turn, mesh.far_turn)
     )

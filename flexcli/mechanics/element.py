@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.beam import Condensed
+from flexcli.mechanics.beam import Condensed, paired
 from flexcli.mechanics.mesh import across, chosen
 
 __all__ = ["Attachment", "Element", "Ends", "element", "turned"]
@@ -142,16 +142,16 @@ def element(
     pulled = nu.conj()
     blades, _, _, designs = blade.end.shape
     # end and derivatives turned into global axes: x and y of the end first, then of the forces
-    turned_end = along[:, None] * (blade.end[:, 0] + 1j * blade.end[:, 1])
+    turned_end = along[:, None] * paired(blade.end[:, 0], blade.end[:, 1])
     rows = np.empty((blades, 3, 3, designs))
     rows[:, 0], rows[:, 1] = turned_end[:, 1:].real, turned_end[:, 1:].imag
     rows[:, 2] = blade.end[:, 2, 1:]
-    F = along[:, None] * (rows[:, :, 0] + 1j * rows[:, :, 1])
+    F = along[:, None] * paired(rows[:, :, 0], rows[:, :, 1])
     bent = turned_end[:, 0]
     lever_moved, end_moved = at.lever * turns[0], at.end * turns[1]
     lever, end = at.lever + lever_moved + bent, at.end + end_moved
     moment, far = pulled * lever, pulled * end
-    opens = at.scale * (apart[:, 0] + 1j * apart[:, 1]) + warmth * at.misfit
+    opens = at.scale * paired(apart[:, 0], apart[:, 1]) + warmth * at.misfit
     opens += end_moved - bent - lever_moved
     gap = np.empty((blades, 3, designs))
     gap[:, 0], gap[:, 1] = opens.real, opens.imag

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.beam import local, section_forces
+from flexcli.mechanics.beam import local, paired, section_forces
 from flexcli.mechanics.mesh import pick
 from flexcli.mechanics.state import Equilibrium
 
@@ -35,7 +35,7 @@ def blade_energies(state: Equilibrium) -> Floats:
         energy = np.zeros((part.rows.size, assembly.blades))
         for k, mesh in enumerate(assembly.meshes):
             q = assembly.local_forces(forces, motions, k, part.rows)
-            at = local(mesh, part.rows, rotations[k], q[..., 0] + 1j * q[..., 1])
+            at = local(mesh, part.rows, rotations[k], paired(q[..., 0], q[..., 1]))
             M = section_forces(mesh, part.rows, rotations[k], q)[2][..., 1:-1]
             w, c, axial, shear = (
                 pick(a, part.rows) for a in (mesh.w, mesh.c, mesh.axial, mesh.shear)

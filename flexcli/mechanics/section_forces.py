@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.mechanics.beam import local
+from flexcli.mechanics.beam import local, paired
 from flexcli.mechanics.mesh import Segment, column, pick
 from flexcli.mechanics.state import Equilibrium, Part
 from flexcli.numerics.collocation import gauss_nodes, integration_to, interpolation_matrix
@@ -64,7 +64,7 @@ def section_forces(
     assembly, mesh, rows = part.assembly, part.assembly.meshes[k], part.rows
     rotations, forces, motions = assembly.split(part.x)
     q = assembly.local_forces(forces, motions, k, rows)
-    f = local(mesh, rows, rotations[k], q[..., 0] + 1j * q[..., 1]).f[:, a]
+    f = local(mesh, rows, rotations[k], paired(q[..., 0], q[..., 1])).f[:, a]
     q, psi_at, w = q[:, a], rotations[k][:, a], _of_blade(mesh.w, a, part)
     nodes = slice(segment.first, segment.first + segment.nodes)
     psi = applied(interpolation_matrix(segment.nodes, u), psi_at[:, nodes])
