@@ -120,7 +120,36 @@ class Assembly(NamedTuple):
         return np.stack([q.real, q.imag, found[..., 2]], axis=-1)
 
     def linearise(self, x: Floats, share: Floats, rows: Integers, demand: Demand) -> Linearised:
-        """Return the equations of the designs ``rows`` about x at the share λ of the way."""
+        """Return the equations of the designs ``rows`` about x at the share λ of the way.
+
+        Their arrays may not be written to: a single design keeps those at rest.
+        """
+        layout, k_f = self.layout, 3 * self.blades
+        kept: dict[Any, Linearised] | None = None
+        if self.designs == 1 == len(x) and not x.any():
+            grown = bool(layout.body_growth or layout.blade_growth)
+            kept = None if grown else layout.prepared
+        key = Linearised, self.effects, self.nodes
+        at = None if kept is None else kept.get(key)
+        if at is None:
+            at = self._about(x, rows, demand.warmth(share))
+            if kept is not None:
+                kept[key] = at
+        if not demand.forces and not demand.springs:
+            return at
+        if kept is not None:
+            at = at._replace(residual=at.residual.copy(), matrix=at.matrix.copy())
+        motions, residual, matrix = self.split(x)[2], at.residual[:, k_f:], at.matrix[:, k_f:, k_f:]
+        for force in demand.forces:
+            before, after = pick(force.before, rows), pick(force.after, rows)
+            size = before + share * (after - before)
+            apply_force(force, motions, size, rows, residual, matrix)
+        for spring in demand.springs:
+            apply_spring(spring, motions, rows, residual, matrix)
+        return at
+
+    def _about(self, x: Floats, rows: Integers, warmth: Floats) -> Linearised:
+        """Return the equations about x without forces and springs on the bodies."""
         designs, k_f = x.shape[0], 3 * self.blades
         total, bodies = k_f + 3 * self.bodies, self.bodies
         # designs last: what loops over them runs through memory; the ground behind the bodies
@@ -138,7 +167,7 @@ class Assembly(NamedTuple):
             q = force[0] * frame.conj()
             blade = condense(at.sections.chosen(rows), psi, q, force[1])
             apart = poses.take(at.second, axis=0) - poses.take(at.first, axis=0)
-            found = element(ends, blade, frame, force, apart, turn, demand.warmth(share))
+            found = element(ends, blade, frame, force, apart, turn, warmth)
             gaps[at.blades] = found.gap
             matrix[at.slots[:, :3, None], at.slots[:, None]] = found.closing
             matrix[at.slots[:, None, 3:], at.slots[:, :3, None]] = found.closing[:, :, 3:]
@@ -150,9 +179,6 @@ class Assembly(NamedTuple):
         turned = np.arange(k_f + 2, total, 3)
         matrix[turned, turned] = on[:, 3]
         residual, matrix = residual[:-3].T, matrix[:-3, :-3].transpose(2, 0, 1)
-        if demand.forces or demand.springs:
-            motions = poses[:-1].transpose(2, 0, 1)
-            self._push(motions, share, rows, demand, residual[:, k_f:], matrix[:, k_f:, k_f:])
         return Linearised(
             residual=residual,
             matrix=matrix,
@@ -161,23 +187,6 @@ class Assembly(NamedTuple):
             frames=tuple(frames),
             local=tuple(local),
         )
-
-    def _push(
-        self,
-        motions: Floats,
-        share: Floats,
-        rows: Integers,
-        demand: Demand,
-        residual: Floats,
-        matrix: Floats,
-    ) -> None:
-        """Add forces and springs on the bodies to their balance and to its derivative."""
-        for force in demand.forces:
-            before, after = pick(force.before, rows), pick(force.after, rows)
-            size = before + share * (after - before)
-            apply_force(force, motions, size, rows, residual, matrix)
-        for spring in demand.springs:
-            apply_spring(spring, motions, rows, residual, matrix)
 
     def _across(self, x: Floats) -> tuple[list[Floats], Floats, Floats]:
         """Return rotations of each mesh, blade forces and poses of bodies and ground (…, 3, n)."""

@@ -111,6 +111,8 @@ def pick(values: NDArray[Kind], rows: NDArray[np.intp]) -> NDArray[Kind]:
 
 def across(values: NDArray[Kind]) -> NDArray[Kind]:
     """Return an array with its first axis, the designs, the last: loops run over designs."""
+    if values.shape[0] == 1:
+        return values.reshape(*values.shape[1:], 1)
     return np.ascontiguousarray(values.transpose(*range(1, values.ndim), 0))
 
 

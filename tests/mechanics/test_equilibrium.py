@@ -341,6 +341,21 @@ def test_a_layout_is_read_once_for_all_its_equilibria_and_their_digits_are_the_s
         assert state.nodes.tolist() == alone.nodes.tolist()
 
 
+def test_the_equations_at_rest_are_those_of_a_layout_alone_whatever_was_put_on_it_before():
+    loads = [Load("out", (1e-3, 2e-3), (0.3, -0.2), 1e-3), Load("out", (0.0, 0.0), (0.1, 0.0))]
+    layout, sprung = pivot(), pivot(supports=(Support("out", (1e-3, 0.0), (2.0, 3.0, 1e-2)),))
+    for known in (layout, sprung):
+        solve(known, {"out": (None, None, 0.0)}, loads=loads)
+        solve(known, {"out": (None, None, 0.3)}, loads=loads[:1])
+    for known, alone in ((layout, pivot()), (sprung, replace(sprung))):
+        for held in ({"out": (None, None, 0.0)}, {"out": (1e-6, None, 0.01)}, {}):
+            found, fresh = (solve(each, held, loads=loads[1:]) for each in (known, alone))
+            assert (found.motions == fresh.motions).all()
+            assert (found.reactions == fresh.reactions).all()
+    warm = replace(layout, body_growth={"out": 1e-3})
+    assert np.any(solve(warm, {"out": (None, None, 0.0)}).end_forces != 0.0)
+
+
 def test_what_is_known_of_a_layout_is_nothing_to_a_changed_copy_and_effects_are_apart():
     layout, held = pivot(), {"out": (None, None, 0.2)}
     once = solve(layout, held)
