@@ -335,7 +335,7 @@ def _taken(value: Any, which: Integers, designs: int) -> Any:
     if isinstance(value, Mapping):
         return {name: _taken(each, which, designs) for name, each in value.items()}
     if is_dataclass(value) and not isinstance(value, type):
-        parts = {field.name: getattr(value, field.name) for field in fields(value)}
+        parts = {field.name: getattr(value, field.name) for field in fields(value) if field.init}
         return replace(value, **_taken(parts, which, designs))
     return value
 
