@@ -72,16 +72,39 @@ class Outcome(Enum):
         "hold or support every body, and let blades extend where more of them than needed share "
         "a load",
     )
+    OFF_PATH = (
+        "a correction leads away from the path that is followed",
+        "take shorter steps",
+    )
     INACCURATE = (
         "the finest nodes do not reach the tolerance",
         "ask for less, or take out what makes the forces so large (blades held against "
         "stretching, boundary layers)",
     )
 
+    COMPLETE = ("the whole excitation was run", "")
+    INTERRUPTED = (
+        "the run was ended before its excitation",
+        "what was done is kept; run longer to see the rest",
+    )
+    CHATTER = (
+        "contacts follow each other without the motion going on",
+        "give the stop compliance (LinearStop), or a restitution further from 1",
+    )
+
+    @property
+    def cause(self) -> str:
+        """Why the solution ended."""
+        return self.value[0]
+
+    @property
+    def remedy(self) -> str:
+        """What to do about it."""
+        return self.value[1]
+
     def error(self, where: str = "") -> SolveError:
-        """Return the error that says of what was solved how it ended."""
-        cause, remedy = self.value
-        return SolveError(self.name.lower(), where + cause, remedy)
+        """Return the error of a solution that ended so; ``where`` begins its text."""
+        return SolveError(self.name.lower(), where + self.cause, self.remedy)
 
 
 def printable(text: str) -> str:

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import Outcome
 from flexcli.mechanics.assembly import FORCE, Assembly
 from flexcli.mechanics.demand import Demand
 from flexcli.numerics.lanes import (
@@ -35,7 +36,6 @@ from flexcli.numerics.newton import (
     FLOOR,
     REACH,
     RESTLESS,
-    NewtonEnd,
     NewtonResult,
 )
 from flexcli.numerics.stack import PIVOT
@@ -61,11 +61,8 @@ def _jit(function: Function, *, allocates: bool = False) -> Function:
     return compiled
 
 
-_ENDS = tuple(NewtonEnd)
-_CONVERGED, _SINGULAR, _DIVERGED, _FAR = (
-    _ENDS.index(end)
-    for end in (NewtonEnd.CONVERGED, NewtonEnd.SINGULAR, NewtonEnd.DIVERGED, NewtonEnd.FAR)
-)
+_ENDS = (Outcome.CONVERGED, Outcome.SINGULAR, Outcome.STALLED, Outcome.OFF_PATH)
+_CONVERGED, _SINGULAR, _DIVERGED, _FAR = range(len(_ENDS))
 
 
 class _Blades(NamedTuple):

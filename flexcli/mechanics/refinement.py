@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from flexcli.errors import Outcome
 from flexcli.numerics.continuation import BENT, TRUST, March, march
-from flexcli.numerics.newton import BENDS, NewtonEnd, NewtonResult, newton
+from flexcli.numerics.newton import BENDS, NewtonResult, newton
 
 __all__ = [
     "LEVELS",
@@ -258,7 +258,7 @@ def _march(at: Discretised, x: Floats, designs: Integers, scale: Floats, toleran
 def _outcome(path: March, design: int) -> Outcome:
     if path.reached[design] == 1.0:
         return Outcome.CONVERGED
-    if path.reached[design] == 0.0 and path.end[design] is NewtonEnd.SINGULAR:
+    if path.reached[design] == 0.0 and path.end[design] is Outcome.SINGULAR:
         return Outcome.SINGULAR
     return Outcome.TURNED
 

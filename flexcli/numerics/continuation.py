@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.numerics.newton import CONTRACTION, NewtonEnd, NewtonResult
+from flexcli.errors import Outcome
+from flexcli.numerics.newton import CONTRACTION, NewtonResult
 
 __all__ = ["BENT", "TRUST", "March", "march"]
 
@@ -80,7 +81,7 @@ def march(
     designs = x.shape[0]
     reached = np.zeros(designs)
     stride = np.ones(designs)
-    end = np.full(designs, NewtonEnd.CONVERGED, dtype=object)
+    end = np.full(designs, Outcome.CONVERGED, dtype=object)
     iterations = np.zeros(designs, dtype=np.intp)
     last_step = np.zeros(designs)
     rows = np.arange(designs)
@@ -106,7 +107,7 @@ def march(
         x[there], reached[there] = found.x[good], target[good]
         last_step[there] = found.last_step[good]
         end[rows] = found.end
-        measured = good | (found.end == NewtonEnd.FAR)
+        measured = good | (found.end == Outcome.OFF_PATH)
         wanted = np.sqrt(TRUST / 2.0 / np.maximum(found.bend, 1e-3 * TRUST))
         factor = np.where(measured, np.clip(wanted, 0.1, 3.0), 0.25)
         factor = np.where(good, factor, np.minimum(factor, 0.5))

@@ -1,11 +1,12 @@
 """Newton's method for many designs at once: each converges, or fails, alone."""
 
 from collections.abc import Callable
-from enum import Enum
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from flexcli.errors import Outcome
 
 __all__ = [
     "BENDS",
@@ -13,7 +14,6 @@ __all__ = [
     "FLOOR",
     "REACH",
     "RESTLESS",
-    "NewtonEnd",
     "NewtonResult",
     "newton",
 ]
@@ -41,15 +41,6 @@ _TINY = 1e-300
 """Least length that anything is divided by."""
 
 
-class NewtonEnd(Enum):
-    """How the iteration of one design ended."""
-
-    CONVERGED = "converged"
-    SINGULAR = "the Jacobian is singular"
-    DIVERGED = "the steps stopped shrinking"
-    FAR = "a correction is longer than allowed"
-
-
 class NewtonResult(NamedTuple):
     """Points reached (designs, m), how each ended, iterations, lengths of two steps.
 
@@ -68,7 +59,7 @@ class NewtonResult(NamedTuple):
     @property
     def converged(self) -> NDArray[np.bool_]:
         """Return which designs converged."""
-        return np.asarray(self.end == NewtonEnd.CONVERGED)
+        return np.asarray(self.end == Outcome.CONVERGED)
 
 
 def newton(
@@ -107,8 +98,8 @@ def newton(
     trust : float
         Longest second step [-]. From a solution nearby the first step is the tangent of the
         path, the second measures how far the path bends away: beyond this, or where any step is
-        longer than half the one before, another branch may be near, and the design ends as FAR.
-        Without it, any solution will do.
+        longer than half the one before, another branch may be near, and the design ends as
+        OFF_PATH. Without it, any solution will do.
     most : int
         Most iterations.
 
@@ -124,7 +115,7 @@ def newton(
     """
     x = start.copy()
     designs = x.shape[0]
-    end = np.full(designs, NewtonEnd.DIVERGED, dtype=object)
+    end = np.full(designs, Outcome.STALLED, dtype=object)
     iterations = np.full(designs, most, dtype=np.intp)
     last = np.full(designs, np.inf)
     bend = np.zeros(designs)
@@ -141,10 +132,10 @@ def newton(
         if count == 1:
             bend[rows] = size
         longest, kept = size.max(), size < np.inf
-        end[rows[~kept]] = NewtonEnd.SINGULAR
+        end[rows[~kept]] = Outcome.SINGULAR
         if count > 0 and trust < np.inf:
             near = size <= np.minimum(trust, np.maximum(CONTRACTION * before, FLOOR))
-            end[rows[kept & ~near]] = NewtonEnd.FAR
+            end[rows[kept & ~near]] = Outcome.OFF_PATH
             kept &= near
         if not kept.all():
             gone = rows[~kept]
@@ -172,7 +163,7 @@ def newton(
         if count + 1 == most or not kept.all():
             gone = ~kept | (count + 1 == most)
             at = rows[gone]
-            end[rows[done]] = NewtonEnd.CONVERGED
+            end[rows[done]] = Outcome.CONVERGED
             x[at], last[at], bends[at], iterations[at] = y[gone], size[gone], bent[gone], count + 1
             rows, restless = rows[kept], restless[kept]
             y, before, bent, least = (each[kept] for each in (y, before, bent, least))

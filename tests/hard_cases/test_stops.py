@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 from oscillators import oscillator, polynomial, quiet
 
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
 from flexcli.mechanics.stopping.laws import HertzStop, LinearStop, RigidStop, Stops
-from flexcli.mechanics.stopping.result import StopOutcome
 from flexcli.mechanics.stopping.vibration import StoppedVibration, simulate
 from flexcli.numerics.signal_pieces import sine
 
@@ -58,7 +57,7 @@ def test_a_grazing_contact_neither_hangs_nor_moves_the_peak(law, miss, kept):
     """At the top of the swing the speed is zero: a search for a sign change finds none, or two."""
     stops = Stops(law, above=1.0 + miss, below=inf)
     result = simulate(oscillator(), stops, quiet(40 * pi, 20), rate=[1.0])
-    assert result.outcome is StopOutcome.COMPLETE
+    assert result.outcome is Outcome.COMPLETE
     assert result.cost.events < 200
     assert result.peaks.travel == pytest.approx(1.0, abs=1e-9)
     kept(result.peaks.travel, 1.0 + min(miss, 0.0))
@@ -71,7 +70,7 @@ def test_chatter_comes_to_rest_at_its_accumulation_point(restitution, kept):
     result = simulate(blade, Stops(RigidStop(restitution), 1.0, inf), polynomial([-g], 20.0))
     fall = sqrt(2.0 / g)
     rest = fall * (1.0 + restitution) / (1.0 - restitution)
-    assert result.outcome is StopOutcome.COMPLETE
+    assert result.outcome is Outcome.COMPLETE
     assert result.contacts.time[-1] == pytest.approx(rest, rel=1e-7)
     kept(result.contacts.time[-1], rest)
     assert result.contacts.duration[-1] > 0.0
@@ -90,6 +89,6 @@ def test_a_start_inside_a_stop_is_a_named_error(law, side):
 def test_a_start_on_the_stop_is_allowed_and_leaves_it(kept):
     """A distance of zero is inside by rounding, or a first event at time zero without end."""
     result = simulate(oscillator(), Stops(RigidStop(1.0), 1.0, 1.0), quiet(pi, 1), q=[1.0])
-    assert result.outcome is StopOutcome.COMPLETE
+    assert result.outcome is Outcome.COMPLETE
     assert result.peaks.tip_below == pytest.approx(1.0, rel=1e-12)
     kept(result.peaks.tip_below, 1.0)

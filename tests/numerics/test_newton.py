@@ -1,8 +1,9 @@
 import numpy as np
 import pytest
 
+from flexcli.errors import Outcome
 from flexcli.numerics.continuation import march
-from flexcli.numerics.newton import NewtonEnd, newton
+from flexcli.numerics.newton import newton
 
 
 def length(_, step):
@@ -23,9 +24,9 @@ def test_each_design_ends_by_itself():
     start = np.array([[1.0], [0.7], [2.9], [0.0]])
     found = newton(square_root(targets), length, start, tolerance=1e-14)
     assert found.x[[0, 2], 0] == pytest.approx([np.sqrt(2.0), 3.0], rel=1e-15)
-    assert found.end[0] is found.end[2] is NewtonEnd.CONVERGED
-    assert found.end[1] is NewtonEnd.DIVERGED
-    assert found.end[3] is NewtonEnd.SINGULAR
+    assert found.end[0] is found.end[2] is Outcome.CONVERGED
+    assert found.end[1] is Outcome.STALLED
+    assert found.end[3] is Outcome.SINGULAR
     assert found.iterations[2] < found.iterations[0]
 
 
@@ -46,7 +47,7 @@ def test_a_second_step_beyond_trust_is_far():
     found = newton(
         square_root(np.array([2.0])), length, np.array([[0.3]]), tolerance=1e-12, trust=0.1
     )
-    assert found.end[0] is NewtonEnd.FAR
+    assert found.end[0] is Outcome.OFF_PATH
 
 
 def test_a_tiny_solution_is_found_to_the_same_digits():

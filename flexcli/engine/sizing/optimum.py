@@ -48,7 +48,7 @@ def refuse(
         )
     if solution.outcome is Outcome.STALLED:
         if program.exact:
-            remedy = solution.outcome.error().remedy
+            remedy = solution.outcome.remedy
             raise NoSolution("did-not-converge", "the sizing did not converge", remedy)
         raise NoSolution(
             "did-not-converge",

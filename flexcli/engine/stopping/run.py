@@ -7,9 +7,10 @@ from time import perf_counter
 from flexcli.engine.stopping.excitation import Excitation, excitation
 from flexcli.engine.stopping.scene import contact_model, stop_scene
 from flexcli.engine.stopping.statics import StopTask, force_at_travel
+from flexcli.errors import Outcome
 from flexcli.formulas.stopped_cantilever import bending_stress
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
-from flexcli.mechanics.stopping.result import Peaks, StopOutcome
+from flexcli.mechanics.stopping.result import Peaks
 from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
@@ -58,7 +59,7 @@ class StopRun:
         moved = balance.start + abs(balance.base_work) + balance.damped + balance.lost_at_stops
         contact = task.stops.contact.stress(most.force, task.elastic)
         base, at_stop = self._stresses(most)
-        stopped = found.outcome is StopOutcome.TOO_MANY_EVENTS
+        stopped = found.outcome is Outcome.CHATTER
         ranged = last if shaken.settles else most
         return StopSimulation(
             case=self.case,
@@ -128,7 +129,7 @@ class StopRun:
                         return most, most, True
             last = engine.take_peaks()
             most = _higher(most, last)
-            if engine.outcome is StopOutcome.TOO_MANY_EVENTS:
+            if engine.outcome is Outcome.CHATTER:
                 break
         return most, last, False
 

@@ -19,7 +19,7 @@ from flexcli.mechanics.stopping.laws import Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.mechanics.stopping.periodic import PeriodicMotion
 from flexcli.mechanics.stopping.response import Step, SteppedMotion, stepped_motion
-from flexcli.mechanics.stopping.result import StepOutcome
+from flexcli.mechanics.stopping.result import MotionKind
 from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
@@ -316,6 +316,6 @@ def _between(
 
 def _band(steps: list[SweepStep]) -> tuple[float, float] | None:
     # what is dying away touches on its way, for a while
-    lasting = [step for step in steps if step.outcome != StepOutcome.DYING.value]
+    lasting = [step for step in steps if step.outcome != MotionKind.TRANSIENT.value]
     touched = [step.frequency for step in lasting if step.force > 0.0 or step.contacts > 0.0]
     return (min(touched), max(touched)) if touched else None

@@ -15,7 +15,7 @@ from flexcli.mechanics.linkages.mobility import require_one_freedom
 from flexcli.mechanics.linkages.motion import LinkageMotion, moved
 from flexcli.numerics.loop_closure import Curve, follow, solve_at
 
-__all__ = ["End", "Stop", "Travel", "motion", "travel"]
+__all__ = ["Stop", "Travel", "TravelLimit", "motion", "travel"]
 
 Floats = NDArray[np.float64]
 
@@ -25,10 +25,10 @@ DEAD = 1e-3
 """
 
 
-class End(Enum):
-    """Why a linkage goes no farther; the text says what it means."""
+class TravelLimit(Enum):
+    """Why a linkage is followed no farther."""
 
-    ASKED = "the end asked for"
+    RANGE = "the end asked for"
     DEAD_POINT = "the input has reached an extreme of its own motion and cannot drive past it"
     BRANCH_POINT = "links line up and the linkage may go on in either of two ways"
 
@@ -37,7 +37,7 @@ class Stop(NamedTuple):
     """Where the input stops [rad or m], and why."""
 
     input: float
-    end: End
+    end: TravelLimit
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,19 +171,19 @@ def _stop(
     """Return the stop at one end of a curve, told apart by what turns singular there."""
     reached = float(curve.parameters[index])
     if reached == asked:
-        return Stop(value, End.ASKED)
+        return Stop(value, TravelLimit.RANGE)
     J = equations.jacobian(curve.points.q[index])
     smallest = np.linalg.svd(J, compute_uv=False)[-1]
     closed = np.linalg.svd(J[:-1], compute_uv=False)[-1]
-    end = End.DEAD_POINT if smallest < DEAD * closed else End.BRANCH_POINT
+    end = TravelLimit.DEAD_POINT if smallest < DEAD * closed else TravelLimit.BRANCH_POINT
     return Stop(reached * unit, end)
 
 
 def _refusal(linkage: Linkage, stop: Stop) -> SolveError:
     codes = {
-        End.ASKED: ("not-followed", "follow the linkage over a wider range"),
-        End.DEAD_POINT: ("dead-point", "shorten the range, or drive another joint"),
-        End.BRANCH_POINT: ("branch-point", "shorten the range, or change a link's length"),
+        TravelLimit.RANGE: ("not-followed", "follow the linkage over a wider range"),
+        TravelLimit.DEAD_POINT: ("dead-point", "shorten the range, or drive another joint"),
+        TravelLimit.BRANCH_POINT: ("branch-point", "shorten the range, or change a link's length"),
     }
     code, remedy = codes[stop.end]
     text = f"the input '{linkage.input}' stops at {stop.input:.9g}: {stop.end.value}"

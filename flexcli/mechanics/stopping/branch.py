@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 from flexcli.mechanics.stopping.periodic import DrivenBlade, PeriodicMotion
 
-__all__ = ["BranchEnd", "EndKind", "branch_end", "branch_steps"]
+__all__ = ["Bifurcation", "BranchEnd", "branch_end", "branch_steps"]
 
 Floats = NDArray[np.float64]
 
@@ -29,23 +29,23 @@ UPRIGHT = 1e-5
 """Share of ln ω in a direction below which the branch is about to fold."""
 
 
-class EndKind(Enum):
-    """Why a stable motion ends, without contact (the first) or with it."""
+class Bifurcation(Enum):
+    """How a stable periodic motion ends, without contact (the first) or with it."""
 
     TOUCH = "it reaches the stop"
     FOLD = "it folds back, no such motion lies beyond"
     GRAZE = "it touches no longer"
-    BRANCH = "it gives way to an unsymmetric one"
-    FLIP = "it gives way to one of two periods"
-    BEAT = "it gives way to beats"
-    LOST = "it was not found beyond"
+    SYMMETRY_BREAKING = "it gives way to an unsymmetric one"
+    PERIOD_DOUBLING = "it gives way to one of two periods"
+    NEIMARK_SACKER = "it gives way to beats"
+    NOT_FOUND = "it was not found beyond"
 
 
 class BranchEnd(NamedTuple):
     """Where a stable motion ends [rad/s], and why."""
 
     angular: float
-    kind: EndKind
+    kind: Bifurcation
 
 
 class _Point(NamedTuple):
@@ -109,23 +109,23 @@ def branch_end(driven: DrivenBlade, motion: PeriodicMotion, *, rising: bool) -> 
         ends = step.start, step.end
         if ends[0].tangent[-1] * ends[1].tangent[-1] < 0.0:
             angular = _where(driven, step, lambda point: float(point.tangent[-1]))
-            return BranchEnd(angular, EndKind.FOLD)
+            return BranchEnd(angular, Bifurcation.FOLD)
         if not step.end.motion.is_stable:
             angular = _where(driven, step, lambda point: point.motion.largest - 1.0)
             return BranchEnd(angular, _kind(step.end.motion))
         if not step.end.motion.contacts:
             ways = step.start.motion.angular, step.end.motion.angular
-            return BranchEnd(driven.grazing(*ways) or ways[0], EndKind.GRAZE)
+            return BranchEnd(driven.grazing(*ways) or ways[0], Bifurcation.GRAZE)
         last = step.end.motion.angular
-    return BranchEnd(last, EndKind.LOST)
+    return BranchEnd(last, Bifurcation.NOT_FOUND)
 
 
-def _kind(motion: PeriodicMotion) -> EndKind:
+def _kind(motion: PeriodicMotion) -> Bifurcation:
     """Return how a motion lost its stability, by its largest multiplier."""
     worst = motion.multipliers[int(np.argmax(np.abs(motion.multipliers)))]
     if abs(worst.imag) > 1e-6 * abs(worst):
-        return EndKind.BEAT
-    return EndKind.BRANCH if worst.real > 0.0 else EndKind.FLIP
+        return Bifurcation.NEIMARK_SACKER
+    return Bifurcation.SYMMETRY_BREAKING if worst.real > 0.0 else Bifurcation.PERIOD_DOUBLING
 
 
 def _where(driven: DrivenBlade, step: BranchStep, function: Callable[[_Point], float]) -> float:

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from flexcli.errors import Outcome
 from flexcli.mechanics.stopping.periodic import DrivenBlade, MotionPoint, PeriodicMotion
-from flexcli.mechanics.stopping.result import StopOutcome
 from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.numerics.signal_pieces import sine
 
@@ -113,7 +113,7 @@ def _is_caught(
             )
         ):
             pass
-        if engine.outcome is StopOutcome.TOO_MANY_EVENTS or not goes_on():
+        if engine.outcome is Outcome.CHATTER or not goes_on():
             return False
         point = MotionPoint(*engine.state, phase)
         if driven.dies_free(angular, point):

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.mechanics.stopping.laws import Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
-from flexcli.mechanics.stopping.result import Peaks, StopOutcome
+from flexcli.mechanics.stopping.result import Peaks
 from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.numerics.signal_pieces import sine
 
@@ -254,7 +254,7 @@ class DrivenBlade:
             run = self.run(angular, self.point(x, phase), periods)
         except SolveError:
             return None
-        if run.outcome is StopOutcome.TOO_MANY_EVENTS:
+        if run.outcome is Outcome.CHATTER:
             return None
         return self.scaled(MotionPoint(*run.state))
 

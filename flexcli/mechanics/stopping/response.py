@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from flexcli.mechanics.stopping.branch import BranchEnd, EndKind, branch_end
+from flexcli.errors import Outcome
+from flexcli.mechanics.stopping.branch import Bifurcation, BranchEnd, branch_end
 from flexcli.mechanics.stopping.laws import Stops
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.mechanics.stopping.periodic import (
@@ -16,7 +17,7 @@ from flexcli.mechanics.stopping.periodic import (
     MotionPoint,
     PeriodicMotion,
 )
-from flexcli.mechanics.stopping.result import Peaks, StepOutcome, StopOutcome
+from flexcli.mechanics.stopping.result import MotionKind, Peaks
 from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.numerics.signal_pieces import sine
 
@@ -57,7 +58,7 @@ class Step(NamedTuple):
     angular: float
     peaks: Peaks
     contacts: float
-    outcome: StepOutcome = StepOutcome.PERIODIC
+    outcome: MotionKind = MotionKind.PERIODIC
     periods: int = 1
     multiplier: float | None = None
     least: float | None = None
@@ -65,7 +66,7 @@ class Step(NamedTuple):
     @property
     def settled(self) -> bool:
         """Whether the motion is steady."""
-        return self.outcome in (StepOutcome.PERIODIC, StepOutcome.SUBHARMONIC)
+        return self.outcome in (MotionKind.PERIODIC, MotionKind.SUBHARMONIC)
 
 
 @dataclass(eq=False)
@@ -107,7 +108,7 @@ class SteppedMotion:
                 return self._linear(angular)
             if before:
                 touch = self.driven.grazing(before, angular)
-                self.end = BranchEnd(touch or angular, EndKind.TOUCH)
+                self.end = BranchEnd(touch or angular, Bifurcation.TOUCH)
             if (found := self._known_at(angular)) is not None:
                 return self._contact(found)
         elif not before and not self.kicked and self.driven.is_free(angular):
@@ -134,7 +135,7 @@ class SteppedMotion:
             found.angular,
             self.driven.peaks(found),
             found.contacts / found.periods,
-            StepOutcome.PERIODIC if found.periods == 1 else StepOutcome.SUBHARMONIC,
+            MotionKind.PERIODIC if found.periods == 1 else MotionKind.SUBHARMONIC,
             found.periods,
             found.largest,
         )
@@ -181,7 +182,7 @@ class SteppedMotion:
         found = branch_end(self.driven, last, rising=angular > last.angular)
         low, high = sorted((last.angular, angular))
         if not low <= found.angular <= high:
-            return BranchEnd(last.angular, EndKind.LOST)
+            return BranchEnd(last.angular, Bifurcation.NOT_FOUND)
         return found
 
     def _settled(self, angular: float) -> Step:
@@ -191,18 +192,18 @@ class SteppedMotion:
         phase, free = start.phase, driven.is_free(angular)
         seen: list[Peaks] = []
         touched = 0
-        outcome = StepOutcome.APERIODIC
+        outcome = MotionKind.APERIODIC
         while len(seen) < BURSTS or (free and len(seen) < MOST_BURSTS and _dies(seen)):
             touched = engine.contact_count
             phase = self._run(engine, angular, phase, BURST)
             seen.append(engine.take_peaks())
             touched = engine.contact_count - touched
             phase = self._away(engine, angular, phase)
-            if engine.outcome is StopOutcome.TOO_MANY_EVENTS:
-                outcome = StepOutcome.CHATTER
+            if engine.outcome is Outcome.CHATTER:
+                outcome = MotionKind.CHATTER
                 break
             if not self.goes_on():
-                outcome = StepOutcome.ENDED
+                outcome = MotionKind.INTERRUPTED
                 break
             point = MotionPoint(*engine.state, phase)
             if free and self.driven.dies_free(angular, point):
@@ -213,8 +214,8 @@ class SteppedMotion:
             for order in ORDERS[: len(ORDERS) if burst > HIGHER_FROM else 1]:
                 if (found := self._accepted(angular, point, order)) is not None:
                     return self._contact(found)
-        if free and outcome is StepOutcome.APERIODIC and _dies(seen):
-            outcome = StepOutcome.DYING
+        if free and outcome is MotionKind.APERIODIC and _dies(seen):
+            outcome = MotionKind.TRANSIENT
         self.motion = None
         self.point = MotionPoint(*engine.state, phase)
         told = seen[-max(len(seen) // 3, 1) :]

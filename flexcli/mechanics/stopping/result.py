@@ -7,54 +7,31 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import Outcome
+
 __all__ = [
     "Balance",
     "Contacts",
     "History",
+    "MotionKind",
     "Peaks",
     "Progress",
     "RunCost",
-    "StepOutcome",
-    "StopOutcome",
     "StopResult",
 ]
 
 Floats = NDArray[np.float64]
 
 
-class StopOutcome(Enum):
-    """How a run ended: the cause and its remedy."""
-
-    COMPLETE = ("the whole excitation was run", "")
-    PARTIAL = (
-        "the run was ended before its excitation",
-        "what was done is kept; run longer to see the rest",
-    )
-    TOO_MANY_EVENTS = (
-        "contacts follow each other without the motion going on",
-        "give the stop compliance (LinearStop), or a restitution further from 1",
-    )
-
-    @property
-    def cause(self) -> str:
-        """Why the run ended."""
-        return self.value[0]
-
-    @property
-    def remedy(self) -> str:
-        """What to do about it."""
-        return self.value[1]
-
-
-class StepOutcome(Enum):
+class MotionKind(Enum):
     """What the motion at one frequency came to."""
 
     PERIODIC = "repeats every period of the base"
     SUBHARMONIC = "repeats after several periods of the base"
     APERIODIC = "no periodic motion of one to three periods of the base was found"
-    DYING = "still dying away to the motion without contact when its run ended"
+    TRANSIENT = "still dying away to the motion without contact when its run ended"
     CHATTER = "contacts follow each other without the motion going on"
-    ENDED = "ended before it settled"
+    INTERRUPTED = "ended before it settled"
 
 
 class Progress(NamedTuple):
@@ -141,7 +118,7 @@ class RunCost(NamedTuple):
 class StopResult:
     """The answer of one run; ``q`` and ``rate`` are the modal state at its end."""
 
-    outcome: StopOutcome
+    outcome: Outcome
     duration: float
     q: Floats
     rate: Floats

@@ -7,6 +7,7 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from flexcli.errors import Outcome
 from flexcli.mechanics.stopping.balance import MotionState, balance
 from flexcli.mechanics.stopping.contact_log import ContactLog
 from flexcli.mechanics.stopping.flight import Flight
@@ -20,7 +21,6 @@ from flexcli.mechanics.stopping.result import (
     Peaks,
     Progress,
     RunCost,
-    StopOutcome,
     StopResult,
 )
 from flexcli.numerics.first_crossing import first_crossing
@@ -92,28 +92,28 @@ class StoppedVibration:
         self._time = 0.0
         self._start = MotionState(self._q.copy(), self._rate.copy(), 0.0)
         self._seconds = 0.0
-        self._outcome = StopOutcome.PARTIAL
+        self._outcome = Outcome.INTERRUPTED
 
     def run(self, excitation: Iterable[Piece | Samples]) -> Iterator[Progress]:
         """Advance over the base's acceleration [m/s²], yielding after each piece or flight."""
-        self._outcome = StopOutcome.PARTIAL
+        self._outcome = Outcome.INTERRUPTED
         for given in excitation:
             for _ in self._over(given):
-                if self._outcome is StopOutcome.TOO_MANY_EVENTS:
+                if self._outcome is Outcome.CHATTER:
                     return
                 yield Progress(self._time, len(self._log))
-        self._outcome = StopOutcome.COMPLETE
+        self._outcome = Outcome.COMPLETE
 
     def _pass(self, piece: Piece) -> None:
         """Advance over a piece, from event to event."""
         begin = perf_counter()
         events = self._events
         rest = piece
-        while rest.duration > 0.0 and self._outcome is StopOutcome.PARTIAL:
+        while rest.duration > 0.0 and self._outcome is Outcome.INTERRUPTED:
             passed = self._advance(rest)
             rest = rest.after(passed) if passed < rest.duration else Piece(0.0, ())
             if self._events - events > MOST_EVENTS:
-                self._outcome = StopOutcome.TOO_MANY_EVENTS
+                self._outcome = Outcome.CHATTER
         self._seconds += perf_counter() - begin
 
     def _over(self, samples: Piece | Samples) -> Iterator[None]:
@@ -279,7 +279,7 @@ class StoppedVibration:
         return found.length
 
     @property
-    def outcome(self) -> StopOutcome:
+    def outcome(self) -> Outcome:
         """How the last excitation ended."""
         return self._outcome
 

@@ -170,7 +170,7 @@ class LinkageGeometry(Geometry):
     def _followed(self, start: float, end: float) -> Travel:
         found = travel(self.rigid, start, end)
         for stop in (found.low, found.high):
-            if stop.end.name != "ASKED":
+            if stop.end.name != "RANGE":
                 raise NotAvailable(
                     f"stops at {stop.input:.6g} of its input {self.input}: {stop.end.value}"
                 )

@@ -18,7 +18,7 @@ from linkages import (
 
 from flexcli.errors import SolveError
 from flexcli.mechanics.linkages.linkage import Linkage, Prismatic, Revolute
-from flexcli.mechanics.linkages.travel import End, motion, travel
+from flexcli.mechanics.linkages.travel import TravelLimit, motion, travel
 
 ROUNDING = 1e-12  # some ten roundings of angles of order 1, over sines of 0.1
 SLOPE = 1e-11
@@ -159,7 +159,7 @@ def test_a_single_joint_moves_as_its_input(joint):
 def test_a_driven_stage_stops_where_crank_and_rod_line_up(r):
     rest = np.sqrt(1.0 - r**2)
     found = travel(slider_crank(r, 1.0, drive="z"), -4.0, 4.0)
-    assert found.low.end is found.high.end is End.DEAD_POINT
+    assert found.low.end is found.high.end is TravelLimit.DEAD_POINT
     assert found.low.input == pytest.approx(1.0 - r - rest, abs=DEAD)
     assert found.high.input == pytest.approx(1.0 + r - rest, abs=DEAD)
 
@@ -177,8 +177,8 @@ def test_a_crank_that_cannot_turn_stops_where_coupler_and_rocker_line_up():
     a, b, c, d, rest = 1.0, 0.5, 0.9, 1.2, 0.9
     found = travel(placed_four_bar(a, b, c, d, rest, 1.0), -0.1, 2.0)
     stretched = acos((a**2 + d**2 - (b + c) ** 2) / (2 * a * d))
-    assert found.low == (-0.1, End.ASKED)
-    assert found.high.end is End.DEAD_POINT
+    assert found.low == (-0.1, TravelLimit.RANGE)
+    assert found.high.end is TravelLimit.DEAD_POINT
     assert found.high.input == pytest.approx(stretched - rest, abs=DEAD)
     with pytest.raises(SolveError, match="cannot drive past it") as caught:
         found.at(stretched - rest + 1e-3)
@@ -189,7 +189,7 @@ def test_a_crank_that_cannot_turn_stops_where_coupler_and_rocker_line_up():
 def test_a_parallelogram_stops_where_it_lies_flat(b, a):
     parallelogram = four_bar((0.0, 0.0), (0.0, a), (b, a), (b, 0.0))
     found = travel(parallelogram, -4.0, 4.0)
-    assert found.low.end is found.high.end is End.BRANCH_POINT
+    assert found.low.end is found.high.end is TravelLimit.BRANCH_POINT
     assert (found.low.input, found.high.input) == pytest.approx((-pi / 2, pi / 2), abs=BRANCH)
     with pytest.raises(SolveError, match="either of two ways") as caught:
         motion(parallelogram, 1.6)
@@ -208,7 +208,7 @@ def test_passes_close_by_a_branch_point_on_its_own_branch():
 def test_short_and_nearly_flat_loops_are_followed_in_few_steps():
     bars = (0.3175, 1.1342, 1.1687, 0.3066)
     found = travel(placed_four_bar(*bars, 1.296, -1.0), -7.0, 7.0)
-    assert found.low.end is found.high.end is End.DEAD_POINT
+    assert found.low.end is found.high.end is TravelLimit.DEAD_POINT
     assert found.nodes.size < 150
     theta = np.linspace(found.low.input, found.high.input, 50)[1:-1]
     psi, start = freudenstein(*bars, 1.296 + theta, -1.0), freudenstein(*bars, 1.296, -1.0)

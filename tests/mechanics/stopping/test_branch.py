@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from oscillators import oscillator, steady_steps
 
-from flexcli.mechanics.stopping.branch import EndKind, branch_end, branch_steps
+from flexcli.mechanics.stopping.branch import Bifurcation, branch_end, branch_steps
 from flexcli.mechanics.stopping.kick import least_kick
 from flexcli.mechanics.stopping.laws import LinearStop, Stops
 from flexcli.mechanics.stopping.periodic import MotionPoint
 from flexcli.mechanics.stopping.response import stepped_motion
-from flexcli.mechanics.stopping.result import StepOutcome
+from flexcli.mechanics.stopping.result import MotionKind
 
 STOPS = Stops(LinearStop(100.0), 1.0, 1.0)
 
@@ -28,7 +28,7 @@ def branch():
 @pytest.mark.slow
 def test_at_a_fold_two_motions_meet_and_none_lies_beyond(branch):
     motion, end = branch
-    assert end.kind is EndKind.FOLD
+    assert end.kind is Bifurcation.FOLD
     driven = motion.driven
     found = [step.end.motion for step in branch_steps(driven, motion.motion, rising=True)]
     stable = [m for m in found if m.is_stable and m.contacts]
@@ -62,7 +62,7 @@ def test_going_down_contact_ends_where_the_linear_motion_just_touches(branch):
     motion, _ = branch
     end = branch_end(motion.driven, motion.motion, rising=False)
     b = 1.0 - 0.1**2 / 2.0
-    assert end.kind is EndKind.GRAZE
+    assert end.kind is Bifurcation.GRAZE
     assert end.angular == pytest.approx(np.sqrt(b - np.sqrt(b**2 - 1.0 + 0.2**2)), rel=1e-9)
 
 
@@ -87,10 +87,10 @@ def test_the_least_blow_leads_to_contact_for_good_and_a_smaller_one_does_not(bra
 def test_what_has_no_periodic_motion_is_called_so_and_what_dies_slowly_is_waited_for():
     scene = oscillator(), Stops(LinearStop(20.0), 1.0, 1.0)
     (beat,) = steady_steps(*scene, angular=[2.0**0.5], amplitude=0.1, kick=2.0)
-    assert beat.outcome is StepOutcome.APERIODIC
+    assert beat.outcome is MotionKind.APERIODIC
     # at Q = 500 a free swing of 30 gaps takes 540 periods to stay between the stops
     scene = oscillator(damping=0.001), Stops(LinearStop(1.0), 1.0, inf)
     (slow,) = steady_steps(*scene, angular=[3.0], amplitude=1e-3, kick=30.0)
-    assert slow.outcome is StepOutcome.PERIODIC
+    assert slow.outcome is MotionKind.PERIODIC
     assert slow.contacts == 0.0
     assert slow.peaks.travel == pytest.approx(1e-3 / 8.0, rel=1e-5)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import yaml
 
-from flexcli.mechanics.stopping.branch import EndKind, branch_end
+from flexcli.mechanics.stopping.branch import Bifurcation, branch_end
 from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
 from flexcli.mechanics.stopping.laws import LinearStop, Stops
 from flexcli.mechanics.stopping.periodic import DrivenBlade
@@ -91,7 +91,7 @@ def test_contact_is_held_to_a_third_above_the_natural_frequency_and_ends_there()
     for share in (1.0, 1.15, 1.3):
         assert motion.follow(share * own).contacts
     end = branch_end(motion.driven, motion.motion, rising=True)
-    assert end.kind is EndKind.FOLD
+    assert end.kind is Bifurcation.FOLD
     assert 1.195 < end.angular / own < 1.5
 
 

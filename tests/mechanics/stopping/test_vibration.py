@@ -7,11 +7,10 @@ from hypothesis import strategies as st
 from oscillators import oscillator, polynomial, quiet
 from scipy.integrate import solve_ivp
 
-from flexcli.errors import SolveError
+from flexcli.errors import Outcome, SolveError
 from flexcli.mechanics.stopping import vibration
 from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
 from flexcli.mechanics.stopping.laws import HertzStop, LinearStop, RigidStop, Stops
-from flexcli.mechanics.stopping.result import StopOutcome
 from flexcli.mechanics.stopping.vibration import StoppedVibration, simulate
 from flexcli.numerics.signal_pieces import Samples, sine
 
@@ -125,7 +124,7 @@ def test_a_held_blade_of_several_modes_goes_on_moving_beyond_the_stop():
 def test_grazing_neither_hangs_nor_changes_the_amplitude(law, miss):
     stops = Stops(law, above=1.0 + miss, below=1.0 + miss)
     result = simulate(oscillator(), stops, quiet(20 * pi, 10), rate=[1.0])
-    assert result.outcome is StopOutcome.COMPLETE
+    assert result.outcome is Outcome.COMPLETE
     assert result.cost.events <= 100
     assert abs(result.balance.energy_residual) < 1e-12
     assert result.peaks.travel == pytest.approx(1.0, abs=1.1 * abs(miss) + 1e-12)
@@ -252,14 +251,14 @@ def test_what_was_done_before_an_interruption_is_kept():
         if progress.time > 30.0:
             break
     result = run.result()
-    assert result.outcome is StopOutcome.PARTIAL
+    assert result.outcome is Outcome.INTERRUPTED
     assert result.outcome.remedy
     assert result.duration == pytest.approx(31.0)
     assert result.contacts.time.size == progress.contacts > 10
     # and the run can go on
     for _ in run.run(quiet(10.0)):
         pass
-    assert run.result().outcome is StopOutcome.COMPLETE
+    assert run.result().outcome is Outcome.COMPLETE
     assert run.result().duration == pytest.approx(41.0)
 
 
@@ -267,7 +266,7 @@ def test_contacts_without_end_are_an_outcome(monkeypatch):
     monkeypatch.setattr(vibration, "MOST_EVENTS", 50)
     stops = Stops(RigidStop(1.0), above=1.0, below=inf)
     result = simulate(oscillator(), stops, polynomial([-10.0], 1e3))
-    assert result.outcome is StopOutcome.TOO_MANY_EVENTS
+    assert result.outcome is Outcome.CHATTER
     assert "compliance" in result.outcome.remedy
 
 
