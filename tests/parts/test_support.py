@@ -1,5 +1,7 @@
 """Support and deflection as a spec asks for them, against closed forms of one direction."""
 
+from math import pi
+
 import numpy as np
 import pytest
 from geometries_for_tests import spec
@@ -188,7 +190,7 @@ def test_loads_of_a_wrench_add():
     [
         ("leaf-spring-stage", {"spacing": None}, TITANIUM, "needs spacing"),
         ("hinged-stage", {"spacing": None}, TITANIUM, "needs spacing"),
-        ("torsion-bar", {"bars": 3}, TITANIUM, "more than two bars"),
+        ("torsion-bar", {"bars": 25}, TITANIUM, "more than 24 bars"),
         ("torsion-bar", {"bars": 1, "shortening": "held"}, TITANIUM, "held along its axis"),
         ("torsion-star", {}, TITANIUM, "joined where they cross"),
         ("rcc", {}, {"youngs_modulus": "114 GPa"}, "material.poisson_ratio"),
@@ -246,3 +248,31 @@ def test_torsion_bars_hold_their_body_as_cantilevers_that_carry_it(bars):
     beams.append(bars * E * b * h / l)
     # plates, sheets and shear between clamps
     assert factors == pytest.approx(beams, rel=0.06 if bars == 1 else 0.13)
+
+
+def test_four_bars_in_a_row_tilt_as_far_from_the_middle_as_they_stand():
+    """Their body ends stand at ±l: 28 E I/l of either outer bar, 4 E I/l of the inner ones."""
+    l, d = 20e-3, 0.5e-3
+    bent = E * pi * d**4 / 64.0 / l
+    sides = {"x": 48.0 * bent / l**2, "z": 4.0 * E * pi * d**2 / 4.0 / l}
+    tilts = {"theta_x": 64.0 * bent, "theta_y": 64.0 * bent}
+    asked = [{"direction": way, "min": "1 N/m"} for way in sides]
+    asked += [{"direction": way, "min": "1 N*m/rad"} for way in tilts]
+    found = checks_of("round-torsion-bar", {"support": asked}, d="0.5 mm", l="20 mm", bars=4)
+    factors = [check.factor for check in found]
+    assert factors == pytest.approx([*sides.values(), *tilts.values()], rel=0.01)
+
+
+def test_the_third_bar_of_a_row_ends_at_its_free_side():
+    """Its body ends stand at −l, −l and l: 28, 4 and 4 E I/l about a middle that may go aside."""
+    l, d = 20e-3, 0.5e-3
+    asked = {"support": {"direction": "theta_x", "min": "1 N*m/rad"}}
+    (found,) = checks_of("round-torsion-bar", asked, d="0.5 mm", l="20 mm", bars=3)
+    # each bar by how far its end goes aside and how it turns
+    ends = np.array([[-1.0, 1.0], [-1.0, -1.0], [1.0, 1.0]])
+    K = np.zeros((2, 2))
+    for end, slope in ends:
+        to_end = np.array([[1.0, end], [0.0, slope]])
+        K += to_end.T @ np.array([[12.0, -6.0], [-6.0, 4.0]]) @ to_end
+    stiff = E * pi * d**4 / 64.0 / l / np.linalg.inv(K)[1, 1]
+    assert found.factor == pytest.approx(stiff, rel=0.01)

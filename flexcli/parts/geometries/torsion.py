@@ -1,7 +1,7 @@
 """Torsion bars: a body turns about the axis of the bars that hold it."""
 
 from abc import abstractmethod
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from math import exp, inf, pi, sqrt
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
@@ -55,6 +55,10 @@ WIDE = 10.0
 """Width of strips over their thickness from which on the stress of more than three is known."""
 
 
+MOST_LAID = 24
+"""Bars in a row that are laid out in space."""
+
+
 class Section(NamedTuple):
     """What a section is to its long fibres: area [m²], I_p/A [m²], ∫r⁴ dA [m⁶], most r² [m²]."""
 
@@ -76,7 +80,9 @@ class TorsionGeometry(Geometry):
     posynomial: ClassVar[bool] = False
 
     bars: Bars = 1
-    """Number of bars on the axis; two hold the body between them, e.g. ``2``."""
+    """Number of bars on the axis, end to end; base and body take turns between them, so that two
+    hold the body between them, e.g. ``2``.
+    """
     shortening: Literal["free", "held"] | None = None
     """Whether the ends of the bars may come closer as they twist; two bars hold each other, of one
     bar it is open unless stated,
@@ -173,26 +179,31 @@ class TorsionGeometry(Geometry):
         return self.stiffness(elastic, sizes) + self.bars * torque / twist
 
     @abstractmethod
-    def members(
-        self, name: str, start: Vector, elastic: Elastic, sizes: Any, density: float
-    ) -> Iterator[SpaceBlade | SpaceRod]:
-        """Yield what a bar is, from its start to where the body is."""
+    def member(
+        self, name: str, start: Vector, end: Vector, elastic: Elastic, sizes: Any, density: float
+    ) -> SpaceBlade | SpaceRod:
+        """Return a bar, from its start on the base to where the body is."""
 
     def laid_in_space(self, elastic: Elastic, sizes: Any, density: float) -> SpaceLayout:
-        """Return the bars along z up to the body in the origin, a second one beyond it."""
-        if self.bars > 2:
-            raise NotAvailable("has more than two bars: on which side they are is open")
+        """Return the bars in a row along z, the middle of what they hold of the body at the origin.
+
+        Of two that is where they meet.
+        """
+        if self.bars > MOST_LAID:
+            raise NotAvailable(f"has more than {MOST_LAID} bars, which are none that one lays out")
         if self.bars == 1 and self.shortening == "held":
             raise NotAvailable("is held along its axis by something that the spec does not tell")
         l, at = float(sizes.l), (0.0, 0.0, 0.0)
-        starts = {"below": (0.0, 0.0, -l), "above": (0.0, 0.0, l)}
-        members = tuple(
-            each
-            for name, start in list(starts.items())[: self.bars]
-            for each in self.members(name, start, elastic, sizes, density)
-        )
+        middle = (self.bars + 1) // 2
+        names = ("below", "above") if self.bars <= 2 else [f"bar {k + 1}" for k in range(self.bars)]
+        members = []
+        for k, name in zip(range(self.bars), names, strict=False):
+            # an even end of a bar is on the base, an odd one on the body
+            base, body = (k, k + 1) if k % 2 == 0 else (k + 1, k)
+            start, end = ((0.0, 0.0, (each - middle) * l) for each in (base, body))
+            members.append(self.member(name, start, end, elastic, sizes, density))
         drive = Drive(MOVING, True, (0.0, 0.0, 1.0), at)
-        return SpaceLayout((SpaceBody(MOVING, at, at),), members, drive)
+        return SpaceLayout((SpaceBody(MOVING, at, at),), tuple(members), drive)
 
     def values(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Value]:
         """Return the moment over the rotation at full stroke, with the long fibres."""
@@ -343,13 +354,13 @@ class TorsionBar(TorsionGeometry):
         stiffness = max(-float(error.stiffness.low), float(error.stiffness.high))
         return EndErrors(stiffness, max(-low, high))
 
-    def members(
-        self, name: str, start: Vector, elastic: Elastic, sizes: Blade, density: float
-    ) -> Iterator[SpaceBlade]:
-        """Yield one strip, its h along x and its b along y."""
-        h, b, end = float(sizes.h), float(sizes.b), (0.0, 0.0, 0.0)
+    def member(
+        self, name: str, start: Vector, end: Vector, elastic: Elastic, sizes: Blade, density: float
+    ) -> SpaceBlade:
+        """Return a strip, its h along x and its b along y."""
+        h, b = float(sizes.h), float(sizes.b)
         width = (0.0, 1.0, 0.0) if h <= b else (1.0, 0.0, 0.0)
-        yield SpaceBlade(
+        return SpaceBlade(
             name, GROUND, MOVING, start, end, width, Thickness(min(h, b)), max(h, b),
             Isotropic(float(elastic.E), float(elastic.G), density), warps=not self.is_restrained,
         )  # fmt: skip
@@ -410,12 +421,18 @@ class RoundTorsionBar(TorsionGeometry):
         """Return the shear stress at the surface [Pa]."""
         return torsion_bar.shear_stress(G=elastic.G, h=sizes.d, l=sizes.l, theta=twist, factor=0.5)
 
-    def members(
-        self, name: str, start: Vector, elastic: Elastic, sizes: RoundSizes, density: float
-    ) -> Iterator[SpaceRod]:
-        """Yield one rod."""
+    def member(
+        self,
+        name: str,
+        start: Vector,
+        end: Vector,
+        elastic: Elastic,
+        sizes: RoundSizes,
+        density: float,
+    ) -> SpaceRod:
+        """Return a rod."""
         material = Isotropic(float(elastic.E), float(elastic.G), density)
-        yield SpaceRod(name, GROUND, MOVING, start, (0.0, 0.0, 0.0), float(sizes.d), material)
+        return SpaceRod(name, GROUND, MOVING, start, end, float(sizes.d), material)
 
     def volume(self, sizes: RoundSizes) -> Computed:
         """Return the volume of the bars [m³]."""
@@ -493,9 +510,9 @@ class TorsionStar(TorsionGeometry):
         """Return the shear stress of the thin strips [Pa]."""
         return torsion_bar.shear_stress(G=elastic.G, h=sizes.h, l=sizes.l, theta=twist)
 
-    def members(
-        self, name: str, start: Vector, elastic: Elastic, sizes: Blade, density: float
-    ) -> Iterator[SpaceBlade]:
+    def member(
+        self, name: str, start: Vector, end: Vector, elastic: Elastic, sizes: Blade, density: float
+    ) -> SpaceBlade:
         """Refuse: its strips are one section, whose shear and bending nobody has compared."""
         raise NotAvailable(
             "has strips that are joined where they cross, which is no blade in space"
