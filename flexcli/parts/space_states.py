@@ -39,7 +39,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.own_motion import DENSEST, TAKES_PART
-from flexcli.parts.requirements.ask import MOST_SHARE, Ask
+from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.results import ErrorRange
@@ -100,8 +100,9 @@ THIRD = 0.4
 TURNS = 2.0
 """Times the square of a blade's rotation that the third order may add."""
 
-SHARES = (MOST_SHARE, 4.0, 3.0, 2.5, 2.0, 1.75, 1.5, 1.25, 1.0)
-"""Of the loads of a case, at which a linear state is looked at, to say that nothing buckles."""
+SHARES = (1.0, 0.8, 0.6, 0.5, 0.4, 0.35, 0.3, 0.25, 0.2)
+"""Of the loads that are of interest, at which a linear state is looked at, to say that nothing
+buckles."""
 
 INNER = 0.8
 """Frequency over that of a blade between held ends up to which blades follow their ends."""
@@ -724,12 +725,12 @@ def stiffened_by(joint: SpaceJoint, scene: Scene) -> tuple[float, float]:
     return stated, either
 
 
-def straight_shares(joint: SpaceJoint, scene: Scene) -> Iterator[tuple[float, float]]:
+def straight_shares(joint: SpaceJoint, scene: Scene, most: float) -> Iterator[tuple[float, float]]:
     """Yield the share of a case's loads that turns straight blades aside, and one that is sure.
 
     That is at each end of the stroke, the drive locked there, else free, and whichever way loads
     without a direction act. Up to the second share, zero where none is, the linear state tells its
-    stress, which no loss of stability leaves near what it was; both are ``MOST_SHARE`` at most.
+    stress, which no loss of stability leaves near what it was; both are ``most`` at most.
     """
     stresses = Stresses(joint.assembly)
     groups = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
@@ -739,14 +740,14 @@ def straight_shares(joint: SpaceJoint, scene: Scene) -> Iterator[tuple[float, fl
         for signs in senses(scene, len(groups)):
             loads = combined(groups, list(signs))
             buckling = loads.following().buckling
-            least = _told_up_to(joint, stroke, loads, stresses)
-            yield max(least, min(1.0 / max(buckling, 1e-9), MOST_SHARE)), least
+            least = _told_up_to(joint, stroke, combined([loads], [most]), stresses) * most
+            yield max(least, min(1.0 / max(buckling, 1e-9), most)), least
 
 
 def _told_up_to(
     joint: SpaceJoint, stroke: list[SpaceState], loads: SpaceState, stresses: Stresses
 ) -> float:
-    """Return the largest share of loads, beside a stroke, whose stress the linear state tells."""
+    """Return the largest of ``SHARES`` of loads, beside a stroke, whose stress is told."""
     for share in SHARES:
         state = combined([*stroke, loads], [1.0] * len(stroke) + [share])
         if _of_state(joint, state, stresses) is not None:

@@ -162,6 +162,12 @@ def test_buckling_is_asked_of_a_load_along_the_width_of_a_blade(model, most):
     assert high <= most
 
 
+@pytest.mark.parametrize(("asked", "verdict"), [(7.0, Verdict.PASS), (9.5, Verdict.FAIL)])
+def test_a_large_factor_on_what_buckles_a_joint_is_looked_for_beyond_it(asked, verdict):
+    (row,) = pushed_along_its_width(PRANDTL / 8.0, "cantilever", {"buckling": asked})
+    assert row.verdict is verdict
+
+
 def test_a_body_that_falls_over_its_blades_fails_though_it_stands_straight():
     # a mass at a height on a cross of two blades falls where m a s exceeds their stiffness k_θ
     found = []

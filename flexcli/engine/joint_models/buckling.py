@@ -25,7 +25,7 @@ from flexcli.numerics.rows import one_alone
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.ends import ENDS, Hold
 from flexcli.parts.geometries.base import MOVING, Critical
-from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare
+from flexcli.parts.requirements import Ask, CriticalShare
 from flexcli.parts.requirements.closed_form import of_case
 from flexcli.parts.scene import Push
 from flexcli.results import ErrorRange
@@ -130,13 +130,14 @@ def warm_shares(
         spoken = "drive free" if travel is None else "drive locked at its stroke"
         try:
             found = critical_load(
-                layout, held, loads, most=MOST_SHARE,
+                layout, held, loads, most=ask.most_share,
                 effects=blades_of(layout, effects), tolerance=tolerance, levels=levels,
             )  # fmt: skip
         except SolveError as error:
             if error.code != "no-critical-load":
                 raise NotAvailable(f"has no exact critical load: {error}") from error
-            yield CriticalShare(MOST_SHARE, f"{spoken}: none up to that", ErrorRange(-wide, inf))
+            none = f"{spoken}: none up to that"
+            yield CriticalShare(ask.most_share, none, ErrorRange(-wide, inf))
             continue
         share, crushed = _crushed(ask, found)
         off = wide + found.estimated_error

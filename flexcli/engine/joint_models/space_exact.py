@@ -37,7 +37,6 @@ from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.own_motion import TAKES_PART
 from flexcli.parts.requirements import (
-    MOST_SHARE,
     Ask,
     CriticalShare,
     DriveEffort,
@@ -350,7 +349,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     groups = [_loads(joint, each) for each in acting]
     rest = [action(joint.assembly, each) for each in acting] if blades is BEAMS else []
     unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
-    levels, tolerance = blades.critical
+    (levels, tolerance), most = blades.critical, ask.most_share
     for travel in dict.fromkeys(scene.stroke_ends):
         path = _path_at(ask, travel, blades)
         known = blades.errors(at_travel(ask, travel, blades, warm=False))
@@ -360,7 +359,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
             spoken = "drive locked at its stroke" if scene.moves else "drive free"
             try:
                 found = critical_load(
-                    layout, path.held, pattern, most=MOST_SHARE, frames=drive_frame(drive),
+                    layout, path.held, pattern, most=most, frames=drive_frame(drive),
                     start=path.start, levels=levels, tolerance=tolerance, made=blades.made,
                 )  # fmt: skip
             except SolveError as error:
@@ -370,8 +369,8 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
             high = off
             if found.is_lost:
                 high, spoken = inf, f"{spoken}: no more of its path is found, stable so far"
-            if share > MOST_SHARE:
-                share, high, spoken = MOST_SHARE, inf, f"{spoken}: none up to that"
+            if share > most:
+                share, high, spoken = most, inf, f"{spoken}: none up to that"
             straight = straight_critical_factor(
                 layout, beams.held, pattern, most=share, frames=drive_frame(drive),
                 start=beams.start,

@@ -118,7 +118,7 @@ class SpaceLinearModel(JointModel):
         held = "drive locked at its stroke" if scene.moves else "drive free"
         return tuple(
             CriticalShare(share, held, ErrorRange(least / share - 1.0, inf))
-            for share, least in straight_shares(joint, scene)
+            for share, least in straight_shares(joint, scene, ask.most_share)
         )
 
     def _places(self, ask: Ask) -> tuple[list[Place], ErrorRange | None]:

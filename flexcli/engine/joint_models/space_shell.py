@@ -19,7 +19,7 @@ from flexcli.mechanics.shell.stresses import rod_stresses, shell_stresses
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.support import driven_stiffness
 from flexcli.parts.elastic import NotAvailable
-from flexcli.parts.requirements import MOST_SHARE, Ask, CriticalShare
+from flexcli.parts.requirements import Ask, CriticalShare
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["SHELLS", "SpaceShellModel"]
@@ -71,7 +71,7 @@ class SpaceShellModel(SpaceExactModel):
         Where beams lose it, shells would walk for minutes and lose it as well.
         """
         for each in SpaceExactModel().critical_shares(ask):
-            if each.share < MOST_SHARE and each.error is not None and each.error.high == inf:
+            if each.share < ask.most_share and each.error is not None and each.error.high == inf:
                 raise NotAvailable(
                     "has no buckling load by shells: beams lose the path of the loads"
                 )

@@ -68,7 +68,7 @@ class EndStress(NamedTuple):
 
 
 MOST_SHARE = 5.0
-"""Largest share of its loads and temperature at which a mechanism is looked at."""
+"""Share of its loads and temperature up to which a mechanism is looked at, if no more is asked."""
 
 
 class DriveEffort(NamedTuple):
@@ -100,7 +100,8 @@ class Ask(NamedTuple):
     """What a requirement is judged on: floats for a check, signomials for a sizing.
 
     ``near`` is the same of a design from which this one differs a little, where what is asked for
-    is how numbers change from there: models may go on from its solutions.
+    is how numbers change from there: models may go on from its solutions. ``most_share`` is up to
+    which share of its loads it is looked at what buckles it.
     """
 
     material: Material
@@ -111,6 +112,7 @@ class Ask(NamedTuple):
     joint_model: "JointModel"
     actuator: "Actuator | None" = None
     near: "Ask | None" = None
+    most_share: float = MOST_SHARE
 
     @property
     def clamp_softening(self) -> float:

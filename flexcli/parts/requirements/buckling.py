@@ -11,12 +11,16 @@ from flexcli.numerics.rows import number
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.material import Material
-from flexcli.parts.requirements.ask import Ask, CriticalShare, RequirementError
+from flexcli.parts.requirements.ask import MOST_SHARE, Ask, CriticalShare, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["Buckling", "borne"]
+
+BEYOND = 1.5
+"""How far beyond the factor that is asked for it is looked what buckles a joint: the error of what
+stands up to there is less."""
 
 
 class Buckling(FactorRequirement):
@@ -69,6 +73,7 @@ class Buckling(FactorRequirement):
 
     def _shares(self, ask: Ask) -> Iterator[Limit]:
         """Yield the loads of a case against the share of them that buckles blades or bodies."""
+        ask = ask._replace(most_share=max(MOST_SHARE, BEYOND * self.factor))
         in_space = ask.scene.in_space or ask.scene.across_by
         beams = ask.joint_model.at_stroke if in_space else "exact beams in the plane"
         what = "the loads of the case"
