@@ -35,8 +35,8 @@ VERBS = (
 
 READING_NO_SPEC = ("init", "explain", "materials", "schema")
 
-GROUPS = {"asd": "asd_environment", "examples": "examples"}
-"""Commands of several verbs, and their modules."""
+GROUPS = ("asd", "examples")
+"""Commands of several verbs, by their modules."""
 
 
 @cache
@@ -56,9 +56,7 @@ def command_line(only: str | None = None) -> typer.Typer:
             run = import_module(f"flexcli.cli.{verb}").run
             app.command(name=verb)(run if verb in READING_NO_SPEC else with_common_options(run))
     groups = [
-        import_module(f"flexcli.cli.{module}").app
-        for name, module in GROUPS.items()
-        if only in (None, name)
+        import_module(f"flexcli.cli.{group}").app for group in GROUPS if only in (None, group)
     ]
     for group in groups:
         app.add_typer(group)

@@ -1,15 +1,12 @@
-"""``flexure asd``, of tests: tolerances, shock and damage spectra, equal damage, notches."""
+"""``flexure asd`` on environments: responses, measured runs, shock and damage spectra, tests."""
 
-from enum import Enum
-from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from flexcli.cli.asd import (
+from flexcli.cli.asd.common import (
     ColumnOption,
-    ProfilesArgument,
     TableOption,
     UnitsOption,
     WriteOption,
@@ -21,12 +18,18 @@ from flexcli.cli.asd import (
     quantity,
     refuse_no_quality,
     refuse_no_table,
+    saved_spectra,
 )
 from flexcli.cli.common import (
     DEFAULT_SPEC,
+    STDIN,
     Format,
     FormatOption,
     SetOption,
+    SpecsArgument,
+    finish,
+    on_each,
+    only_one,
     overrides_of,
     read,
     with_common_options,
@@ -35,7 +38,10 @@ from flexcli.cli.files import ForceOption
 from flexcli.errors import Finding, SpecError
 from flexcli.results import Result
 
-__all__ = ["app"]
+if TYPE_CHECKING:
+    from flexcli.api import Loaded
+
+KINDS: tuple[Literal["density", "transfer"], ...] = ("density", "transfer")
 
 MOST_EXPONENT = 30.0
 """Steeper curves are no fatigue, and their damage leaves the range of floats."""
@@ -57,35 +63,85 @@ PerOctaveOption = Annotated[
 ]
 
 
-class Rule(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
-    """How profiles are put together."""
-
-    SUM = "sum"
-    ENVELOPE = "envelope"
-
-
 @app.command()
 @with_common_options
-def combine(
-    names: ProfilesArgument,
-    rule: Annotated[
-        Rule, typer.Option("--rule", help="Add powers that act at once, or take the greatest.")
-    ] = Rule.SUM,
-    write: WriteOption = None,
+def response(
+    specs: SpecsArgument = None,
+    stated: SetOption = None,
+    densities: Annotated[
+        Path | None,
+        typer.Option("--csv", "-o", help="Save the densities of the responses, .csv or .parquet."),
+    ] = None,
+    transfers: Annotated[
+        Path | None,
+        typer.Option("--frf", help="Save the transfer functions to every body, likewise."),
+    ] = None,
     force: ForceOption = False,
-    units: UnitsOption = None,
-    column: ColumnOption = None,
     style: FormatOption = Format.TEXT,
 ) -> None:
-    """Combine profiles: the sum of their powers, or the envelope.
+    """Compute what a design's modes make of each case.
 
-    The lines of a sum follow it to 0.1 %.
+    It gives modes, rms and peaks of travel, stress and force, and life.
     """
-    from flexcli import api
+    only_one("asd response", "--csv", specs, densities or transfers, style)
+    files = {"density": densities, "transfer": transfers}
 
-    told = columns_of(units, column)
-    verb = partial(api.asd_combine, names, rule=rule.value, columns=told)
-    finish_made("combine", ", ".join(names), verb, write, style, force=force)
+    def verb(spec: "Loaded") -> Result:
+        from flexcli import api
+
+        for path in files.values():
+            refuse_no_table(path)
+        return api.asd_response(spec, spectra=[kind for kind in KINDS if files[kind]])
+
+    results = on_each("asd response", specs, stated, verb)
+    with (
+        saved_spectra(densities, results, "density", force=force),
+        saved_spectra(transfers, results, "transfer", force=force),
+    ):
+        finish("asd response", results, style, many=len(results) > 1)
+
+
+@app.command("worst-case")
+@with_common_options
+def worst_case(
+    spec: Annotated[
+        str, typer.Argument(help="Name a design, a shipped profile, or a file of a profile.")
+    ] = DEFAULT_SPEC,
+    qualities: Annotated[
+        list[float] | None,
+        typer.Option("--q", help="Give a quality factor, once or more; a design has its own."),
+    ] = None,
+    duration: Annotated[
+        str | None, typer.Option("--duration", help="Give the time of exposure, e.g. '2 min'.")
+    ] = None,
+    units: UnitsOption = None,
+    column: ColumnOption = None,
+    stated: SetOption = None,
+    output: TableOption = None,
+    force: ForceOption = False,
+    style: FormatOption = Format.TEXT,
+) -> None:
+    """Give Miles' worst case over all frequencies.
+
+    Beside it stand the exact response and its peaks.
+    """
+
+    def verb() -> Result:
+        from flexcli import api
+
+        refuse_no_quality(qualities or [])
+        refuse_no_table(output)
+        source = spec if spec != STDIN else read(Path(spec), None)
+        return api.asd_worst_case(
+            source,
+            qualities=qualities or (),
+            duration=quantity("--duration", duration, "time"),
+            spectra=output is not None,
+            columns=columns_of(units, column),
+            overrides=overrides_of(stated),
+        )
+
+    finish_spectrum("worst-case", spec, verb, output, style, force=force)
 
 
 @app.command()
