@@ -1,4 +1,4 @@
-"""What formulas ask of their arguments, said once."""
+"""Checks of arguments that several formulas share."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray

@@ -92,7 +92,7 @@ class Card:
 
 
 class Sheet(NamedTuple):
-    """What a docstring says of its formula."""
+    """The sections of a formula's docstring."""
 
     title: str
     equation: str
@@ -146,7 +146,7 @@ def _entries(section: str) -> list[Symbol]:
 
 
 def _one_by_one(meaning: str, count: int) -> list[str]:
-    """Return what each of several symbols is, of a text such as "Length and width of a blade"."""
+    """Return the meaning of each of several symbols, from e.g. "Length and width of a blade"."""
     listed = meaning.partition(";")[0]
     parts = re.split(r",? and |, ", listed)
     if count == 2 and len(parts) != 2:
@@ -162,7 +162,7 @@ def _one_by_one(meaning: str, count: int) -> list[str]:
 
 
 def outside(validity: tuple[Range, ...], at: Mapping[str, float]) -> list[Range]:
-    """Return the ranges that a design, given by its quantities, lies outside of."""
+    """Return the ranges of validity that a design, given by its quantities, lies outside of."""
     return [r for r in validity if r.quantity in at and not r.least <= at[r.quantity] <= r.most]
 
 

@@ -1,4 +1,4 @@
-"""Clamps: they keep a blade from narrowing, and where one piece with the blade they give way.
+"""Clamps: they keep a blade from narrowing, and are compliant where one piece with the blade.
 
 The first raises the stress in mid-width at the clamp, the other makes the blade softer.
 """
@@ -25,30 +25,30 @@ __all__ = [
 Floats = NDArray[np.float64]
 
 TURN = 5.0
-"""θ E b h²/M at the root of a blade that stands on a half-plane [-]."""
+"""Rotation of the root of a blade that stands on a half-plane, θ E b h²/M [-]."""
 
 LEAST_TURN = 4.75
-"""The same where the body ends in something rigid 2 h behind the root [-]."""
+"""The same, at least, where the body ends in something rigid 2 h behind the root [-]."""
 
 MOST_TURN, MOST_FLUSH = 5.25, 8.3
-"""The most for a body that reaches h beyond both faces, and for a face in line with its side."""
+"""The same, at most, of a body reaching h beyond both faces; of a face flush with its side."""
 
 LEAST_FILLETED, MOST_FILLETED = 0.92, 1.11
-"""Turn of a root with fillets on such bodies over its fit, at least and at most."""
+"""Least and greatest rotation of a filleted root on such bodies, over the fit [-]."""
 
 OF_FILLET = 0.2
-"""Error of the turn of fillets whose body is rigid [-]."""
+"""Relative error of the rotation of fillets on a rigid body [-]."""
 
 NARROW = 0.2
-"""Share of the turn that a body much wider than a blade takes, where that is as thick as wide."""
+"""Part of the root's rotation that is uncertain for a blade as thick as wide on a wider body."""
 
 
 class ClampCompliance(NamedTuple):
-    """What the root of a blade gives way, times E b and a power of h [-].
+    """Compliance of the root of a blade, times E b and a power of h [-].
 
-    The ``least`` and ``most`` of θ h²/M, and the most of the shift across the blade per shear
-    force, of h times that per moment, and of the motion along the blade per axial force. The
-    least of these is taken as none; a moment that falls into the blade shifts the root with it.
+    The ``least`` and ``most`` of θ h²/M; then upper bounds: ``shift`` across the blade per shear
+    force, ``mixed`` for h times the shift per moment, ``stretch`` along the blade per axial force.
+    The lower bound of these three is zero; a moment that acts on the blade also shifts its root.
     """
 
     least: float
@@ -170,7 +170,7 @@ def at_clamp(*, peak: ArrayLike, poisson_ratio: ArrayLike) -> Floats:
 def clamp_compliance(
     *, h: float, b: float, poisson_ratio: float, r: float = 0.0, flush: bool = False
 ) -> ClampCompliance:
-    """Return between what the root of a blade cut from one piece with its body gives way.
+    """Return the least and the greatest compliance of a root cut from one piece with its body.
 
     ``θ = c M/(E b h²)``, c = 5.0 on a half-plane, 7.7 where a face of the blade is in line with a
     side of the body; 1 − ν² of it where the blade is wide. With fillets, on top of the beam of
@@ -229,7 +229,7 @@ def clamp_compliance(
 
 
 def fillet_compliance(*, h: float, r: float) -> ClampCompliance:
-    """Return between what the fillets of a root on a rigid body give way beyond their beam.
+    """Return the least and the greatest compliance of fillets on a rigid body beyond their beam.
 
     ``θ = c M/(E b h²)``, ``c = 1.3/(1 + 0.3 (h/r)²)``: the beam of their profile takes sections for
     plane that are not.
@@ -266,7 +266,7 @@ def fillet_compliance(*, h: float, r: float) -> ClampCompliance:
 
 
 def extra_length(*, h: float, turn: float = TURN) -> float:
-    """Return by how much longer a blade bends as if it were, at each root.
+    """Return the length by which a compliant root lengthens a blade in bending, at each end.
 
     ``Δ = c h/12``: on a half-plane 0.42 h.
 

@@ -32,7 +32,7 @@ METHODS: tuple[tuple[str, Callable[[Moments, ArrayLike, ArrayLike], Floats]], ..
 """Name and function of each method for a single-slope life curve."""
 
 CURVE_METHODS = tuple(name for name, _ in METHODS if name != "wirsching-light")
-"""Those that a life curve of several lines allows; Wirsching and Light fitted theirs to one."""
+"""Methods for a life curve of several lines; Wirsching and Light's fit is for a single slope."""
 
 
 def damage_rates(moments: Moments, k: ArrayLike, C: ArrayLike) -> dict[str, Floats]:

@@ -1,4 +1,4 @@
-"""Fatigue of a blade: strength as an amplitude at a life, and what a mean stress does to it.
+"""Fatigue of a blade: strength as a stress amplitude at a life, and corrections for mean stress.
 
 Every stress here is an amplitude (half of the range).
 """

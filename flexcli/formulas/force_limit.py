@@ -1,4 +1,4 @@
-"""The semi-empirical force limit of a vibration test, and the notch that it makes."""
+"""The semi-empirical force limit of a vibration test, and the notch in its profile."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray

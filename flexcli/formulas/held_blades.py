@@ -1,4 +1,4 @@
-"""Blades that point at one centre, at rest: what shear and stretching leave of their S-bending.
+"""Pivots of blades that point at one centre, at rest: shear and stretching in their S-bending.
 
 Turned by θ about the centre, each blade bends uniformly, free of force, and in an S-shaped part
 (γ = 1 + 2δ) that a force across it keeps up. Blades whose forces do not cancel shift the centre
@@ -16,7 +16,7 @@ __all__ = ["CARDS", "AtRest", "at_rest"]
 
 
 class AtRest(NamedTuple):
-    """A pivot of blades turned by a small angle, over slender blades whose centre is held."""
+    """Small rotation of such a pivot, relative to slender blades with a fixed centre."""
 
     stiffness: float
     """Rotational stiffness over that of the closed form [-]."""

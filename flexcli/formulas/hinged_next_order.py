@@ -1,4 +1,4 @@
-"""What a large stroke adds to stages and pivots of rigid limbs between hinges (pins and springs).
+"""Next order in the stroke of stages and pivots of rigid limbs between hinges (pins and springs).
 
 Stages have the exact kinematics of a parallelogram; pivots the next powers of θ of a symmetric
 four-bar linkage, whose limbs turn by ψ = (1 + δ)θ ± δ(1 + δ)θ² tan α/2 − (1 + 2δ)δ(1 + δ)θ³/6.

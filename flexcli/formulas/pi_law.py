@@ -31,7 +31,7 @@ MEASURED = (
     Range("gap/free range", 0.03, why="below it the measured ratio was erratic"),
     Range("modes", 1.0, 1.0, "only the first mode was excited, by a sine at its frequency"),
 )  # fmt: skip
-"""Where the operating line was measured: sine at the free natural frequency, ball stops."""
+"""Conditions of the tests behind the operating line: sine at the free frequency, ball stops."""
 
 
 def operating_line(pi_1: Numbers) -> Computed:

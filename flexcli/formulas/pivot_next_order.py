@@ -1,4 +1,4 @@
-"""What a large rotation adds to the closed forms of a pivot of two blades, by the next power of θ.
+"""Next order in the rotation of the closed forms of a pivot of two blades.
 
 Derivation: the elastica θ'' = p sin θ − f cos θ of one blade is solved in powers of the pivot's
 rotation ε, with its end's motion (w, φ) and its axial force p all of order ε [units l, EI/l²]:
@@ -44,7 +44,7 @@ LARGE_ROTATION = (
     Range("theta", most=0.35, unit="rad", why="the change is the next term only"),
     Range("delta", -2.0, 1.0, "the axial force of the blades outgrows the expansion"),
 )
-"""Where the next term alone tells what is left out."""
+"""Validity: the next term alone estimates the error."""
 
 
 class Parts(NamedTuple):

@@ -1,4 +1,4 @@
-"""What a formula of this package computes with."""
+"""The type of number that formulas take and return: a float, an array or a signomial."""
 
 from typing import Any, Protocol, TypeAlias
 

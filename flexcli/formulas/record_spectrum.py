@@ -1,4 +1,4 @@
-"""Response of oscillators to a recorded base acceleration: its turning points, and their greatest.
+"""Response of oscillators to a recorded base acceleration: its turning points and maxima.
 
 The record is a straight line between samples; there the motion is a closed form. With the pole
 s = ω_n (−ζ + i √(1 − ζ²)) and q' = s q − a, the displacement relative to the base is Im(q)/ω_d and

@@ -1,4 +1,4 @@
-"""The vibration response spectrum: all of it at once, its greatest value, and Miles against it."""
+"""The vibration response spectrum: all frequencies at once, its maximum, Miles against it."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

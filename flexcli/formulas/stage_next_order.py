@@ -1,4 +1,4 @@
-"""What a large stroke adds to the closed forms of blades that a force moves across themselves.
+"""Next order in the stroke of the closed forms of blades that a lateral force moves.
 
 Cantilever, guided blade, leaf-spring stage and necked-down stage share one expansion: each half
 of a guided blade, and a cantilever, is an elastica θ' = c(s) f ∫cos θ ds under a force across it.

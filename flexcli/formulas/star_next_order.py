@@ -1,4 +1,4 @@
-"""What a large rotation adds to a pivot of more blades than its plane needs (three or more).
+"""Next order in the rotation of an overconstrained pivot of three or more blades.
 
 The blades shorten more, or less, than their ends come closer, by c θ² l with
 c = (9δ² + 9δ + 1)/15. Two blades let the centre shift; more hold it, and stretch: the tension

@@ -1,4 +1,4 @@
-"""Stops on the operating line: where one may stand for a range of the tip, what the blade bears.
+"""Stops on the operating line: height and gap for a range of the tip, and the blade's stress.
 
 δ_O is the whole range of the tip's motion, twice the deflection allowed to one side. The line
 gives the gap for a height; statics says whether the tip-loaded blade reaches that stop at all,

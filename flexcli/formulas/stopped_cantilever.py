@@ -1,4 +1,4 @@
-"""Statics of a cantilever that meets a stop: when it touches, forces, deflection and stress.
+"""Statics of a cantilever that meets a stop: contact, forces, deflection and stress.
 
 A lateral force F acts at the tip. Stops stand at height L_a, one at +d and, unless its gap is
 infinite, one at −d_behind; L_b = L − L_a. Deflection and F share their sign; the reaction of a

@@ -1,4 +1,4 @@
-"""What shear and stretching of thick blades do to stages and pivots: stiffness, stress, shift.
+"""Shear and stretching of thick blades in stages and pivots: stiffness, stress, shift.
 
 In stiffness, stress, sag and buckling one share says it for every joint, exactly in Timoshenko's
 Φ: that of the compliance (or of the stiffness) which bends in an S and so needs a force across the

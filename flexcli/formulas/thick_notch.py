@@ -19,7 +19,7 @@ OF_SLOPE, AT_MOST = 1.2, 4.0
 most: 1.2 makes the 0.4 e/ρ of a thin throat."""
 
 OF_FIT, BESIDE = 0.045, 1.0
-"""Error of what is softer so: a share of it, and in 1/(E b H²), H the height of the mouth."""
+"""Error of that added compliance: a share of it, and a part in 1/(E b H²), H the mouth's height."""
 
 AT_MOUTH, SHALLOWER, OF_SHORT, NEAR = 33.0, 0.9, 0.4, 0.13
 """Compliance that a mouth loses to a rigid body at most, in 1/(E b H²), how it falls with e/depth
@@ -29,20 +29,20 @@ OF_BAR = 24.0
 """Compliance of two bars of height H and length L beside the notch, in L/(E b H³)."""
 
 OF_MASS = 7.5, 18.0
-"""Between which lies what two massive blocks give way, in 1/(E b H²)."""
+"""Least and greatest compliance of two massive blocks, in 1/(E b H²)."""
 
 SPREADS, SPREADS_MOST = 0.6, 0.012
-"""What the bending of a thin throat that spreads adds to a shift, per e/ρ, and of a thick one."""
+"""Increase of the shift by how far the bending of a throat spreads, per e/ρ, and its maximum."""
 
 LESS, LESS_BY_MOUTH, MORE = 8.0, 0.6, 30.0
-"""What a shift may have less as if the mouth bent less than beam and bar, in 1/(E b H²) and in what
-a rigid body takes of it, and what more by massive blocks."""
+"""Bounds of the shift: below, as if the mouth bent less than beam and bar, in 1/(E b H²) and as a
+share of what a rigid body removes; above, for massive blocks."""
 
 PLACES, PIECES = 40, 4
-"""Places along half a notch, and along a bar beside it."""
+"""Integration points along half a notch, and along a bar beside it."""
 
 THICKEST, DEEPEST = 1.0, 4.0
-"""Largest e/radius and e/depth of the notches that were compared."""
+"""Largest e/radius and e/depth of the notches that were compared with solids."""
 
 Blocks: TypeAlias = float | Literal["massive"] | None
 """The blocks beside a notch: the length [m] of such as are as high as its mouth and end in a rigid
@@ -137,23 +137,23 @@ def softening(
 
 
 class Spread(NamedTuple):
-    """How far apart two places are at which a symmetric hinge bends, in the mean.
+    """Mean distance between two places at which a symmetric hinge bends.
 
-    ``turn`` is what half of it bends; ``mean`` is the mean of the larger of two distances from the
-    middle, which is that of the distance between two places of either half.
+    ``turn`` is the rotation of one half; ``mean`` is the mean of the larger of two distances from
+    the middle, which equals the mean distance between two places of either half.
     """
 
     turn: Number
     mean: Number
 
     def beside(self, turn: Number, x: Number) -> "Spread":
-        """Return it with more that bends at x, no nearer to the middle than all before."""
+        """Return it with more rotation at x, farther from the middle than all before."""
         whole = self.turn + turn
         mean = (self.turn**2 * self.mean + (2.0 * self.turn + turn) * turn * x) / whole**2
         return Spread(whole, mean)
 
     def beside_bar(self, L: Number, end: Number, H: Number) -> "Spread":
-        """Return it with a bar of length L and height H behind its end."""
+        """Return it with a bar of length L and height H added at its end."""
         found = self
         for k in range(PIECES):
             piece = OF_BAR / 2.0 * L / H**3 / PIECES
@@ -164,7 +164,7 @@ class Spread(NamedTuple):
 def _places(e: Number, depth: Number, l: Number) -> Iterator[tuple[Number, ...]]:
     """Yield places from the throat to the mouth: x, its share dx, thickness and slope of a face.
 
-    They are the closer the nearer to the throat: u = w sinh, u the tangent of half the angle.
+    They crowd towards the throat: u = w sinh, u the tangent of half the angle.
     """
     w = number(np.sqrt(e / (e + 4.0 * depth)))
     reach = number(np.arcsinh(1.0 / w))
@@ -180,7 +180,7 @@ def _places(e: Number, depth: Number, l: Number) -> Iterator[tuple[Number, ...]]
 def _of_blocks(
     e: Number, depth: Number, l: Number, blocks: Blocks
 ) -> tuple[Number, Number, Number]:
-    """Return between which compliances times E b the blocks add, and the length of a bar [m]."""
+    """Return least and greatest compliance of the blocks times E b, and a bar's length [m]."""
     H, mouth = e + 2.0 * depth, _of_mouth(e, depth, l)
     if blocks is None:
         return -mouth / H**2, OF_BAR / H**2, H
@@ -191,7 +191,7 @@ def _of_blocks(
 
 
 def _of_mouth(e: Number, depth: Number, l: Number) -> Number:
-    """Return what a mouth loses to a rigid body there at most, in 1/(E b H²)."""
+    """Return the most compliance that a rigid body removes at a mouth, in 1/(E b H²)."""
     short = 2.0 * depth / l
     return AT_MOUTH * short * number(larger(1.0, short) ** OF_SHORT) / (1.0 + SHALLOWER * e / depth)
 

@@ -1,4 +1,4 @@
-"""The long fibres of a twisted bar: those far from its axis stretch, which stiffens wide bars.
+"""Longitudinal fibres of a twisted bar: those far from its axis stretch, which stiffens wide bars.
 
 A fibre at the distance r from the axis becomes a helix, longer by ½ r² φ'². A bar whose ends may
 come closer shortens until its axial force vanishes; one whose ends are held does not.

@@ -1,4 +1,4 @@
-"""What the base's acceleration does to a stage of one degree of freedom: T(ω) = X/((jω)² Γ)."""
+"""Response of a stage of one degree of freedom to its base's acceleration: T(ω) = X/((jω)² Γ)."""
 
 from math import pi, sqrt
 

@@ -1,4 +1,4 @@
-"""What a large rotation adds to the closed forms of crossed blades that are joined.
+"""Next order in the rotation of the closed forms of crossed blades that are joined.
 
 Two pivots of p = 0 in series, blades c l and (1 − c)l, carry the same moment and no force: the
 changes of :mod:`flexcli.formulas.pivot_next_order` at the rotations of both add up.

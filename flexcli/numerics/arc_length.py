@@ -1,4 +1,4 @@
-"""Following one path of solutions by its arc length, past points at which the parameter turns."""
+"""Following one path of solutions by arc length, past points where the parameter turns back."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -15,10 +15,11 @@ Steps = Callable[[Floats, float], tuple[Floats, Floats]]
 
 _MOST_ITERATIONS = 12
 _WANTED = 4
-"""Iterations of a corrector that suit the step; fewer lengthen it, more shorten it."""
+"""Iterations of the corrector that the step length aims for."""
 
 CLOSE = 0.02
-"""Step over the longest on which a careful walk lets the kind change without a turn."""
+"""Step, over the longest allowed, below which a change of the solution's kind need not be a
+turn."""
 
 _FLOOR = 1e-6
 """Length below which a step that no longer shrinks is rounding (much near critical points)."""
@@ -152,10 +153,10 @@ def follow(
 
 
 _STRAIGHT = 0.9
-"""Cosine of the largest angle between the tangents of two neighbours."""
+"""Cosine of the largest angle between neighbouring tangents."""
 
 _ASTRAY = 0.3
-"""Distance of a point from where the tangent led, over the step, above which it is not trusted."""
+"""Distance of a point from the tangent's prediction, over the step, above which it is rejected."""
 
 _SHORTEST = 1e-6
 
@@ -163,7 +164,7 @@ _SHORTEST = 1e-6
 def _tangent(
     x: Floats, parameter: float, rate: Floats, weight: Floats, last: Hyperplane | None
 ) -> Hyperplane:
-    """Return the point with the unit tangent along dx/dλ, in the direction of the last."""
+    """Return the point with the unit tangent along dx/dλ, in the direction of the last one."""
     length = float(np.sqrt(rate @ (weight * rate) + 1.0))
     tangent, slope = rate / length, 1.0 / length
     if last is not None and tangent @ (weight * last.tangent) + slope * last.slope < 0.0:

@@ -1,4 +1,4 @@
-"""Programs whose rows are known only as numbers: their values, expansions and parts."""
+"""Programs whose rows are known only as numbers: their values, expansions and convex models."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["BlackBox"]
 
 @dataclass(frozen=True, eq=False)
 class BlackBox:
-    """Minimise row 0 over y = ln x, with the rows that follow ≤ 0 and the last ones = 0.
+    """Minimise row 0 over y = ln x, with the next rows ≤ 0 and the last ones = 0.
 
     Parameters
     ----------

@@ -15,19 +15,19 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 TRUST = 0.3
-"""Longest correction [-] of a step along the tangent: further off, another branch may be met."""
+"""Longest correction [-] of a step along the tangent: a longer one may reach another branch."""
 
 _SMALLEST = 1e-5
-"""Share of the way below which a step is no longer halved: the path turns or ends here."""
+"""Share of the way below which a step is no longer halved: the path turns or ends there."""
 
 BENT = 0.02
-"""Correction [-] above which a step has to lead back, to a solution of the same kind."""
+"""Correction [-] above which the step is checked backwards, to a solution of the same kind."""
 
 _MOST_STEPS = 120
 
 
 class March(NamedTuple):
-    """Points reached (designs, m), the parameter there (1: all the way), how, iterations."""
+    """Points reached (designs, m), the parameter there (1: all the way), outcomes, iterations."""
 
     x: Floats
     reached: Floats

@@ -1,4 +1,4 @@
-"""Posynomials that share value, gradient and curvature with rows known as numbers, and a step."""
+"""Convex models of rows known as numbers, as posynomials, and the step that minimises them."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ __all__ = ["ModelStep", "best_step", "posynomials"]
 STRAIGHT = 1e-6
 """Curvature below which a row is a monomial."""
 SPREAD = 0.5
-"""Largest share of a posynomial that its curvature may take from its middle term."""
+"""Largest share of a posynomial that is moved from its middle term to represent curvature."""
 START = 1.0
-"""How far above the largest violation the path starts, in logarithms."""
+"""How far above the largest violation the interior-point path starts, in logarithms."""
 
 
 class ModelStep(NamedTuple):
-    """A step, multipliers of the rows after the objective, the violation that the model keeps.
+    """A step, multipliers of the rows after the objective, and the violation left by the model.
 
-    ``fall`` is by how much the model's objective falls, its log violation not counted.
+    ``fall`` is the decrease of the model's objective, its log violation not counted.
     """
 
     step: Floats

@@ -14,12 +14,12 @@ from flexcli.numerics.signomial import Floats
 
 FEASIBLE = 1e-9
 """Log violation below which a set counts as feasible, and log margin below which its interior
-counts as empty: some 1e5 roundings of a logarithm of size 50, and far below any tolerance a
-workshop could hold."""
+counts as empty: some 1e5 roundings of a logarithm of size 50, and far below any tolerance of a
+workshop."""
 DEEP_ENOUGH = 0.1
 """Phase I stops at this log margin: the path to the optimum starts well from there."""
 FLOOR = 1.0
-"""Phase I never asks for more log margin than this, which keeps it bounded."""
+"""Log margin that bounds phase I."""
 INDEPENDENT = 1e-11
 """Equality rows of singular value below this share of the largest repeat others."""
 SUPPORT = 1e-6
@@ -27,9 +27,10 @@ SUPPORT = 1e-6
 CERTIFIED = 1e-9
 """Optimality residual that proves a phase I done, however its path ended."""
 FALLS = 1e-7
-"""Slope above which a row is held to rise in the recession test, where −1 is asked of row 0."""
+"""Slope above which a row is considered rising in the recession test, where −1 is asked of row
+0."""
 WIDE = 100.0
-"""Box of the recession test: exponents of the objective down to 0.01 are seen."""
+"""Half width of the box of the recession test: exponents of the objective down to 0.01 are seen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,9 +47,9 @@ class ConvexOptimum:
     """Result of a convex solve in y; `violation` is phase I's least largest log violation.
 
     For an infeasible problem y is the point of least violation and the multipliers are its
-    certificate: they sum to one over the conflicting rows. For an unbounded one `direction` is
-    one along which the objective falls for ever. `free` spans, in its columns, the directions that
-    equalities and rows without interior leave.
+    certificate: they sum to one over the conflicting rows. For an unbounded one the objective falls
+    without limit along `direction`. The columns of `free` span the directions that equalities and
+    rows without interior leave.
     """
 
     outcome: Outcome
@@ -121,11 +122,11 @@ def least_violation(rows: LogSumExp, z: Floats, *, to_the_end: bool = False) -> 
 
 
 def recession(rows: LogSumExp) -> Floats | None:
-    """Return a direction along which row 0 falls for ever and no other row rises, or None.
+    """Return a direction along which row 0 falls without limit and no other row rises, or None.
 
-    Exponents alone decide (Farkas: there is none exactly when the dual has a feasible point):
-    all terms of row 0 must fall and no term of the others may rise. Found by minimising the
-    largest of a₀·d + 1 and a·d, which reaches zero exactly then.
+    Exponents alone decide (Farkas: there is none exactly when the dual has a feasible point): all
+    terms of row 0 must fall and no term of the others may rise. Found by minimising the largest of
+    a₀·d + 1 and a·d, which reaches zero exactly then.
     """
     terms, n = rows.exponents.shape
     own = rows.row == 0

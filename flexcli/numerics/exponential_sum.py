@@ -13,7 +13,7 @@ EPS = 2.0**-52
 
 
 class Jet(NamedTuple):
-    """Value, first and second derivative at a time, and what bounds the third from then on."""
+    """Value, first and second derivative at a time, and a bound of the third from then on."""
 
     value: float
     first: float
@@ -62,7 +62,7 @@ class ExponentialSum:
             third = self._size(derivative_of_term(rate, second))
             self._mixed.append((rate, (coefficients, first, second), third))
         self.rounding = 4.0 * EPS * size
-        """What a value may be wrong by: closer to zero than this is zero."""
+        """Rounding error of a value: closer to zero than this is zero."""
 
     def _size(self, coefficients: Sequence[complex]) -> float:
         size = 0.0

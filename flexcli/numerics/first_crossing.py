@@ -11,7 +11,7 @@ _RESOLUTION = 1e-15
 """Share of the horizon below which two times are the same."""
 
 Crossing = tuple[float, int]
-"""The time of a crossing, or the horizon when there is none; and how often the sum was asked."""
+"""The time of a crossing, or the horizon if there is none, and the number of evaluations."""
 
 
 def quadratic_zero(d: float, v: float, a: float) -> float:
@@ -27,11 +27,11 @@ def quadratic_zero(d: float, v: float, a: float) -> float:
 
 
 def safe_step(*, d: float, v: float, a: float, J: float, most: float) -> float:
-    """Return a step in which a function that is now d > 0 can't fall below zero.
+    """Return a step within which a function that is now d > 0 cannot fall below zero.
 
     v and a are its slope and second derivative, J bounds the third. Within H the function lies
     above the parabola ``d + v h + (a − J H/3) h²/2``: the smaller of H and its zero is safe, and
-    the two meet at the zero of the cubic. At most ``most``.
+    the two meet at the zero of the cubic. The step is at most ``most``.
     """
     low = min(most, quadratic_zero(d, v, a - J * most / 3.0))
     high = min(most, quadratic_zero(d, v, a - J * low / 3.0))
@@ -45,7 +45,7 @@ def safe_step(*, d: float, v: float, a: float, J: float, most: float) -> float:
 
 
 def leaving_step(v: float, a: float, J: float) -> float:
-    """Return a step in which a function that rises from zero can't come back to it.
+    """Return a step within which a function that rises from zero cannot return to it.
 
     The zero of ``v + a h/2 − J h²/6``, for v > 0, or v = 0 and a > 0.
     """

@@ -1,4 +1,4 @@
-"""Why a program has no solution: the smallest set of requirements that disagree."""
+"""Why a program has no solution: the smallest conflicting set of requirements."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Conflict(NamedTuple):
 
 @dataclass(eq=False)
 class _Oracle:
-    """Answers whether requirements can hold together, and remembers which a point violates."""
+    """Decides whether requirements can hold together, and remembers those that a point violates."""
 
     program: LogProgram
     owners: NDArray[np.intp]
@@ -172,7 +172,7 @@ def _hitting_set(
 def _undominated(oracle: _Oracle) -> frozenset[int]:
     """Return the requirements without those of one row that another row implies everywhere.
 
-    That is one which lies above it by a constant.
+    A row is implied by one that lies above it by a constant.
     """
     values = oracle.program.rows(oracle.points)[1:]
     single = [k for k, owner in enumerate(oracle.owners) if (oracle.owners == owner).sum() == 1]

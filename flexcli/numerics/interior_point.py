@@ -31,15 +31,15 @@ TETHER = 0.01
 """Stiffness, times μ, of the pull towards the start: where slacks can grow without end the
 barrier alone has no minimiser. The pull fades with μ, and so does not move the optimum."""
 HORIZON = 300.0
-"""A run this far (a factor 1e130) asks whether the objective falls without limit."""
+"""Distance in logarithms (a factor 1e130) at which the recession test is made."""
 ITERATIONS = 200
 REGULAR = 1e-14
-"""Share by which the Newton matrix's diagonal grows, so that flat directions stay put."""
+"""Relative increase of the Newton matrix's diagonal, which keeps flat directions bounded."""
 SAME_RANK = 1e-11
 """Singular values below this share of the largest are zero in the last Newton systems."""
 POLISH_STEPS = 8
 POLISHED = 1e-12
-"""KKT residual from which the guess of the active rows was right."""
+"""KKT residual below which the guess of the active rows was right."""
 ACTIVE_RATIOS = (1.0, 1e6)
 """Multiplier over slack that marks an active row, in the order tried."""
 ROUNDING = 1e-13

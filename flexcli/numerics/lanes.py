@@ -51,7 +51,7 @@ _lanes = _Lanes()
 
 
 class _Model(_PrimitiveModel):  # type: ignore[misc]
-    """Eight numbers are one value of LLVM."""
+    """The storage of eight numbers as one LLVM vector."""
 
     def __init__(self, manager: Any, kind: Any) -> None:
         super().__init__(manager, kind, _VECTOR)
@@ -76,7 +76,7 @@ def _inlined(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _pointer(context: Any, builder: Any, kind: Any, array: Any, index: Any, index_kind: Any) -> Any:
-    """Return where the first lane of a value of an array is."""
+    """Return a pointer to the first lane of an array's value."""
     view = context.make_array(kind)(context, builder, array)
     steps = (
         [index] if isinstance(index_kind, types.Integer) else cgutils.unpack_tuple(builder, index)
@@ -166,7 +166,7 @@ size_of, _nearest = _unary("fabs"), _unary("rint")
 
 
 def _binary(symbol: Callable[..., Any], name: str) -> None:
-    """Let lanes, or lanes and a number, take part in an operation."""
+    """Define an operation between lanes, or between lanes and a number."""
 
     @_intrinsic
     def compute(_typing: Any, a: Any, b: Any) -> Any:

@@ -15,7 +15,7 @@ __all__ = ["LinearResponse", "respond"]
 Complexes = NDArray[np.complex128]
 
 _MOST_CANCELLATION = 100.0
-"""How much larger than the response a forced part may be that the free motion cancels."""
+"""Largest forced part, over the response, that the free motion may cancel."""
 _SMALLEST = 1e-18
 
 
@@ -38,7 +38,7 @@ class LinearResponse(NamedTuple):
         return y
 
     def span(self, row: Sequence[complex]) -> tuple[float, float]:
-        """Return ``Re(row · y)`` at the start, and how far from that it may go, no root growing."""
+        """Return ``Re(row · y)`` at the start, and a bound of its change, no root growing."""
         start = reach = 0.0
         T = self.piece.duration
         for r, root, own, forced in zip(row, self.system.roots, self.own, self.forced, strict=True):
@@ -95,7 +95,7 @@ def respond(system: LinearSystem, w: Complexes, y: Complexes, piece: Piece) -> L
 
 
 def _moved(p: Sequence[complex], rate: complex, T: float) -> tuple[complex, float]:
-    """Return p(t) exp(λt) at zero, and what it is away from that at most until T, Re λ ≤ 0."""
+    """Return p(t) exp(λt) at zero, and a bound of its change until T, Re λ ≤ 0."""
     if not p:
         return 0j, 0.0
     size, power = abs(p[0]) * min(2.0, abs(rate) * T), 1.0

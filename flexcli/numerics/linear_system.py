@@ -11,18 +11,19 @@ Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
 
 _UNCOUPLED = 1e-14
-"""Coupling of the undamped modes by the damping, relative, that counts as rounding."""
+"""Relative coupling of the undamped modes by the damping that counts as rounding."""
 _CRITICAL = 1e-8
-"""Modes whose roots are as close together as that, relative, have no basis to rounding."""
+"""Relative distance of a mode's two roots below which the eigenvectors are defective to
+rounding."""
 _WORST_CONDITION = 1e10
 
 
 @dataclass(frozen=True, eq=False)
 class LinearSystem:
-    """Roots μ and what leads to and from the amplitudes y, which obey ``y' = μ y + w f``.
+    """Roots μ of a linear system and its matrices to and from the amplitudes, ``y' = μ y + w f``.
 
-    ``q = Re(shapes y)`` and ``q' = Re(shapes (μ y))``: of each pair of conjugate roots one is
-    kept. ``amplitudes`` (m, 2n) takes (q, q') to y. A system without coordinates has no roots.
+    ``q = Re(shapes y)`` and ``q' = Re(shapes (μ y))``: of each pair of conjugate roots one is kept.
+    ``amplitudes`` (m, 2n) takes (q, q') to y. A system without coordinates has no roots.
     """
 
     roots: Complexes
@@ -47,8 +48,8 @@ class LinearSystem:
 def second_order_system(K: Floats, C: Floats) -> LinearSystem:
     """Return the roots and shapes of ``q'' + C q' + K q``, K and C symmetric, K definite.
 
-    Damping that doesn't couple the undamped modes keeps their orthogonal shapes, so that the
-    energy of an undamped system is kept to rounding; any other goes through the first-order form.
+    Damping that does not couple the undamped modes keeps their orthogonal shapes, so that the
+    energy of an undamped system is kept to rounding; any other is solved in first-order form.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What a solver asks of a program in logarithms, whatever its rows are."""
+"""The interface of a program in logarithms that its solvers use."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ __all__ = ["LogProgram", "violation"]
 
 
 class LogProgram(Protocol):
-    """Minimise row 0 over y = ln x, with the rows that follow ≤ 0 and the last ones = 0."""
+    """Minimise row 0 over y = ln x, with the next rows ≤ 0 and the last ones = 0."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -22,28 +22,28 @@ class LogProgram(Protocol):
 
     @property
     def inequalities(self) -> int:
-        """Return how many rows after the first are ≤ 0."""
+        """Return the number of inequalities."""
 
     @property
     def low(self) -> Floats:
-        """Return the low ends of the world in y."""
+        """Return the lower limits of y."""
 
     @property
     def high(self) -> Floats:
-        """Return the high ends: a run that gets to one is unbounded."""
+        """Return the upper limits of y: a run that reaches one is unbounded."""
 
     @property
     def is_convex(self) -> bool:
         """Return whether ``model`` is the program itself, and its equalities are affine."""
 
     def rows(self, y: Floats) -> Floats:
-        """Return all rows at many points, (n, points) to (rows, points), NaN off the domain."""
+        """Return all rows at many points, (n, points) to (rows, points), NaN outside the domain."""
 
     def expand(self, y: Floats) -> Expansion:
         """Return values, gradients and curvatures of all rows at one point."""
 
     def model(self, at: Expansion, y: Floats) -> LogSumExp:
-        """Return convex rows over the step from a point, up to the inequalities."""
+        """Return convex rows over the step from a point, without the equalities."""
 
     def chosen(self, kept: Sequence[int]) -> LogProgram:
         """Return the program with some of its inequalities, and without equalities."""

@@ -1,4 +1,4 @@
-"""Values, gradients and curvatures of functions known only as numbers, by differences."""
+"""Values, gradients and curvatures of black-box functions, by finite differences."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How far a demand is below its capacity, as a logarithm that stays a number everywhere."""
+"""Utilisation, demand over capacity, as a logarithm that is finite for any sign of both."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -6,9 +6,9 @@ from numpy.typing import ArrayLike, NDArray
 __all__ = ["log_utilisation"]
 
 JOINT = float(np.exp(-1.5))
-"""Utilisation below which the logarithm is continued: far enough from one to leave it alone."""
+"""Utilisation below which the logarithm is continued, far below the limit of one."""
 TOP = 30.0
-"""Largest logarithm of a demand over a positive capacity; what has no capacity lies above."""
+"""Largest logarithm of a demand over a positive capacity; above it lie those without capacity."""
 
 
 def log_utilisation(demand: ArrayLike, capacity: ArrayLike) -> NDArray[np.float64]:

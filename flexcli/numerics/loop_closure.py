@@ -22,16 +22,16 @@ depend on the units of the unknowns, which would shorten the steps of ill-shaped
 LONGEST = 1.0
 """Largest change of any unknown in a step: J may be the same again a full turn away."""
 BESIDE = 2.0
-"""A solution farther from the nearest point of the curve than so many times the way from there to
-the next one is none of the curve's."""
+"""A solution is rejected when it is farther from the nearest point of the curve than so many times
+the distance from there to the next one."""
 WISH = 0.3
-"""The spectral radius of J⁻¹ΔJ that steps aim for."""
+"""Spectral radius of J⁻¹ΔJ that steps aim for."""
 GROWTH = 3.0
 SHORTEST = 1e-11
-"""Step, over the larger of |t| and 1, at which the curve is held to end. Steps are a share of the
-distance to a singular point, so this is also about how near to it the curve comes."""
+"""Step, over the larger of |t| and 1, at which the curve ends. Steps are a share of the distance to
+a singular point, so this is also about how near to it the curve comes."""
 CLOSE = 1e-9
-"""Newton step after which one more, quadratically convergent, reaches rounding."""
+"""Newton step after which one more, by quadratic convergence, reaches rounding."""
 NEWTON_STEPS = 10
 
 
@@ -142,7 +142,7 @@ def solve_at(equations: Equations, curve: Curve, parameters: Floats) -> CurvePoi
 def _branch(
     equations: Equations, q: Floats, t: float, end: float
 ) -> tuple[list[float], list[Floats]]:
-    """Return parameters and solutions from t, left out, to end or to a singular point."""
+    """Return parameters and solutions after t, up to the end or a singular point."""
     parameters: list[float] = []
     points: list[Floats] = []
     step = end - t
@@ -180,7 +180,7 @@ def _derivatives(equations: Equations, q: Floats) -> tuple[Floats, Floats]:
 
 
 def _way(curve: Curve, parameters: Floats) -> Floats:
-    """Return how far apart the points of the curve on both sides of each parameter are."""
+    """Return the distance between the neighbouring points of the curve at each parameter."""
     after = np.clip(np.searchsorted(curve.parameters, parameters), 1, curve.parameters.size - 1)
     return _size(curve.points.q[after] - curve.points.q[after - 1])
 
@@ -191,7 +191,7 @@ def _size(q: NDArray[np.floating]) -> Floats:
 
 
 def _newton(equations: Equations, q: Floats, t: Floats | np.float64) -> Floats | None:
-    """Return the solutions near q at parameters t, or None when one does not settle."""
+    """Return the solutions near q at parameters t, or None when one does not converge."""
     settled = np.zeros(q.shape[:-1], dtype=bool)
     for _ in range(NEWTON_STEPS):
         gap = equations.values(q)

@@ -26,7 +26,7 @@ from flexcli.numerics.successive import RIM, Descent, descend
 __all__ = ["solve", "spread", "starts_among"]
 
 Starts = Callable[[], Sequence[Floats]]
-"""Where to start from, asked where it matters."""
+"""Starting points, made only where they are needed."""
 
 SAME = 1e-7
 """Optima whose log objectives differ by less are one."""
@@ -35,23 +35,23 @@ APART = 1.0
 HELD = 1e-7
 """Multiplier above which a row holds the optimum."""
 FLAT = 1e-6
-"""Curvature or slope below this share of the largest counts as none."""
+"""Relative curvature or slope that counts as none."""
 MOVED = 1e-7
-"""Distance, in logarithms, by which a broken tie has moved the point."""
+"""Distance, in logarithms, by which a tie-breaking objective has moved the point."""
 AS_GOOD = 1e-8
-"""Log objective that a broken tie may cost: rounding along a plane of equally good points."""
+"""Loss of log objective allowed to a tie-breaker: rounding along a plane of equal optima."""
 RUNS_AWAY = 1e-6
-"""Share of the largest component above which a variable takes part in a recession direction."""
+"""Relative component from which a variable takes part in a recession direction."""
 ACCEPTED = 1e-9
-"""Optimality residual at which a run that its path called stalled is a solution after all."""
+"""Optimality residual at which a run that stalled is accepted as a solution."""
 
 
 @dataclass(frozen=True, eq=False)
 class _End:
     """Where the solution of one program ended, and how many optima were met.
 
-    ``free`` spans, in its columns, the directions that equalities and rows without interior
-    leave; ``runaway`` marks the variables that run away.
+    The columns of ``free`` span the directions that equalities and rows without interior leave;
+    ``runaway`` marks the variables that grow without limit.
     """
 
     descent: Descent
@@ -100,7 +100,7 @@ def starts_among(
 def solve(
     programs: Sequence[LogProgram], starts: Starts, limits: Sequence[str], equalities: Sequence[str]
 ) -> Solution:
-    """Return the optimum of a program, and of all equally good points the best by the next one.
+    """Return the optimum of a program, equally good points decided by further objectives.
 
     Parameters
     ----------
@@ -156,7 +156,7 @@ def solve(
 
 
 def _untied(programs: Sequence[LogProgram], found: _End) -> tuple[Floats, bool, int]:
-    """Return the best of equally good points, whether it is the only one, and the steps taken."""
+    """Return the best of equally good points, whether it is unique, and the steps taken."""
     program, end = programs[0], found.descent
     y, iterations = end.y, 0
     kept = [i for i in range(program.inequalities) if abs(end.multipliers[i]) <= HELD]
@@ -185,7 +185,7 @@ def _origin(program: LogProgram) -> list[Floats]:
 
 
 def _end_of(program: LogProgram, starts: Starts) -> _End:
-    """Return the global optimum of a convex program, the best local one of another."""
+    """Return the global optimum of a convex program, the best local one of any other."""
     if program.is_convex:
         return _global(program)
     descent, optima = _best(program, starts())

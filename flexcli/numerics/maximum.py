@@ -11,9 +11,9 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 _PIECES = 8
-"""Each pass cuts a bracket in so many, and keeps the two beside the greatest point."""
+"""Number of parts of a bracket in each pass; the two beside the greatest point are kept."""
 _HOPELESS = 0.1
-"""A bracket whose best point is so much (relative) below the best of all is left out."""
+"""Relative deficit of a bracket's best point below the best of all from which it is dropped."""
 _MOST_BRACKETS = 64
 _MOST_PASSES = 40
 

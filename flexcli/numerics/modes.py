@@ -1,4 +1,4 @@
-"""Natural modes of a linear system by its stiffness, or by a compliance that may lose its sign."""
+"""Natural modes of a linear system by its stiffness, or by a compliance that may be indefinite."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -11,7 +11,7 @@ __all__ = ["Modes", "Vibration", "natural_modes", "vibration_of"]
 Floats = NDArray[np.float64]
 
 MASSLESS = 1e-14
-"""Share of the largest 1/ω² below which a mode has no mass to speak of and is left out."""
+"""Share of the largest 1/ω² below which a mode has negligible mass and is left out."""
 
 HELD = 1e-13
 """Share of the softest mode's compliance below which a mode is held, or has no mass."""

@@ -28,17 +28,17 @@ RESTLESS = 3
 """Steps in a row that may be longer than the one before."""
 
 CONTRACTION = 0.5
-"""Step over the one before with which Newton's method stays on the path it started from."""
+"""Largest ratio of consecutive steps for which Newton's method stays on its path."""
 
 FLOOR = 1e-9
 """Length below which a step that no longer shrinks is rounding, and the design is done."""
 
 BENDS = 100.0
-"""A step over the square of the one before, where nothing is known of it yet."""
+"""Initial bound of a step over the square of the one before."""
 
 
 _TINY = 1e-300
-"""Least length that anything is divided by."""
+"""Least divisor of a length."""
 
 
 class NewtonResult(NamedTuple):

@@ -62,9 +62,9 @@ def _chebyshev() -> tuple[Floats, Floats]:
 
 
 def node_shares(position: Floats) -> Floats:
-    """Return how a source at a position in [−1, 1] is shared among the nodes, (…, NODES).
+    """Return the weights of a source at a position in [−1, 1] on the nodes, (…, NODES).
 
-    The same numbers interpolate: the value at the position is their sum over those at the nodes.
+    The same weights interpolate: the value at the position is their sum over those at the nodes.
     """
     angle = np.arccos(np.clip(position, -1.0, 1.0))
     polynomials = np.cos(angle[..., None] * np.arange(NODES))
@@ -74,7 +74,7 @@ def node_shares(position: Floats) -> Floats:
 
 @functools.cache
 def _to_parent() -> tuple[Floats, Floats]:
-    """Return the shares of the nodes of the lower and the upper half among those of the whole."""
+    """Return the weights of each half's nodes on the nodes of the whole."""
     nodes = _chebyshev()[0]
     return node_shares(0.5 * (nodes - 1.0)), node_shares(0.5 * (nodes + 1.0))
 
@@ -122,7 +122,7 @@ def panel_sums(panels: Panels, sources: Floats, kernel: Kernel, *, near: bool) -
 
 
 def _offsets(level: int, count: int, *, near: bool) -> list[int]:
-    """Return how far the panels are off that a level sums: those that its parents could not."""
+    """Return the offsets of the panels summed at a level: those that its parents could not."""
     reach = count - 1 if level == 0 else 3
     least = 0 if near else 2
     return [offset for offset in range(-reach, reach + 1) if abs(offset) >= least]
@@ -131,9 +131,9 @@ def _offsets(level: int, count: int, *, near: bool) -> list[int]:
 def _add(
     field: Floats, strength: Floats, kernel: Kernel, width: float, offset: int, *, every: bool
 ) -> None:
-    """Add to every panel what the one at an offset does to it.
+    """Add to every panel the field of the one at an offset.
 
-    Three panels off are neighbours' children only for every second one.
+    Panels three apart are children of neighbours only for every second one.
     """
     nodes = _chebyshev()[0]
     effect = kernel(width * (offset + 0.5 * (nodes - nodes[:, None])))  # (target, source)

@@ -16,7 +16,7 @@ CHUNK = 65_536
 
 
 def terms(count: int, degree: int) -> int:
-    """Return how many coefficients a polynomial in so many variables has."""
+    """Return the number of coefficients of a polynomial in so many variables."""
     return comb(count + degree, degree)
 
 
@@ -45,7 +45,7 @@ class PolynomialFit(NamedTuple):
         return PolynomialFit(np.maximum(lower, 0), slopes)
 
     def bounds(self, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-        """Return numbers that no value in a box is beyond, below and above, (rows,).
+        """Return lower and upper bounds of the values over a box, (rows,).
 
         Each term is bounded by itself over the box, about its middle.
         """

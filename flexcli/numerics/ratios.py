@@ -46,7 +46,7 @@ class Equality:
 
 @dataclass(frozen=True)
 class Settled:
-    """A requirement whose signs decide it for all positive values of the variables."""
+    """A requirement that holds, or fails, for all positive values of the variables."""
 
     name: str
     holds: bool

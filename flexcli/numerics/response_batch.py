@@ -75,8 +75,8 @@ def greatest_values(
 ) -> tuple[Floats, Floats]:
     """Return the greatest value of each row of a smooth function, and its time.
 
-    ``values`` are those at ``times`` (S, N), rising, dense enough that the greatest sample
-    stands beside the greatest value; ``function`` takes times (S, 3). Refined by parabolas.
+    ``values`` are those at ``times`` (S, N), rising, dense enough that the greatest sample is next
+    to the greatest value; ``function`` takes times (S, 3). Refined by parabolas.
     """
     rows = np.arange(times.shape[0])
     at = np.argmax(values, axis=1)

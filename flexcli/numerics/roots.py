@@ -14,7 +14,7 @@ __all__ = ["Root", "roots"]
 
 STEPS = 60
 LONGEST_STEP = 5.0
-"""Longest Newton step in the logarithms (a factor 150): beyond, the tangent says little."""
+"""Longest Newton step in logarithms (a factor 150), the reach of the linear model."""
 SHORTEST = 1e-6
 """Share of a Newton step below which the search has met a minimum of the residual, not a root."""
 SOLVED = 1e-11
@@ -24,7 +24,7 @@ SINGULAR = 1e11
 SAME = 1e-7
 """Roots closer than this in every logarithm are one."""
 BLUR = 64.0 * float(np.finfo(np.float64).eps)
-"""Times the condition number: how far rounding alone moves a root."""
+"""Rounding error of a root over its condition number."""
 
 
 class Root(NamedTuple):

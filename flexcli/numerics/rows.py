@@ -1,4 +1,4 @@
-"""Numbers of many designs at once, which go through code that is written for one design.
+"""Numbers of many designs at once, for code that is written for one design.
 
 A :class:`Rows` stands where a design has a number: arithmetic is done for all designs together,
 and where the code decides by a number, all of them must decide alike. Where they do not,
@@ -48,17 +48,17 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 Bools = NDArray[np.bool_]
 Number: TypeAlias = float
-"""A float; of many designs their :class:`Rows`, which code takes as it takes a float."""
+"""A float, or the :class:`Rows` of many designs, which code uses like a float."""
 
 Answer = TypeVar("Answer")
 
 LENGTH = 131
-"""Designs of a pass at least: fewer are filled up by the last. More than any list of places,
-directions or nodes that a formula goes through, so that none is taken for a list of designs."""
+"""Least number of designs in a pass: fewer are padded by the last one. It exceeds the length of any
+list of places, directions or nodes in a formula, so that none is mistaken for designs."""
 
 
 class Diverged(Exception):
-    """Designs decide differently: ``which`` take the way of true (designs,)."""
+    """A decision differs between designs: ``which`` are those for which it is true (designs,)."""
 
     def __init__(self, which: Bools) -> None:
         super().__init__("designs take different ways")
@@ -66,13 +66,13 @@ class Diverged(Exception):
 
 
 class Rows(NDArray[np.float64]):
-    """A number of each of many designs (designs,)."""
+    """One number for each of many designs, shape (designs,)."""
 
     __hash__ = None
 
     @classmethod
     def of(cls, numbers: Any) -> Any:
-        """Return numbers, one a design."""
+        """Return numbers, one for each design."""
         return np.asarray(numbers).view(cls)
 
     def __bool__(self) -> bool:
@@ -111,20 +111,20 @@ class Rows(NDArray[np.float64]):
         return self._refuse()
 
     def _itself(self, *_: Any, **how: Any) -> Any:
-        """Return itself: of one design there is one, the largest and the sum of all."""
+        """Return the value itself, which is the largest and the sum of a single design."""
         return self if self.ndim == 1 else self._refuse()
 
     any = all = max = min = sum = mean = item = _itself
 
 
 def number(value: Any) -> Number:
-    """Return a value as a float, or as the numbers of many designs that it is of."""
+    """Return a value as a float, or as the numbers of many designs."""
     found: Number = Rows.of(value) if is_of_many(value) else float(value)
     return found
 
 
 def of_each(values: Floats) -> Number:
-    """Return the number of one design, of an array (designs,) of them, or those of many."""
+    """Return the number of one design, or those of many, from an array (designs,)."""
     return number(values) if len(values) > 1 else float(values[0])
 
 
@@ -137,23 +137,23 @@ def states_of(values: NDArray[Any]) -> NDArray[Any]:
 
 
 def all_of_each(truths: Bools) -> Number:
-    """Return whether an array (states·designs,) is true in all states."""
+    """Return whether an array (states·designs,) is true in all states of each design."""
     found = states_of(truths).all(axis=0)
     return bool(found) if found.ndim == 0 else number(found)
 
 
 def largest_of_each(values: Floats) -> Number:
-    """Return the largest of an array (states, places), or (states, designs, places) of many."""
+    """Return the largest over states and places of each design, (states, designs, places)."""
     return number(values.max(axis=(0, -1)))
 
 
 def is_of_many(value: Any) -> bool:
-    """Return whether a number is one of many designs."""
+    """Return whether a value has numbers of many designs."""
     return isinstance(value, np.ndarray) and value.ndim > 0
 
 
 def _of_either(plain: Callable[..., Answer], many: Callable[..., Any]) -> Callable[..., Answer]:
-    """Return a function of floats by the standard library, of many designs by NumPy."""
+    """Return a function of floats (standard library) or of many designs (NumPy)."""
 
     def function(*values: Any) -> Answer:
         if any(map(is_of_many, values)):
@@ -175,12 +175,12 @@ isfinite = _of_either(math.isfinite, np.isfinite)
 
 
 def larger(*values: Any) -> Number:
-    """Return the largest of numbers, or of those that a single one goes through."""
+    """Return the largest of numbers, or of the items of a single iterable."""
     return _reduced(max, np.maximum, values)
 
 
 def smaller(*values: Any) -> Number:
-    """Return the smallest of numbers, or of those that a single one goes through."""
+    """Return the smallest of numbers, or of the items of a single iterable."""
     return _reduced(min, np.minimum, values)
 
 
@@ -191,7 +191,7 @@ def _reduced(plain: Callable[[Any], Any], many: Any, values: tuple[Any, ...]) ->
 
 
 class _Pass:
-    """A pass over so many designs, and what was found at length: by name, and about what."""
+    """A pass over many designs, with the expensive results of it, by name and key."""
 
     def __init__(self, which: Integers, known: Sequence[tuple[str, Any, Any]]) -> None:
         self.some = _filled_up(which)
@@ -199,7 +199,7 @@ class _Pass:
         self.known = list(known)
 
     def of_some(self, which: Integers) -> list[tuple[str, Any, Any]]:
-        """Return what is known of some of the designs."""
+        """Return the results of some of the designs."""
         return [_taken(each, which, self.designs) for each in self.known]
 
 
@@ -207,10 +207,10 @@ _PASS: ContextVar[_Pass | None] = ContextVar("_PASS", default=None)
 
 
 def found_once(name: str, about: Any, find: Callable[[], Answer]) -> Answer:
-    """Return what takes long to find: numbers, in tuples, lists and records.
+    """Return an expensive result: numbers, in tuples, lists and records.
 
-    Where a pass ends since its designs take different ways, those after it have it from there: by
-    its name, and what it is about.
+    Where designs decide differently the pass is split, and the later passes take the result of the
+    first, by its name and key.
     """
     now = _PASS.get()
     if now is None:
@@ -225,9 +225,9 @@ def found_once(name: str, about: Any, find: Callable[[], Answer]) -> Answer:
 
 
 def one_by_one(find: Callable[..., Any], *numbers: Number) -> Any:
-    """Return what a function of floats finds: of many designs for each set of numbers once.
+    """Return the result of a function of floats, called once for each distinct set of numbers.
 
-    It gives a float, or a tuple of them.
+    It gives a float, or a tuple of floats.
     """
     if not any(map(is_of_many, numbers)):
         return find(*numbers)
@@ -242,10 +242,10 @@ def one_by_one(find: Callable[..., Any], *numbers: Number) -> Any:
 
 
 def design_by_design(find: Callable[..., Answer], *values: Any, name: str, about: Any) -> Answer:
-    """Return what is found of one design after the other, from values whatever they are made of.
+    """Return the result of a function of single designs, joined to numbers of many designs.
 
-    It is made of numbers, tuples, records and mappings, alike in all designs but for the numbers,
-    and found once (:func:`found_once`).
+    The result is made of numbers, tuples, records and mappings, alike in all designs but for the
+    numbers, and is computed once (:func:`found_once`).
     """
     now = _PASS.get()
     if now is None:
@@ -267,7 +267,7 @@ def _each_by_itself(find: Callable[..., Answer], values: tuple[Any, ...], now: _
 
 
 def _of_one(value: Any, place: int, designs: int) -> Any:
-    """Return of a value of so many designs what is of one of them."""
+    """Return one design's part of a value of many."""
     if isinstance(value, np.ndarray):
         return float(np.asarray(value)[place]) if value.shape == (designs,) else value
     if isinstance(value, tuple):
@@ -281,7 +281,7 @@ def _of_one(value: Any, place: int, designs: int) -> Any:
 
 
 def _part_of_one(part: Any, place: int, designs: int) -> Any:
-    """Return of a pydantic model of so many designs that of one of them."""
+    """Return one design's part of a pydantic model of many."""
     own = {name: getattr(part, name) for name in type(part).model_fields}
     changed = {name: _of_one(each, place, designs) for name, each in own.items()}
     changed = {name: each for name, each in changed.items() if each is not own[name]}
@@ -294,7 +294,7 @@ def _part_of_one(part: Any, place: int, designs: int) -> Any:
 
 
 def _of_all(found: Sequence[Any], designs: int) -> Any:
-    """Return as one what was found of each design."""
+    """Return the results of single designs as one value of many designs."""
     first = found[0]
     if any(each is None for each in found):
         none = np.array([each is None for each in found])
@@ -316,13 +316,13 @@ def _of_all(found: Sequence[Any], designs: int) -> Any:
 
 
 def one_alone() -> None:
-    """Raise ``TypeError`` in a pass over many designs: what follows is written for one."""
+    """Raise ``TypeError`` in a pass over many designs: the code that follows is written for one."""
     if _PASS.get() is not None:
         raise TypeError("is found for one design alone")
 
 
 def _taken(value: Any, which: Integers, designs: int) -> Any:
-    """Return of a value of so many designs, whatever it is made of, what is of some of them."""
+    """Return the part of a value that belongs to some of the designs."""
     if isinstance(value, np.ndarray):
         return (
             value.take(which, axis=0) if value.ndim and len(np.asarray(value)) == designs else value
@@ -341,7 +341,7 @@ def _taken(value: Any, which: Integers, designs: int) -> Any:
 
 
 def over_states(states: int, *values: Any) -> tuple[int, tuple[Any, ...]]:
-    """Return of how many designs values are, and them for each state of each (states·designs, …).
+    """Return the number of designs, and their values repeated for each state (states·designs, …).
 
     Values of one design are left as they are.
     """
@@ -356,10 +356,11 @@ def over_states(states: int, *values: Any) -> tuple[int, tuple[Any, ...]]:
 def each_alike(
     do: Callable[[Integers], Answer], designs: int
 ) -> Iterator[tuple[Integers, Answer | None]]:
-    """Yield the places of designs that take the same way, and the answer of a pass over them.
+    """Yield the indices of designs that decide alike, and the result of a pass over them.
 
-    ``do`` is given places, some more than once. No answer is there where something cannot be done
-    for many. A single design goes through a pass as well: its digits hang on none beside it.
+    ``do`` is given indices, some more than once; the result is None where something cannot be done
+    for many. A single design goes through a pass as well, so that its digits do not depend on
+    others.
     """
     todo: list[tuple[Integers, list[tuple[str, Any, Any]]]] = [(np.arange(designs), [])]
     while todo:
@@ -378,7 +379,7 @@ def each_alike(
 
 
 def _passed(do: Callable[[Integers], Answer], now: _Pass) -> Answer:
-    """Return the answer of a pass; what is no number or without end ends it."""
+    """Return the result of a pass, or None where a value is not a finite number."""
     token = _PASS.set(now)
     try:
         with np.errstate(divide="raise", over="raise", invalid="raise"):
@@ -388,5 +389,5 @@ def _passed(do: Callable[[Integers], Answer], now: _Pass) -> Answer:
 
 
 def _filled_up(which: Integers) -> Integers:
-    """Return places, the last of them again and again where they are few."""
+    """Return indices, padded by the last one to the least length of a pass."""
     return np.pad(which, (0, max(0, LENGTH - len(which))), mode="edge")

@@ -14,7 +14,7 @@ _SMALL = 0.5
 _TERMS = 18
 """Terms of the series below that argument: 0.5^18/18! is far below rounding."""
 _FADED = 200.0
-"""Exponent to which the free motion may fade in one go: its inverse is still a number."""
+"""Exponent to which the free motion may decay in one block: its inverse is still finite."""
 
 
 class SampledResponse:
@@ -59,11 +59,11 @@ class SampledResponse:
     def stray(
         self, row: Complexes, y: Complexes, before: Floats, after: Floats, spacing: float
     ) -> Floats:
-        """Return how far ``Re(row · y)`` may lie, in each step, from chords between its points.
+        """Return a bound of the distance of ``Re(row · y)``, in each step, from its chords.
 
         The points are at most ``spacing`` [s] apart, the rest is as in ``within``. A function
-        strays from its chord by an eighth of its second derivative times the square of that, or
-        by twice its size: the free part of each root by the lesser of both, and so the forced
+        differs from its chord by at most an eighth of its second derivative times the square of
+        that, or twice its size: the free part of each root by the lesser of both, and so the forced
         part, which starts from zero.
         """
         eighth = spacing**2 / 8.0

@@ -20,7 +20,7 @@ __all__ = [
 ]
 
 _MOST_TURN = 0.25
-"""How far [rad] a sweep may run from its carrier in a piece: some 8 terms do."""
+"""Phase [rad] of a sweep against its carrier in one piece; some 8 terms represent it."""
 _SMALLEST = 1e-18
 """Terms below that share of the whole are left out."""
 

@@ -15,7 +15,7 @@ from flexcli.numerics.signomial import Floats
 __all__ = ["SignomialProgram", "signomial_program"]
 
 END = 100.0
-"""Logarithm beyond which a variable of a program without ends has run away."""
+"""Logarithm beyond which a variable without bounds counts as unbounded."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +57,7 @@ class SignomialProgram:
         return above
 
     def model(self, _at: Expansion, y: Floats) -> LogSumExp:
-        r"""Return convex rows over the step from a point, up to the inequalities.
+        r"""Return convex rows over the step from a point, without the equalities.
 
         Each denominator is replaced by the best monomial that lies below it and touches it there,
 

@@ -1,4 +1,4 @@
-"""Quadratic forms K = AᵀA kept as their factor A, which has the root of K's condition.
+"""Quadratic forms K = AᵀA kept as their factor A, whose condition is the root of K's.
 
 The factor of a sum of springs is a stack of rows, √k times the row that gives the spring's
 deformation: nothing is added up, so that soft directions next to stiff ones keep their digits.
@@ -12,11 +12,11 @@ __all__ = ["Singular", "condensed", "inverse", "triangle"]
 Floats = NDArray[np.float64]
 
 NO_RESISTANCE = 1e-13
-"""A coordinate whose pivot is this small a share of its column carries rounding alone."""
+"""Relative pivot of a column below which its coordinate has no stiffness but rounding."""
 
 
 class Singular(ArithmeticError):
-    """A form that gives no resistance along some combination of its coordinates."""
+    """A form without stiffness along some combination of its coordinates."""
 
 
 def condensed(A: Floats, kept: int) -> Floats:
@@ -142,6 +142,6 @@ def inverse(R: Floats) -> Floats:
 
 
 def _require_pivots(R: Floats) -> None:
-    """Refuse a triangle whose columns, of unit length, leave nothing on the diagonal."""
+    """Refuse a triangle with a negligible pivot in a column of unit length."""
     if not (np.abs(np.diagonal(R, axis1=-2, axis2=-1)) > NO_RESISTANCE).all():
         raise Singular("a combination of coordinates without resistance")

@@ -1,4 +1,4 @@
-"""Linear systems for many designs at once, of which some may be singular."""
+"""Linear systems for many designs at once, some of which may be singular."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +11,11 @@ _SMALL = 12
 """Unknowns up to which a stack is eliminated at once: one by one takes four times as long."""
 
 _AT_ONCE = 1024
-"""Systems that are eliminated together: so many stay in the cache of a core."""
+"""Systems that are eliminated together: so many fit in a core's cache."""
 
 PIVOT = 0.3
-"""Pivot of a matrix of order one below which LAPACK exchanges rows: each that is smaller takes
-digits, which a stiffness beside buckling does not have to spare."""
+"""Pivot of a matrix of order one below which rows are exchanged, by LAPACK: a smaller one loses
+digits that a stiffness near buckling needs."""
 
 
 def solve_stack(A: Floats, b: Floats) -> Floats:

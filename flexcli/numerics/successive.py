@@ -18,22 +18,23 @@ from flexcli.numerics.signomial import Floats
 __all__ = ["RIM", "Descent", "descend"]
 
 MODELS = 80
-"""Models at the most from one start."""
+"""Greatest number of convex models from one start."""
 TRUST, WIDEST, NARROWEST = 1.0, 6.0, 1e-11
 """First, largest and least half width of the trust region, in logarithms."""
 POOR, GOOD = 0.05, 0.5
-"""Share of the predicted gain below which a step is taken back, above which the region grows."""
+"""Ratio of actual to predicted gain below which a step is rejected, above which the region
+grows."""
 PENALTIES = (1e2, 1e4, np.inf)
 """Weight of the largest violation against the objective; infinite leaves only the violation."""
 NEAR = 0.1
-"""Steps shorter than this are near enough for Newton to end the run."""
+"""Step length below which Newton's method is tried."""
 KKT = 1e-9
 """Residual of the optimality conditions, in logarithms, at which a point is an optimum."""
 NO_GAIN = 1e-9
-"""A predicted gain below this, in logarithms, is none: the models are solved no closer. Within a
-trust region that is not narrow it makes an optimum, though too flat for Newton's method."""
+"""A predicted gain below this, in logarithms, is none: the models are not solved closer. Within a
+trust region that is not narrow it marks an optimum too flat for Newton's method."""
 RIM = 1e-6
-"""A variable this near, in logarithms, to the ends between which it is looked for has run away."""
+"""Distance, in logarithms, to its limits at which a variable counts as unbounded."""
 RANK = 1e-9
 """Singular values below this share of the largest are zero in Newton's systems, whose curvatures
 may be differences."""
@@ -43,8 +44,8 @@ may be differences."""
 class Descent:
     """Where a run ended: multipliers of the rows, their optimality residual, models solved.
 
-    For an infeasible program y is a point of least largest violation (a local one) and the
-    multipliers, which sum to one, tell the rows that conflict there.
+    For an infeasible program y is a point of least largest violation (a local one), and the
+    multipliers, which sum to one, mark the conflicting rows.
     """
 
     outcome: Outcome
@@ -140,7 +141,7 @@ def _gained(program: LogProgram, at: Expansion, trial: Expansion, penalty: float
 def _newton_end(
     program: LogProgram, start: Floats, step: ModelStep, iterations: int
 ) -> Descent | None:
-    """Return the optimum that Newton's method on the active rows comes to, if it is one near by."""
+    """Return the nearby optimum found by Newton's method on the active rows, if any."""
     y, multipliers = polish(
         program.expand, start, step.multipliers, program.inequalities, rank=RANK, reach=10.0 * NEAR
     )
@@ -153,7 +154,7 @@ def _newton_end(
 
 
 def _is_at_rim(program: LogProgram, y: Floats) -> bool:
-    """Return whether a variable has come to the ends between which it is looked for."""
+    """Return whether a variable has reached the limits of its search."""
     return bool((np.minimum(y - program.low, program.high - y) <= RIM).any())
 
 
@@ -166,7 +167,7 @@ def _run_away(
     *,
     feasible: bool,
 ) -> Descent:
-    """Return the end of a descent at the rim: unbounded where it was feasible on its way there."""
+    """Return the end of a descent at a variable's limit: unbounded if it was feasible before."""
     outcome = Outcome.UNBOUNDED if feasible else Outcome.INFEASIBLE
     return _ended(program, outcome, y, at, multipliers, iteration)
 

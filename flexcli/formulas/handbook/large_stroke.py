@@ -1,4 +1,4 @@
-"""What a large stroke or rotation does to the force or moment that drives a joint.
+"""Change of the driving force or moment of a joint at a large stroke or rotation.
 
 Stiffness is judged at rest; these tell how far from there it holds.
 """

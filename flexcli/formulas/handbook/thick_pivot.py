@@ -1,4 +1,4 @@
-"""What shear and stretching of thick blades do to stiffness and stress of a pivot of two."""
+"""Shear and stretching of thick blades in a pivot of two: stiffness and stress."""
 
 import numpy as np
 
