@@ -91,12 +91,12 @@ class Actuator(Part):
     def available(self, travel: float, growth: float = 0.0) -> float:
         """Return the force that it has left at a travel of its own, either way [N].
 
-        ``growth`` is how far a temperature alone moves it [m], which counts against it.
+        ``growth`` is how far a change of temperature alone moves it [m], which reduces the force.
         """
         return max(self.force - self.k_T * (abs(travel) + abs(growth)), 0.0)
 
     def refuse_misfit(self, geometry: Geometry, mechanism: Mechanism | None) -> None:
-        """Refuse an arm that a motion does not have, or lacks."""
+        """Refuse an arm for a translation, or a rotation without an arm."""
         turns = geometry.motion == "rotation" and (mechanism is None or mechanism.joints == 1)
         if turns and self.arm is None:
             raise spec_error(
@@ -112,7 +112,7 @@ class Actuator(Part):
             )
 
     def growth(self, temperature: Temperature | None, material: Material) -> float:
-        """Return how much longer than the base beside it a temperature makes it [m].
+        """Return the thermal growth of the actuator less that of the base beside it [m].
 
         Raises
         ------

@@ -36,15 +36,15 @@ WAFERS = {
 """A direction ⟨110⟩ in each wafer, that of its flat, and its normal."""
 
 ALIKE = 1e-9
-"""Difference of blades' moduli that is rounding [-]."""
+"""Relative difference of the blades' moduli that counts as rounding [-]."""
 
 
 SHEARED, SHRUNK = 4.0, 0.42
-"""Shear modulus over that of the isotropic sheet or its inverse, and Poisson's ratio, up to which
-the springs of blades that are stiffer one way were compared."""
+"""Limits of the comparison of anisotropic blades with solids: shear modulus over the isotropic one
+or its inverse, and Poisson's ratio."""
 
 TWISTS = 1e-6
-"""Share S_15²/(S_11 S_55) of a blade that does not twist as it bends."""
+"""Share S_15²/(S_11 S_55) up to which a blade does not twist as it bends."""
 
 
 class Crystal(WithSource):
@@ -121,10 +121,10 @@ class Orientation(Part):
 
 
 class Blades(NamedTuple):
-    """What the blades of a joint are made of together.
+    """Common elastic constants of the blades of a joint.
 
-    ``E`` [Pa] and ``nu`` stand for all; ``spread`` is by what share a stiffness may be off with
-    them, ``sheared`` what twist and shear may be besides, ``uneven`` says that blades differ.
+    ``E`` [Pa] and ``nu`` stand for all; ``spread`` is the relative error of a stiffness with them,
+    ``sheared`` the further one of torsion and shear, ``uneven`` whether blades differ.
     """
 
     E: float
@@ -137,10 +137,11 @@ class Blades(NamedTuple):
 def blades_of(
     sheet: Crystal | Orthotropic, orientation: Orientation | None, angles: Iterable[float]
 ) -> Blades:
-    """Return what blades at angles from x are made of [rad].
+    """Return the common elastic constants of blades at angles from x [rad].
 
     Plates and clamps are taken as isotropic ones with Poisson's ratio √(ν_13 ν_31), which is exact
-    of very wide blades; how far they are from that, times all that plates can do, is in the error.
+    for very wide blades; their distance from that, times the largest effect of a plate, is in the
+    error.
     """
     if orientation is not None and orientation.width == "in-plane":
         angles = [0.0]
@@ -192,11 +193,11 @@ def laid(
     turned: float,
     stiffer: float,
 ) -> SpaceLayout:
-    """Return a layout each blade of which has the constants of its direction.
+    """Return a layout in which each blade has the elastic constants of its direction.
 
-    ``turned`` is by what angle the layout is turned from the axes of its drawing [rad],
-    ``stiffer`` by what its moduli are those of another temperature. It stays as it is where any
-    member is none whose springs were compared.
+    ``turned`` is the angle by which the layout is turned from the axes of its drawing [rad],
+    ``stiffer`` the ratio of its moduli to those at assembly. It is returned unchanged where any
+    member is of a kind whose springs were not compared with solids.
     """
     found = []
     for blade in layout.blades:
@@ -237,7 +238,7 @@ def _directed(
 
 
 def stated(data: dict[str, Any]) -> dict[str, Any]:
-    """Return a material as a spec has it, with the moduli along x that its sheet has."""
+    """Return a material as a spec states it, with the moduli along x derived from its sheet."""
     kinds: dict[str, type[Crystal] | type[Orthotropic]]
     kinds = {"crystal": Crystal, "orthotropic": Orthotropic}
     (key,) = kinds.keys() & data.keys()

@@ -65,7 +65,7 @@ class Part(BaseModel):
     """
 
     is_plain: ClassVar[bool] = False
-    """Whether a spec writes it as a plain value or a list, never by the names of its fields."""
+    """Whether a spec writes it as a plain value or a list, without field names."""
 
     model_config = ConfigDict(
         frozen=True, extra="forbid", arbitrary_types_allowed=True, defer_build=True
@@ -159,7 +159,7 @@ class OfTable:
 
 
 class Texts:
-    """What a spec says at one place of each of many designs."""
+    """The texts at one place of the spec, one for each of many designs."""
 
     def __init__(self, texts: Sequence[str]) -> None:
         self.texts = texts
@@ -216,14 +216,14 @@ class QuantityOf:
 
     @property
     def _sign(self) -> str:
-        """Return what the bounds say of the sign, as patterns of quantities name it."""
+        """Return the sign that the bounds allow, as the patterns of quantities name it."""
         least = next((x for x in (self.above, self.at_least) if x is not None), -1.0)
         if self.below is not None and self.below <= 0.0:
             return "-"
         return "" if least < 0.0 else "0+" if self.at_least == 0.0 else "+"
 
     def _bounds(self, number: float) -> tuple[tuple[str, float | None, bool], ...]:
-        """Return each bound in words, its value, and whether a number keeps it."""
+        """Return each bound in words, its value, and whether a number satisfies it."""
         return (
             ("above", self.above, self.above is None or number > self.above),
             ("at least", self.at_least, self.at_least is None or number >= self.at_least),
@@ -231,7 +231,7 @@ class QuantityOf:
         )
 
     def read(self, value: Any) -> float:
-        """Return the SI value of what the spec says, or raise what is wrong with it."""
+        """Return the SI value of the text of a spec, or raise what is wrong with it."""
         expected = DIMENSIONS[self.dimension]
         if isinstance(value, Texts):
             return self._read_each(value.texts)
@@ -255,7 +255,7 @@ class QuantityOf:
         return number
 
     def _read_each(self, texts: Sequence[str]) -> float:
-        """Return the values of many designs; those that cannot be read take another way."""
+        """Return the values of many designs; those that cannot be read are split off."""
         found, fails = [], []
         for text in texts:
             try:
@@ -333,7 +333,7 @@ def in_either(value: Any, *dimensions: str) -> tuple[float, str]:
 
 
 def said(value: Any) -> str:
-    """Return what a spec says at a place, in a few words."""
+    """Return a value of a spec as text for a message, shortened."""
     if value is None:
         return "nothing"
     if isinstance(value, bool):

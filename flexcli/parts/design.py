@@ -61,10 +61,10 @@ else:
 __all__ = ["DesignSpec", "ModelName", "Problem"]
 
 SHAKEN = ("asd", "axes", "shock", "sine", "sweep", "sines")
-"""Loads of a case that Q is for."""
+"""Loads of a case that a quality factor applies to."""
 
 IN_PLANE = 1e-6
-"""Slope of a blade against its wafer that is rounding."""
+"""Slope of a blade against its wafer below which it lies in it."""
 
 CASE_KEYS = tuple(Case.model_fields)
 EffectKey: TypeAlias = Literal[tuple(effect.key for effect in EFFECTS)]  # type: ignore[valid-type]
@@ -73,7 +73,7 @@ ModelName: TypeAlias = Literal["source", "closed-form", "linear", "exact", "shel
 
 
 class Problem(NamedTuple):
-    """Something that does not fit between parts that are sound each: where, what, what else."""
+    """A conflict between parts that are valid by themselves: path, text, hint."""
 
     path: tuple[str | int, ...]
     text: str
@@ -176,10 +176,10 @@ class DesignSpec(Part):
     @model_validator(mode="before")
     @classmethod
     def _material_damps(cls, data: Any) -> Any:
-        """Give cases that vibrate, and state no Q, that of the material's loss factor.
+        """Give cases that vibrate without a stated Q that of the material's loss factor.
 
-        Where the mechanism states its damping, they have that, and so do shocks beside a load that
-        has one of its own.
+        Where the mechanism states its damping, that is used, also for shocks beside a load that has
+        a Q of its own.
         """
         if not isinstance(data, dict) or not isinstance(data.get("cases"), dict):
             return data
@@ -239,7 +239,7 @@ class DesignSpec(Part):
 
     @model_validator(mode="after")
     def _material_is_oriented(self) -> "DesignSpec":
-        """Take the material along the blades, where its stiffness depends on the direction."""
+        """Orient the material along the blades, where its stiffness depends on the direction."""
         if self.material.is_directed:
             self.__dict__["material"] = self.material.oriented(self._blade_angles())
         return self
@@ -330,7 +330,7 @@ class DesignSpec(Part):
         return self
 
     def redrawn(self, sizes: Sizes) -> tuple["DesignSpec", Sizes]:
-        """Return the design as it is where parameters of its drawing have values, and its sizes.
+        """Return the design drawn at given values of its free parameters, and its sizes.
 
         Raises
         ------
@@ -359,7 +359,7 @@ class DesignSpec(Part):
         return [self.scene(name) for name in self.cases]
 
     def switched_off(self, case: str) -> list[tuple[str, str]]:
-        """Return the effects that the spec switches off and the loads of a case that they take."""
+        """Return the effects that the spec switches off, each with the load that it removes."""
         if not self.effects:
             return []
         return [
@@ -386,7 +386,7 @@ class DesignSpec(Part):
             return None
 
     def ask(self, scene: Scene, sizes: Sizes, joint_model: JointModel) -> Ask:
-        """Return what a requirement of one case is judged on, its material at its temperature.
+        """Return what a requirement of one case is judged by: design, case, material, model.
 
         Raises
         ------
@@ -408,7 +408,7 @@ class DesignSpec(Part):
 
     @property
     def omitted(self) -> frozenset[EffectName]:
-        """Return the effects that the spec omits from blades in space."""
+        """Return the effects that the spec leaves out of blades in space."""
         return frozenset(name for name in BEAM_EFFECTS if self.is_off(name))
 
     @property
@@ -421,7 +421,7 @@ class DesignSpec(Part):
         return self.model_copy(update={"effects": kept})
 
     def _as_felt(self, geometry: Geometry) -> Geometry:
-        """Return a geometry without the omitted effects, the same one for the same."""
+        """Return a geometry without the omitted effects, the same object for the same geometry."""
         if not self.omitted:
             return geometry
         if self._felt is None or self._felt[0] is not geometry:
@@ -429,7 +429,7 @@ class DesignSpec(Part):
         return self._felt[1]
 
     def asks(self, sizes: Sizes, joint_model: JointModel) -> list[Ask]:
-        """Return what is asked in every case."""
+        """Return the design, model and case for every case."""
         return [self.ask(scene, sizes, joint_model) for scene in self.scenes()]
 
     def limits(self, sizes: Sizes, joint_model: JointModel = AS_PRINTED) -> list[Limit]:
@@ -439,8 +439,8 @@ class DesignSpec(Part):
     def closed_limits(self, sizes: Sizes) -> list[Limit]:
         """Return the limits that are formulas, on floats, arrays or signomials.
 
-        In a corrected design they say what the models that judge do, and what has no formula is
-        among them.
+        In a corrected design they agree with the models that judge, and limits without a formula
+        are included.
         """
         limits = list(self._limits(sizes, AS_PRINTED, closed_form=True))
         if not self._corrections:
@@ -469,7 +469,7 @@ class DesignSpec(Part):
         ]
 
     def _less(self, limit: Limit, sizes: Sizes) -> Limit:
-        """Return a limit less what the tolerances take of it; a target is as much narrower."""
+        """Return a limit reduced by the loss to tolerances; that of a target is narrowed."""
         loss = self._losses.get(limit.name)
         if loss is None:
             return limit
@@ -478,14 +478,14 @@ class DesignSpec(Part):
         return _narrowed(limit, loss.factor - 1.0)
 
     def with_losses(self, losses: Mapping[str, Correction]) -> "DesignSpec":
-        """Return the design with what tolerances take of each check, near a design."""
+        """Return the design with the loss of each check to the tolerances, near a design."""
         design = self.model_copy()
         design._losses = dict(losses)
         return design
 
     @property
     def is_corrected(self) -> bool:
-        """Return whether its closed limits say what the models that judge do, near a design."""
+        """Return whether its closed limits are corrected to the models that judge, at a design."""
         return bool(self._corrections)
 
     def corrected(self, corrections: Mapping[str, Correction]) -> "DesignSpec":
@@ -509,9 +509,9 @@ class DesignSpec(Part):
                     yield from requirement.limits(ask)
 
     def questions(self, scenes: Sequence[Scene]) -> Iterator[tuple[Requirement, Scene]]:
-        """Yield every requirement with each case that it is asked of; once where it is of none.
+        """Yield every requirement with each case that it applies to; once where it is of no case.
 
-        Of the latter those that a temperature changes are asked at each besides.
+        Of the latter those that a temperature changes are repeated for each temperature.
         """
         for _, requirement in self.requirements.each():
             relevant = [scene for scene in scenes if requirement.applies(scene)]
@@ -522,7 +522,7 @@ class DesignSpec(Part):
                 yield requirement, scene
 
     def own_limits(self, sizes: Sizes) -> Iterator[Limit]:
-        """Yield what mechanism, process and the joint's own shape ask, whatever is required."""
+        """Yield the limits of mechanism, process and the joint's shape, whatever is required."""
         yield from self.coupling_limits()
         geometry, drawn = self.geometry.drawn(sizes)
         if self.manufacturing is not None:
@@ -534,7 +534,7 @@ class DesignSpec(Part):
             )
 
     def coupling_limits(self) -> Iterator[Limit]:
-        """Yield what a mechanism states of its coupling to the base."""
+        """Yield the limit of a mechanism on its coupling to the base."""
         limit = self.mechanism.coupling_limit() if self.mechanism else None
         if limit is not None:
             yield Limit(
@@ -550,7 +550,7 @@ class DesignSpec(Part):
             )
 
     def problems(self) -> list[Problem]:
-        """Return what does not fit between parts that are sound each, all in one pass."""
+        """Return the conflicts between parts that are valid by themselves, all in one pass."""
         found: list[Problem] = []
         scenes = []
         for name in self.cases:
@@ -567,7 +567,7 @@ class DesignSpec(Part):
         return found
 
     def _temperature_problems(self, name: str) -> Iterator[Problem]:
-        """Yield what the material does not say of the temperature of a case."""
+        """Yield the properties that the material lacks at the temperature of a case."""
         temperature, path = self.cases[name].temperature, ("cases", name, "temperature")
         if temperature is None:
             return
@@ -664,14 +664,14 @@ def _lacks_q(case: Any) -> bool:
 
 
 def _scaled(limit: Limit, factor: Quantity) -> Limit:
-    """Return a limit of which so many times more is used, by the number that is not stated."""
+    """Return a limit of a multiplied utilisation, by the number that the spec does not state."""
     if limit.in_capacity:
         return replace(limit, capacity=limit.capacity * factor ** (-limit.power))
     return replace(limit, demand=limit.demand * factor**limit.power)
 
 
 def _as_judged(check: Check, share: Quantity) -> Limit:
-    """Return the limit of a check of which a share is used, its number known by value and slope."""
+    """Return the limit of a check from its utilisation, known by value and slope."""
     name, _, variant = check.name.removesuffix(")").rpartition(" (")
     source = "by value and slope"
     if variant == "min":
@@ -688,7 +688,7 @@ def _as_judged(check: Check, share: Quantity) -> Limit:
 
 
 def _narrowed(limit: Limit, spread: float) -> Limit:
-    """Return a target whose tolerance leaves room for an error, where it is wide enough."""
+    """Return a target whose tolerance is narrowed by an error, where it is wide enough."""
     if limit.tolerance is None or not 0.0 < spread < limit.tolerance:
         return limit
     return replace(limit, tolerance=(1.0 + limit.tolerance) / (1.0 + spread) - 1.0)

@@ -1,4 +1,4 @@
-"""What the mass of the blades changes in a frequency and in a sag."""
+"""The mass of the blades in a frequency and in a sag."""
 
 from math import hypot, inf, sqrt
 
@@ -28,20 +28,20 @@ from flexcli.parts.own_motion import (
 __all__ = ["changes"]
 
 SECTION = 3.0
-"""Times (h/l)² of the blades' share: their sections' own inertia and shear, left out of it."""
+"""Factor on (h/l)² of the blades' share, for rotary inertia and shear of their sections."""
 
 THICK = 0.05
-"""Share of that which Timoshenko's beams leave: all that they change is no more."""
+"""Part of that which Timoshenko's beams leave out."""
 
 SLOWER = Change(None, 1.0, 0.0, -1)
-"""A frequency with masses that nobody can tell: down to nothing."""
+"""Change of a frequency with unknown masses: down to zero."""
 
 LOWER = Change(None, inf, 0.0, 1)
-"""A sag with such masses: without limit."""
+"""Change of a sag with unknown masses: unbounded."""
 
 
 def changes(setting: Setting) -> Changes:
-    """Return the change of the frequency, and of a sag, where something moves that has a mass."""
+    """Return the change of the frequency, and of a sag, where a body with mass moves."""
     found: dict[str, Change] = {}
     for name, change, unknown in (("frequency", _frequency, SLOWER), ("sag", _sag, LOWER)):
         try:

@@ -1,4 +1,4 @@
-"""The random response by Miles' formula for one mode, and what it leaves out as a range."""
+"""The random response by Miles' formula for one mode, and the range of its error."""
 
 from math import pi
 from typing import NamedTuple
@@ -26,15 +26,15 @@ __all__ = ["MilesOutput", "miles_outputs"]
 Floats = NDArray[np.float64]
 
 STEPS = 5
-"""Stiffnesses over a range at which a mode's exact response is looked up, besides those that put
-it onto a corner of the profile."""
+"""Stiffnesses over a range at which a mode's exact response is evaluated, besides those that put it
+onto a corner of the profile."""
 
 TELLING = 0.01
-"""Share of an output from which another mode counts by its exact response, not by a bound."""
+"""Part of an output from which another mode counts by its exact response, not by a bound."""
 
 
 class MilesOutput(NamedTuple):
-    """The rms of one response by Miles' formula, and between what that of all modes lies."""
+    """The rms of one response by Miles' formula, and the range of that of all modes."""
 
     rms: float
     least: float
@@ -97,7 +97,7 @@ def miles_outputs(
 
 
 class _Oscillators(NamedTuple):
-    """Rms pseudo-acceleration of modes (m,): by Miles, and between what it exactly lies."""
+    """Rms pseudo-acceleration of modes (m,): by Miles, and the range of the exact one."""
 
     by_miles: Floats
     least: Floats
@@ -111,7 +111,7 @@ def _oscillators(
     stiffer: tuple[float, float],
     sizes: list[Floats],
 ) -> _Oscillators:
-    """Return the responses of modes; exact of those that tell in any output, sizes (m, places)."""
+    """Return the responses of modes; exact for those that matter, sizes (m, places)."""
     f, g, scale = applied.frequency, applied.level, applied.scale
     by_miles = miles(natural, Q, spectral_level(natural, f, g, scale=scale))
     lowest, highest = natural * stiffer[0] ** 0.5, natural * stiffer[1] ** 0.5

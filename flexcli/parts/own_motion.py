@@ -1,4 +1,4 @@
-"""The mechanism's own motion: its mode among all that bodies and heavy blades can do."""
+"""The mechanism's driven motion: its mode among all modes of bodies and heavy blades."""
 
 import numpy as np
 
@@ -27,13 +27,13 @@ __all__ = [
 ]
 
 DENSEST = 22_600.0
-"""Density of osmium [kg/m³]: what blades of unknown material weigh at most."""
+"""Density of osmium [kg/m³], the upper limit for blades of unknown material."""
 
 TAKES_PART = 0.01
-"""Share of the motion's compliance from which a mode is one of the motion's own."""
+"""Part of the driven motion's compliance from which a mode belongs to it."""
 
 KEEPS_WARPING = 1e3
-"""Times that a notch is stiffer in torsion than its sections, which may not warp."""
+"""Factor by which a notch without warping is stiffer in torsion than its sections."""
 
 NO_MASS = "a frequency needs a mass that moves"
 HINT = "add mechanism: {kind: payload, mass: …}, or give a layout's bodies their mass"

@@ -44,14 +44,14 @@ CROWD = np.geomspace(0.02, 20.0, 60)
 """Half-bandwidths from a resonance at which a sweep is looked at: its top to 1e-4."""
 
 PER_SWEEP = 2000
-"""Frequencies of a sweep between resonances."""
+"""Frequencies of a sweep between two resonances."""
 
 PARTICIPATES = 1e-9
-"""Share of the moving mass below which the base does not move a mode at all."""
+"""Part of the moving mass below which the base does not excite a mode."""
 
 UNSTATED = 0.02
-"""Part of a stress up to which modes above the end of a shock's spectrum count as if it went on:
-those inside blades, far above what tests state."""
+"""Part of a stress up to which modes above the end of a shock's spectrum are taken as if it went
+on: those inside blades, far above what tests state."""
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def random_response(structure: Structure, vibration: Vibration) -> RandomRespons
 
 
 def random_outputs(structure: Structure, vibration: Vibration) -> dict[str, Output]:
-    """Return the totals of :func:`random_response` without what each mode does alone."""
+    """Return the totals of :func:`random_response` without the responses of single modes."""
     modes = natural_modes(structure.stiffness, structure.mass)
     return {name: _output(block) for name, block in _moments(structure, vibration, modes)}
 
@@ -132,7 +132,7 @@ def _moments(
 def _each_mode(
     structure: Structure, vibration: Vibration, modes: Modes
 ) -> tuple[Floats, list[dict[str, float]]]:
-    """Return the mass share of each mode and its own rms responses, none where not excited."""
+    """Return each mode's mass share and own rms responses, none where it is not excited."""
     rows = OutputRows(structure)
     qualities = mode_qualities(structure, vibration.q, vibration.axes, modes)
     squares = np.zeros((modes.angular.size, rows.matrix.shape[0]))
@@ -361,7 +361,7 @@ def _density_points(
 
 
 def sweep_points(frequencies: tuple[float, float], resonances: Floats, Q: float | Floats) -> Floats:
-    """Return frequencies [Hz] that miss no resonance: crowded at each by its bandwidth."""
+    """Return frequencies [Hz] that include every resonance, dense there by its bandwidth."""
     low, high = sorted(frequencies)
     if low == high:
         return np.array([low])

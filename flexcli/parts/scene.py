@@ -1,4 +1,4 @@
-"""What one case asks of each joint: travel, force, what holds the blades' ends."""
+"""One load case on each joint: travel, forces, accelerations and end conditions."""
 
 from collections.abc import Iterable, Mapping
 from enum import StrEnum
@@ -29,18 +29,18 @@ IN_PLANE = (0, 1, 5)
 """Components of a wrench in the joint's plane."""
 
 ROUNDING = 1e-12
-"""Of a component over the whole: below it, it is none."""
+"""Relative size of a component below which it is rounding."""
 
 
 WARM = "has no closed form for a temperature"
-"""Why the closed forms do not have a case with a temperature."""
+"""Why the closed forms do not cover a case with a temperature."""
 
 STATED = "stated in the case"
 """Why a case has the ends that it states."""
 
 
 class LoadKind(StrEnum):
-    """What a case can load a mechanism with, by its key in the spec."""
+    """Kinds of loads of a case, by their keys in the spec."""
 
     STROKE = "stroke"
     LOAD = "load"
@@ -71,16 +71,16 @@ class Push(NamedTuple):
 class Scene(NamedTuple):
     """One case in the joint's own terms.
 
-    ``travel`` and ``mean_travel`` are rotations [rad] or translations [m] of the joint,
-    ``middle`` is the mean travel with the sign of the stroke; ``force``
-    is the largest force on a joint in its plane [N], ``axial_share`` the largest axial force in a
-    blade per unit of it. ``forces`` are its parts, each with its direction from the x of the
-    joint's layout [rad]; what only drives the stroke is none of them.
+    ``travel`` and ``mean_travel`` are rotations [rad] or translations [m] of the joint, ``middle``
+    is the mean travel with the sign of the stroke; ``force`` is the largest force on a joint in its
+    plane [N], ``axial_share`` the largest axial force in a blade per unit of it. ``forces`` are its
+    parts, each with its direction from the x of the joint's layout [rad], without those that only
+    drive the stroke.
 
-    ``stated`` is what load and wrench put on the joint, ``inertial`` what each acceleration does;
-    both in the frame of the joint's layout, at the moving body's point. The stated may act either
-    way, and so may each of the others, whatever the rest does. ``accelerations`` are those that
-    act on the masses of the layout's own bodies besides [m/s²], one for each ``inertial``.
+    ``stated`` is the wrench of load and wrench on the joint, ``inertial`` that of each
+    acceleration; both in the frame of the joint's layout, at the moving body's point. Each may act
+    in either sense, independently of the others. ``accelerations`` are those on the masses of the
+    layout's own bodies [m/s²], one for each ``inertial``.
     """
 
     case: str
@@ -112,22 +112,22 @@ class Scene(NamedTuple):
     """Whether the axes along which the base is shaken act one after another."""
     temperature: "Temperature | None" = None
     loads: frozenset[LoadKind] = frozenset()
-    """What the case states; each has to be looked at by some requirement."""
+    """Kinds of loads of the case; some requirement has to look at each."""
     pushed_by: frozenset[LoadKind] = frozenset()
-    """Those of them of which all is in the stresses of the joint's plane."""
+    """Those that are fully included in the stresses of the joint's plane."""
     across_by: frozenset[LoadKind] = frozenset()
-    """Those that act out of the plane, too, on a joint whose blades are judged in space."""
+    """Those that also act out of the plane, on a joint whose blades are judged in space."""
     stated: Wrench = NO_WRENCH
     inertial: tuple[Wrench, ...] = ()
     accelerations: tuple[tuple[float, float, float], ...] = ()
     drive: int = 5
-    """Which component of a wrench drives the stroke: the moment about z, or the force along y."""
+    """Component of a wrench that drives the stroke: the moment about z, or the force along y."""
     beyond: str = ""
-    """Why the closed forms do not have its loads, where that is so."""
+    """Why the closed forms do not cover its loads, empty where they do."""
     in_space: bool = False
     """Whether the joint is drawn in space, where everything acts on it."""
     directed: bool = False
-    """Whether the first of ``forces`` acts in the sense that it is stated in, not either way."""
+    """Whether the first of ``forces`` acts in its stated sense only, not either way."""
     has_plane: bool = True
     """Whether the joint has a plane in which forces act on it, as bars along an axis do not."""
 
@@ -217,7 +217,7 @@ class Scene(NamedTuple):
         )
 
     def pushes(self) -> tuple[Push, ...]:
-        """Return what the forces add up to, for each combination of the senses they may have."""
+        """Return the resultants of the forces for each combination of their senses."""
         found: list[Push] = []
         each: list[tuple[float, ...]] = [(1.0, -1.0)] * len(self.forces)
         if self.directed:
@@ -234,7 +234,7 @@ class Scene(NamedTuple):
 
     @property
     def driver(self) -> str:
-        """Return what the stresses of the case grow with."""
+        """Return the name of what the stresses of the case grow with."""
         return " and ".join(
             ["stroke"] * self.moves + ["force"] * bool(self.blade_force > 0.0 or self.push > 0.0)
         )
@@ -320,20 +320,20 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
 
 
 def _loads(case: Case) -> frozenset[LoadKind]:
-    """Return what a case states that loads it: an acceleration of no size does not."""
+    """Return the kinds of loads of a case, without an acceleration of zero size."""
     steady = case.acceleration
     given = {kind for kind in LoadKind if getattr(case, kind.value)}
     return frozenset(given - {LoadKind.ACCELERATION} if steady and not steady.size else given)
 
 
 def _refuse_in_space(case: Case) -> None:
-    """Refuse what no model in space judges."""
+    """Refuse loads that no model in space covers."""
     if case.load is not None:
         raise MechanismError("load", "a load is one in a plane", "write it as a wrench: {x: 10 N}")
 
 
 def _is_more(wrench: Wrench, drive: int) -> bool:
-    """Return whether a wrench has a force in the plane that does not only drive the stroke."""
+    """Return whether a wrench has a force in the plane beside the one that drives the stroke."""
     x, y = wrench[0], 0.0 if drive == 1 else wrench[1]
     return hypot(x, y) > ROUNDING * hypot(*wrench[:2])
 
@@ -375,7 +375,7 @@ def _stands_free(geometry: Geometry) -> bool:
 def _pushed_by(
     case: Case, inertial: frozenset[LoadKind], geometry: Geometry
 ) -> frozenset[LoadKind]:
-    """Return the loads of a case of which all is in the stresses of the joint."""
+    """Return the loads of a case that the stresses of the joint include completely."""
     found = set(inertial) if geometry.has_plane else set()
     if geometry.in_space:
         given = {
@@ -397,7 +397,7 @@ def _pushed_by(
 def _refuse_unknown_bodies(
     temperature: "Temperature", mechanism: Mechanism | None, geometry: Geometry
 ) -> None:
-    """Raise :class:`MechanismError` for a temperature of what the joint does not have."""
+    """Raise :class:`MechanismError` for temperatures of bodies that the joint does not have."""
     if mechanism is not None and mechanism.joints > 1:
         text = "a temperature is judged on a joint, not on a mechanism of several"
         raise MechanismError("temperature", text, "draw the mechanism as a layout")
@@ -417,7 +417,7 @@ def _refuse_unknown_bodies(
 
 
 def _called(temperature: "Temperature | None", geometry: Geometry) -> "Temperature | None":
-    """Return a temperature with the bodies as the joint's layout calls them."""
+    """Return a temperature with the bodies named as in the joint's layout."""
     name = geometry.moving_name
     if temperature is None or name not in temperature.names or geometry.in_space:
         return temperature
@@ -430,7 +430,7 @@ def _called(temperature: "Temperature | None", geometry: Geometry) -> "Temperatu
 
 
 def _stated(case: Case, geometry: Geometry) -> Wrench:
-    """Return load and wrench of a case together, in the frame of the joint's layout."""
+    """Return load and wrench of a case as one wrench, in the frame of the joint's layout."""
     found = list(NO_WRENCH if case.wrench is None else _turned(case.wrench.components, geometry))
     if case.load is not None:
         angle = case.load.direction + geometry.symmetry_axis
@@ -448,7 +448,7 @@ def _turned(wrench: tuple[float, ...], geometry: Geometry) -> list[float]:
 
 
 def _clean(wrench: Iterable[float]) -> Wrench:
-    """Return a wrench without components that are rounding beside the others of their kind."""
+    """Return a wrench with components set to zero that are rounding beside the others."""
     values = list(wrench)
     for first in (0, 3):
         size = hypot(*values[first : first + 3])
@@ -465,7 +465,7 @@ def _closed_share(
     forces: tuple[tuple[float, float], ...],
     wrenches: tuple[Wrench, ...],
 ) -> tuple[str, float]:
-    """Return why closed forms do not have the loads, and the greatest axial force over the force.
+    """Return why closed forms do not cover the loads, and the largest axial force over the force.
 
     Forces in different directions add as if they were largest in the same blade.
     """
@@ -520,7 +520,7 @@ def _joint_travel(
 
 
 class _Inertial(NamedTuple):
-    """What accelerations put on a joint: wrenches in its frame, and on its own bodies [m/s²].
+    """Wrenches of accelerations on a joint, in its frame, and accelerations of its bodies [m/s²].
 
     ``name`` is that of the force at the most loaded joint, ``forces`` are those at all of them.
     """
@@ -535,7 +535,7 @@ class _Inertial(NamedTuple):
 def _inertial(
     case: Case, mechanism: Mechanism | None, geometry: Geometry, values: dict[str, Value]
 ) -> _Inertial:
-    """Return what the accelerations of a case do, adding what was found on the way.
+    """Return the wrenches of a case's accelerations, and add their values to those given.
 
     A steady acceleration acts in any direction; one of a vibration or a shock loads the joints
     quasi-statically where it does not drive the motion itself.
@@ -603,7 +603,7 @@ def _shaken_across(case: Case) -> frozenset[LoadKind]:
 
 
 class _Accelerated(NamedTuple):
-    """An acceleration that loads the joints, along x, y and z [m/s²]; the name of its force."""
+    """An acceleration that loads the joints, along x, y and z [m/s²], and the name of its force."""
 
     kind: LoadKind
     vector: tuple[float, ...]

@@ -1,4 +1,4 @@
-"""How the blades of a joint bend, kind by kind: what each effect changes in its numbers."""
+"""Bending of the blades of each kind of joint: the effects that its closed forms leave out."""
 
 from flexcli.parts.bending.base import (
     FLOOR,

@@ -1,4 +1,4 @@
-"""Blades and notch hinges that a moment alone bends: no force, no stretching, no shear."""
+"""Blades and notch hinges bent by a moment alone: no force, no stretching, no shear."""
 
 from math import pi
 from typing import ClassVar
@@ -9,9 +9,9 @@ __all__ = ["Arc"]
 
 
 class Arc(Bending):
-    """A hinge between its base and a body that is free to follow it, turned by θ.
+    """A hinge between its base and a body that follows it freely, turned by θ.
 
-    The moment is the same all along, so that stiffness and stress are exact at any rotation.
+    The moment is constant along it, so that stiffness and stress are exact at any rotation.
     """
 
     travel_most: ClassVar[float] = pi / 2.0
@@ -33,7 +33,7 @@ class Arc(Bending):
         return {}
 
     def stretched(self, n: float, direction: float | None) -> Changes:
-        """Return nothing: a force through its middle moves the body along it."""
+        """Return no change: a force through its middle moves the body along it."""
         return {}
 
     def rotation(self) -> Changes:
@@ -50,13 +50,13 @@ class Arc(Bending):
         return {}
 
     def load(self, n: float) -> Changes:
-        """Return that nobody has derived it."""
+        """Return an unknown change: it has not been derived."""
         return {"stress": UNKNOWN} if n else {}
 
     def pulled(self, n: float) -> Changes:
-        """Return nothing: a force along the hinge bends nothing."""
+        """Return no change: a force along the hinge does not bend it."""
         return {}
 
     def amplified(self, n: float) -> Changes:
-        """Return nothing up to half of what buckles it, its end free: there is no bending then."""
+        """Return no change up to half its buckling load with a free end: it is not bent by then."""
         return {} if n < pi**2 / 8.0 else {"stress": UNKNOWN}

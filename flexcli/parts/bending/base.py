@@ -1,4 +1,4 @@
-"""What a way of bending tells of the effects that its closed forms leave out."""
+"""Interface of a way of bending: the effects that closed forms leave out, as relative changes."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -25,12 +25,12 @@ __all__ = [
 
 
 class Change(NamedTuple):
-    """Relative change of a reported number: its best value, if any, and a bound of its size.
+    """Relative change of a reported number: its estimate, if any, and a bound of its size.
 
-    ``error`` is how far off 1 + value may be, as a share of it; ``sign`` tells that the number
-    can but rise (+1) or fall (−1). Without a value the change is unknown: a bound without one is
-    an order of magnitude, by which nothing is judged. ``other`` is how far off it may be, whatever
-    shape the blades take beside other effects.
+    ``error`` is the relative error of 1 + value; ``sign`` says that the number can only rise (+1)
+    or fall (−1). Without a value the change is unknown, and its bound is an order of magnitude by
+    which nothing is judged. ``other`` is the relative error for any other deflected shape of the
+    blades, as other effects may cause.
     """
 
     value: float | None
@@ -41,24 +41,24 @@ class Change(NamedTuple):
 
 
 Changes: TypeAlias = Mapping[str, Change]
-"""Changes by what is reported: stiffness, stress, shift, buckling, sag, frequency."""
+"""Changes by the number that they affect: stiffness, stress, shift, buckling, sag, frequency."""
 
 UNKNOWN = Change(None, inf)
-"""What nobody has a formula for."""
+"""A change that no formula gives."""
 
 
 FLOOR = ErrorRange(-2e-6, 2e-6)
-"""Of any closed form: some ten times what the finest model differs by from those that are exact,
+"""Error of any closed form: some ten times the difference of the finest model from exact solutions,
 at sharp notches."""
 
 
 def whole(value: float, error: float = 0.0) -> Change:
-    """Return a change of which the value is all that there is, but for an error."""
+    """Return a change that is known completely, but for an error."""
     return Change(number(value), abs(number(value)), number(error))
 
 
 def together(one: Change, other: Change) -> Change:
-    """Return two changes as one, unknown where either is."""
+    """Return two changes combined, unknown where either is."""
     known = one.value is not None and other.value is not None
     value = (1.0 + (one.value or 0.0)) * (1.0 + (other.value or 0.0)) - 1.0 if known else None
     return Change(
@@ -70,9 +70,9 @@ def together(one: Change, other: Change) -> Change:
 
 
 class Factor(NamedTuple):
-    """A plate's number over the beam's: the best value, and the range it is in [-].
+    """Factor of a plate's number over the beam's: the best value, and its range [-].
 
-    ``other`` is how far off the value may be for blades that bend in any other shape, as a share.
+    ``other`` is the relative error of the value for blades that bend in any other shape.
     """
 
     value: float
@@ -81,7 +81,7 @@ class Factor(NamedTuple):
     other: float = inf
 
     def change(self, nu_known: bool) -> Change:
-        """Return it as a change; where ν is not known, it was taken as ½ and is a bound."""
+        """Return it as a change; with an unknown ν, taken as ½, its value is a bound."""
         if not nu_known:
             return Change(None, self.high - 1.0, 0.0, 1)
         error = larger(self.high - self.value, self.value - self.low) / self.value
@@ -89,10 +89,10 @@ class Factor(NamedTuple):
 
 
 class WideBlades(NamedTuple):
-    """What the width of its blades changes in a joint; ν is that of the material, or ½.
+    """Change of a joint's numbers by the width of its blades; ν is that of the material, or ½.
 
-    ``shift`` and ``sag`` are relative changes with their errors; nothing where the first is zero
-    or the second follows from the stiffness.
+    ``shift`` and ``sag`` are relative changes with their errors; None where the shift is zero, or
+    the sag follows from the stiffness.
     """
 
     ratio: float
@@ -105,17 +105,18 @@ class WideBlades(NamedTuple):
     bends: tuple[float, float] | None = None
     """Curvatures at both ends of a blade of constant thickness, over the travel [1/m or 1/m²]."""
     bent: tuple[float, float, float] | None = None
-    """h, l and b of the blade that these are of, where the joint has more than one shape [m]."""
+    """Thickness, length and width of the blade with these curvatures, for joints of several shapes
+    [m]."""
     first: tuple[float, float] = (0.0, 0.0)
-    """What the centre moves to first order, over the second order of a unit travel [rad or m], and
-    the largest change of that [-]."""
+    """First-order motion of the centre over the second order of a unit travel [rad or m], and its
+    largest change [-]."""
 
 
 class FilletedRoots(NamedTuple):
-    """What fillets at the roots of its blades change in a joint's closed forms.
+    """Change of a joint's closed forms by fillets at the roots of its blades.
 
-    ``stiffness`` and ``stress`` are of small motions, with the peak of the stress; ``shift`` is
-    between which the change lies, ``arc`` how much less a blade turns that a moment bends.
+    ``stiffness`` and ``stress`` are of small motions, with the peak of the stress; ``shift`` is the
+    range of its change, ``arc`` the reduction of the rotation of a blade bent by a moment.
     """
 
     ratio: float
@@ -127,10 +128,10 @@ class FilletedRoots(NamedTuple):
 
 
 class CompliantClamps(NamedTuple):
-    """What clamps that are not rigid change in a joint.
+    """Change of a joint's numbers by clamps that are not rigid.
 
-    ``stress`` and ``shift`` are between which the change lies; ``softest`` is by how much any
-    compliance of the joint may rise, off its motion and out of its plane too.
+    ``stress`` and ``shift`` are ranges of their change; ``softest`` is the largest increase of any
+    compliance of the joint, across its motion and out of its plane too.
     """
 
     ratio: float
@@ -138,18 +139,18 @@ class CompliantClamps(NamedTuple):
     stiffness: Factor
     stress: tuple[float, float]
     loaded: float
-    """By how much the stress may rise under loads beside the travel."""
+    """Largest increase of the stress under loads beside the travel."""
     buckling: Factor
     shift: tuple[float, float]
     softest: float
 
 
 class Thick(NamedTuple):
-    """What plane elasticity changes in the stiffness of notch hinges, of which beams know nothing.
+    """Change of the stiffness of notch hinges by plane elasticity, which beams leave out.
 
-    ``ratio`` is the largest e/radius; no factor where no such notch was compared. ``shift`` is
-    between which the shift of the hinges lies over that of their beams, ``path`` the share of the
-    joint's shift that they make.
+    ``ratio`` is the largest e/radius; there is no factor where no such notch was compared.
+    ``shift`` is the range of the hinges' shift over that of their beams, ``path`` the part of the
+    joint's shift that comes from them.
     """
 
     ratio: float
@@ -162,7 +163,7 @@ class Bending(ABC):
     """Equal slender blades at the largest travel of a case."""
 
     is_estimate: ClassVar[bool] = True
-    """Whether its changes are values with errors that hold, not unknown."""
+    """Whether its changes are values with reliable errors, rather than unknown."""
     travel_most: ClassVar[float] = 0.0
     """Rotation [rad], or stroke over length, up to which the next order corrects the closed form;
     beyond it, and beyond the range of the formula itself, its error is unknown."""
@@ -170,52 +171,52 @@ class Bending(ABC):
     @property
     @abstractmethod
     def ratio(self) -> float:
-        """Return what each further order of the travel is smaller by [-]."""
+        """Return the ratio of each further order of the travel to the one before [-]."""
 
     @property
     def hinge_reach(self) -> float | None:
-        """Return how far hinges bend about their centres over the limb, where it has hinges."""
+        """Return the distance over which hinges bend about their centres, over the limb's."""
         return None
 
     def hinge_length(self) -> Changes:
-        """Return what the length of hinges changes, which closed forms take as points."""
+        """Return the changes by the length of hinges, which closed forms take as points."""
         return {}
 
     @abstractmethod
     def shear(self, poisson_ratio: float) -> Changes:
-        """Return what shear changes at a Poisson's ratio."""
+        """Return the changes by shear at a Poisson's ratio."""
 
     @abstractmethod
     def extension(self) -> Changes:
-        """Return what the stretching of the blades changes."""
+        """Return the changes by the stretching of the blades."""
 
     @abstractmethod
     def stretched(self, n: float, direction: float | None) -> Changes:
-        """Return what the stretching by an axial force N = n EI/l² in a blade adds to the stress.
+        """Return the change of stress as an axial force N = n EI/l² stretches the blades.
 
         The body moves as its blades stretch, which bends them, whatever the travel. The direction
-        of the force [rad] is from the axis of symmetry, nothing where there are several.
+        of the force [rad] is from the axis of symmetry, None where there are several.
         """
 
     def pulled(self, n: float) -> Changes:
-        """Return what bending adds to the axial stress of a force n EI/l² where nothing else bends.
+        """Return the bending over the axial stress of a force n EI/l² where nothing else bends.
 
-        Unknown unless the joint says so: blades at an angle to the force bend as they stretch.
+        Unknown unless the joint gives it: blades at an angle to the force bend as they stretch.
         """
         return {"stress": UNKNOWN}
 
     def amplified(self, n: float) -> Changes:
-        """Return what the force makes more of the bending of :meth:`pulled`."""
+        """Return the amplification by the force of the bending in :meth:`pulled`."""
         return {"stress": UNKNOWN}
 
     @abstractmethod
     def rotation(self) -> Changes:
-        """Return what the terms of higher order in the travel change."""
+        """Return the changes by the terms of higher order in the travel."""
 
     @abstractmethod
     def tension(self) -> Changes:
-        """Return what the axial stress that the travel itself makes adds."""
+        """Return the changes by the axial stress that the travel itself causes."""
 
     @abstractmethod
     def load(self, n: float) -> Changes:
-        """Return what an axial force N = ±n EI/l² in a blade changes in the bending."""
+        """Return the changes of the bending by an axial force N = ±n EI/l² in a blade."""

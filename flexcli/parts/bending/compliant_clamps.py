@@ -1,4 +1,4 @@
-"""Compliant clamps: how much softer blades cut from one piece with their bodies are."""
+"""Compliant clamps: the reduced stiffness of blades cut from one piece with their bodies."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
@@ -20,29 +20,32 @@ __all__ = ["Roots", "Shift", "compliant_clamps", "linked_clamps", "shift_within"
 Floats = NDArray[np.float64]
 
 Shift: TypeAlias = Callable[[float, float], float | None]
-"""What a shift changes when blades bent to an arc and to an S shorten otherwise, as shares."""
+"""Gives the relative change of a shift from the relative changes of a blade's shortening when bent
+to an arc and to an S."""
 
 CANCELS = 10.0
-"""Times that a joint's shift may be smaller than the shortening of a blade that makes it."""
+"""Largest ratio of a blade's shortening to the joint's shift that comes from it."""
 
 SHEARED = 2.4
-"""12 EI/(κ G A b²) at the least ν: share of shear in a blade's compliance across its width."""
+"""12 EI/(κ G A b²) at the least ν: part of shear in a blade's compliance across its width."""
 
 BENDS = slice(1, None)
-"""Force across a blade and moment, of the forces at its end; the first stretches it."""
+"""Indices of the force across a blade and the moment among its end forces; the first stretches
+it."""
 
 OF_NEXT = 0.2
-"""Share of the change of a shift that orders beyond the first may add."""
+"""Part of the change of a shift that orders beyond the first may add."""
 
 ACROSS = 1.5
-"""Shift of a root across the width per shear force, over its stretch per axial force, at most."""
+"""Largest ratio of a root's shift across the width per shear force to its stretch per axial
+force."""
 
 
 class Roots(NamedTuple):
-    """How the blades of a joint end: ν, whether in rigid clamps, or at the side of a body.
+    """Ends of the blades of a joint: ν; rigid clamps, in a body, or flush with its side.
 
-    ``fillet`` is the radius of their fillets, 0 for sharp corners; ``joined`` are bodies that are
-    but blades which meet, and may hold each other as if rigid.
+    ``fillet`` is the radius of their fillets, 0 for sharp corners; ``joined`` are bodies formed by
+    blades that meet, which may act as if rigid.
     """
 
     nu: float
@@ -52,7 +55,7 @@ class Roots(NamedTuple):
     joined: frozenset[str]
 
     def compliance(self, h: float, b: float) -> ClampCompliance:
-        """Return what the root of a blade gives way."""
+        """Return the compliance of the root of a blade."""
         if self.is_rigid:
             return fillet_compliance(h=h, r=self.fillet)
         at = {"h": h, "b": b, "poisson_ratio": self.nu, "r": self.fillet}
@@ -60,7 +63,7 @@ class Roots(NamedTuple):
 
 
 class _Strip(NamedTuple):
-    """A blade's compliance at its end, least and most that its roots add, at E = 1 [1/m]."""
+    """A blade's compliance at its end, and the range of what its roots add, at E = 1 [1/m]."""
 
     blade: Floats
     least: Floats
@@ -68,7 +71,7 @@ class _Strip(NamedTuple):
     slender: float
     """h/l where it is thickest against its flexible length."""
     out: float
-    """By how much any compliance across its width rises at most."""
+    """Largest increase of any compliance across its width."""
 
 
 def compliant_clamps(
@@ -77,7 +80,7 @@ def compliant_clamps(
     roots: Roots,
     shift: Shift,
 ) -> CompliantClamps:
-    """Return what roots that give way change in a joint, by how the beams of its layout bend.
+    """Return the changes by compliant roots in a joint, from the bending of its beams.
 
     With the forces of rigid clamps the energy of the roots bounds the stiffness from below, with
     their motions from above.
@@ -117,7 +120,7 @@ def compliant_clamps(
 
 
 def _bounds(layout: Layout, held: Held, strips: list[_Strip]) -> tuple[float, float] | None:
-    """Return between which the stiffness along the motion falls, nothing where it has none."""
+    """Return the range in which the stiffness along the motion falls, None where it has none."""
     solution = linear(layout, {MOVING: held})
     axis = next(i for i in (2, 1) if held[i])
     whole = float(solution.reactions[0, layout.index(MOVING), axis])
@@ -133,7 +136,7 @@ def _bounds(layout: Layout, held: Held, strips: list[_Strip]) -> tuple[float, fl
 
 
 def linked_clamps(each: Sequence[CompliantClamps | None]) -> CompliantClamps | None:
-    """Return the range of a linkage's joints, which reflect their stiffness to the input."""
+    """Return the range for a linkage's joints, which reflect their stiffness to the input."""
     found = [one for one in each if one is not None]
     if not found:
         return None
@@ -152,7 +155,7 @@ def linked_clamps(each: Sequence[CompliantClamps | None]) -> CompliantClamps | N
 
 
 def _strip(blade: Blade, roots: Roots) -> _Strip:
-    """Return the compliance of a blade and what its roots add."""
+    """Return the compliance of a blade and those that its roots add."""
     x, y = np.subtract(blade.end, blade.start)
     l, b = float(np.hypot(x, y)), float(blade.b)
     beam = planar_compliance(blade.profile, E=1.0, l=l, b=b, a=l, G=0.5 / (1.0 + roots.nu))
@@ -176,11 +179,11 @@ def _strip(blade: Blade, roots: Roots) -> _Strip:
 
 
 def _places(blade: Blade, l: float, roots: Roots) -> Iterator[tuple[float, float, float, float]]:
-    """Yield where a flexible part of a blade ends in something rigid.
+    """Yield the places where a flexible part of a blade ends in something rigid.
 
-    Each with its place [m], the sense of the blade from there, the thickness [m], and the share of
-    the least compliance: none at a mouth, whose block the correction of the notch has, and none
-    where blades meet.
+    Each has its place [m], the direction of the blade from there, the thickness [m], and the share
+    of the least compliance: zero at a mouth, whose block the notch correction includes, and where
+    blades meet.
     """
     if roots.fillet:
         h = float(blade.profile.pieces(l)[1].thickness(PIECE)[0])
@@ -207,18 +210,18 @@ def _along(blade: Blade, force: Floats) -> Floats:
 
 
 def _softer(strip: _Strip, which: slice) -> float:
-    """Return by how much any compliance of a blade in its plane, or in bending, rises at most."""
+    """Return the largest increase of any compliance of a blade in its plane, or in bending."""
     blade, most = strip.blade[which, which], strip.most[which, which]
     return float(np.linalg.eigvals(np.linalg.solve(blade, most)).real.max())
 
 
 def _arc(blade: Floats, roots: Floats) -> float:
-    """Return by how much the rotation of a blade that a moment bends rises."""
+    """Return the increase of the rotation of a blade bent by a moment."""
     return float(roots[2, 2] / blade[2, 2])
 
 
 def shift_within(least: float, most: float, shift: Shift) -> tuple[float, float]:
-    """Return between which the shift changes, for so much more rotation of an arc."""
+    """Return the range of the change of the shift, for a given increase of an arc's rotation."""
     found = []
     for more in (least, most):
         pure, bent = _shortening(more)
@@ -230,10 +233,10 @@ def shift_within(least: float, most: float, shift: Shift) -> tuple[float, float]
 
 
 def _shortening(more: float) -> tuple[float, float]:
-    """Return how much less a blade shortens at a given motion, bent to an arc and to an S [-].
+    """Return the relative change of a blade's shortening at given motion, arc and S [-].
 
-    The roots take 2δ = ``more`` of the rotation of an arc: ``(1 + 2δ)⁻² − 1`` and
-    ``(1 + 10δ + 30δ²)/(1 + 6δ)² − 1``.
+    The roots take 2δ = ``more`` of the rotation of an arc: ``(1 + 2δ)⁻² − 1`` and ``(1 + 10δ +
+    30δ²)/(1 + 6δ)² − 1``.
     """
     delta = more / 2.0
     s_shape = (1.0 + 10.0 * delta + 30.0 * delta**2) / (1.0 + 6.0 * delta) ** 2

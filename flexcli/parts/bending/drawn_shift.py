@@ -1,4 +1,4 @@
-"""What wide blades change in the shift of a drawn layout: each shortens more than its beam."""
+"""Wide blades in the shift of a drawn layout: each shortens more than its beam."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -17,16 +17,17 @@ __all__ = ["Astray", "shift_by_shapes"]
 Floats = NDArray[np.float64]
 
 GUIDED = 6.0
-"""What a guided blade shortens, 3x²/(5l), over what its S shape does beside its chord, x²/(10l)."""
+"""Shortening of a guided blade, 3x²/(5l), over the part of its S shape beside its chord,
+x²/(10l)."""
 
 SHARES = 0.2
-"""Error of what a blade shortens more than a beam in a shape that is neither an arc nor an S."""
+"""Error of a plate's extra shortening in a shape that is neither an arc nor an S."""
 
 
 class Astray(NamedTuple):
-    """Relative change of what a layout's centre shifts to second order, and its error [-].
+    """Relative change of the second-order shift of a layout's centre, and its error [-].
 
-    ``first`` is what the centre moves to first order, by shear and stretching, over the second
+    ``first`` is the first-order motion of the centre, by shear and stretching, over the second
     order of a unit travel [rad or m].
     """
 
@@ -38,12 +39,12 @@ class Astray(NamedTuple):
 def shift_by_shapes(
     blades: Sequence[Blade], nu: float, layout: Layout, held: Held, solution: LinearSolution
 ) -> Astray | None:
-    """Return what plates change in the shift of a layout, of second order in its travel.
+    """Return the change by plates of a layout's shift, of second order in its travel.
 
     A blade whose ends turn by α and β from its chord shortens by ``l ((α − β)²/24 + (α + β)²/40)``,
     the first part of an arc and the second of an S, each more in a plate; besides, its ends move by
-    the square of what its bodies turn, and its chord turns. What the bodies do to make up for all
-    that is the linear answer to blades that are too long.
+    the square of the rotation of its bodies, and its chord turns. The motion of the bodies that
+    compensates all this is the linear response to blades of excess length.
 
     Parameters
     ----------

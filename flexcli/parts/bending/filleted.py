@@ -1,4 +1,4 @@
-"""Filleted roots: what fillets change in a joint of blades whose closed forms know of none."""
+"""Filleted roots: change by fillets of a joint whose closed forms leave them out."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from flexcli.parts.geometries.base import MOVING, Held
 __all__ = ["filleted_roots"]
 
 PLACES = np.linspace(-1.0, 1.0, 201)
-"""Where the stress is taken on every piece of a blade: its crest is smooth."""
+"""Places on every piece of a blade where the stress is evaluated: its maximum is smooth."""
 
 
 def filleted_roots(

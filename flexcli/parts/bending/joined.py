@@ -37,7 +37,7 @@ class Joined(Bending):
         return larger(part.ratio for part in self.parts)
 
     def shear(self, poisson_ratio: float) -> Changes:
-        """Return what softer parts change, which share the moment and not the rotation."""
+        """Return the changes by shear of both parts, which share the moment, not the rotation."""
         found = self._in_series(
             lambda part: part.shear(poisson_ratio),
             lambda part: part.sheared_along(poisson_ratio),
@@ -52,7 +52,7 @@ class Joined(Bending):
         return {**found, "shift": shift._replace(error=shift.error + soft * lost)}
 
     def extension(self) -> Changes:
-        """Return what stretching parts change; the far one shifts across the turned cross."""
+        """Return the changes by stretching; the far part shifts across the turned cross."""
         across = self._across
         coupled = self.parts[0].theta * across[1]
         found = self._in_series(
@@ -65,7 +65,7 @@ class Joined(Bending):
 
     @property
     def _across(self) -> list[float]:
-        """Return what stretching shifts each part's centre across the bisector [m]."""
+        """Return the shift of each part's centre across the bisector by stretching [m]."""
         return [
             number(
                 thick_blades.pivot_shift_across(
@@ -76,7 +76,7 @@ class Joined(Bending):
         ]
 
     def stretched(self, n: float, direction: float | None) -> Changes:
-        """Return that nobody has derived it: the cross between the parts is free."""
+        """Return an unknown change, not derived: the cross between the parts is free."""
         return {"stress": UNKNOWN} if n else {}
 
     def rotation(self) -> Changes:
@@ -124,7 +124,7 @@ class Joined(Bending):
         return found
 
     def load(self, n: float) -> Changes:
-        """Return that nobody has derived it: the cross between the parts is free."""
+        """Return an unknown change, not derived: the cross between the parts is free."""
         return {"stress": UNKNOWN} if n else {}
 
     def _in_series(
@@ -136,7 +136,7 @@ class Joined(Bending):
     ) -> dict[str, Change]:
         """Return the changes of both parts together, their shifts along the bisector added.
 
-        ``coupled`` is a shift along it that both make together, ``across`` what they shift
+        ``coupled`` is a shift along it that both cause together, ``across`` the shift of each
         across it [m].
         """
         each = [changes(part) for part in self.parts]

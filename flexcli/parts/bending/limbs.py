@@ -10,20 +10,20 @@ __all__ = ["Hinge", "LimbPivot", "LimbStage"]
 
 
 class Hinge(NamedTuple):
-    """What a limb's hinges are, in lengths of the limb l."""
+    """A limb's hinges, dimensions in lengths of the limb l."""
 
     reach: float
     """Reach c of the bending about the centre, without shear."""
     sheared: float
-    """The same for every ν: c²(1 + ν) of shear at ν = 0, that is C_shear/C_φ."""
+    """Square of the reach c by shear alone, without its factor of 1 + ν: C_shear/C_φ at ν = 0."""
     stretch: float
-    """C_along/C_φ: root of the compliance along a hinge over that of its turning."""
+    """Square root of the compliance along a hinge over that of its rotation, √(C_along/C_φ)."""
     spread: float
     """∫f(1 − f) ds, f the share of a hinge's rotation up to s."""
     throat: float
     """Thickness of the throat."""
     peak: float
-    """How far beside the throat the stress is greatest: e r/l², twice the share of its rise."""
+    """Distance from the throat of the greatest stress: e r/l², twice its relative increase."""
 
 
 class _Limbs(Bending):
@@ -46,16 +46,16 @@ class _Limbs(Bending):
         return 1.0 + 4.0 * square
 
     def stretched(self, n: float, direction: float | None) -> Changes:
-        """Return that nobody has derived it."""
+        """Return an unknown change: it has not been derived."""
         return {"stress": UNKNOWN} if n else {}
 
     def load(self, n: float) -> Changes:
-        """Return that nobody has derived it."""
+        """Return an unknown change: it has not been derived."""
         return {"stress": UNKNOWN} if n else {}
 
     @property
     def _spread(self) -> float:
-        """Return what is of higher order in the reach of the hinges along the limb."""
+        """Return the terms of higher order in the reach of the hinges along the limb."""
         return 4.0 * self.hinge.reach**2 + self.hinge.spread**2
 
 
@@ -78,11 +78,11 @@ class LimbStage(_Limbs):
         }
 
     def extension(self) -> Changes:
-        """Return nothing at rest; the limbs shorten by no more than their hinges."""
+        """Return no change at rest; the limbs shorten by no more than their hinges."""
         return {"shift": Change(0.0, 0.0, 2.0 * self.hinge.stretch**2)} if self.travel else {}
 
     def rotation(self) -> Changes:
-        """Return the exact motion of a parallelogram; hinges of a reach differ by its share."""
+        """Return the exact motion of a parallelogram; the length of the hinges is in its error."""
         if not self.travel:
             return {}
         stroke = {"l": 1.0, "x": self.travel}
@@ -95,11 +95,11 @@ class LimbStage(_Limbs):
         }
 
     def tension(self) -> Changes:
-        """Return nothing: the force of the stroke is across the limbs."""
+        """Return no change: the force of the stroke is across the limbs."""
         return {}
 
     def hinge_length(self) -> Changes:
-        """Return that hinges of a length shorten the limb less, and are worst beside the throat."""
+        """Return the shortening of limbs on hinges of finite length, and the peak stress."""
         if not self.travel:
             return {}
         return {
@@ -160,7 +160,7 @@ class LimbPivot(_Limbs):
         return {"stress": whole(force / tan(self.half_angle) * self.hinge.throat / 6.0 / moment)}
 
     def hinge_length(self) -> Changes:
-        """Return what hinges of a length relieve of the S-shaped bending, and where it peaks."""
+        """Return the reduced S-shaped bending by hinges of finite length, and its peak stress."""
         if not self.travel:
             return {}
         gamma, across = abs(self.gamma), self._across(None)

@@ -31,12 +31,12 @@ class Pair(Bending):
 
     @property
     def ratio(self) -> float:
-        """Return θ, or what the next order of the stress is of the first where that is more."""
+        """Return θ, or the ratio of the stress's next order to its first where that is larger."""
         turn = {**self.blade, "theta": self.theta}
         return larger(abs(self.theta), number(pivot_next_order.stress_bound(**turn)))
 
     def shear(self, poisson_ratio: float) -> Changes:
-        """Return what softer S-shaped bending changes, exactly at small rotation."""
+        """Return the changes by shear in the S-shaped bending, exactly at small rotation."""
         Phi = shear_parameter(depth=self.h, l=self.blade["l"], poisson_ratio=poisson_ratio)
         found = self._softer(Phi)
         if self.theta:
@@ -46,7 +46,7 @@ class Pair(Bending):
         return found
 
     def extension(self) -> Changes:
-        """Return what stretching changes: it softens like shear, and shifts the centre across."""
+        """Return the changes by stretching: it softens like shear, and shifts the centre across."""
         # what shear and stretching soften together, each alone told as if without the other
         together = 3.6 * (self.h / self.blade["l"]) ** 2 * self.stretch
         found = self._softer(self.stretch, together)
@@ -58,21 +58,21 @@ class Pair(Bending):
         return found
 
     def sheared_along(self, poisson_ratio: float) -> float:
-        """Return what shear changes in the shift along the bisector, over that shift."""
+        """Return the relative change of the shift along the bisector by shear."""
         Phi = shear_parameter(depth=self.h, l=self.blade["l"], poisson_ratio=poisson_ratio)
         curved = 3.0 * self.gamma**2 / 20.0
         return self._of_leading(-curved * number(thick_blades.shear_factor(Phi) - 1.0))
 
     @property
     def stretched_along(self) -> float:
-        """Return what stretching changes in the shift along the bisector, over that shift."""
+        """Return the relative change of the shift along the bisector by stretching."""
         return self._of_leading(number(thick_blades.pivot_stretch(h=self.h, **self.blade)))
 
     def stretched(self, n: float, direction: float | None) -> Changes:
         """Return up to 6ε tan α/(θ(1 + 3|γ|)), ε = n(h/l)²/12, of a force along the bisector.
 
-        It adds in one blade and takes away in the other, which need not be where the stress is
-        worst: the middle of nothing and of all of it is taken.
+        It adds in one blade and subtracts in the other, which need not be the most stressed: the
+        middle between zero and the full change is taken.
         """
         if not self.theta or not n:
             return {}
@@ -86,14 +86,15 @@ class Pair(Bending):
         """Return up to 3 (h/l) larger(tan α, cot α): the stretching of one blade bends the other.
 
         A body that moves by ε l along one blade moves up to ε l larger(tan α, cot α) across the
-        other, which bends it in an S by 3 (h/l) that times E ε.
+        other, which bends it in an S by 3 (h/l) times E ε.
         """
         return {"stress": Change(0.0, self._bent, self._bent, 1)}
 
     def amplified(self, n: float) -> Changes:
-        """Return what the force makes more of that: up to 1/(1 − n/n_cr) times as much.
+        """Return the amplification of that bending by the force: up to 1/(1 − n/n_cr).
 
-        n_cr ≥ 8 of any such pivot, whatever holds it; 2 is taken, and nothing said beyond half.
+        n_cr ≥ 8 for any such pivot, whatever holds it; 2 is taken, and the change is unknown beyond
+        half of it.
         """
         if not n < 1.0:
             return {"stress": UNKNOWN}
@@ -134,9 +135,9 @@ class Pair(Bending):
         return {"stress": whole(share, error)} if self.theta else {}
 
     def load(self, n: float) -> Changes:
-        """Return up to what an axial force of either sign changes in the moments of a blade.
+        """Return the largest change of a blade's end moments by an axial force of either sign.
 
-        What it changes where the stress is worst lies between that and nothing.
+        The change where the stress is largest lies between that and zero.
         """
         most = under_tension(n, self.gamma)
         if not most < inf:
@@ -146,7 +147,7 @@ class Pair(Bending):
     def _softer(self, Phi: float, error: float = 0.0) -> dict[str, Change]:
         """Return the changes where the S-shaped part is divided by 1 + Φ.
 
-        So are the axial forces, by which the stress grows at large rotation.
+        The axial forces, by which the stress grows at large rotation, are divided likewise.
         """
         soft, gamma = Phi / (1.0 + Phi), abs(self.gamma)
         bends = 3.0 * gamma**2
@@ -159,7 +160,7 @@ class Pair(Bending):
 
     @property
     def _across(self) -> float:
-        """Return the shift across that stretching makes over that along; Φ = 0 for ν = −1."""
+        """Return the shift across that stretching causes over the shift along; Φ = 0 for ν = −1."""
         turn = {**self.blade, "theta": self.theta}
         first = abs(number(pivot.parasitic_shift(**turn)))
         across = abs(number(thick_blades.pivot_shift_across(h=self.h, poisson_ratio=-1.0, **turn)))
@@ -170,10 +171,10 @@ class Pair(Bending):
 
     @staticmethod
     def shifted(along: float, across: float, bound: float | None = None) -> Change:
-        """Return the change of the length of the shift by motions along and across it, as shares.
+        """Return the change of the shift's length by motions along and across it, as shares.
 
-        Those across add as squares, whose double product with another effect's is as large again:
-        nobody knows it here, so it counts as an error.
+        Those across add as squares; their product with another effect's may be twice as large and
+        is unknown here, so it counts as an error.
         """
         if not across < inf:
             return Change(None, inf)
@@ -183,7 +184,7 @@ class Pair(Bending):
 
 
 def under_tension(n: float, gamma: float) -> float:
-    """Return the most that axial forces ±n EI/l² change the end moments of a turned blade."""
+    """Return the largest change by axial forces ±n EI/l² of the end moments of a turned blade."""
     if n >= pi**2:  # compression buckles a guided blade
         return inf
     most = 1.0 + 3.0 * abs(gamma)

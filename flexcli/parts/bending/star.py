@@ -15,14 +15,14 @@ EVEN = 1e-9
 """How far the shares of blades evenly around their centre may be from 1 by rounding."""
 
 WEAK = -4.0, 15.0
-"""Between which tensions [EI/l²] the second order tells how the blades hold the centre."""
+"""Range of tensions [EI/l²] in which the second order describes how the blades hold the centre."""
 
 
 class Star(Bending):
     """Blades in given directions, the inner ends p from the centre, turned by θ.
 
-    Evenly around the centre they hold it, and stretch with the square of the rotation; otherwise
-    it shifts as well, and nobody has derived how the rotation stresses them.
+    Evenly around the centre they hold it, and stretch with the square of the rotation; otherwise it
+    shifts as well, and their stress at large rotation has not been derived.
     """
 
     travel_most: ClassVar[float] = 0.35
@@ -40,11 +40,11 @@ class Star(Bending):
 
     @property
     def ratio(self) -> float:
-        """Return θ, with no order known where the blades are uneven."""
+        """Return θ, with an unknown order where the blades are uneven."""
         return abs(self.theta) if self.even else inf
 
     def shear(self, poisson_ratio: float) -> Changes:
-        """Return what softer S-shaped bending changes, exactly at small rotation."""
+        """Return the changes by shear in the S-shaped bending, exactly at small rotation."""
         Phi = shear_parameter(depth=self.blade["h"], l=self.blade["l"], poisson_ratio=poisson_ratio)
         soft, plain = self._at_rest(Phi, self.slender), self._at_rest(0.0, self.slender)
         found = {"stiffness": whole(soft.stiffness / plain.stiffness - 1.0)}
@@ -53,7 +53,7 @@ class Star(Bending):
         return found
 
     def extension(self) -> Changes:
-        """Return what stretching changes where the centre shifts, exactly at small rotation."""
+        """Return the changes by stretching where the centre shifts, exactly at small rotation."""
         plain, stiff = self._at_rest(0.0, self.slender), self._at_rest(0.0, STIFF)
         found = {"stiffness": whole(plain.stiffness / stiff.stiffness - 1.0)}
         if self.theta:
@@ -61,11 +61,11 @@ class Star(Bending):
         return found
 
     def stretched(self, n: float, direction: float | None) -> Changes:
-        """Return that nobody has derived it."""
+        """Return an unknown change: it has not been derived."""
         return {"stress": UNKNOWN} if n else {}
 
     def rotation(self) -> Changes:
-        """Return what the tension adds to the bending, and its own stress."""
+        """Return the change of the bending by the tension, and the axial stress itself."""
         if not self.theta:
             return {}
         if not self.even:
@@ -88,7 +88,7 @@ class Star(Bending):
         return {"stress": whole(found.stress / found.bending - 1.0)}
 
     def load(self, n: float) -> Changes:
-        """Return that nobody has derived it."""
+        """Return an unknown change: it has not been derived."""
         return {"stress": UNKNOWN} if n else {}
 
     def _at_rest(self, Phi: float, slender: float) -> held_blades.AtRest:
@@ -100,4 +100,4 @@ class Star(Bending):
 
 
 STIFF = 1e-6
-"""h/l of blades that do not stretch."""
+"""h/l of blades with negligible stretching."""

@@ -36,7 +36,7 @@ class Straight(Bending):
         return (self.travel / self.l) ** 2
 
     def shear(self, poisson_ratio: float) -> Changes:
-        """Return what Φ in series with the bending changes, exactly at small stroke."""
+        """Return the changes by shear, in series with the bending, exactly at small stroke."""
         Phi = shear_parameter(depth=self.h, l=self.l, poisson_ratio=poisson_ratio)
         guided = Phi / self.halves**2
         value = thick_blades.stiffness_change(Phi=guided)
@@ -55,7 +55,7 @@ class Straight(Bending):
         }
 
     def stretched(self, n: float, direction: float | None) -> Changes:
-        """Return nothing: the blades are parallel, and the body moves along them."""
+        """Return no change: the blades are parallel, and the body moves along them."""
         return {}
 
     def rotation(self) -> Changes:
@@ -71,18 +71,18 @@ class Straight(Bending):
 
     @property
     def _held_upright(self) -> float:
-        """Return the axial stress by which blades hold a stage upright that moves to its base.
+        """Return the axial stress by which blades keep a stage upright that moves towards its base.
 
         The force of the stroke moves down with it, by a share of x²/l.
         """
         return 1.6 * self.lever * self.h / self.l * self.ratio
 
     def tension(self) -> Changes:
-        """Return nothing: the force of the stroke is across the blade where its stress is worst."""
+        """Return no change: the drive's force is across the blade at its largest stress."""
         return {}
 
     def load(self, n: float) -> Changes:
-        """Return how a tension changes the moment at a given stroke: compression relieves it."""
+        """Return the change of the moment by an axial force: compression relieves it."""
         guided = n * self.halves**2
         if not guided < pi**2:  # pushed, it buckles
             return {"stress": UNKNOWN}
@@ -92,11 +92,11 @@ class Straight(Bending):
         return {"stress": Change(value, value, value * self.ratio + error)}
 
     def pulled(self, n: float) -> Changes:
-        """Return nothing: parallel blades move their body along them."""
+        """Return no change: parallel blades move their body along them."""
         return {}
 
     def amplified(self, n: float) -> Changes:
-        """Return nothing up to half of what buckles it: there is no bending until then."""
+        """Return no change up to half the buckling load: the blades are not bent by then."""
         return {} if n * self.halves**2 < pi**2 / 2.0 else {"stress": UNKNOWN}
 
 
@@ -110,7 +110,7 @@ class Necked(Straight):
         self.xi = xi
 
     def shear(self, poisson_ratio: float) -> Changes:
-        """Return what the shear of the hinges changes, exactly at small stroke."""
+        """Return the changes by shear of the hinges, exactly at small stroke."""
         Phi = shear_parameter(depth=self.h, l=self.l, poisson_ratio=poisson_ratio)
         own = necked_stage.shear_parameter(Phi=Phi, xi=self.xi)
         value = whole(thick_blades.stiffness_change(Phi=own))
@@ -140,5 +140,5 @@ class Necked(Straight):
         }
 
     def load(self, n: float) -> Changes:
-        """Return that nobody has derived it."""
+        """Return an unknown change: it has not been derived."""
         return {"stress": UNKNOWN} if n else {}

@@ -1,4 +1,4 @@
-"""Thick notches: how much softer the hinges of a joint are as plane bodies than as beams."""
+"""Thick notches: the reduced stiffness of hinges as plane bodies against beams."""
 
 from collections.abc import Sequence
 
@@ -19,9 +19,9 @@ def thick_notch(
     uneven: float = 0.0,
     blocks: Blocks = None,
 ) -> Thick:
-    """Return the factor of a notch, whose stiffness at E b = 1 as a beam is ``turn`` [m²].
+    """Return the factor of a notch, whose stiffness as a beam at E b = 1 is ``turn`` [m²].
 
-    ``uneven`` is the share of its bending by moments that are not the same all along.
+    ``uneven`` is the part of its bending by moments that vary along it.
     """
     e, depth, l = number(e), number(depth), number(l)
     ratio = 4.0 * depth * e / l**2
@@ -58,7 +58,7 @@ def thick_linked(each: Sequence[Thick | None]) -> Thick | None:
 
 
 def _thick(ratio: float, found: Softening, turn: float, uneven: float) -> Thick:
-    """Return the stiffness over the beam's, nothing where its error is as large as itself."""
+    """Return the stiffness over the beam's, None where its error is as large as itself."""
     more, error = found.more * turn, found.error * turn
     error += uneven * abs(more)
     if error >= 1.0 + more:

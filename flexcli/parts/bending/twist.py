@@ -1,4 +1,4 @@
-"""Torsion bars: what the long fibres of a wide section add at large twist."""
+"""Torsion bars: the longitudinal fibres of a wide section at large twist."""
 
 from math import isfinite, pi
 from typing import Any, ClassVar, NamedTuple, Protocol
@@ -9,19 +9,19 @@ from flexcli.parts.elastic import Elastic
 __all__ = ["EndErrors", "Twist", "TwistedBars"]
 
 UNEVEN = 0.05
-"""Of the stresses of a strip whose ends cannot warp, at the most, as the long fibres even out its
-rate of twist along the bar; no more than they change by themselves."""
+"""Relative change of stress in a strip with restrained ends, at most, as the fibres even out its
+rate of twist along the bar; no more than their own."""
 
 
 class EndErrors(NamedTuple):
-    """What ends that cannot warp leave unsure of stiffness and stress [-]."""
+    """Relative errors of stiffness and stress by ends that cannot warp [-]."""
 
     stiffness: float = 0.0
     stress: float = 0.0
 
 
 class TwistedBars(Protocol):
-    """What bars on one axis tell of their twist."""
+    """The bars on one axis, as the effects of twist need them."""
 
     @property
     def is_restrained(self) -> bool:
@@ -29,29 +29,29 @@ class TwistedBars(Protocol):
 
     @property
     def may_shorten(self) -> tuple[bool, ...]:
-        """Return whether the ends may come closer, both where nothing says so."""
+        """Return whether the ends may approach each other; None where it is unknown."""
 
     def farthest(self, sizes: Any) -> float:
         """Return how far the farthest fibre is from the axis [m]."""
 
     def core_error(self, sizes: Any) -> float:
-        """Return how far off what strips that cross add to their stiffness may be [-]."""
+        """Return the relative error of the stiffness that crossing strips add at their core [-]."""
 
     def side_error(self, sizes: Any) -> float:
-        """Return how far off the stress in the middle of its sides may be [-]."""
+        """Return the relative error of the stress in the middle of its sides [-]."""
 
     def end_errors(self, sizes: Any, nu: float | None) -> "EndErrors":
-        """Return what ends that cannot warp leave unsure."""
+        """Return the errors of stiffness and stress by ends that cannot warp."""
 
     def end_stresses(self, elastic: Elastic, sizes: Any, travel: float) -> dict[str, Any]:
         """Return the stress at each place [Pa]."""
 
     def fibre_stress(self, elastic: Elastic, sizes: Any, twist: float, *, free: bool) -> Any:
-        """Return the stress with that of the long fibres [Pa]."""
+        """Return the stress with that of the longitudinal fibres [Pa]."""
 
 
 class Twist(Bending):
-    """Bars twisted by θ; ν is that of the material, or unknown to its closed forms as well."""
+    """Bars twisted by θ; ν is that of the material, or unknown."""
 
     travel_most: ClassVar[float] = 2.0 * pi
 
@@ -68,11 +68,11 @@ class Twist(Bending):
 
     @property
     def _steep(self) -> float:
-        """Return the slope of the fibre that is farthest from the axis."""
+        """Return the slope of the outermost fibre."""
         return self.bars.farthest(self.sizes) * self.theta / float(self.sizes.l)
 
     def shear(self, poisson_ratio: float) -> Changes:
-        """Return nothing: shear is what twists them."""
+        """Return no change: shear is how they twist."""
         return {}
 
     def extension(self) -> Changes:
@@ -80,14 +80,14 @@ class Twist(Bending):
         return {}
 
     def stretched(self, n: float, direction: float | None) -> Changes:
-        """Return nothing: no force acts along them."""
+        """Return no change: no force acts along them."""
         return {}
 
     def rotation(self) -> Changes:
-        """Return the stress with that of the long fibres.
+        """Return the stress with that of the longitudinal fibres.
 
-        It is between ends that may come closer and such that may not, where the spec leaves it
-        open.
+        Where the spec leaves open whether the ends may approach each other, it lies between both
+        cases.
         """
         ends = self.bars.end_errors(self.sizes, self.elastic.nu)
         error = self.bars.core_error(self.sizes) + ends.stiffness
@@ -111,9 +111,9 @@ class Twist(Bending):
         return found
 
     def tension(self) -> Changes:
-        """Return nothing: it is with the long fibres."""
+        """Return no change: :meth:`rotation` includes it."""
         return {}
 
     def load(self, n: float) -> Changes:
-        """Return nothing: no force acts along them."""
+        """Return no change: no force acts along them."""
         return {}

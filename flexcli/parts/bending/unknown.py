@@ -1,4 +1,4 @@
-"""Joints whose closed forms nobody has estimated: every effect may change all of their numbers."""
+"""Joints whose closed forms have no error estimates: every effect may change all their numbers."""
 
 from math import inf
 from typing import ClassVar
@@ -9,7 +9,7 @@ __all__ = ["NotEstimated"]
 
 
 class NotEstimated(Bending):
-    """Linkages, drawn layouts, stars of uneven blades: a finer model tells, no estimate does."""
+    """Linkages, drawn layouts, stars of uneven blades: judged by a finer model."""
 
     is_estimate: ClassVar[bool] = False
 

@@ -1,4 +1,4 @@
-"""Wide blades: how much stiffer the blades or hinges of a joint are than the beams of them."""
+"""Wide blades: the increased stiffness of a joint's blades or hinges against beams."""
 
 from collections.abc import Iterable, Sequence
 from math import inf, pi
@@ -35,15 +35,15 @@ RITZ_ERROR = 1e-3
 """Largest error of a plate solved by Ritz's method with few functions [-]."""
 
 CANCELS = 10.0
-"""Times that a layout's shift may be smaller than the shortening of a blade that makes it."""
+"""Largest ratio of a blade's shortening to the layout's shift that comes from it."""
 
 SHORTEST = 4.0
-"""How many times wider a blade in pure bending is that is kept as flat as one in any shape between
-clamps: guided 2.9 at most, and buckled with any ends 2.6."""
+"""Equivalent width ratio: a blade in pure bending that many times wider is as flat as one bent in
+any shape between clamps (guided 2.9 at most, buckled with any ends 2.6)."""
 
 OF_CROSS = 1.0
-"""Share of what the plates of joined blades change in their shift that the cross may undo: it is
-thin, and holds their sections by the other blade alone."""
+"""Part of the plates' change of the shift of joined blades that the cross may cancel: it is thin,
+and holds their sections by the other blade alone."""
 
 LOCKED = "clamped-clamped"
 
@@ -132,8 +132,8 @@ def _halves_shift(
 ) -> tuple[float, float]:
     """Return the change of the shift of two pivots in series and its error, of the leading term.
 
-    Each shifts by what its own blades shorten and by the square of its share of the rotation, which
-    the stiffer one loses; the two may all but cancel.
+    Each shifts by the shortening of its own blades and by the square of its share of the rotation,
+    which the stiffer one loses; the two may almost cancel.
     """
     places = (-parts[0].l, 0.0)
     leading = [
@@ -178,10 +178,10 @@ def wide_notch(
     turn: Numbers,
     uneven: float = 0.0,
 ) -> WideBlades:
-    """Return the factors of a hinge of its thickness profile that rigid bodies hold.
+    """Return the factors of a hinge of a given thickness profile between rigid bodies.
 
-    ``turn`` is its stiffness at E = 1, ``uneven`` the share of its bending by moments that are
-    not the same all along, as a force across the limb between two hinges makes them.
+    ``turn`` is its stiffness at E = 1, ``uneven`` the part of its bending by moments that vary
+    along it, as a force across the limb between two hinges causes.
     """
     from flexcli.mechanics.wide_hinge import WideHinge, wide_hinge
 
@@ -213,10 +213,11 @@ def wide_notch(
 
 
 def _as_a_solid(plate: float, t: float, depth: float, widening: float) -> Factor:
-    """Return the factor of a notch from that of the plate, which is thin.
+    """Return the factor of a notch, a solid, from that of a thin plate.
 
     Solids of t = e/b up to ½ and e/r from 0.005 to 0.5 widen by 0.65 t less, to 0.75 t about that;
-    a throat as deep as it bends long (``depth``) spreads its own stress when it is kept flat.
+    a throat as deep as its bending is long (``depth``) redistributes its stress when it is kept
+    flat.
     """
     over, share = plate - 1.0, 0.14 * depth**2
     away = smaller(RITZ_ERROR, plates.OF_WIDENING * over) + over * (0.75 * t + share)
@@ -227,10 +228,10 @@ def _as_a_solid(plate: float, t: float, depth: float, widening: float) -> Factor
 
 
 def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool) -> WideBlades:
-    """Return the range of drawn blades: from the least that one is stiffer to the most.
+    """Return the range of the factors of drawn blades, from the least to the greatest.
 
-    Each is given where it is thinnest, and whether its thickness is the same all along; springs
-    that are no blades take their share.
+    Each is given where it is thinnest, and whether its thickness is constant; springs that are not
+    blades take their share.
     """
     found, most, path, kept = [], 0.0, 0.0, 1.0
     for given, constant in blades:
@@ -260,11 +261,11 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
 def wide_by_shapes(
     plain: WideBlades, blades: Sequence[Blade], nu: float, layout: Layout, held: Held
 ) -> WideBlades:
-    """Return the factors of drawn blades of constant thickness by how the beams of a layout bend.
+    """Return the factors of drawn blades of constant thickness, from a layout's beams.
 
-    ``held`` is a unit travel of its moving body, ``plain`` what is known without. A clamped blade
-    takes the even and the odd part of its bending each by its own factor. With the motions of the
-    beams the energy of the plates is an upper bound, with their forces a lower.
+    ``held`` is a unit travel of its moving body, ``plain`` the factors known without. A clamped
+    blade takes the even and the odd part of its bending each by its own factor. With the motions of
+    the beams the energy of the plates is an upper bound, with their forces a lower.
     """
     from flexcli.mechanics.linear import linear
     from flexcli.parts.bending.drawn_shift import shift_by_shapes
@@ -335,7 +336,7 @@ def wide_linked(each: Sequence[WideBlades | None]) -> WideBlades | None:
 
 
 def _any_shape(factor: Factor, blade: Blade, nu: float) -> Factor:
-    """Return a factor with how far off it may be for blades that bend in any other shape.
+    """Return a factor with its error for blades that bend in any other shape.
 
     Of all shapes between clamps pure bending curls the most.
     """
@@ -352,14 +353,14 @@ def _floats(blade: Blade) -> Blade:
 
 
 def _shortening(blade: Blade, nu: float) -> tuple[float, float]:
-    """Return how much more than a beam a blade shortens, bent to an arc and to an S [-]."""
+    """Return the extra shortening of a blade over a beam, bent to an arc and to an S [-]."""
     at: dict[str, Any] = {"b": blade.b, "l": blade.l, "poisson_ratio": nu}
     pure = number(plate_shortening.pure_shortening_factor(**at)) - 1.0
     return pure, number(plate_shortening.s_shortening_factor(**at)) - 1.0
 
 
 def _held(blade: Blade, nu: float) -> dict[str, Factor]:
-    """Return the factors of its critical force by how its ends are held."""
+    """Return the factors of the critical force by its end conditions."""
     return {ends: _buckling(blade, nu, ends) for ends in EFFECTIVE_LENGTH}
 
 
@@ -384,20 +385,20 @@ def _with_error(value: float, error: float, nu: float) -> Factor:
 
 
 def _between(low: float, nu: float) -> Factor:
-    """Return what is at least a factor and at most that of a plate kept flat."""
+    """Return a factor between a lower bound and that of a plate kept flat."""
     flat = 1.0 + number(plates.bound(nu))
     return Factor((low + flat) / 2.0, low, flat)
 
 
 def _hull(factors: Iterable[Factor], at: Factor | None = None) -> Factor:
-    """Return the range of all, about its middle or a given value."""
+    """Return the range that holds all factors, about its middle or a given value."""
     found: Sequence[Factor] = tuple(factors)
     low, high = smaller(f.low for f in found), larger(f.high for f in found)
     return Factor((low + high) / 2.0 if at is None else at.value, low, high)
 
 
 def _pivot_shift(gamma: float, pure: float, bent: float) -> tuple[float, float]:
-    """Return the change of 5 − 9γ², of which −5/2 and −9γ² are shortenings of the two shapes."""
+    """Return the change of 5 − 9γ², whose parts −5/2 and −9γ² are shortenings of both shapes."""
     left = 5.0 - 9.0 * gamma**2
     moved = 2.5 * pure + 9.0 * gamma**2 * bent
     if left == 0.0:

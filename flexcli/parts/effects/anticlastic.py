@@ -25,10 +25,10 @@ _NODES = 8
 
 
 class Anticlastic(ModelEffect):
-    """What curvature flattens beside the clamps, b²κ/h; none at rest.
+    """Flattening by curvature beside that by the clamps, b²κ/h; none at rest.
 
-    The moment of a travel lies between that by the clamps alone, or by the energy of the curvature
-    alone, and twice what both taken as independent add to it, and never above a plate's.
+    The moment of a travel lies between that of the clamps alone, or of the curvature's energy
+    alone, and twice what both add as independent effects, and never above a plate's.
     """
 
     name: ClassVar[EffectName] = EffectName.ANTICLASTIC
@@ -72,7 +72,7 @@ class Anticlastic(ModelEffect):
 
 
 def _blade(setting: Setting) -> tuple[float, float, float]:
-    """Return h, l and b of the blade whose curvatures are told [m]."""
+    """Return h, l and b of the blade whose curvatures are known [m]."""
     wide = wide_of(setting)
     blade = (wide.bent if wide is not None else None) or setting.blade
     assert blade is not None  # those that have curvatures

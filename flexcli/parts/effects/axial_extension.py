@@ -26,7 +26,7 @@ class AxialExtension(ModelEffect):
         return Indicator(square, f"(h/l)² = {square:.2g}")
 
     def changes(self, setting: Setting) -> Changes:
-        """Return what stretching softens and shifts; it raises a critical load by ε = P/EA."""
+        """Return the changes by stretching; it raises a critical load by ε = P/EA."""
         blade, bending = setting.blade, setting.bending
         found = dict(bending.extension())
         for name, more in bending.stretched(largest_load(setting), _direction(setting)).items():

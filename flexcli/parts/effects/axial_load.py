@@ -26,9 +26,9 @@ class AxialLoad(ModelEffect):
         return Indicator(n, known) if n else None
 
     def changes(self, setting: Setting) -> Changes:
-        """Return how far the end moments at a given travel change, the load either way.
+        """Return the change of the end moments at a given travel by an axial load of either sign.
 
-        Where a load makes the travel itself, the other changes that too: nobody knows how far.
+        Where a load causes the travel itself, the change is unknown.
         """
         bending, n = setting.bending, largest_load(setting)
         if any(s.push and s.blade_force for s in setting.scenes):
@@ -63,7 +63,7 @@ def largest_load(setting: Setting) -> float:
 def load_number(setting: Setting, scenes: Sequence[Scene]) -> float:
     """Return the largest N l²/(E I) in a blade of some cases [-].
 
-    It is infinite where there is no single blade that it could be told of.
+    It is infinite where the joint has no single kind of blade.
     """
     loads = [s.blade_force for s in scenes if s.blade_force]
     if not loads:

@@ -1,4 +1,4 @@
-"""An effect: its indicator, and what leaving it out changes in each number that is reported."""
+"""An effect: its indicator, and the change of each reported number without it."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
@@ -31,7 +31,7 @@ class Setting(NamedTuple):
     scenes: tuple[Scene, ...]
     stops: "Stops | None" = None
     supports: bool = False
-    """Whether it is asked how stiff the joint is off its motion."""
+    """Whether the stiffness of the joint off its motion is asked for."""
 
     @property
     def blade(self) -> Blade | None:
@@ -51,24 +51,24 @@ class Setting(NamedTuple):
 
     @property
     def slenderness(self) -> float | None:
-        """Return thickness over length of the blade that is thickest against its own [-]."""
+        """Return thickness over length of the stockiest blade [-]."""
         return self.geometry.slenderness(self.sizes)
 
     @property
     def poisson_ratios(self) -> tuple[float, float]:
-        """Return between what Poisson's ratio lies: 0 and ½ where the material gives none."""
+        """Return the range of Poisson's ratio: 0 to ½ where the material gives none."""
         given = self.material.poisson_ratio
         return (given.value, given.value) if given is not None else (0.0, 0.5)
 
     @property
     def poisson_bound(self) -> float:
-        """Return Poisson's ratio, or ½, the most it can be, where the material gives none."""
+        """Return Poisson's ratio, or its upper limit ½ where the material gives none."""
         given = self.material.poisson_ratio
         return given.value if given is not None else 0.5
 
     @property
     def largest_travel(self) -> float:
-        """Return the largest travel of the joint in any case [rad or m], by loads along it too."""
+        """Return the largest travel of the joint in any case, by loads along it too [rad or m]."""
         return max((self._reach(scene) for scene in self.scenes), default=0.0)
 
     def _reach(self, scene: Scene) -> float:
@@ -83,13 +83,13 @@ class Setting(NamedTuple):
 
 
 class _Last:
-    """The bending that was asked last: every effect of a case asks for the same."""
+    """The last bending asked for, kept because every effect of a case needs the same."""
 
     def __init__(self) -> None:
         self.known: tuple[Geometry, tuple[Elastic, Sizes, float], Bending] | None = None
 
     def of(self, setting: Setting) -> Bending:
-        """Return that of a setting."""
+        """Return the bending of a setting."""
         asked = setting.material.elastic, setting.sizes, setting.largest_travel
         last = self.known
         if last is None or last[0] is not setting.geometry or last[1] != asked:
@@ -102,7 +102,7 @@ _LAST = _Last()
 
 
 class Indicator(NamedTuple):
-    """A dimensionless number that tells how much of an effect there is, and in words."""
+    """A dimensionless number for the size of an effect, and its text."""
 
     value: float
     text: str
@@ -122,40 +122,40 @@ class Effect(ABC):
 
     @abstractmethod
     def indicator(self, setting: Setting) -> Indicator | None:
-        """Return how much of it there is, or nothing where the design can't have it."""
+        """Return the indicator, or None where the design cannot have the effect."""
 
 
 class SceneEffect(Effect):
-    """What a scene has or has not: it is on exactly when a case, or the design, states it."""
+    """An effect of the scene: it is on exactly when a case, or the design, states it."""
 
     shuts_out: ClassVar[frozenset[EffectName]] = frozenset()
-    """Effects of the blades that the solver of such a scene cannot have beside it."""
+    """Effects of the blades that its solver cannot include at the same time."""
 
     def estimates(self, setting: Setting) -> Mapping[str, float]:
-        """Return what each number changes without it, where that can be told beforehand."""
+        """Return the relative change of each number without it, where it can be estimated."""
         return {}
 
 
 class ModelEffect(Effect):
-    """What a model of the blades carries or leaves out."""
+    """An effect that a model of the blades includes or leaves out."""
 
     cost: ClassVar[float] = 1.0
-    """Of correcting a closed form by it, in closed forms."""
+    """Cost of correcting a closed form by it, in closed forms."""
     needs: ClassVar[str] = ""
     """The property of the material without which no model can carry it."""
     is_whole: ClassVar[bool] = False
-    """Whether its bounds are of all that it changes, not of leading terms."""
+    """Whether its bounds cover its whole change, not just leading terms."""
     spans_what_it_needs: ClassVar[bool] = False
-    """Whether its changes take all that a property which is not given may be."""
+    """Whether its changes cover all values of a property that is not given."""
     only: ClassVar[frozenset[QuantityKind]] = frozenset(QuantityKind)
-    """The numbers that it may change; for others its changes are not found, which may take time."""
+    """The numbers that it may change; the changes of others are not computed, to save time."""
 
     @abstractmethod
     def changes(self, setting: Setting) -> Changes:
-        """Return what it changes; frequency, and sag along a stroke, follow from the stiffness."""
+        """Return the changes; frequency, and sag along a stroke, follow from the stiffness."""
 
     def lacks(self, setting: Setting) -> str:
-        """Return what is needed to carry it and is not given, or nothing."""
+        """Return the property that is needed and not given, or an empty text."""
         missing = self.needs and getattr(setting.material, self.needs) is None
         return f"material.{self.needs}" if missing else ""
 
@@ -173,10 +173,10 @@ class ModelEffect(Effect):
         return found
 
     def estimates(self, setting: Setting) -> Mapping[str, float]:
-        """Return the most that each number changes without it, as a share of the number.
+        """Return the largest relative change of each number without it.
 
-        The bound of the leading terms is the first of a geometric series: each further order is
-        smaller by the bound itself, or by what the bending says.
+        The bound of the leading terms starts a geometric series: each further order is smaller by
+        the bound itself, or by the ratio of the bending.
         """
         if self.is_whole:
             return {name: change.bound for name, change in self.all_changes(setting).items()}
@@ -188,5 +188,5 @@ class ModelEffect(Effect):
 
 
 def _grown(bound: float, ratio: float) -> float:
-    """Return the sum of a geometric series, endless where it does not converge."""
+    """Return the sum of a geometric series, infinite where it diverges."""
     return bound / (1.0 - ratio) if ratio < 1.0 else inf if bound else 0.0

@@ -12,10 +12,10 @@ __all__ = ["BladeMass"]
 
 
 class BladeMass(ModelEffect):
-    """What the modes of bodies and heavy blades make of the frequency of the one freedom.
+    """Effect of the modes of bodies and heavy blades on the frequency of a single freedom.
 
-    The blades' mass counts by the shapes that they take while they vibrate, and so do coordinates
-    of the bodies beside the own motion, such as the rotation of a payload with inertia.
+    The blades' mass counts by the shapes of their vibration, and so do coordinates of the bodies
+    beside the driven motion, such as the rotation of a payload with inertia.
     """
 
     name: ClassVar[EffectName] = EffectName.BLADE_MASS
@@ -27,7 +27,7 @@ class BladeMass(ModelEffect):
         self._last: tuple[Setting, Changes] | None = None
 
     def indicator(self, setting: Setting) -> Indicator | None:
-        """Return what it makes of the frequency, with the blades' mass over that of what moves."""
+        """Return the change of the frequency, with the blades' mass over the moving mass."""
         change = self.changes(setting).get("frequency")
         if change is None:
             return None

@@ -24,5 +24,5 @@ class BladeTension(ModelEffect):
         return Indicator(slender, f"h/l = {slender:.2g}")
 
     def changes(self, setting: Setting) -> Changes:
-        """Return the axial stress over that of the bending."""
+        """Return the axial stress relative to that of the bending."""
         return setting.bending.tension()

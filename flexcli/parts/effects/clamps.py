@@ -1,4 +1,4 @@
-"""Clamps: they keep a blade from narrowing, and those cut from one piece with it give way."""
+"""Clamps: they keep a blade from narrowing, and are compliant where one piece with the blade."""
 
 from collections.abc import Callable
 from typing import ClassVar, Generic, TypeVar
@@ -15,15 +15,15 @@ __all__ = ["ClampCompliance", "ClampStress", "RootRadius"]
 
 
 OF_LINEAR, OF_CREST = 1e-6, 1e-4
-"""Errors of what linear beams of a profile are solved with, and of a crest between places."""
+"""Errors of linear beams of a profile, and of a maximum between two points."""
 
 
 class ClampStress(ModelEffect):
-    """What the nominal stress, the mean over the width of the face, leaves out at a clamp.
+    """The stress at a clamp beyond the nominal stress, the mean over the face's width.
 
-    It is told and changes no number: yield and fatigue take the nominal stress. A strength that
-    was measured on clamped blades and stated by their nominal stress has it already; one of free
-    specimens has not: von Mises' share for yield, that of σ_x for fatigue.
+    It is reported and changes no number: yield and fatigue take the nominal stress. A strength
+    measured on clamped blades and stated by their nominal stress includes it; one of free specimens
+    does not: von Mises' share for yield, that of σ_x for fatigue.
     """
 
     name: ClassVar[EffectName] = EffectName.CLAMP_STRESS
@@ -52,12 +52,12 @@ class ClampStress(ModelEffect):
         return Indicator(over - 1.0, text)
 
     def changes(self, setting: Setting) -> Changes:
-        """Return nothing: it is no part of the nominal stress."""
+        """Return no changes: it is no part of the nominal stress."""
         return {}
 
 
 class ClampCompliance(ModelEffect):
-    """What bodies that the blades are cut from give way at the roots, on top of any beam.
+    """The compliance of bodies that the blades are cut from, at their roots, beyond any beam model.
 
     At a given travel the stress falls, which is not counted on; under loads it may rise as well.
     """
@@ -66,7 +66,7 @@ class ClampCompliance(ModelEffect):
     is_whole: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
-        """Return the largest h/l of a blade, and what rigid clamps leave out where none is told."""
+        """Return the largest h/l of a blade, and the error of rigid clamps where none is stated."""
         softened, slender = _CLAMPS.of(setting), setting.slenderness
         if softened is not None:
             return Indicator(softened.ratio, f"h/l = {softened.ratio:.2g}")
@@ -80,7 +80,7 @@ class ClampCompliance(ModelEffect):
         return Indicator(slender, text)
 
     def changes(self, setting: Setting) -> Changes:
-        """Return the softer stiffness, and between what all that follows from it lies."""
+        """Return the reduced stiffness, and the ranges of the numbers that follow from it."""
         softened = _CLAMPS.of(setting)
         if softened is None:
             return {}
@@ -99,9 +99,9 @@ class ClampCompliance(ModelEffect):
 
 
 class RootRadius(ModelEffect):
-    """What fillets at the roots change in closed forms, which take blades as sharp.
+    """Fillets at the roots, which closed forms leave out.
 
-    Other models have the thickness of the blade as it is, and all count the peak of the stress.
+    Other models have the actual thickness along the blade, and all count the peak of the stress.
     """
 
     name: ClassVar[EffectName] = EffectName.ROOT_RADIUS
@@ -112,7 +112,7 @@ class RootRadius(ModelEffect):
         return None if found is None else Indicator(found.ratio, f"r/l = {found.ratio:.2g}")
 
     def changes(self, setting: Setting) -> Changes:
-        """Return the stiffer blades, their stress at a given travel, and what follows from them."""
+        """Return the increased stiffness, the stress at a given travel, and their consequences."""
         found = _FILLETED.of(setting)
         if found is None:
             return {}
@@ -133,7 +133,7 @@ Found = TypeVar("Found")
 
 
 class _Last(Generic[Found]):
-    """What was asked last of a geometry: every number of a design asks for the same."""
+    """The last changes asked for, kept because every number of a design needs the same."""
 
     def __init__(self, name: str, find: Callable[[Geometry, Sizes, float], Found | None]) -> None:
         self.name, self.find = name, find
@@ -141,7 +141,7 @@ class _Last(Generic[Found]):
         self.found: Found | None = None
 
     def of(self, setting: Setting) -> Found | None:
-        """Return that of a setting, for ν = ½ where it is not given."""
+        """Return those of a setting, for ν = ½ where it is not given."""
         geometry, sizes, nu = setting.geometry, setting.sizes, setting.poisson_bound
         last = self.asked
         if last is None or last[0] is not geometry or last[1:] != (sizes, nu):
@@ -161,13 +161,13 @@ _FILLETED: _Last[FilletedRoots] = _Last(
 
 
 def _within(value: float, low: float, high: float) -> Change:
-    """Return the change to a factor that lies within a range."""
+    """Return the change to a factor known as a range."""
     error = larger(high - value, value - low) / value
     return Change(value - 1.0, larger(1.0 - low, high - 1.0), error)
 
 
 def _between(low: float, high: float) -> Change:
-    """Return a change of which but a range is known: as a number of no change where it has 0."""
+    """Return a change known as a range; with a value of zero where the range includes it."""
     if low <= 0.0 <= high:
         size = larger(-low, high)
         return Change(0.0, size, size, -1 if high == 0.0 else 0)

@@ -1,4 +1,4 @@
-"""What all effects together make of a closed form: the factor that corrects it, and its error."""
+"""All effects together on a closed form: the factor that corrects it, and its error."""
 
 from collections.abc import Iterable, Sequence
 from itertools import combinations
@@ -13,17 +13,17 @@ from flexcli.results import ErrorRange, QuantityKind
 __all__ = ["Estimate", "estimate", "left_by"]
 
 BETWEEN = 2.0
-"""What two effects do to each other, over the product of their sizes: the most seen in exact
+"""Interaction of two effects over the product of their sizes: the largest seen in exact
 solutions."""
 
 MOST = 0.5
-"""Error beyond which a corrected closed form is no number to judge by."""
+"""Error beyond which a corrected closed form is not used to judge."""
 
 
 class Estimate(NamedTuple):
-    """The factor by which effects correct a closed form, and between which errors that leaves it.
+    """The factor by which effects correct a closed form, and the error that remains.
 
-    Without a range the error is unknown: nothing is judged by the number.
+    Without a range the error is unknown, and nothing is judged by the number.
     """
 
     factor: float
@@ -31,10 +31,10 @@ class Estimate(NamedTuple):
 
 
 def estimate(setting: Setting, kind: QuantityKind, effects: Iterable[ModelEffect]) -> Estimate:
-    """Return what effects make of the closed form's number of a kind.
+    """Return the correction of a closed form's number of a kind by all effects.
 
     The number times the factor lies within the error of that of the finest model, as far as the
-    effects tell all that it leaves out.
+    effects cover all that it leaves out.
     """
     elastic, travel = setting.material.elastic, setting.largest_travel
     if not setting.geometry.is_known(elastic, setting.sizes, travel, kind):
@@ -54,7 +54,7 @@ def estimate(setting: Setting, kind: QuantityKind, effects: Iterable[ModelEffect
 
 
 def _beside_others(effect: ModelEffect, change: Change) -> Change:
-    """Return a change as it counts: what is whole has its own error for all that it does."""
+    """Return a change as it counts: a complete one has its own error for its whole size."""
     if not effect.is_whole:
         return change
     if change.value is None:
@@ -63,11 +63,11 @@ def _beside_others(effect: ModelEffect, change: Change) -> Change:
 
 
 def left_by(changes: Sequence[Change], beside: Sequence[Change] = ()) -> ErrorRange | None:
-    """Return what is left of changes that a model's number is corrected by, unknown if one is.
+    """Return the error that remains after correcting a number by changes, None if one is unknown.
 
-    Effects multiply. Nobody derived what two of them do to each other: that is of the size of
-    their product, and no more than one of them may be off for any shape of the blades. Those
-    ``beside``, which the model carries itself, count there too.
+    Effects multiply. The interaction of two has not been derived: it is of the size of their
+    product, and no more than the error of one of them for any shape of the blades. Those
+    ``beside``, which the model includes, interact too.
     """
     low = high = 0.0
     for value, _, alone, sign, _ in changes:

@@ -1,4 +1,4 @@
-"""Thermal expansion: blades and bodies that grow and do not fit."""
+"""Thermal expansion: blades and bodies whose growth differs."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, ClassVar
@@ -36,7 +36,7 @@ class Expansion(SceneEffect):
         return Indicator(most, f"strains that do not fit differ by {most:.2g}")
 
     def estimates(self, setting: Setting) -> Mapping[str, float]:
-        """Return what the stress changes without it, over the larger of both, by linear blades."""
+        """Return the stress's change without it over the larger of both, by linear blades."""
         found = 0.0
         for scene in setting.scenes:
             if scene.temperature is None:
@@ -56,7 +56,7 @@ class Expansion(SceneEffect):
 
 
 def _warmed(setting: Setting, scene: Scene) -> "Layout":
-    """Return the joint as the temperature of a case makes it grow."""
+    """Return the joint as grown by the temperature of a case."""
     geometry = setting.geometry
     layout = geometry.plane_layout(setting.material.elastic, setting.sizes)
     assert scene.temperature is not None  # the caller has asked

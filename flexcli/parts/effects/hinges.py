@@ -1,4 +1,4 @@
-"""Notch hinges: they bend over a length of their own, and are softer as plane bodies than beams."""
+"""Notch hinges: they bend over a finite length, and are softer as plane bodies than as beams."""
 
 from math import inf
 from typing import ClassVar
@@ -18,7 +18,7 @@ seven were beyond the errors of both, by 0.043 of it at most; of those clamped a
 
 
 class HingeLength(ModelEffect):
-    """The closed forms of limbs take their hinges as pins with springs."""
+    """The length of hinges, which the closed forms of limbs take as pins with springs."""
 
     name: ClassVar[EffectName] = EffectName.HINGE_LENGTH
 
@@ -28,16 +28,16 @@ class HingeLength(ModelEffect):
         return None if reach is None else Indicator(reach, f"c/l = {reach:.2g}")
 
     def changes(self, setting: Setting) -> Changes:
-        """Return what hinges of a length do to stress and shift."""
+        """Return the changes of stress and shift by the length of the hinges."""
         return setting.bending.hinge_length()
 
 
 class ThickNotch(ModelEffect):
-    """What the curved faces of a notch and the blocks beside it give way, on top of any beam.
+    """The compliance of a notch's curved faces and of the blocks beside it, beyond any beam model.
 
-    At a given rotation the throat has as much less stress: its moment is what the hinge bears, and
-    the peak over the nominal stress is the deep notch's for any e/r. Under a load the moment may
-    be the load's own, and none of that counts.
+    At a given rotation the stress of the throat is reduced as much: its moment is the hinge's, and
+    the peak over the nominal stress is the deep notch's for any e/r. Under a load the moment may be
+    the load's own, and nothing of that counts.
     """
 
     name: ClassVar[EffectName] = EffectName.THICK_NOTCH
@@ -49,7 +49,7 @@ class ThickNotch(ModelEffect):
         return None if thick is None else Indicator(thick.ratio, f"e/r = {thick.ratio:.2g}")
 
     def changes(self, setting: Setting) -> Changes:
-        """Return the softer stiffness, the stress of the stroke, and what else may follow them."""
+        """Return the reduced stiffness, the stress of the stroke, and what may follow from them."""
         thick = setting.geometry.thick_notches(setting.sizes)
         if thick is None:
             return {}
@@ -71,7 +71,7 @@ class ThickNotch(ModelEffect):
 
 
 def _of_shift(thick: Thick) -> Change:
-    """Return the change of a shift: the rotation is spread out otherwise along its hinges."""
+    """Return the change of a shift: the rotation is distributed differently along its hinges."""
     low, high = thick.shift
     most = larger(1.0 - low, high - 1.0)
     if thick.path != 1.0:

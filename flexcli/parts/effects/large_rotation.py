@@ -10,7 +10,7 @@ __all__ = ["LargeRotation"]
 
 
 class LargeRotation(ModelEffect):
-    """The closed forms are the first term in the travel; the stiffness is stated at rest."""
+    """The closed forms are of first order in the travel; the stiffness is stated at rest."""
 
     name: ClassVar[EffectName] = EffectName.LARGE_ROTATION
     cost: ClassVar[float] = 3.0

@@ -13,20 +13,20 @@ from flexcli.parts.geometries import Geometry, Sizes
 __all__ = ["PlateWidening", "wide_of"]
 
 LOADED = 0.25
-"""Share of its change of stiffness by which a wide blade's stress under forces may differ: solid
+"""Part of the change of stiffness by which a wide blade's stress under forces may differ: solid
 blades stretched by a force had 1 % more, at b/l = 0.6, where the stiffness has 9 %."""
 
 MIXED = 0.3
-"""First order of a shift over its second beyond which neither leads."""
+"""Ratio of a shift's first order to its second beyond which neither dominates."""
 
 LEADS = 1.5
-"""Shift over its leading term up to which the change of that is the change of the shift."""
+"""Ratio of the shift to its leading term up to which both change alike."""
 
 
 class PlateWidening(ModelEffect):
-    """What rigid clamps make of a wide blade, between a beam (E) and a plate (E/(1 − ν²)).
+    """Effect of rigid clamps on a wide blade, between a beam (E) and a plate (E/(1 − ν²)).
 
-    On top of what any model of beams says; at small curvature, which ``anticlastic`` adds to.
+    It comes on top of any beam model; at small curvature, to which ``anticlastic`` adds.
     """
 
     name: ClassVar[EffectName] = EffectName.PLATE_WIDENING
@@ -44,7 +44,7 @@ class PlateWidening(ModelEffect):
         return Indicator(wide.ratio, text)
 
     def changes(self, setting: Setting) -> Changes:
-        """Return the change at rest, of the moment at a given travel, and of the critical force."""
+        """Return the changes at rest, of the moment at a travel, and of the critical force."""
         wide = wide_of(setting)
         if wide is None:
             return {}
@@ -78,7 +78,7 @@ def _stress(wide: WideBlades, setting: Setting, known: bool) -> Change:
 
 
 def wide_of(setting: Setting) -> WideBlades | None:
-    """Return the factors of the wide blades of a design, for ν = ½ where it is not given."""
+    """Return the factors of a design's wide blades, for ν = ½ where it is not given."""
     return _LAST.of(setting)
 
 
@@ -101,12 +101,12 @@ def _without_fillets(geometry: Geometry, sizes: Sizes, nu: float) -> WideBlades 
 
 
 def _either(one: Factor, other: Factor) -> Factor:
-    """Return the first factor, which may be the second."""
+    """Return the first factor, with the second in its range."""
     return one._replace(low=smaller(one.low, other.low), high=larger(one.high, other.high))
 
 
 class _Last:
-    """The factors that were asked last: every effect of wide blades asks for the same."""
+    """The last factors asked for, kept because every effect of wide blades needs the same."""
 
     def __init__(self) -> None:
         self.asked: tuple[Geometry, Sizes, float] | None = None
@@ -139,7 +139,7 @@ def _buckling(wide: WideBlades, setting: Setting, known: bool) -> Change:
 
 
 def _beside_first(wide: WideBlades, setting: Setting) -> tuple[float, float]:
-    """Return the change of a shift of second order beside what is of first, and its error.
+    """Return the change of the second-order shift beside the first-order one, and its error.
 
     Both may point the same way or against each other.
     """
@@ -156,9 +156,9 @@ def _beside_first(wide: WideBlades, setting: Setting) -> tuple[float, float]:
 
 
 def _shift(value: float, error: float, setting: Setting, known: bool) -> Change:
-    """Return the change of the shift, of which value and error are shares of the leading term.
+    """Return the change of the shift; value and error are shares of the leading term.
 
-    Where the leading term all but vanishes the shift is of next order: a share of that.
+    Where the leading term nearly vanishes the shift is of next order: a share of that.
     """
     bending, whole = setting.bending, 1.0
     next_order = bending.rotation().get("shift") if bending is not None else None

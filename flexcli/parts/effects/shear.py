@@ -13,14 +13,14 @@ from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 __all__ = ["Shear"]
 
 PLANE_STRESS = 0.06
-"""How much stiffer plane stress is than Timoshenko's beam at b/l = 1, bent across its width."""
+"""Stiffness of plane stress over that of Timoshenko's beam at b/l = 1, bent across its width."""
 
 
 class Shear(ModelEffect):
     """Timoshenko's shear parameter Φ lowers a clamped–guided stiffness by Φ/(1 + Φ).
 
-    Without Poisson's ratio it may be anything from 0 to ½: the middle of what that makes is
-    taken, and half of what it makes of a difference is an error.
+    Without Poisson's ratio it may be anything from 0 to ½: the middle of both results is taken, and
+    half their difference is an error.
     """
 
     name: ClassVar[EffectName] = EffectName.SHEAR
@@ -28,7 +28,7 @@ class Shear(ModelEffect):
     spans_what_it_needs: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
-        """Return Φ of the blade that is thickest against its length, in its plane."""
+        """Return Φ of the stockiest blade, in its plane."""
         slender = setting.slenderness
         if slender is None:
             return None
@@ -36,7 +36,7 @@ class Shear(ModelEffect):
         return Indicator(phi, f"Φ = {phi:.2g}")
 
     def changes(self, setting: Setting) -> Changes:
-        """Return the softer bending in the plane, and across it where the sag bends the width."""
+        """Return the reduced stiffness in the plane, and across it where sag bends the width."""
         low, high = (_changes(setting, nu) for nu in setting.poisson_ratios)
         return {name: _between(low[name], high[name]) for name in low}
 
@@ -57,7 +57,7 @@ def _changes(setting: Setting, nu: float) -> Changes:
 
 
 def _between(one: Change, other: Change) -> Change:
-    """Return the middle of two changes, with half of their difference as an error."""
+    """Return the middle of two changes, with half their difference as an error."""
     if one.value is None or other.value is None:
         return one if one.value is None else other
     value = (one.value + other.value) / 2.0

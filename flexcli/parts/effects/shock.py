@@ -16,7 +16,7 @@ class ShockLoad(SceneEffect):
     excludes: ClassVar[tuple[str, ...]] = ("shock",)
 
     def indicator(self, setting: Setting) -> Indicator | None:
-        """Return the worst acceleration that the shock makes [g], 0 where nobody knows it yet."""
+        """Return the worst acceleration of the shock [g], 0 where it is not known beforehand."""
         shocks = [s.shock for s in setting.scenes if s.shock is not None]
         if not shocks:
             return None

@@ -1,4 +1,4 @@
-"""Warping: clamps keep the ends of a twisted blade flat, which stiffens it against twist."""
+"""Warping: clamps keep the ends of a twisted blade flat, which stiffens it in torsion."""
 
 from collections.abc import Iterator, Mapping
 from math import dist
@@ -18,17 +18,17 @@ __all__ = ["Warping"]
 
 
 class Warping(ModelEffect):
-    """What rigid clamps add to the torsion of a blade or bar by keeping its ends flat.
+    """Effect of rigid clamps on the torsion of a blade or bar, whose ends they keep flat.
 
-    It is in the formulas of torsion bars and in blades in space themselves, and corrects none:
-    without it they have Saint-Venant's torsion alone.
+    It is part of the formulas of torsion bars and of blades in space, and corrects none: without it
+    they have Saint-Venant's torsion alone.
     """
 
     name: ClassVar[EffectName] = EffectName.WARPING
     is_whole: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
-        """Return by what share flat ends stiffen the torsion of bars, or of a blade at most."""
+        """Return the relative stiffening of bars in torsion by flat ends, or of a blade."""
         if _twists(setting):
             found = _beside_free(setting) - 1.0
             return Indicator(found, f"torsion of the bars {found:+.0%}")
@@ -42,14 +42,14 @@ class Warping(ModelEffect):
         return Indicator(rest, f"{text}, bent to an S {bent:+.0%}")
 
     def changes(self, setting: Setting) -> Changes:
-        """Return nothing to correct: what it changes has it."""
+        """Return no changes: every number that it affects includes it."""
         names = ["stiffness", "frequency", "stress"] if _twists(setting) else []
         if setting.supports:
             names.append("support")
         return dict.fromkeys(names, Change(0.0, 0.0, 0.0))
 
     def estimates(self, setting: Setting) -> Mapping[str, float]:
-        """Return what it changes of bars, and the most of any support stiffness."""
+        """Return its change of bars, and its largest change of any support stiffness."""
         found: dict[str, float] = {}
         if _twists(setting):
             stiffer = _beside_free(setting)
@@ -88,7 +88,7 @@ def _beside_free(setting: Setting) -> float:
 
 
 def _stiffened(setting: Setting) -> Iterator["Stiffening"]:
-    """Yield how many times as stiff held ends make blades: in pure torsion, and bent to an S."""
+    """Yield the factors by which held ends stiffen blades: in pure torsion, and bent to an S."""
     from flexcli.formulas.guide_support import twist_stiffening
     from flexcli.formulas.profile import Constant
     from flexcli.mechanics.space.layout import SpaceBlade
