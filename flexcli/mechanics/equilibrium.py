@@ -30,6 +30,7 @@ from flexcli.mechanics.prescribed_motion import demand_of, designs_of
 from flexcli.mechanics.refinement import LEVELS, Reached, by_steps, refined
 from flexcli.mechanics.refinement import difference as relative_difference
 from flexcli.mechanics.state import Equilibrium, Part
+from flexcli.mechanics.uncondensed import MOST, Uncondensed
 from flexcli.numerics.compilation import is_compiled
 from flexcli.numerics.newton import NewtonResult
 
@@ -44,8 +45,8 @@ FEW = 5
 more, and what is solved on them costs a third."""
 
 
-class _Compiled(Protocol):
-    """What is compiled of Newton's method (:mod:`flexcli.mechanics.compiled_newton`)."""
+class _Solver(Protocol):
+    """Newton's method for an assembly and its demand, faster than that by condensed blades."""
 
     def step(self, x: Floats, share: Floats, rows: Integers) -> Floats:
         """Return Newton's steps of the designs ``rows`` at x and shares λ of the way."""
@@ -57,23 +58,23 @@ class _Compiled(Protocol):
 class _Planar(NamedTuple):
     """Blades in the plane and what is asked of them (``Discretised``).
 
-    ``compiler`` compiles Newton's method for an assembly and its demand, which ``compiled`` is.
+    ``chosen`` gives the solver of an assembly and its demand, if there is a faster one.
     """
 
     assembly: Assembly
     demand: Demand
-    compiler: Callable[[Assembly, Demand], _Compiled | None]
-    compiled: _Compiled | None
+    chosen: Callable[[Assembly, Demand], _Solver | None]
+    solver: _Solver | None
 
     @classmethod
     def of(
         cls,
         assembly: Assembly,
         demand: Demand,
-        compiler: Callable[[Assembly, Demand], _Compiled | None],
+        chosen: Callable[[Assembly, Demand], _Solver | None],
     ) -> "_Planar":
         """Return blades and what is asked of them."""
-        return cls(assembly, demand, compiler, compiler(assembly, demand))
+        return cls(assembly, demand, chosen, chosen(assembly, demand))
 
     @property
     def nodes(self) -> int:
@@ -82,14 +83,14 @@ class _Planar(NamedTuple):
 
     def step(self, x: Floats, share: Floats, rows: Integers) -> Floats:
         """Return Newton's steps of the designs ``rows`` at the shares λ of the way."""
-        if self.compiled is not None:
-            return self.compiled.step(x, share, rows)
+        if self.solver is not None:
+            return self.solver.step(x, share, rows)
         return self.assembly.step(x, share, rows, self.demand)
 
     def newton(self, x: Floats, share: Floats, rows: Integers, **how: Any) -> NewtonResult:
         """Return where Newton's method leads from x."""
-        if self.compiled is not None:
-            return self.compiled.newton(x, share, rows, **how)
+        if self.solver is not None:
+            return self.solver.newton(x, share, rows, **how)
         return by_steps(self, x, share, rows, **how)
 
     def length_of(self, x: Floats, step: Floats) -> Floats:
@@ -103,7 +104,7 @@ class _Planar(NamedTuple):
 
     def at_nodes(self, nodes: int) -> "_Planar":
         """Return the same at another number of nodes."""
-        return _Planar.of(at_nodes(self.assembly, nodes), self.demand, self.compiler)
+        return _Planar.of(at_nodes(self.assembly, nodes), self.demand, self.chosen)
 
     def finer(self, fine: "_Planar", x: Floats) -> Floats:
         """Return unknowns interpolated to the nodes of a finer one."""
@@ -172,7 +173,7 @@ def solve(
     if start is not None:
         for part in start.parts:
             x[part.rows] = finer(part.assembly, coarse, part.x)
-    planar = _Planar.of(coarse, demand, _compiler(coarse, designs))
+    planar = _Planar.of(coarse, demand, _solver(coarse, designs))
     few = planar.at_nodes(FEW) if start is None and len(levels) > 1 else None
     found = refined(planar, x, tolerance, levels, few)
     return Equilibrium(
@@ -189,14 +190,14 @@ def solve(
     )
 
 
-def _compiler(assembly: Assembly, designs: int) -> Callable[[Assembly, Demand], _Compiled | None]:
-    """Return what compiles Newton's method, if anything."""
-    if len(assembly.meshes) > 1 or not is_compiled(designs):
-        return lambda *_: None
-    found: Callable[[Assembly, Demand], _Compiled] = import_module(
-        "flexcli.mechanics.compiled_newton"
-    ).Compiled
-    return found
+def _solver(assembly: Assembly, designs: int) -> Callable[[Assembly, Demand], _Solver | None]:
+    """Return what gives the fastest solver of so many designs, whatever the nodes."""
+    if len(assembly.meshes) == 1 and is_compiled(designs):
+        found: Callable[[Assembly, Demand], _Solver] = import_module(
+            "flexcli.mechanics.compiled_newton"
+        ).Compiled
+        return found
+    return lambda at, demand: Uncondensed(at, demand) if designs == 1 and at.size <= MOST else None
 
 
 def difference(coarse: Assembly, fine: Assembly, x: Floats, y: Floats, scale: Floats) -> Floats:

@@ -145,7 +145,9 @@ def newton(
             y, s, size, before, bent, least = (
                 each[kept] for each in (y, s, size, before, bent, least)
             )
-            longest = size.max(initial=0.0)
+            if rows.size == 0:
+                break
+            longest = size.max()
         if longest > REACH:
             s = s * np.minimum(1.0, REACH / np.maximum(size, REACH))[:, None]
         y = y + s
