@@ -46,9 +46,9 @@ REGION = 0.1
 corrected formulas choose."""
 
 SLOPES = (
-    "slopes of the checks are differences over ±0.1 % of each size, at strokes in space of what "
-    "the solution becomes by its implicit derivative: within 1e-6 where small motion judges, 1e-4 "
-    "where exact beams in space do"
+    "slopes of the checks are differences over ±0.1 % of each size, at strokes of what the "
+    "solution becomes by its implicit derivative: within 1e-6 where small motion judges, 1e-5 "
+    "where exact beams in the plane do, 1e-4 where those in space do"
 )
 """How good the slopes are by which what is drawn is chosen."""
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import flexcli
+from flexcli.engine.joint_models import joint_states
 from flexcli.engine.judge import judge
 from flexcli.engine.models import model_series
 from flexcli.engine.sizing.decided import STEP, judged_at, slopes_at
@@ -189,6 +190,40 @@ def test_slopes_of_exact_beams_in_space_are_those_of_solutions_on_both_sides():
             change = log(above[check].share / below[check].share)
             # implicit derivatives are even in the step but for its cube
             assert slope[k] == pytest.approx(change / log((1.0 + STEP) / (1.0 - STEP)), abs=STEP**2)
+
+
+def test_slopes_in_the_plane_are_those_of_whole_solutions_and_solve_nothing(monkeypatch):
+    asked = "requirements: {fatigue: 1.5, parasitic_shift: {max: 0.2 mm}, yield: 2}"
+    text = STAGE.format(geometry=DRAWING).replace("1e7}}}", "1e7}, wrench: {x: 0.2 N, y: 0.1 N}}}")
+    text = text.replace("fatigue: 1.5, stiffness: {min: 0.2 N/mm}", "").replace(
+        "requirements: {}", asked
+    )
+    design, here = flexcli.load(text).part, {"l": 25e-3, "h": 0.2e-3}
+    models = model_series(design)
+
+    def judged(**sizes):
+        return judged_at(design, design.geometry.sized({**here, **sizes}), models)
+
+    place, solved = judged(), []
+    assert len(place.used) == 3
+    solve = joint_states.solve
+    monkeypatch.setattr(joint_states, "solve", lambda *a, **k: solved.append(a) or solve(*a, **k))
+    found = slopes_at(design, place, models)
+    assert not solved
+    for k, (name, size) in enumerate(here.items()):
+        step = 4e-3
+        logs = [
+            {
+                check: log(each.share)
+                for check, each in judged(**{name: size * exp(i * step)}).used.items()
+            }
+            for i in (-2, -1, 1, 2)
+        ]
+        for check, slope in found.items():
+            one, two, three, four = (each[check] for each in logs)
+            whole = (one - 8.0 * two + 8.0 * three - four) / (12.0 * step)
+            assert slope[k] == pytest.approx(whole, abs=3.0 * STEP**2)
+    assert len(solved) > 8
 
 
 @pytest.mark.slow

@@ -15,17 +15,21 @@ from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import (
     at_rest,
     blades_of,
-    over_stroke,
+    layout_of,
     solved,
     warmed,
 )
 from flexcli.engine.joint_models.remembered import Remembered
+from flexcli.engine.joint_models.states_beside import states_beside, trail_of
 from flexcli.engine.planning.coverage import COVERAGE, covered
 from flexcli.formulas.blade_spring import Warping
 from flexcli.formulas.quantity import Computed
+from flexcli.mechanics.demand import Held as Motions
 from flexcli.mechanics.equilibrium import LEVELS
+from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.points import point_motion
+from flexcli.mechanics.sensitivity import beside
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import held_stiffness
@@ -85,6 +89,7 @@ class ExactModel(JointModel):
         self.levels = levels
         self._known_stresses: Remembered[tuple[list[EndStress], float]]
         self._known_stresses = Remembered("exact", of_blades=True)
+        self._known_trails: Remembered[tuple[Equilibrium, ...]] = Remembered(of_blades=True)
         self._known_states: Remembered[Equilibrium] = Remembered(of_blades=True)
         self._known_pairs: Remembered[tuple[float, float]] = Remembered("exact", of_blades=True)
         self._known_critical: Remembered[tuple[Critical, ...]] = Remembered(of_blades=True)
@@ -146,8 +151,15 @@ class ExactModel(JointModel):
 
     def states(self, ask: Ask) -> Equilibrium:
         """Return the equilibria of a case."""
-        find = partial(over_stroke, ask, self.effects, self.tolerance, self.levels)
-        return self._known_states.of("states", ask, find)
+        if ask.near is None or ask.scene.temperature is not None:
+            return self._trail(ask)[-1]
+        trail = self._trail(ask.near._replace(scene=ask.scene))
+        return self._known_states.of("states", ask, lambda: states_beside(ask, trail))
+
+    def _trail(self, ask: Ask) -> tuple[Equilibrium, ...]:
+        """Return the equilibria of a case after those that they start from."""
+        find = partial(trail_of, ask, self.effects, self.tolerance, self.levels)
+        return self._known_trails.of("states", ask, find)
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
         """Return what holds the joint at both ends of the stroke, under the case's loads."""
@@ -260,7 +272,7 @@ class ExactModel(JointModel):
             with suppress(NotAvailable):  # of the other end
                 return _told_shift(self.states(ask), ask)
         if scene.temperature is None:
-            return self._shift_at(ask, geometry.held(reach))
+            return self._shift_unloaded(ask, {MOVING: geometry.held(reach)})
         free: Held = None, None, 0.0 if geometry.is_guided else None
         held = [geometry.held(reach), geometry.held(-reach)] if scene.moves else [free]
         # what the temperature bends is not the same at both ends
@@ -269,16 +281,26 @@ class ExactModel(JointModel):
         doubt = held_lengths(warmed(ask), ask.material.elastic.nu or NU_UNKNOWN)
         return shift, error + (doubt / abs(shift) if shift else inf)
 
+    def _shift_unloaded(self, ask: Ask, held: Motions) -> tuple[float, float]:
+        if ask.near is None:
+            return _told_shift(self._unloaded(ask, held), ask)
+        known = self._unloaded(ask.near._replace(scene=ask.scene), held)
+        return _told_shift(beside(known, layout_of(ask), held), ask)
+
+    def _unloaded(self, ask: Ask, held: Motions) -> Equilibrium:
+        """Return the joint at the end of its stroke alone."""
+
+        def find() -> tuple[Equilibrium, ...]:
+            return (self._held(layout_of(ask), held),)
+
+        return self._known_trails.of("unloaded", ask, find)[-1]
+
+    def _held(self, layout: Layout, held: Motions) -> Equilibrium:
+        effects = blades_of(layout, self.effects)
+        return solved(layout, held, effects=effects, tolerance=self.tolerance, levels=self.levels)
+
     def _shift_at(self, ask: Ask, held: Held) -> tuple[float, float]:
-        layout = warmed(ask)
-        state = solved(
-            layout,
-            {MOVING: held},
-            effects=blades_of(layout, self.effects),
-            tolerance=self.tolerance,
-            levels=self.levels,
-        )
-        return _told_shift(state, ask)
+        return _told_shift(self._held(warmed(ask), {MOVING: held}), ask)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""

@@ -130,7 +130,7 @@ def slopes_at(
     """Return the slopes of the corrections of what is near its limit or has no formula.
 
     They are differences: to one side, and of what is drawn, where all depends on them, to both
-    sides unless a ``rough`` answer does. Exact beams in space are not solved anew beside the place.
+    sides unless a ``rough`` answer does. Exact beams are not solved anew beside the place.
     """
     sides = (1.0,) if rough or design.geometry.closed_forms else (1.0, -1.0)
     names = place.near | place.alone
