@@ -1,4 +1,4 @@
-"""What the stiffness of a material is made of."""
+"""Elastic constants of a material, and what a geometry cannot give."""
 
 from typing import NamedTuple
 
@@ -6,13 +6,13 @@ __all__ = ["ANY", "Buckled", "Elastic", "NotAvailable"]
 
 
 class NotAvailable(ValueError):
-    """A quantity that a geometry has no closed form for."""
+    """A number for which a geometry has no closed form."""
 
 
 class Buckled(NotAvailable):
     """The loads of a case buckle the joint: ``share`` of them is where it loses its stability.
 
-    It is proved on the path of the loads; a solver that gives up on the way says nothing of it.
+    It is proved on the path of the loads; a solver that does not converge does not prove it.
     """
 
     def __init__(self, share: float) -> None:
@@ -40,4 +40,5 @@ class Elastic(NamedTuple):
 
 
 ANY = Elastic(1.0, 0.0)
-"""To draw a joint whatever its material, or to ask whether it has a layout at all."""
+"""Placeholder constants, to draw a joint whatever its material, or to find whether it has a
+layout."""

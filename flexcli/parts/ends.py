@@ -1,4 +1,4 @@
-"""What the ends of a case hold: of the body that the joint moves, and of its blades' ends."""
+"""End conditions of a case: of the body that the joint moves, and of its blades' ends."""
 
 from typing import Literal, NamedTuple
 

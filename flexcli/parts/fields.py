@@ -1,4 +1,4 @@
-"""What the fields of a spec mean: the text below each field, read from the source when asked.
+"""The meaning of the fields of a spec: the text below each field, read from the source.
 
 Such a text ends with an example, where the type gives none: ``e.g. ``410 um`` `` is a value,
 ``e.g. ``cycles: 1e6, rotation: 5 deg`` `` are lines of the part, the field's own first.

@@ -40,30 +40,31 @@ else:
 __all__ = ["STRENGTHS", "WARM", "FatigueAmplitude", "Material", "MissingProperty", "SNCurve"]
 
 OUT_OF_PLANE = (QuantityKind.SUPPORT, QuantityKind.RESPONSE)
-"""What blades twist and shear in, whatever the joint."""
+"""Kinds of numbers that depend on torsion and shear of the blades, whatever the joint."""
 
 STRENGTHS = ("yield_strength", "tensile_strength", "fatigue_amplitude")
-"""What may have points over temperature; a stress that somebody admits has none."""
+"""Properties that may have points over temperature; an admissible stress has none."""
 
 _UNITS = {"poisson_ratio": "", "loss_factor": "", "density": "kg/m^3", "thermal_expansion": "1/K"}
 """SI units of the properties that are no stress."""
 
 
 SECTIONS = 3.0
-"""Powers of a length in a stiffness over E: sections that grow change it by so many growths."""
+"""Power of a length in a stiffness over E: thermal growth of sections changes it by so many
+growths."""
 
 MODULUS_DRIFT = 8e-4
-"""By what share Young's modulus changes at most for each kelvin from assembly, where nobody gave it
-over temperature [1/K]: more than the steepest curve that is shipped, of Invar (NIST)."""
+"""Largest relative change of Young's modulus per kelvin from assembly, where it is not given over
+temperature [1/K]: more than the steepest curve that is shipped, of Invar (NIST)."""
 
 STRENGTH_LOSS, WARM = 4e-3, 80.0
-"""What a strength is allowed to lose for each kelvin above assembly where nobody gave it there
-[1/K], and up to where [K]: an allowance, no bound from a source. Age-hardened aluminium goes soft
-beyond."""
+"""Assumed loss of strength per kelvin above assembly where it is not given over temperature [1/K],
+and up to which temperature [K]: an allowance, no bound from a source. Age-hardened aluminium goes
+soft beyond."""
 
 
 class MissingProperty(ValueError):
-    """A requirement asks for a property of the material that nobody gave."""
+    """A requirement needs a property of the material that is not given."""
 
     def __init__(self, field: str, why: str) -> None:
         super().__init__(f"the material has no {field}: {why}")
@@ -338,12 +339,12 @@ class Material(Part):
 
     @property
     def elastic(self) -> Elastic:
-        """Return what the stiffness of the material is made of."""
+        """Return the elastic constants of the material."""
         ratio = self.poisson_ratio
         return Elastic(self.E, ratio.value if ratio is not None else None)
 
     def oriented(self, angles: Iterable[float]) -> "Material":
-        """Return the material of blades at angles from x [rad]: its own where none matters."""
+        """Return the material of blades at angles from x [rad], unchanged where it is isotropic."""
         if self.sheet is None:
             return self
         from flexcli.parts.anisotropic import blades_of
@@ -363,13 +364,13 @@ class Material(Part):
 
     @property
     def sheet(self) -> "Crystal | Orthotropic | None":
-        """Return what its stiffness depends on the direction by."""
+        """Return the crystal or sheet that makes its stiffness depend on the direction, if any."""
         return self.crystal if self.crystal is not None else self.orthotropic
 
     def laid(self, layout: "SpaceLayout", turned: float) -> "SpaceLayout":
         """Return a layout, its blades with the constants of their directions where these matter.
 
-        ``turned`` is by what angle it is turned from the axes of its drawing [rad].
+        ``turned`` is the angle by which it is turned from the axes of its drawing [rad].
         """
         if self.sheet is None:
             return layout
@@ -393,12 +394,11 @@ class Material(Part):
         in_space: bool = False,
         is_directed: bool = False,
     ) -> ErrorRange | None:
-        """Return an error of a number of a kind with what the moduli leave unsure.
+        """Return an error of a number of a kind, widened by the uncertainty of the moduli.
 
         A crystal's shear modulus is not that of its Young's modulus and Poisson's ratio, which
-        counts of what twists and shears, ``in_space`` all; where ``is_directed``, the number and
-        its error have what the direction does. Blades that differ move a shift by what no one
-        blade would: nobody knows.
+        matters for torsion and shear, for all numbers ``in_space``; where ``is_directed``, number
+        and error include the direction. Blades that differ change a shift by an unknown amount.
         """
         if self.is_uneven and kind is QuantityKind.SHIFT:
             return None
@@ -408,7 +408,7 @@ class Material(Part):
         return error + ErrorRange(-off, off) + self._drifted(kind)
 
     def _drifted(self, kind: QuantityKind | None) -> ErrorRange:
-        """Return what Young's modulus, not given at a temperature, leaves unsure of a number."""
+        """Return the error of a number by a Young's modulus that is not given at a temperature."""
         if kind is QuantityKind.SHIFT:  # it follows from lengths, not from how stiff all is
             return EXACT
         least, most = max(0.0, 1.0 - self._drift), 1.0 + self._drift
@@ -417,9 +417,9 @@ class Material(Part):
         return ErrorRange(least - 1.0, most - 1.0)
 
     def weakened(self, error: ErrorRange, strengths: Collection[str]) -> ErrorRange | None:
-        """Return an error of a stress with what heat may take of the strengths that it is held to.
+        """Return an error of a stress, widened by the loss of strength by heat.
 
-        Unknown where nobody knows how much that is.
+        None where that loss is unknown.
         """
         lost = max((self._weaker.get(name, 0.0) for name in strengths), default=0.0)
         if lost >= 1.0:
@@ -438,7 +438,7 @@ class Material(Part):
 
     @property
     def expands(self) -> bool:
-        """Return whether it says how far it grows."""
+        """Return whether its thermal expansion is given."""
         known = self.over_temperature
         return self.thermal_expansion is not None or (
             known is not None and known.elongation is not None
@@ -462,8 +462,8 @@ class Material(Part):
         """Return the material between two temperatures [K], its values being those at assembly.
 
         Young's modulus is that of the middle, each strength the least, at the hottest of the bodies
-        that clamp it too (``clamps``). What is not given over temperature stays as it is; what it
-        may be counts in the errors.
+        that clamp it too (``clamps``). What is not given over temperature stays as it is; its
+        possible change counts in the errors.
         """
         # copies of a part share what it keeps: each finds its own, which stays as long as it does
         key = (id(self), assembly, coldest, hottest, clamps)
@@ -510,10 +510,10 @@ class Material(Part):
 
     @property
     def spread(self) -> float:
-        """Return by what share a stiffness of its moduli may be off [-].
+        """Return the relative error of a stiffness by its moduli [-].
 
         Blades of different temperatures or directions differ in them, sections grow with heat, and
-        plates of a crystal are not quite isotropic ones.
+        plates of a crystal are not quite isotropic.
         """
         return self._spread
 
@@ -525,11 +525,11 @@ class Material(Part):
         return number(given.value)
 
     def reversed_amplitude(self, cycles: float) -> tuple[float, str]:
-        """Return the fully reversed stress amplitude [Pa] borne for a life, and where it is from.
+        """Return the fully reversed stress amplitude [Pa] borne for a life, and its source.
 
-        From the S-N curve where it holds the life; else the fatigue amplitude, for any life up
-        to its own (safe, and said so). A life beyond the data raises :class:`MissingProperty`.
-        A strength at another stress ratio is brought to R = −1 by Goodman's line; a source that
+        From the S-N curve where it holds the life; else the fatigue amplitude, for any life up to
+        its own (safe, and said so). A life beyond the data raises :class:`MissingProperty`. A
+        strength at another stress ratio is converted to R = −1 by Goodman's line; a source that
         names no stress ratio is read as fully reversed.
         """
         curve, single = self.sn_amplitudes, self.fatigue_amplitude

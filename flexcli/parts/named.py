@@ -1,4 +1,4 @@
-"""Parts by their names: a class is imported, and its schema built, when a spec first gives it."""
+"""Parts by their names: a class is imported, and its schema built, when a spec first uses it."""
 
 from collections.abc import Iterable, Mapping
 from functools import partial
@@ -12,7 +12,7 @@ __all__ = ["Kinds", "Named", "marked", "part_class"]
 
 
 def marked(annotation: Any, metadata: Iterable[Any]) -> Any:
-    """Return an annotation together with the marker that says its classes, if it has one."""
+    """Return an annotation together with the marker that gives its classes, if it has one."""
     for marker in metadata:
         if isinstance(marker, Kinds | Named):
             return Annotated[annotation, marker]
@@ -37,7 +37,7 @@ def _full_schema(path: str) -> CoreSchema:
 
 
 class Named:
-    """A type marker: a part of a class that is imported when a spec has it."""
+    """A type marker: a part of a class that is imported when a spec uses it."""
 
     def __init__(self, path: str) -> None:
         self.path = path

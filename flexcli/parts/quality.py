@@ -1,4 +1,4 @@
-"""How modes are damped: one quality factor, or one of each mode's own."""
+"""Damping of modes: one quality factor, or one for each mode."""
 
 from typing import Annotated, Any, ClassVar
 

@@ -1,4 +1,4 @@
-"""Numbers with what they come from: a document and its page, and what kind of one it is."""
+"""Numbers with their source: a document and its page, and the kind of document."""
 
 from typing import ClassVar, Generic, Literal, TypeVar
 

@@ -1,4 +1,4 @@
-"""A joint in space with its springs' errors: what support, stress and modes are asked of."""
+"""A joint in space with its springs' errors, for support stiffness, stress and modes."""
 
 from collections.abc import Callable
 from functools import cached_property
@@ -25,18 +25,18 @@ __all__ = ["Form", "SpaceJoint", "joint_in_space"]
 Floats = NDArray[np.float64]
 
 RIGID = 1e8
-"""Factor on a spring that nobody knows the stiffness of: as good as rigid."""
+"""Factor on a spring of unknown stiffness: practically rigid."""
 
 UNKNOWN = 1e3
-"""Relative error from which there is no telling."""
+"""Relative error from which a number counts as unknown."""
 
 
 ROUNDING = 1e-10
-"""Share of what stands beside it below which a number is none."""
+"""Ratio to the other terms below which a number is rounding."""
 
 
 class Form(NamedTuple):
-    """A motion under a load, how far it may be off either way if known, and √(g·C g · f·C f)."""
+    """A motion under a load, its error either way if known, and √(g·C g · f·C f)."""
 
     found: float
     off: tuple[float, float] | None
@@ -52,10 +52,10 @@ class Form(NamedTuple):
 
 
 class SpaceJoint:
-    """The assembly of a joint, and how far its springs may be off.
+    """The assembly of a joint, and the errors of its springs.
 
-    ``low`` and ``high`` are the least and the largest relative error of every spring; a high of
-    infinity says that nobody knows how much stiffer than a beam one is.
+    ``low`` and ``high`` are the least and the largest relative error of every spring; an infinite
+    high marks a stiffness of unknown excess over a beam's.
     """
 
     def __init__(self, layout: SpaceLayout) -> None:
@@ -68,22 +68,22 @@ class SpaceJoint:
 
     @property
     def is_known(self) -> bool:
-        """Return whether the proportions of all blades are those for which the errors hold."""
+        """Return whether the proportions of all blades are within the validity of the errors."""
         return all(member.is_known for member in self.assembly.members)
 
     @property
     def is_known_in_stress(self) -> bool:
-        """Return whether they are those of which nominal stresses were compared as well."""
+        """Return whether they are also within the validity of nominal stresses."""
         return self.is_known and all(member.in_stress for member in self.assembly.members)
 
     @property
     def is_directed(self) -> bool:
-        """Return whether its springs and their errors are those of the blades' directions."""
+        """Return whether its springs and their errors include the blades' directions."""
         return all(isinstance(blade.material, Directed) for blade in self.layout.blades)
 
     @property
     def is_uniform(self) -> bool:
-        """Return whether every blade is of constant thickness, as the second order takes them."""
+        """Return whether every blade is of constant thickness, as the second order assumes."""
         return all(
             isinstance(blade, SpaceRod) or isinstance(blade.profile, Constant)
             for blade in self.layout.blades
@@ -91,16 +91,16 @@ class SpaceJoint:
 
     @cached_property
     def softest(self) -> SpaceAssembly:
-        """Return the assembly with every spring as soft as it may be."""
+        """Return the assembly with every spring at its lower limit."""
         return self.assembly.scaled(1.0 + self.low)
 
     @cached_property
     def stiffest(self) -> SpaceAssembly:
-        """Return that with every spring as stiff as it may be; all but rigid where nobody knows."""
+        """Return the assembly with every spring at its upper limit; nearly rigid if unknown."""
         return self.assembly.scaled(np.minimum(1.0 + self.high, RIGID))
 
     def error(self, value: Callable[[SpaceAssembly], float]) -> ErrorRange | None:
-        """Return between what relative errors a number lies that grows with every spring."""
+        """Return the range of error of a number that grows with every spring."""
         if not self.is_known:
             return None
         best = value(self.assembly)
@@ -133,7 +133,7 @@ class SpaceJoint:
         return groups
 
     def form(self, sought: Floats, load: Floats, softer: float = 0.0) -> Form:
-        """Return a motion under a load, ``g·C f``, and how far it may be off.
+        """Return a motion under a load, ``g·C f``, and its error.
 
         Parameters
         ----------
@@ -178,7 +178,7 @@ MOST = 4
 
 
 class _Latest:
-    """The joints that were asked last: all requirements of a design ask for the same."""
+    """The last joints asked for, kept because all requirements of a design need the same."""
 
     def __init__(self) -> None:
         self.known: list[tuple[SpaceJoint, Geometry, Material, Sizes, Temperature | None]] = []

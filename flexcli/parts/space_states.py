@@ -76,50 +76,54 @@ WARPING_ERROR = 0.2
 method, up to a thickness from the corner [-]."""
 
 AROUND_ERROR = 5e-3
-"""What a round section's stress is taken too large by at most [-]."""
+"""Largest relative excess of a round section's computed stress."""
 
 KNOWN = 0.3
-"""Share of the linear result that further orders may change it by and still be told."""
+"""Relative change by further orders up to which the linear result is used."""
 
 EXACT, NODES = 1e-5, (18, 27, 40)
 """Error of the forces of exact beams beside a stroke, relative, and their nodes, level by level."""
 
 FAR = 0.2
-"""Turn of a hinge by loads out of its plane, by small motion, that exact beams follow [rad]."""
+"""Rotation of a hinge under loads out of its plane, by small motion, up to which exact beams are
+used [rad]."""
 
 STIFFENS = 12.0
-"""Axial force [EI/l²] that would change the bending of a blade by as much as it is."""
+"""Axial force [EI/l²] that would change the bending of a blade by as much as itself."""
 
 SOFTENED = 0.75
-"""Share of what turns straight blades and bodies aside up to which what follows is told: it makes
-the second order four times as much there. A polynomial or two a blade gives it to some per cent."""
+"""Share of the lateral-buckling load of straight blades and bodies up to which results are given:
+there it makes the second order four times as large. One or two polynomials for a blade give it to
+some per cent."""
 
 THIRD = 0.4
-"""Of l θ³ for the largest rotation θ of a blade: what the third order may move off the path."""
+"""Factor on l θ³, θ the largest rotation of a blade: third-order motion off the path."""
 
 TURNS = 2.0
-"""Times the square of a blade's rotation that the third order may add."""
+"""Factor on the square of a blade's rotation: its third-order rotation."""
 
 SHARES = (1.0, 0.8, 0.6, 0.5, 0.4, 0.35, 0.3, 0.25, 0.2)
 """Of the loads that are of interest, at which a linear state is looked at, to say that nothing
 buckles."""
 
 INNER = 0.8
-"""Frequency over that of a blade between held ends up to which blades follow their ends."""
+"""Ratio of a frequency to that of a blade with fixed ends up to which blades follow their ends
+quasi-statically."""
 
 TWOFOLD = 2.0
-"""Times what uneven sections do at rest: how much they may do at a stroke."""
+"""Factor on the effect at rest of uneven sections: its upper bound at a stroke."""
 
 ACROSS, MANY = (2, 3, 4), 6
-"""Springs of a blade that loads out of its plane strain, and how many kinds of them in a joint are
-looked at one by one."""
+"""Springs of a blade that loads out of its plane strain, and the number of kinds of them in a joint
+up to which each is varied alone."""
 
 WEIGHTS = (0.0, 0.25, 0.5, 0.75, 1.0, 2.0, 4.0)
-"""Of the mean stress beside the amplitude, among which a place is the worst for some method."""
+"""Weights of the mean stress beside the amplitude, among which a place is the worst for some
+method."""
 
 
 class Told(NamedTuple):
-    """A number and its error, nothing where nobody knows it."""
+    """A number and its error, None where that is unknown."""
 
     value: float
     error: ErrorRange | None
@@ -133,9 +137,9 @@ class Told(NamedTuple):
 class StrokeEnd(NamedTuple):
     """Motion of the moving body's point at an end of a stroke, along the axes of cases.
 
-    ``first`` and ``second`` are its orders (6,) [m, rad], ``doubt`` the share of each that may be
-    missing, ``floor`` what may be there besides of a translation [m] and of a rotation [rad].
-    ``growth`` is how far the body itself has grown about its point [-].
+    ``first`` and ``second`` are its orders (6,) [m, rad], ``doubt`` the relative error of each,
+    ``floor`` a further error of a translation [m] and of a rotation [rad]. ``growth`` is the body's
+    own thermal growth about its point [-].
     """
 
     first: Floats
@@ -145,7 +149,7 @@ class StrokeEnd(NamedTuple):
     growth: float = 0.0
 
     def at(self, point: Vector, rows: Floats) -> tuple[Floats, Floats]:
-        """Return components of the motion of another point of the body, and how far they are off.
+        """Return components of the motion of another point of the body, and their errors.
 
         ``rows`` (n, 6) pick the components, which are all lengths or all angles.
         """
@@ -158,7 +162,7 @@ class StrokeEnd(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Amplitude of a stroke and what stands beside it at a place of a blade [Pa], signed."""
+    """Amplitude of a stroke and the other stress at a place of a blade [Pa], signed."""
 
     where: str
     amplitude: float
@@ -166,7 +170,7 @@ class Place(NamedTuple):
 
 
 def acting_groups(joint: SpaceJoint, scene: Scene) -> list[Acting]:
-    """Return what a case states and each of its accelerations, each acting by itself."""
+    """Return the stated loads of a case and each of its accelerations, each acting by itself."""
     point = joint.layout.body(joint.layout.drive.body).point
     fields = ((0.0, 0.0, 0.0), *scene.accelerations)
     return [
@@ -179,16 +183,16 @@ def acting_groups(joint: SpaceJoint, scene: Scene) -> list[Acting]:
 def senses(scene: Scene, groups: int) -> Iterator[tuple[float, ...]]:
     """Yield the senses in which the acting groups of a case act at once.
 
-    What is stated, the first of them, acts in its own sense alone.
+    The stated load, the first of them, acts in its own sense alone.
     """
     stated = (1.0,) if any(scene.stated) else (1.0, -1.0)
     return product(*(stated if k == 0 else (1.0, -1.0) for k in range(groups)))
 
 
 def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[StrokeEnd, ...]:
-    """Return the motion at both ends of a stroke, the drive locked there; loads play no part.
+    """Return the motion at both ends of a stroke, the drive locked there, without loads.
 
-    With a temperature the joint has grown besides; without a stroke its drive is free then.
+    With a temperature the joint has grown besides; without a stroke its drive is then free.
     ``turn`` is the angle from the layout's x to that of cases [rad].
     """
     axes = motion_along(axes_about_z(turn))
@@ -218,12 +222,12 @@ def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[StrokeEnd, ..
 
 
 def bent_by_gradient(joint: SpaceJoint, scene: Scene) -> tuple[float, Floats]:
-    """Return what sections of uneven temperature add at most: stress [Pa], motion of the drive.
+    """Return the most that gradients within sections add: stress [Pa], motion of the drive.
 
-    That is of the driven point, shift [m] and turn [rad] (6,). States give each blade the
-    temperature of its middle. Its section's would bend it where it is free, and stresses it where
-    it is held, as of a plate in both directions. Beside a stroke, at which other motions are softer
-    than at rest, all counts twofold.
+    The motion is that of the driven point, shift [m] and rotation [rad] (6,). States give each
+    blade the temperature of its middle. The gradient of its section would bend it where it is free,
+    and stresses it where it is held, as a plate in both directions. Beside a stroke, at which other
+    motions are softer than at rest, all counts twofold.
     """
     assembly, drive = joint.assembly, joint.layout.drive
     misfits = assembly.curl()
@@ -239,7 +243,7 @@ def bent_by_gradient(joint: SpaceJoint, scene: Scene) -> tuple[float, Floats]:
 
 
 def left_by_temperature(ask: Ask) -> tuple[float, ...]:
-    """Return how far the temperature of a case alone moves its body, along and about x, y, z."""
+    """Return the motion of the body by the temperature of a case alone, along and about x, y, z."""
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
     body = joint.layout.body(joint.layout.drive.body)
     moved = warmed(joint.assembly, locked=False).moved.coordinates[:, 0]
@@ -248,10 +252,10 @@ def left_by_temperature(ask: Ask) -> tuple[float, ...]:
 
 
 def poses(joint: SpaceJoint, scene: Scene) -> tuple[list[tuple[float, Floats]], float]:
-    """Return how every body moved at the ends of a stroke, and how far off that is [m].
+    """Return the motion of every body at the ends of a stroke, and its error [m].
 
     A pose is a travel with shift and rotation vector of each body's point (bodies, 6), along the
-    axes of the layout, to second order; loads play no part.
+    axes of the layout, to second order, without loads.
     """
     assembly, layout = joint.assembly, joint.layout
     found, doubt = list[tuple[float, Floats]](), 0.0
@@ -279,7 +283,7 @@ def poses(joint: SpaceJoint, scene: Scene) -> tuple[list[tuple[float, Floats]], 
 
 
 def sag(joint: SpaceJoint, scene: Scene) -> Told:
-    """Return how far the moving body's point sags along a steady acceleration [m]."""
+    """Return the sag of the moving body's point along a steady acceleration [m]."""
     body = joint.layout.body(joint.layout.drive.body)
     along = np.array([float(axis == scene.axis) for axis in "xyz"])
     acting = Acting(0.0, np.zeros(6), body.point, scene.acceleration * along)
@@ -298,7 +302,7 @@ def sag(joint: SpaceJoint, scene: Scene) -> Told:
 
 
 def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) -> float | None:
-    """Return by what share of itself a deflection at rest may differ from that of first order.
+    """Return the relative change of a deflection at rest beyond first order.
 
     Parameters
     ----------
@@ -342,7 +346,7 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
 
 
 def beyond_linear_sag(ask: Ask) -> float | None:
-    """Return by what share of itself the sag of a joint may differ from its linear one.
+    """Return the relative change of the sag of a joint beyond its linear value.
 
     Returns
     -------
@@ -376,7 +380,7 @@ def beyond_linear_sag(ask: Ask) -> float | None:
 
 
 def _second_share(state: SpaceState, row: Floats) -> float:
-    """Return what the second order and further ones add to a motion, over its first order."""
+    """Return the second and further orders of a motion, over its first order."""
     after, first = state.following(), float(row @ state.moved.coordinates[:, 0])
     if first == 0.0:
         return 0.0
@@ -384,12 +388,12 @@ def _second_share(state: SpaceState, row: Floats) -> float:
 
 
 def _amplified(share: float) -> float | None:
-    """Return s/(1 − s), which all orders add to a first one that the second adds s to."""
+    """Return s/(1 − s), the sum of all orders where the second is s times the first."""
     return share / (1.0 - share) if share <= KNOWN else None
 
 
 def _share_of_buckling(ask: Ask, load: Floats) -> float:
-    """Return a wrench over that at which straight blades buckle, whichever way it acts [-].
+    """Return a wrench over that at which straight blades buckle, in either sense [-].
 
     Blades narrower than thick are taken to buckle across their width.
     """
@@ -453,8 +457,9 @@ def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRa
 def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
     """Return the largest stress of a case's loads out of the plane of a joint, and its error.
 
-    Each load acts either way, the drive free, in the pose at rest. The error counts what the
-    stroke and these loads do together: to second order, in joints with hinges by exact beams.
+    Each load acts either way, the drive free, in the pose at rest. The error includes the
+    interaction of the stroke with these loads: to second order, in joints with hinges by exact
+    beams.
     """
     stresses, across = Stresses(joint.assembly), np.isin(np.arange(6), scene.across)
     acting = [
@@ -485,7 +490,7 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
 
 
 def _at_once(groups: list[SpaceState], stresses: Stresses) -> float:
-    """Return the largest stress of groups of loads that act either way, as if alike there [Pa]."""
+    """Return the largest stress of groups of loads in either sense, combined at worst [Pa]."""
     each = (stresses.of(state.moved.forces[:, 0], state.weights) for state in groups)
     blades = zip(*each, strict=True)
     return max(float(np.max(sum(equivalent(s.normal, s.shear) for s in own))) for own in blades)
@@ -501,9 +506,8 @@ def _across_hinges(
 ) -> Told:
     """Return the stress of loads out of the plane of a joint with hinges, and its error.
 
-    ``rest`` is the stress at rest [Pa]. Exact beams tell by what share of itself it changes at a
-    stroke; that of the blades' own weight, which they do not bear, is taken to change as that of
-    the loads.
+    ``rest`` is the stress at rest [Pa]. Exact beams give its relative change at a stroke; that of
+    the blades' own weight, which they do not include, is taken to change as that of the loads.
     """
     known = _hull(map(_of_hinge, joint.layout.blades))
     unsure = _unevenly_sprung(joint, acting, stresses, rest)
@@ -535,10 +539,10 @@ def _across_hinges(
 def _unevenly_sprung(
     joint: SpaceJoint, acting: list[Acting], stresses: Stresses, rest: float
 ) -> ErrorRange | None:
-    """Return the error that springs out of the plane make of the largest stress of loads, ``rest``.
+    """Return the error of the largest stress of loads, ``rest``, by springs out of the plane.
 
-    Blades of the same shape are off alike; each kind of their springs is as soft or as stiff as it
-    may be beside the others. Nothing where that is unknown, or blades are of many shapes.
+    Blades of the same shape have the same error; each kind of their springs is at its lower or
+    upper limit beside the others. None where that is unknown, or blades are of many shapes.
     """
     if len(joint.layout.blades) == 1:  # what acts on it are the loads
         return ErrorRange(0.0, 0.0)
@@ -565,7 +569,7 @@ def _unevenly_sprung(
 def _added(joint: SpaceJoint, loads: SpaceState, travel: float) -> float | None:
     """Return the largest stress that loads add at a travel by exact beams, the drive held [Pa].
 
-    Nothing where there is no such state, or little more of the loads would turn the joint aside,
+    None where there is no such state, or slightly larger loads would buckle the joint sideways,
     there or at rest with its drive free.
     """
     # exact beams are for hinges alone
@@ -592,9 +596,9 @@ def _added(joint: SpaceJoint, loads: SpaceState, travel: float) -> float | None:
 def _beside(
     joint: SpaceJoint, scene: Scene, groups: list[SpaceState], stresses: Stresses
 ) -> Iterator[tuple[float, float]]:
-    """Yield what a stroke makes more of the stress of loads [Pa], and the error of both.
+    """Yield the increase by a stroke of the stress of loads [Pa], and the error of both.
 
-    That is at each end of the stroke, and whichever way the loads act.
+    That is at each end of the stroke, for every sense of the loads.
     """
     body = joint.layout.body(joint.layout.drive.body)
     either = [(1.0, -1.0)] * len(groups)
@@ -639,7 +643,7 @@ def _error(joint: SpaceJoint, states: list[SpaceState], stresses: Stresses) -> E
 
 
 def state_error(joint: SpaceJoint, state: SpaceState, stress: float) -> ErrorRange | None:
-    """Return the error of the largest stress in a state, when it is so large [Pa]."""
+    """Return the error of the largest stress in a state, given that stress [Pa]."""
     stresses = Stresses(joint.assembly)
     here = stresses.of(state.moved.forces[:, 0], state.weights)
     most = max(_largest(each) for each in here)
@@ -677,7 +681,7 @@ def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> Error
 
 
 def _of_hinge(blade: SpaceBlade | SpaceRod) -> ErrorRange | None:
-    """Return how far the stress of a blade's section may be off where it is a hinge."""
+    """Return the relative error of the stress of a blade's section where it is a hinge."""
     error = hinge_error(blade)
     return None if error is None else ErrorRange(*error)
 
@@ -687,7 +691,7 @@ def _is_taper(blade: SpaceBlade | SpaceRod) -> bool:
 
 
 def _warped(stresses: list[BladeStress], most: float) -> float:
-    """Return the share of the largest stress that restrained warping may be off by."""
+    """Return the relative error of the largest stress by restrained warping."""
     warping = max(float(np.max(np.abs(each.warping), initial=0.0)) for each in stresses)
     return WARPING_ERROR * min(warping / most, 1.0)
 
@@ -697,9 +701,9 @@ def _largest(stress: BladeStress) -> float:
 
 
 def _third_order(after: SecondOrder) -> float:
-    """Return the share of a linear result that orders beyond the second may change.
+    """Return the relative change of a linear result by orders beyond the second.
 
-    It is infinite near what buckles straight blades, or turns bodies over.
+    It is infinite near the buckling of straight blades, or the instability of bodies.
     """
     if after.buckling > SOFTENED:
         return inf
@@ -707,9 +711,9 @@ def _third_order(after: SecondOrder) -> float:
 
 
 def stiffened_by(joint: SpaceJoint, scene: Scene) -> tuple[float, float]:
-    """Return by what shares the loads of a case change the stiffness along the motion [-].
+    """Return the relative changes of the stiffness along the motion by the loads of a case [-].
 
-    To first order in them: that of what is stated with its sign, and the most of what acts either
+    To first order: that of stated loads with its sign, and the largest of those that act either
     way.
     """
     body = joint.layout.body(joint.layout.drive.body)
@@ -747,7 +751,7 @@ def straight_shares(joint: SpaceJoint, scene: Scene, most: float) -> Iterator[tu
 def _told_up_to(
     joint: SpaceJoint, stroke: list[SpaceState], loads: SpaceState, stresses: Stresses
 ) -> float:
-    """Return the largest of ``SHARES`` of loads, beside a stroke, whose stress is told."""
+    """Return the largest share of loads, beside a stroke, up to which the linear stress holds."""
     for share in SHARES:
         state = combined([*stroke, loads], [1.0] * len(stroke) + [share])
         if _of_state(joint, state, stresses) is not None:
@@ -756,7 +760,7 @@ def _told_up_to(
 
 
 def _springs(joint: SpaceJoint, state: SpaceState) -> float:
-    """Return by what share the springs' errors may change the forces of a state.
+    """Return the relative change of a state's forces by the errors of the springs.
 
     To first order an error e of a spring changes the forces by no more than e √(its share of the
     energy) in the norm of the energy; its own force besides.
@@ -771,7 +775,7 @@ def _springs(joint: SpaceJoint, state: SpaceState) -> float:
 
 
 def _hull(errors: Iterable[ErrorRange | None]) -> ErrorRange | None:
-    """Return the range that holds all others; nothing where one is unknown."""
+    """Return the range that includes all others; None where one is unknown."""
     low, high = 0.0, 0.0
     for error in errors:
         if error is None or not isfinite(error.largest):
@@ -783,10 +787,10 @@ def _hull(errors: Iterable[ErrorRange | None]) -> ErrorRange | None:
 def largest_misfit_stress(
     joint: SpaceJoint, blades: Iterable[int], motion: tuple[float, ...]
 ) -> tuple[Told, str]:
-    """Return the largest stress where one of some blades misses its seat, and where it is.
+    """Return the largest stress where one of some blades misses its seat, and its place.
 
-    ``motion`` is how far the seat on its second body is off at its end, along the axes of the
-    layout [m, rad]; the drive is free.
+    ``motion`` is the offset of the seat on its second body at its end, along the axes of the layout
+    [m, rad]; the drive is free.
     """
     stresses, found, where, errors = Stresses(joint.assembly), 0.0, "", list[ErrorRange | None]()
     for blade in blades:
@@ -803,12 +807,12 @@ def largest_misfit_stress(
 
 
 def own_frequency(geometry: Geometry, material: Material, sizes: Sizes) -> Told:
-    """Return the lowest frequency that the drive's own motion takes part in, it being free [Hz]."""
+    """Return the lowest frequency with a part in the driven motion, the drive free [Hz]."""
     return _frequency(geometry, material, sizes, locked=False)
 
 
 def parasitic_frequency(geometry: Geometry, material: Material, sizes: Sizes) -> Told:
-    """Return the lowest frequency of all with the drive locked at rest [Hz]."""
+    """Return the lowest frequency with the drive locked at rest [Hz]."""
     return _frequency(geometry, material, sizes, locked=True)
 
 
@@ -839,7 +843,7 @@ def _frequency(geometry: Geometry, material: Material, sizes: Sizes, *, locked: 
 
 
 def _angular(assembly: SpaceAssembly, modes: SpaceModes, *, locked: bool) -> float:
-    """Return the lowest frequency of the modes that are asked of [rad/s]."""
+    """Return the lowest angular frequency of the modes in question [rad/s]."""
     if not len(modes.angular):
         raise NotAvailable("has no mass that moves")
     if locked:

@@ -1,4 +1,4 @@
-"""A mechanism in space as a structure that vibrates, with others that are as likely.
+"""A mechanism in space as a vibrating structure, with variants within its uncertainty.
 
 Stresses are von Mises': of a random response the root mean square is that of the normal stress
 and of √3 times the shear together, at every place of a blade.
@@ -37,7 +37,8 @@ Floats = NDArray[np.float64]
 DIRECTIONS = ("x", "y", "z", "theta_x", "theta_y", "theta_z")
 
 GYRATIONS = (0.1, 0.0, 0.3, 1.0)
-"""Radii of gyration about the axes in its plane of what is drawn in it, over a blade's length."""
+"""Radii of gyration about the in-plane axes for bodies drawn in the plane, over a blade's
+length."""
 
 TELLING = 1e-3
 """Share of the mass, or the stress, from which the shape of a mode counts in its error."""
@@ -73,9 +74,9 @@ def space_structure(assembly: SpaceAssembly, turn: float = 0.0) -> Structure:
 
 
 class Likely(NamedTuple):
-    """A structure, others that are as likely, and the range of the factors on its springs.
+    """A structure, variants within its uncertainty, and the range of the factors on its springs.
 
-    There are no others where nobody knows how far off it is.
+    There are no variants where the uncertainty is unknown.
     """
 
     joint: SpaceJoint
@@ -92,11 +93,11 @@ def likely_structures(
     steps: int,
     lock: str | None = None,
 ) -> Likely:
-    """Return a mechanism as a structure in space, and others between the errors of its springs.
+    """Return a mechanism as a structure in space, and variants over the errors of its springs.
 
     A material without a density may be as heavy as any; a body that is drawn in its plane may have
-    any inertia about the axes in it that is not stated, up to that of a radius of gyration as long
-    as a blade, or as what it is between pivots. A body that is locked is held in every direction.
+    any unstated inertia about the axes in it, up to that of a radius of gyration as long as a
+    blade, or as the distance between its pivots. A body that is locked is held in every direction.
 
     Raises
     ------
@@ -151,7 +152,7 @@ def likely_structures(
 
 
 def _refuse_guided(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> None:
-    """Raise :class:`NotAvailable` for what does not stand free on the blades of one joint."""
+    """Raise :class:`NotAvailable` for bodies not freely on the blades of one joint."""
     if geometry.is_guided:
         raise NotAvailable("is guided by what nobody knows out of its plane")
     if geometry.layout(elastic, sizes).guides:
@@ -161,7 +162,7 @@ def _refuse_guided(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> None:
 def _on_pivots(whole: OutOfPlane, density: float, gyration: float) -> SpaceLayout:
     """Return a mechanism on several joints from its plane, with inertia about x and y.
 
-    What is not stated is that of a radius of gyration [m].
+    Unstated inertia is that of a radius of gyration [m].
     """
     first = whole.layout.bodies[0].name
     if whole.layout.G is None:
@@ -209,7 +210,7 @@ def shape_error(
     peaks: Callable[[Structure], Mapping[str, float]],
     reached: float,
 ) -> ErrorRange | None:
-    """Return how far the peak stress of a response may be off as its motion is no small one.
+    """Return the error of the peak stress of a response by the finite size of its motion.
 
     Parameters
     ----------
@@ -290,7 +291,7 @@ def _as_state(assembly: SpaceAssembly, omega: float, shape: Floats) -> SpaceStat
 
 
 def _meeting(each: Sequence[Sequence[BladeStress]], sizes: Sequence[float]) -> list[float]:
-    """Return shares of states with which their normal stresses add where they are largest."""
+    """Return factors on states with which their normal stresses add up at the largest."""
     normal = np.array([np.concatenate([blade.normal for blade in of]) for of in each])
     largest = np.array([np.abs(one).max() or 1.0 for one in normal])
     scaled = normal * (np.array(sizes) / largest)[:, None]

@@ -31,7 +31,7 @@ Floats = NDArray[np.float64]
 
 
 class PlacedJoint(NamedTuple):
-    """Where a copy of the joint stands: its two bodies, its centre [m], its turn from x [rad]."""
+    """Place of a copy of the joint: its two bodies, its centre [m], its turn from x [rad]."""
 
     name: str
     first: str
@@ -41,7 +41,7 @@ class PlacedJoint(NamedTuple):
 
 
 class OwnMotion(NamedTuple):
-    """The mechanism's own motion: a body's, along a direction (x, y, φ), as an output's name."""
+    """The mechanism's driven motion: its body, direction (x, y, φ), and name as an output."""
 
     body: str
     direction: tuple[float, float, float]
@@ -78,12 +78,12 @@ class Structure:
         return replace(self, stiffness=self.stiffness * factor, outputs=outputs)
 
     def without_motion(self) -> "Structure":
-        """Return the structure without a motion of its own, as where it is locked."""
+        """Return the structure without a driven motion, as where it is locked."""
         outputs = {name: rows for name, rows in self.outputs.items() if name not in MOTIONS}
         return replace(self, outputs=outputs, motion=None)
 
     def in_mode(self, angular: float, shape: Floats) -> "Structure":
-        """Return the structure that moves in one of its modes alone, of unit modal mass."""
+        """Return the structure restricted to one of its modes, of unit modal mass."""
         return Structure(
             np.ones((1, 1)),
             np.array([[angular**2]]),
@@ -94,7 +94,7 @@ class Structure:
 
     @property
     def motion_stiffness(self) -> float:
-        """Return the static stiffness along the own motion, all else free [N/m or N·m/rad]."""
+        """Return the static stiffness along the driven motion, all else free [N/m or N·m/rad]."""
         assert self.motion is not None  # not locked
         return float(1.0 / (self.motion @ np.linalg.solve(self.stiffness, self.motion)))
 
@@ -164,7 +164,7 @@ def assemble(
 
 
 def on_joints(bodies: Sequence[Body], joints: Sequence[PlacedJoint], joint: Layout) -> Layout:
-    """Return bodies on copies of a joint as one layout, as :func:`assemble` takes them."""
+    """Return bodies on copies of a joint as one layout, in the form that :func:`assemble` takes."""
     return _whole(bodies, [_placed(joint, at) for at in joints])
 
 
@@ -180,7 +180,7 @@ def _whole(bodies: Sequence[Body], copies: Sequence[Layout]) -> Layout:
 
 
 def joined(name: str, point: Point, parts: Sequence[Body]) -> Body:
-    """Return the one rigid body that several make, its motion that of a point [m]."""
+    """Return the rigid body formed by several, its motion that of a point [m]."""
     mass = sum(part.mass for part in parts)
     if mass == 0.0:
         return Body(name, point, 0.0, sum(part.inertia for part in parts), point)
@@ -200,7 +200,7 @@ def turned(place: Point, angle: float, shift: Point = (0.0, 0.0)) -> Point:
 
 
 def _placed(joint: Layout, at: PlacedJoint) -> Layout:
-    """Return a copy of a joint where it stands, its own bodies by names of their own."""
+    """Return a copy of a joint in its place, its own bodies renamed."""
     called = {GROUND: at.first, MOVING: at.second}
     called |= {b.name: f"{at.name} {b.name}" for b in joint.bodies if b.name != MOVING}
 

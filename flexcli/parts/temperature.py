@@ -36,10 +36,10 @@ Slope = Annotated[float, QuantityOf("temperature gradient")]
 Coefficient = Annotated[float, QuantityOf("expansion")]
 
 ALONG_PIECE = np.array([[-1.0, 0.0, 1.0]])
-"""Of each piece of a blade, where its thickness is looked at: its ends and its middle."""
+"""Places along each piece of a blade where its thickness is sampled: its ends and its middle."""
 
 HELD_ERROR = 0.1
-"""Error of what clamps that hold a blade across make it longer, relative."""
+"""Relative error of the lengthening of a blade by clamps that hold it across."""
 
 AnyLayout = TypeVar("AnyLayout", bound=Layout | SpaceLayout)
 
@@ -52,9 +52,9 @@ class Changes(NamedTuple):
 
 
 def held_share(blade: Blade | SpaceBlade | SpaceRod, nu: float) -> float:
-    """Return how much longer a blade gets for each strain across it that its clamps hold [-].
+    """Return the relative lengthening of a blade per strain across it that its clamps hold [-].
 
-    Where its thickness varies that is not known, and little: it is held in short stretches.
+    Where its thickness varies that is not known, and small: it is held in short stretches.
     """
     if isinstance(blade, SpaceRod) or not isinstance(blade.profile, Constant):
         return 0.0
@@ -65,7 +65,7 @@ def held_share(blade: Blade | SpaceBlade | SpaceRod, nu: float) -> float:
 def held_across(layout: Layout | SpaceLayout) -> float:
     """Return the largest strain by which a clamp of a warmed layout keeps a blade from growing.
 
-    It is that across the blade; what it makes the blade longer is in its growth, and hardly counts.
+    It is across the blade; the resulting lengthening is in its growth, and negligible here.
     """
     return max(
         abs(float(column(layout.blade_growth[blade.name])[0] - column(layout.body_growth[body])[0]))
@@ -79,8 +79,8 @@ def held_stress(
 ) -> float:
     """Return the stress across blades where their clamps keep them from growing [Pa].
 
-    ``E`` times the difference of strains, of the place where it is most; no stress where the
-    material does not say how it grows, or the joint has no blades.
+    ``E`` times the difference of strains, at its largest; zero where the material does not state
+    its expansion, or the joint has no blades.
     """
     if not all(each.expands for each in (material, *geometry.body_materials.values())):
         return 0.0
@@ -95,9 +95,9 @@ def held_stress(
 
 
 def held_lengths(layout: Layout, nu: float) -> float:
-    """Return how far what clamps hold across leaves the lengths of all blades unsure [m].
+    """Return the error of the lengths of all blades by clamps that hold them across [m].
 
-    It is a tenth of what it makes them longer, and what their thickness, held too, does besides.
+    It is a tenth of their lengthening, and the effect of holding their thickness too.
     """
     doubt = 0.0
     for blade in layout.blades:
@@ -116,10 +116,10 @@ def held_lengths(layout: Layout, nu: float) -> float:
 
 
 def held_bending(layout: Layout, nu: float) -> float:
-    """Return by what share what clamps hold across may change how stiffly blades bend [-].
+    """Return the relative change of the bending stiffness by clamps that hold blades across.
 
-    It pulls a blade flat across or lets it curl, between a beam and a plate that cannot: the more,
-    the larger strain · (b/h)² is. CalculiX had 0.7 % where this has 3 %.
+    Tension across pulls a blade flat, compression lets it curl, between a beam and a plate: the
+    more, the larger strain · (b/h)² is. CalculiX had 0.7 % where this has 3 %.
     """
     doubt = 0.0
     for blade in layout.blades:
@@ -140,7 +140,7 @@ def _thickest(blade: Blade, l: float) -> float:
 
 
 class Gradient(Part):
-    """How the temperature rises from the origin of the joint's drawing on."""
+    """Rise of temperature from the origin of the joint's drawing."""
 
     x: Slope = 0.0
     """Rise along x: the stroke of a stage, the bisector of a pivot, e.g. ``40 K/m``."""
@@ -196,7 +196,7 @@ class Temperature(Part):
         return frozenset((*self.bodies, *self.expansion))
 
     def changes(self, layout: Layout | SpaceLayout, axes: float) -> Changes:
-        """Return how much warmer each blade and body gets.
+        """Return the rise of temperature of each blade and body.
 
         Parameters
         ----------
@@ -230,9 +230,9 @@ class Temperature(Part):
     ) -> AnyLayout:
         """Return a layout whose blades and bodies have grown.
 
-        A body grows about its reference point, the ground about the origin of the layout. What
-        clamps keep a blade from growing across makes it longer. ``of_bodies`` are the materials of
-        bodies that are of another than the blades.
+        A body grows about its reference point, the ground about the origin of the layout. Clamps
+        that keep a blade from growing across make it longer. ``of_bodies`` are the materials of
+        bodies other than that of the blades.
         """
         changes, others = self.changes(layout, axes), of_bodies or {}
         bodies = {
@@ -259,8 +259,8 @@ class Temperature(Part):
     def across_thickness(self, layout: Layout, material: Material, axes: float) -> float:
         """Return the largest strain by which a blade's face would grow more than its middle [-].
 
-        The rise through its thickness would bend it so where it is free, and stresses it by that
-        where it is held: :meth:`warmed` leaves it out.
+        The gradient through its thickness would bend it so where it is free, and stresses it by
+        that where it is held: :meth:`warmed` leaves it out.
         """
         rise_x, rise_y, _ = self._slopes(axes)
         changes, found = self.changes(layout, axes).blades, 0.0
@@ -272,7 +272,7 @@ class Temperature(Part):
         return found
 
     def _growth_towards_assembly(self, material: Material, change: float, less: float) -> float:
-        """Return how much less a blade would grow that is less warm, or less cold [-].
+        """Return the reduced growth of a blade that is less warm, or less cold [-].
 
         It is towards assembly, where the material is known.
         """
@@ -301,7 +301,7 @@ class Temperature(Part):
     def temperatures(
         self, layout: Layout | SpaceLayout, axes: float, others: Collection[str] = ()
     ) -> tuple[float, ...]:
-        """Return the temperatures that the material is asked for: of assembly, blades, bodies.
+        """Return the temperatures at which material data are needed: of assembly, blades, bodies.
 
         ``others`` are bodies of another material.
         """
@@ -312,7 +312,7 @@ class Temperature(Part):
 
 
 def _rise_in_section(blade: SpaceBlade | SpaceRod, slopes: Floats) -> float:
-    """Return how much warmer a corner of a section gets than its middle [K]."""
+    """Return the temperature of a corner of a section over its middle [K]."""
     _, y, z = np.abs(blade.axes @ slopes)
     if isinstance(blade, SpaceRod):
         return float(np.hypot(y, z)) * blade.d / 2.0

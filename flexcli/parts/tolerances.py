@@ -1,4 +1,4 @@
-"""Tolerances: by how much what a spec states differs from part to part."""
+"""Tolerances: the variation from part to part of the numbers that a spec states."""
 
 from collections.abc import Mapping, Sequence
 from math import isfinite, sqrt
@@ -25,7 +25,7 @@ __all__ = ["Place", "Robust", "Spread", "Tolerance", "place_of", "refuse_misfit"
 Floats = NDArray[np.float64]
 
 SIGMAS = 3.0
-"""Standard deviations from the mean that the worst case of a normal spread goes to."""
+"""Standard deviations from the mean at which the worst case of a normal distribution lies."""
 
 Kind = Literal["uniform", "normal", "measured"]
 
@@ -35,14 +35,14 @@ WRITTEN = (
 )
 
 MEASURED_LEAST = 2
-"""Measured values from which a spread can be told."""
+"""Least number of measured values that give a distribution."""
 
 
 class Spread(NamedTuple):
-    """How deviations from nominal are spread [SI]: evenly, normal about zero, or as measured.
+    """Distribution of deviations from nominal [SI]: uniform, normal about zero, or as measured.
 
-    ``low`` and ``high`` are the ends, of a normal spread those of :data:`SIGMAS`; ``values`` are
-    the measured deviations, each as likely.
+    ``low`` and ``high`` are the ends, of a normal one those of :data:`SIGMAS`; ``values`` are the
+    measured deviations, each equally likely.
     """
 
     kind: Kind
@@ -60,7 +60,7 @@ class Spread(NamedTuple):
         return float(np.std(np.asarray(self.values)))
 
     def ppf(self, shares: Any) -> Floats:
-        """Return the deviations below which these shares of all parts are."""
+        """Return the quantiles of the deviations at these probabilities."""
         q = np.asarray(shares, dtype=np.float64)
         if self.kind == "uniform":
             return np.asarray(self.low + (self.high - self.low) * q)
@@ -72,15 +72,15 @@ class Spread(NamedTuple):
         return np.asarray(each[np.minimum((q * each.size).astype(int), each.size - 1)])
 
     def scaled(self, factor: float) -> "Spread":
-        """Return the same spread, so many times as wide."""
+        """Return the same distribution, its width multiplied by a factor."""
         values = tuple(factor * value for value in self.values)
         return Spread(self.kind, factor * self.low, factor * self.high, values)
 
 
 class Tolerance(Part):
-    """By how much one number differs from part to part.
+    """Variation of one number from part to part.
 
-    A plain quantity is the most that it is off by either way, all between as likely.
+    A plain quantity is the greatest deviation either way, uniformly distributed.
     """
 
     uniform: tuple[str, ...] = ()
@@ -169,7 +169,7 @@ class Tolerance(Part):
         return value
 
     def spread(self, dimension: str, nominal: float) -> Spread:
-        """Return the spread of the deviations of a number of a dimension [SI].
+        """Return the distribution of the deviations of a number of a dimension [SI].
 
         Raises a finding where the units do not fit, or the number would change its sign.
         """
@@ -233,7 +233,7 @@ class Robust(Part):
 
 
 class Place(NamedTuple):
-    """Where a number stands in a design: the steps to it, its dimension, its value if any."""
+    """Place of a number in a design: the steps to it, its dimension, its value if any."""
 
     path: tuple[str | int, ...]
     dimension: str
@@ -246,7 +246,7 @@ a travel."""
 
 
 def place_of(design: Any, name: str) -> Place:
-    """Return where a tolerance's number stands: a size, a property, or a path of the spec.
+    """Return the place of a tolerance's number: a size, a property, or a path of the spec.
 
     Raises a finding where there is no such number.
     """
@@ -325,7 +325,7 @@ def _marker(annotation: Any, metadata: Sequence[Any]) -> QuantityOf | None:
 
 
 def with_number(part: Any, path: tuple[str | int, ...], value: float) -> Any:
-    """Return a part with the number at a path replaced, and nothing kept that came of the old."""
+    """Return a part with the number at a path replaced, without values derived from the old one."""
     if not path:
         return value
     step, *rest = path
@@ -344,7 +344,7 @@ def with_number(part: Any, path: tuple[str | int, ...], value: float) -> Any:
 
 
 def refuse_misfit(design: Any) -> None:
-    """Raise a finding where a tolerance is of no number of the design, or in another unit."""
+    """Raise a finding where a tolerance names no number of the design, or has another unit."""
     for name, tolerance in design.tolerances.items():
         try:
             place = place_of(design, name)

@@ -9,7 +9,7 @@ __all__ = ["MovingBound", "moving_bound"]
 
 
 class MovingBound(NamedTuple):
-    """A requirement's key, where its bound stands in the spec, and which way it grows tighter."""
+    """A requirement's key, the place of its bound in the spec, and how it tightens."""
 
     key: str
     path: tuple[str | int, ...]

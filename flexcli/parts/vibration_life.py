@@ -22,12 +22,12 @@ STATIC = 0.5
 
 
 def life_curve(material: Material) -> tuple[tuple[float, float], ...]:
-    """Return the corners (cycles, fully reversed AMPLITUDE [Pa]) of what a life is counted on.
+    """Return the corners (cycles, fully reversed AMPLITUDE [Pa]) of the life curve used for damage.
 
     Basquin's law is its own line. Points are taken on the safe side: of a level stretch the fewest
-    cycles; the last line that falls goes on falling (an endurance limit is none among larger
-    cycles: Miner elementary); the upper end goes to the tensile strength at one reversal, where
-    that is known and lies below the first line continued.
+    cycles; the last falling line is continued (no endurance limit among larger cycles: Miner
+    elementary); the upper end goes to the tensile strength at one reversal, where that is known and
+    lies below the first line continued.
     """
     falling: list[tuple[float, float]] = []
     for cycles, amplitude in material.reversed_curve():

@@ -1,4 +1,4 @@
-"""The formulas of a joint exactly as their sources print them, as answers to its requirements."""
+"""The formulas of a joint as their sources print them, as a model that requirements ask."""
 
 from collections.abc import Iterator
 
@@ -14,7 +14,7 @@ __all__ = ["AS_PRINTED", "AsPrinted", "stress_name"]
 
 
 UNTOLD = frozenset({QuantityKind.BUCKLING, QuantityKind.SUPPORT, QuantityKind.RESPONSE})
-"""Kinds of numbers whose effects have no estimates."""
+"""Kinds of numbers for which effects have no estimates."""
 
 
 class AsPrinted(JointModel):
@@ -23,7 +23,7 @@ class AsPrinted(JointModel):
     name = "source"
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
-        """Return that of their digits where all that they leave out has an estimate."""
+        """Return the error of rounding where every effect left out has an estimate."""
         if kind in UNTOLD or not _is_estimated(ask, kind):
             return None
         turned = ask.geometry.turns_freely and ask.scene.keeps_turn and ask.scene.bends
@@ -51,12 +51,11 @@ class AsPrinted(JointModel):
         return ask.geometry.parasitic_shift(ask.sizes, scene.travel + scene.mean_travel)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
-        """Return the stress at every end and for either sign.
+        """Return the stress at every end and in either sense.
 
-        Both faces of a blade see the bending, once in tension and once in compression, so each
-        end counts with both signs, unless its sign is known for every blade: then the face in
-        tension has the larger stress, and the other would only make a convex program look like
-        none.
+        Both faces of a blade see the bending, once in tension and once in compression, so each end
+        counts with both signs, unless its sign is known for every blade: then the face in tension
+        has the larger stress, and the other would only make a convex program appear non-convex.
         """
         return stress_name(ask), list(_each(ask))
 
@@ -74,7 +73,7 @@ AS_PRINTED = AsPrinted()
 
 
 def _is_estimated(ask: Ask, kind: QuantityKind) -> bool:
-    """Return whether the effects that the formula leaves out have estimates, and they hold."""
+    """Return whether the effects that the formula leaves out have valid estimates."""
     elastic, scene = ask.material.elastic, ask.scene
     reach = scene.travel + scene.mean_travel
     if scene.push:
@@ -86,7 +85,7 @@ def _is_estimated(ask: Ask, kind: QuantityKind) -> bool:
 
 
 def stress_name(ask: Ask) -> str:
-    """Return what the stresses of a case are, by what loads it."""
+    """Return the name of the stresses of a case, by its loads."""
     return {
         (True, False): f"{ask.geometry.strain} stress",
         (False, True): "axial stress",
@@ -117,7 +116,7 @@ def _each(ask: Ask) -> Iterator[EndStress]:
 
 
 def _pushed(ask: Ask) -> dict[str, Computed]:
-    """Return the stress of what acts along the stroke itself, by place [Pa]: the sag of the joint.
+    """Return the stress of the load along the stroke itself, by place [Pa]: the sag of the joint.
 
     It acts either way, so that it adds to the mean of the stroke.
     """

@@ -1,4 +1,4 @@
-"""What a requirement is judged on: the design, the case, and the model that answers."""
+"""What a requirement is judged by: the design, the case, and the model."""
 
 from abc import ABC, abstractmethod
 from math import pi
@@ -30,7 +30,7 @@ __all__ = [
 
 
 class RequirementError(ValueError):
-    """A requirement that this design gives no ground to judge."""
+    """A requirement that cannot be judged on this design."""
 
     def __init__(self, text: str, hint: str = "") -> None:
         super().__init__(text)
@@ -41,9 +41,9 @@ class EndStress(NamedTuple):
     """Signed amplitude and mean of the stress of the stroke at one place and face, and the axial.
 
     ``joint`` is the joint of the place, where there are several with sizes of their own.
-    ``is_at_face`` says that the numbers are those of that face as it is, in tension or not: of
-    formulas each face is given by itself. ``reverses`` says that the stroke goes as far either
-    way with nothing beside it, so that the mean is but what is uneven in the two ways.
+    ``is_at_face`` says that the numbers are the total of that face, in tension or compression;
+    formulas give each face by itself. ``reverses`` says that the stroke goes as far either way with
+    no load beside it, so that its mean is only the difference of both ways.
     """
 
     where: str
@@ -56,12 +56,12 @@ class EndStress(NamedTuple):
 
     @property
     def is_reversed(self) -> bool:
-        """Return whether nothing stands beside the amplitude."""
+        """Return whether there is no stress beside the amplitude."""
         return all(isinstance(s, float) and s == 0.0 for s in (self.mean, self.axial))
 
     @property
     def largest(self) -> Computed:
-        """Return the largest stress at this face, in compression too."""
+        """Return the largest stress at this face, compression included."""
         if self.is_at_face:
             return abs(self.amplitude) + abs(self.mean + self.axial)
         return self.amplitude + self.mean + self.axial
@@ -72,11 +72,11 @@ MOST_SHARE = 5.0
 
 
 class DriveEffort(NamedTuple):
-    """What holds a joint at an end of its stroke: its travel [rad or m], the effort [N·m or N].
+    """Drive of a joint at an end of its stroke: its travel [rad or m], the effort [N·m or N].
 
     The effort is positive where the joint pushes back towards rest, and ``error`` is its own.
-    ``load`` is what the loads of the case put on the drive besides, as if they had not moved the
-    joint before [N·m or N].
+    ``load`` is the additional effort by the loads of the case, as if they had not moved the joint
+    before [N·m or N].
     """
 
     travel: float
@@ -97,11 +97,10 @@ class CriticalShare(NamedTuple):
 
 
 class Ask(NamedTuple):
-    """What a requirement is judged on: floats for a check, signomials for a sizing.
+    """What a requirement is judged by: floats for a check, signomials for a sizing.
 
-    ``near`` is the same of a design from which this one differs a little, where what is asked for
-    is how numbers change from there: models may go on from its solutions. ``most_share`` is up to
-    which share of its loads it is looked at what buckles it.
+    ``near`` is the same for a slightly different design, where derivatives are sought: models may
+    continue from its solutions.
     """
 
     material: Material
@@ -116,38 +115,38 @@ class Ask(NamedTuple):
 
     @property
     def clamp_softening(self) -> float:
-        """Return by how much its clamps may raise any compliance, off the motion too [-]."""
+        """Return the largest increase by its clamps of any compliance, off the motion too [-]."""
         given = self.material.poisson_ratio
         clamped = self.geometry.compliant_clamps(self.sizes, 0.5 if given is None else given.value)
         return 0.0 if clamped is None else clamped.softest
 
 
 class JointModel(ABC):
-    """A model of the joint: what requirements ask of it, for floats or signomials.
+    """A model of the joint: the numbers that requirements need, as floats or signomials.
 
     Each method may raise :class:`flexcli.parts.elastic.NotAvailable`.
     """
 
     name: str
     covers: frozenset[EffectName] = frozenset()
-    """The effects that it carries, and could leave out."""
+    """The effects that it includes, and could leave out."""
     always: ClassVar[frozenset[EffectName]] = frozenset()
     """The effects that it cannot leave out."""
     at_stroke: str = "exact beams in space, sections that curl and warp"
-    """What its blades are at a stroke in space."""
+    """Model of its blades at a stroke in space, for reports."""
     directs_blades: bool = True
-    """Whether each has there the moduli of its own direction in a crystal or a sheet."""
+    """Whether each blade has the moduli of its own direction in a crystal or a sheet there."""
 
     def carried(self, setting: "Setting") -> frozenset[EffectName]:
-        """Return the effects that its numbers have in a design."""
+        """Return the effects that its numbers include in a design."""
         return self.covers | self.always
 
     def frequency_factor(self, ask: Ask) -> float:
-        """Return what it knows of a frequency besides the stiffness, as a factor [-]."""
+        """Return the ratio of a frequency to that by the stiffness alone, if it has one [-]."""
         return 1.0
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
-        """Return the error of its numbers of a kind, nothing where nobody can estimate it."""
+        """Return the error of its numbers of a kind, None where it cannot be estimated."""
         return None
 
     @abstractmethod
@@ -159,7 +158,7 @@ class JointModel(ABC):
         """Return the stiffness along the case's acceleration [N/m]."""
 
     def sag_carries(self, ask: Ask) -> frozenset[EffectName]:
-        """Return the effects that its stiffness along an acceleration has, and its error."""
+        """Return the effects in its stiffness along an acceleration, and its error."""
         return frozenset()
 
     def sag(self, ask: Ask) -> Computed:
@@ -177,9 +176,9 @@ class JointModel(ABC):
         raise NotAvailable("has no sag beyond first order by this model: take --model exact")
 
     def sag_changes(self, ask: Ask) -> tuple[tuple[float, float], ...]:
-        """Return by what share of itself its size changes a sag either way, and how far it is off.
+        """Return the relative change of a sag in either sense by its own size, and its error.
 
-        Nothing is available where first order tells it.
+        It is not available where first order is sufficient.
         """
         raise NotAvailable("has no sag beyond first order by this model: take --model exact")
 
@@ -193,7 +192,7 @@ class JointModel(ABC):
         return mode.stiffness * (factor**2 / (mode.mass * (2.0 * pi) ** 2))
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
-        """Return what holds each joint at both ends of the case's stroke, with its error."""
+        """Return the drive of each joint at both ends of the case's stroke, with its error."""
         raise NotAvailable("has no force at stroke by this model: take --model exact")
 
     def support_at_stroke(
@@ -201,9 +200,9 @@ class JointModel(ABC):
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
         """Return the support stiffness at both ends of the case's stroke, and their errors.
 
-        ``index`` is the direction, of x, y, z and about them along the axes of cases; ``point``
-        is from the moving body's, which it moved with [m]. All other motions are free, but that
-        of the drive where it is ``locked`` [N/m or N·m/rad].
+        ``index`` is the direction, of x, y, z and about them along the axes of cases; ``point`` is
+        from the moving body's, which it moved with [m]. All other motions are free, but that of the
+        drive where it is ``locked`` [N/m or N·m/rad].
         """
         raise NotAvailable("has no support stiffness at stroke by this model: take --model exact")
 
@@ -216,32 +215,31 @@ class JointModel(ABC):
     def deflections(
         self, ask: Ask, point: tuple[float, float, float], direction: str
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
-        """Return how far the wrench of a case moves a point, beyond first order, and the errors.
+        """Return the displacement of a point by a case's wrench, beyond first order, with errors.
 
         That is with either sign of the wrench, at rest or at both ends of the stroke, the drive
-        free: from where the point is without it, along an axis of cases or about it [m or rad].
+        free: relative to the point without it, along an axis of cases or about it [m or rad].
         """
         raise NotAvailable("has no deflection beyond first order by this model: take exact")
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
-        """Return the shares of loads and temperature together that buckle a mechanism.
+        """Return the factors on loads and temperature together at which a mechanism buckles.
 
-        They are asked of mechanisms in space, and of cases with a temperature.
+        They are for mechanisms in space, and for cases with a temperature.
         """
         raise NotAvailable("has no share of loads by this model: take --model exact")
 
     def warm_frequency_ratio(self, ask: Ask, *, locked: bool) -> tuple[float, ErrorRange | None]:
-        """Return what the temperature of a case strains makes of a frequency in space [-].
+        """Return the ratio of a frequency in space at a case's temperature to the unstrained [-].
 
-        That is the frequency over that of the unstrained mechanism of the same material, the drive
-        ``locked`` or free.
+        Both are of the same material, the drive ``locked`` or free.
         """
         raise NotAvailable("has no frequency at a temperature by this model: take --model exact")
 
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
-        """Return the box around the joint of a case over its stroke, and what has no outline.
+        """Return the box around the joint over a case's stroke, and the parts without outlines.
 
-        The box stands along the axes of cases.
+        The box is along the axes of cases.
         """
         raise NotAvailable("has no box around it by this model: take --model linear or exact")
 
@@ -251,7 +249,7 @@ class JointModel(ABC):
 
     @abstractmethod
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
-        """Return the name of the stress that is meant, and it wherever it may be the worst."""
+        """Return the name of the stress and its values wherever it may be largest."""
 
     @abstractmethod
     def critical(self, ask: Ask) -> tuple[Critical, ...]:

@@ -21,15 +21,15 @@ __all__ = ["Bound", "FactorRequirement", "Limit", "Requirement"]
 class Limit:
     """``required · demand ≤ capacity``, or ``demand = capacity`` within a tolerance.
 
-    ``quantity`` names what is compared; several limits of one requirement, case and variant
-    (both ends of a blade, both signs) make one check, decided by the worst. ``power`` says that
-    demand and capacity are given raised to it, so that roots stay out of the algebra. ``load``
-    marks what a balanced design makes active together, in each ``joint`` that has sizes of its
-    own; ``driver`` is what the demand grows with. ``kind`` says what models differ in, and
-    ``in_capacity`` that it is the capacity which is of this kind, not the demand; ``error`` is
-    that of the number, unknown unless somebody gives it, and ``is_directed`` that it has what the
-    direction of a crystal's or a sheet's blades does. ``strengths`` are the material's that it is
-    held against. ``path`` is where the spec asks for it, where no requirement does.
+    ``quantity`` names what is compared; several limits of one requirement, case and variant (both
+    ends of a blade, both signs) make one check, decided by the worst. ``power`` says that demand
+    and capacity are given raised to it, so that roots stay out of the algebra. ``load`` marks the
+    limits that a balanced design makes active together, in each ``joint`` that has sizes of its
+    own; ``driver`` names what the demand grows with. ``kind`` is the kind of number that models
+    compute, and ``in_capacity`` says that it is the capacity; ``error`` is the error of that
+    number, None where it is unknown, and ``is_directed`` says that it includes the direction of
+    blades in a crystal or a sheet. ``strengths`` are those of the material that it is compared
+    with. ``path`` is where the spec asks for it, where no requirement does.
     """
 
     requirement: str
@@ -79,28 +79,28 @@ class Requirement(Part):
     is_warmed: ClassVar[bool] = False
     """Whether it is asked at the temperatures of cases too, where it is not of a case."""
     adds_up: ClassVar[bool] = False
-    """Whether what its cases use up adds up over all of them, as damage does."""
+    """Whether its cases add up, as damage does."""
     is_of_stress: ClassVar[bool] = False
-    """Whether the largest stress is judged by a strength, whatever makes it."""
+    """Whether it compares the largest stress with a strength, whatever causes the stress."""
     of_the_drawing: ClassVar[bool] = False
-    """Whether it is of the shape alone, which no model is needed for."""
+    """Whether it concerns the shape alone, which needs no model."""
     label: ClassVar[str]
 
     @property
     def is_of_a_case(self) -> bool:
-        """Return whether it is asked of each case that it applies to, or once of the joint."""
+        """Return whether it applies to each case separately, or once to the joint."""
         return self.per_case
 
     def case_of(self, scene: Scene) -> str:
-        """Return the case that its checks name: none where they are of the joint at assembly."""
+        """Return the case in the names of its checks: none for the joint at assembly."""
         return scene.case if self.is_of_a_case or scene.temperature is not None else ""
 
     def applies(self, scene: Scene) -> bool:
-        """Return whether this case has what the requirement is about."""
+        """Return whether the requirement applies to this case."""
         return True
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return which loads of a case that it applies to its limits take into account."""
+        """Return the kinds of loads of a case that its limits take into account."""
         return frozenset()
 
     @abstractmethod
@@ -108,17 +108,17 @@ class Requirement(Part):
         """Yield the limits for one case (or for the design, where it is not per case)."""
 
     def formula(self, scene: Scene) -> str:
-        """Return the name of a formula that is cheaper than any model; here there is none."""
+        """Return the name of a formula that is cheaper than any model, empty without one."""
         return ""
 
     def by_formula(self, ask: Ask) -> Iterator[Limit]:
-        """Yield the limits by that formula, of the joint as the cheapest model has it."""
+        """Yield the limits by that formula, for the joint by the cheapest model."""
         raise NotImplementedError
 
     def judged(self, ask: Ask) -> Iterator[Limit]:
-        """Yield the limits, or raise :class:`RequirementError` for what the joint has no form of.
+        """Yield the limits, or raise :class:`RequirementError` where the joint has no such number.
 
-        What a geometry cannot answer is a mistake of the spec here: it asks for it.
+        A number that the geometry cannot give is a mistake of the spec, which asks for it.
         """
         try:
             yield from self.limits(ask)

@@ -1,4 +1,4 @@
-"""Buckling: the force on the joint against the one at which it, or a blade of it, gives way."""
+"""Buckling: the force on the joint against the one at which it, or a blade of it, buckles."""
 
 from collections.abc import Iterator, Sequence
 from typing import ClassVar
@@ -24,7 +24,7 @@ stands up to there is less."""
 
 
 class Buckling(FactorRequirement):
-    """Factor on the force at which the joint gives way, held as stated, at the motion of the case.
+    """Factor on the force at which the joint buckles, held as stated, at the motion of the case.
 
     A load acts in the direction that it states, or either way along the axis where it states none;
     an acceleration acts either way.
@@ -38,11 +38,11 @@ class Buckling(FactorRequirement):
         return self.covers(scene) and (pushes or bool(scene.across_by))
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return what pushes the joint, in its plane or out of it."""
+        """Return the loads of the joint, in its plane or out of it."""
         return scene.pushed_by | scene.across_by
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
-        """Yield force against what is borne, in the plane and across the blades' width."""
+        """Yield force against critical force, in the plane and across the blades' width."""
         scene = ask.scene
         if _in_shares(scene) or scene.across_by:
             yield from self._shares(ask)
@@ -72,7 +72,7 @@ class Buckling(FactorRequirement):
             )
 
     def _shares(self, ask: Ask) -> Iterator[Limit]:
-        """Yield the loads of a case against the share of them that buckles blades or bodies."""
+        """Yield the loads of a case against the factor on them that buckles blades or bodies."""
         ask = ask._replace(most_share=max(MOST_SHARE, BEYOND * self.factor))
         in_space = ask.scene.in_space or ask.scene.across_by
         beams = ask.joint_model.at_stroke if in_space else "exact beams in the plane"
@@ -98,15 +98,15 @@ class Buckling(FactorRequirement):
 
 
 def _in_shares(scene: Scene) -> bool:
-    """Return whether all of a case is judged at once, as a share of its loads."""
+    """Return whether a case is judged as a whole, by a factor on all of its loads."""
     return scene.in_space or scene.temperature is not None
 
 
 def _by_temperature_alone(ask: Ask) -> tuple[CriticalShare, ...]:
-    """Return what a temperature does without the loads beside it, where there are both.
+    """Return the buckling of a temperature without the loads beside it, where there are both.
 
-    A load across blades makes them bow from the first on, and no direction gets unstable on that
-    way: what would buckle without it moves far instead.
+    A load across blades bends them from the start, and no bifurcation lies on that path: the joint
+    bends far instead where it would buckle without the load.
     """
     if ask.scene.temperature is None or ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}:
         return ()
@@ -115,7 +115,7 @@ def _by_temperature_alone(ask: Ask) -> tuple[CriticalShare, ...]:
 
 
 def _with(heated: Sequence[CriticalShare], found: CriticalShare) -> ErrorRange | None:
-    """Return the error of a share that may be as little as that of the temperature alone."""
+    """Return the error of a factor that may be as small as that of the temperature alone."""
     least = [found.error, *(each.error for each in heated)]
     shares = [found.share, *(each.share for each in heated)]
     ends = [share * (1.0 + error.low) for share, error in zip(shares, least, strict=True) if error]
@@ -128,7 +128,7 @@ def borne(critical: Critical, material: Material) -> tuple[Computed, str]:
     """Return the force [N] that a joint bears, and how if its blades yield before they buckle.
 
     By Johnson's parabola where the material has a yield strength; a choice of sizes takes the
-    elastic force, which is what its algebra has room for.
+    elastic force, which its algebra can express.
     """
     force, given = critical.force, material.yield_strength
     if given is None or critical.stress is None or isinstance(force, Signomial):
@@ -147,7 +147,7 @@ def borne(critical: Critical, material: Material) -> tuple[Computed, str]:
 
 
 def _error(critical: Critical, material: Material) -> ErrorRange | None:
-    """Return the error of what is borne, from that of the elastic force."""
+    """Return the error of the bearable force from that of the elastic force."""
     if critical.error is None:
         return None
     middle, _ = borne(critical, material)

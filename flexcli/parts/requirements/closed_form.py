@@ -1,4 +1,4 @@
-"""Closed forms that judge: those of the sources, and better ones where the sources' are rough."""
+"""Closed forms that judge: those of the sources, improved where the sources' are rough."""
 
 from collections.abc import Iterator
 from math import pi, remainder
@@ -22,7 +22,7 @@ DIRECTIONS = 72
 """Directions in which the least force is sought: 5 deg apart."""
 
 STIFFEST = 0.5
-"""Least effective length over length that any hold of a blade's ends gives."""
+"""Least effective length over length of any end conditions."""
 
 
 class ClosedForm(AsPrinted):
@@ -33,7 +33,7 @@ class ClosedForm(AsPrinted):
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the forces at which the joint buckles, one for each sense that they may have.
 
-        Where there is no form of the joint's own, those of its most loaded blade alone.
+        Where the joint has no closed form of its own, the force of its most loaded blade alone.
         """
         if not all(isinstance(size, float | Rows) for size in ask.sizes):
             return super().critical(ask)
@@ -67,7 +67,7 @@ def _each(ask: Ask) -> Iterator[Critical]:
 
 
 def of_case(ask: Ask, push: Push, critical: Critical) -> Critical:
-    """Return a critical force in one direction as one on all forces of a case, and which way."""
+    """Return a critical force in one direction as one on all forces of a case, and its way."""
     scene = ask.scene
     share = push.force / scene.force
     stress = None if critical.stress is None else critical.stress * share
@@ -83,8 +83,8 @@ def _facing(ask: Ask, push: Push) -> float:
 def least_blade_force(ask: Ask) -> Critical:
     """Return the least axial force in any blade at which the joint buckles at rest [N].
 
-    Over all directions of a force on it, since a vibration shakes it along any; of its most
-    loaded blade alone where there is no form of the joint's own.
+    Over all directions of a force on it, since a vibration shakes it along any; of its most loaded
+    blade alone where the joint has no closed form of its own.
     """
     elastic, ends = ask.material.elastic, ask.scene.ends
     assert ends is not None  # the requirement asks for them
@@ -106,7 +106,7 @@ def least_blade_force(ask: Ask) -> Critical:
 
 
 def across_width(ask: Ask) -> Iterator[Critical]:
-    """Yield the force that buckles a blade across its width, where it has a form of that.
+    """Yield the force that buckles a blade across its width, where there is a formula.
 
     Euler's load of the most loaded blade with the stated ends. The bodies hold blades together,
     which can only raise it; shear across the width lowers it.

@@ -1,4 +1,4 @@
-"""Drive: the force that the actuator has left at the ends of the stroke, over what they take."""
+"""Drive: the force that the actuator has left at the ends of the stroke, over the force needed."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
@@ -16,7 +16,7 @@ __all__ = ["Drive", "Driven", "driven_by"]
 
 
 class Driven(NamedTuple):
-    """Travel of the actuator [m], force that it takes there, outwards [N], and its error."""
+    """Travel of the actuator [m], force needed there, outwards [N], and its error."""
 
     travel: float
     force: float
@@ -38,7 +38,7 @@ class Drive(FactorRequirement):
         return frozenset({LoadKind.STROKE, LoadKind.TEMPERATURE})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
-        """Yield the force at either end against what is left of the actuator's."""
+        """Yield the force needed at either end against what the actuator has left."""
         actuator, scene = _actuator(ask), ask.scene
         try:
             growth = actuator.growth(scene.temperature, ask.material)
@@ -67,7 +67,7 @@ class Drive(FactorRequirement):
 
 
 def _actuator(ask: Ask) -> "Actuator":
-    """Return the actuator of a design, or say that it has none, or that a load of it is unknown."""
+    """Return the actuator of a design, or raise where there is none, or its load is unknown."""
     if ask.actuator is None:
         raise RequirementError(
             "there is no actuator that drives the stroke",
@@ -85,8 +85,8 @@ def _actuator(ask: Ask) -> "Actuator":
 def driven_by(actuator: "Actuator", ask: Ask, effort: DriveEffort) -> Driven:
     """Return travel and force of the actuator at an effort of each joint.
 
-    An arm, and joints between levers, turn by less than what they shift by a share θ²/2, which is
-    in the error twice.
+    An arm, and joints between levers, turn by less than their shift suggests by a share θ²/2, which
+    is in the error twice.
     """
     travel, spring, error, load = effort
     force = spring + load

@@ -52,11 +52,11 @@ MILES = "Miles"
 """Name of the formula of one mode under a random vibration."""
 
 WARM = " and what the temperature strains"
-"""What the stress of a case with a temperature has besides."""
+"""Name of the additional stress of a case with a temperature."""
 
 
 class _Peak(NamedTuple):
-    """The peak of one output with its error, what it is, and how it was found."""
+    """The peak of one output with its error, its name, and its source."""
 
     output: str
     value: float
@@ -66,14 +66,14 @@ class _Peak(NamedTuple):
 
 
 FindsPeaks = Callable[[Ask, str, float], Iterator[_Peak]]
-"""Finds the peaks of outputs by a prefix, up to what is bearable."""
+"""Function that returns the peaks of outputs whose name has a prefix, up to a bearable one."""
 
 Ranges = Mapping[str, tuple[float, ErrorRange | None]]
 """Peaks by output, each with the range of its error."""
 
 
 class Dynamic(FactorRequirement):
-    """What is asked of the peaks or the life that a moving base makes of the modes."""
+    """A requirement on the peaks or the life under the response of the modes to a moving base."""
 
     closed_form: ClassVar[bool] = False
 
@@ -93,8 +93,8 @@ class Dynamic(FactorRequirement):
     def peaks(self, ask: Ask, prefix: str, bearable: float = inf) -> Iterator[_Peak]:
         """Yield the peak of every output whose name starts with the prefix.
 
-        A peak beyond what is ``bearable`` is on its way past it: how far off the stress may be
-        counts at the motion at which it gets there, not at one that is never reached so.
+        A peak beyond what is ``bearable`` passes it on the way: the error of the stress counts at
+        the motion at which it is reached, not at a larger one.
         """
         for shaking in at_once(ask, self._peak_factor):
             found = uncertain_structure(ask, shaking.changes_at)
@@ -109,16 +109,16 @@ class Dynamic(FactorRequirement):
                     yield _Peak(name, value, compounded(off, rest), what, shaking.source)
 
     def formula(self, scene: Scene) -> str:
-        """Return Miles' name where his formula may tell the peak: of random vibration in a plane.
+        """Return Miles' name where his formula may give the peak: of random vibration in a plane.
 
-        How many cycles a duration has is not in it.
+        It does not cover peaks by the number of cycles in a duration.
         """
         shakes = scene.loads & SHAKES
         told = bool(shakes) and shakes <= RANDOM and not scene.vibrates_in_space
         return MILES if told and self.peak == "sigma" else ""
 
     def miles_peaks(self, ask: Ask, prefix: str, bearable: float = inf) -> Iterator[_Peak]:
-        """Yield the peaks by Miles' formula, what it leaves out in their errors."""
+        """Yield the peaks by Miles' formula, its omissions in their errors."""
         from flexcli.parts.miles_response import miles_outputs
 
         found = uncertain_structure(ask, ())
@@ -153,7 +153,7 @@ class Dynamic(FactorRequirement):
 def _rest(
     ask: Ask, found: Uncertain, ranges: Ranges, answer: Answer, prefix: str, bearable: float
 ) -> ErrorRange | None:
-    """Return how far stresses are off besides their range, at the motion that gets that far."""
+    """Return the further error of stresses, at the motion that reaches the bearable one."""
     own = [ranges[name] for name in MOTIONS if name in ranges]
     most = max((_largest(*ranges[n]) for n in ranges if n.startswith(prefix)), default=0.0)
     reached = min(1.0, bearable / most) if most > 0.0 else 1.0
@@ -178,7 +178,7 @@ def _duration(scene: Scene, vibration: Vibration) -> float:
 class DynamicYield(Dynamic):
     """Factor on the peak stress of the modes, against R_p0.2 unless said otherwise.
 
-    With a temperature in the same case its stress stands beside.
+    With a temperature in the same case the thermal stress is added.
     """
 
     label: ClassVar[str] = "dynamic yield"
@@ -187,7 +187,7 @@ class DynamicYield(Dynamic):
     """Strength that the stress is held against, e.g. ``fatigue-amplitude``."""
 
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return what shakes the base, and a temperature."""
+        """Return the loads that shake the base, and a temperature."""
         return super().looks_at(scene) | (scene.loads & {LoadKind.TEMPERATURE})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
@@ -223,7 +223,7 @@ class DynamicYield(Dynamic):
 
 
 def _summed(*parts: tuple[float, ErrorRange | None]) -> ErrorRange | None:
-    """Return the error of a sum of numbers that are no less than nothing, from theirs."""
+    """Return the error of a sum of non-negative numbers, from their errors."""
     whole, low, high = sum(value for value, _ in parts), 0.0, 0.0
     for value, error in parts:
         if value == 0.0:
@@ -371,13 +371,13 @@ class DynamicLife(Dynamic):
     def _lives(
         self, ask: Ask, found: Uncertain, exposures: "Sequence[_Exposure]", rest: ErrorRange | None
     ) -> dict[str, tuple[float, ErrorRange | None]]:
-        """Return the life at every joint [s], with its error from all that the stress may be.
+        """Return the life at every joint [s], with its error from the range of the stress.
 
         Damages of exposures one after another add up (Miner).
         """
 
         def lives(structure: Structure, stress: float = 1.0) -> dict[str, float]:
-            """Return the lives when every stress is so many times what the modes make."""
+            """Return the lives when every stress is multiplied by a factor."""
             whole = sum(exposure.duration for exposure in exposures)
             used: dict[str, float] = {}
             for exposure in exposures:
@@ -444,7 +444,7 @@ class _Exposure(NamedTuple):
 
     @property
     def told(self) -> str:
-        """Return how sines count in the damage."""
+        """Return how sines count in the damage, in words."""
         each = " and the ".join(shaking.source for shaking in self.sines)
         return f"with the {each}, amplitudes by Rice (1945) at the higher rate"
 

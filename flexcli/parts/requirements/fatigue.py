@@ -79,10 +79,10 @@ class Fatigue(FactorRequirement):
             ) from missing
 
     def _method(self, stress: EndStress, ask: Ask) -> str:
-        """Return how the mean of a place counts; a material may lack what its method takes.
+        """Return the method for a place's mean stress; a material may lack what it needs.
 
-        Where but the uneven ways of a stroke that reverses make a mean, the larger of both ends
-        then counts as the amplitude: no less than by Goodman, for R_m is above the strength.
+        Where a mean comes only from the difference of both ways of a reversing stroke, the larger
+        end then counts as the amplitude: no less than by Goodman, for R_m is above the strength.
         """
         if stress.is_reversed:
             return "none"
@@ -94,10 +94,10 @@ class Fatigue(FactorRequirement):
     def _error(
         self, stress: EndStress, ask: Ask, strength: float, method: str, demand: Computed
     ) -> ErrorRange | None:
-        """Return the error of a formula's demand where a directed force may push its blades.
+        """Return the error of a formula's demand where a directed force may compress its blades.
 
-        Formulas take every axial stress as a pull; one that pushes adds to no mean. Else nothing:
-        the error is that of the stress.
+        Formulas take every axial stress as tension; compression does not add to the mean. Elsewhere
+        None: the error is that of the stress.
         """
         axial = stress.axial
         plain = all(isinstance(x, float) or is_of_many(x) for x in (axial, demand))

@@ -1,4 +1,4 @@
-"""A vibration of a joint that a temperature strains: the stress that stands beside it."""
+"""A vibration of a joint that a temperature strains: the static stress beside it."""
 
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements.ask import Ask
@@ -8,17 +8,17 @@ from flexcli.results import EXACT, ErrorRange, QuantityKind
 __all__ = ["standing"]
 
 SENSITIVE = 2.0
-"""Times Q and the change of a stiffness: what the peak of a sine at resonance may change."""
+"""Factor on Q and the change of a stiffness: the change of the peak of a sine at resonance."""
 
 TOLD = 0.3
-"""Change of a peak above which it is none of a first order."""
+"""Change of a peak above which a first-order estimate does not hold."""
 
 
 def standing(ask: Ask) -> tuple[float, ErrorRange | None, ErrorRange | None]:
-    """Return the largest stress that stands beside a vibration [Pa], its error, and a peak's.
+    """Return the largest static stress beside a vibration [Pa], its error, and that of a peak.
 
-    The latter is by how much a peak of modes at assembly may be off at the temperature, nothing
-    where that is not small. All are nothing without a temperature.
+    The latter is the error of a peak by the modes at assembly, at the temperature; None where it is
+    not small. All are None without a temperature.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Misalignment stress: what blades bear that do not fit where they are clamped."""
+"""Misalignment stress: the stress of blades whose ends are forced into seats that are off."""
 
 from collections.abc import Iterator
 from typing import Annotated, Any, ClassVar, Literal
@@ -20,7 +20,7 @@ __all__ = ["MisalignmentStress"]
 
 
 class Shifted(Part):
-    """How far a seat is off, and along what."""
+    """Offset of a seat, and its direction."""
 
     along: Way
     """Direction, along the axes of the layout: x, y, z or three numbers, e.g. ``z``."""
@@ -29,7 +29,7 @@ class Shifted(Part):
 
 
 class Tilted(Part):
-    """By what angle a seat is off, and about what."""
+    """Tilt of a seat, and its axis."""
 
     about: Way
     """Direction of the axis, along the axes of the layout: x, y, z or three numbers,
@@ -108,7 +108,7 @@ class MisalignmentStress(Requirement):
 
     @property
     def _spoken(self) -> str:
-        """Return how the seat is off, in words: two ways are two checks."""
+        """Return the misalignment in words, which tell two checks apart."""
         way = self.rotation.about if self.rotation else self.translation and self.translation.along
         named = [axis for axis, unit in zip("xyz", np.eye(3), strict=True) if way == tuple(unit)]
         spoken = named[0] if named else f"({', '.join(f'{c:g}' for c in way or ())})"

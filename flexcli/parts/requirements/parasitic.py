@@ -1,4 +1,4 @@
-"""Parasitic motion and frequency of a mechanism in space: what it does beside its stroke."""
+"""Parasitic motion and frequency of a mechanism in space: those beside its stroke."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -25,7 +25,7 @@ IN_SPACE = "is judged in its plane alone"
 
 
 class ParasiticMotion(MotionBound):
-    """An upper bound on what a point moves or turns in a direction at the ends of the stroke."""
+    """An upper bound on the motion or rotation of a point in a direction at the stroke's ends."""
 
     label: ClassVar[str] = "parasitic motion"
 
@@ -34,7 +34,7 @@ class ParasiticMotion(MotionBound):
 
     @property
     def spoken(self) -> str:
-        """Return what is bounded, with its direction."""
+        """Return the bounded quantity in words, with its direction."""
         return f"motion in {self.direction}"
 
     def applies(self, scene: Scene) -> bool:

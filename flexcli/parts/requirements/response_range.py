@@ -1,4 +1,4 @@
-"""A structure whose stiffness and masses are known within a range, and what it does over that."""
+"""The response of a structure over the range of its uncertain stiffness and masses."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
@@ -25,14 +25,13 @@ Floats = NDArray[np.float64]
 
 STEPS = 5
 """Stiffnesses between both ends of the range: the response has no narrower features between the
-frequencies at which something changes, which are added."""
+frequencies at which the excitation changes, which are added."""
 
 MOST_MODES = 8
 """Lowest modes that are moved onto each such frequency."""
 
 MOST_FACTORS = 64
-"""Stiffnesses that put a mode onto such a frequency, of a density of many points evenly among
-them."""
+"""Most stiffnesses that put a mode onto such a frequency, evenly among the points of a density."""
 
 Peaks = Mapping[str, float]
 Answer = Callable[[Structure], Peaks]
@@ -40,18 +39,18 @@ Answer = Callable[[Structure], Peaks]
 
 @dataclass(frozen=True, eq=False)
 class Uncertain:
-    """A structure as the model asked makes it, others that are as likely, and what is left.
+    """A structure by the model asked, others within its uncertainty, and the error that remains.
 
-    ``others`` is nothing where nobody knows how far off it is.
+    ``others`` is None where the uncertainty is unknown.
     """
 
     structure: Structure
     others: tuple[Structure, ...] | None
     shape_error: Callable[[Answer, float], ErrorRange | None] = lambda *_: ErrorRange(0.0, 0.0)
-    """How far the stress of a response may be off besides at a share of its peaks, by the shapes
-    of its modes."""
+    """Further error of the stress of a response, at a share of its peaks, by the shapes of its
+    modes."""
     stiffer: tuple[float, float] | None = None
-    """Between which factors all of its stiffness lies, where nothing else of it is unsure."""
+    """Range of the factor on all of its stiffness, where nothing else of it is uncertain."""
 
     def of(self, answer: Answer) -> dict[str, tuple[float, ErrorRange | None]]:
         """Return each number of a response with the range of its error over all structures."""
@@ -67,12 +66,12 @@ class Uncertain:
     def stress_error(
         self, ask: Ask, peak: float, answer: Answer, reached: float = 1.0
     ) -> ErrorRange | None:
-        """Return how far the stress at a peak of the own motion may be off, besides that peak.
+        """Return the error of the stress at a peak of the driven motion, beside that of the peak.
 
         ``answer`` gives the peaks of a structure, of which a share is ``reached``.
 
-        The stress of the modes grows with the motion; the model that is asked says what it is at
-        that motion held still, with an error of its own.
+        The stress of the modes is linear in the motion; the model gives the static stress at that
+        motion, with an error of its own.
         """
         mechanism, structure = ask.mechanism, self.structure
         ratio = mechanism.joint_travel_per_motion if mechanism is not None else 1.0
@@ -101,11 +100,11 @@ def _largest(at_places: Floats) -> float:
 
 
 def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
-    """Return the mechanism of a case by the model that is asked.
+    """Return the mechanism of a case by the model asked, with its range of stiffness and mass.
 
-    Its stiffness is that of the blades times what the model says of the own motion. Over the
-    range of that number the modes move; every one in reach is put on each of the
-    ``frequencies`` [Hz] at which the excitation changes, so that no resonance is stepped over.
+    Its stiffness is that of the blades times the model's correction of the driven motion. Over the
+    range of that number the modes move; every one in reach is put on each of the ``frequencies``
+    [Hz] at which the excitation changes, so that no resonance is missed.
 
     Raises
     ------
@@ -154,7 +153,7 @@ def uncertain_structure(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
 
 
 def _in_space(ask: Ask, frequencies: tuple[float, ...]) -> Uncertain:
-    """Return a mechanism that moves in space, between the errors of its springs and masses."""
+    """Return a mechanism that moves in space, over the range of its springs and masses."""
     from flexcli.parts.space_vibration import likely_structures, shape_error
 
     stands_in = ask.joint_model is STAND_IN
@@ -183,7 +182,7 @@ def _leaves_its_motion(ask: Ask) -> bool:
 def _onto(
     structure: Structure, frequencies: tuple[float, ...], low: float, high: float
 ) -> Iterator[float]:
-    """Yield factors of the stiffness that put a mode onto one of the frequencies."""
+    """Yield factors on the stiffness that put a mode onto one of the frequencies."""
     if not frequencies:
         return
     modes = natural_modes(structure.stiffness, structure.mass).angular[:MOST_MODES] / (2.0 * pi)
@@ -194,7 +193,7 @@ def _onto(
 
 
 def compounded(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | None:
-    """Return the range of two errors of factors of one number; unknown where one of them is."""
+    """Return the combined range of two relative errors; None where one is unknown."""
     if one is None or other is None:
         return None
     ends = [(1.0 + a) * (1.0 + b) - 1.0 for a in one for b in other]
@@ -202,7 +201,7 @@ def compounded(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange |
 
 
 def over(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | None:
-    """Return the range of the error of a ratio; unknown where one of both is."""
+    """Return the range of the error of a ratio; None where one is unknown."""
     if one is None or other is None or other.low <= -1.0:
         return None
     ends = [(1.0 + a) / (1.0 + b) - 1.0 for a in one for b in other]
@@ -210,7 +209,7 @@ def over(one: ErrorRange | None, other: ErrorRange | None) -> ErrorRange | None:
 
 
 def between(value: float, all_values: list[float]) -> ErrorRange | None:
-    """Return between which relative errors the true value lies; nothing for no value to err."""
+    """Return the relative errors between which the true value lies; None for a value of zero."""
     if value == 0.0:
         return ErrorRange(0.0, 0.0) if not any(all_values) else None
     if not np.isfinite(all_values).all():

@@ -1,4 +1,4 @@
-"""What shakes the base in a case, each as the peaks that a structure answers with."""
+"""The excitations of the base in a case, each with the peaks of a structure's response."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
@@ -33,25 +33,25 @@ __all__ = [
 Floats = NDArray[np.float64]
 
 RANDOM = frozenset({LoadKind.ASD, LoadKind.AXES})
-"""Those of which a response is told by its root mean square."""
+"""Loads whose response is stated by its root mean square."""
 
 SINES = frozenset({LoadKind.SINE, LoadKind.SWEEP, LoadKind.SINES})
 """Those of a steady amplitude."""
 
 SHAKES = RANDOM | SINES | {LoadKind.SHOCK}
-"""Loads of a case that the modes answer."""
+"""Loads of a case that excite the modes."""
 
 FEW = 50
-"""Points of a density that are all looked at."""
+"""Number of points of a density up to which all are examined."""
 
 PeakFactor = Callable[[Scene, Vibration, float], float]
 """Peak over rms of a random response, from its rate of upward zero crossings [Hz]."""
 
 
 class Shaking(NamedTuple):
-    """One excitation: its key in the spec, what a structure answers, and how it is spoken of.
+    """One excitation: its key in the spec, the response of a structure, and its name in words.
 
-    ``changes_at`` are the frequencies at which it changes [Hz], ``axes`` those that it shakes.
+    ``changes_at`` are the frequencies at which it changes [Hz], ``axes`` the shaken ones.
     """
 
     kind: LoadKind
@@ -100,7 +100,7 @@ def _sines_of(scene: Scene) -> "dict[LoadKind, Sequence[Sine | Sweep | Tone]]":
 
 
 def at_once(ask: Ask, factor: PeakFactor) -> Sequence[Shaking]:
-    """Return what shakes the base at once: of axes that act in turn, each by itself."""
+    """Return the simultaneous excitations of the base: axes that act in turn are separate."""
     found = list(shakings(ask, factor))
     if not ask.scene.in_turn:
         return _together(found)
@@ -109,7 +109,7 @@ def at_once(ask: Ask, factor: PeakFactor) -> Sequence[Shaking]:
 
 
 def _together(found: Sequence[Shaking]) -> Sequence[Shaking]:
-    """Return excitations as one: their peaks may meet, and add up."""
+    """Return excitations combined: their peaks may coincide, and add up."""
     if len(found) < 2:
         return found
     kinds = [each.kind for each in found if each.kind not in RANDOM]
@@ -152,7 +152,7 @@ def quality_of(mechanism: Mechanism | None, scene: Scene) -> "Quality":
 
 
 def refuse_unknown_axes(structure: Structure, axes: Sequence[str]) -> None:
-    """Raise :class:`RequirementError` for an axis along which nothing says how it responds."""
+    """Raise :class:`RequirementError` for an axis along which the response is not known."""
     for axis in axes:
         if axis not in structure.pull:
             raise RequirementError(

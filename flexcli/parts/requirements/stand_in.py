@@ -1,4 +1,4 @@
-"""Answers that stand for any: a requirement is tried on them where no closed form can answer."""
+"""A model that answers 1 to everything, to validate requirements before a model can judge them."""
 
 from typing import TYPE_CHECKING
 
@@ -22,7 +22,7 @@ __all__ = ["STAND_IN"]
 
 
 class _StandIn(JointModel):
-    """One of everything, so that only what the material and the mechanism lack is refused."""
+    """Answers of 1, so that only missing data of material and mechanism raise errors."""
 
     name = "stand-in"
 
@@ -35,11 +35,11 @@ class _StandIn(JointModel):
         return 1.0
 
     def sag(self, ask: Ask) -> Computed:
-        """Return 1 where a model in space finds it; what says that nothing hangs, says it."""
+        """Return 1 where a model in space gives it; else the base class says what is missing."""
         return 1.0 if ask.geometry.in_space and ask.geometry.has_masses else super().sag(ask)
 
     def frequency_squared(self, ask: Ask) -> Computed:
-        """Return 1 where a model in space finds it; what says that nothing moves, says it."""
+        """Return 1 where a model in space gives it; else the base class says what is missing."""
         known = ask.geometry.in_space and ask.geometry.has_masses
         return 1.0 if known else super().frequency_squared(ask)
 
@@ -60,7 +60,7 @@ class _StandIn(JointModel):
         return ((1.0, None),)
 
     def envelope(self, ask: Ask) -> tuple["SweptBox", tuple[str, ...]]:
-        """Return a box of 1 m; what has no layout in space says it."""
+        """Return a box of 1 m, or raise where the joint has no layout in space."""
         from flexcli.mechanics.space.swept_box import SweptBox
 
         ask.geometry.space_layout(ask.material.elastic, ask.sizes)

@@ -1,4 +1,4 @@
-"""Support: how stiff a joint is against loads off its motion, from its 6×6 compliance at rest.
+"""Support: the stiffness of a joint across its motion, from its 6×6 compliance at rest.
 
 They judge a given design; a 6×6 compliance is no posynomial, so they cannot size one.
 """
@@ -50,9 +50,9 @@ __all__ = [
 ]
 
 Direction = Literal["x", "y", "z", "theta_x", "theta_y", "theta_z"]
-"""Of a motion or a load: x along the stroke of a stage, or the bisector of a pivot; z along the
-width of the blades, the axis of a pivot; y completes them. A layout has its drawing's axes.
-"""
+"""Direction of a motion or a load: x along the stroke of a stage, or the bisector of a pivot; z
+along the width of the blades, the axis of a pivot; y completes them. A layout has its drawing's
+axes."""
 
 DIRECTIONS = get_args(Direction)
 
@@ -65,7 +65,7 @@ CENTRE = (0.0, 0.0, 0.0)
 """The moving body's point in the layout of its joint."""
 
 HELD = 1e-14
-"""Share of the compliance below which a direction is one that a guide or the drive holds."""
+"""Share of the compliance below which a guide or the drive holds a direction."""
 
 SOURCE = "linear blades between rigid clamps, assembled in space at rest"
 
@@ -116,7 +116,7 @@ def compliance_of(
 
 
 def deflection_form(ask: Ask, sought: NDArray[np.float64], load: NDArray[np.float64]) -> Form:
-    """Return how far a wrench at the moving body's point moves what is sought, at rest.
+    """Return the displacement sought per wrench at the moving body's point, at rest.
 
     Both are along the axes of cases (6,), all free but for a guide.
     """
@@ -143,7 +143,7 @@ def _at(place: NDArray[np.float64]) -> Place:
 
 
 def space_joint(ask: Ask) -> SpaceJoint:
-    """Return the joint that is asked of, in space, or raise why there is none."""
+    """Return the joint in space, or raise why there is none."""
     try:
         return joint_in_space(ask.geometry, ask.material, ask.sizes)
     except NotAvailable as error:
@@ -164,12 +164,12 @@ def _refused(ask: Ask, error: NotAvailable) -> RequirementError:
 
 
 def turns(direction: Direction) -> bool:
-    """Return whether a direction is one of turning."""
+    """Return whether a direction is a rotation."""
     return direction.startswith("theta")
 
 
 def spoken_place(point: Place) -> str:
-    """Return where a point off the centre is, in words: requirements of two points are two."""
+    """Return the place of a point off the centre in words, which tell requirements apart."""
     if point == CENTRE:
         return ""
     return f" at ({', '.join(f'{1e3 * c:g}' for c in point)}) mm"
@@ -210,7 +210,7 @@ class Support(Bound):
     @field_validator("min", "max", "equals", mode="before", json_schema_input_type=_Given)
     @classmethod
     def _stiffness_or_ratio(cls, data: Any) -> Any:
-        """Return value and SI unit, of whichever it is."""
+        """Return value and SI unit, of stiffness or ratio."""
         kinds = ("ratio", "stiffness", "rotational stiffness")
         return None if data is None else in_either(data, *kinds)
 
@@ -262,7 +262,7 @@ class Support(Bound):
 
     @property
     def spoken(self) -> str:
-        """Return what is bounded, in words."""
+        """Return the bounded quantity in words."""
         over = f" over that {_along(self.over)}" if self.over is not None else ""
         return f"stiffness {_along(self.direction)}{over}"
 
@@ -361,7 +361,7 @@ def _kind(index: int) -> tuple[slice, slice]:
 
 
 def _with_clamps(ask: Ask, error: ErrorRange | None) -> ErrorRange | None:
-    """Return the error of a stiffness with what clamps that give way may take from it."""
+    """Return the error of a stiffness including the possible compliance of clamps."""
     if error is None:
         return None
     return error._replace(low=(1.0 + error.low) / (1.0 + ask.clamp_softening) - 1.0)
@@ -393,7 +393,7 @@ class MotionBound(Bound):
     @field_validator("max", mode="before", json_schema_input_type=LengthOrAngle)
     @classmethod
     def _length_or_angle(cls, data: Any) -> Any:
-        """Return value and SI unit, of whichever it is."""
+        """Return value and SI unit, of length or angle."""
         return in_either(data, "length", "angle")
 
     @model_validator(mode="after")
@@ -414,7 +414,7 @@ class MotionBound(Bound):
     @property
     @abstractmethod
     def spoken(self) -> str:
-        """Return what is bounded, with its direction."""
+        """Return the bounded quantity in words, with its direction."""
 
     def bounds_in_direction(self, value: float, **of: Any) -> Iterator[Limit]:
         """Yield a motion [m or rad] against its bound, named by its direction."""
@@ -437,7 +437,7 @@ class Deflection(MotionBound):
 
     @property
     def spoken(self) -> str:
-        """Return what is bounded, with its direction."""
+        """Return the bounded quantity in words, with its direction."""
         return f"deflection {_along(self.direction)}"
 
     def applies(self, scene: Scene) -> bool:
@@ -470,7 +470,7 @@ class Deflection(MotionBound):
     def _at_rest(self, ask: Ask) -> tuple[float, ErrorRange | None]:
         """Return the deflection of straight blades and its error.
 
-        Over a stroke the stiffness changes, by how much a linear model does not know.
+        Over a stroke the stiffness changes, by an amount that a linear model does not give.
         """
         load = np.array(ask.scene.wrench)
         sought = motion_at(self.point)[DIRECTIONS.index(self.direction)]

@@ -16,10 +16,10 @@ from flexcli.results import ErrorRange, QuantityKind
 __all__ = ["Yield"]
 
 FELT = 1e-3
-"""Share of the strength from which what clamps hold across is judged."""
+"""Share of the strength from which the stress by clamps across the width is judged."""
 
 NU_UNKNOWN = 0.5
-"""Poisson's ratio where the material has none: the most."""
+"""Poisson's ratio where the material has none: the upper limit."""
 
 Allowable = Literal["yield-strength", "tensile-strength", "fatigue-amplitude", "admissible-stress"]
 
@@ -85,8 +85,8 @@ class Yield(FactorRequirement):
     ) -> Iterator[Limit]:
         """Yield the stress at clamps that keep blades from growing across, with that along them.
 
-        Von Mises' of both on the face where they differ in sign. Its range goes from clamps that
-        give way, and leave the stress along, to those that hold blades along as well.
+        Von Mises' of both on the face where they differ in sign. Its range goes from compliant
+        clamps, which leave the stress along, to those that hold blades along as well.
         """
         if ask.scene.temperature is None:
             return
@@ -119,5 +119,5 @@ class Yield(FactorRequirement):
 
 
 def _equivalent(along: float, across: float) -> float:
-    """Return von Mises' stress of two that differ in sign."""
+    """Return von Mises' stress of two stresses of opposite sign."""
     return sqrt(along**2 + along * across + across**2)
