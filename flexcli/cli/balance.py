@@ -36,7 +36,7 @@ def run(
 ) -> None:
     """Balance a mechanism against its base's motion.
 
-    It gives arms, masses, coupling, T(ω), and what small angles leave.
+    It gives arms, masses, coupling, T(ω), and the terms beyond small angles.
     """
     only_one(NAME, "--csv", specs, csv, style)
 

@@ -35,7 +35,7 @@ ASKED = {
     "line": "Range of the tip over the gap by the stop's height, measured and simulated.",
     "yields": "Share of the parts within the tolerances that pass; takes a while.",
     "parts": "Histogram of the margin of such parts.",
-    "causes": "What the margin of such parts hangs on, by Sobol's indices.",
+    "causes": "What the margin of such parts depends on, by Sobol's indices.",
     "narrowing": "Which tolerance to narrow first.",
 }
 """Plots that need a verb of their own, made when they are asked for."""

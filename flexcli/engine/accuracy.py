@@ -94,7 +94,7 @@ def _solved(design: DesignSpec, sizes: Sizes, runs: int) -> SolvedSeries:
         in_space = space_series(design, sizes, runs)
         if in_space.settled:
             return in_space
-        why = "has no sure number by shells"
+        why = "has no reliable number by shells"
     else:
         wanted = tuple(numbers(design, sizes))
         tolerance, settled, unsettled = _settled(wanted)
@@ -163,7 +163,7 @@ def timed(settled: Sequence[Settled[Number]], models: Sequence[NamedModel], runs
 
 def _notes(found: AccuracyResult, where: str) -> tuple[Note, ...]:
     notes = [
-        Note("no-sure-value", f"{name} takes no part: the finest model has no sure value of it")
+        Note("no-sure-value", f"{name} is left out: the finest model has no reliable value of it")
         for name in found.unsettled
     ]
     if not found.recommended:

@@ -202,7 +202,7 @@ def _held_across(design: DesignSpec, sizes: Sizes, scene: Scene) -> Iterator[Not
 
 
 def _by(estimate: float) -> str:
-    return f"by {estimate:.0%}" if isfinite(estimate) else "by as much as nobody can tell"
+    return f"by {estimate:.0%}" if isfinite(estimate) else "by an unknown amount"
 
 
 def _outside_validity(design: DesignSpec, sizes: Sizes) -> Iterator[Note]:

@@ -191,13 +191,13 @@ def _lacks_for_life(ask: Ask) -> MissingProperty | None:
 
 
 def _without_life(ask: Ask, response: CaseResponse) -> Iterator[Note]:
-    """Yield why no life is told, where the material's curve is missing."""
+    """Yield why no life is given, where the material's curve is missing."""
     if beside := sorted(ask.scene.loads & SHAKES - RANDOM):
-        text = f"case '{response.case}': no life of the random part alone is told: a"
+        text = f"case '{response.case}': no life under the random part alone is given: a"
         yield Note("no-life", f"{text} {' and a '.join(beside)} acts with it; ask for dynamic-life")
     missing = _lacks_for_life(ask)
     if missing is not None:
-        text = f"case '{response.case}': no life is told: {missing}; give material.{missing.field}"
+        text = f"case '{response.case}': no life is given: {missing}; give material.{missing.field}"
         yield Note("no-life", text)
 
 

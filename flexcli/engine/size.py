@@ -33,9 +33,9 @@ UNSETTLED = "not proved: the rounds settled on no choice, and a better one may e
 """How sure a choice is that the models that judge still move."""
 
 AT_THE_EDGE = (
-    "not proved: beside it is what no model knows the error of, and better ones may be there"
+    "not proved: near it some numbers have no known error, and better designs may lie there"
 )
-"""How sure a choice is beyond which the models that judge do not know their errors."""
+"""Certificate of a choice next to designs where the models that judge have no error."""
 
 ROUNDED = 1e-3
 """Difference of a check by the models that judge and by the corrected formulas at which they agree

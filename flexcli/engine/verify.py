@@ -219,12 +219,12 @@ def _between_rigid_clamps(design: DesignSpec, sizes: Sizes) -> tuple[DesignSpec,
     if geometry.compliant_clamps(sizes, design.material.elastic.nu or 0.0) is None:
         return design, []
     if "clamps" not in type(geometry).model_fields:
-        text = f"flexures of this {geometry.name} give at their roots, those of solids here do not"
+        text = f"the roots of a {geometry.name} are compliant, those of its solids rigid"
         hint = "leave 'clamps' and fillets out of its flexures to verify the rest"
         raise SolveError("no-solid", text, hint)
     if getattr(geometry, "clamps", None) in (None, "rigid"):
         return design, []  # fillets alone, which are in the solids
-    text = "blades are compared between rigid clamps: what their bodies give is in no solid here"
+    text = "blades are compared between rigid clamps, without the compliance of their bodies"
     rigid = geometry.model_copy(update={"clamps": "rigid"})
     return design.model_copy(update={"geometry": rigid}), [Note("rigid-clamps", text)]
 
@@ -515,7 +515,7 @@ def _supports_at_stroke(case: Ask, model: "_Model", *, many: bool) -> Iterator[_
             except SolveError as error:
                 raise NotAvailable(f"is solved by no model: {error}") from error
             if not known:
-                raise NotAvailable("is bent or shaped as no model tells an error for")
+                raise NotAvailable("is bent or shaped in a way for which no model has an error")
             return numbers.support_at_end(index)
 
         yield _Question(

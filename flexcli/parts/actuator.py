@@ -65,7 +65,7 @@ class Actuator(Part):
         for one, other in (("length", "thermal_expansion"), ("thermal_expansion", "length")):
             if getattr(self, one) is not None and getattr(self, other) is None:
                 raise spec_error(
-                    f"{one} says how the actuator grows only with {other}",
+                    f"{one} gives the actuator's growth only with {other}",
                     f"give {other} as well",
                     at=(one,),
                 )
@@ -123,9 +123,9 @@ class Actuator(Part):
         if temperature is None:
             return 0.0
         if self.length is None or self.thermal_expansion is None:
-            raise NotAvailable("has an actuator of which nobody says how it grows")
+            raise NotAvailable("has an actuator without a stated thermal expansion")
         if temperature.rises or temperature.gradient.z:
-            raise NotAvailable("has an actuator in a gradient that does not say how warm it is")
+            raise NotAvailable("has an actuator whose temperature a gradient does not state")
         base = temperature.uniform + temperature.bodies.get(GROUND, 0.0)
         given = temperature.expansion.get(GROUND)
         frame = material.growth(base, temperature.assembly) if given is None else given * base

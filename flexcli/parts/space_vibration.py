@@ -154,9 +154,9 @@ def likely_structures(
 def _refuse_guided(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> None:
     """Raise :class:`NotAvailable` for bodies not freely on the blades of one joint."""
     if geometry.is_guided:
-        raise NotAvailable("is guided by what nobody knows out of its plane")
+        raise NotAvailable("has a guide that is not defined out of its plane")
     if geometry.layout(elastic, sizes).guides:
-        raise NotAvailable("has ideal guides, which nobody knows out of their plane")
+        raise NotAvailable("has ideal guides, which are not defined out of their plane")
 
 
 def _on_pivots(whole: OutOfPlane, density: float, gyration: float) -> SpaceLayout:

@@ -18,12 +18,12 @@ DIGITS = 8
 
 LEAVES_OUT = (
     "errors are against exact plane beams; what those leave out (wide blades that bend as plates, "
-    "clamps that give) is in no column"
+    "compliant clamps) is in no column"
 )
 
 AGAINST_SHELLS = (
     "errors are against thin shells; what those leave out (the edges of sections in torsion, shear "
-    "across the thickness, clamps that give) is in no column"
+    "across the thickness, compliant clamps) is in no column"
 )
 
 AGAINST_SOLIDS = (

@@ -125,7 +125,7 @@ def _values(values: Mapping[str, Value], scales: Mapping[str, float]) -> Iterato
         rows.add_row(name, number, *errors, value.label)
     yield rows
     if any(_error(value) == UNKNOWN for value in values.values()):
-        yield Line((f"{UNKNOWN}: nobody can tell the error", "dim"))
+        yield Line((f"{UNKNOWN}: error unknown", "dim"))
 
 
 def _error(value: Value) -> str:

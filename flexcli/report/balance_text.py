@@ -86,7 +86,7 @@ def _damped(row: TransferRow, scale: float, *, both: bool) -> list[str]:
 
 def _over_stroke(balance: BalanceResult) -> Rows:
     unit = "rad" if any(row.unit == "N*m" for row in balance.gravity) else "m"
-    title = f"What small angles hide, at the end of the stroke, {show(balance.stroke or 0.0, unit)}"
+    title = f"Beyond small angles, at the end of the stroke, {show(balance.stroke or 0.0, unit)}"
     heads = ("term", "at rest", "1st order", "2nd order", "3rd order", "at full stroke")
     rows = table(title, *heads, numbers=range(1, len(heads)))
     for row in balance.over_stroke:

@@ -114,7 +114,7 @@ def cut_plate(drawing: Drawing) -> tuple[Prism, tuple[str, ...]]:
     beside = [face(edges) for stretch in stretches for edges in _beside(stretch)]
     whole = _pieces(_without(_joined([*kept.values(), *bars]), beside))
     if len(whole) != 1:
-        text = f"{len(whole)} pieces hang together nowhere: a blade ends beside its bodies"
+        text = f"the cut leaves {len(whole)} separate pieces: a blade ends beside its bodies"
         raise _not_cut(text, "draw outlines that reach the ends of the blades")
     contours = _contours(whole[0])
     for contour in contours:

@@ -32,7 +32,7 @@ def section(result: Result) -> Iterator[RenderableType]:
 def stops_tables(stops: StopsResult) -> Iterator[RenderableType]:
     """Yield the stop, the operating line, and what was simulated."""
     if stops.outcome == "infeasible":
-        yield Line(("no stop does: ", "bold red"), stops.reason, hang=2)
+        yield Line(("no stop is possible: ", "bold red"), stops.reason, hang=2)
         yield Line(f"remedy: {stops.remedy}")
     height, gap = show(stops.chosen.L_a, "m", 5), show(stops.chosen.delta_G, "m")
     yield Line((f"{stops.chosen.name}: height {height}, gap {gap}", "bold"))
@@ -140,7 +140,7 @@ def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
     for outcome in dict.fromkeys(step.outcome for step in sweep.steps if not step.settled):
         yield Line((f"* unsettled: {outcome}; the range that a run shows", "dim"))
     if every > 1:
-        yield Line((f"every {every}. of {len(pairs)} steps; --csv and JSON have all", "dim"))
+        yield Line((f"one in {every} of {len(pairs)} steps; --csv and JSON have all", "dim"))
     if sweep.kicks:
         yield _kicks(sweep.kicks)
     if sweep.ratios:

@@ -83,8 +83,8 @@ def _tolerances(found: TolerancesResult) -> Iterator[RenderableType]:
 
 
 def _causes(found: TolerancesResult) -> Iterator[RenderableType]:
-    rows = table("What margins hang on", "", "number", "by 1 % more", "of the variance", "in all",
-                 numbers=(2, 3, 4))  # fmt: skip
+    heads = ("", "number", "by 1 % more", "of the variance", "in all")
+    rows = table("What the margins depend on", *heads, numbers=(2, 3, 4))
     near = [row for row in found.checks if row.slopes and _is_near(row)]
     for row in near:
         order = sorted(row.total, key=lambda name: -row.total[name])

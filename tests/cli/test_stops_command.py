@@ -88,7 +88,7 @@ def test_a_stop_that_does_not_exist_exits_1_with_its_reason(flexure, spec):
     spec.write_text(SPEC.replace("bending: 2", "bending: 9"))
     told = flexure("stops")
     assert told.returncode == 1
-    assert "no stop does: nowhere on the operating line: bending" in told.stdout
+    assert "no stop is possible: nowhere on the operating line: bending" in told.stdout
 
 
 def test_a_mistake_exits_2_with_its_place(flexure, spec):

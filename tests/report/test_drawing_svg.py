@@ -152,4 +152,4 @@ def test_a_mechanism_is_drawn_with_all_of_its_pivots_masses_and_lengths():
         assert said.count("balance 35.57 g") == 2
         assert "68.12 g" in said
         for length in ("H = 20 mm", "arm = 24.17 mm"):
-            assert length in said or f"Without a place for {length}" in svg
+            assert length in said or f"No room for the names of {length}" in svg

@@ -306,7 +306,7 @@ def test_a_value_has_the_digits_that_its_error_leaves(value, error, shown):
 
 def test_an_error_that_nobody_can_tell_is_said_to_be_so():
     text = told(Format.TEXT, replace(PASSING, values={"k": Value(1.0, "N/m", "stiffness")}))
-    assert "?: nobody can tell the error" in text
+    assert "?: error unknown" in text
 
 
 def test_findings_are_placed_for_editors_and_marked_with_a_caret():

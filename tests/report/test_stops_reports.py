@@ -51,7 +51,7 @@ def result(**changes):
 
 def test_what_has_no_stop_says_why_and_what_would_do():
     text = told(result(outcome="infeasible", reason="nowhere: bending", remedy="more travel"))
-    assert "no stop does: nowhere: bending" in text
+    assert "no stop is possible: nowhere: bending" in text
     assert "remedy: more travel" in text
 
 
@@ -95,7 +95,7 @@ def test_a_response_tells_its_bands_and_shows_both_ways_beside_each_other():
 def test_a_long_response_is_thinned_and_says_so():
     steps = tuple(step(True, 100.0 + n) for n in range(60))
     text = told(result(sweeps=(StopSweep("s", "stepped", steps, None, None, None),)))
-    assert "every 3. of 60 steps" in text
+    assert "one in 3 of 60 steps" in text
 
 
 def test_a_response_that_was_stopped_tells_no_more_than_was_done():

@@ -59,7 +59,8 @@ DurationOption = Annotated[
 FromOption = Annotated[str | None, typer.Option("--from", help="Start here, e.g. '20 Hz'.")]
 ToOption = Annotated[str | None, typer.Option("--to", help="End here, e.g. '2 kHz'.")]
 PerOctaveOption = Annotated[
-    int, typer.Option("--per-octave", min=1, max=1000, help="So many natural frequencies.")
+    int,
+    typer.Option("--per-octave", min=1, max=1000, help="Natural frequencies per octave."),
 ]
 
 

@@ -1,4 +1,4 @@
-"""What small angles hide: the terms of the equation of motion at the end of the stroke."""
+"""The terms of the equation of motion beyond small angles, at the end of the stroke."""
 
 from collections.abc import Callable, Iterator, Sequence
 

@@ -62,7 +62,7 @@ def with_solids(
     kept = [each for each, sure in zip(series.settled, is_kept, strict=True) if sure]
     gone = [each for each, sure in zip(series.settled, is_kept, strict=True) if not sure]
     if not kept:
-        text = "no solid takes part: none of its numbers is sure to a tenth"
+        text = "no solid takes part: none of their numbers is known to a tenth"
         return series, [*notes, Note("no-sure-solid", text)]
     solids = [numbers[each.number.name] for each in kept]
     settled = [

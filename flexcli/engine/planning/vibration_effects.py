@@ -81,7 +81,7 @@ def _row(
     ask: Ask, effect: str, indicator: float, estimates: Peaks, reason: str, *, on: bool = False
 ) -> EffectRow:
     (name, most), *_ = estimates.items()
-    told = "by nobody knows how much"
+    told = "by an unknown amount"
     if isfinite(most):
         told = f"by up to {most:.2g} of it" if most > NOTHING else "not at all"
     text = f"{reason}; {name} {told}"

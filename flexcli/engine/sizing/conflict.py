@@ -34,7 +34,7 @@ def explain_conflict(program: SizingProgram) -> tuple[tuple[Relaxation, ...], st
             found.append(Relaxation(row.name, alone[0], text))
             continue
         ended = _nearest(program, key, members)
-        text = "giving way alone does not help"
+        text = "relaxing it alone does not help"
         if ended is not None:
             text = row.relaxed(ended[0], upward=ended[1])
             text = f"{text} ends this conflict, but others remain"

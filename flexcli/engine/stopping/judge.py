@@ -202,7 +202,7 @@ def _strengths(design: DesignSpec, case: str) -> list[_Strength]:
     return found
 
 
-def _open(strength: _Strength, reason: str = "no model but a simulation knows it") -> Check:
+def _open(strength: _Strength, reason: str = "only a simulation gives it") -> Check:
     text = f"peak bending stress between the stops; {reason}"
     return Check(
         strength.name, strength.case, text, nan, strength.strength, "Pa", nan, strength.factor,

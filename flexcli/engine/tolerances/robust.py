@@ -32,7 +32,7 @@ __all__ = ["robust_size"]
 Floats = NDArray[np.float64]
 
 Losses: TypeAlias = dict[str, float]
-"""By check: the logarithm of what the tolerances take of its factor."""
+"""By check: the loss of its factor to the tolerances, as a logarithm."""
 
 ROUNDS = 10
 SETTLED = 2e-4
@@ -82,10 +82,10 @@ def robust_size(
     drawn_parts = parts if share is not None else min(parts, SOME)
     plan: Plan | None = None
     notes: tuple[Note, ...] = (
-        Note("did-not-settle", "what the tolerances take did not settle: not the optimum"),
+        Note("did-not-settle", "the loss to tolerances did not converge: not the optimum"),
     )
     for number in range(ROUNDS):
-        doing(f"what the tolerances take, round {number + 1}")
+        doing(f"loss to the tolerances, round {number + 1}")
         chosen = size(design.with_losses(lost), spec)
         if chosen.status is Status.INFEASIBLE or not _has_sizes(design, chosen):
             return _told(chosen, lost)
@@ -103,7 +103,7 @@ def robust_size(
     assert judged.cost is not None  # a study has one
     sizing = chosen.sizing
     if sizing is not None:
-        certificate = f"{sizing.certificate}, and to what the tolerances take"
+        certificate = f"{sizing.certificate}, and within the loss to tolerances"
         sizing = replace(sizing, certificate=UNSETTLED if notes else certificate, sensitivities=())
     known_codes = {note.code for note in chosen.warnings}
     others = tuple(note for note in judged.warnings if note.code not in known_codes)
@@ -133,13 +133,13 @@ def _made(design: DesignSpec, chosen: Result) -> DesignSpec:
 
 
 def _told(chosen: Result, lost: Mapping[str, Correction]) -> Result:
-    """Return a sizing that found no design, with what the tolerances took there."""
+    """Return a sizing that found no design, with the largest loss to the tolerances."""
     if not lost:
         return chosen
     most = max(lost, key=lambda check: lost[check].factor)
     text = (
-        "with what the tolerances take of each margin no sizes meet the requirements; they take "
-        f"most of {most}, {100.0 * (lost[most].factor - 1.0):.2g} %"
+        "with each margin less its loss to the tolerances no sizes meet the requirements; the "
+        f"largest loss is that of {most}, {100.0 * (lost[most].factor - 1.0):.2g} %"
     )
     return replace(chosen, warnings=(*chosen.warnings, Note("tolerances-too-wide", text)))
 
@@ -246,7 +246,7 @@ class _Loss:
 
 
 def _corrections(loss: _Loss, free: Sequence[str]) -> dict[str, Correction]:
-    """Return what the tolerances take of each check as a factor, with its slopes over the sizes."""
+    """Return the loss of each check to the tolerances as a factor, with its slopes."""
     here = loss.at(loss.each)
     sizes = loss.made.fixed_sizes()
     about = {name: float(getattr(sizes, name)) for name in free}

@@ -111,7 +111,7 @@ class MemberSprings(NamedTuple):
     """Six springs of a blade or rod and the relative errors they lie between.
 
     ``low`` and ``high`` have shape (6,): true = stiffness · (1 + error); a high of infinity says
-    that clamps stiffen by nobody knows how much. ``axes`` are the blade's as rows, ``l`` is its
+    that clamps stiffen by an unknown amount. ``axes`` are the blade's as rows, ``l`` is its
     length [m], ``constrains`` lists the springs that an ideal blade is rigid in. ``is_known``
     says that its proportions are those for which the errors hold, ``in_stress`` that they are those
     for which nominal stresses, and hinges at a stroke, were compared.

@@ -22,7 +22,7 @@ class AxialLoad(ModelEffect):
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return the largest N l²/(E I) of the cases that load the blades."""
         n = load_number(setting, setting.scenes)
-        known = f"N l²/EI = {n:.2g}" if isfinite(n) else "a force on what is no single blade"
+        known = f"N l²/EI = {n:.2g}" if isfinite(n) else "a force on blades that differ"
         return Indicator(n, known) if n else None
 
     def changes(self, setting: Setting) -> Changes:

@@ -32,8 +32,8 @@ class Expansion(SceneEffect):
         try:
             most = max(_misfit(_warmed(setting, scene)) for scene in warm)
         except NotAvailable:
-            return Indicator(1.0, "a temperature of what is no layout of blades")
-        return Indicator(most, f"strains that do not fit differ by {most:.2g}")
+            return Indicator(1.0, "a temperature on a joint without a layout of blades")
+        return Indicator(most, f"free strains differ by {most:.2g}")
 
     def estimates(self, setting: Setting) -> Mapping[str, float]:
         """Return the stress's change without it over the larger of both, by linear blades."""

@@ -190,9 +190,9 @@ class TorsionGeometry(Geometry):
         Of two that is where they meet.
         """
         if self.bars > MOST_LAID:
-            raise NotAvailable(f"has more than {MOST_LAID} bars, which are none that one lays out")
+            raise NotAvailable(f"has more than {MOST_LAID} bars, too many for a layout")
         if self.bars == 1 and self.shortening == "held":
-            raise NotAvailable("is held along its axis by something that the spec does not tell")
+            raise NotAvailable("has an axial support that the spec does not state")
         l, at = float(sizes.l), (0.0, 0.0, 0.0)
         middle = (self.bars + 1) // 2
         names = ("below", "above") if self.bars <= 2 else [f"bar {k + 1}" for k in range(self.bars)]

@@ -181,7 +181,7 @@ class Mechanism(Part):
             When the spec does not say enough of them.
 
         """
-        raise NotAvailable("carries what nobody knows out of its plane")
+        raise NotAvailable("carries bodies that are not defined out of its plane")
 
     def shaken_by(self, geometry: Geometry) -> Literal["translation", "rotation"]:
         """Return which motion of the base the transfer function is asked for."""

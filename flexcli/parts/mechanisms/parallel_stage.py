@@ -357,7 +357,7 @@ class ParallelStage(Mechanism):
     def out_of_plane(self, joint: Layout, lock: str | None) -> OutOfPlane:
         """Return both levers on their pivots, solid 2 held in every direction by its lock."""
         if lock is None:
-            text = "is between levers whose distance, out of their plane, the spec does not have"
+            text = "is between levers whose distance out of their plane the spec does not state"
             raise NotAvailable(text)
         layout, _ = self.layout(joint, lock, 0.0)
         sides = zip((self.solid_1, self.solid_3), self._balances, self.stage().levers, strict=True)

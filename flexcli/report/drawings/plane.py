@@ -42,7 +42,7 @@ def drawing_svg(drawing: Drawing, title: str, *, stress: bool = False, width: fl
         draw_stress(sheet, drawing.states[0])
     _draw_foot(sheet, stress=coloured)
     draw_marks(sheet)
-    left_out = f" Without a place for {', '.join(sheet.unnamed)}." if sheet.unnamed else ""
+    left_out = f" No room for the names of {', '.join(sheet.unnamed)}." if sheet.unnamed else ""
     return sheet_of(sheet.page, title, caption(drawing) + left_out)
 
 

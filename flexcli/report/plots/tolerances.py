@@ -82,7 +82,7 @@ def _causes(row: YieldRow) -> Plot:
         chart.bar(k, 0.0, 100.0 * total, "ink2", filled=False)
         chart.bar(k, 0.0, 100.0 * row.first.get(name, 0.0), "ink2")
     return Plot(
-        "causes", f"What the margin hangs on, {row.name}",
+        "causes", f"What the margin depends on, {row.name}",
         "Sobol's indices of the logarithm of the factor: filled by itself, outlined with what it "
         "does together with others.", chart.svg(),
     )  # fmt: skip
