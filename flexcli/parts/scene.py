@@ -190,6 +190,11 @@ class Scene(NamedTuple):
         return own or any(each[i] for each in (self.stated, *self.inertial) for i in acts)
 
     @property
+    def is_accelerated(self) -> bool:
+        """Return whether an acceleration in the joint's plane acts on its blades."""
+        return self.has_plane and any(x or y for x, y, _ in self.accelerations)
+
+    @property
     def across(self) -> tuple[int, ...]:
         """Return the components of a wrench that act out of the joint's plane, if it has one."""
         return _across(has_plane=self.has_plane)
@@ -580,8 +585,9 @@ def _locked(
     name = max(forces, key=lambda key: forces[key])
     # the stroke's axis, seen from the pivots' own
     angle = -number(getattr(mechanism, "bisector", 0.0))
-    wrench = _clean((forces[name] * cos(angle), forces[name] * sin(angle), 0.0, 0.0, 0.0, 0.0))
-    return _Inertial(name, forces, (wrench,), ((0.0, 0.0, 0.0),), kinds)
+    c, s = cos(angle), sin(angle)
+    wrench = _clean((forces[name] * c, forces[name] * s, 0.0, 0.0, 0.0, 0.0))
+    return _Inertial(name, forces, (wrench,), ((level * c, level * s, 0.0),), kinds)
 
 
 def _force_values(force: float, found: _Inertial, stated: Wrench) -> dict[str, Value]:

@@ -17,7 +17,10 @@ E = 114e9
 H, L, B = 0.1e-3, 20e-3, 5e-3
 SIZES = {"h": "0.1 mm", "l": "20 mm", "b": "5 mm"}
 SOLVERS = {"linear": LinearModel, "exact": ExactModel}
-STRONG = {**MATERIAL, "tensile_strength": "900 MPa",
+LIGHT = {"density": "1e-9 kg/m^3"}
+"""Of blades that weigh nothing, as a force has no mass."""
+
+STRONG = {**MATERIAL, **LIGHT, "tensile_strength": "900 MPa",
           "fatigue_amplitude": {"value": "500 MPa", "cycles": 1e7, "stress_ratio": -1}}  # fmt: skip
 
 SLENDER = 3e-2

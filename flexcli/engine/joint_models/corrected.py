@@ -8,6 +8,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import isfinite, larger, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
 from flexcli.results import ErrorRange, QuantityKind
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["Corrected"]
+
+LEAST = 1e-300
+"""Stress over which none is divided [Pa]."""
 
 
 class Corrected(JointModel):
@@ -39,6 +43,7 @@ class Corrected(JointModel):
         self.name = name or inner.name
         self.at_stroke = inner.at_stroke
         self.directs_blades = inner.directs_blades
+        self.weighs_blades = inner.weighs_blades
         self._known: Remembered[dict[EffectName, dict[str, Change]]] = Remembered()
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:
@@ -115,11 +120,16 @@ class Corrected(JointModel):
         return self.inner.parasitic_shift(ask) * self._factor(ask, QuantityKind.SHIFT)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
-        """Return the stresses, those of the stroke corrected."""
+        """Return the stresses, those of the stroke corrected.
+
+        A wide blade resists a curvature more than a beam; under a force along the stroke it is
+        curved less, and its moments and stresses are those of the force.
+        """
         name, found = self.inner.stresses(ask)
-        factor = self._factor(ask, QuantityKind.STRESS) if ask.scene.bends else 1.0
+        factor = self._factor(ask, QuantityKind.STRESS) if ask.scene.moves else 1.0
+        of_mean = factor if ask.scene.mean_travel or not ask.scene.push else 1.0
         return name, [
-            s._replace(amplitude=s.amplitude * factor, mean=s.mean * factor) for s in found
+            s._replace(amplitude=s.amplitude * factor, mean=s.mean * of_mean) for s in found
         ]
 
     def support_at_stroke(
@@ -136,7 +146,10 @@ class Corrected(JointModel):
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the critical forces, those in the plane corrected by what they do not carry."""
-        return tuple(self._corrected(ask, c) for c in self.inner.critical(ask))
+        found = (self._corrected(ask, c) for c in self.inner.critical(ask))
+        if not ask.scene.is_accelerated:
+            return tuple(found)
+        return tuple(_with_weight(ask, critical) for critical in found)
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return the shares of the loads that buckle it; their errors have what is not carried."""
@@ -156,6 +169,10 @@ class Corrected(JointModel):
         found = self.inner.error(ask, kind)
         if found is None:
             return None
+        if kind is QuantityKind.STRESS:
+            beside = self._beside_stroke(ask)
+            left = self._left(ask, kind, found)
+            return None if left is None or beside is None else left + beside
         if kind is not QuantityKind.SAG or not ask.scene.sags:
             return self._left(ask, kind, found)
         from flexcli.parts.space_states import beyond_linear_sag
@@ -165,6 +182,28 @@ class Corrected(JointModel):
             beyond_linear_sag(ask),
         )
         return None if left is None or more is None else left + ErrorRange(-more, more)
+
+    def _beside_stroke(self, ask: Ask) -> ErrorRange | None:
+        """Return what of a stress is not the stroke's: of a force beside it, of blades' weight."""
+        scene, found = ask.scene, ErrorRange(0.0, 0.0)
+        if scene.push and scene.mean_travel:
+            factor = self._factor(ask, QuantityKind.STRESS)
+            found = ErrorRange(smaller(1.0 / larger(factor, 1.0) - 1.0, 0.0), 0.0)
+        if not scene.is_accelerated:
+            return found
+        if ask.geometry.has_limbs(ask.material.elastic, ask.sizes):
+            return None  # nobody knows what they weigh
+        if self.weighs_blades and ask.material.density is not None:
+            return found
+        from flexcli.engine.joint_models.blade_weight import left_stress
+
+        try:
+            added = left_stress(ask)
+        except NotAvailable:
+            return None
+        _, stresses = self.inner.stresses(ask)
+        most = larger(LEAST, *(stress.largest for stress in stresses))
+        return found + ErrorRange(-added / most, added / most)
 
     def _left(
         self,
@@ -236,6 +275,20 @@ class Corrected(JointModel):
             change = self._changes(ask, effect).get(kind)
             factor *= 1.0 + (change.value or 0.0) if change is not None else 1.0
         return factor
+
+
+def _with_weight(ask: Ask, critical: Critical) -> Critical:
+    """Return a critical force with what it may be less by since blades weigh something.
+
+    Their weight loads no blade by more than as if all of it were on the body.
+    """
+    from flexcli.engine.joint_models.blade_weight import weighed
+
+    error = critical.error
+    if error is None or ask.geometry.has_limbs(ask.material.elastic, ask.sizes):
+        return critical._replace(error=None)
+    more = weighed(ask) / ask.scene.force
+    return critical._replace(error=error + ErrorRange(1.0 / (1.0 + more) - 1.0, 0.0))
 
 
 def _is_told(effect: ModelEffect, setting: Setting) -> bool:

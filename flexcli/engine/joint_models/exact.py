@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.blade_weight import BladeWeights
 from flexcli.engine.joint_models.buckling import exact_critical, warm_shares
-from flexcli.engine.joint_models.face_stress import POINTS, worst_of_stroke
+from flexcli.engine.joint_models.face_stress import worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import (
     at_rest,
@@ -28,10 +29,11 @@ from flexcli.mechanics.demand import Held as Motions
 from flexcli.mechanics.equilibrium import LEVELS
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.own_weight import POINTS
 from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.sensitivity import beside
 from flexcli.mechanics.state import Equilibrium
-from flexcli.mechanics.stresses import blade_stress
+from flexcli.mechanics.stresses import BladeStress, blade_stress
 from flexcli.mechanics.tangent import held_stiffness
 from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, one_alone, states_of
 from flexcli.parts.effect_names import EffectName
@@ -76,6 +78,7 @@ class ExactModel(JointModel):
 
     name = "exact"
     always = COVERAGE["exact"].always
+    weighs_blades = True
 
     def __init__(
         self,
@@ -314,14 +317,23 @@ class ExactModel(JointModel):
         """Return them; the error is by how much they change from one level to the next.
 
         What lies between the places at which the stress is sampled counts besides, and what a
-        temperature that rises through the thickness of blades may add or relieve.
+        temperature that rises through the thickness of blades may add or relieve; and what blades
+        that bend under their own weight do when they are bent and pulled already.
         """
         state = self.states(ask)
         before, temperature, axes = state.coarser, ask.scene.temperature, ask.geometry.axes
         change, most, found = 0.0, 0.0, list[EndStress]()
-        for blade in state.layout.blades:
+        weights, off = BladeWeights.of(ask), 0.0
+        for index, blade in enumerate(state.layout.blades):
             fine = blade_stress(state, blade.name, POINTS)
-            faces = {"left": states_of(fine.left), "right": states_of(fine.right)}
+            total = fine
+            if weights is not None:
+                added = weights.stress(index)
+                total = BladeStress(fine.s, fine.bending + added[1], fine.axial + added[0])
+                off = larger(
+                    off, weights.off(index, added, fine.axial, fine.bending, state.motions)
+                )
+            faces = {"left": states_of(total.left), "right": states_of(total.right)}
             found.extend(worst_of_stroke(ask, blade.name, faces))
             most = larger(most, *(largest_of_each(np.abs(face)) for face in faces.values()))
             if before is not None:
@@ -332,6 +344,7 @@ class ExactModel(JointModel):
         if temperature is not None and temperature.rises:
             strain = temperature.across_thickness(state.layout, ask.material, axes)
             change += ask.material.elastic.E * strain
+        change += off
         if before is None or (most == 0.0 and change > 0.0):
             return found, inf
         return found, (change / most if most else 0.0) + SAMPLED

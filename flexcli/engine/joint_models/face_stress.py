@@ -6,37 +6,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.formulas.profile import per_design
-from flexcli.mechanics.layout import Blade
 from flexcli.numerics.rows import number
 from flexcli.parts.requirements import Ask, EndStress
 
-__all__ = ["POINTS", "blade_places", "worst_of_stroke"]
+__all__ = ["worst_of_stroke"]
 
 Floats = NDArray[np.float64]
 
-POINTS = 257
-"""Places along each piece of a blade at which both ends of the stroke are compared: the greatest
-stress of a notch, which lies beside its throat, is found to some 1e-6."""
-
-
 WEIGHTS = (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0)
 """Of the mean stress beside the amplitude: strength over what the mean is compared with."""
-
-
-def blade_places(blade: Blade, l: float) -> tuple[Floats, Floats]:
-    """Return places along the flexible pieces of a blade of length l and thickness there [m]."""
-    u = np.linspace(-1.0, 1.0, POINTS)
-    pieces = blade.profile.pieces(per_design(l))
-    position, thickness = (
-        np.concatenate([_spread(function(u), u.shape) for function in functions], axis=-1)
-        for functions in ([p.position for p in pieces], [p.thickness for p in pieces])
-    )
-    return position, thickness
-
-
-def _spread(values: Floats, shape: tuple[int, ...]) -> Floats:
-    return np.broadcast_to(values, np.broadcast_shapes(np.shape(values), shape))
 
 
 def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterator[EndStress]:

@@ -13,9 +13,10 @@ from flexcli.engine.joint_models.holds import driven_axis, held_at_rest, held_by
 from flexcli.errors import Outcome, SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import LEVELS, solve
-from flexcli.mechanics.layout import Layout, Load, Point, Support
+from flexcli.mechanics.layout import Layout, Load, Number, Point, Support
 from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.own_weight import weights_on_bodies
 from flexcli.mechanics.stability import critical_load
 from flexcli.mechanics.state import Equilibrium
 from flexcli.numerics.rows import all_of_each, one_alone, over_states
@@ -28,7 +29,9 @@ __all__ = [
     "at_rest",
     "at_temperature",
     "blades_of",
+    "by_weight_alone",
     "driven_axis",
+    "fields",
     "layout_of",
     "of_case",
     "over_stroke",
@@ -129,7 +132,8 @@ def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floa
     Of many designs travels are (states,) or (states, designs), and the states (states·designs,).
     """
     geometry, states = ask.geometry, len(signs)
-    designs, (scene, layout) = over_states(states, ask.scene, warmed(ask))
+    own = (ask.scene, warmed(ask), _density(ask))
+    designs, (scene, layout, density) = over_states(states, *own)
     signs = np.repeat(signs, designs, axis=0)
     if travels is not None:
         travels = travels.ravel() if travels.ndim > 1 else np.repeat(travels, designs)
@@ -140,16 +144,16 @@ def _states(ask: Ask, solver: Solver[Found], travels: Floats | None, signs: Floa
         angle = angle if hold_of(scene).across else 0.0
         layout = turned(layout, -angle)
         held = {MOVING: held_at_rest(scene, geometry)}
-        return solver(layout, held, _loads(scene, layout, signs, -angle))
-    travels = travels + _sag(ask, solver, layout, signs)
+        return solver(layout, held, _loads(scene, layout, density, signs, -angle))
+    travels = travels + _sag(ask._replace(scene=scene), solver, layout, density, signs)
     if driven_axis(geometry) == 2 and hold_of(scene).across and scene.forces:
         layout = turned(layout, -angle)
         x, _, phi = held_by_stroke(scene, geometry, travels)
         led = solver(layout, {MOVING: (x, None, phi)}, ())
         held = {MOVING: (x, led.motions[:, layout.index(MOVING), 1], phi)}
-        return solver(layout, held, _loads(scene, layout, signs, -angle))
+        return solver(layout, held, _loads(scene, layout, density, signs, -angle))
     held = {MOVING: held_by_stroke(scene, geometry, travels)}
-    return solver(layout, held, _loads(scene, layout, signs, 0.0))
+    return solver(layout, held, _loads(scene, layout, density, signs, 0.0))
 
 
 def paths(ask: Ask) -> Iterator[tuple[float | None, Layout, Held, list[Load]]]:
@@ -172,7 +176,7 @@ def paths(ask: Ask) -> Iterator[tuple[float | None, Layout, Held, list[Load]]]:
                     force=(float(load.force[0][0]), float(load.force[1][0])),
                     moment=float(np.ravel(load.moment)[0]),
                 )
-                for load in _loads(scene, layout, signs[None], -angle)
+                for load in _loads(scene, layout, _density(ask), signs[None], -angle)
             ]
             yield travel, layout, {MOVING: held}, loads
 
@@ -211,23 +215,58 @@ def _facing(scene: Scene) -> float:
     return atan2(y, x)
 
 
-def _sag(ask: Ask, solver: Solver[Found], layout: Layout, signs: Floats) -> Floats | float:
+def _density(ask: Ask) -> Number:
+    """Return the density of the blades [kg/m³], of which nothing is known that it is none."""
+    density = ask.material.density
+    return 0.0 if density is None else density.value
+
+
+def fields(ask: Ask) -> tuple[Layout, Floats, Floats]:
+    """Return the joint, and along x and y of it what accelerates its mass in a case's states."""
+    signs = _signs(ask.scene)
+    if ask.scene.moves:
+        signs = np.repeat(signs, 2, axis=0)
+    designs, (scene, layout) = over_states(len(signs), ask.scene, warmed(ask))
+    each = list(_fields(scene, np.repeat(signs, designs, axis=0), 0.0))
+    return layout, *(np.asarray(sum(along)) for along in zip(*each, strict=True))
+
+
+def by_weight_alone(ask: Ask, solver: Solver[Found], density: Number) -> Found:
+    """Return what blades of a density do in each state of a case, the drive free."""
+    layout, x, y = fields(ask)
+    held = held_at_rest(ask.scene, ask.geometry)
+    if ask.scene.moves:
+        held = _undriven(ask)
+    elif hold_of(ask.scene).across:
+        held = (held[0], None, held[2])  # more moves then
+    return solver(layout, {MOVING: held}, weights_on_bodies(layout, density, x, y))
+
+
+def _undriven(ask: Ask) -> tuple[Any, Any, Any]:
+    """Return what is held of a body with a stroke, its drive free."""
+    x, y, phi = held_by_stroke(ask.scene, ask.geometry, 0.0)
+    return (x, y, None) if driven_axis(ask.geometry) == 2 else (x, None, phi)
+
+
+def _sag(
+    ask: Ask, solver: Solver[Found], layout: Layout, density: Number, signs: Floats
+) -> Floats | float:
     """Return how far the loads along the stroke move the joint by themselves [m or rad].
 
     A stroke is from where the loads leave the joint: the drive does not hold against them.
     """
     scene, geometry = ask.scene, ask.geometry
-    own = any(any(field[:2]) for field in scene.accelerations) and geometry.own_mass > 0.0
+    own = geometry.own_mass > 0.0 and any(any(field[:2]) for field in scene.accelerations)
     if scene.push == 0.0 and not own:
         return 0.0
-    axis = driven_axis(geometry)
-    x, y, phi = held_by_stroke(scene, geometry, 0.0)
-    held = (x, y, None) if axis == 2 else (x, None, phi)
-    state = solver(layout, {MOVING: held}, _loads(scene, layout, signs, 0.0))
-    return np.asarray(state.motions[:, layout.index(MOVING), axis])
+    held = {MOVING: _undriven(ask)}
+    state = solver(layout, held, _loads(scene, layout, density, signs, 0.0))
+    return np.asarray(state.motions[:, layout.index(MOVING), driven_axis(geometry)])
 
 
-def _loads(scene: Scene, layout: Layout, signs: Floats, angle: float) -> list[Load]:
+def _loads(
+    scene: Scene, layout: Layout, density: Number, signs: Floats, angle: float
+) -> list[Load]:
     """Return the loads in the plane with their signs (states, groups), turned by an angle."""
     centre, (c, s) = layout.body(MOVING).point, (cos(angle), sin(angle))
     found = []
@@ -236,15 +275,22 @@ def _loads(scene: Scene, layout: Layout, signs: Floats, angle: float) -> list[Lo
             x, y, sign = wrench[0], wrench[1], signs[:, group]
             force = (sign * (c * x - s * y), sign * (s * x + c * y))
             found.append(Load(MOVING, centre, force, sign * wrench[5]))
-    for group, (x, y, _) in enumerate(scene.accelerations, 1):
-        sign = signs[:, group]
-        along = (sign * (c * x - s * y), sign * (s * x + c * y))
+    for along in _fields(scene, signs, angle):
         found += [
             Load(body.name, body.com, (body.mass * along[0], body.mass * along[1]))
             for body in layout.bodies
-            if (x or y) and body.mass
+            if body.mass
         ]
+        found += weights_on_bodies(layout, density, *along) if np.any(density) else []
     return found
+
+
+def _fields(scene: Scene, signs: Floats, angle: float) -> Iterator[tuple[Floats, Floats]]:
+    """Yield what acts on all mass with its signs (states, groups), turned by an angle [m/s²]."""
+    c, s = cos(angle), sin(angle)
+    for group, (x, y, _) in enumerate(scene.accelerations, 1):
+        if x or y:
+            yield signs[:, group] * (c * x - s * y), signs[:, group] * (s * x + c * y)
 
 
 def over_stroke(

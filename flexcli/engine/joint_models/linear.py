@@ -1,26 +1,26 @@
 """The linear model of a joint: exact beams under small motion, with shear and stretching."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from math import inf, nan
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.blade_weight import BladeWeights, forced_stress
 from flexcli.engine.joint_models.buckling import linear_critical_forces
 from flexcli.engine.joint_models.exact import ExactModel
-from flexcli.engine.joint_models.face_stress import blade_places, worst_of_stroke
+from flexcli.engine.joint_models.face_stress import worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis
 from flexcli.engine.joint_models.joint_states import blades_of, layout_of, of_case
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE, covered
-from flexcli.formulas.profile import per_design
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.linear import NODES, LinearSolution, linear
 from flexcli.mechanics.mesh import Effects
-from flexcli.numerics.rows import all_of_each, isfinite, larger, of_each, states_of
+from flexcli.numerics.rows import all_of_each, isfinite, larger, largest_of_each, of_each, states_of
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
@@ -43,6 +43,9 @@ LEVELS = (16, NODES, 36, 54, 81, 122)
 SETTLED = 1e-9
 """Change from level to level at which it does [-]."""
 
+LEAST = 1e-300
+"""Stress over which none is divided [Pa]."""
+
 ROUNDING = 1e-10
 """Least error that a linear solution is taken to have [-]."""
 
@@ -52,11 +55,13 @@ class LinearModel(JointModel):
 
     name = "linear"
     always = COVERAGE["linear"].always
+    weighs_blades = True
 
     def __init__(self, effects: Effects | None = None) -> None:
         self.effects = Effects() if effects is None else effects
         self.covers = covered("linear", self.effects)
-        self._known: Remembered[list[EndStress]] = Remembered("linear", of_blades=True)
+        self._known: Remembered[tuple[list[EndStress], float]]
+        self._known = Remembered("linear", of_blades=True)
         self._known_stiffness: Remembered[tuple[float, int, float]]
         self._known_stiffness = Remembered("linear", of_blades=True)
 
@@ -76,6 +81,8 @@ class LinearModel(JointModel):
             return known
         try:
             _, _, error = self._settled(ask)
+            if kind is QuantityKind.STRESS:
+                error += self._judged(ask)[1]
         except NotAvailable:
             return None
         return known + ErrorRange(-error, error) if isfinite(error) else None
@@ -129,25 +136,26 @@ class LinearModel(JointModel):
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""
         _refuse_temperature(ask)
-        return "stress at the faces, bending with the axial force", self._known.of(
-            "stresses", ask, lambda: list(self._each(ask))
-        )
+        return "stress at the faces, bending with the axial force", self._judged(ask)[0]
 
-    def _each(self, ask: Ask) -> Iterator[EndStress]:
+    def _judged(self, ask: Ask) -> tuple[list[EndStress], float]:
+        """Return the worst stresses of a case, and how far blades' weight leaves the largest."""
+        return self._known.of("stresses", ask, lambda: self._judge_stress(ask))
+
+    def _judge_stress(self, ask: Ask) -> tuple[list[EndStress], float]:
         _, nodes, _ = self._settled(ask)
         found = of_case(ask, lambda layout, held, loads: self._solved(layout, held, loads, nodes))
+        weights, stresses, most, off = BladeWeights.of(ask), list[EndStress](), 0.0, 0.0
         for index, blade in enumerate(found.layout.blades):
-            force = found.end_forces[:, index]
-            x, y = (b - a for a, b in zip(blade.start, blade.end, strict=True))
-            l = np.hypot(x, y)
-            s, h = blade_places(blade, l)
-            N = (force[:, 0] * x + force[:, 1] * y) / l
-            V = (force[:, 1] * x - force[:, 0] * y) / l
-            M = force[:, 2:] + V[:, None] * (per_design(l) - s)
-            b, bends, pulls = map(per_design, (blade.b, *blade.peak))
-            axial, bending = pulls * N[:, None] / (b * h), bends * 6.0 * M / (b * h**2)
+            axial, bending = forced_stress(blade, found.end_forces[:, index])
+            if weights is not None:
+                added = weights.stress(index)
+                off = larger(off, weights.off(index, added, axial, bending, found.motions))
+                axial, bending = axial + added[0], bending + added[1]
             faces = {"left": states_of(axial - bending), "right": states_of(axial + bending)}
-            yield from worst_of_stroke(ask, blade.name, faces)
+            most = larger(most, *(largest_of_each(np.abs(face)) for face in faces.values()))
+            stresses.extend(worst_of_stroke(ask, blade.name, faces))
+        return stresses, 0.0 if weights is None else off / larger(most, LEAST)
 
     def _solved(self, layout: Layout, held: Held, loads: Sequence[Load], nodes: int) -> "_State":
         blades = blades_of(layout, self.effects)
