@@ -5,6 +5,8 @@ each blade (scaled by the blade), then (x, y, φ) of each body (lengths in a uni
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,7 +16,7 @@ from flexcli.mechanics.beam import Condensed, Sections, condense, paired, turnin
 from flexcli.mechanics.demand import Demand
 from flexcli.mechanics.element import Attachment, Ends, element
 from flexcli.mechanics.layout import Layout
-from flexcli.mechanics.mesh import Effects, Mesh, chosen, column, meshes, pick, refined, table
+from flexcli.mechanics.mesh import Effects, Mesh, chosen, column, drawn, meshes, pick, refined
 from flexcli.mechanics.outer_forces import apply_force, apply_spring
 from flexcli.numerics.collocation import refining_matrix
 from flexcli.numerics.stack import solve_stack
@@ -60,13 +62,14 @@ class Bound(NamedTuple):
     ends: Ends
 
 
-class Assembly(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Assembly:
     """A layout ready to be solved; ``length`` [m] and ``force`` [N] are the units of each design.
 
     ``first`` and ``second`` are the bodies of each blade, the ground being the last, which never
-    moves; ``weights`` are the energy units of blades over that of the design, ``row_scale`` (rows,
-    designs or 1) brings its equations to order one, ``turns`` is the number of rotations at nodes
-    in a row of unknowns, ``slenderness`` the least thickness over length of any blade.
+    moves; ``weights`` are the energy units of blades over that of the design, ``turns`` is the
+    number of rotations at nodes in a row of unknowns, ``slenderness`` the least thickness over
+    length of any blade. ``other`` is the same layout at other nodes, if it is there.
     """
 
     layout: Layout
@@ -77,13 +80,32 @@ class Assembly(NamedTuple):
     weights: tuple[Floats, ...]
     first: Integers
     second: Integers
-    bound: tuple[Bound, ...]
-    row_scale: Floats
     length: Floats
     force: Floats
     turns: int
     designs: int
     slenderness: float
+    other: "Assembly | None" = None
+
+    @cached_property
+    def bound(self) -> tuple[Bound, ...]:
+        """Return the blades of each mesh between their bodies."""
+        if self.other is not None:
+            alike = zip(self.other.bound, self.meshes, strict=True)
+            return tuple(at._replace(sections=Sections.of(mesh)) for at, mesh in alike)
+        drawn = zip(self.meshes, self.places, self.weights, strict=True)
+        return tuple(_bound(*each, self.first, self.second, self.bodies) for each in drawn)
+
+    @cached_property
+    def row_scale(self) -> Floats:
+        """Return what brings the equations to order one (rows, designs or 1)."""
+        if self.other is not None:
+            return self.other.row_scale
+        found = np.ones((3 * (self.blades + self.bodies), _designs(self.weights)))
+        for mesh, weight in zip(self.meshes, self.weights, strict=True):
+            rows = found[: 3 * self.blades].reshape(self.blades, 3, -1)
+            rows[list(mesh.blades)] = 1.0 / weight.T[:, None]
+        return found
 
     @property
     def bodies(self) -> int:
@@ -109,6 +131,11 @@ class Assembly(NamedTuple):
             first = last
         forces = x[:, first : first + 3 * self.blades].reshape(-1, self.blades, 3)
         return rotations, forces, x[:, first + 3 * self.blades :].reshape(-1, self.bodies, 3)
+
+    def forces_and_motions(self, x: Floats) -> tuple[Floats, Floats]:
+        """Return blade forces and body motions, each in a row of its design."""
+        bodies = self.turns + 3 * self.blades
+        return x[:, self.turns : bodies], x[:, bodies:]
 
     def local_forces(self, forces: Floats, motions: Floats, k: int, rows: Integers) -> Floats:
         """Return the forces of the blades of mesh k in the frames of their starts."""
@@ -320,11 +347,7 @@ def at_nodes(assembly: Assembly, nodes: int) -> Assembly:
 def _refined(assembly: Assembly, nodes: int) -> Assembly:
     layout, effects = assembly.layout, assembly.effects
     found = tuple(refined(mesh, layout, effects, nodes) for mesh in assembly.meshes)
-    bound = tuple(
-        each._replace(sections=Sections.of(mesh))
-        for each, mesh in zip(assembly.bound, found, strict=True)
-    )
-    return assembly._replace(nodes=nodes, meshes=found, bound=bound, turns=_turns(found))
+    return replace(assembly, nodes=nodes, meshes=found, turns=_turns(found), other=assembly)
 
 
 def _assembled(layout: Layout, effects: Effects, nodes: int) -> Assembly:
@@ -335,14 +358,9 @@ def _assembled(layout: Layout, effects: Effects, nodes: int) -> Assembly:
     second = np.array([names.get(blade.second, ground) for blade in layout.blades])
     length = sum(m.l.sum(axis=1) for m in found) / blades
     force = sum((m.EI / m.l).sum(axis=1) for m in found) / blades / length
-    starts, ends, points = (
-        table([point[0] for point in drawn]) + 1j * table([point[1] for point in drawn])
-        for drawn in (
-            [blade.start for blade in layout.blades],
-            [blade.end for blade in layout.blades],
-            [*(body.point for body in layout.bodies), (0.0, 0.0)],
-        )
-    )
+    starts = drawn([blade.start for blade in layout.blades])
+    ends = drawn([blade.end for blade in layout.blades])
+    points = drawn([*(body.point for body in layout.bodies), (0.0, 0.0)])
     arms = starts - points[:, first], ends - points[:, second], ends - starts
     places, weights = [], []
     for mesh in found:
@@ -351,10 +369,6 @@ def _assembled(layout: Layout, effects: Effects, nodes: int) -> Assembly:
         scale = length[:, None] / mesh.l
         places.append(_attached(start, end, along, scale, layout, mesh))
         weights.append(mesh.EI / mesh.l / (force * length)[:, None])
-    row_scale = np.ones((3 * (blades + len(layout.bodies)), _designs(weights)))
-    for mesh, weight in zip(found, weights, strict=True):
-        rows = row_scale[: 3 * blades].reshape(blades, 3, -1)
-        rows[list(mesh.blades)] = 1.0 / weight.T[:, None]
     return Assembly(
         layout=layout,
         effects=effects,
@@ -364,11 +378,6 @@ def _assembled(layout: Layout, effects: Effects, nodes: int) -> Assembly:
         weights=tuple(weights),
         first=first,
         second=second,
-        bound=tuple(
-            _bound(*each, first, second, len(names))
-            for each in zip(found, places, weights, strict=True)
-        ),
-        row_scale=row_scale,
         length=length,
         force=force,
         turns=_turns(found),
@@ -430,8 +439,10 @@ def _attached(
 
 def finer(coarse: Assembly, fine: Assembly, x: Floats) -> Floats:
     """Return the unknowns of a coarse assembly interpolated to the nodes of a finer one."""
+    found = np.zeros((x.shape[0], fine.size))
+    if not x.any():
+        return found
     matrix = refining_matrix(coarse.nodes, fine.nodes).T
-    found = np.empty((x.shape[0], fine.size))
     found[:, fine.turns :] = x[:, coarse.turns :]
     rotations, to = coarse.split(x)[0], fine.split(found)[0]
     for mesh, finer_mesh, psi, into in zip(coarse.meshes, fine.meshes, rotations, to, strict=True):

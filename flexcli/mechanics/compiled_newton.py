@@ -154,12 +154,13 @@ class _Work(NamedTuple):
 
 
 class _Ends(NamedTuple):
-    """How each design ended, its iterations, lengths of last and second steps, ``bends``."""
+    """How each design ended, its iterations, lengths of last and second steps and of itself."""
 
     end: Integers
     iterations: Integers
     last: Floats
     bend: Floats
+    length: Floats
     bends: Floats
 
 
@@ -211,7 +212,7 @@ class Compiled:
         bends = np.full(len(x), BENDS) if bends is None else bends.copy()
         _, at = _newton(y, share, rows, scale, bends, tolerance, trust, most, self._tables)
         end = np.array(_ENDS, dtype=object)[at.end]
-        return NewtonResult(y, end, at.iterations, at.last, at.bend, bends)
+        return NewtonResult(y, end, at.iterations, at.last, at.bend, bends, at.length)
 
 
 def _blades_of(assembly: Assembly) -> _Blades:
@@ -689,7 +690,7 @@ def _solve_eight(
                 continue
             p, length = first + lane, lengths[0, lane]
             ratio = length / (ends.last[p] if ends.last[p] > 0.0 else 1.0)
-            ends.last[p] = length
+            ends.last[p], ends.length[p] = length, lengths[1, lane]
             unit = min(1.0, max(scale[p], lengths[1, lane]))
             if count > 0:
                 ends.bends[p] = min(ratio, 1.0) ** 2 / (length if length > 0.0 else 1.0)
@@ -728,7 +729,7 @@ def _newton(
     steps = np.zeros((designs, size))
     ends = _Ends(
         np.full(designs, _DIVERGED), np.zeros(designs, np.int64), np.full(designs, np.inf),
-        np.zeros(designs), bends,
+        np.zeros(designs), np.zeros(designs), bends,
     )  # fmt: skip
     work = _Work(
         ends=np.empty((B, 8, LANES)),

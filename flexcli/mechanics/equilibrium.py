@@ -203,4 +203,5 @@ def _solver(assembly: Assembly, designs: int) -> Callable[[Assembly, Demand], _S
 def difference(coarse: Assembly, fine: Assembly, x: Floats, y: Floats, scale: Floats) -> Floats:
     """Return by how much forces and motions at two levels differ, over the largest of each."""
     stretch = fine.slenderness**2 / 12.0
-    return relative_difference(coarse.split(x)[1:], fine.split(y)[1:], stretch, scale)
+    before, after = coarse.forces_and_motions(x), fine.forces_and_motions(y)
+    return relative_difference(before, after, stretch, scale)

@@ -102,7 +102,7 @@ def _about(assembly: Assembly, demand: Demand, x: Floats) -> tuple[Floats, Linea
     return found, LinearSolution(
         motions=body_motions(assembly, found, rows),
         end_forces=blade_forces(assembly, found, rows),
-        reactions=body_forces(assembly, demand.held, residual, rows),
+        reactions=body_forces(assembly, demand.held, residual[:, 3 * assembly.blades :], rows),
         unique=np.all(np.isfinite(step), axis=1),
     )
 

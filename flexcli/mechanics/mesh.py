@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Piece
-from flexcli.mechanics.layout import Layout
+from flexcli.mechanics.layout import Layout, Point
 from flexcli.numerics.collocation import gauss_nodes, integration_matrix
 
 __all__ = [
@@ -24,6 +24,7 @@ __all__ = [
     "across",
     "chosen",
     "column",
+    "drawn",
     "meshes",
     "pick",
     "refined",
@@ -31,6 +32,7 @@ __all__ = [
 ]
 
 Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
 Kind = TypeVar("Kind", np.float64, np.complex128)
 
 SHEAR_FACTOR = 5.0 / 6.0
@@ -131,12 +133,18 @@ def table(numbers: Sequence[Any]) -> Floats:
     return np.ascontiguousarray(np.array(columns).T)
 
 
+def drawn(points: Sequence[Point]) -> Complexes:
+    """Return points as x + iy, side by side: (designs or 1, points)."""
+    if all(isinstance(x, float) and isinstance(y, float) for x, y in points):
+        return np.array([[complex(x, y) for x, y in points]])
+    return np.asarray(table([x for x, _ in points]) + 1j * table([y for _, y in points]))
+
+
 def _lengths(layout: Layout) -> Floats:
     """Return the lengths of the blades (designs or 1, blades) [m]."""
-    dx, dy = (
-        table([blade.end[axis] - blade.start[axis] for blade in layout.blades]) for axis in (0, 1)
-    )
-    return np.asarray(np.hypot(dx, dy))
+    apart = drawn([blade.end for blade in layout.blades])
+    apart = apart - drawn([blade.start for blade in layout.blades])
+    return np.asarray(np.hypot(apart.real, apart.imag))
 
 
 def meshes(layout: Layout, effects: Effects, nodes: int) -> tuple[Mesh, ...]:

@@ -152,7 +152,7 @@ def refined(
             scale=scale, bends=bends, tolerance=_rough(tolerance, 1.0), trust=BENT,
         )  # fmt: skip
         iterations += tried.iterations
-        near = tried.converged & (few.length_of(tried.x, tried.x) <= _NEAR)
+        near = tried.converged & (tried.length <= _NEAR)
         bends = np.where(near, np.clip(_SURE * tried.bends, 1.0, BENDS), BENDS)
         rows, bent, at = np.flatnonzero(near), np.flatnonzero(~near), few
         here, share = tried.x[rows], share[rows]
@@ -166,14 +166,16 @@ def refined(
                 scale=scale[rows], bends=bends[rows], tolerance=_rough(tolerance, _ROUGH),
             )  # fmt: skip
             change = at.changed(fine, here, found.x, scale[rows])
-            found = _ended(fine, found, (change <= tolerance) | last, share, rows, scale, tolerance)
+            small = change <= tolerance
+            found = _ended(fine, found, small | last, share, rows, scale, tolerance)
+            converged = found.converged
             iterations[rows] += found.iterations
             # what Newton's method did not finish is no equilibrium: the coarser stands in for it
-            kept = np.where(found.converged[:, None], found.x, guess)
-            error[rows] = np.where(found.converged, change, np.inf)
+            kept = np.where(converged[:, None], found.x, guess)
+            error[rows] = np.where(converged, change, np.inf)
             nodes[rows] = level
             # a path that ended by turning ends where no digit is sure
-            done = (found.converged & (change <= tolerance)) | (share < 1.0)
+            done = (converged & small) | (share < 1.0)
             _keep(parts, fine, done | last, kept, share, rows)
             _keep(before, at, done | last, here, share, rows)
             for i in rows[~done & (share == 1.0)] if last else ():
@@ -228,7 +230,7 @@ def _ended(
     tolerance: float,
 ) -> NewtonResult:
     """Return what Newton's method found, gone on with where it is the ``last`` and still rough."""
-    size = np.minimum(1.0, np.maximum(scale[rows], at.length_of(found.x, found.x)))
+    size = np.minimum(1.0, np.maximum(scale[rows], found.length))
     rough = found.bends * found.last_step**2 > _NEWTON * tolerance * size
     rough &= last & found.converged
     if not rough.any():
@@ -271,7 +273,9 @@ def _keep(
     share: Floats,
     rows: Integers,
 ) -> None:
-    if np.any(which):
+    if which.all():
+        parts.append(Reached(at, rows, x, share))
+    elif which.any():
         parts.append(Reached(at, rows[which], x[which], share[which]))
 
 

@@ -31,11 +31,11 @@ def blade_forces(assembly: Assembly, x: Floats, rows: Integers) -> Floats:
     return forces
 
 
-def body_forces(assembly: Assembly, held: Integers, residual: Floats, rows: Integers) -> Floats:
-    """Return the residual on the held coordinates as forces on bodies (designs, bodies, 3)."""
-    row = np.zeros((residual.shape[0], 3 * assembly.bodies))
-    row[:, held] = residual[:, 3 * assembly.blades + held]
-    reaction = row.reshape(residual.shape[0], -1, 3)
+def body_forces(assembly: Assembly, held: Integers, left: Floats, rows: Integers) -> Floats:
+    """Return what is left on the held coordinates as forces on bodies (designs, bodies, 3)."""
+    row = np.zeros_like(left)
+    row[:, held] = left[:, held]
+    reaction = row.reshape(len(left), -1, 3)
     reaction *= pick(assembly.force, rows)[:, None, None]
     reaction[..., 2] *= pick(assembly.length, rows)[:, None]
     return reaction

@@ -15,6 +15,7 @@ from flexcli.mechanics.inertia_count import inertia_count
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.si import blade_forces, body_forces, body_motions
+from flexcli.mechanics.statics import balance
 
 __all__ = ["Equilibrium", "Part"]
 
@@ -34,6 +35,11 @@ class Part(NamedTuple):
     def linearise(self) -> Linearised:
         """Return the equations about the solution."""
         return self.assembly.linearise(self.x, self.share, self.rows, self.demand)
+
+    def reactions(self) -> Floats:
+        """Return what holds each body [N, N, N·m], zero on free coordinates."""
+        left = balance(self.assembly, self.demand, self.x, self.share, self.rows)
+        return body_forces(self.assembly, self.demand.held, left, self.rows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,9 +149,4 @@ class Equilibrium:
 
         Zero on free coordinates.
         """
-        return self.scatter(
-            [
-                body_forces(part.assembly, part.demand.held, at.residual, part.rows)
-                for part, at in zip(self.parts, self.linearised, strict=True)
-            ]
-        )
+        return self.scatter([part.reactions() for part in self.parts])

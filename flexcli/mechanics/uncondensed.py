@@ -13,6 +13,7 @@ Unknowns and equations are in this order: rotations at the nodes, end moments of
 rotations of the bodies; forces of the blades, positions of the bodies, x and y of each in turn.
 """
 
+import functools
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -158,8 +159,9 @@ class Uncondensed:
         """Return the length of a step [-] (``Assembly.length_of``)."""
         k_f = slice(self._turns, self._turns + 3 * self._blades)
         size = np.abs(step[0])
-        size[k_f] /= FORCE + np.abs(x[0, k_f]).max(initial=0.0)
-        return np.asarray(size.max(keepdims=True))
+        pulled = size[k_f] if x is step else np.abs(x[0, k_f])
+        size[k_f] /= FORCE + np.maximum.reduce(pulled)
+        return np.maximum.reduce(size, keepdims=True)
 
     def _apply_force(
         self, force: Force, share: float, moved: Complexes, r: Floats, J: Floats
@@ -232,17 +234,45 @@ def _ends_of(assembly: Assembly) -> _Ends:
     return _Ends(assembly.first, begins, weight, along, reach, misfit, arm, linear)
 
 
+class _Pattern(NamedTuple):
+    """Which blade each node is ``of``, as a matrix too, and where x stands: names as in _Nodes."""
+
+    of: Integers
+    one: Floats
+    spread: Complexes
+    order: Integers
+    back: Integers
+
+
+@functools.cache
+def _pattern(counts: tuple[tuple[tuple[int, ...], int], ...], n: int) -> _Pattern:
+    """Return that of n bodies and of blades, mesh by mesh, with so many nodes each."""
+    of = np.concatenate([np.repeat(blades, K) for blades, K in counts])
+    B, turns = sum(len(blades) for blades, _ in counts), of.size
+    blades, bodies = np.arange(B), np.arange(n)
+    one = (of[:, None] == blades).astype(np.float64)
+    force = turns + B + n + 2 * blades
+    place = turns + 3 * B + n + 2 * bodies
+    back = [
+        np.arange(turns),
+        np.stack([force, force + 1, turns + blades], axis=1).ravel(),
+        np.stack([place, place + 1, turns + B + bodies], axis=1).ravel(),
+    ]
+    to = np.concatenate(back)
+    return _Pattern(of, one, one.astype(complex), np.argsort(to), to)
+
+
 def _nodes_of(assembly: Assembly, ends: _Ends) -> _Nodes:
     """Return the nodes of a layout's blades and the constant parts of its equations."""
     B, n, turns, size = assembly.blades, assembly.bodies, assembly.turns, assembly.size
     top = turns + B + n
-    of, nodes = np.empty(turns, dtype=np.intp), np.empty((6, turns))
-    by_f, end_turn = np.zeros((top, turns)), np.empty(B)
+    counts = tuple((mesh.blades, mesh.nodes) for mesh in assembly.meshes)
+    of, one, spread, order, back = _pattern(counts, n)
+    nodes, by_f, end_turn = np.empty((6, turns)), np.zeros((top, turns)), np.empty(B)
     last = 0
     for mesh in assembly.meshes:
         K, first = mesh.nodes, last
         last += K * len(mesh.blades)
-        of[first:last].reshape(-1, K)[...] = np.array(mesh.blades)[:, None]
         each = (mesh.w, mesh.axial, mesh.shear, mesh.rho, mesh.turn, mesh.far_turn)
         for row, values in zip(nodes, each, strict=True):
             row[first:last].reshape(-1, K)[...] = values[0]
@@ -251,40 +281,31 @@ def _nodes_of(assembly: Assembly, ends: _Ends) -> _Nodes:
             by_f[here, here] = mesh.A[0, min(i, mesh.A.shape[1] - 1)]
         end_turn[list(mesh.blades)] = mesh.end_turn[0]
     w, axial, shear, rho, turn, far_turn = nodes
-    one = (of[:, None] == np.arange(B)).astype(np.float64)
     sums = one * w[:, None]
     chord = ends.along * sums.sum(axis=0)
     by_f[turns : turns + B] = one.T * far_turn
-    by_f[turns + B :] = (ends.begins * ends.weight)[:, of] * w
+    by_f[turns + B :] = (ends.begins * ends.weight) @ sums.T
     linear = np.zeros((size, size))
     linear[turns:, turns:] = ends.linear
-    linear.reshape(-1)[: (turns + B) * (size + 1) : size + 1] = np.append(np.ones(turns), -end_turn)
+    diagonal = linear.reshape(-1)[:: size + 1]
+    diagonal[:turns], diagonal[turns : turns + B] = 1.0, -end_turn
     linear[:turns, turns : turns + B] = -turn[:, None] * one
     still = linear.copy()
-    still[:turns, turns + B : top] = -ends.begins.T[of]
-    forces = slice(top * (size + 1), (top + 2 * B) * (size + 1), size + 1)
-    still.reshape(-1)[forces] = np.repeat(-0.5 * ((axial + shear) @ sums), 2)
-    blades, bodies = np.arange(B), np.arange(n)
-    x_force, x_place = top + 2 * blades, top + 2 * B + 2 * bodies
-    to = np.concatenate(
-        [
-            np.arange(turns),
-            np.stack([x_force, x_force + 1, turns + blades], axis=1).ravel(),
-            np.stack([x_place, x_place + 1, turns + B + bodies], axis=1).ravel(),
-        ]
-    )
+    still[:turns, turns + B : top] = -one @ ends.begins.T
+    soft = still.reshape(-1)[:: size + 1][top : top + 2 * B].reshape(B, 2)
+    soft[...] = -0.5 * ((axial + shear) @ sums)[:, None]
     return _Nodes(
         of=of,
         axial=axial,
         shear=np.asarray(1j * shear, complex),
         rho=rho,
-        spread=one.astype(complex),
+        spread=spread,
         sums=sums,
         by_f=by_f,
         chord=chord,
         arm=ends.arm - ends.begins * (ends.reach - chord),
         linear=linear,
         still=still,
-        order=np.argsort(to),
-        back=to,
+        order=order,
+        back=back,
     )

@@ -46,7 +46,7 @@ class NewtonResult(NamedTuple):
 
     ``bend`` is the length of the second step, zero where the first was enough; ``last_step`` that
     of the last, ``bends`` what a step is over the square of the one before: the next would be
-    ``bends last_step²``.
+    ``bends last_step²``. ``length`` is that of the last point that a step led to.
     """
 
     x: Floats
@@ -55,6 +55,7 @@ class NewtonResult(NamedTuple):
     last_step: Floats
     bend: Floats
     bends: Floats
+    length: Floats
 
     @property
     def converged(self) -> NDArray[np.bool_]:
@@ -113,12 +114,15 @@ def newton(
     Deuflhard (2011), Newton Methods for Nonlinear Problems, sections 2.1 and 5.1.
 
     """
+    if len(start) == 1:
+        least, bent = (0.0 if scale is None else scale[0]), (BENDS if bends is None else bends[0])
+        return _of_one(step, length, start, tolerance, least, bent, trust, most)
     x = start.copy()
     designs = x.shape[0]
     end = np.full(designs, Outcome.STALLED, dtype=object)
     iterations = np.full(designs, most, dtype=np.intp)
     last = np.full(designs, np.inf)
-    bend = np.zeros(designs)
+    bend, lengths = np.zeros(designs), np.zeros(designs)
     bends = np.full(designs, BENDS) if bends is None else bends.copy()
     # of the designs that go on: points, lengths of the last steps and what they are over squares
     rows, y, before, bent = np.arange(designs), x, last, bends
@@ -151,7 +155,8 @@ def newton(
         if longest > REACH:
             s = s * np.minimum(1.0, REACH / np.maximum(size, REACH))[:, None]
         y = y + s
-        unit = np.minimum(1.0, np.maximum(least, length(y, y)))
+        lengths[rows] = length(y, y)
+        unit = np.minimum(1.0, np.maximum(least, lengths[rows]))
         if count > 0:
             ratio = size / before
             bent = np.minimum(ratio, 1.0) ** 2 / np.maximum(size, _TINY)
@@ -171,4 +176,46 @@ def newton(
             y, before, bent, least = (each[kept] for each in (y, before, bent, least))
         if rows.size == 0:
             break
-    return NewtonResult(x, end, iterations, last, bend, bends)
+    return NewtonResult(x, end, iterations, last, bend, bends, lengths)
+
+
+def _of_one(
+    step: Callable[[Floats, Integers], Floats],
+    length: Callable[[Floats, Floats], Floats],
+    x: Floats,
+    tolerance: float,
+    least: float,
+    bends: float,
+    trust: float,
+    most: int,
+) -> NewtonResult:
+    """Return the same of a single design, without the arrays that keep many apart."""
+    alone, end, count = np.arange(1), Outcome.STALLED, 0
+    last, bend, restless, far = np.inf, 0.0, 0, 0.0
+    with np.errstate(all="ignore"):
+        for count in range(1, most + 1):
+            s = step(x, alone)
+            size = float(length(x, s)[0])
+            if count == 2:
+                bend = size
+            if not size < np.inf:
+                end = Outcome.SINGULAR
+                break
+            if count > 1 and trust < np.inf and size > min(trust, max(CONTRACTION * last, FLOOR)):
+                end = Outcome.OFF_PATH
+                break
+            x = x + (s if size <= REACH else s * (REACH / size))
+            far = float(length(x, x)[0])
+            unit, ratio = min(1.0, max(least, far)), size / last
+            if count > 1:
+                bends = min(ratio, 1.0) ** 2 / max(size, _TINY)
+                restless = restless + 1 if ratio > 1.0 else 0
+            last = size
+            small = count > 1 and size <= FLOOR * unit and ratio > 0.5
+            if small or bends * size**2 <= tolerance * unit:
+                end = Outcome.CONVERGED
+                break
+            if restless >= RESTLESS:
+                break
+    numbers = (np.array([each]) for each in (last, bend, bends, far))
+    return NewtonResult(x, np.array([end], dtype=object), np.array([count]), *numbers)

@@ -30,6 +30,20 @@ def test_each_design_ends_by_itself():
     assert found.iterations[2] < found.iterations[0]
 
 
+@pytest.mark.parametrize("trust", [np.inf, 0.3])
+def test_a_design_ends_alone_as_beside_others(trust):
+    targets = np.array([2.0, -1.0, 9.0, 5.0, 4.0, 1e30])
+    start = np.array([[1.0], [0.7], [2.9], [0.0], [2.0], [1.0]])
+    how = {"tolerance": 1e-12, "trust": trust, "most": 12}
+    scale = np.linspace(0.0, 1.0, 6)
+    together = newton(square_root(targets), length, start, scale=scale, **how)
+    for i in range(targets.size):
+        own = slice(i, i + 1)
+        alone = newton(square_root(targets[own]), length, start[own], scale=scale[own], **how)
+        for mine, theirs in zip(alone, together, strict=True):
+            assert np.array_equal(mine, theirs[own])
+
+
 def test_convergence_is_quadratic():
     sizes = []
 
