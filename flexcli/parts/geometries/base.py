@@ -1,4 +1,4 @@
-"""What every joint and stage offers: its stiffness, stresses and loads in terms of its sizes."""
+"""The interface of joints and stages: stiffness, stresses and loads in terms of the sizes."""
 
 from abc import abstractmethod
 from collections.abc import Mapping
@@ -47,7 +47,7 @@ BEAM_EFFECTS = {
     EffectName.ANTICLASTIC: "curling",
     EffectName.WARPING: "warping",
 }
-"""What of blades in space a spec may leave out, and how beams call it."""
+"""Effects of blades in space that a spec may leave out, by their names for beams."""
 
 AT_REST = frozenset({QuantityKind.STIFFNESS, QuantityKind.FREQUENCY, QuantityKind.SAG})
 """Kinds of numbers that closed forms state at rest, whatever the travel."""
@@ -56,10 +56,10 @@ FOLLOWS = {
     QuantityKind.FREQUENCY: (QuantityKind.STIFFNESS,),
     QuantityKind.SAG: (QuantityKind.STIFFNESS,),
 }
-"""Kinds of numbers that come of another: where that is not known, they are not."""
+"""Kinds of numbers that follow from another: they are unknown where that one is."""
 
 TRAVELS = frozenset({"theta", "x/l"})
-"""Quantities of a range that the next order of a closed form extends."""
+"""Quantities whose range of validity the next order of a closed form extends."""
 
 FORMULAS = (
     "axial_share", "axial_stress", "bending", "blade", "cards", "clearances", "critical",
@@ -67,7 +67,7 @@ FORMULAS = (
     "sag_bends_width", "sag_stiffness", "stiffness", "stroke_stresses", "thick_notches",
     "twisting_bars", "validity", "values", "volume", "wide_blades",
 )  # fmt: skip
-"""What a joint states of the body that its layout draws: it holds for no other drawing."""
+"""Methods that state a joint's formulas, which hold for the body drawn by its own layout only."""
 
 ACROSS_WIDTH = "across the width"
 """How a blade buckles out of the plane."""
@@ -97,17 +97,17 @@ class Blade(NamedTuple):
 
 
 Held: TypeAlias = tuple[float | None, float | None, float | None]
-"""Motion (x, y, φ) that a stroke imposes on the moving body; what is free is nothing."""
+"""Motion (x, y, φ) that a stroke imposes on the moving body; None where it is free."""
 
 Sizes: TypeAlias = Any
 """A named tuple of the dimensions that sizing may choose, like :class:`Blade`."""
 
 
 class Critical(NamedTuple):
-    """A critical force [N], on one blade or on a joint: the way it buckles, and its source.
+    """A critical force [N], on one blade or on a joint: its buckling mode, and its source.
 
     ``stress`` is the largest axial stress in a blade per critical force [1/m²], ``error`` that of
-    the force where it is known, ``carries`` names the effects that are in it.
+    the force where it is known, ``carries`` the effects that it includes.
     """
 
     way: str
@@ -180,8 +180,8 @@ class Geometry(Part):
     """A joint or stage whose sizes may be given or free.
 
     A class that draws a layout of its own states its own formulas, or names among its bases the
-    classes that it takes them from, which draw nothing: what another joint states of its own body
-    is not handed down. What nobody states is not available.
+    classes that it takes them from, which draw nothing: formulas of another joint's body are not
+    inherited. A formula that no class states is not available.
     """
 
     motion: ClassVar[str]
@@ -196,31 +196,34 @@ class Geometry(Part):
     validity: ClassVar[tuple[Range, ...]] = ()
     """Where its closed forms hold, in terms of :meth:`ratios`."""
     extends: ClassVar[Mapping[str, float]] = {}
-    """How far a correction reaches beyond the range of a formula, by what the range is of."""
+    """Factor by which a correction extends a formula's range of validity, by the range's
+    quantity."""
     closed_forms: ClassVar[bool] = True
-    """Whether it has closed forms at all; else the exact model judges it unless told otherwise."""
+    """Whether it has closed forms at all; if not, the exact model judges it unless told
+    otherwise."""
     posynomial: ClassVar[bool] = True
-    """Whether its closed forms are arithmetic that signomials can take part in."""
+    """Whether its closed forms accept signomials."""
     is_linear: ClassVar[bool] = True
     """Whether its stresses grow in proportion to its travel."""
     strain: ClassVar[str] = "bending"
-    """What strains it when it moves."""
+    """Name of its strain, bending or shear, in reports."""
     sag_bends_width: ClassVar[bool] = False
-    """Whether the sag bends the blades across their width."""
+    """Whether its sag bends the blades across their width."""
     in_space: ClassVar[bool] = False
     """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
     has_plane: ClassVar[bool] = True
-    """Whether forces bend it in a plane as its stroke does; bars along an axis only turn there."""
+    """Whether forces bend it in a plane as its stroke does; bars along an axis only twist."""
     _omitted: frozenset[EffectName] = PrivateAttr(frozenset())
 
     turns_freely: ClassVar[bool] = False
-    """Whether its formulas leave the body free to turn as it moves, which a case may not."""
+    """Whether its formulas assume a body that turns freely as it moves, which a case may
+    prevent."""
     keeps_level: ClassVar[bool] = False
-    """Whether its closed forms take the body as kept from turning, however far apart its blades
-    stand."""
+    """Whether its closed forms assume a body kept from turning, whatever the distance of its
+    blades."""
 
     def __init_subclass__(cls, **options: Any) -> None:
-        """Refuse formulas that another joint states of a body drawn otherwise."""
+        """Refuse formulas inherited from a joint that draws another body."""
         super().__init_subclass__(**options)
         if "layout" not in vars(cls):
             return
@@ -238,11 +241,11 @@ class Geometry(Part):
 
     @property
     def omitted(self) -> frozenset[EffectName]:
-        """Return the effects that its formulas, and its blades in space, are without."""
+        """Return the effects left out of its formulas and its blades in space."""
         return self._omitted
 
     def omitting(self, effects: frozenset[EffectName]) -> Self:
-        """Return it without effects of ``BEAM_EFFECTS``, and with those that are not named."""
+        """Return it with exactly the named effects of ``BEAM_EFFECTS`` left out."""
         if effects == self._omitted:
             return self
         copied = self.model_copy()
@@ -265,7 +268,7 @@ class Geometry(Part):
         return tuple(name for name, extent in self.extents.items() if extent.fixed is None)
 
     def label(self, name: str) -> str:
-        """Return what a size is, in words."""
+        """Return the name of a size, in words."""
         return self.labels[name]
 
     def place(self, name: str) -> tuple[str, ...]:
@@ -273,15 +276,15 @@ class Geometry(Part):
         return "geometry", name
 
     def dimension(self, name: str) -> str:
-        """Return what a size measures."""
+        """Return the dimension of a size."""
         return "length"
 
     def drawn(self, sizes: Sizes) -> tuple["Geometry", Sizes]:
-        """Return it and its sizes as they are where parameters of a drawing have values."""
+        """Return it and its sizes as drawn at given values of its free parameters."""
         return self, sizes
 
     def in_the_middle(self) -> "Geometry":
-        """Return it as it is in the middle of the ranges of a drawing's free parameters."""
+        """Return it as drawn in the middle of the ranges of its free parameters."""
         return self
 
     def sized(self, values: Mapping[str, Quantity]) -> Sizes:
@@ -309,7 +312,7 @@ class Geometry(Part):
 
     @property
     def moving_name(self) -> str:
-        """Return how a spec calls the body that its layout calls ``moving``."""
+        """Return the spec's name for the body that its layout calls ``moving``."""
         return MOVING
 
     @property
@@ -376,7 +379,7 @@ class Geometry(Part):
         )
 
     def joint_of(self, place: str) -> str:
-        """Return the joint that a place of the stress belongs to, where there are several."""
+        """Return the joint of a place of stress, where there are several."""
         return ""
 
     @abstractmethod
@@ -388,7 +391,7 @@ class Geometry(Part):
         """Return the ratios of its shape, such as l/h and b/h, that can be bounded [-]."""
 
     def fits(self, sizes: Sizes) -> tuple[tuple[str, Computed, Computed], ...]:
-        """Return what must be no longer than what, for the joint to exist, in words and [m]."""
+        """Return pairs of lengths, the first no longer than the second in any real joint [m]."""
         return ()
 
     def thicknesses(self, sizes: Sizes) -> dict[str, Computed]:
@@ -408,7 +411,7 @@ class Geometry(Part):
         return {}
 
     def clearances(self, sizes: Sizes) -> tuple[tuple[str, Computed], ...]:
-        """Return what stands between blades, in words, and how much room is left there [m]."""
+        """Return the clearances between blades, with their names [m]."""
         return ()
 
     def axial_share(self, direction: float) -> float:
@@ -441,21 +444,21 @@ class Geometry(Part):
         return None
 
     def s_bending_share(self, sizes: Sizes) -> float:
-        """Return the part of the stiffness that is S-shaped bending, which shear softens [-]."""
+        """Return the part of the stiffness that is S-shaped bending, which shear reduces [-]."""
         return 0.0
 
     def bending(self, elastic: Elastic, sizes: Sizes, travel: float) -> Bending:
-        """Return how its blades bend at a travel: what closed forms leave out.
+        """Return the bending of its blades at a travel, for the effects left out.
 
-        Unknown until a joint says it of its own formulas.
+        Unknown unless a joint gives it for its own formulas.
         """
         return NotEstimated(travel=travel)
 
     def is_known(self, elastic: Elastic, sizes: Sizes, travel: float, kind: QuantityKind) -> bool:
-        """Return whether what the closed form of a kind leaves out is known at a travel.
+        """Return whether the error of a kind's closed form is known at a travel.
 
-        It is not where the joint has no estimates, and where the design leaves the range of the
-        formula: as far as its next order reaches, a range of the travel is extended.
+        It is not where the joint has no estimates, nor outside the formula's range of validity; a
+        range of the travel is extended as far as its next order reaches.
         """
         bending = self.bending(elastic, sizes, travel)
         if not bending.is_estimate:
@@ -473,17 +476,17 @@ class Geometry(Part):
 
     @abstractmethod
     def wide_blades(self, sizes: Sizes, nu: float) -> WideBlades | None:
-        """Return what the width of its blades changes, ν the material's Poisson's ratio or ½.
+        """Return the changes by the width of its blades, ν the material's Poisson's ratio or ½.
 
-        Nothing where nothing of it bends across its thickness.
+        None where no part of it bends across its thickness.
         """
 
     def thick_notches(self, sizes: Sizes) -> Thick | None:
-        """Return what plane elasticity changes in its notch hinges, nothing where it has none."""
+        """Return the changes by plane elasticity in its notch hinges, None where it has none."""
         return None
 
     def compliant_clamps(self, sizes: Sizes, nu: float) -> CompliantClamps | None:
-        """Return what its blades' roots change as they give way, nothing where none is told to."""
+        """Return the changes by the compliance of its blades' roots, None for rigid clamps."""
         return None
 
     def fillet(self, sizes: Sizes) -> Computed:
@@ -491,22 +494,22 @@ class Geometry(Part):
         return 0.0
 
     def filleted(self, sizes: Sizes, nu: float) -> FilletedRoots | None:
-        """Return what fillets change in its closed forms, nothing where they know of none."""
+        """Return the changes by fillets of its closed forms, None where these include them."""
         return None
 
     def joint_deflections(self, inputs: Floats) -> Mapping[str, tuple[str, Floats]]:
         """Return unit and deflections of every joint that an input moves [rad or m], by name.
 
-        Nothing where it is one joint. Links are taken as rigid.
+        Empty where it is one joint. Links are taken as rigid.
         """
         return {}
 
     def with_compliant_clamps(self) -> "Geometry | None":
-        """Return it cut from one piece with its bodies where nothing says how its blades end."""
+        """Return it cut from one piece with its bodies where the spec does not state its clamps."""
         return None
 
     def has_blades_of(self, other: "Geometry") -> bool:
-        """Return whether another has the same bodies and blades, which may end otherwise."""
+        """Return whether another has the same bodies and blades, whatever their end conditions."""
         if self is other:
             return True
         mine, theirs = self.with_compliant_clamps(), other.with_compliant_clamps()
@@ -514,7 +517,7 @@ class Geometry(Part):
 
     @property
     def unstated(self) -> tuple[str, ...]:
-        """Return the optional keys that would tell finer models more and the spec does not give."""
+        """Return the optional keys that finer models need and the spec does not give."""
         return self.layout_lacks
 
     @property
@@ -524,11 +527,11 @@ class Geometry(Part):
 
     @property
     def layout_lacks(self) -> tuple[str, ...]:
-        """Return the optional keys without which it has closed forms, but no layout."""
+        """Return the optional keys that a layout needs and closed forms do not."""
         return tuple(key for key in LAYOUT_KEYS if getattr(self, key, "") is None)
 
     def twisting_bars(self, sizes: Sizes) -> TwistingBars | None:
-        """Return the bars whose twist is its motion, where it has no other blades."""
+        """Return the bars whose torsion is its motion, where it has no other blades."""
         return None
 
     def parasitic_shift(self, sizes: Sizes, travel: float) -> Computed:
@@ -551,7 +554,7 @@ class Geometry(Part):
         raise NotAvailable(f"has no closed form for its stiffness along {axis}")
 
     def slenderness(self, sizes: Sizes) -> float | None:
-        """Return thickness over length of the blade that is thickest against its own [-]."""
+        """Return thickness over length of the stockiest blade [-]."""
         blade = self.blade(sizes)
         return None if blade is None else number(blade.h / blade.l)
 
@@ -560,13 +563,13 @@ class Geometry(Part):
         return number(sizes.l)
 
     def indicators(self, sizes: Sizes, travel: float) -> dict[str, Computed]:
-        """Return what the validity of its closed forms is stated in, at the largest travel."""
+        """Return the quantities of its closed forms' ranges of validity, at the largest travel."""
         return self.ratios(sizes)
 
     def ranges(self, kind: QuantityKind | None = None) -> tuple[Range, ...]:
-        """Return where its closed forms hold, those of one kind of number or all.
+        """Return the validity of its closed forms, for one kind of number or all.
 
-        They are its own and those that ``explain`` prints with its formulas.
+        The ranges are its own and those that ``explain`` prints with its formulas.
         """
         of_cards = [
             limits._replace(kind=card.kind)
@@ -582,10 +585,10 @@ class Geometry(Part):
     def outside_validity(
         self, sizes: Sizes, travel: float, kind: QuantityKind | None = None
     ) -> list[tuple[Range, float]]:
-        """Return the ranges that a design leaves at a travel, each with where it is.
+        """Return the ranges of validity that a design leaves at a travel, each with its value.
 
-        The one source for what is warned of and for what nobody judges by: the closed forms of
-        ``kind`` have no known error outside of theirs.
+        Both warnings and verdicts use it: the closed forms of ``kind`` have no known error outside
+        of theirs.
         """
         at = {name: number(value) for name, value in self.indicators(sizes, travel).items()}
         return [(limits, at[limits.quantity]) for limits in outside(self.ranges(kind), at)]
@@ -600,11 +603,11 @@ class Geometry(Part):
         raise NotAvailable("is not made of straight blades in a plane")
 
     def plane_layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
-        """Return the layout for what stays in its plane, where ideal joints may guide bodies."""
+        """Return the layout for loads in its plane, where ideal joints may guide bodies."""
         return self.layout(elastic, sizes)
 
     def blades_layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
-        """Return the layout for what the distance between guiding blades plays no part in.
+        """Return the layout for numbers that do not depend on the distance between guiding blades.
 
         Where the spec does not state it, they are as far apart as long.
         """
@@ -616,8 +619,8 @@ class Geometry(Part):
     def space_layout(self, elastic: Elastic, sizes: Sizes, density: float = 0.0) -> "SpaceLayout":
         """Return the joint as bodies and blades in space, its plane being z = 0.
 
-        Its base is the ground; the drive tells its moving body and its motion. ``density`` is that
-        of the blades [kg/m³]. Its blades are without the effects that are left out.
+        Its base is the ground; the drive names its moving body and its motion. ``density`` is that
+        of the blades [kg/m³]. The effects left out are left out of its blades.
         """
         layout = self.laid_in_space(elastic, sizes, density)
         if not self._omitted:
@@ -627,7 +630,7 @@ class Geometry(Part):
         return without(layout, *(BEAM_EFFECTS[name] for name in self._omitted))
 
     def laid_in_space(self, elastic: Elastic, sizes: Sizes, density: float) -> "SpaceLayout":
-        """Return bodies and blades in space that feel everything."""
+        """Return bodies and blades in space with all effects."""
         from flexcli.mechanics.space.planar import from_plane
 
         layout = self.layout(elastic, sizes)
@@ -636,7 +639,7 @@ class Geometry(Part):
         return from_plane(layout, MOVING, turns=self.motion == "rotation", density=density)
 
     def has_limbs(self, elastic: Elastic, sizes: Sizes) -> bool:
-        """Return whether rigid parts between hinges move that have no stated mass."""
+        """Return whether rigid parts of unstated mass move between its hinges."""
         for blade in self.blades_layout(elastic, sizes).blades:
             l = hypot(*np.subtract(blade.end, blade.start))
             ends = [np.ravel(piece.position(PIECE)) for piece in blade.profile.pieces(l)]
@@ -652,7 +655,7 @@ class Geometry(Part):
         return moving
 
     def held(self, travel: float) -> Held:
-        """Return what a stroke imposes on the moving body of the layout."""
+        """Return the motion of the moving body that a stroke imposes."""
         return (None, None, travel) if self.motion == "rotation" else (None, travel, None)
 
     @property
@@ -661,5 +664,5 @@ class Geometry(Part):
         return self.motion == "translation" and self.held(0.0)[2] is not None
 
     def values(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Value]:
-        """Return its own numbers worth reporting, at the largest travel."""
+        """Return the joint's own numbers for reports, at the largest travel."""
         return {}

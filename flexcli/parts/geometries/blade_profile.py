@@ -1,4 +1,4 @@
-"""The thickness of a blade as a spec draws it; where it is thinnest may be left to sizing."""
+"""The thickness of a blade as a spec draws it; its least thickness may be left to sizing."""
 
 from abc import abstractmethod
 from itertools import pairwise
@@ -28,7 +28,7 @@ class BladeProfile(Part):
 
     @property
     def extent(self) -> Extent | None:
-        """Return the thickness that may be chosen, nothing where the profile fixes all."""
+        """Return the thickness that may be chosen, None where the profile fixes it."""
         found: Extent = getattr(self, self.symbol)
         return found
 
@@ -41,15 +41,15 @@ class BladeProfile(Part):
         return size
 
     def radius(self, l: float) -> float:
-        """Return the radius where the shape ends in a body, or of its throat; 0 if sharp [m]."""
+        """Return the radius where the shape meets a body, or of its throat; 0 if sharp [m]."""
         return 0.0
 
     def peaks(self, size: Any, l: float) -> tuple[Computed, Computed]:
-        """Return by what the shape raises the stress in bending and along the blade."""
+        """Return the stress concentration factors of the shape in bending and along the blade."""
         return 1.0, 1.0
 
     def thick(self, size: Numbers, l: float) -> Thick | None:
-        """Return what plane elasticity changes in it, where it is a notch or has fillets."""
+        """Return its change by plane elasticity, where it is a notch or has fillets."""
         return None
 
     def turn(self, size: Numbers, l: float) -> float:
@@ -58,7 +58,7 @@ class BladeProfile(Part):
         return 1.0 / number(C[..., 2, 2])
 
     def misfit(self, l: float) -> str:
-        """Return why the profile does not fit on a length [m], nothing where it does."""
+        """Return why the profile does not fit on a length [m], empty where it does."""
         return ""
 
 
@@ -181,7 +181,7 @@ class TabulatedProfile(BladeProfile):
 
     @property
     def extent(self) -> None:
-        """Return nothing: the table fixes the thickness."""
+        """Return None: the table fixes the thickness."""
         return
 
     def shape(self, size: Any) -> shapes.Profile:

@@ -1,4 +1,4 @@
-"""What joints and stages of equal blades of constant thickness have in common."""
+"""Joints and stages of equal blades of constant thickness: sizes, fillets, clamps."""
 
 from abc import abstractmethod
 from collections.abc import Mapping
@@ -46,7 +46,7 @@ class ClampedBlades(Geometry):
     """
 
     def compliant_clamps(self, sizes: Sizes, nu: float) -> CompliantClamps | None:
-        """Return what roots in one piece with bodies change, and fillets beyond their beam."""
+        """Return the changes by roots in one piece with bodies, and fillets beyond their beam."""
         is_rigid, radius = self.clamps in (None, "rigid"), number(self.fillet(sizes))
         if is_rigid and not radius:
             return None
@@ -60,21 +60,21 @@ class ClampedBlades(Geometry):
         )
 
     def with_compliant_clamps(self) -> Geometry | None:
-        """Return it cut from one piece where nothing is said of its clamps."""
+        """Return it cut from one piece where the spec does not state its clamps."""
         return None if self.clamps else self.model_copy(update={"clamps": "monolithic"})
 
     def radii(self, sizes: Sizes) -> dict[str, Computed]:
-        """Return that of its roots where they are cut from one piece, or have fillets."""
+        """Return the radii of its roots where they are cut from one piece, or have fillets."""
         is_cut = self.clamps not in (None, "rigid")
         radius = self.fillet(sizes)
         has_fillets = isinstance(radius, Signomial) or bool(np.any(radius))
         return {"the roots": radius} if is_cut or has_fillets else {}
 
     def shift_change(self, sizes: Sizes, pure: float, bent: float) -> float | None:
-        """Return the change of its shift, as a share, by how blades shorten.
+        """Return the relative change of its shift by the shortening of its blades.
 
-        ``pure`` and ``bent`` are how much more they do when bent to an arc and to an S, as shares
-        too. Nothing where it is not known.
+        ``pure`` and ``bent`` are the relative increases of the shortening when bent to an arc and
+        to an S. None where it is not known.
         """
         return None
 
@@ -125,7 +125,7 @@ class BladeGeometry(ClampedBlades):
         return 0.0 if self.root_radius is None else sizes.root_radius
 
     def sharp(self) -> "BladeGeometry":
-        """Return it without fillets, as closed forms take it."""
+        """Return it without fillets, as closed forms assume."""
         return self.model_copy(update={"root_radius": None})
 
     def strip(
@@ -144,9 +144,9 @@ class BladeGeometry(ClampedBlades):
         return Strip(name, *bodies, *ends, Filleted(per_design(h), radius), b, z, self.peaks(sizes))
 
     def peaks(self, sizes: Blade) -> tuple[Computed, Computed]:
-        """Return by what its fillets raise the stress in bending and along a blade.
+        """Return the stress concentration factors of its fillets in bending and along a blade.
 
-        A choice of sizes takes the nominal stress, and is corrected to it by slope and value.
+        A choice of sizes takes the nominal stress, and is corrected to the peak by slope and value.
         """
         at = {"h": sizes.h, "l": sizes.l, "r": self.fillet(sizes)}
         if self.root_radius is None or any(isinstance(size, Signomial) for size in at.values()):
@@ -156,7 +156,7 @@ class BladeGeometry(ClampedBlades):
         return bending_factor(**at), axial_factor(**at)
 
     def filleted(self, sizes: Blade, nu: float) -> FilletedRoots | None:
-        """Return what its fillets change in its closed forms."""
+        """Return the changes of its closed forms by its fillets."""
         if self.root_radius is None:
             return None
         from flexcli.parts.bending.filleted import filleted_roots

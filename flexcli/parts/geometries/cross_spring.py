@@ -82,7 +82,7 @@ class CrossSpringPivot(PairFormulas, BladePivot):
         return self.p if self.p is not None else self.delta * sizes.l
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in; for its shift only where it turns."""
+        """Return the quantities of its validity; those of its shift only where it turns."""
         found = super().indicators(sizes, travel)
         if travel == 0.0:
             return found

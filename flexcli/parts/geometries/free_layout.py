@@ -1,4 +1,4 @@
-"""Layout: a mechanism that the spec draws itself, as rigid bodies and the blades between them."""
+"""Layout: a mechanism drawn in the spec, as rigid bodies and the blades between them."""
 
 from math import cos, pi, sin
 from typing import Annotated, Any, ClassVar, Literal
@@ -36,7 +36,7 @@ from flexcli.parts.geometries.redrawn import Drawn
 __all__ = ["FreeLayout"]
 
 _NODES = 24
-"""Gauss nodes on a piece of a blade for its volume: rounding for every profile."""
+"""Gauss nodes on a piece of a blade for its volume, exact to rounding for every profile."""
 
 
 class FreeLayout(Drawn, ClampedBlades):
@@ -111,7 +111,7 @@ class FreeLayout(Drawn, ClampedBlades):
 
     @property
     def symmetry_axis(self) -> float:
-        """Return the same: a load's direction is from the drawing's x [rad]."""
+        """Return zero: a load's direction is from the drawing's x [rad]."""
         return self._turn
 
     @property
@@ -131,7 +131,7 @@ class FreeLayout(Drawn, ClampedBlades):
 
     @property
     def moving_name(self) -> str:
-        """Return how the spec calls the moving body."""
+        """Return the spec's name for the moving body."""
         return self.moving
 
     # which motion it is depends on the drawing, as no other geometry's but a linkage's does
@@ -162,21 +162,21 @@ class FreeLayout(Drawn, ClampedBlades):
         }
 
     def drawn_label(self, name: str) -> str:
-        """Return what a thickness is, in words."""
+        """Return the name of a thickness, in words."""
         return f"thickness of blade {name.partition('_')[2].replace('_', '-')}"
 
     def drawn_place(self, name: str) -> tuple[str, ...]:
-        """Return where a thickness stands in the spec."""
+        """Return the place of a thickness in the spec."""
         of, blade = next(each for each in self.blades.items() if _size(*each) == name)
         inside = ("profile",) if blade.profile is not None else ()
         return ("geometry", "blades", of, *inside, blade.thickness.symbol)
 
     def stiffness(self, elastic: Elastic, sizes: Sizes) -> Computed:
-        """Refuse: what is drawn freely has no closed form."""
+        """Refuse: a drawn layout has no closed form."""
         raise NotAvailable("is described by its bodies and blades: take --model linear or exact")
 
     def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Computed]:
-        """Refuse: what is drawn freely has no closed form."""
+        """Refuse: a drawn layout has no closed form."""
         raise NotAvailable("is described by its bodies and blades: take --model linear or exact")
 
     def parasitic_shift(self, sizes: Sizes, travel: float) -> Computed:
@@ -184,15 +184,15 @@ class FreeLayout(Drawn, ClampedBlades):
         raise NotAvailable("has its shift from --model exact alone")
 
     def critical(self, elastic: Elastic, sizes: Sizes, ends: str) -> tuple[Critical, ...]:
-        """Refuse: nothing says which blade carries how much of the force."""
+        """Refuse: the share of the force in each blade is not known."""
         raise NotAvailable("has no closed form for its buckling")
 
     def axial_share(self, direction: float) -> float:
-        """Return 1: all of a force goes into the blades; the model says how much into each."""
+        """Return 1: the upper limit, since models give the share of each blade."""
         return 1.0
 
     def wide_blades(self, sizes: Sizes, nu: float) -> WideBlades | None:
-        """Return the range of its blades."""
+        """Return the range of the factors of its blades."""
         blades = [
             (
                 WideBlade(
@@ -210,7 +210,7 @@ class FreeLayout(Drawn, ClampedBlades):
         return wide_by_shapes(plain, each, nu, layout, self.held(1.0))
 
     def thick_notches(self, sizes: Sizes) -> Thick | None:
-        """Return the range of its blades, of which some may be notches or have fillets."""
+        """Return the range of the factors of its blades that are notches or have fillets."""
         each = [
             blade.thickness.thick(self.size_of(name, sizes), blade.length)
             for name, blade in self.blades.items()
@@ -244,13 +244,13 @@ class FreeLayout(Drawn, ClampedBlades):
         )
 
     def radii(self, sizes: Sizes) -> dict[str, Computed]:
-        """Return those of its shaped blades, and of the others where they are cut in one piece."""
+        """Return the radii of shaped blades, and of others where they are cut from one piece."""
         is_cut = self.clamps not in (None, "rigid")
         each = {name: blade.thickness.radius(blade.length) for name, blade in self.blades.items()}
         return {name: radius for name, radius in each.items() if radius or is_cut}
 
     def slenderness(self, sizes: Sizes) -> float | None:
-        """Return thickness over length of the blade that is thickest against its own [-]."""
+        """Return thickness over length of the stockiest blade [-]."""
         return max(
             float(blade.thickness.thinnest(self.size_of(name, sizes))) / blade.length
             for name, blade in self.blades.items()
@@ -284,7 +284,7 @@ class FreeLayout(Drawn, ClampedBlades):
         )
 
     def _peak(self, name: str, sizes: Sizes) -> tuple[Computed, Computed]:
-        """Return by what the shape of a blade raises its stress."""
+        """Return the stress concentration factors of a blade's shape."""
         blade = self.blades[name]
         if self.concentration == "none":
             return 1.0, 1.0
@@ -308,7 +308,7 @@ class FreeLayout(Drawn, ClampedBlades):
         return MOVING if name == self.moving else GROUND if name == GROUND else name
 
     def size_of(self, name: str, sizes: Sizes) -> Any:
-        """Return the size of a blade, nothing where it is tabulated."""
+        """Return the size of a blade, None where it is tabulated."""
         return getattr(sizes, _size(name, self.blades[name]), None)
 
     @property

@@ -46,7 +46,7 @@ class LimbSizes(NamedTuple):
 
 
 class Limb(Part):
-    """What is rigid between the two hinges of a limb, with half of each hinge."""
+    """The rigid part between the two hinges of a limb, with half of each hinge."""
 
     mass: Mass
     """Mass of a limb, e.g. ``4 g``."""
@@ -105,7 +105,7 @@ class _Hinged(Geometry):
         return 1.0 / C.turn, bending_reach(across=C.across, turn=C.turn)
 
     def has_limbs(self, elastic: Elastic, sizes: LimbSizes) -> bool:
-        """Return whether nobody states the mass of its limbs."""
+        """Return whether the mass of its limbs is unstated."""
         return self.limb is None
 
     @property
@@ -138,7 +138,7 @@ class _Hinged(Geometry):
         )
 
     def wide_blades(self, sizes: LimbSizes, nu: float) -> WideBlades | None:
-        """Return the factors of the throats."""
+        """Return the plate factors of the throats."""
         e, r, l, b = map(number, sizes)
         turn, _ = self.hinge(Elastic(1.0), sizes)
         C = circular_compliance(E=1.0, b=1.0, e=e, r=r)
@@ -152,7 +152,7 @@ class _Hinged(Geometry):
         return {"the notches": sizes.r}
 
     def thick_notches(self, sizes: LimbSizes) -> Thick | None:
-        """Return the factor of the hinges, which turn the limbs by moments that are not even."""
+        """Return the factors of the hinges, whose moments vary along them."""
         e, r, l, b = map(number, sizes)
         turn, c = self.hinge(Elastic(1.0), sizes)
         uneven = 4.0 * (number(c) / l) ** 2
@@ -252,7 +252,7 @@ class HingedStage(SagsAlongStroke, _Hinged):
         return {"throats": self.throat_stress(sizes, force * sizes.l / 2.0)}
 
     def bending(self, elastic: Elastic, sizes: LimbSizes, travel: float) -> Bending:
-        """Return that of parallel limbs."""
+        """Return the bending of parallel limbs."""
         return LimbStage(hinge=self.hinge_in_limbs(sizes), travel=travel / number(sizes.l))
 
     def volume(self, sizes: LimbSizes) -> Computed:
@@ -274,7 +274,7 @@ class HingedStage(SagsAlongStroke, _Hinged):
         return travel**2 / (2.0 * sizes.l)
 
     def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in: shape and stroke."""
+        """Return the quantities of its validity: shape and stroke."""
         return {**self.ratios(sizes), "x/l": travel / sizes.l, "c/l": self.reach(sizes)}
 
     def layout(self, elastic: Elastic, sizes: LimbSizes) -> Layout:
@@ -339,7 +339,7 @@ class HingedPivot(_Hinged):
         }
 
     def bending(self, elastic: Elastic, sizes: LimbSizes, travel: float) -> Bending:
-        """Return that of two limbs that point at one centre."""
+        """Return the bending of two limbs that point at one centre."""
         delta, hinge = number(self.offset(sizes) / sizes.l), self.hinge_in_limbs(sizes)
         return LimbPivot(hinge=hinge, delta=delta, theta=travel, half_angle=self.half_angle)
 
@@ -354,7 +354,7 @@ class HingedPivot(_Hinged):
         )
 
     def indicators(self, sizes: LimbSizes, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in: shape, rotation, place of the centre."""
+        """Return the quantities of its validity: shape, rotation, place of the centre."""
         delta = self.offset(sizes) / sizes.l
         c = self.reach(sizes)
         return {**self.ratios(sizes), "theta": travel, "delta": delta, "c/l": c}

@@ -1,4 +1,4 @@
-"""Closed forms of how a joint of equal blades buckles, with what they may be off by."""
+"""Closed forms of the buckling of a joint of equal blades, with their errors."""
 
 from collections.abc import Callable, Sequence
 from math import inf, pi
@@ -16,21 +16,21 @@ from flexcli.results import ErrorRange
 __all__ = ["CARRIED", "pivot_critical", "row_critical"]
 
 CARRIED = frozenset({EffectName.SHEAR, EffectName.AXIAL_EXTENSION})
-"""Effects that are in the closed forms of this module."""
+"""Effects that the closed forms of this module include."""
 
 SWAY = 3.0
-"""Largest change of a critical force over the strain there times 1 + sway², by how the body gives
-way before it: exact solutions of rcc, crossed and star pivots have at most 1.6."""
+"""Largest change of a critical force over the strain there times 1 + sway², by the motion of the
+body before it: exact solutions of rcc, crossed and star pivots have at most 1.6."""
 
 TILT = 2.0
 """Largest change over the strain times (l/2r)², r the blades' distance from their middle, by the
 tilt of a stage that may turn: exact solutions have 0.9."""
 
 WIDE = 0.3
-"""An error beyond which it is none of a first order any more."""
+"""Error beyond which a first-order estimate is not valid."""
 
 SAME = 1e-9
-"""What rounding leaves of two angles that are one [rad], and of forces [-]."""
+"""Rounding error of equal angles [rad], and of forces [-]."""
 
 
 def pivot_critical(
@@ -85,8 +85,8 @@ def row_critical(
 ) -> Critical:
     """Return the critical force along equal parallel blades on one body [N].
 
-    ``places`` are where they stand across it [m], nothing where that is not known; a single blade
-    stands at zero. A body that may turn is kept from it by two blades or more, which would have to
+    ``places`` are where they stand across it [m], None where that is not known; a single blade
+    stands at zero. A body that may turn is kept upright by two blades or more, which would have to
     stretch. ``guided`` bodies never turn.
     """
     hold, l = ENDS[ends], sizes.l

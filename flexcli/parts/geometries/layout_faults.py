@@ -1,4 +1,4 @@
-"""What does not fit together in a drawn layout: names, motion, and bodies on nothing."""
+"""Faults of a drawn layout: names, motion, and bodies without support."""
 
 from collections.abc import Iterator, Mapping
 from math import hypot, sin
@@ -21,7 +21,7 @@ _SQUARE = 1e-9
 
 
 class Drawing(NamedTuple):
-    """What a spec draws: parts by name, the body that moves, its travel's angle or its centre."""
+    """A drawing in a spec: parts by name, the body that moves, its travel's angle or its centre."""
 
     bodies: Mapping[str, DrawnBody]
     blades: Mapping[str, DrawnBlade]
@@ -32,7 +32,7 @@ class Drawing(NamedTuple):
 
 
 def faults(drawing: Drawing) -> Iterator[PydanticCustomError]:
-    """Yield every fault between the parts of a layout, each with the path where it stands."""
+    """Yield every fault between the parts of a layout, each with its path in the spec."""
     names = list(_names(drawing))
     yield from names
     yield from _motions(drawing)
@@ -103,7 +103,7 @@ def _loose(drawing: Drawing) -> Iterator[PydanticCustomError]:
 
 
 def _groups(drawing: Drawing) -> list[set[str]]:
-    """Return what blades join, the ground among them."""
+    """Return the groups of bodies that blades join, the ground among them."""
     groups = [{name} for name in (GROUND, *drawing.bodies)]
     for blade in drawing.blades.values():
         joined = [group for group in groups if group & set(blade.between)]

@@ -1,4 +1,4 @@
-"""What a layout in a spec is drawn of: bodies, blades between them, springs to the ground."""
+"""Parts of a layout in a spec: bodies, blades between them, springs to the ground."""
 
 from collections.abc import Sequence
 from itertools import product
@@ -106,7 +106,7 @@ def distance(start: Sequence[float], end: Sequence[float]) -> float:
 
 
 def refuse_no_blade(between: tuple[str, str], length: float) -> None:
-    """Raise a finding where what is drawn joins a body to itself, or has no length."""
+    """Raise a finding where a part joins a body to itself, or has no length."""
     if between[0] == between[1]:
         raise spec_error(
             f"both ends of this blade are on {between[0]}", "name two bodies, or ground",

@@ -55,20 +55,20 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         return {"both ends": stage.end_stress(E=elastic.E, h=sizes.h, l=sizes.l, x=travel)}
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
-        """Return that of guided blades."""
+        """Return the bending of guided blades."""
         h, l, _ = map(number, self.blade(sizes))
         return Straight(h=h, l=l, travel=travel, lever=lever(l, self.spacing))
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
-        """Return the factors of guided blades."""
+        """Return the plate factors of guided blades."""
         return wide_guided(sizes, nu)
 
     def shift_change(self, sizes: Blade, pure: float, bent: float) -> float:
-        """Return that of blades bent to an S."""
+        """Return the change of shortening of blades bent to an S."""
         return bent
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in: shape and stroke."""
+        """Return the quantities of its validity: shape and stroke."""
         return {**self.ratios(sizes), "x/l": travel / sizes.l}
 
     def s_bending_share(self, sizes: Blade) -> float:
@@ -111,7 +111,7 @@ class LeafSpringStage(SagsAlongStroke, BladeGeometry):
         return Layout((Body(MOVING, (l / 2.0, 0.0)),), blades, elastic.E, elastic.shear)
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
-        """Return how far the drive turns the stage at full stroke, and where it would not."""
+        """Return the rotation by the drive at full stroke, and the drive height without it."""
         if self.drive is None or self.spacing is None:
             return {}
         h, l, b = self.blade(sizes)

@@ -28,7 +28,7 @@ from flexcli.units import show
 __all__ = ["LinkageGeometry"]
 
 ROUNDING = 1e-9
-"""Mean of a joint's range, over its amplitude, that counts as none."""
+"""Mean of a joint's range, over its amplitude, that counts as zero."""
 
 Rows = tuple[tuple[float, float], tuple[float, float]]
 Place = tuple[Length, Length]
@@ -140,12 +140,12 @@ class LinkageGeometry(Geometry):
         }
 
     def label(self, name: str) -> str:
-        """Return what a size is, in words."""
+        """Return the name of a size, in words."""
         joint = self._owner(name)
         return f"{self._flexure(joint).label(name.removesuffix(f'_{joint}'))} at {joint}"
 
     def place(self, name: str) -> tuple[str, ...]:
-        """Return where a size stands: in the flexure of its joint."""
+        """Return the place of a size in the spec: in the flexure of its joint."""
         joint = self._owner(name)
         return "geometry", "joints", joint, "flexure", name.removesuffix(f"_{joint}")
 
@@ -177,7 +177,7 @@ class LinkageGeometry(Geometry):
         return found
 
     def joint_deflections(self, inputs: Floats) -> Mapping[str, tuple[str, Floats]]:
-        """Return those of every joint but the input itself."""
+        """Return the deflections of every joint but the input itself."""
         return {
             name: ("rad" if self.joints[name].along is None else "m", found)
             for name, found in motion(self.rigid, inputs).deflections.items()
@@ -193,11 +193,11 @@ class LinkageGeometry(Geometry):
 
     @cached_property
     def _known_deflections(self) -> dict[tuple[float, float], dict[str, Extremes]]:
-        """Return those found so far, by the range: every stress and value of a case asks."""
+        """Return the deflections computed so far, by the range; every stress needs them."""
         return {}
 
     def stiffness(self, elastic: Elastic, sizes: Sizes) -> Computed:
-        """Return the stiffness that the joints reflect to the input at rest."""
+        """Return the stiffness of the joints as seen from the input at rest."""
         ratios = motion(self.rigid, 0.0).ratios
         found: Quantity = 0.0
         for name, flexure in self.flexures():
@@ -210,7 +210,7 @@ class LinkageGeometry(Geometry):
     ) -> tuple[dict[str, Computed], dict[str, Computed]]:
         """Return amplitude and mean of the stress at each place of every joint [Pa].
 
-        Each joint goes through its own range, whose middle need not be its rest.
+        Each joint has its own range, whose middle need not be its rest position.
         """
         found: tuple[dict[str, Quantity], dict[str, Quantity]] = ({}, {})
         ranges = self.deflections(middle - amplitude, middle + amplitude)
@@ -234,17 +234,17 @@ class LinkageGeometry(Geometry):
         return place.partition(",")[0].partition(" ")[0]  # "theta blade 1, right face" too
 
     def wide_blades(self, sizes: Sizes, nu: float) -> WideBlades | None:
-        """Return the range of its joints."""
+        """Return the range of the plate factors of its joints."""
         return wide_linked(
             [flexure.wide_blades(self.sizes_of(n, sizes), nu) for n, flexure in self.flexures()]
         )
 
     def thick_notches(self, sizes: Sizes) -> Thick | None:
-        """Return the range of its joints."""
+        """Return the range of the factors of its joints."""
         return thick_linked([f.thick_notches(self.sizes_of(n, sizes)) for n, f in self.flexures()])
 
     def compliant_clamps(self, sizes: Sizes, nu: float) -> CompliantClamps | None:
-        """Return the range of its joints."""
+        """Return the range of the changes of its joints."""
         each = [f.compliant_clamps(self.sizes_of(name, sizes), nu) for name, f in self.flexures()]
         if not any(each):
             return None
@@ -253,7 +253,7 @@ class LinkageGeometry(Geometry):
         return linked_clamps(each)
 
     def with_compliant_clamps(self) -> Geometry | None:
-        """Return it with such flexures where nothing is said of theirs."""
+        """Return it with such flexures where the spec does not state their clamps."""
         found = {
             name: self.joints[name].model_copy(update={"flexure": clamped})
             for name, flexure in self.flexures()
@@ -262,7 +262,7 @@ class LinkageGeometry(Geometry):
         return self.model_copy(update={"joints": {**self.joints, **found}}) if found else None
 
     def has_limbs(self, elastic: Elastic, sizes: Sizes) -> bool:
-        """Return that its links are such parts."""
+        """Return True: its links are rigid parts of unstated mass."""
         return True
 
     def volume(self, sizes: Sizes) -> Computed:
@@ -271,7 +271,7 @@ class LinkageGeometry(Geometry):
         return sum(each[1:], each[0]) if each else 0.0
 
     def fits(self, sizes: Sizes) -> tuple[tuple[str, Computed, Computed], ...]:
-        """Return what every flexure needs to exist."""
+        """Return the conditions for every flexure to exist."""
         return tuple(
             (f"{name}: {text}", small, large)
             for name, flexure in self.flexures()
@@ -287,7 +287,7 @@ class LinkageGeometry(Geometry):
         }
 
     def radii(self, sizes: Sizes) -> dict[str, Computed]:
-        """Return those of all flexures, by joint."""
+        """Return the radii of all flexures, by joint."""
         return {
             f"{name}: {where}": radius
             for name, flexure in self.flexures()
@@ -295,7 +295,7 @@ class LinkageGeometry(Geometry):
         }
 
     def sections(self, sizes: Sizes) -> tuple[tuple[str, float, float], ...]:
-        """Return those of all flexures: name of the joint, thickness and width [m]."""
+        """Return the sections of all flexures: name of the joint, thickness and width [m]."""
         return tuple(
             (name, h, b)
             for name, flexure in self.flexures()
@@ -303,12 +303,12 @@ class LinkageGeometry(Geometry):
         )
 
     def slenderness(self, sizes: Sizes) -> float | None:
-        """Return that of the flexure that is thickest against its length [-]."""
+        """Return that of the stockiest flexure [-]."""
         found = [f.slenderness(self.sizes_of(name, sizes)) for name, f in self.flexures()]
         return max((each for each in found if each is not None), default=None)
 
     def length(self, sizes: Sizes) -> float:
-        """Return that of the shortest flexure [m]."""
+        """Return the length of the shortest flexure [m]."""
         return min(f.length(self.sizes_of(name, sizes)) for name, f in self.flexures())
 
     def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
@@ -338,14 +338,14 @@ class LinkageGeometry(Geometry):
 
     @property
     def pose(self) -> Rows:
-        """Return the rows of the matrix that takes places of the spec to those of the layout."""
+        """Return the matrix from coordinates of the spec to those of the layout."""
         moves = self.joints[self.input]
         turn = 0.0 if moves.along is None else -moves.angle
         side = -1.0 if moves.links[1] == self.ground else 1.0
         return (cos(turn), -sin(turn)), (side * sin(turn), side * cos(turn))
 
     def as_written(self, elastic: Elastic, sizes: Sizes) -> Layout:
-        """Return its flexures between links by their own names, where the spec has them.
+        """Return its flexures between links with their names in the spec, in the spec's frame.
 
         Ideal joints are left out.
         """
@@ -384,7 +384,7 @@ class LinkageGeometry(Geometry):
         return Layout(tuple(bodies), tuple(blades), elastic.E, elastic.shear)
 
     def _guides(self) -> Iterator[tuple[str, tuple[bool, bool, bool]]]:
-        """Yield the links on ideal stages to the ground, and which of (x, y, φ) these hold."""
+        """Yield the links on ideal stages to the ground, and the motions (x, y, φ) held."""
         guided = set[str]()
         for name, joint in self.joints.items():
             if joint.flexure is not None:

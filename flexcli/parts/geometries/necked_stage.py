@@ -106,12 +106,12 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
         return {"both ends": stress}
 
     def bending(self, elastic: Elastic, sizes: NeckedSizes, travel: float) -> Bending:
-        """Return that of guided blades that are stiff in the middle."""
+        """Return the bending of guided blades that are stiff in the middle."""
         h, l, xi = number(sizes.h), number(sizes.l), number(sizes.xi)
         return Necked(h=h, l=l, travel=travel, xi=xi, lever=lever(l, self.spacing))
 
     def wide_blades(self, sizes: NeckedSizes, nu: float) -> WideBlades | None:
-        """Return the factors of the hinges."""
+        """Return the plate factors of the hinges."""
         return wide_necks(Blade(sizes.h, sizes.l_c, sizes.b), nu, l=sizes.l)
 
     def volume(self, sizes: NeckedSizes) -> Computed:
@@ -132,7 +132,7 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
         }
 
     def indicators(self, sizes: NeckedSizes, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in: shape and stroke."""
+        """Return the quantities of its validity: shape and stroke."""
         return {**self.ratios(sizes), "x/l": travel / sizes.l}
 
     def clearances(self, sizes: NeckedSizes) -> tuple[tuple[str, Computed], ...]:
@@ -168,7 +168,7 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
         """Return the force along the blades at which the stage buckles [N].
 
         Shear in the hinges lowers it by less than Engesser's N/κGA, their shortening raises it by
-        less than their strain; a stage that may turn is kept from it by its blades.
+        less than their strain; a stage that may turn is kept upright by its blades.
         """
         hold, push = ENDS[ends], is_push(direction, "blades")
         if hold.hinged:

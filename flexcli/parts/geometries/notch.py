@@ -1,4 +1,4 @@
-"""Notch hinges: short thin places of a body that turn about their throat."""
+"""Notch hinges: short thin places of a body that turns about their throat."""
 
 from abc import abstractmethod
 from collections.abc import Mapping
@@ -42,7 +42,7 @@ __all__ = [
 ]
 
 Concentration = Literal["deep-notch", "none"]
-"""How the peak of the stress in a throat over the nominal 6M/(b e²) is counted, if it is."""
+"""How the peak of the stress in a throat over the nominal 6M/(b e²) is counted."""
 
 CONCENTRATION: Concentration = "deep-notch"
 
@@ -95,7 +95,7 @@ class Blocks(Part):
 
     @property
     def beside(self) -> BesideNotch:
-        """Return them as formulas take them."""
+        """Return the blocks in the form that formulas take."""
         return MASSIVE if self.length is None else self.length
 
 
@@ -119,7 +119,7 @@ class NotchGeometry(Geometry):
 
     @property
     def unstated(self) -> tuple[str, ...]:
-        """Return the blocks where nothing is said of them."""
+        """Return the key of the blocks where they are unstated."""
         return () if self.blocks is not None else ("blocks",)
 
     @property
@@ -162,19 +162,19 @@ class NotchGeometry(Geometry):
         return {"throat": stress}
 
     def peaks(self, sizes: Any) -> tuple[Computed, Computed]:
-        """Return by what its shape raises the stress in bending and along it."""
+        """Return the stress concentration factors of its shape in bending and along it."""
         return throat_peaks(self.concentration, *self.throat(sizes))
 
     def radii(self, sizes: Any) -> dict[str, Computed]:
-        """Return that of its throat, or of its fillets."""
+        """Return the radius of its throat, or of its fillets."""
         return {"the throat": self.throat(sizes)[1]}
 
     def bending(self, elastic: Elastic, sizes: Any, travel: float) -> Bending:
-        """Return that of an arc: the moment is the same all along."""
+        """Return the bending of an arc: the moment is constant."""
         return Arc(theta=travel)
 
     def wide_blades(self, sizes: Any, nu: float) -> WideBlades | None:
-        """Return the factors of the throat."""
+        """Return the plate factors of the throat."""
         profile, length = self.profile(sizes._make(map(number, sizes)))
         throat, turn = self.throat(sizes)[0], self.stiffness(Elastic(1.0), sizes)
         return wide_notch(nu, profile, throat=throat, length=length, b=sizes.b, turn=turn)
@@ -184,7 +184,7 @@ class NotchGeometry(Geometry):
         return number(self.stiffness(Elastic(1.0), sizes)) / number(sizes.b)
 
     def axial_share(self, direction: float) -> float:
-        """Return 1: all of a force along the hinge goes through the throat."""
+        """Return 1: a force along the hinge acts in the throat as a whole."""
         return straight_share(direction, "axis")
 
     def axial_stress(self, force: float, sizes: Any) -> Computed:
@@ -192,7 +192,7 @@ class NotchGeometry(Geometry):
         return force / (self.throat(sizes)[0] * sizes.b) * self.peaks(sizes)[1]
 
     def indicators(self, sizes: Any, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in: shape and rotation."""
+        """Return the quantities of its validity: shape and rotation."""
         return {**self.ratios(sizes), "theta": travel}
 
     def parasitic_shift(self, sizes: Any, travel: float) -> Computed:

@@ -1,4 +1,4 @@
-"""A joint as made: each of its blades with sizes of its own."""
+"""A joint as made: each of its blades with its own sizes."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -27,9 +27,9 @@ def blade_names(geometry: Geometry) -> tuple[str, ...]:
 
 
 class OwnBlades(Geometry):
-    """The drawing of a joint in which each blade is taken from a drawing of its own.
+    """The layout of a joint in which each blade is taken from a drawing of its own.
 
-    A joint whose blades differ shifts and tilts under its stroke; no closed form knows of it.
+    A joint whose blades differ shifts and tilts under its stroke, which no closed form includes.
     """
 
     closed_forms: ClassVar[bool] = False
@@ -38,9 +38,9 @@ class OwnBlades(Geometry):
     source: ClassVar[str] = "the blades of the joint, each by itself"
 
     whole: Any
-    """The joint whose bodies they hold."""
+    """The joint that provides the bodies."""
     each: Mapping[str, Any]
-    """By the name of a blade, the joint that it is drawn as in."""
+    """By the name of a blade, the joint whose drawing it is taken from."""
 
     @property
     def name(self) -> str:
@@ -112,7 +112,7 @@ class OwnBlades(Geometry):
         return found
 
     def wide_blades(self, sizes: Sizes, nu: float) -> WideBlades | None:
-        """Return the range of its blades."""
+        """Return the range of the plate factors of its blades."""
         blades = list(self.blade_sizes(sizes).values())
         plain = wide_drawn([(blade, True) for blade in blades], nu, springs=False)
         layout = self.layout(Elastic(1.0, nu), sizes)
@@ -135,7 +135,7 @@ class OwnBlades(Geometry):
         return tuple((name, float(h), float(b)) for name, (h, _, b) in each)
 
     def slenderness(self, sizes: Sizes) -> float | None:
-        """Return thickness over length of the blade that is thickest against its own [-]."""
+        """Return thickness over length of the stockiest blade [-]."""
         return max(float(h / l) for h, l, _ in self.blade_sizes(sizes).values())
 
     def length(self, sizes: Sizes) -> float:
@@ -143,7 +143,7 @@ class OwnBlades(Geometry):
         return min(float(l) for _, l, _ in self.blade_sizes(sizes).values())
 
     def axial_share(self, direction: float) -> float:
-        """Return 1: all of a force goes into the blades; the model says how much into each."""
+        """Return 1: the upper limit, since models give the share of each blade."""
         return 1.0
 
     def stiffness(self, elastic: Elastic, sizes: Sizes) -> Computed:

@@ -1,4 +1,4 @@
-"""What blades or limbs that stand side by side share: places, axial force, sag along the stroke."""
+"""Blades or limbs side by side: places, axial force, sag along the stroke."""
 
 from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import cos, sin
@@ -8,7 +8,7 @@ from flexcli.parts.geometries.base import Geometry, Sizes
 __all__ = ["SagsAlongStroke", "force_share", "is_push", "lever", "places", "straight_share"]
 
 ROUNDING = 1e-9
-"""Sine of an angle that counts as none."""
+"""Sine of an angle that counts as zero."""
 
 
 class SagsAlongStroke(Geometry):
@@ -30,14 +30,14 @@ def force_share(direction: float, members: int) -> float:
 
 
 def straight_share(direction: float, spoken: str) -> float:
-    """Return 1 for a force along a hinge; one across it bends it besides."""
+    """Return 1 for a force along a hinge; raise for one across it, which also bends it."""
     if abs(sin(direction)) > ROUNDING:
         raise NotAvailable(f"has closed forms for a load along its {spoken} only")
     return 1.0
 
 
 def is_push(direction: float, spoken: str) -> bool:
-    """Return whether a force along the members, from the base, pushes them together."""
+    """Return whether a force along the members, from the base, compresses them."""
     if abs(sin(direction)) > ROUNDING:
         raise NotAvailable(f"takes a load along its {spoken} only (direction: 0 deg or 180 deg)")
     return cos(direction) < 0.0
@@ -52,5 +52,5 @@ def places(members: int, spacing: float | None, spoken: str) -> tuple[float, ...
 
 
 def lever(l: float, spacing: float | None) -> float:
-    """Return l over the distance between the blades of a stage; as far apart as long if unsaid."""
+    """Return l over the distance between the blades of a stage; 1 where it is unstated."""
     return 1.0 if spacing is None else l / spacing

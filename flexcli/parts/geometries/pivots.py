@@ -1,4 +1,4 @@
-"""What the pivots of equal blades that point at one centre have in common."""
+"""Pivots of equal blades that point at one centre: layout, closed forms, validity."""
 
 from abc import abstractmethod
 from itertools import combinations
@@ -36,7 +36,7 @@ __all__ = [
 
 
 class CentredBlades(BladeGeometry):
-    """Equal blades whose centre lines meet in the centre of a pivot, however they are joined."""
+    """Equal blades whose centre lines meet in the centre of a pivot, separate or joined."""
 
     motion: ClassVar[str] = "rotation"
 
@@ -55,7 +55,7 @@ class CentredBlades(BladeGeometry):
         return len(self.blade_angles)
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in: shape, rotation, place of the crossing."""
+        """Return the quantities of its validity: shape, rotation, place of the crossing."""
         delta = self.offset(sizes) / sizes.l
         return {**self.ratios(sizes), "theta": travel, "delta": delta}
 
@@ -95,7 +95,7 @@ class BladePivot(CentredBlades):
 
 
 def _nearest(p: Computed, l: Computed) -> Computed | None:
-    """Return how near to the centre the blades begin, nothing where a choice of sizes decides."""
+    """Return the least distance of the blades' ends from the centre, None if sizing decides it."""
     if isinstance(l, Signomial):
         return p if as_signomial(p).is_posynomial else None
     inner, outer = np.asarray(p), np.asarray(p + l)
@@ -155,7 +155,7 @@ class PivotFormulas(CentredBlades):
 
 
 class BladePair(CentredBlades):
-    """Pairs of blades at ± a half-angle from their bisector, however they are joined."""
+    """Pairs of blades at ± a half-angle from their bisector, separate or joined."""
 
     half_angle: Annotated[float, QuantityOf("angle", above=0.0, below=pi / 2)]
     """Angle between each blade and the bisector, e.g. ``45 deg``."""
@@ -167,7 +167,7 @@ class BladePair(CentredBlades):
 
 
 class PairFormulas(PivotFormulas, BladePair):
-    """Closed forms of such blades where they are pairs about a bisector."""
+    """Closed forms of such blades in pairs about a bisector."""
 
     def parasitic_shift(self, sizes: Blade, travel: float) -> Computed:
         """Return the signed shift of the centre along the bisector [m], leading order."""
@@ -176,13 +176,13 @@ class PairFormulas(PivotFormulas, BladePair):
         )
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
-        """Return that of two blades from one plane to another."""
+        """Return the bending of two blades from one plane to another."""
         h, l, _ = map(number, self.blade(sizes))
         p = number(self.offset(sizes))
         return Pair(h=h, l=l, p=p, theta=travel, half_angle=self.half_angle)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
-        """Return the factors of its blades, that of the shift along the bisector with them."""
+        """Return the plate factors of its blades, with that of the shift along the bisector."""
         delta = number(self.offset(sizes)) / number(sizes.l)
         return wide_pivot(sizes, nu, delta=delta, pair=True)
 

@@ -1,4 +1,4 @@
-"""Drawings whose sizes follow free parameters: what they are at values of these."""
+"""Drawings whose sizes follow free parameters: the drawing at given values."""
 
 from abc import ABC, abstractmethod
 from collections import namedtuple
@@ -17,16 +17,16 @@ from flexcli.parts.geometries.base import Extent, Geometry, Sizes
 __all__ = ["DRAWING", "Drawn", "Follows"]
 
 DRAWING = "follows"
-"""Key under which a drawing is given how it follows free parameters; no spec can hold one."""
+"""Key under which a drawing receives its free parameters; no spec can contain it."""
 
 
 class Follows(ABC):
-    """How a drawing follows its free parameters."""
+    """The dependence of a drawing on its free parameters."""
 
     extents: Mapping[str, Extent]
     """Their ranges by name."""
     dimensions: Mapping[str, str]
-    """What each of them measures."""
+    """Their dimensions."""
 
     @abstractmethod
     def at(self, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -34,14 +34,14 @@ class Follows(ABC):
 
     @abstractmethod
     def numbers(self, values: Mapping[str, Any]) -> Iterator[tuple[tuple[str | int, ...], Any]]:
-        """Yield its numbers [SI] at values of one or of many designs, and where they stand."""
+        """Yield its numbers [SI] at values of one or of many designs, and their paths."""
 
 
 class Drawn(Geometry):
-    """A geometry that the spec draws, with sizes of its own and, where some are free, parameters.
+    """A geometry drawn in the spec, with sizes of its own and possibly free parameters.
 
-    A drawing with free parameters stands in the middle of their ranges; :meth:`drawn` tells what
-    it is elsewhere.
+    A drawing with free parameters stands in the middle of their ranges; :meth:`drawn` gives it at
+    other values.
     """
 
     _follows: Follows | None = PrivateAttr(None)
@@ -76,22 +76,22 @@ class Drawn(Geometry):
 
     @abstractmethod
     def drawn_label(self, name: str) -> str:
-        """Return what a thickness is, in words."""
+        """Return the name of a thickness, in words."""
 
     @property
     def extents(self) -> dict[str, Extent]:
-        """Return the thicknesses; with free parameters, these and what else is free."""
+        """Return the extents of thicknesses and free parameters."""
         own = self.drawn_extents
         if self._follows is None:
             return own
         return {**self.parameters, **{n: each for n, each in own.items() if each.fixed is None}}
 
     def label(self, name: str) -> str:
-        """Return what a size is, in words."""
+        """Return the name of a size, in words."""
         return f"parameter {name}" if name in self.parameters else self.drawn_label(name)
 
     def dimension(self, name: str) -> str:
-        """Return what a size measures."""
+        """Return the dimension of a size."""
         if self._follows is None:
             return super().dimension(name)
         return self._follows.dimensions.get(name, super().dimension(name))
@@ -101,16 +101,16 @@ class Drawn(Geometry):
         return ("parameters", name) if name in self.parameters else self.drawn_place(name)
 
     def drawn_place(self, name: str) -> tuple[str, ...]:
-        """Return where a thickness stands in the spec."""
+        """Return the place of a thickness in the spec."""
         return super().place(name)
 
     def sized(self, values: Mapping[str, Quantity]) -> Sizes:
-        """Return the sizes; what is fixed stays so."""
+        """Return the sizes; a fixed one keeps its value."""
         found = {name: values.get(name, extent.fixed) for name, extent in self.extents.items()}
         return namedtuple("DrawnSizes", found)(**found)
 
     def probe(self) -> Sizes:
-        """Return sizes to try on what a requirement asks for: the middle of what is free."""
+        """Return sizes for validating requirements: the middle of each range."""
         usual = super().probe()
         middle = {
             name: sqrt(extent.least * extent.most)
@@ -169,7 +169,7 @@ class Drawn(Geometry):
 
 
 def _replaced(part: Any, place: tuple[str | int, ...], number: Any) -> Any:
-    """Return a part of which a number is another, which may be one of many designs."""
+    """Return a part with one number replaced, which may be that of many designs."""
     if not place:
         fixed = isinstance(part, Extent)
         return Extent.model_construct(fixed=number, least=None, most=None) if fixed else number

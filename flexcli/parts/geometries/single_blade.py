@@ -1,4 +1,4 @@
-"""A single blade between a clamp and its tip, by what the tip is asked to do."""
+"""A single blade between a clamp and its tip: pushed, guided or turned."""
 
 from typing import ClassVar, Literal
 
@@ -57,7 +57,7 @@ class _SingleBlade(BladeGeometry):
         return Layout((Body(MOVING, tip),), (strip,), elastic.E, elastic.shear)
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in: shape and stroke."""
+        """Return the quantities of its validity: shape and stroke."""
         stroke = {"theta": travel} if self.motion == "rotation" else {"x/l": travel / sizes.l}
         return {**self.ratios(sizes), **stroke}
 
@@ -81,12 +81,12 @@ class Cantilever(SagsAlongStroke, _SingleBlade):
         return {"clamp": blade.force_stress(E=elastic.E, h=h, l=l, x=travel, s=0.0)}
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
-        """Return that of half a guided blade."""
+        """Return the bending of half a guided blade."""
         h, l, _ = map(number, self.blade(sizes))
         return Straight(h=h, l=l, travel=travel, halves=2)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
-        """Return the factors of a blade that a force bends."""
+        """Return the plate factors of a blade bent by a force."""
         return wide_cantilever(sizes, nu)
 
     def s_bending_share(self, sizes: Blade) -> float:
@@ -116,16 +116,16 @@ class GuidedBlade(_SingleBlade):
         return {"both ends": blade.guided_stress(E=elastic.E, h=h, l=l, x=travel, s=0.0)}
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
-        """Return that of a guided blade."""
+        """Return the bending of a guided blade."""
         h, l, _ = map(number, self.blade(sizes))
         return Straight(h=h, l=l, travel=travel)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
-        """Return the factors of a guided blade."""
+        """Return the plate factors of a guided blade."""
         return wide_guided(sizes, nu)
 
     def shift_change(self, sizes: Blade, pure: float, bent: float) -> float:
-        """Return that of a blade bent to an S."""
+        """Return the change of shortening of a blade bent to an S."""
         return bent
 
     def s_bending_share(self, sizes: Blade) -> float:
@@ -137,7 +137,7 @@ class GuidedBlade(_SingleBlade):
         return shortening(l=sizes.l, x=travel)
 
     def held(self, travel: float) -> Held:
-        """Return that the tip is held from turning."""
+        """Return a hold that keeps the tip from turning."""
         return None, travel, 0.0
 
 
@@ -159,19 +159,19 @@ class MomentBlade(_SingleBlade):
         return {"all along": blade.moment_stress(E=elastic.E, h=h, l=l, theta=travel)}
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
-        """Return that of an arc."""
+        """Return the bending of an arc."""
         return Arc(theta=travel)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
-        """Return the factors of a blade that a moment bends."""
+        """Return the plate factors of a blade bent by a moment."""
         return wide_moment(sizes, nu)
 
     def shift_change(self, sizes: Blade, pure: float, bent: float) -> float:
-        """Return that of l/4 less the shortening l/6 of an arc that starts at the clamp."""
+        """Return the change of l/4 less the shortening l/6 of an arc that starts at the clamp."""
         return -pure / 2.0
 
     def root(self, sizes: Blade) -> Computed:
-        """Return that the centre, about which the tip turns, is the middle of the blade [m]."""
+        """Return the place of the clamp: the tip turns about the blade's middle, the origin [m]."""
         return -sizes.l / 2.0
 
     def payload_point(self, moving: Point) -> Point:

@@ -1,4 +1,4 @@
-"""Layout in space: a mechanism of bodies, blades and rods that the spec draws in three numbers."""
+"""Layout in space: a mechanism of bodies, blades and rods drawn in the spec in three dimensions."""
 
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Literal
@@ -40,7 +40,7 @@ from flexcli.results import Value
 __all__ = ["SpaceDrawing"]
 
 MOST = 300
-"""Blades and rods with all their copies."""
+"""Most blades and rods with all their copies."""
 
 
 class SpaceDrawing(Drawn):
@@ -92,7 +92,7 @@ class SpaceDrawing(Drawn):
         return self
 
     def _faults(self) -> Iterator[PydanticCustomError]:
-        """Yield what does not fit between the parts, each with the path where it stands."""
+        """Yield the faults between the parts, each with its path in the spec."""
         names = list(self._unknown())
         yield from names
         if not names:
@@ -193,32 +193,32 @@ class SpaceDrawing(Drawn):
         return blades | {_symbol("d", name): rod.d for name, rod in self.rods.items()}
 
     def drawn_label(self, name: str) -> str:
-        """Return what a thickness is, in words."""
+        """Return the name of a thickness, in words."""
         symbol, _, of = name.partition("_")
         what = "thickness of blade" if symbol == "h" else "diameter of rod"
         return f"{what} {of.replace('_', '-')}"
 
     def drawn_place(self, name: str) -> tuple[str, ...]:
-        """Return where a thickness or diameter stands in the spec."""
+        """Return the place of a thickness or diameter in the spec."""
         symbol, _, of = name.partition("_")
         members: Mapping[str, Any] = self.blades if symbol == "h" else self.rods
         drawn = next(each for each in members if _symbol(symbol, each) == f"{symbol}_{of}")
         return ("geometry", "blades" if symbol == "h" else "rods", drawn, symbol)
 
     def stiffness(self, elastic: Elastic, sizes: Sizes) -> Computed:
-        """Refuse: what is drawn freely has no closed form."""
+        """Refuse: a drawn layout has no closed form."""
         raise NotAvailable("is described by its bodies and blades: take --model linear")
 
     def end_stresses(self, elastic: Elastic, sizes: Sizes, travel: float) -> dict[str, Computed]:
-        """Refuse: what is drawn freely has no closed form."""
+        """Refuse: a drawn layout has no closed form."""
         raise NotAvailable("is described by its bodies and blades: take --model linear")
 
     def axial_share(self, direction: float) -> float:
-        """Return 1: all of a force goes into the blades; the model says how much into each."""
+        """Return 1: the upper limit, since models give the share of each blade."""
         return 1.0
 
     def wide_blades(self, sizes: Sizes, nu: float) -> WideBlades | None:
-        """Return nothing: the width of each blade is in the springs of its model."""
+        """Return None: the springs of its model include the width of each blade."""
         return None
 
     def volume(self, sizes: Sizes) -> Computed:
@@ -244,7 +244,7 @@ class SpaceDrawing(Drawn):
         return found
 
     def indicators(self, sizes: Sizes, travel: float) -> dict[str, Computed]:
-        """Return the largest b/l and h/l (or d/l), which the springs' validity is stated in."""
+        """Return the largest b/l and h/l (or d/l), the quantities of the springs' validity."""
         widest = max((blade.b / blade.length for blade in self.blades.values()), default=0.0)
         thick = [
             float(self._size("h", name, sizes)) / blade.length
@@ -274,7 +274,7 @@ class SpaceDrawing(Drawn):
             yield from rod.copies(name, None)
 
     def laid_in_space(self, elastic: Elastic, sizes: Sizes, density: float) -> SpaceLayout:
-        """Return the drawing as the solvers take it."""
+        """Return the drawing in the form that the solvers take."""
         material = Isotropic(elastic.E, elastic.G, density)
         members: list[SpaceBlade | SpaceRod] = []
         for one in self.placed():

@@ -1,4 +1,4 @@
-"""What a layout in space is drawn of: bodies, blades and rods, copies of them, and the motion."""
+"""Parts of a layout in space: bodies, blades and rods, copies of them, and the motion."""
 
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal, NamedTuple, TypeAlias
@@ -42,13 +42,13 @@ Place3: TypeAlias = tuple[Length, Length, Length]
 AXES = ("x", "y", "z")
 
 ALONG = 1e-6
-"""Sine of the angle between the width and the blade below which the width is along it."""
+"""Sine of the angle between width and blade below which they count as parallel."""
 
 _Number = Annotated[float, QuantityOf("ratio")]
 
 
 def _direction(data: Any) -> Any:
-    """Return the components of an axis; what else is given, as it is."""
+    """Return the components of a named axis; any other value unchanged."""
     if isinstance(data, str) and data in AXES:
         return [float(data == axis) for axis in AXES]
     if isinstance(data, str):
@@ -186,7 +186,7 @@ class Repeat(Part):
 
 
 class Placed(NamedTuple):
-    """One copy of a drawn blade or rod: its name, its ends, where its width points."""
+    """One copy of a drawn blade or rod: its name, its ends, the direction of its width."""
 
     name: str
     drawn: str
@@ -223,7 +223,7 @@ class _Member(Part):
 
     @property
     def count(self) -> int:
-        """Return how many there are of it with its copies."""
+        """Return their number with all copies."""
         return (1 << len(self.mirror)) * (1 if self.repeat is None else self.repeat.count)
 
     def copies(self, name: str, width: Vector | None) -> Iterator[Placed]:

@@ -18,10 +18,10 @@ __all__ = ["StarFormulas", "StarPivot"]
 
 
 class StarFormulas(PivotFormulas):
-    """Closed forms of such blades in any directions, with what they leave out."""
+    """Closed forms of such blades in any directions, with their errors."""
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
-        """Return that of blades in any directions."""
+        """Return the bending of blades in any directions."""
         h, l, _ = map(number, self.blade(sizes))
         p = number(self.offset(sizes))
         return Star(h=h, l=l, p=p, theta=travel, angles=self.blade_angles)

@@ -44,7 +44,7 @@ class ThreeBladePivot(StarFormulas, BladePivot):
         return self.p
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in; along the axis its blades are wide beams."""
+        """Return the quantities of its validity; along the axis its blades are wide beams."""
         return {**super().indicators(sizes, travel), "b/l": sizes.b / sizes.l}
 
     def sag_stiffness(self, elastic: Elastic, sizes: Blade, axis: str) -> Computed:

@@ -66,12 +66,12 @@ class UnseparatedPivot(BladePair):
         return {"crossing": crossing, "ends": ends}
 
     def bending(self, elastic: Elastic, sizes: Blade, travel: float) -> Bending:
-        """Return that of two pivots in series."""
+        """Return the bending of two pivots in series."""
         h, l, _ = map(number, self.blade(sizes))
         return Joined(h=h, l=l, crossing=self.crossing, theta=travel, half_angle=self.half_angle)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
-        """Return the factors of its part-blades."""
+        """Return the plate factors of its part-blades."""
         return wide_halves(sizes, nu, self.crossing)
 
     def s_bending_share(self, sizes: Blade) -> float:
@@ -89,7 +89,7 @@ class UnseparatedPivot(BladePair):
         )
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
-        """Return what its closed forms are valid in, with l/h of the shorter part."""
+        """Return the quantities of its validity, with l/h of the shorter part."""
         part = smaller(self.crossing, 1.0 - self.crossing) * sizes.l / sizes.h
         return {**super().indicators(sizes, travel), "part l/h": part}
 
@@ -110,7 +110,7 @@ class UnseparatedPivot(BladePair):
         return Layout(bodies, tuple(blades), elastic.E, elastic.shear)
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
-        """Return stiffness and stroke over those of the same blades, separated."""
+        """Return stiffness and stroke relative to those of the same blades, separated."""
         same = {"E": elastic.E, "h": sizes.h, "l": sizes.l, "p": -0.5 * sizes.l}
         stiffer = self.stiffness(elastic, sizes) / pivot.rotational_stiffness(b=sizes.b, **same)
         stress, *_ = pivot.end_stresses(theta=1.0, **same)

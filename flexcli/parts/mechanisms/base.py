@@ -1,4 +1,4 @@
-"""What a mechanism offers: how the joint's motion and load follow from those of the bodies."""
+"""The interface of a mechanism: the motion and load of its joints, from those of its bodies."""
 
 from abc import abstractmethod
 from collections.abc import Mapping
@@ -22,7 +22,7 @@ __all__ = ["Damping", "Mechanism", "MechanismError", "Mode", "OutOfPlane"]
 
 
 class MechanismError(ValueError):
-    """A case asks of a mechanism what it can't do; ``at`` is the key of the case at fault."""
+    """A case that a mechanism cannot have; ``at`` is the key of the case at fault."""
 
     def __init__(self, at: str, text: str, hint: str) -> None:
         super().__init__(text)
@@ -96,12 +96,12 @@ class Mechanism(Part):
 
     @property
     def joint_travel_per_motion(self) -> float:
-        """Return the travel of each joint per travel of the mechanism's own motion."""
+        """Return the travel of each joint per travel of the mechanism's driven motion."""
         return 1.0
 
     @abstractmethod
     def mode(self, joint_stiffness: Quantity, geometry: Geometry) -> Mode:
-        """Return stiffness and mass of the mechanism's own motion, every part mounted."""
+        """Return stiffness and mass of the mechanism's driven motion, every part mounted."""
 
     @abstractmethod
     def locked_forces(self, body: str, acceleration: float) -> dict[str, float]:
@@ -113,17 +113,17 @@ class Mechanism(Part):
 
     @property
     def states_stiffness(self) -> bool:
-        """Return whether it states the stiffness of its joints itself."""
+        """Return whether the stiffness of its joints is stated."""
         return False
 
     def blades_in_motion(
         self, geometry: Geometry, elastic: Elastic, sizes: Sizes, density: float
     ) -> float:
-        """Return the mass of its blades as its own motion moves them [kg], stiffness stated."""
+        """Return the mass of its blades in its driven motion [kg], where stiffness is stated."""
         raise MechanismError("mechanism", "this mechanism states no stiffness of its joints", "")
 
     def carried_body(self, geometry: Geometry, layout: Layout) -> Body | None:
-        """Return the one body on its one joint, in the joint's axes, where it is one."""
+        """Return the one body on its one joint, in the joint's axes, where it has just one."""
         return None
 
     @property
@@ -173,7 +173,7 @@ class Mechanism(Part):
         """
 
     def out_of_plane(self, joint: Layout, lock: str | None) -> OutOfPlane:
-        """Return its bodies on copies of a joint, as a motion out of its plane has to know them.
+        """Return its bodies on copies of a joint, with the data for motion out of its plane.
 
         Raises
         ------
@@ -184,21 +184,21 @@ class Mechanism(Part):
         raise NotAvailable("carries bodies that are not defined out of its plane")
 
     def shaken_by(self, geometry: Geometry) -> Literal["translation", "rotation"]:
-        """Return which motion of the base the transfer function is asked for."""
+        """Return the motion of the base for which the transfer function is asked."""
         return "translation"
 
     def coupling_limit(self) -> tuple[float, float] | None:
-        """Return the coupling to the base and what it may be at most, where a spec asks it."""
+        """Return the coupling to the base and its upper limit, where a spec states it."""
         return None
 
     def notes(self) -> tuple[Note, ...]:
-        """Return what a reviewer must know beside the margins."""
+        """Return notes for a reviewer beside the margins."""
         return ()
 
     def body_forces(self, acceleration: float) -> dict[str, tuple[float, str]]:
-        """Return forces at the bodies worth reporting [N], with what they are."""
+        """Return forces at the bodies for reports [N], with their names."""
         return {}
 
     def values(self, joint_stiffness: float, geometry: Geometry) -> dict[str, Value]:
-        """Return the mechanism's own numbers worth reporting."""
+        """Return the mechanism's own numbers for reports."""
         return {}

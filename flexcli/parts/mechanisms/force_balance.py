@@ -1,4 +1,4 @@
-"""Choose what is free of a parallel stage so that its base's acceleration leaves it at rest.
+"""Choice of the free numbers of a parallel stage that balances it against its base's motion.
 
 The static moment of the moving bodies about the base pivots is affine in each arm, mass, split and
 lever height. So one unknown is solved in closed form, and of two unknowns one stands at a bound of
@@ -19,7 +19,7 @@ __all__ = ["Balancing", "Unknown", "balance"]
 
 
 NO_EFFECT = 1e-12
-"""Part of the single effects of two sides below which their difference is rounding."""
+"""Ratio of the difference of both sides' effects to one of them below which it is rounding."""
 
 
 SHORTEST = 1e-6
@@ -36,7 +36,7 @@ class Unknown(NamedTuple):
 
     @property
     def label(self) -> str:
-        """Return what it is in words."""
+        """Return its name in words."""
         where = f" of balance-{2 * self.sides[0] + 1}" if len(self.sides) == 1 else ""
         what = {"split": "share of the added mass on side 1", "height": "height of the levers"}
         return what.get(self.kind, f"balancing {self.kind}{where}")
@@ -48,14 +48,14 @@ class Unknown(NamedTuple):
 
     @property
     def least(self) -> float:
-        """Return the least it may be: 0 where the spec gives no bound."""
+        """Return its lower bound: 0 where the spec gives none."""
         if self.bounds.least is not None:
             return self.bounds.least
         return SHORTEST if self.kind == "height" else 0.0
 
     @property
     def most(self) -> float:
-        """Return the most it may be."""
+        """Return its upper bound."""
         if self.bounds.most is not None:
             return self.bounds.most
         return 1.0 if self.kind == "split" else inf
@@ -79,7 +79,7 @@ class Unknown(NamedTuple):
         return balance._replace(mass=self.total * share)
 
     def rates(self, stage: Stage) -> tuple[float, ...]:
-        """Return the change of the static moment per unit of the unknown, side by side."""
+        """Return the change of the static moment per unit of the unknown, on both sides."""
         if self.kind == "height":
             return (stage.platform,)
         masses = [stage.levers[side].balance for side in self.sides]
@@ -89,12 +89,12 @@ class Unknown(NamedTuple):
         return along if self.kind == "mass" else (self.total * along[0], -self.total * along[1])
 
     def shown(self, value: float) -> str:
-        """Return a value of it as a person reads it."""
+        """Return a value of it with its unit, for a message."""
         return show(value, self.unit) if self.unit else f"{value:.4g}"
 
 
 class Balancing(NamedTuple):
-    """A stage with its unknowns set, and why they do not do where they don't."""
+    """A stage with its unknowns set, and the reason where they do not suffice."""
 
     stage: Stage
     unknowns: tuple[Unknown, ...] = ()
@@ -172,7 +172,7 @@ def _within(stage: Stage, allowed: float) -> bool:
 
 
 def _left(stage: Stage) -> str:
-    """Return what is left of the coupling, in per cent of that before balancing."""
+    """Return the remaining coupling, in per cent of that before balancing."""
     before = stage.without_balance().moment
     return f"{abs(stage.moment / before):.3g} of that before" if before else "not zero"
 

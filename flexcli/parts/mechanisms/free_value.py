@@ -1,4 +1,4 @@
-"""A quantity that a spec gives, or leaves free for the tool to choose, with bounds if any."""
+"""A quantity that a spec gives, or leaves free to be chosen, with bounds if any."""
 
 from typing import Any, NamedTuple
 
@@ -12,7 +12,7 @@ __all__ = ["Free", "OrFree"]
 
 
 class Free(NamedTuple):
-    """What ``free`` or ``{free: [least, most]}`` says: bounds in SI, None where there is none."""
+    """The meaning of ``free`` or ``{free: [least, most]}``: bounds in SI, None for no bound."""
 
     least: float | None = None
     most: float | None = None
@@ -27,7 +27,7 @@ class OrFree(QuantityOf):
         return or_free(self)
 
     def read(self, value: Any) -> Any:
-        """Return the SI value or what is free of it, or raise what is wrong."""
+        """Return the SI value or the free range, or raise what is wrong."""
         if value == "free":
             return Free()
         expected = DIMENSIONS[self.dimension]

@@ -31,7 +31,7 @@ __all__ = ["BalancingMass", "Coupling", "InertiaTensor", "Lever", "ParallelStage
 SOURCE = "exercise 9"
 
 ROUNDING = 1e-9
-"""Coupling, over that before balancing, that counts as none."""
+"""Coupling, over that before balancing, that counts as zero."""
 
 PIVOT = QuantityOf("rotational stiffness", at_least=0.0)
 
@@ -152,7 +152,7 @@ class ParallelStage(Mechanism):
         return self.balance_1, self.balance_3
 
     def _unknowns(self) -> Iterator[Unknown]:
-        """Yield what is free; a kind that is free on both sides is one common unknown."""
+        """Yield the free numbers; a kind that is free on both sides is one common unknown."""
         for kind in ("arm", "mass"):
             free = {
                 side: value
@@ -169,7 +169,7 @@ class ParallelStage(Mechanism):
 
     @cached_property
     def balancing(self) -> Balancing:
-        """Return the stage with what was free chosen, and whether that does."""
+        """Return the stage with its free numbers chosen, and whether it is balanced."""
         height = 1.0 if isinstance(self.stated_height, Free) else self.stated_height
         first, third = (
             planar.Lever(lever.body, planar.NO_BALANCE if body is None else body.body)
@@ -198,7 +198,7 @@ class ParallelStage(Mechanism):
         return self.at_rest(balanced=balanced).mass.value
 
     def coupling_limit(self) -> tuple[float, float] | None:
-        """Return |τ| and what it may be [kg], where something is free or a bound is stated."""
+        """Return |τ| and its upper limit [kg], where something is free or a bound is stated."""
         if self.coupling is None and not self.balancing.unknowns:
             return None
         allowed = max(self.coupling.max if self.coupling else 0.0, ROUNDING)
@@ -206,7 +206,7 @@ class ParallelStage(Mechanism):
         return abs(final), allowed * abs(init)
 
     def notes(self) -> tuple[Note, ...]:
-        """Return why what is free does not balance, where it does not."""
+        """Return the reason where the free numbers cannot balance it."""
         solved = self.balancing
         return () if solved.met else (Note("not-balanced", f"{solved.reason}: {solved.remedy}"),)
 
@@ -312,7 +312,7 @@ class ParallelStage(Mechanism):
         *,
         thick: bool = False,
     ) -> Structure:
-        """Return the stage on its blades, whatever stiffness is stated."""
+        """Return the stage on its blades, ignoring any stated stiffness."""
         bodies, joints = self.placed(lock)
         platform = bodies[-1].name
         return assemble(
