@@ -66,7 +66,7 @@ BEYOND = {
         "robust against what", "is not of a blade", "there is no number",
         "^tolerances.*does not measure", "^tolerances.*has no unit", "as large as the number",
         "nothing is asked of",
-        "follow from two of them", "actuator grows", "nobody says how it grows", "has no arm",
+        "follow from two of them", "actuator's growth", "stated thermal expansion", "has no arm",
         "no actuator that drives", "a sag is along one axis",
         "in its plane alone", "a load is one in a plane", "carries no mechanism",
         "in space under a vibration", "is judged at assembly, not", "not made of straight blades",
