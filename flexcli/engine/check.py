@@ -145,7 +145,7 @@ def _without_loads(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterat
     """Yield the cases whose loads change the stiffness that is judged without them."""
     of_rest = (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY)
     geometry, scenes = design.geometry, [design.scene(case) for case in design.cases]
-    loaded = [scene for scene in scenes if scene.is_loaded or scene.across_by]
+    loaded = [s for s in scenes if (s.is_loaded or s.across_by) and not s.on_bodies]
     asked = any(check.kind in of_rest and not check.case for check in found.checks)
     if not asked or not loaded or geometry.is_guided:
         return

@@ -591,6 +591,13 @@ class DesignSpec(Part):
                 text = f"the material is not given from {min(reached):g} to {max(reached):g} K"
                 yield Problem(path, text, f"it has {', '.join(beyond)} over temperature")
 
+    def _hint_to_load(self) -> str:
+        """Return what would give a requirement something to judge."""
+        several = self.mechanism is not None and self.mechanism.joints > 1
+        if several and any(case.acceleration and not case.lock for case in self.cases.values()):
+            return "an acceleration of it is judged with lock:, or where it is a space-layout"
+        return "add a case that loads it, or take the requirement out"
+
     def _requirement_problems(
         self, path: tuple[str | int, ...], requirement: Any, probe: Sizes, scenes: list[Scene]
     ) -> Iterator[Problem]:
@@ -607,7 +614,7 @@ class DesignSpec(Part):
             yield Problem(
                 path,
                 f"no case has what '{requirement.label}' is about",
-                "add a case that loads it, or take the requirement out",
+                self._hint_to_load(),
             )
         asked = relevant if requirement.is_of_a_case else [s.at_assembly() for s in relevant[:1]]
         for scene in asked:

@@ -126,6 +126,8 @@ class Scene(NamedTuple):
     """Why the closed forms do not cover its loads, empty where they do."""
     in_space: bool = False
     """Whether the joint is drawn in space, where everything acts on it."""
+    on_bodies: bool = False
+    """Whether accelerations, along the axes of cases, act on all of a mechanism that is locked."""
     directed: bool = False
     """Whether the first of ``forces`` acts in its stated sense only, not either way."""
     has_plane: bool = True
@@ -140,6 +142,13 @@ class Scene(NamedTuple):
     def moves(self) -> bool:
         """Return whether the case has a stroke."""
         return bool(self.travel > 0.0 or self.mean_travel > 0.0)
+
+    @property
+    def hold(self) -> str:
+        """Return what holds a mechanism in space where its loads may buckle it, in words."""
+        if self.on_bodies:
+            return f"{self.lock} locked"
+        return "drive locked at its stroke" if self.moves else "drive free"
 
     @property
     def stroke_ends(self) -> tuple[float, float]:
@@ -192,7 +201,8 @@ class Scene(NamedTuple):
     @property
     def is_accelerated(self) -> bool:
         """Return whether an acceleration in the joint's plane acts on its blades."""
-        return self.has_plane and any(x or y for x, y, _ in self.accelerations)
+        planar = self.has_plane and not self.on_bodies
+        return planar and any(x or y for x, y, _ in self.accelerations)
 
     @property
     def across(self) -> tuple[int, ...]:
@@ -318,7 +328,8 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         drive=drive,
         beyond=beyond,
         in_space=geometry.in_space,
-        across_by=_across_by(case, geometry, lasting),
+        across_by=_across_by(case, geometry, lasting, found),
+        on_bodies=found.on_bodies,
         directed=_is_more(stated, drive) and (case.load is None or case.load.is_directed),
         has_plane=geometry.has_plane,
     )
@@ -347,8 +358,12 @@ def _across(*, has_plane: bool) -> tuple[int, ...]:
     return (2, 3, 4) if has_plane else (0, 1, 2, 3, 4)
 
 
-def _across_by(case: Case, geometry: Geometry, wrenches: tuple[Wrench, ...]) -> frozenset[LoadKind]:
+def _across_by(
+    case: Case, geometry: Geometry, wrenches: tuple[Wrench, ...], inertial: "_Inertial"
+) -> frozenset[LoadKind]:
     """Return the loads out of the plane of a joint that stands free on blades alone."""
+    if inertial.on_bodies:
+        return frozenset({LoadKind.ACCELERATION})
     found, across = set(), _across(has_plane=geometry.has_plane)
     if case.wrench is not None and any(case.wrench.components[i] for i in across):
         found.add(LoadKind.WRENCH)
@@ -535,6 +550,7 @@ class _Inertial(NamedTuple):
     wrenches: tuple[Wrench, ...] = ()
     accelerations: tuple[tuple[float, float, float], ...] = ()
     kinds: frozenset[LoadKind] = frozenset()
+    on_bodies: bool = False
 
 
 def _inertial(
@@ -549,6 +565,8 @@ def _inertial(
     if not found:
         return _Inertial()
     kinds = frozenset(each.kind for each in found if not each.vector[2]) - _shaken_across(case)
+    if case.lock is not None and any(any(each.vector[1:]) for each in found):
+        return _on_bodies(case, found)
     if case.lock is not None:
         return _locked(case.lock, mechanism, found, kinds, values)
     wrenches, fields = [], []
@@ -567,6 +585,16 @@ def _inertial(
         fields.append((a_x, a_y, a_z))
     name = found[-1].name if mechanism is not None else ""
     return _Inertial(name, {}, tuple(wrenches), tuple(fields), kinds)
+
+
+def _on_bodies(case: Case, found: list["_Accelerated"]) -> _Inertial:
+    """Return an acceleration of a locked mechanism in any direction, which acts on its bodies."""
+    beside = len(found) > 1 or case.load is not None or case.wrench is not None
+    if beside:
+        text = "a locked mechanism accelerated off x bears no other load in the same case"
+        raise MechanismError("acceleration", text, "state each in a case of its own")
+    x, y, z = found[0].vector
+    return _Inertial(wrenches=(NO_WRENCH,), accelerations=((x, y, z),), on_bodies=True)
 
 
 def _locked(
@@ -687,11 +715,11 @@ def _loading(
         axes = tuple(axis for axis in axes if axis != "z")  # the modes' response has that
     if case.lock is not None:
         across = [axis for axis in axes if axis != "x"]
-        if across:
+        if across and vibrates:
             raise MechanismError(
                 kind.value,
                 f"no closed form for a locked mechanism accelerated along {across[0]}",
-                "take axis: x, or leave the lock out",
+                "take axis: x, or its size as a steady acceleration:, which is judged in space",
             )
         return axes
     stage = mechanism is not None and mechanism.joints > 1

@@ -12,15 +12,18 @@ from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.layout import Directed, SpaceLayout, SpaceRod
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
+from flexcli.mechanics.space.planar import from_plane
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
+from flexcli.parts.mechanisms.base import Mechanism, OutOfPlane
 from flexcli.results import ErrorRange
 
 if TYPE_CHECKING:
+    from flexcli.parts.requirements.ask import Ask
     from flexcli.parts.temperature import Temperature
 
-__all__ = ["Form", "SpaceJoint", "joint_in_space"]
+__all__ = ["Form", "SpaceJoint", "joint_in_space", "joint_of", "on_pivots"]
 
 Floats = NDArray[np.float64]
 
@@ -228,3 +231,58 @@ def joint_in_space(
         return _LATEST.of(geometry, material, sizes, temperature)
     except SolveError as error:
         raise NotAvailable(f"has no stiffness: {error}") from error
+
+
+def on_pivots(whole: OutOfPlane, density: float, gyration: float) -> SpaceLayout:
+    """Return a mechanism on several joints from its plane, with inertia about x and y.
+
+    Unstated inertia is that of a radius of gyration [m].
+    """
+    first = whole.layout.bodies[0].name
+    if whole.layout.G is None:
+        raise NotAvailable("needs material.poisson_ratio for its shear and torsion")
+    found = from_plane(whole.layout, first, turns=True, density=density)
+    bodies = []
+    for body in found.bodies:
+        about_x, about_y = whole.inertia.get(body.name) or (body.mass * gyration**2,) * 2
+        about_z = body.inertia[2][2]
+        inertia = ((about_x, 0.0, 0.0), (0.0, about_y, 0.0), (0.0, 0.0, about_z))
+        bodies.append(body._replace(inertia=inertia))
+    return SpaceLayout(tuple(bodies), found.blades, found.drive, found.springs)
+
+
+_LOCKED: list[tuple[SpaceJoint, Mechanism, Geometry, Material, Sizes, str | None]] = []
+"""The mechanisms that were asked last, each with a body of it locked."""
+
+
+def joint_of(ask: "Ask", *, warm: bool = True) -> SpaceJoint:
+    """Return what a case loads in space: its joint, or a mechanism on several that is locked.
+
+    The joint is as its temperature has grown it where it is ``warm``.
+
+    Raises
+    ------
+    NotAvailable
+        When it is not made of blades, or the material has no shear modulus.
+
+    """
+    scene, mechanism = ask.scene, ask.mechanism
+    if not scene.on_bodies:
+        heat = scene.temperature if warm else None
+        return joint_in_space(ask.geometry, ask.material, ask.sizes, heat)
+    assert mechanism is not None  # it has the body that is locked
+    for joint, of, geometry, material, sizes, lock in _LOCKED:
+        same = of is mechanism and material is ask.material and lock == scene.lock
+        if same and geometry.has_blades_of(ask.geometry) and sizes == ask.sizes:
+            return joint
+    layout = ask.geometry.blades_layout(ask.material.elastic, ask.sizes)
+    density = ask.material.density
+    whole = mechanism.out_of_plane(layout, scene.lock)
+    found = on_pivots(whole, 0.0 if density is None else density.value, 0.0)
+    try:
+        joint = SpaceJoint(found)
+    except SolveError as error:
+        raise NotAvailable(f"has no stiffness: {error}") from error
+    del _LOCKED[: max(len(_LOCKED) + 1 - MOST, 0)]
+    _LOCKED.append((joint, mechanism, ask.geometry, ask.material, ask.sizes, scene.lock))
+    return joint

@@ -41,7 +41,7 @@ from flexcli.parts.material import Material
 from flexcli.parts.own_motion import DENSEST, TAKES_PART
 from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.scene import Scene
-from flexcli.parts.space_joint import SpaceJoint, joint_in_space
+from flexcli.parts.space_joint import SpaceJoint, joint_in_space, joint_of
 from flexcli.results import ErrorRange
 
 __all__ = [
@@ -244,7 +244,7 @@ def bent_by_gradient(joint: SpaceJoint, scene: Scene) -> tuple[float, Floats]:
 
 def left_by_temperature(ask: Ask) -> tuple[float, ...]:
     """Return the motion of the body by the temperature of a case alone, along and about x, y, z."""
-    joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+    joint = joint_of(ask)
     body = joint.layout.body(joint.layout.drive.body)
     moved = warmed(joint.assembly, locked=False).moved.coordinates[:, 0]
     found = joint.assembly.motion(body.name, body.point) @ moved

@@ -15,7 +15,6 @@ from flexcli.mechanics.layout import Body
 from flexcli.mechanics.space.layout import SpaceBody, SpaceLayout, SpaceLoad
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.mechanics.space.modes import own_blade_frequency
-from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.space.states import BladeStress, SpaceState, Stresses, combined
 from flexcli.mechanics.space.vibrating import vibrating
 from flexcli.numerics.modes import natural_modes
@@ -23,9 +22,8 @@ from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.mechanisms import Mechanism
-from flexcli.parts.mechanisms.base import OutOfPlane
 from flexcli.parts.own_motion import DENSEST
-from flexcli.parts.space_joint import RIGID, SpaceJoint
+from flexcli.parts.space_joint import RIGID, SpaceJoint, on_pivots
 from flexcli.parts.space_states import state_error
 from flexcli.parts.structure import Structure, joined
 from flexcli.results import ErrorRange
@@ -119,7 +117,7 @@ def likely_structures(
 
     def assembled(rho: float, gyration: float) -> SpaceJoint:
         if several:
-            return SpaceJoint(_on_pivots(whole, rho, gyration * reach))
+            return SpaceJoint(on_pivots(whole, rho, gyration * reach))
         layout = geometry.space_layout(elastic, sizes, rho)
         if geometry.in_space:
             return SpaceJoint(layout)
@@ -157,24 +155,6 @@ def _refuse_guided(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> None:
         raise NotAvailable("has a guide that is not defined out of its plane")
     if geometry.layout(elastic, sizes).guides:
         raise NotAvailable("has ideal guides, which are not defined out of their plane")
-
-
-def _on_pivots(whole: OutOfPlane, density: float, gyration: float) -> SpaceLayout:
-    """Return a mechanism on several joints from its plane, with inertia about x and y.
-
-    Unstated inertia is that of a radius of gyration [m].
-    """
-    first = whole.layout.bodies[0].name
-    if whole.layout.G is None:
-        raise NotAvailable("needs material.poisson_ratio for its shear and torsion")
-    found = from_plane(whole.layout, first, turns=True, density=density)
-    bodies = []
-    for body in found.bodies:
-        about_x, about_y = whole.inertia.get(body.name) or (body.mass * gyration**2,) * 2
-        about_z = body.inertia[2][2]
-        inertia = ((about_x, 0.0, 0.0), (0.0, about_y, 0.0), (0.0, 0.0, about_z))
-        bodies.append(body._replace(inertia=inertia))
-    return SpaceLayout(tuple(bodies), found.blades, found.drive, found.springs)
 
 
 def _loaded(

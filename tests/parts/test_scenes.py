@@ -115,11 +115,12 @@ def test_a_free_parallel_stage_refuses_a_force_through_its_pivots():
 
 
 @pytest.mark.parametrize("axis", ["y", "z"])
-def test_a_locked_stage_refuses_an_acceleration_that_it_has_no_closed_form_for(axis):
-    with pytest.raises(Inconsistent, match="no closed form for a locked mechanism"):
-        scene_of(
-            {"acceleration": {"level": "1 g", "axis": axis}, "lock": "solid-2"}, parallel_stage()
-        )
+def test_a_steady_acceleration_off_x_acts_on_the_bodies_of_a_locked_stage(axis):
+    case = {"acceleration": {"level": "2 m/s^2", "axis": axis}, "lock": "solid-2"}
+    found = scene_of(case, parallel_stage())
+    assert found.on_bodies
+    assert found.accelerations == (tuple(2.0 * (axis == a) for a in "xyz"),)
+    assert found.force == 0.0
 
 
 def test_only_solid_2_can_be_locked():

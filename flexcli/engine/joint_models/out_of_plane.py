@@ -129,6 +129,8 @@ class OutOfPlane(JointModel):
         """
         if not ask.scene.across_by:
             return self.inner.stresses(ask)
+        if ask.scene.on_bodies:
+            return self._whole().stresses(ask)
         parts = self._parts(ask)
         beams = self._beams(ask) if parts.across.error is None else None
         if beams is not None:
@@ -145,6 +147,8 @@ class OutOfPlane(JointModel):
 
         Both are added as if largest at one place: together they are no less than either.
         """
+        if ask.scene.on_bodies and kind is QuantityKind.STRESS:
+            return None if self._space is None else self._space.error(ask, kind)
         planar = self.inner.error(ask, kind)
         if kind is not QuantityKind.STRESS or not ask.scene.across_by or planar is None:
             return planar
@@ -161,6 +165,12 @@ class OutOfPlane(JointModel):
             return planar
         low = max(a * (1.0 + planar.low), b * (1.0 + error.low)) / (a + b) - 1.0
         return ErrorRange(low, (a * (1.0 + planar.high) + b * (1.0 + error.high)) / (a + b) - 1.0)
+
+    def _whole(self) -> SpaceLinearModel:
+        """Return the model of a mechanism that is judged in space alone."""
+        if self._space is None:
+            raise NotAvailable("has no closed form for a locked mechanism accelerated off x")
+        return self._space
 
     def _beams(self, ask: Ask) -> SpaceLinearModel | None:
         """Return exact beams where they may say more: of hinges' stress they know no error."""

@@ -44,7 +44,7 @@ from flexcli.parts.requirements import (
     JointModel,
 )
 from flexcli.parts.scene import Scene
-from flexcli.parts.space_joint import SpaceJoint, joint_in_space
+from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_states import (
     SOFTENED,
     WARPING_ERROR,
@@ -98,7 +98,7 @@ class SpaceExactModel(SpaceLinearModel):
         """Return the stiffness along the motion, all else free, at the case's temperature."""
         if ask.scene.temperature is None:
             return super().stiffness(ask)
-        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        joint = joint_of(ask, warm=False)
         travel = joint.assembly.moved(travel=np.ones(1))
         return float(travel.drive[0]) * self._warm_stiffness(ask).value
 
@@ -238,7 +238,7 @@ class SpaceExactModel(SpaceLinearModel):
             Where the loads make it lose its stability on their way.
 
         """
-        joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+        joint = joint_of(ask)
         groups = [_loads(joint, each) for each in acting_groups(joint, ask.scene)]
         for signs in product((1.0, -1.0), repeat=len(groups)):
             loads = tuple(_signed(groups, signs))
@@ -270,7 +270,7 @@ class SpaceExactModel(SpaceLinearModel):
         found = self._at_ends(ask, lambda errors: errors.shift, _shift)
         if found is None:
             return None
-        joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+        joint = joint_of(ask)
         rest = float(np.linalg.norm(bent_by_gradient(joint, ask.scene)[1][:3]))
         states = self._ends(ask)
         rest += max(known.rest for known in map(self.blades.errors, states) if known is not None)
@@ -283,7 +283,7 @@ class SpaceExactModel(SpaceLinearModel):
         That acts on the bodies; what it does between the ends of a blade counts as if it were
         largest where the stress is.
         """
-        joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+        joint = joint_of(ask)
         beside = sum(_stress_of_weight(joint, each) for each in acting_groups(joint, ask.scene))
         beside += bent_by_gradient(joint, ask.scene)[0]
         most, unsure, largest = 0.0, beside, 0.0
@@ -343,7 +343,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     which is below that of shells.
     """
     scene = ask.scene
-    joint = joint_in_space(ask.geometry, ask.material, ask.sizes, scene.temperature)
+    joint = joint_of(ask)
     layout, drive = joint.layout, joint.layout.drive
     acting = acting_groups(joint, scene)
     groups = [_loads(joint, each) for each in acting]
@@ -356,7 +356,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
         beams = path if blades is BEAMS else _path_at(ask, travel, BEAMS)
         for signs in senses(scene, len(groups)):
             pattern = list(_signed(groups, signs))
-            spoken = "drive locked at its stroke" if scene.moves else "drive free"
+            spoken = scene.hold
             try:
                 found = critical_load(
                     layout, path.held, pattern, most=most, frames=drive_frame(drive),
@@ -401,7 +401,7 @@ def _path_at(ask: Ask, travel: float, blades: Blades) -> _Path:
 
 def _prove_buckled(ask: Ask, blades: Blades, loads: Loads) -> None:
     """Raise :class:`Buckled` where loads make the joint lose its stability as they grow."""
-    layout = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature).layout
+    layout = joint_of(ask).layout
     levels, tolerance = blades.critical
     for travel in dict.fromkeys(ask.scene.stroke_ends):
         try:

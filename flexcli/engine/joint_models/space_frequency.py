@@ -16,7 +16,7 @@ from flexcli.mechanics.space.modes import own_blade_frequency
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.own_motion import DENSEST
 from flexcli.parts.requirements import Ask
-from flexcli.parts.space_joint import joint_in_space
+from flexcli.parts.space_joint import joint_of
 from flexcli.parts.space_states import INNER
 from flexcli.results import ErrorRange
 
@@ -42,7 +42,7 @@ def locked_frequency(
     surely too heavy, and counts what blades vibrate inside. Stiffness is off in any motion by no
     more than a support stiffness may be: twice that of a frequency.
     """
-    joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+    joint = joint_of(ask)
     if not any(body.mass for body in joint.layout.bodies):
         raise NotAvailable("has no body with a mass: give its bodies theirs")
     weighed, share = joint.assembly, FOLLOWS

@@ -17,7 +17,7 @@ from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
-from flexcli.parts.space_joint import SpaceJoint, joint_in_space
+from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_states import (
     Place,
     Told,
@@ -115,9 +115,8 @@ class SpaceLinearModel(JointModel):
         scene, joint = ask.scene, _joint(ask)
         if scene.temperature is not None or not joint.is_uniform or ask.geometry.is_guided:
             raise NotAvailable("has no linear model of what buckles it")
-        held = "drive locked at its stroke" if scene.moves else "drive free"
         return tuple(
-            CriticalShare(share, held, ErrorRange(least / share - 1.0, inf))
+            CriticalShare(share, scene.hold, ErrorRange(least / share - 1.0, inf))
             for share, least in straight_shares(joint, scene, ask.most_share)
         )
 
@@ -139,7 +138,7 @@ class SpaceLinearModel(JointModel):
 
 
 def _joint(ask: Ask) -> SpaceJoint:
-    return joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+    return joint_of(ask)
 
 
 def _stiffness(assembly: SpaceAssembly) -> float:

@@ -18,7 +18,7 @@ from flexcli.mechanics.space.exact.support import support_compliance
 from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
-from flexcli.parts.space_joint import SpaceJoint, joint_in_space
+from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.results import ErrorRange
 
 __all__ = [
@@ -83,7 +83,7 @@ def at_travel(
 
     """
     heat = ask.scene.temperature if warm else None
-    joint = joint_in_space(ask.geometry, ask.material, ask.sizes, heat)
+    joint = joint_of(ask, warm=warm)
     blades = BEAMS if blades is None else blades
     known, key = _KNOWN.setdefault(joint, {}), (blades.name, travel, loads, ask.near is not None)
     if key not in known:

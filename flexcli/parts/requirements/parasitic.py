@@ -13,7 +13,7 @@ from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.requirements.base import Bound, Limit
 from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, MotionBound, Place
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.parts.space_joint import joint_in_space
+from flexcli.parts.space_joint import joint_of
 from flexcli.parts.space_states import motions, parasitic_frequency
 from flexcli.results import ErrorRange, QuantityKind
 
@@ -50,7 +50,7 @@ class ParasiticMotion(MotionBound):
         if not ask.geometry.in_space:
             hint = "ask for parasitic_shift, or draw it as a space-layout"
             raise RequirementError(f"a {ask.geometry.name} {IN_SPACE}", hint)
-        joint = joint_in_space(ask.geometry, ask.material, ask.sizes, ask.scene.temperature)
+        joint = joint_of(ask)
         when = "at the end of the stroke" if ask.scene.moves else "by the temperature"
         held = "drive locked" if ask.scene.moves else "drive free"
         row = np.eye(6)[[DIRECTIONS.index(self.direction)]]
