@@ -23,11 +23,10 @@ def curve_damage_rate(
     points: tuple[tuple[float, float], ...],
     *,
     scale: float,
-    endurance: float = 0.0,
 ) -> float:
     """Give the damage rate of any amplitude density on a life curve of straight log-log lines.
 
-    d = ν ∫ p(a)/N(a) da, from the endurance amplitude to ∞
+    d = ν ∫ p(a)/N(a) da over all amplitudes
 
     Parameters
     ----------
@@ -41,8 +40,6 @@ def curve_damage_rate(
         first and last lines go on beyond their points.
     scale : float
         Size of the amplitudes, such as the root mean square, [Pa].
-    endurance : float
-        Amplitude up to which cycles do no damage, none by default, [Pa].
 
     Returns
     -------
@@ -74,8 +71,8 @@ def curve_damage_rate(
     corners = np.exp(_logarithms(points)[1][1:-1])
     low, high = scale * _SMALLEST, scale * _GREATEST
     count = int(np.ceil(np.log(high / low) / np.log(_GROWTH))) + 1
-    edges = np.concatenate([np.geomspace(low, high, count), corners, [endurance]])
-    edges = np.unique(np.clip(edges, max(low, endurance), max(high, endurance)))
+    edges = np.concatenate([np.geomspace(low, high, count), corners])
+    edges = np.unique(np.clip(edges, low, high))
     return cycle_rate * damage_of_a_cycle(density, edges, points)
 
 

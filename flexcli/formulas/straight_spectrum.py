@@ -68,7 +68,7 @@ def straight_lines(
 
 
 def power_sum(
-    profiles: Sequence[tuple[ArrayLike, ArrayLike, Scale]], *, tolerance: float = 1e-3
+    profiles: Sequence[tuple[ArrayLike, ArrayLike, Scale]],
 ) -> tuple[Floats, Floats]:
     """Give the sum of several densities: environments that act at once and are independent.
 
@@ -78,8 +78,6 @@ def power_sum(
     ----------
     profiles : sequence of (frequency, level, scale)
         At least one profile, [Hz] and [x²/Hz], with the axes in which it is straight.
-    tolerance : float
-        Most that a line of the sum may be off, a share of it, [-].
 
     Returns
     -------
@@ -94,7 +92,7 @@ def power_sum(
     Notes
     -----
     The sum of straight lines on log-log axes is no straight line: points are added until it
-    follows within the tolerance.
+    follows within 1e-3 of it.
 
     Examples
     --------
@@ -120,7 +118,7 @@ def power_sum(
             total += np.where(inside, spectral_level(at, f, g, scale=scale, side=side), 0.0)
         return total
 
-    return straight_lines(lambda f, side: level(_snapped(f, cuts), side), cuts, tolerance=tolerance)
+    return straight_lines(lambda f, side: level(_snapped(f, cuts), side), cuts)
 
 
 def _snapped(f: Floats, cuts: Floats) -> Floats:

@@ -14,21 +14,20 @@ _PIECES = 8
 """Number of parts of a bracket in each pass; the two beside the greatest point are kept."""
 _HOPELESS = 0.1
 """Relative deficit of a bracket's best point below the best of all from which it is dropped."""
+TOLERANCE = 1e-11
+"""Relative error of the greatest value."""
 _MOST_BRACKETS = 64
 _MOST_PASSES = 40
 
 
 def greatest(
-    function: Callable[[Floats, Integers], Floats],
-    grid: Floats,
-    piece: Integers,
-    *,
-    tolerance: float = 1e-11,
+    function: Callable[[Floats, Integers], Floats], grid: Floats, piece: Integers
 ) -> tuple[float, float, int]:
     """Find the greatest value of a function on pieces of a line.
 
     Every local maximum of the grid is narrowed until the values of its bracket agree within
-    the tolerance; the end points of a piece count.
+    `TOLERANCE`; the end points of a piece count. A smooth maximum is flat, so its place is known to
+    some √TOLERANCE of its width.
 
     Parameters
     ----------
@@ -39,9 +38,6 @@ def greatest(
         points shows as a local maximum of the grid, at most a tenth above it.
     piece : array of int, shape (n,)
         The piece of each point, not falling.
-    tolerance : float
-        Relative error of the value. A smooth maximum is flat, so its place is known to some
-        √tolerance of its width.
 
     Returns
     -------
@@ -74,7 +70,7 @@ def greatest(
         left, right = np.maximum(peak - 1, 0), np.minimum(peak + 1, _PIECES)
         spread = y[rows, peak] - np.minimum(y[rows, left], y[rows, right])
         # what is left to gain in a bracket is less than its spread
-        alive = (spread > tolerance * found[0]) & (y[rows, peak] + spread > found[0])
+        alive = (spread > TOLERANCE * found[0]) & (y[rows, peak] + spread > found[0])
         low, high, on = x[rows, left][alive], x[rows, right][alive], on[alive]
     return found
 

@@ -103,15 +103,13 @@ class Page:
         x, y, r = (number(v) for v in (*centre, radius))
         self.shapes.append(f'<circle{_drawn(style, paint)} cx="{x}" cy="{y}" r="{r}"/>')
 
-    def arrow(
-        self, start: XY, end: XY, line: str, head: str, size: float = 8.5, half: float = 1.9
-    ) -> None:
-        """Draw a line with a head at its end."""
+    def arrow(self, start: XY, end: XY, line: str, head: str, size: float = 8.5) -> None:
+        """Draw a line with a head at its end, which is 3.8 px wide."""
         length = hypot(end[0] - start[0], end[1] - start[1]) or 1.0
         x, y = (end[0] - start[0]) / length, (end[1] - start[1]) / length
         foot = (end[0] - size * x, end[1] - size * y)
         self.path([start, foot if length > size else start], line)
-        sides = [(foot[0] - s * half * y, foot[1] + s * half * x) for s in (1.0, -1.0)]
+        sides = [(foot[0] - 1.9 * s * y, foot[1] + 1.9 * s * x) for s in (1.0, -1.0)]
         self.path([end, *sides], head, closed=True)
 
     def text(

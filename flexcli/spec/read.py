@@ -11,9 +11,9 @@ __all__ = ["MAX_BYTES", "read_document", "text_of"]
 MAX_BYTES = 2_000_000
 
 
-def read_document(path: Path, name: str | None = None) -> Document:
+def read_document(path: Path) -> Document:
     """Read a YAML file, or raise :class:`SpecError` when it cannot be read as one."""
-    file = name or str(path)
+    file = str(path)
     try:
         if not path.is_file():
             raise SpecError([_not_a_file(path, file)])

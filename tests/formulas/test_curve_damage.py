@@ -42,11 +42,6 @@ def test_bilinear_curve_agrees_with_incomplete_gamma_functions():
     points = ((N * 4**-k1, 4 * knee), (N, knee), (N * 2**k2, knee / 2))
     numeric = curve_damage_rate(lambda a: rayleigh_density(a, sigma), rate, points, scale=sigma)
     assert numeric == pytest.approx(exact, rel=1e-11)
-    # with the knee as endurance limit only the first term is left
-    limited = curve_damage_rate(
-        lambda a: rayleigh_density(a, sigma), rate, points, scale=sigma, endurance=knee
-    )
-    assert limited == pytest.approx(rate / N * above / knee**k1, rel=1e-11)
 
 
 @pytest.mark.parametrize(

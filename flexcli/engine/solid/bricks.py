@@ -149,7 +149,7 @@ def bricks(
     return Bricks(places, number[at[..., 0], at[..., 1], at[..., 2]], number, is_half, stiff)
 
 
-def graded(l: float, first: float, middle: int = MIDDLE) -> Floats:
+def graded(l: float, first: float) -> Floats:
     """Return where elements end along a length, equal in its middle, short at both its ends.
 
     Parameters
@@ -158,11 +158,9 @@ def graded(l: float, first: float, middle: int = MIDDLE) -> Floats:
         Length [m].
     first : float
         Longest element at an end [m].
-    middle : int
-        Elements at least.
 
     """
-    widest = l / middle
+    widest = l / MIDDLE
     steps = max(0, ceil(log(widest / first, GROWTH))) if first < widest else 0
     growing = widest * GROWTH ** -np.arange(steps, 0, -1.0)
     left = l - 2.0 * float(growing.sum())

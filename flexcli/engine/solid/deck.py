@@ -166,14 +166,18 @@ def support_deck(
     return Deck("\n".join([*head, *steps, ""]), numbers), nodes
 
 
-def modes_deck(model: SolidModel, density: float, guided: Sequence[str], count: int = 12) -> Deck:
+MODES, LOAD_FACTORS = 12, 4
+"""Modes of vibration and of buckling that are computed."""
+
+
+def modes_deck(model: SolidModel, density: float, guided: Sequence[str]) -> Deck:
     """Return a deck of the lowest modes at rest, bodies in ``guided`` kept from turning."""
     numbers = _numbered(model)
     head = _head(model, numbers, {}, density=density)
     if guided:
         head += ["*BOUNDARY", *(f"{numbers[name][1]}, 3, 3" for name in guided)]
     step = [
-        "*STEP", "*FREQUENCY", f"{count}",
+        "*STEP", "*FREQUENCY", f"{MODES}",
         "*NODE PRINT, NSET=BODIES", "U", "*END STEP",
     ]  # fmt: skip
     return Deck("\n".join([*head, *step, ""]), numbers)
@@ -183,7 +187,6 @@ def buckling_deck(
     model: SolidModel,
     state: State,
     turning: Mapping[str, float] | None = None,
-    count: int = 4,
 ) -> Deck:
     """Return a deck of the lowest load factors of a state at rest.
 
@@ -201,7 +204,7 @@ def buckling_deck(
     if held:
         head += ["*BOUNDARY", *held]
     step = [
-        "*STEP", "*BUCKLE", f"{count}, 1e-4",
+        "*STEP", "*BUCKLE", f"{LOAD_FACTORS}, 1e-4",
         "*CLOAD", *_loads(model, numbers, state.loads, points), "*END STEP",
     ]  # fmt: skip
     return Deck("\n".join([*head, *step, ""]), numbers)

@@ -56,9 +56,7 @@ ACTIVE = 5e-3
 """Logarithm of a margin over its loss below which the loss holds the choice."""
 
 
-def robust_size(
-    design: DesignSpec, spec: str, model: str | None = None, *, parts: int = PARTS, seed: int = 0
-) -> Result:
+def robust_size(design: DesignSpec, spec: str, model: str | None = None) -> Result:
     """Return the sized design of which the stated share of parts passes, judged by a run.
 
     Parameters
@@ -69,17 +67,13 @@ def robust_size(
         Its name in the result.
     model : str, optional
         The model that alone judges, over that of the spec.
-    parts : int
-        How many parts are drawn.
-    seed : int
-        Of the parts.
 
     """
     if model is not None:
         design = design.model_copy(update={"model": model})
     lost: dict[str, Correction] = {}
-    share = _sure_share(design, parts)
-    drawn_parts = parts if share is not None else min(parts, SOME)
+    share = _sure_share(design)
+    drawn_parts = PARTS if share is not None else SOME
     plan: Plan | None = None
     notes: tuple[Note, ...] = (
         Note("did-not-settle", "the loss to tolerances did not converge: not the optimum"),
@@ -92,14 +86,14 @@ def robust_size(
         made = _made(design, chosen)
         sizes = made.fixed_sizes()
         known = {check: log(float(each.at(sizes))) for check, each in lost.items()}
-        loss = _Loss(made, drawn_parts, seed, share, known, plan)
+        loss = _Loss(made, drawn_parts, share, known, plan)
         found, plan = _corrections(loss, design.geometry.free), loss.plan
         moved = [abs(log(each.factor) - known.get(check, 0.0)) for check, each in found.items()]
         lost = found
         if max(moved, default=0.0) <= SETTLED:
             notes = ()
             break
-    judged = tolerances(made, sizes, spec, parts=parts, seed=seed)
+    judged = tolerances(made, sizes, spec)
     assert judged.cost is not None  # a study has one
     sizing = chosen.sizing
     if sizing is not None:
@@ -144,7 +138,7 @@ def _told(chosen: Result, lost: Mapping[str, Correction]) -> Result:
     return replace(chosen, warnings=(*chosen.warnings, Note("tolerances-too-wide", text)))
 
 
-def _sure_share(design: DesignSpec, parts: int) -> float | None:
+def _sure_share(design: DesignSpec) -> float | None:
     """Return the share of the drawn parts that has to pass for the stated one to be sure."""
     assert design.robust is not None  # the caller's
     asked = design.robust.parts
@@ -152,8 +146,8 @@ def _sure_share(design: DesignSpec, parts: int) -> float | None:
         return None
     from scipy.special import ndtri
 
-    chance = float(ndtri(0.5 + CONFIDENCE / 2.0)) * sqrt(asked * (1.0 - asked) / parts)
-    return min(asked + 1.1 * chance + 2.0 / parts, 1.0 - 1.0 / parts)
+    chance = float(ndtri(0.5 + CONFIDENCE / 2.0)) * sqrt(asked * (1.0 - asked) / PARTS)
+    return min(asked + 1.1 * chance + 2.0 / PARTS, 1.0 - 1.0 / PARTS)
 
 
 class _Loss:
@@ -163,20 +157,19 @@ class _Loss:
         self,
         made: DesignSpec,
         parts: int,
-        seed: int,
         share: float | None,
         lost: Losses,
         plan: Plan | None,
     ) -> None:
         self.made, self.share = made, share
         self.each = variations(made)
-        self.shares = np.random.default_rng(seed).random((parts, len(self.each)))
+        self.shares = np.random.default_rng(0).random((parts, len(self.each)))
         u = drawn(self.each, self.shares)
         nominal = nominal_of(made)
         plan = plan or first_plan(nominal)
         names = tuple(dict.fromkeys(row.check for row in reading(nominal, plan)))
         points = np.clip(u[:HELD], -1.0, 1.0)
-        judged = Judged(Portable(made, ()), self.each, plan, points, map, seed)
+        judged = Judged(Portable(made, ()), self.each, plan, points, map, 0)
         self.response = respond(judged, names, u)
         self.plan = judged.plan
         self.checks = [name for name in self.response.checks if name not in self.response.unknown]

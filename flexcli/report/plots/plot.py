@@ -26,13 +26,9 @@ def in_unit(values: Iterable[float], unit: str) -> tuple[str, float]:
     return shown_unit(float(np.max(size[np.isfinite(size)], initial=0.0)), unit)
 
 
-def curves(
-    x: Any, rows: Sequence[tuple[str, Any]], x_axis: Axis, y_axis: Axis, marked: Any = None
-) -> str:
+def curves(x: Any, rows: Sequence[tuple[str, Any]], x_axis: Axis, y_axis: Axis) -> str:
     """Return the chart of curves over the same values, told apart by their dashes."""
     chart = Chart(x_axis, y_axis)
     for (name, values), dash in zip(rows, DASHES * len(rows), strict=False):
         chart.curve(x, values, name, dash)
-    if marked is not None:
-        chart.rule(x=marked, colour="motion")
     return chart.svg()
