@@ -1,0 +1,1 @@
+"""Comparison of a model's numbers with those of solid elements."""

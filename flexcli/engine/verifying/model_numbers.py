@@ -1,0 +1,190 @@
+"""The numbers of a model with their errors, as solid elements are compared with them."""
+
+from math import isfinite
+
+import numpy as np
+
+from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.exact_with_shells import ExactWithShells
+from flexcli.engine.joint_models.joint_states import warmed
+from flexcli.engine.joint_models.linear import LinearModel
+from flexcli.engine.solid.model import solid_model
+from flexcli.engine.solid.numbers import STRAIGHT, Place
+from flexcli.formulas.quantity import Computed
+from flexcli.mechanics.stresses import blade_stress
+from flexcli.mechanics.tangent import free_compliance
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import ACROSS_WIDTH, MOVING, Critical
+from flexcli.parts.own_motion import own_mode
+from flexcli.parts.requirements import Ask, JointModel
+from flexcli.parts.requirements.support import CENTRE
+from flexcli.parts.temperature import held_across
+from flexcli.results import ErrorRange, QuantityKind
+
+__all__ = ["PRINTED", "Found", "ModelNumbers"]
+
+PRINTED = 2e-6
+"""Relative error of what CalculiX prints with seven digits."""
+
+BESIDE_CLAMP = 2.0
+"""Thicknesses from a clamp to where stresses are compared: what its corner does fades by some
+e⁻⁴ a thickness."""
+
+HELD_STRESS = 5e-3
+"""Share of the stress of a blade that its clamps hold across that is left there along it."""
+
+Found = tuple[float, ErrorRange | None]
+
+
+class ModelNumbers:
+    """The numbers of a model with their errors."""
+
+    def __init__(self, joint_model: JointModel) -> None:
+        self.joint_model = joint_model
+        self.inner = getattr(joint_model, "inner", joint_model)
+        self.exact = self.inner if isinstance(self.inner, ExactModel) else ExactModel()
+
+    def of(self, ask: Ask, kind: QuantityKind, value: Computed) -> Found:
+        """Return a value with the model's error of its kind."""
+        return float(value), self.joint_model.error(ask, kind)
+
+    def frequency(self, ask: Ask) -> Found:
+        """Return the frequency of the mechanism's own motion."""
+        if ask.geometry.in_space:
+            squared = self.joint_model.frequency_squared(ask)
+            return self.of(ask, QuantityKind.FREQUENCY, float(squared) ** 0.5)
+        stiffness = self.joint_model.stiffness(ask)
+        mode = own_mode(ask.mechanism, stiffness, ask.geometry, ask.material.elastic, ask.sizes)
+        found = float(mode.stiffness / mode.mass) ** 0.5 / (2.0 * np.pi)
+        return self.of(ask, QuantityKind.FREQUENCY, found * self.joint_model.frequency_factor(ask))
+
+    def stiffness_at_end(self, ask: Ask) -> Found:
+        """Return the tangent at the end of the stroke, for wide blades as far as is known.
+
+        Bent blades of some width lie between the beam and the plate that cannot narrow, which is
+        1/(1 − ν²) times as stiff: the range is all between, and the error at rest besides.
+        """
+        at_rest = float(self.joint_model.stiffness(ask) / self.inner.stiffness(ask))
+        found = self.exact.stiffness_at_end(ask)
+        own = self.joint_model.error(ask, QuantityKind.STIFFNESS)
+        if own is None:
+            return found * at_rest, None
+        return found * at_rest, own + _between_beam_and_plate(ask, at_rest)
+
+    def across_at_end(self, ask: Ask) -> Found:
+        """Return the stiffness along the layout's x at the end of the stroke, the drive held."""
+        state = self.exact.states(ask)
+        free = state.parts[0].demand.free.tolist()
+        index = free.index(3 * state.layout.index(MOVING))
+        return 1.0 / float(free_compliance(state)[0, index, index]), _between_beam_and_plate(
+            ask, 1.0
+        )
+
+    def by_support(self, ask: Ask, index: int) -> tuple[JointModel, Found]:
+        """Return a stiffness at the end of the stroke, by shells where beams know no error."""
+        for exact in (self.exact, ExactWithShells()):
+            found = exact.support_at_stroke(ask, index, CENTRE, locked=True)[0]
+            if found[1] is not None:
+                break
+        return exact, found
+
+    def across_force(self, ask: Ask) -> float:
+        """Return a force that moves the body across its stroke by a thousandth of the stroke."""
+        scene, length = ask.scene, 1.0
+        if ask.geometry.motion == "rotation":
+            blades = ask.geometry.layout(ask.material.elastic, ask.sizes).blades
+            length = max(float(np.hypot(*np.subtract(b.end, b.start))) for b in blades)
+        return self.across_at_end(ask)[0] * 1e-4 * (scene.travel + scene.mean_travel) * length
+
+    def critical(self, ask: Ask) -> Found:
+        """Return the least critical force in the plane."""
+        least = _least_critical(self.joint_model, ask)
+        error = least.error or self.joint_model.error(ask, QuantityKind.BUCKLING)
+        return float(least.force), error
+
+    def law_in_buckling(self, ask: Ask) -> float:
+        """Return by what share a joint that bends before it buckles differs from a straight one.
+
+        A buckling step of solids is linear about rest.
+        """
+        bent, straight = (_least_critical(each, ask) for each in (self.exact, LinearModel()))
+        return PRINTED + abs(float(bent.force) / float(straight.force) - 1.0)
+
+    def stress(self, ask: Ask, place: Place) -> Found:
+        """Return the stress at a place, in proportion to the worst that the model knows."""
+        worst = max(abs(float(s.largest)) for s in self.joint_model.stresses(ask)[1])
+        return self.of(ask, QuantityKind.STRESS, worst * self.share_at(ask, place))
+
+    def share_at(self, ask: Ask, place: Place) -> float:
+        """Return the stress at a place over the greatest, by exact beams."""
+        exact = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
+        return abs(self._along(ask, place)) / exact
+
+    def law_in_stress(self, ask: Ask) -> float:
+        """Return what the law of finite strain of a solid may change in a stress: the strain.
+
+        What clamps hold a blade from growing across is not quite gone where it is compared.
+        """
+        worst = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
+        strain = worst / ask.material.elastic.E
+        held = 0.0 if ask.scene.temperature is None else held_across(warmed(ask))
+        return PRINTED + strain + HELD_STRESS * held / strain
+
+    def law_in_shift(self, ask: Ask) -> float:
+        """Return what the law of finite strain of a solid may change in a shift, relative.
+
+        Between Green's strain and the beam's, a blade bent to ε at its faces differs in length by
+        ½ ∫ε² ds; no material states which law is its own.
+        """
+        state, E, found = self.exact.states(ask), ask.material.elastic.E, 0.0
+        for blade in state.layout.blades:
+            along = blade_stress(state, blade.name)
+            strain = along.bending[0] / E
+            found += 0.5 * float(np.trapezoid(strain**2, along.s[0]))
+        return PRINTED + found / abs(float(self.exact.parasitic_shift(ask)))
+
+    def _along(self, ask: Ask, place: Place) -> float:
+        state = self.exact.states(ask)
+        found = blade_stress(state, place.stretch, 257)
+        face = (found.left if place.face == "left" else found.right)[0]
+        if place.s is None:
+            return float(np.abs(face).max())
+        return float(np.interp(place.s, found.s[0], face))
+
+    def stress_place(self, ask: Ask) -> Place:
+        """Return where the stress of solids is compared: where it is greatest but in no corner.
+
+        On blades that end in a corner that is two thicknesses from a clamp, else along the face.
+        """
+        layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
+        found: dict[Place, float] = {}
+        for stretch in solid_model(layout).stretches:
+            blade = next(b for b in layout.blades if b.name == stretch.name)
+            s = stretch.bricks.places[:, 0]
+            at: tuple[float | None, ...] = (None,)
+            if isinstance(blade.profile, STRAIGHT):
+                low, high = (
+                    float(2.0 * stretch.bricks.places[stretch.bricks.end(side), 1].max())
+                    for side in (0, -1)
+                )
+                at = (float(s.min()) + BESIDE_CLAMP * low, float(s.max()) - BESIDE_CLAMP * high)
+            for face in ("left", "right"):
+                for one in at:
+                    place = Place(stretch.name, face, one)
+                    found[place] = abs(self._along(ask, place))
+        return max(found, key=found.__getitem__)
+
+
+def _between_beam_and_plate(ask: Ask, factor: float) -> ErrorRange:
+    """Return how far blades between a beam and a plate are off a number that has a factor."""
+    nu = ask.material.elastic.nu or 0.0
+    return ErrorRange(1.0 / factor - 1.0, 1.0 / (factor * (1.0 - nu**2)) - 1.0)
+
+
+def _least_critical(joint_model: JointModel, ask: Ask) -> Critical:
+    """Return the least critical force in the plane that a model has."""
+    found = [c for c in joint_model.critical(ask) if c.way != ACROSS_WIDTH]
+    least = min(found, key=lambda c: float(c.force))
+    if not isfinite(float(least.force)):
+        raise NotAvailable("does not buckle under the forces of the case")
+    return least
