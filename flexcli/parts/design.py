@@ -36,7 +36,8 @@ from flexcli.parts.requirements import (
     are_at_rest,
 )
 from flexcli.parts.requirements.stand_in import STAND_IN
-from flexcli.parts.scene import Scene, scene_of
+from flexcli.parts.scene import Scene
+from flexcli.parts.scene_of_case import scene_of
 from flexcli.parts.sizing import QUANTITIES, Correction, FreeParameter, SizeOptions
 from flexcli.results import EXACT, Check
 
