@@ -21,11 +21,13 @@ PLACE = {"height": "17 mm", "gap": "36 um"}
 SWEEP = {"from": "160 Hz", "to": "230 Hz", "rate": "100 Hz/s", "acceleration": "2 g"}
 
 
-@pytest.fixture(autouse=True)
-def _few_steps(monkeypatch):
-    monkeypatch.setattr(module, "STEPS", 15)
-    monkeypatch.setattr(module, "KICKS", 1)
-    monkeypatch.setattr(along_the_line, "COUNT", 2)
+@pytest.fixture(autouse=True, scope="module")
+def _few_steps():
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        monkeypatch.setattr(module, "STEPS", 15)
+        monkeypatch.setattr(module, "KICKS", 1)
+        monkeypatch.setattr(along_the_line, "COUNT", 2)
+        yield
 
 
 def whole(cases, stops_=PLACE, watch=lambda *_: True, **changes):
@@ -38,8 +40,14 @@ def run(*arguments, **changes):
     return whole(*arguments, **changes).stops.sweeps
 
 
-def test_stops_stiffen_going_up_keeps_contact_longer_than_going_down_finds_it():
-    (sweep,) = run(SINE)
+@pytest.fixture(scope="module")
+def sweep(_few_steps):
+    """Return the frequency response of the blade between its stops."""
+    (found,) = run(SINE)
+    return found
+
+
+def test_stops_stiffen_going_up_keeps_contact_longer_than_going_down_finds_it(sweep):
     assert sweep.contact_up[1] > sweep.contact_down[1]
     assert sweep.metastable == (sweep.contact_down[1], sweep.contact_up[1])
     inside = [s for s in sweep.steps if sweep.metastable[0] < s.frequency < sweep.metastable[1]]
@@ -69,8 +77,7 @@ def test_without_contact_every_step_is_the_exact_steady_state(q):
         assert step.multiplier == pytest.approx(exp(-pi * own / (omega * q)), rel=1e-9)
 
 
-def test_contact_is_followed_beyond_the_response_to_where_it_ends():
-    (sweep,) = run(SINE)
+def test_contact_is_followed_beyond_the_response_to_where_it_ends(sweep):
     last = max(s.frequency for s in sweep.steps if s.contacts)
     assert last > 1.3 * 176.0
     assert last <= sweep.contact_up[1] < 1.05 * last
@@ -112,8 +119,7 @@ def test_an_interrupted_response_is_no_pass_and_its_time_is_in_the_cost():
     assert cut.cost.seconds >= sweep.seconds
 
 
-def test_the_range_of_two_motions_goes_from_touch_to_fold_with_the_blow_between_them():
-    (sweep,) = run(SINE)
+def test_the_range_of_two_motions_goes_from_touch_to_fold_with_the_blow_between_them(sweep):
     low, high = sweep.metastable
     ends = {end.why: end.frequency for end in sweep.ends}
     assert ends["it folds back, no such motion lies beyond"] == high

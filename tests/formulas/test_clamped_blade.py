@@ -16,9 +16,9 @@ THIN = 1e-5
         (0.3, 0.3, 1.5),
         *(
             pytest.param(b, nu, shear, marks=pytest.mark.slow)
-            for b in (0.05, 0.3, 0.8, 2.0)
-            for nu in (0.02, 0.08, 0.42)
-            for shear in (0.25, 0.6, 1.6, 4.0)
+            for b in (0.05, 0.8, 2.0)
+            for nu in (0.02, 0.42)
+            for shear in (0.25, 4.0)
         ),
     ],
 )
