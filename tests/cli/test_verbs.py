@@ -45,15 +45,20 @@ def test_every_check_tells_its_verdict_range_model_and_cost(sizing):
 
 
 def test_the_written_design_is_undecided_by_the_formulas_as_printed(flexure, sized):
-    """Their error of some 10 % reaches across the least factor, which is within 1 %."""
+    """Nobody can tell how far off they are under the force at take-off."""
     told = flexure("check", sized.name, "--model", "source", "--format", "json")
     document = json.loads(told.stdout)
     assert told.returncode == 1
     assert document["status"] == "undecided"
     assert {check["model"] for check in document["checks"]} == {"source"}
-    (fatigue,) = (check for check in document["checks"] if check["name"] == "fatigue")
-    assert fatigue["verdict"] == "undecided"
-    assert fatigue["factor_range"][0] < fatigue["required"] < fatigue["factor_range"][1]
+    verdicts = {
+        check["name"]: (check["verdict"], check["factor_range"]) for check in document["checks"]
+    }
+    for name in ("buckling", "yield (fatigue-amplitude)"):
+        assert verdicts[name] == ("undecided", None)
+    verdict, (low, high) = verdicts["fatigue"]
+    assert verdict == "pass"
+    assert 2.5 <= low < high
 
 
 @pytest.mark.slow
