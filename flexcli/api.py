@@ -174,11 +174,17 @@ def size(source: Spec, *, model: str | None = None, overrides: Overrides | None 
 
     moving = moving_bound(design)
 
+    goal = {"maximize" if moving.rises else "minimize": moving.key}
+
     def at(bound: str | None, near: Mapping[str, float]) -> Result:
         again = spec if bound is None else _again(spec, {moving.path: bound})
         return _sized_of_options(again, name, near)
 
-    return front_of(design, moving, at, design.size.points)
+    def best(bound: str | None, near: Mapping[str, float]) -> Result:
+        changed = {("size", "objective"): goal} | ({} if bound is None else {moving.path: bound})
+        return _sized_of_options(_again(spec, changed), name, near)
+
+    return front_of(design, moving, at, best, design.size.points)
 
 
 def _sized_of_options(

@@ -211,20 +211,25 @@ def finest(
 ) -> tuple[dict[str, Used], frozenset[int]]:
     """Return what each check uses, and the questions that are open: no model has their numbers.
 
-    By a model that is sure of it where it is near its limit; the low end of the factor counts, of
-    a target its value. ``only`` are the questions to ask, by their place; all if left out.
+    By a model that is sure of it where it is near its limit, or the objective; the low end of the
+    factor counts, of a target its value. ``only`` are the questions to ask; all if left out.
     ``first`` tells by question which model is asked first. A number whose error nobody knows
     counts as it is, unless they all shall be ``known``: then its question is open. ``near`` is a
     design from which this one differs a little, where that difference is what is asked for.
     """
     names, open_ = [model.name for model in models], set()
     series, found = _Series(design, sizes, models, near), {}
-    scenes = design.scenes()
+    scenes, meant = design.scenes(), design.pursued
+
+    def enough(check: Check) -> bool:
+        is_goal = meant is not None and meant.has(check.name)
+        return _is_sure(check, inf if is_goal else FAR)
+
     for index, (requirement, scene) in enumerate(design.questions(scenes)):
         if only is not None and index not in only:
             continue
         started = (first or {}).get(index, 0)
-        for check in series.by_models(requirement, scene, _is_sure, started):
+        for check in series.by_models(requirement, scene, enough, started):
             share = _share(check)
             is_known = check.factor_range is not None or not known
             if isfinite(share) and share > 0.0 and is_known:
@@ -235,12 +240,12 @@ def finest(
     return found, frozenset(open_)
 
 
-def _is_sure(check: Check) -> bool:
-    """Return whether a finer model would tell a sizing nothing more."""
+def _is_sure(check: Check, far: float) -> bool:
+    """Return whether a finer model would tell a sizing nothing more, ``far`` from the limit."""
     if check.factor_range is None:
         return False
     low, high = check.factor_range
-    return low > FAR * check.required or high - low <= SURE * abs(low)
+    return low > far * check.required or high - low <= SURE * abs(low)
 
 
 def _is_decided(check: Check) -> bool:

@@ -135,7 +135,8 @@ def _decided(
     if start is None:
         return _chosen_and_judged(design, spec, series, model)
     is_gridded = set(design.geometry.free) <= design.size.rounding.keys()
-    found = best_settled(design, start, series, ROUNDED if is_gridded else AGREED)
+    agreed = ROUNDED if is_gridded else AGREED
+    found = best_settled(design, start, series, agreed, alone=bool(near))
     if design.size.objective == "balanced" and not found.is_kept:
         return _without_balance(design, found, spec, series, model)
     result = _settled_and_judged(design, found, spec, series, model)

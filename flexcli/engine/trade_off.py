@@ -3,14 +3,15 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise, product
-from math import hypot, isfinite, log, sqrt
+from math import exp, hypot, isfinite, isnan, log, nan, sqrt
 from typing import Any
 
 import numpy as np
 
+from flexcli.errors import NoSolution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.trade_off import MovingBound
-from flexcli.results import Note, Result, Status
+from flexcli.results import Check, Note, Result, Status
 from flexcli.results.activity import doing
 from flexcli.results.trade_off import ChoiceRow, Choices, Front, FrontPoint
 
@@ -22,6 +23,9 @@ DECADES = 2.0
 HALVINGS = 7
 """Steps to where no design is left: the end is known to 100^(1/128), 4 %."""
 
+ROOM = 0.002
+"""Share by which the last design of a front keeps clear of the best second objective."""
+
 CLOSE = 0.4
 """Share of an even step below which a design is left out for its neighbour."""
 
@@ -31,6 +35,8 @@ BULGE = 0.03
 
 def objective_of(design: DesignSpec, result: Result) -> tuple[str, str, float]:
     """Return name, unit and value of what a sizing made least or largest."""
+    if design.pursued is not None:
+        return design.pursued.key, *_worst(design.pursued, result)
     goal = design.size.objective
     named = {"least-stiffness": "k_pivot", "shortest": "l"}
     name = (
@@ -43,6 +49,26 @@ def objective_of(design: DesignSpec, result: Result) -> tuple[str, str, float]:
     stiffness = "k_pivot" if "k_pivot" in result.values else "k_stage"
     found = result.values[stiffness if name == "k_pivot" else name]
     return name, found.unit, found.value
+
+
+def _own(moving: MovingBound, result: Result) -> list[Check]:
+    """Return the checks of a requirement."""
+    return [
+        check
+        for check in result.checks
+        if check.path[:2] == ("requirements", moving.key) and moving.has(check.name)
+    ]
+
+
+def _worst(moving: MovingBound, result: Result) -> tuple[str, float]:
+    """Return unit and worst value of a requirement over the cases."""
+    own = _own(moving, result)
+    if not own:
+        return "", nan  # it does not apply to any case
+    if len(moving.path) < 3:
+        return "", min(check.factor for check in own)
+    worst = min(c.capacity for c in own) if moving.rises else max(c.demand for c in own)
+    return own[0].unit, worst
 
 
 def _is_most(design: DesignSpec) -> bool:
@@ -99,6 +125,7 @@ def front_of(
     design: DesignSpec,
     moving: MovingBound,
     sized: Callable[[str | None, Mapping[str, float]], Result],
+    best: Callable[[str | None, Mapping[str, float]], Result],
     count: int,
 ) -> Result:
     """Return the front of a design, and the sizing at its knee.
@@ -112,11 +139,13 @@ def front_of(
     sized : callable
         Sizes the design for the first objective with a bound on the second as the spec writes it,
         beginning with sizes that were found at another bound, if any.
+    best : callable
+        Sizes the design for the second objective alone, likewise.
     count : int
         How many designs the front has.
 
     """
-    run = _Run(design, moving, sized)
+    run = _Run(design, moving, sized, best)
     start = run.at(None)
     if start is None:
         return run.last
@@ -152,8 +181,9 @@ class _Run:
         design: DesignSpec,
         moving: MovingBound,
         sized: Callable[[str | None, Mapping[str, float]], Result],
+        best: Callable[[str | None, Mapping[str, float]], Result],
     ) -> None:
-        self.design, self.moving, self.sized = design, moving, sized
+        self.design, self.moving, self.sized, self.best = design, moving, sized, best
         self.found: list[FrontPoint] = []
         self.results: dict[float | None, Result] = {}
         self.last: Result
@@ -165,16 +195,26 @@ class _Run:
         sign = 1.0 if self.moving.rises else -1.0
         return sorted(self.found, key=lambda point: sign * point.second)
 
-    def at(self, bound: float | None) -> FrontPoint | None:
-        """Return the design at a bound on the second objective, if one passes."""
-        text = None if bound is None else f"{bound!r} {self.unit}".strip()
+    def at(self, bound: float | None, near: Mapping[str, float] | None = None) -> FrontPoint | None:
+        """Return the design at a bound on the second objective, if one passes.
+
+        It is looked for from sizes ``near``, else from between those of its neighbours.
+        """
+        text = self._text(bound)
         doing(f"{self.moving.key} at {text or 'its loosest'}")
-        self.last = result = self.sized(text, self._nearest(bound))
+        try:
+            self.last = result = self.sized(text, near or self._near(bound))
+        except NoSolution:
+            if bound is None:
+                raise
+            return None
         free = self.design.geometry.free
         if result.status is not Status.PASS or any(n not in result.values for n in free):
             return None
         _, _, first = objective_of(self.design, result)
         second = self._second(result)
+        if isnan(second):
+            return None
         point = FrontPoint(
             first, second, bound, {n: result.values[n].value for n in free},
             result.sizing.certificate if result.sizing is not None else "",
@@ -184,36 +224,75 @@ class _Run:
         self.results[bound] = result
         return point
 
-    def _nearest(self, bound: float | None) -> Mapping[str, float]:
-        """Return the sizes of the design whose second objective is nearest to a bound."""
+    def _near(self, bound: float | None) -> Mapping[str, float]:
+        """Return sizes to look from: between those of the designs about a bound, in logarithms."""
         if bound is None or not self.found:
             return {}
-        return min(self.found, key=lambda point: abs(log(point.second / bound))).sizes
+        points = self.points
+        at = log(bound) * (1.0 if self.moving.rises else -1.0)
+        own = [log(point.second) * (1.0 if self.moving.rises else -1.0) for point in points]
+        sizes = [np.log([*point.sizes.values()]) for point in points]
+        y = [float(np.interp(at, own, column)) for column in zip(*sizes, strict=True)]
+        return dict(zip(points[0].sizes, np.exp(y).tolist(), strict=True))
 
     def _second(self, result: Result) -> float:
         """Return the worst value of the second objective over the cases."""
-        rises = self.moving.rises
-        own = [
-            check
-            for check in result.checks
-            if check.path[:2] == ("requirements", self.moving.key)
-            and (len(self.moving.path) < 3 or check.name.endswith(f"({self.moving.path[2]})"))
-        ]
-        self.unit = own[0].unit if len(self.moving.path) == 3 else ""
-        if len(self.moving.path) < 3:
-            return min(check.factor for check in own)
-        return min(check.capacity for check in own) if rises else max(c.demand for c in own)
+        self.unit, worst = _worst(self.moving, result)
+        return worst
 
     def end(self) -> str:
         """Follow the second objective to where no design is left, and say where that is."""
         (start,) = self.points
-        far = DECADES * log(10.0) * (1.0 if self.moving.rises else -1.0)
-        if self.at(start.second * float(np.exp(far))) is not None:
+        sense = 1.0 if self.moving.rises else -1.0
+        far = start.second * exp(sense * DECADES * log(10.0))
+        doing(f"the best {self.moving.key}")
+        found = self._best(None, {})
+        if found is not None and sense * log(found[0] / far) < 0.0 and found[1] > ROOM:
+            # far from its loosest bound a rough model may have judged it
+            found = self._best(found[0] * exp(-sense * ROOM), found[2]) or found
+        if found is None:
+            return self._sought_end(start.second, far)
+        last, _, near = found
+        if sense * log(last / far) >= 0.0:
+            self.at(far, near)
             return f"{self.moving.key} goes on beyond the last: it was followed for two decades"
-        low, high = 0.0, far
+        if self.at(last * exp(-sense * ROOM), near) is None:
+            return self._sought_end(start.second, last)
+        return f"beyond the last, to within {ROOM:.1%} of {self.moving.key}, none was found to pass"
+
+    def _best(
+        self, bound: float | None, near: Mapping[str, float]
+    ) -> tuple[float, float, Mapping[str, float]] | None:
+        """Return the tightest bound that the best second objective keeps, how unsure it is, sizes.
+
+        That is by the low ends of the factors; nothing where no design passes.
+        """
+        try:
+            result = self.best(self._text(bound), near)
+        except NoSolution:
+            return None
+        if result.status is not Status.PASS:
+            return None
+        own = _own(self.moving, result)
+        shares = [c.factor_range[0] / c.factor if c.factor_range else 1.0 for c in own]
+        worst = min(shares, default=1.0)
+        _, value = _worst(self.moving, result)
+        kept = value * worst if self.moving.rises else value / worst
+        sizes = {n: result.values[n].value for n in self.design.geometry.free}
+        return kept, 1.0 / worst - 1.0, sizes
+
+    def _text(self, bound: float | None) -> str | None:
+        """Return a bound as the spec writes it."""
+        return None if bound is None else f"{bound!r} {self.unit}".strip()
+
+    def _sought_end(self, start: float, far: float) -> str:
+        """Look for where no design is left by halves, and say where that is."""
+        if self.at(far) is not None:
+            return f"{self.moving.key} goes on beyond the last: it was followed for two decades"
+        low, high = log(start), log(far)
         for _ in range(HALVINGS):
             middle = (low + high) / 2.0
-            found = self.at(start.second * float(np.exp(middle)))
+            found = self.at(exp(middle))
             low, high = (low, middle) if found is None else (middle, high)
         return f"beyond the last, to within {abs(high - low):.1%} of {self.moving.key}, none passes"
 

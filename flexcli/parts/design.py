@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from flexcli.parts.stops import Stops
     from flexcli.parts.study import Study
     from flexcli.parts.tolerances import Robust, Tolerance
+    from flexcli.parts.trade_off import MovingBound
 else:
     Actuator = Annotated[Any, Named("flexcli.parts.actuator:Actuator")]
     BalanceOptions = Annotated[Any, Named("flexcli.parts.balancing:BalanceOptions")]
@@ -302,13 +303,35 @@ class DesignSpec(Part):
                     at=("size", "objective"),
                 )  # fmt: skip
             return self
-        if objective.minimize is not None:
-            place = ("size", "objective", "minimize")
-            _refuse_unknown(objective.minimize, (*sizes, *QUANTITIES), place)
-        if objective.maximize is not None:
-            place = ("size", "objective", "maximize")
-            _refuse_unknown(objective.maximize, (*sizes, *QUANTITIES), place)
+        verb = "minimize" if objective.minimize is not None else "maximize"
+        name, asked = getattr(objective, verb), [str(at[0]) for at, _ in self.requirements.each()]
+        known = {info.alias or field for field, info in Requirements.model_fields.items()}
+        if name in known - {*asked, *sizes, *QUANTITIES}:
+            raise spec_error(
+                f"nothing is asked of '{name}', which would be its loosest bound",
+                "add it to the requirements", at=("size", "objective", verb),
+            )  # fmt: skip
+        if name not in asked:
+            _refuse_unknown(name, (*sizes, *QUANTITIES, *asked), ("size", "objective", verb))
+        elif name not in (*sizes, *QUANTITIES):
+            from flexcli.parts.trade_off import moving_bound
+
+            moving_bound(self, objective)
         return self
+
+    @property
+    def pursued(self) -> "MovingBound | None":
+        """Return the requirement that a sizing makes the most of, where its objective names one."""
+        objective = self.size.objective
+        if isinstance(objective, str):
+            return None
+        if (objective.minimize or objective.maximize) in (
+            *self.geometry.extents, *self.parameters, *QUANTITIES,
+        ):  # fmt: skip
+            return None
+        from flexcli.parts.trade_off import moving_bound
+
+        return moving_bound(self, objective)
 
     @model_validator(mode="after")
     def _second_objective_is_asked(self) -> "DesignSpec":

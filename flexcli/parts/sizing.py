@@ -94,9 +94,9 @@ class Minimize(Part):
     """An objective by the name of a quantity: the least of it, or the most."""
 
     minimize: str | None = None
-    """A size, or volume, mass or k_pivot, that shall be least, e.g. ``k_pivot``."""
+    """A size, volume, mass, k_pivot or a requirement with a ``max``, e.g. ``parasitic_shift``."""
     maximize: str | None = None
-    """A size, or volume, mass or k_pivot, that shall be largest, e.g. ``maximize: h``."""
+    """A size, volume, mass, k_pivot, a requirement with a ``min`` or a factor, e.g. ``yield``."""
 
     @model_validator(mode="after")
     def _one(self) -> "Minimize":
@@ -187,4 +187,8 @@ class SizeOptions(Part):
             {"minimize": AS_QUANTITIES.get(goal, goal)} if isinstance(goal, str) else goal
             for goal in both
         )
+        names = [{*goal.values()} if isinstance(goal, dict) else {goal} for goal in (first, second)]
+        if names[0] == names[1]:
+            text = f"both objectives are {' '.join(map(str, names[0]))}"
+            raise spec_error(text, "write [volume, parasitic_shift]", at=("objective",))
         return {**data, "objective": first, "against": second}

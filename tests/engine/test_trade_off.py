@@ -128,12 +128,92 @@ def test_the_largest_stiffness_is_what_the_strength_allows():
     assert found.values["h"].value == pytest.approx(min(h, 1e-3), rel=2e-3)
 
 
+@pytest.mark.parametrize("goal", ["{minimize: parasitic_shift}", "{maximize: yield}"])
+def test_a_requirement_is_an_objective(goal):
+    found = front_of(f"{{objective: {goal}}}")
+    # both get better with the length, up to the thickest blade of the least stiffness
+    assert found.status.value == "pass"
+    assert found.values["h"].value == pytest.approx(1e-3, rel=1e-6)
+    assert found.values["l"].value == pytest.approx(1e-3 / SLENDER, rel=2e-3)
+    assert found.sizing.objective == goal.strip("{}").replace(":", "")
+    assert "global optimum" in found.sizing.certificate
+    assert {name.partition(":")[0] for name in found.sizing.active} == {"stiffness (min)", "most h"}
+
+
+def test_a_requirement_as_an_objective_keeps_the_grid():
+    found = front_of("{objective: {minimize: parasitic_shift}, round: {h: 50 um, l: 5 mm}}")
+    l = 5e-3 * np.arange(1, 41)[:, None]
+    h = 50e-6 * np.arange(1, 21)
+    feasible = (h / l >= SLENDER) & (3e8 * h / l**2 * 4.0 <= 800e6)
+    longest = float(np.where(feasible, l, 0.0).max())
+    assert found.values["l"].value == pytest.approx(longest)
+    assert "proved" in found.sizing.remarks[0]
+
+
+DRAWING = """\
+flexure: 1
+material: ti-6al-4v
+parameters: {l: {free: [20 mm, 90 mm]}, h: {free: [0.05 mm, 0.6 mm]}, gap: 30 mm}
+geometry:
+  kind: space-layout
+  bodies:
+    stage: {at: [l, 0 mm, 0 mm], mass: 50 g, inertia: [1e-5 kg*m^2, 1e-5 kg*m^2, 2e-5 kg*m^2]}
+  blades:
+    pair: {between: [ground, stage], from: [0 mm, gap/2, 0 mm], to: [l, gap/2, 0 mm],
+            h: h, b: 20 mm, width: z, mirror: [y]}
+  moving: stage
+  motion: {translation: y}
+cases: {operation: {stroke: {translation: 1.5 mm, cycles: 1e7}}}
+requirements: {fatigue: 2, frequency: {min: 20 Hz}, stiffness: {max: 5 N/mm}}
+model: linear
+size: SIZE
+"""
+
+
+@pytest.mark.slow
+def test_the_best_of_a_requirement_of_a_drawing_is_what_others_allow():
+    found = flexcli.size(DRAWING.replace("SIZE", "{objective: {maximize: frequency}}"))
+    assert found.status.value == "pass"
+    (frequency,) = (check for check in found.checks if check.name.startswith("frequency"))
+    # k = 5 N/mm and 50 g, the mass of the blades beside
+    assert frequency.capacity == pytest.approx(np.sqrt(5e3 / 50e-3) / (2.0 * np.pi), rel=0.05)
+    sizes = {f"parameters.{name}": found.values[name].value for name in "lh"}
+    for l, h in [(1.02, 1.0), (0.98, 1.0), (1.0, 1.02), (1.0, 0.98), (1.02, 1.02), (0.98, 0.98)]:
+        moved = dict(zip(sizes, (l, h), strict=True))
+        near = {key: f"{size * moved[key]!r} m" for key, size in sizes.items()}
+        other = flexcli.check(DRAWING.replace("SIZE", "{}"), overrides=near)
+        (now,) = (check for check in other.checks if check.name.startswith("frequency"))
+        assert other.status.value != "pass" or now.capacity < frequency.capacity * (1.0 + 1e-6)
+
+
+@pytest.mark.slow
+def test_a_front_of_a_drawing_ends_at_the_best_of_both_objectives():
+    size = "{objective: [volume, {maximize: frequency}], points: 4}"
+    front = flexcli.size(DRAWING.replace("SIZE", size)).front
+    alone = flexcli.size(DRAWING.replace("SIZE", "{objective: {maximize: frequency}}"))
+    (frequency,) = (check for check in alone.checks if check.name.startswith("frequency"))
+    assert len(front.points) == 4
+    assert front.points[-1].second == pytest.approx(frequency.capacity, rel=3e-3)
+    assert (np.diff([point.first for point in front.points]) > 0.0).all()
+    for point in front.points:
+        sizes = {f"parameters.{name}": f"{x!r} m" for name, x in point.sizes.items()}
+        asked = {"requirements.frequency.min": f"{point.bound or 20.0!r} Hz"}
+        again = flexcli.check(DRAWING.replace("SIZE", "{}"), overrides={**sizes, **asked})
+        assert again.status.value == "pass"
+
+
 @pytest.mark.parametrize(
     ("size", "told"),
     [
         ("{objective: [volume, frequency]}", "nothing is asked of 'frequency'"),
         ("{objective: [volume, stiffness]}", "no bound of 'stiffness' to minimize"),
         ("{objective: [volume]}", "a list of objectives has two"),
+        ("{objective: [parasitic_shift, volume]}", "the second objective is a requirement"),
+        ("{objective: [parasitic_shift, parasitic_shift]}", "both objectives are parasitic_shift"),
+        ("{objective: {maximize: frequency}}", "nothing is asked of 'frequency'"),
+        ("{objective: {minimize: stiffness}}", "no bound of 'stiffness' to minimize"),
+        ("{objective: {minimize: yield}}", "no bound of 'yield' to minimize"),
+        ("{objective: {maximize: beauty}}", "no size 'beauty'"),
         ("{among: {material: ti-6al-4v}}", "a choice is among two or more"),
     ],
 )

@@ -52,6 +52,7 @@ class Place(NamedTuple):
 
     ``y`` are the logarithms of the free sizes, in the order of the geometry; ``open`` the questions
     that no model has numbers for; ``drawn`` is the design with these sizes, and its own sizes.
+    ``pursued`` are the checks of a requirement that is the objective.
     """
 
     sizes: Sizes
@@ -60,6 +61,7 @@ class Place(NamedTuple):
     plain: Mapping[str, float]
     open: frozenset[int]
     drawn: tuple[DesignSpec, Sizes] | None
+    pursued: frozenset[str] = frozenset()
 
     def correction(self, name: str) -> float:
         """Return by what the formulas of a check are wrong, as a logarithm; all of it without."""
@@ -67,8 +69,9 @@ class Place(NamedTuple):
 
     @property
     def near(self) -> frozenset[str]:
-        """Return the checks that are near their limits."""
-        return frozenset(name for name, used in self.used.items() if used.share > 1.0 / FAR)
+        """Return the checks that are near their limits, and those that are the objective."""
+        near = (name for name, used in self.used.items() if used.share > 1.0 / FAR)
+        return self.pursued.union(near)
 
     @property
     def alone(self) -> frozenset[str]:
@@ -121,7 +124,10 @@ def judged_at(
         count = sum(1 for _ in design.questions(design.scenes()))
         used, open_ = {}, frozenset(range(count)) if asked is None else asked
         drawn = None
-    return Place(sizes, y, used, shares(design.closed_limits(sizes)), open_, drawn)
+    meant = design.pursued
+    own = [name for name, each in used.items() if meant and meant.has(each.check.name)]
+    plain = shares(design.closed_limits(sizes))
+    return Place(sizes, y, used, plain, open_, drawn, frozenset(own))
 
 
 def slopes_at(

@@ -32,7 +32,7 @@ HOLDS = 1e-7
 def optimum(program: SizingProgram, objective: Objective) -> Solution:
     """Return the best design, ties broken by the volume, then by l, b and h."""
     goals = program.objectives(objective)
-    return program.least(goals, program.limits(), program.equalities())
+    return program.least(goals, program.limits(goals), program.equalities())
 
 
 def refuse(
@@ -72,7 +72,7 @@ def _loose(
     """Return the dimensions that run away with the volume although the objective stays as good."""
     goal = program.goal(objective)
     as_good = goal._replace(shift=goal.shift - log(solution.objective * (1.0 + AS_GOOD)))
-    limits = [*program.limits(), as_good]
+    limits = [*program.limits([goal]), as_good]
     loose = []
     for name in smallest.runaway:
         if name in program.names:
@@ -88,7 +88,8 @@ def active_rows(program: SizingProgram, solution: Solution) -> tuple[str, ...]:
 
 
 def _active(program: SizingProgram, solution: Solution) -> tuple[str, ...]:
-    return (*(key for key in solution.active if key in program.constraints), *program.targets)
+    held = (key for key in solution.active if key in program.constraints)
+    return (*(key for key in held if key not in (program.pursued or ())), *program.targets)
 
 
 def certificate(program: SizingProgram, solution: Solution) -> str:
@@ -127,6 +128,10 @@ def sensitivities(
     keys = _active(program, solution)
     y = np.log([solution.x[name] for name in program.names])
     goals = program.objectives(objective)
+    if goals[0].eases:  # of the row that is its worst
+        own = program.pursued or ()
+        rows = program.picked(own)(y) / [program.rows[key].power for key in own]
+        goals = [Term(own[int(np.argmax(rows))]), *goals[1:]]
     at = differences(program.picked([*(g.key for g in goals), *keys]), y)
     count = len(goals)
     J, groups = _independent(at.jacobian[count:])

@@ -33,9 +33,12 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Objective
 
-__all__ = ["BEYOND", "STARTS", "SizingProgram", "sizing_program"]
+__all__ = ["BEST", "BEYOND", "STARTS", "SizingProgram", "sizing_program"]
 
 Floats = NDArray[np.float64]
+
+BEST = "best"
+"""Unknown that a requirement is pursued by: the share of what it allows that is used, at most."""
 
 WORLD = (1e-10, 1e4)
 """Sizes [m] beyond which a dimension has run away."""
@@ -62,7 +65,8 @@ class SizingProgram:
     """The rows of a design by their keys, over the logarithms of its free dimensions.
 
     ``around`` are sizes and the half-width, in logarithms, of the region about them in which
-    alone a design is looked for.
+    alone a design is looked for. ``pursued`` are the constraints of a requirement that is the
+    objective itself, none of them where it has no formula yet; nothing where none is.
 
     ``values`` gives ln(demand/capacity) of the rows at some places at many points, shape
     (n, points) to (rows, points), NaN outside the domain of the formulas. ``exact`` tells that the
@@ -77,6 +81,7 @@ class SizingProgram:
     values: Callable[[Floats, Sequence[int]], Floats]
     exact: bool
     around: tuple[Mapping[str, float], float] | None = None
+    pursued: tuple[str, ...] | None = None
 
     @property
     def curved(self) -> tuple[str, ...]:
@@ -107,9 +112,23 @@ class SizingProgram:
         places = [everything.index(key) for key in keys]
         return lambda y: self.values(y, places)
 
-    def limits(self) -> list[Term]:
-        """Return the rows that must not exceed zero."""
-        return [Term(key) for key in self.constraints] + self.region()
+    def limits(self, goals: Sequence[Term] = ()) -> list[Term]:
+        """Return the rows that must not exceed zero, those that goals pursue their best share."""
+        found = [Term(key) for key in self.constraints] + self.region()
+        if not any(goal.eases for goal in goals):
+            return found
+        own = self.pursued or ()
+        best = [Term(key, eases=((BEST, float(self.rows[key].power)),)) for key in own]
+        return [*(each for each in found if each.key not in own), *best, _PURSUED]
+
+    def worth(self, goal: Term, y: Floats) -> Floats:
+        """Return what a goal makes least, at logarithms of the sizes (n, points)."""
+        if not goal.eases:
+            return np.asarray(goal.sign * self.picked([goal.key])(y)[0] + goal.shift)
+        own = self.pursued or ()
+        power = np.array([self.rows[key].power for key in own], dtype=np.float64)
+        rows = self.picked(own)(y)
+        return np.asarray((rows / power.reshape(-1, *[1] * (rows.ndim - 1))).max(axis=0))
 
     def about(self, sizes: Sizes, width: float) -> "SizingProgram":
         """Return the program of a region of so many logarithms either way about sizes."""
@@ -131,9 +150,9 @@ class SizingProgram:
         """Return the rows of the targets."""
         return [Term(key) for key in self.targets]
 
-    def banded(self) -> list[Term]:
+    def banded(self, goals: Sequence[Term] = ()) -> list[Term]:
         """Return the constraints with each target as the band of its tolerance."""
-        found = self.limits()
+        found = self.limits(goals)
         for key in self.targets:
             limit = self.rows[key].limit
             assert limit is not None  # a bound on a dimension is no target
@@ -161,6 +180,8 @@ class SizingProgram:
             name = named.get(name, name)
         if name in self.names:
             return Term(size_of(name), sign)
+        if self.pursued is not None:
+            return _PURSUED if self.pursued else Term("volume")
         given = self.sizes._asdict()
         if name in given:
             return Term(ONE, 1.0, sign * log(given[name]))
@@ -171,8 +192,8 @@ class SizingProgram:
             raise NoSolution(
                 "no-formula",
                 "the stiffness of what is drawn has no formula to be made least or largest by",
-                "bound it, e.g. requirements: {stiffness: {max: 2 N/mm}}, and make a size or the "
-                "volume least",
+                "bound it, e.g. requirements: {stiffness: {max: 2 N/mm}}, and take "
+                "objective: {minimize: stiffness}",
             )
         return Term(name, sign)
 
@@ -327,6 +348,10 @@ def _quotient(demand: Signomial, capacity: Signomial) -> Ratio:
     return Ratio("objective", demand, capacity)
 
 
+_PURSUED = Term(ONE, eases=((BEST, -1.0),))
+"""The best share of a requirement: as a goal made least, as a limit no more than it allows."""
+
+
 def sizing_program(design: DesignSpec) -> SizingProgram:
     """Return the program of a design's requirements and bounds.
 
@@ -340,6 +365,12 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
     x = dict(zip(names, variables(*names), strict=True)) if exact else _probe(design)
     rows = rows_of(design, x)
     limiting = [key for key, row in rows.items() if row.limit is not None or row.bound]
+    meant = design.pursued
+    pursued = [
+        key
+        for key, row in rows.items()
+        if meant is not None and row.limit is not None and meant.has(row.limit.title)
+    ]
     targets = tuple(key for key in limiting if rows[key].is_target)
     sides = _signomial_sides(rows) if exact else _formula_sides(design, len(rows))
     plain = np.array([key in targets or key not in limiting for key in rows])
@@ -364,6 +395,7 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
         targets=targets,
         values=values if exact else _guarded(values),
         exact=exact,
+        pursued=None if meant is None else tuple(pursued),
     )
 
 

@@ -54,7 +54,12 @@ that keeps it."""
 
 
 def best_settled(
-    design: DesignSpec, start: Sizes, models: tuple[NamedModel, ...], agreed: float
+    design: DesignSpec,
+    start: Sizes,
+    models: tuple[NamedModel, ...],
+    agreed: float,
+    *,
+    alone: bool = False,
 ) -> Settled:
     """Return the best design that rounds from several starts lead to.
 
@@ -68,15 +73,17 @@ def best_settled(
         The models that judge, the cheapest first.
     agreed : float
         Difference of a check at which the models and the corrected formulas agree.
+    alone : bool
+        Whether the first is known to be near the best, and no other start is looked for.
 
     """
     place = judged_at(design, start, models)
     measure = partial(slopes_at, design, models=models)
-    if not place.alone:
+    if alone or not place.alone:
         best = settled(design, place, models, measure, agreed)
     else:
         best = _rough(design, place, models)
-    if best.is_kept and design.size.objective == "balanced":
+    if alone or (best.is_kept and design.size.objective == "balanced"):
         return best
     scout = _Scout(design, best, models)
     tried, starts, skipped = [best.place.y], 1, 0
@@ -124,7 +131,7 @@ class _Scout:
 
     def merits(self, y: Floats) -> Floats:
         """Return the logarithms of the objective at points, shape (n, points)."""
-        return np.asarray(self.goals[0].sign * self.program.picked([self.goals[0].key])(y)[0])
+        return self.program.worth(self.goals[0], y)
 
     def sizes(self, y: Floats) -> Sizes:
         """Return the sizes of a point."""
@@ -135,7 +142,7 @@ class _Scout:
         """Yield points that may lead to a better design, the likeliest first."""
         program = self.program
         if program.curved or not self.best.is_kept:
-            solved = program.least(self.goals, program.limits(), program.equalities())
+            solved = program.least(self.goals, program.limits(self.goals), program.equalities())
             if solved.converged:
                 yield np.log([solved.x[name] for name in program.names])
         alone, found = self.best.place.alone, []

@@ -114,7 +114,7 @@ def points_about(
     merit = (
         np.abs(np.log(points / [[centre[name]] for name in program.names])).sum(axis=0)
         if goals is None
-        else goals[0].sign * program.at([goals[0].key], x)[0]
+        else program.worth(goals[0], np.log(points))
     )
     order = [k for k in np.argsort(merit, kind="stable") if over[k] <= NEARLY]
     return [{name: float(at[k]) for name, at in x.items()} for k in order[:MOST_BESIDE]]
@@ -142,7 +142,8 @@ def _judged_one_by_one(
     def merits(x: Mapping[str, Floats]) -> list[Floats]:
         if goals is None:
             return [np.asarray(sum(np.abs(np.log(x[name] / at)) for name, at in centre.items()))]
-        return [goal.sign * program.at([goal.key], x)[0] + goal.shift for goal in goals]
+        y = np.log(np.array([np.atleast_1d(x[name]) for name in program.names]))
+        return [program.worth(goal, y) for goal in goals]
 
     judged, width = 0, _first_width(grids, centre)
     best: dict[str, float] | None = None
@@ -272,7 +273,7 @@ def _box_of_better(
     or an end is only a local optimum. Of rows known as numbers, around those that local searches
     from the centre lead to.
     """
-    limits = [*program.banded(), goal._replace(shift=goal.shift - best - HAIR)]
+    limits = [*program.banded([goal]), goal._replace(shift=goal.shift - best - HAIR)]
     near = None if program.exact else centre
     box = {}
     for name in program.names:
@@ -305,7 +306,7 @@ def _branched(
     the values on either side. Ties are broken by a second search for the next goal among the
     equally good.
     """
-    limits = program.banded()
+    limits = program.banded(goals or ())
     if goals is None:
         goal, rows = _distance(centre)
         return _search(program, grids, [goal], [*limits, *rows], centre)
@@ -313,7 +314,8 @@ def _branched(
     first = _search(program, grids, goals, limits, centre)
     if first.x is None or not ties:
         return first
-    reached = goal.sign * float(program.at([goal.key], first.x)[0, 0])
+    sizes = np.log([[first.x[name]] for name in program.names])
+    reached = float(program.worth(goal, sizes)[0])
     as_good = goal._replace(shift=-reached - NO_BETTER)
     again = _search(program, grids, ties, [*limits, as_good], first.x)
     best = again.x if again.x is not None else first.x

@@ -228,11 +228,20 @@ def _gains(
     said = _violation(promised, place, trial.equal)
     if trial.price == inf:
         return was - now, was - said
+    weight = PENALTY * trial.price
+    if design.pursued is not None:
+        before, after, told = (_most(place.pursued, shares) for shares in (old, used, promised))
+        return before - after + weight * (was - now), before - told + weight * (was - said)
     program = sizing_program(design)
     goal = program.goal(design.size.objective)
-    before, after = program.picked([goal.key])(np.stack([place.y, there.y], axis=1))[0]
-    gain, weight = goal.sign * float(before - after), PENALTY * trial.price
+    before, after = program.worth(goal, np.stack([place.y, there.y], axis=1))
+    gain = float(before - after)
     return gain + weight * (was - now), gain + weight * (was - said)
+
+
+def _most(names: frozenset[str], used: Mapping[str, float]) -> float:
+    """Return the logarithm of the largest share of some checks."""
+    return log(max((used[name] for name in names & used.keys()), default=inf))
 
 
 def _violation(
@@ -266,7 +275,7 @@ def _trial(corrected: DesignSpec, place: Place, width: float) -> _Trial | None:
             long = float(np.abs(y - place.y).max(initial=0.0)) / width
             return _Trial(place.y + (y - place.y) / max(1.0, long), inf, frozenset(found.checks))
     goals = program.objectives(objective)
-    solution = program.least(goals, program.limits(), program.equalities())
+    solution = program.least(goals, program.limits(goals), program.equalities())
     weights = solution.multipliers | solution.equality_multipliers
     price = sum(abs(x) for key, x in weights.items() if _ease(program.rows[key]))
     if not solution.converged:
@@ -287,7 +296,8 @@ def least_eased(program: SizingProgram, goals: Sequence[Term]) -> Solution:
         for sign in ((1.0, -1.0) if key in program.targets else (1.0,))
     ]
     least = Term(ONE, 1.0, 0.0, (("ease", -1.0),))
-    return program.least([least, *goals], [*limits, *program.region()])
+    ties = [goal for goal in goals if not goal.eases]
+    return program.least([least, *ties], [*limits, *program.region()])
 
 
 def _ease(row: Row) -> tuple[tuple[str, float], ...]:
