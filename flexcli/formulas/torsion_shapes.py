@@ -4,6 +4,7 @@ from math import exp, inf, pi, tan
 
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed, Quantity
+from flexcli.formulas.torsion_fibres import rectangle_fourth_moment
 from flexcli.results import QuantityKind
 
 __all__ = [
@@ -12,8 +13,11 @@ __all__ = [
     "STAR_CARDS",
     "STRIP_CARDS",
     "circle_torsion_constant",
+    "star_area",
     "star_arm",
     "star_core_error",
+    "star_fourth_moment",
+    "star_polar_moment",
     "star_torsion_constant",
     "strip_torsion_constant",
 ]
@@ -128,7 +132,58 @@ def star_arm(h: Quantity, b: Quantity, strips: int) -> Computed:
     Geometry of the section.
 
     """
-    return b / h / 2.0 - 0.5 / tan(pi / (2.0 * strips))
+    return b / h / 2.0 - _to_corner(strips)
+
+
+def _to_corner(strips: int) -> float:
+    """Return how far from the axis two arms part, along an arm and over the thickness [-]."""
+    return 0.5 / tan(pi / (2.0 * strips))
+
+
+def star_area(h: Quantity, b: Quantity, strips: int) -> Computed:
+    """Return the area of strips of full width b that cross in one axis, their core counted once.
+
+    ``A = n h (b − c h)``, ``c = ½ cot(π/2n)``: two strips have 2 b h − h².
+
+    Examples
+    --------
+    >>> round(star_area(1.0, 6.0, strips=2), 9)
+    11.0
+
+    """
+    return strips * h * (b - _to_corner(strips) * h)
+
+
+def star_polar_moment(h: Quantity, b: Quantity, strips: int) -> Computed:
+    """Return ∫r² dA of strips that cross, twice their second moment about any axis across [m⁴].
+
+    ``I_p = n (h b³ + b h³)/12 − n h⁴ (c³/6 + c/8)``, ``c = ½ cot(π/2n)``: what the strips have in
+    common, a polygon of 2n sides h, is counted once.
+
+    Examples
+    --------
+    >>> round(star_polar_moment(1.0, 6.0, strips=2) * 6.0, 9)
+    221.0
+
+    """
+    c = _to_corner(strips)
+    return strips * ((h * b**3 + b * h**3) / 12.0 - h**4 * (c**3 / 6.0 + c / 8.0))
+
+
+def star_fourth_moment(h: Quantity, b: Quantity, strips: int) -> Computed:
+    """Return ∫r⁴ dA of strips that cross, their core counted once [m⁶].
+
+    Examples
+    --------
+    >>> core = 1.0 / 40.0 + 1.0 / 72.0
+    >>> twice = 2.0 * rectangle_fourth_moment(1.0, 6.0)
+    >>> round(float(star_fourth_moment(1.0, 6.0, strips=2) - twice + core), 9)
+    0.0
+
+    """
+    c = _to_corner(strips)
+    common = 2.0 * h**6 * (c**5 / 30.0 + c**3 / 36.0 + c / 96.0)
+    return strips * (rectangle_fourth_moment(h, b) - common)
 
 
 def star_core_error(arm: float, strips: int) -> float:

@@ -705,7 +705,7 @@ def _third_order(after: SecondOrder) -> float:
 
     It is infinite near the buckling of straight blades, or the instability of bodies.
     """
-    if after.buckling > SOFTENED:
+    if max(after.buckling, after.arms) > SOFTENED:
         return inf
     return TURNS * after.rotation**2 + after.axial / STIFFENS
 

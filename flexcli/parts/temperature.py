@@ -13,7 +13,7 @@ from flexcli.formulas.profile import Constant
 from flexcli.formulas.sheet_factors import held_growth
 from flexcli.mechanics.layout import Blade, Layout
 from flexcli.mechanics.mesh import column
-from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, SpaceRod
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, SpaceRod, SpaceStar
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
@@ -56,7 +56,9 @@ def held_share(blade: Blade | SpaceBlade | SpaceRod, nu: float) -> float:
 
     Where its thickness varies that is not known, and small: it is held in short stretches.
     """
-    if isinstance(blade, SpaceRod) or not isinstance(blade.profile, Constant):
+    if isinstance(blade, SpaceRod) and not isinstance(blade, SpaceStar):
+        return 0.0
+    if not isinstance(blade, SpaceStar) and not isinstance(blade.profile, Constant):
         return 0.0
     l = hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
     return float(held_growth(b=blade.b, l=l, poisson_ratio=nu))

@@ -93,8 +93,8 @@ def test_without_a_shear_modulus_nobody_knows(checked):
     assert {check["verdict"] for check in found["checks"]} == {"undecided"}
 
 
-def test_a_joint_of_no_blades_leaves_it_unjudged(checked):
-    bar = "{kind: torsion-star, h: 0.2 mm, l: 20 mm, b: 4 mm, bars: 2}"
+def test_a_bar_held_by_nobody_knows_what_leaves_it_unjudged(checked):
+    bar = "{kind: torsion-star, h: 0.2 mm, l: 20 mm, b: 4 mm, shortening: held}"
     text = STAGE.replace(STAGE.split("geometry: ")[1].split("\n")[0], bar)
     text = text.replace("push: {", "push: {stroke: {rotation: 1 deg}, ")
     code, found = checked("{yield: 1.5}", text)

@@ -11,7 +11,7 @@ from flexcli.engine.solid.bricks import Bricks, bricks
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.layout import Body, Layout, Number, Point
 from flexcli.mechanics.mesh import column
-from flexcli.mechanics.space.layout import Isotropic, SpaceBody, SpaceLayout, SpaceRod
+from flexcli.mechanics.space.layout import Isotropic, SpaceBody, SpaceLayout, SpaceRod, SpaceStar
 from flexcli.parts.elastic import NotAvailable
 
 __all__ = ["SolidBody", "SolidModel", "Stretch", "solid_model", "solid_model_in_space"]
@@ -164,6 +164,8 @@ def solid_model_in_space(layout: SpaceLayout, *, fineness: int = 1) -> SolidMode
     count = 0
     for blade in layout.blades:
         l = float(np.linalg.norm(np.subtract(blade.end, blade.start)))
+        if isinstance(blade, SpaceStar):
+            raise NotAvailable("has strips that cross, of which no bricks are made")
         if isinstance(blade, SpaceRod):
             pieces = Constant(blade.d).stretches(l)
             solid = bricks(pieces, blade.d, fineness=fineness, is_round=True)

@@ -109,8 +109,8 @@ def _pieces(member: SpaceBlade | SpaceRod, found: MemberSprings) -> tuple[Floats
     nodes, weights = gauss_rule(NODES)
     density, l = member.material.density, found.l
     if isinstance(member, SpaceRod):
-        mass = density * np.pi * member.d**2 / 4.0 * l * weights
-        one = mass * member.d**2 / 16.0
+        mass = density * member.area * l * weights
+        one = mass * member.bent / member.area
         return nodes, mass, np.stack([2.0 * one, one, one], axis=-1)
     u = 2.0 * nodes - 1.0
     each = []

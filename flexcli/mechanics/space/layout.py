@@ -6,6 +6,7 @@ the pose in which nothing is strained; a body of no listed name is the ground.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from math import hypot, inf, pi
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -13,6 +14,13 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.clamped_blade import Across
 from flexcli.formulas.profile import Profile
+from flexcli.formulas.torsion_shapes import (
+    circle_torsion_constant,
+    star_area,
+    star_fourth_moment,
+    star_polar_moment,
+    star_torsion_constant,
+)
 
 __all__ = [
     "BeamEffects",
@@ -26,6 +34,7 @@ __all__ = [
     "SpaceLoad",
     "SpaceRod",
     "SpaceSpring",
+    "SpaceStar",
     "Vector",
     "along",
     "grown_ends",
@@ -40,6 +49,9 @@ Vector: TypeAlias = tuple[float, float, float]
 
 Matrix3: TypeAlias = tuple[Vector, Vector, Vector]
 """A symmetric matrix, by rows."""
+
+UNBENT = 1e-2
+"""Share of what makes the arms of a star buckle in bending that is as good as none."""
 
 _NONE: Matrix3 = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
@@ -184,12 +196,102 @@ class SpaceRod:
     material: Isotropic
 
     @property
+    def area(self) -> float:
+        """Return the area of its section [m²]."""
+        return pi * self.d**2 / 4.0
+
+    @property
+    def bent(self) -> float:
+        """Return the second moment of its section about any axis across it [m⁴]."""
+        return pi * self.d**4 / 64.0
+
+    @property
+    def fourth(self) -> float:
+        """Return ∫r⁴ dA of its section [m⁶]."""
+        return pi * self.d**6 / 192.0
+
+    @property
+    def torsion(self) -> float:
+        """Return the torsion constant of its section [m⁴]."""
+        return float(circle_torsion_constant(self.d))
+
+    @property
+    def sheared(self) -> float:
+        """Return the shear of torsion at its faces over G times the twist per length [m]."""
+        return self.d / 2.0
+
+    @property
     def axes(self) -> Floats:
         """Return its axes as rows, x along it; y and z are any two across."""
         x = along(self.start, self.end)
         z = np.cross(x, np.eye(3)[int(np.argmin(np.abs(x)))])
         z = z / np.linalg.norm(z)
         return np.stack([x, np.cross(z, x), z])
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceStar(SpaceRod):
+    """A straight bar whose section is strips that cross on its axis, which its ends let warp.
+
+    It bends alike in every direction, as a rod does. ``strips`` of thickness ``h`` and full width
+    ``b`` [m] stand at even angles, the first along the bar's z; ``d`` is the diameter of the circle
+    around them [m].
+    """
+
+    h: float
+    b: float
+    strips: int
+
+    @property
+    def area(self) -> float:
+        """Return the area of its section [m²]."""
+        return float(star_area(self.h, self.b, self.strips))
+
+    @property
+    def bent(self) -> float:
+        """Return the second moment of its section about any axis across it [m⁴]."""
+        return float(star_polar_moment(self.h, self.b, self.strips)) / 2.0
+
+    @property
+    def fourth(self) -> float:
+        """Return ∫r⁴ dA of its section [m⁶]."""
+        return float(star_fourth_moment(self.h, self.b, self.strips))
+
+    @property
+    def torsion(self) -> float:
+        """Return the torsion constant of its section [m⁴]."""
+        return float(star_torsion_constant(self.h, self.b, self.strips))
+
+    @property
+    def sheared(self) -> float:
+        """Return the shear of torsion at its faces over G times the twist per length [m]."""
+        return self.h
+
+    def arms_bent(self, N: float, M: float) -> float:
+        """Return the share of what makes its arms buckle that a bending moment may be [-].
+
+        They surely do not below the even stress ``G J/I_p`` = 4 G (h/b)² at which the star twists
+        aside as a column, whose arms hold each other no more than hinges on its axis; an axial
+        force ``N`` takes its share of it. No bending is none of it.
+        """
+        most = self.material.G * self.torsion / (2.0 * self.bent)
+        left = 1.0 - max(-N / self.area, 0.0) / most
+        bent = M * self.d / 2.0 / self.bent / most
+        if bent <= UNBENT:
+            return 0.0
+        return bent / left if left > 0.0 else inf
+
+    def arms_bent_by(self, l: float, forces: Floats) -> float:
+        """Return the same of the forces of its six springs at its middle, its length given."""
+        N, V_y, V_z, _, M_y, M_z = (float(force) for force in forces)
+        ends = abs(M_y) + abs(V_z) * l / 2.0, abs(M_z) + abs(V_y) * l / 2.0
+        return self.arms_bent(N, hypot(*ends))
+
+    @property
+    def arms(self) -> Floats:
+        """Return the directions of its arms in its y and z (arms, 2)."""
+        turn = np.arange(2 * self.strips) * (pi / self.strips)
+        return np.stack([np.sin(turn), np.cos(turn)], axis=-1)
 
 
 class SpaceSpring(NamedTuple):

@@ -14,7 +14,7 @@ from scipy.linalg import block_diag
 from flexcli.formulas.blade_spring import deformation_rows
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.rigid_motion import motion_along, motion_at
-from flexcli.mechanics.space.layout import SpaceLoad, SpaceRod, grown_ends
+from flexcli.mechanics.space.layout import SpaceLoad, SpaceRod, SpaceStar, grown_ends
 from flexcli.mechanics.space.linear import Moved, SpaceAssembly
 from flexcli.numerics.quadrature import gauss_rule
 
@@ -50,7 +50,8 @@ class SecondOrder(NamedTuple):
     moments about x, y, z of each blade (blades, 3, places) that its ends do not feel: what its own
     deflection makes of their forces. ``rotation`` is the largest angle between the two ends of a
     blade, or of its chord against either [rad]; ``axial`` the largest axial force of either order
-    over EI/l² of its blade [-].
+    over EI/l² of its blade [-]; ``arms`` the largest stress of bending of a star over the least
+    that makes its arms buckle, beside its axial force [-].
     """
 
     coordinates: Floats
@@ -59,6 +60,7 @@ class SecondOrder(NamedTuple):
     rotation: float
     axial: float
     buckling: float
+    arms: float = 0.0
 
 
 def second_order(
@@ -119,11 +121,15 @@ def second_order(
     gradient[at] = _turn(assembly).T @ gradient[at]
     travel = np.zeros(1) if locked else None
     added = assembly.moved(-gradient[:, None], misfits=misfits, travel=travel)
-    axial = 0.0
+    axial, arms = 0.0, 0.0
     for k, member in enumerate(assembly.members):
         bent = float(member.springs.stiffness[4:].min())  # EI/l
         N = abs(found.forces[6 * k, 0]) + abs(added.forces[6 * k, 0])
         axial = max(axial, float(N) * member.l / bent)
+        star = assembly.layout.blades[k]
+        if isinstance(star, SpaceStar):
+            own = found.forces[6 * k : 6 * k + 6, 0]
+            arms = max(arms, star.arms_bent_by(member.l, own))
     return SecondOrder(
         added.coordinates[:, 0],
         added.forces[:, 0],
@@ -131,6 +137,7 @@ def second_order(
         max(blade.rotation for blade in blades),
         axial,
         softening.share(locked=locked),
+        arms,
     )
 
 
@@ -250,7 +257,7 @@ class _Quadratic:
         self.l, self.forces = member.l, forces
         self.is_uniform = isinstance(blade, SpaceRod) or isinstance(blade.profile, Constant)
         if isinstance(blade, SpaceRod):
-            self.gyration = blade.d**2 / 8.0
+            self.gyration = 2.0 * blade.bent / blade.area
         else:
             h = float(blade.profile.h) if isinstance(blade.profile, Constant) else 0.0
             self.gyration = (blade.b**2 + h**2) / 12.0

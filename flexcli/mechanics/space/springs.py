@@ -16,11 +16,13 @@ from flexcli.formulas.clamped_blade import (
     clamped_blade,
     clamped_rod,
 )
+from flexcli.formulas.clamped_star import OF_STARS, clamped_star
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.formulas.torsion_section import torsion_constant
+from flexcli.formulas.torsion_shapes import star_arm
 from flexcli.mechanics.space.exact.mesh import Mesh, mesh_of
 from flexcli.mechanics.space.exact.section import section_of
-from flexcli.mechanics.space.layout import Directed, Isotropic, SpaceBlade, SpaceRod
+from flexcli.mechanics.space.layout import Directed, Isotropic, SpaceBlade, SpaceRod, SpaceStar
 
 __all__ = [
     "HINGES",
@@ -137,6 +139,16 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
     """
     l = float(np.linalg.norm(np.subtract(member.end, member.start)))
     material = member.material
+    if isinstance(member, SpaceStar):
+        star = clamped_star(
+            E=material.E, G=material.G, h=member.h, l=l, b=member.b, strips=member.strips
+        )
+        felt = {
+            "b/l": member.b / l, "h/b": member.h / member.b, "ν": round(material.nu, 9),
+            "arm/h": float(star_arm(member.h, member.b, member.strips)), "strips": member.strips,
+        }  # fmt: skip
+        known = not outside(OF_STARS, felt)
+        return _at_middle(star, (known, known), member.axes, l, STRETCH)
     if isinstance(member, SpaceRod):
         rod = clamped_rod(E=material.E, G=material.G, d=member.d, l=l)
         known = not outside(OF_RODS, {"d/l": member.d / l})

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from math import pi, sqrt
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -143,9 +143,9 @@ def _inner(member: SpaceBlade | SpaceRod, found: MemberSprings) -> Iterator[_Inn
     across: tuple[int, ...] = (0,)
     profile: Profile
     if isinstance(member, SpaceRod):
-        # a rectangle of the same area and second moment as the round section
-        h = sqrt(0.75) * member.d
-        b, outer, across = pi * member.d**2 / (4.0 * h), member.d / h, (0, 1)
+        # a rectangle of the same area and second moment as its section
+        h = sqrt(12.0 * member.bent / member.area)
+        b, outer, across = member.area / h, member.d / h, (0, 1)
         profile = Constant(h)
     elif isinstance(member.profile, Constant):
         profile, b, outer = member.profile, member.b, member.peak[0]

@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from math import exp, inf, pi, sqrt
+from math import exp, hypot, inf, pi, sqrt
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
@@ -26,6 +26,7 @@ from flexcli.mechanics.space.layout import (
     SpaceBody,
     SpaceLayout,
     SpaceRod,
+    SpaceStar,
     Vector,
 )
 from flexcli.parts.bending import Bending, WideBlades
@@ -474,14 +475,15 @@ class TorsionStar(TorsionGeometry):
 
     def section(self, sizes: Blade) -> Section:
         """Return that of its strips."""
-        h, b, n = sizes.h, sizes.b, self.strips
-        fourth = n * torsion_fibres.rectangle_fourth_moment(h, b)
-        square = h**2 + b**2
-        return Section(n * h * b, square / 12.0, fourth, square / 4.0, NARROW_SIDE)
+        h, b = sizes.h, sizes.b
+        area = torsion_shapes.star_area(h, b, self.strips)
+        fourth = torsion_shapes.star_fourth_moment(h, b, self.strips)
+        mean = self.polar_moment(sizes) / area
+        return Section(area, mean, fourth, (h**2 + b**2) / 4.0, NARROW_SIDE)
 
     def polar_moment(self, sizes: Blade) -> Computed:
         """Return that of all strips [m⁴]."""
-        return self.strips * (second_moment(sizes.h, sizes.b) + second_moment(sizes.b, sizes.h))
+        return torsion_shapes.star_polar_moment(sizes.h, sizes.b, self.strips)
 
     def torsion_constant(self, sizes: Blade) -> Computed:
         """Return n b h³/3 with what their core adds [m⁴]."""
@@ -512,16 +514,16 @@ class TorsionStar(TorsionGeometry):
 
     def member(
         self, name: str, start: Vector, end: Vector, elastic: Elastic, sizes: Blade, density: float
-    ) -> SpaceBlade:
-        """Refuse: its strips are one section, whose shear and bending nobody has compared."""
-        raise NotAvailable(
-            "has strips that are joined where they cross, which is no blade in space"
-        )
+    ) -> SpaceStar:
+        """Return its strips as one bar, the first of them wide along y."""
+        h, b = float(sizes.h), float(sizes.b)
+        material = Isotropic(float(elastic.E), float(elastic.G), density)
+        return SpaceStar(name, GROUND, MOVING, start, end, hypot(h, b), material, h, b, self.strips)
 
     def volume(self, sizes: Blade) -> Computed:
         """Return the volume of the strips, their crossing counted once [m³]."""
         h, l, b = sizes
-        return self.bars * l * (self.strips * h * b - (self.strips - 1) * h**2)
+        return self.bars * l * torsion_shapes.star_area(h, b, self.strips)
 
     def fits(self, sizes: Blade) -> tuple[tuple[str, Computed, Computed], ...]:
         """Return that a strip is no thicker than wide."""

@@ -7,7 +7,6 @@ across its thickness, z across its width.
 
 from collections.abc import Callable
 from functools import partial
-from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -18,9 +17,15 @@ from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Piec
 from flexcli.formulas.section import second_moment
 from flexcli.formulas.torsion_fibres import rectangle_fourth_moment
 from flexcli.formulas.torsion_section import torsion_constant, warping
-from flexcli.formulas.torsion_shapes import circle_torsion_constant
 from flexcli.mechanics.mesh import SHEAR_FACTOR
-from flexcli.mechanics.space.layout import BeamEffects, SpaceBlade, SpaceRod
+from flexcli.mechanics.space.layout import (
+    BeamEffects,
+    Directed,
+    Isotropic,
+    SpaceBlade,
+    SpaceRod,
+    SpaceStar,
+)
 from flexcli.mechanics.wide_hinge import wide_hinge
 
 __all__ = ["Compliances", "Section", "section_of"]
@@ -81,31 +86,32 @@ def section_of(blade: SpaceBlade | SpaceRod, effects: BeamEffects) -> Section:
 
 
 def _rod(rod: SpaceRod, l: float, effects: BeamEffects) -> Section:
-    EI = rod.material.E * pi * rod.d**4 / 64.0
+    EI = rod.material.E * rod.bent
     found = partial(_of_rod, rod, l, effects, EI)
     return Section(EI, l, rod.material.nu, Constant(rod.d).stretches(l), found)
 
 
 def _of_rod(rod: SpaceRod, l: float, effects: BeamEffects, EI: float, d: Floats) -> Compliances:
-    E, G = rod.material.E, rod.material.G
-    A, I = pi * d**2 / 4.0, pi * d**4 / 64.0
+    E, G, A, I = rod.material.E, rod.material.G, rod.area, rod.bent
     one, none = np.ones_like(d), np.zeros_like(d)
-    shear = effects.shear * EI / (ROUND_SHEAR_FACTOR * G * A * l**2)
+    star = isinstance(rod, SpaceStar)
+    plate = _of_sheet(rod.b, l, rod.material) if star and effects.plate else _Plate()
+    along_load = SHEAR_FACTOR * rod.b * rod.h * rod.strips / 2.0 if star else ROUND_SHEAR_FACTOR * A
+    shear = effects.shear * EI / (G * along_load * l**2) * (1.0 - plate.even)
     return Compliances(
-        axial=effects.extension * EI / (E * A * l**2),
-        shear_y=shear,
-        shear_z=shear,
-        bend_y=one,
-        bend_z=one,
+        axial=one * effects.extension * EI / (E * A * l**2) / plate.stretched,
+        shear_y=one * shear,
+        shear_z=one * shear,
+        bend_y=one / plate.flat,
+        bend_z=one / plate.flat,
         bend_z_edge=none,
         curl=none,
-        torsion=G * circle_torsion_constant(d) / EI,
+        torsion=one * G * rod.torsion / EI,
         warping=none,
         apart=one,
         spin=none,
-        polar=effects.long_fibres * 2.0 * I / (A * l**2),
-        # ∫r⁴ = π d⁶/192, I_p²/A = π d⁶/256
-        fibres=effects.long_fibres * E / 2.0 * pi * d**6 / 768.0 / (EI * l**2),
+        polar=one * effects.long_fibres * 2.0 * I / (A * l**2),
+        fibres=one * effects.long_fibres * E / 2.0 * (rod.fourth - 4.0 * I**2 / A) / (EI * l**2),
     )
 
 
@@ -148,21 +154,24 @@ def _plate(blade: SpaceBlade, l: float, h: float, effects: BeamEffects) -> _Plat
         bent = wide_hinge(type(profile), numbers, l, b, nu).stiffness
         return _Plate(bent, bent, curls=curls * isinstance(profile, Filleted))
     hinge = float(profile.hinge) if isinstance(profile, NeckedDown) else l
-    wide, sheared = b * blade.material.wider, blade.material.shear
-    at = {"b": wide, "l": hinge, "poisson_ratio": nu}
+    at = {"b": b * blade.material.wider, "l": hinge, "poisson_ratio": nu}
+    return _of_sheet(b, hinge, blade.material)._replace(
+        pure=float(plate_factors.pure_bending_factor(**at, h=h)),
+        guided=float(plate_factors.guided_factor(**at, h=h)),
+        curls=curls,
+    )
+
+
+def _of_sheet(b: float, l: float, material: Isotropic | Directed) -> _Plate:
+    """Return what clamps do to a strip in its own plane."""
+    nu, wide, sheared = material.nu, b * material.wider, material.shear
+    at = {"b": wide, "l": l, "poisson_ratio": nu}
     flat = float(sheet_factors.bending_factor(**at))
-    Phi = 2.4 * (1.0 + nu) / sheared * (wide / hinge) ** 2
+    Phi = 2.4 * (1.0 + nu) / sheared * (wide / l) ** 2
     # the shear compliance that, beside this bending, gives the S shape in the plane
     aside = float(sheet_factors.guided_factor(**at, shear=sheared))
     even = 1.0 - ((1.0 + Phi) / aside - 1.0 / flat) / Phi
-    return _Plate(
-        float(plate_factors.pure_bending_factor(**at, h=h)),
-        float(plate_factors.guided_factor(**at, h=h)),
-        float(sheet_factors.axial_factor(**at)),
-        flat,
-        even,
-        curls,
-    )
+    return _Plate(stretched=float(sheet_factors.axial_factor(**at)), flat=flat, even=even)
 
 
 def _of_strip(

@@ -188,9 +188,9 @@ def _of_section(
     E, G, nu = blade.material.E, blade.material.G, blade.material.nu
     long_fibres = effects.long_fibres
     if isinstance(blade, SpaceRod):
-        A, I = np.pi * blade.d**2 / 4.0, np.pi * blade.d**4 / 64.0
+        A, I = blade.area, blade.bent
         bent = np.hypot(M_y, M_z) * blade.d / 2.0 / I
-        fibres = long_fibres * E * tau**2 / 2.0 * blade.d**2 / 8.0
+        fibres = long_fibres * E * tau**2 / 2.0 * (blade.d**2 / 4.0 - 2.0 * I / A)
         none = np.zeros_like(N)
         return BladeStress(
             name=blade.name,
@@ -201,7 +201,7 @@ def _of_section(
             warping=none,
             fibres=fibres,
             corner=(N / A + fibres)[:, None] + bent[:, None] * np.array([1.0, -1.0]),
-            shear=np.abs(G * tau) * blade.d / 2.0,
+            shear=np.abs(G * tau) * blade.sheared,
         )
     b = blade.b
     thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
