@@ -19,8 +19,8 @@ __all__ = ["CARDS", "OF_STARS", "clamped_star"]
 Floats = NDArray[np.float64]
 
 OF_STARS = (
-    Range("b/l", most=1.0, why="wider stars were not compared with solids"),
-    Range("h/b", most=0.25, why="thicker strips were not compared with solids"),
+    Range("b/l", most=0.9, why="wider stars were not compared with solids"),
+    Range("h/b", most=0.2, why="thicker strips were not compared with solids"),
     SHORT_ARM,
     Range("strips", least=2.0, most=6.0, why="more strips were not compared with solids"),
     Range("ν", most=0.4, why="no other was compared with solids"),
@@ -37,12 +37,18 @@ def clamped_star(
 ) -> ClampedSprings:
     """Return the six springs of a bar of strips that cross on its axis, its ends free to warp.
 
+    ``k_x = n k_x1 A/(n h b)``, ``k_y = k_z = ½ n (k_z1 + k_y1) I/I_n``,
+    ``k_θx = G J/l``, ``k_θy = k_θz = ½ n (k_θy1 + k_θz1) I/I_n`` with the springs k_·1 of one
+    strip between clamps (``clamped-blade``).
+
     Parameters
     ----------
     E, G : float
         Young's and shear modulus [Pa].
-    h, l, b : float
-        Thickness of a strip, length of the bar, full width of a strip, edge to edge [m].
+    h, b : float
+        Thickness and full width of a strip, edge to edge [m].
+    l : float
+        Length of the bar [m].
     strips : int
         Number n of strips, at even angles.
 
@@ -54,10 +60,8 @@ def clamped_star(
     Notes
     -----
     Each strip is a sheet of its own, bent and sheared across its width by the part of the motion
-    along it, ½ of n of them; what strips have in common is counted once in area and second moment.
-    ``k_x = n k_x1 A/(n h b)``, ``k_y = k_z = ½ n (k_z1 + k_y1) I/I_n``,
-    ``k_θy = k_θz = ½ n (k_θy1 + k_θz1) I/I_n`` with the springs k_·1 of one strip between clamps,
-    ``k_θx = G J/l`` by Saint-Venant.
+    along it, ½ of n of them; what strips have in common is counted once in area and second moment
+    I, beside n h b and I_n of strips by themselves. Torsion is Saint-Venant's.
 
     Examples
     --------

@@ -177,8 +177,8 @@ def star_fourth_moment(h: Quantity, b: Quantity, strips: int) -> Computed:
     --------
     >>> core = 1.0 / 40.0 + 1.0 / 72.0
     >>> twice = 2.0 * rectangle_fourth_moment(1.0, 6.0)
-    >>> round(float(star_fourth_moment(1.0, 6.0, strips=2) - twice + core), 9)
-    0.0
+    >>> round(float(star_fourth_moment(1.0, 6.0, strips=2) / (twice - core)), 9)
+    1.0
 
     """
     c = _to_corner(strips)

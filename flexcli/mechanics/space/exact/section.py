@@ -94,9 +94,10 @@ def _rod(rod: SpaceRod, l: float, effects: BeamEffects) -> Section:
 def _of_rod(rod: SpaceRod, l: float, effects: BeamEffects, EI: float, d: Floats) -> Compliances:
     E, G, A, I = rod.material.E, rod.material.G, rod.area, rod.bent
     one, none = np.ones_like(d), np.zeros_like(d)
-    star = isinstance(rod, SpaceStar)
-    plate = _of_sheet(rod.b, l, rod.material) if star and effects.plate else _Plate()
-    along_load = SHEAR_FACTOR * rod.b * rod.h * rod.strips / 2.0 if star else ROUND_SHEAR_FACTOR * A
+    plate, along_load = _Plate(), ROUND_SHEAR_FACTOR * A
+    if isinstance(rod, SpaceStar):
+        plate = _of_sheet(rod.b, l, rod.material) if effects.plate else plate
+        along_load = SHEAR_FACTOR * rod.b * rod.h * rod.strips / 2.0
     shear = effects.shear * EI / (G * along_load * l**2) * (1.0 - plate.even)
     return Compliances(
         axial=one * effects.extension * EI / (E * A * l**2) / plate.stretched,
