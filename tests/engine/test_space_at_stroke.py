@@ -106,9 +106,9 @@ def test_what_is_stiff_at_rest_fails_at_stroke_and_says_so(tmp_path):
 
 
 def test_blades_wider_than_the_beams_compared_are_judged_as_shells(tmp_path):
-    """Beams were held against shells up to b = 1.5 l."""
+    """Beams were held against shells up to b = 3 l."""
     wanted = "  support: {direction: z, min: 1 N/um, at: full-stroke}"
-    wide = guide(wanted, b="160 mm")
+    wide = guide(wanted, b="320 mm")
     assert only(checked(wide, tmp_path, model="exact")).verdict.value == "undecided"
     check = only(checked(wide, tmp_path))
     assert (check.model, check.verdict.value) == ("shell", "pass")

@@ -27,7 +27,7 @@ def off_solids(case, row, **how):
 
 @pytest.mark.slow
 def test_beams_are_off_solids_by_no_more_than_they_tell():
-    """CalculiX, C3D20R, two meshes extrapolated; guides and pivots, b/l to 1.5, ν to 0.45."""
+    """CalculiX, C3D20R, two meshes extrapolated; b/l to 3, h/l to 0.2, ν to 0.45."""
     most = 0.0
     for case, row in blades.found("solids"):
         state, off = off_solids(case, row)
@@ -38,9 +38,23 @@ def test_beams_are_off_solids_by_no_more_than_they_tell():
 
 
 @pytest.mark.slow
+def test_moments_of_beams_are_off_solids_by_no_more_than_their_stress_tells():
+    """Where blades strain by 2 or 3 % that counts besides, as it does for a stress."""
+    most = 0.0
+    for case, row in blades.found("solids"):
+        state = blades.one_blade(case, tolerance=1e-5)
+        moment = state.end_forces[0, 5 if case.turns else 1]
+        off, found = abs(moment / row["drive"] - 1.0), beam_errors(state)
+        strain = case.h * (3.0 * case.stroke if not case.turns else np.deg2rad(case.stroke))
+        assert off <= found.stress + strain, case
+        most = max(most, off)
+    assert most > 0.02
+
+
+@pytest.mark.slow
 def test_shells_are_off_solids_by_no_more_than_they_tell():
     for case, row in blades.found("solids"):
-        if case.b < 5.0 * case.h:
+        if case.b < 5.0 * case.h or case.h > 0.05:
             continue  # no shell
         state, off = off_solids(case, row, **SHELLS)
         assert off <= shell_errors(state).support, case
@@ -79,13 +93,13 @@ def test_what_buckles_beams_at_a_stroke_is_what_buckles_shells():
 
 
 def test_beyond_what_was_compared_beams_tell_nothing_and_shells_more():
-    wide, bent = blades.Case("guide", 1.6, 0.005, 0.05), blades.Case("guide", 0.5, 0.005, 0.35)
+    wide, bent = blades.Case("guide", 3.2, 0.005, 0.05), blades.Case("guide", 0.5, 0.005, 0.35)
     soft = blades.Case("guide", 0.5, 0.005, 0.05, 0.47)
     for case in (wide, bent, soft):
         state = blades.one_blade(case)
         assert beam_errors(state) is None
         assert shell_errors(state).support > SOLIDS + 0.63 * case.h / case.b
-    inside = blades.one_blade(blades.Case("guide", 1.4, 0.005, 0.05))
+    inside = blades.one_blade(blades.Case("guide", 2.9, 0.005, 0.05))
     assert beam_errors(inside) is not None
 
 
@@ -111,7 +125,7 @@ def test_a_material_whose_sections_curl_more_has_a_wider_range(tmp_path):
     """ν = 0.45: beams are 6.7 % over the solids, where 6 % was told of every material."""
     path = tmp_path / "flexure.yaml"
     path.write_text(SOFT_GUIDE, encoding="utf-8")
-    ((_, row),) = [found for found in blades.found("solids") if found[0].nu == 0.45]
+    ((_, row), *_) = [found for found in blades.found("solids") if found[0].nu == 0.45]
     solid = row["support"][3]  # about the blade's normal
     for model in ("exact", "shell"):
         (check,) = flexcli.check(path, model=model).checks

@@ -137,12 +137,12 @@ def test_accuracy_in_space_holds_beams_against_shells(tmp_path):
 
 
 def test_a_crossed_pivot_wider_than_the_beams_compared_is_judged_as_shells(tmp_path):
-    """Beyond b = 1.5 l beams tell no error; they differ by what they tell of narrower blades."""
+    """Beyond b = 3 l beams tell no error; they differ by what they tell of narrower blades."""
     path = tmp_path / "flexure.yaml"
     path.write_text(
         "flexure: 1\nmaterial: {youngs_modulus: 200 GPa, poisson_ratio: 0.3}\n"
         "geometry: {kind: cross-spring, delta: -0.5, half_angle: 45 deg, h: 0.2 mm, l: 20 mm,"
-        " b: 32 mm}\ncases: {operation: {stroke: {rotation: 10 deg}}}\nrequirements:\n"
+        " b: 64 mm}\ncases: {operation: {stroke: {rotation: 10 deg}}}\nrequirements:\n"
         "  support: {direction: z, min: 0.01 N/um, at: full-stroke, drive: locked}\n",
         encoding="utf-8",
     )

@@ -2,7 +2,7 @@
 
 The stress of such a load is that at rest, added to the planar one as if both were largest at the
 same place; the true one is no less than either. What the stroke changes in it is estimated by
-the second order of both together. Where that is not small, or blades bend aside under such a load,
+the second order of both together. Where that leaves much, or blades bend aside under such a load,
 exact beams in space take all of a case together.
 """
 
@@ -30,6 +30,9 @@ __all__ = ["OutOfPlane"]
 UNKNOWN = ErrorRange(-1.0, inf)
 """Of a share whose error nobody knows, for which that of the planar model is not taken."""
 
+NARROW = 0.03
+"""Width of the range of a sum from which on exact beams are asked whether they know better."""
+
 FINEST = ("exact", "shell")
 """Models beside which exact beams in space are no more than what was asked for."""
 
@@ -55,6 +58,7 @@ class OutOfPlane(JointModel):
         self.name = inner.name
         self.directs_blades = inner.directs_blades
         self._known: Remembered[_Parts] = Remembered()
+        self._chosen: Remembered[tuple[SpaceLinearModel | None]] = Remembered()
         self._space = _in_space(inner.name)
         self._is_finest = inner.name in FINEST
         self.at_stroke = inner.at_stroke if self._space is None else self._space.at_stroke
@@ -131,10 +135,10 @@ class OutOfPlane(JointModel):
             return self.inner.stresses(ask)
         if ask.scene.on_bodies:
             return self._whole().stresses(ask)
-        parts = self._parts(ask)
-        beams = self._beams(ask) if parts.across.error is None else None
+        beams = self._beams(ask)
         if beams is not None:
             return beams.stresses(ask)
+        parts = self._parts(ask)
         across, found = parts.across.value, list[EndStress]()
         for stress in parts.planar or [EndStress("blade", 0.0, 0.0, 0.0)]:
             found.append(stress._replace(axial=stress.axial + across))
@@ -143,23 +147,26 @@ class OutOfPlane(JointModel):
         return f"{parts.name}, with that of the loads out of the plane", found
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
-        """Return the planar model's error; of a stress, with that of what was added.
+        """Return the planar model's error; of a stress, that of what tells it."""
+        if ask.scene.on_bodies and kind is QuantityKind.STRESS:
+            return None if self._space is None else self._space.error(ask, kind)
+        if kind is not QuantityKind.STRESS or not ask.scene.across_by:
+            return self.inner.error(ask, kind)
+        try:
+            beams = self._beams(ask)
+            return self._sum_error(ask) if beams is None else beams.error(ask, kind)
+        except NotAvailable:
+            return None
+
+    def _sum_error(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of the planar stress with that of the loads out of the plane.
 
         Both are added as if largest at one place: together they are no less than either.
         """
-        if ask.scene.on_bodies and kind is QuantityKind.STRESS:
-            return None if self._space is None else self._space.error(ask, kind)
-        planar = self.inner.error(ask, kind)
-        if kind is not QuantityKind.STRESS or not ask.scene.across_by or planar is None:
-            return planar
-        try:
-            parts = self._parts(ask)
-        except NotAvailable:
-            return None
+        planar, parts = self.inner.error(ask, QuantityKind.STRESS), self._parts(ask)
         across, error = parts.across
-        if error is None:
-            beams = self._beams(ask)
-            return None if beams is None else beams.error(ask, kind)
+        if planar is None or error is None:
+            return None
         a, b = parts.largest, across
         if a + b == 0.0:
             return planar
@@ -173,9 +180,21 @@ class OutOfPlane(JointModel):
         return self._space
 
     def _beams(self, ask: Ask) -> SpaceLinearModel | None:
-        """Return exact beams where they may say more: of hinges' stress they know no error."""
+        """Return exact beams where they say more: of hinges' stress they know no error."""
+        return self._chosen.of("beams", ask, lambda: self._choose(ask))[0]
+
+    def _choose(self, ask: Ask) -> tuple[SpaceLinearModel | None]:
         joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-        return self._space if self._is_finest and joint.is_uniform else None
+        if self._space is None or not (self._is_finest and joint.is_uniform):
+            return (None,)
+        summed = self._sum_error(ask)
+        if summed is None:
+            return (self._space,)
+        if summed.high - summed.low <= NARROW:
+            return (None,)
+        whole = self._space.error(ask, QuantityKind.STRESS)
+        narrower = whole is not None and whole.high - whole.low < summed.high - summed.low
+        return (self._space if narrower else None,)
 
     def _parts(self, ask: Ask) -> _Parts:
         return self._known.of("parts", ask, lambda: self._find(ask))

@@ -62,12 +62,13 @@ class Bend(NamedTuple):
 
 
 SEEN = {
-    "slender": Range("h/l", 0.0, 0.05, "guides up to a stroke of l/5, against solids"),
-    "width": Range("b/l", 0.0, 1.5, "beams were held against shells from 0.1 to 1.5, rods besides"),
+    "slender": Range("h/l", 0.0, 0.2, "guides and pivots, strained by 1 to 3 %, against solids"),
+    "rod": Range("d/l", 0.0, 0.05, "as a narrow blade"),
+    "width": Range("b/l", 0.0, 3.0, "beams were held against shells from 0.1 to 3, rods besides"),
     "poisson": Range("ν", 0.0, 0.45, "sections curl by its square"),
     "shift": Range("shift of a blade's end over l", 0.0, 0.306, "guides up to 0.3 l, pivots 30°"),
     "curve": Range("curvature times l", 0.0, 1.84, "guides up to a stroke of 0.3 l"),
-    "curl": Range("b² κ/h", 0.0, 1650.0, "b/l = 1.5, h/l = 1/400, a stroke of 0.3 l"),
+    "curl": Range("b² κ/h", 0.0, 3610.0, "b/l = 3, h/l = 1/333, a stroke of l/5"),
     "twist": Range("b² φ/(h l)", 0.0, 4.4, "coaxial blades, up to where wide ones buckle"),
 }
 """Where beams were held against shells and solids."""
@@ -96,6 +97,10 @@ SETTLED = 0.021
 """Beams over shells where no section curls: seen up to 0.0165 at ν = 0, and −0.021 where blades
 of b ≤ 0.4 l bend little."""
 
+WIDER, WIDER_FROM = 7e-3, 1.5
+"""What they are besides, for each length that blades are wider than this many: 0.029 at ν = 0 and
+b = 3 l in all."""
+
 CURL = 5.0
 """Of b² κ/h, from which on the errors of sections that curl are as large as they get."""
 
@@ -105,7 +110,12 @@ in support and in their moments. Seen with what is told beside: 0.050 of the one
 0.077 at ν = 0.45, 0.014 and 0.033 of the other."""
 
 MOMENTS = 0.015
-"""Nominal stress besides, where nothing curls: moments within 0.007 of shells' at ν = 0.3."""
+"""Nominal stress, where nothing curls: moments within 0.01 of shells' at ν = 0.3, and within 0.006
+of solids', 0.014 where they strain by 2 or 3 % or h = l/5."""
+
+THICK = 0.4
+"""Share of (h/l)² besides: of what clamps do to the shear of a thick blade beams have no more than
+its strip; square ones of l/10 were 0.02 too soft, h = l/5 and b = l 0.005."""
 
 SHIFTED = 0.025
 """Besides, of the motion beside a stroke: what is left of it where blades shorten alike (a folded
@@ -151,18 +161,18 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
 
     Of hinges and of what varies in thickness nothing is known but the support stiffness.
     """
-    curling, hinged, thick, directed, starred = 0.0, 0.0, 0.0, 0.0, 0.0
+    curling, hinged, thick, directed, starred, wider = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for blade in state.layout.blades:
         bend, l = _bend(state, blade), _length(blade)
         if isinstance(blade, SpaceStar):
             if not springs_of(blade).is_known or _arms_may_buckle(state, blade):
                 return None
-            starred = STARRED
+            starred = max(starred, STARRED + SHEAR * (blade.h / l) ** 2)
             if blade.b**2 * bend.twist > STAR_TWIST * blade.h * l:
                 return None
-            felt = {"slender": blade.h / l, "shift": bend.shift, "curve": bend.curve}
+            felt = {"rod": blade.h / l, "shift": bend.shift, "curve": bend.curve}
         elif isinstance(blade, SpaceRod):
-            felt = {"slender": blade.d / l, "shift": bend.shift, "curve": bend.curve}
+            felt = {"rod": blade.d / l, "shift": bend.shift, "curve": bend.curve}
         elif isinstance(blade.profile, Constant):
             b, h, nu = blade.b, float(blade.profile.h), blade.material.nu
             wide = b**2 / (h * l)
@@ -181,18 +191,20 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
             continue
         if any(value > SEEN[name].most * (1.0 + ROUNDING) for name, value in felt.items()):
             return None
-        thick = max(thick, felt["slender"])
-    sheared = SHEAR * thick**2 + starred
+        thick = max(thick, felt.get("slender", 0.0))
+        wider = max(wider, felt.get("width", 0.0) - WIDER_FROM)
+    besides = THICK * thick**2 + starred
     # solids of silicon at a stroke of 5 % have the ratios to beams that they have at rest
-    support = SOLIDS + SETTLED + SUPPORT_CURLED * curling + sheared + directed
-    moments = SOLIDS + MOMENT_CURLED * curling + sheared
+    support = SOLIDS + SETTLED + SUPPORT_CURLED * curling + WIDER * wider + besides + directed
+    moments = MOMENT_CURLED * curling + besides
+    shift = moments + SOLIDS + SHIFTED
     if starred:
         # ends that may warp are of no solid, and roots have the stress of their fillets
-        return StrokeErrors(support, moments + SHIFTED, inf, _cancelled(state))
+        return StrokeErrors(support, shift, inf, _cancelled(state))
     if hinged:
         support = max(support, hinged + AT_STROKE)
         return StrokeErrors(support, inf, inf, inf)
-    return StrokeErrors(support, moments + SHIFTED, moments + MOMENTS, _cancelled(state))
+    return StrokeErrors(support, shift, moments + MOMENTS, _cancelled(state))
 
 
 def _arms_may_buckle(state: SpaceEquilibrium, star: SpaceStar) -> bool:

@@ -282,6 +282,7 @@ class SpaceExactModel(SpaceLinearModel):
 
         That acts on the bodies; what it does between the ends of a blade counts as if it were
         largest where the stress is.
+        Beams and shells differ by the strain itself where that is large: by 0.9 of it at 0.04.
         """
         joint = joint_of(ask)
         beside = sum(_stress_of_weight(joint, each) for each in acting_groups(joint, ask.scene))
@@ -304,6 +305,8 @@ class SpaceExactModel(SpaceLinearModel):
         except (NotAvailable, SolveError):
             return None
         most += unsure / largest
+        if self.blades is BEAMS:
+            most += largest / ask.material.elastic.E
         return ErrorRange(-most, most)
 
 

@@ -180,35 +180,28 @@ def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
     twist = twist[:K]
     force, close, start = (np.arange(3) + size + 3 * k for k in range(3))
     # η at the nodes by η' and by the turn of the start
-    turn = np.zeros((3 * K, size + 9))
-    turn[:, rate] = np.kron(J, np.eye(3))
-    turn[:, start] = np.kron(np.ones((K, 1)), np.eye(3))
-    spread = np.zeros((K, size + 9))
-    spread[:, twist] = T
+    turned, turn = np.concatenate([rate, start]), np.column_stack([J, np.ones(K)])
 
-    def add(left: Floats, blocks: Floats, right: Floats) -> None:
-        """Add ``Σ w leftᵀ block right`` of the nodes, and its mirror image."""
-        a, b = blocks.shape[-2:]
-        weighted = (w[:, None, None] * blocks) @ right.reshape(K, b, -1)
-        part = left.reshape(K, a, -1)
-        sum_of = np.tensordot(part, weighted, axes=((0, 1), (0, 1))) / 2.0
-        H[...] += sum_of + sum_of.T
+    def add(rows: Integers, blocks: Floats, columns: Integers) -> None:
+        """Add a block of the matrix, and its mirror image."""
+        H[rows[:, None], columns] += blocks
+        H[columns[:, None], rows] += blocks.T
 
-    unit = np.eye(size + 9)
-    add(turn, turn_turn, turn)
-    add(turn, 2.0 * turn_force, np.broadcast_to(unit[force], (K, 3, size + 9)))
+    add(turned, _weighted(turn, w, turn_turn, turn) / 2.0, turned)
+    add(turned, _weighted(turn, w, turn_force, np.ones((K, 1))), force)
     H[np.ix_(force, force)] += np.tensordot(w, force_force, axes=(0, 0))
-    add(unit[rate], 2.0 * rate_turn, turn)
-    add(unit[moment], 2.0 * moment_turn, turn)
-    add(unit[moment], 2.0 * np.broadcast_to(np.eye(3), (K, 3, 3)), unit[rate])
+    add(rate, _weighted(None, w, rate_turn, turn), turned)
+    add(moment, _weighted(None, w, moment_turn, turn), turned)
+    H[moment, rate] += np.repeat(w, 3)
+    H[rate, moment] += np.repeat(w, 3)
     compliant = np.stack([spin, mesh.bend_y[i, used], law.compliance], axis=-1)
     H[moment, moment] -= (w[:, None] * compliant).ravel()
-    add(unit[moment[::3]], np.full((K, 1, 1), -2.0), spread)
-    add(unit[moment[2::3]], -2.0 * law.coupling[:, None, None], spread)
-    add(spread, torsion[:, None, None], spread)
-    pull = 2.0 * (polar * tau)[:, None, None]
-    add(spread, pull * N_s[:, :1], turn)
-    add(spread, pull * R_t[:, :1], np.broadcast_to(unit[force], (K, 3, size + 9)))
+    add(moment[::3], -w[:, None] * T, twist)
+    add(moment[2::3], -(w * law.coupling)[:, None] * T, twist)
+    add(twist, T.T @ ((w * torsion)[:, None] * T) / 2.0, twist)
+    pull = w * polar * tau
+    add(twist, _weighted(T, pull, N_s[:, :1], turn), turned)
+    add(twist, _weighted(T, pull, R_t[:, :1], np.ones((K, 1))), force)
     if warped:
         H[twist, twist] += warping * w
         for k, run in enumerate(runs):
@@ -232,6 +225,18 @@ def beam_variation(mesh: Mesh, i: int, at: Along) -> BeamVariation:
     concave = 3 * K - int(np.sum(law.compliance < 0.0)) + len(runs) * warped
     negative = int(np.sum(np.linalg.eigvalsh(A) < 0.0)) - concave
     return BeamVariation(H[np.ix_(outer, outer)] - B.T @ np.linalg.solve(A, B), negative)
+
+
+def _weighted(left: Floats | None, w: Floats, blocks: Floats, right: Floats) -> Floats:
+    """Return ``Σ w left_p block_ab right_q`` of the nodes, its rows p a and its columns q b.
+
+    Without a left side each node has a row of its own.
+    """
+    K, a, _ = blocks.shape
+    of_nodes = (w[:, None, None] * blocks)[:, :, None, :] * right[:, None, :, None]
+    if left is None:
+        return np.asarray(of_nodes.reshape(K * a, -1))
+    return np.asarray((left.T @ of_nodes.reshape(K, -1)).reshape(left.shape[1] * a, -1))
 
 
 def _symmetric(a: Floats) -> Floats:
