@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from math import atan2, hypot
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
 
@@ -10,15 +9,14 @@ from pydantic import (
     Field,
     GetJsonSchemaHandler,
     PrivateAttr,
-    ValidationError,
     model_validator,
 )
 from pydantic_core import CoreSchema
 
 from flexcli.errors import SolveError
-from flexcli.formulas.quantity import Quantity
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.case import Case
+from flexcli.parts.default_quality import with_default_quality
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import EFFECTS, SCENE_EFFECTS
 from flexcli.parts.geometries import BEAM_EFFECTS, AnyGeometry, Geometry, NotAvailable, Sizes
@@ -34,12 +32,13 @@ from flexcli.parts.requirements import (
     RequirementError,
     Requirements,
     are_at_rest,
+    limit_of,
 )
 from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.scene import Scene
 from flexcli.parts.scene_of_case import scene_of
 from flexcli.parts.sizing import QUANTITIES, Correction, FreeParameter, SizeOptions
-from flexcli.results import EXACT, Check
+from flexcli.results import EXACT
 
 if TYPE_CHECKING:
     from flexcli.mechanics.layout import Layout
@@ -61,9 +60,6 @@ else:
     Robust = Annotated[Any, Named("flexcli.parts.tolerances:Robust")]
 
 __all__ = ["DesignSpec", "ModelName", "Problem"]
-
-SHAKEN = ("asd", "axes", "shock", "sine", "sweep", "sines")
-"""Loads of a case that a quality factor applies to."""
 
 IN_PLANE = 1e-6
 """Slope of a blade against its wafer below which it lies in it."""
@@ -178,24 +174,8 @@ class DesignSpec(Part):
     @model_validator(mode="before")
     @classmethod
     def _material_damps(cls, data: Any) -> Any:
-        """Give cases that vibrate without a stated Q that of the material's loss factor.
-
-        Where the mechanism states its damping, that is used, also for shocks beside a load that has
-        a Q of its own.
-        """
-        if not isinstance(data, dict) or not isinstance(data.get("cases"), dict):
-            return data
-        mechanism = data.get("mechanism")
-        if isinstance(mechanism, dict) and "damping" in mechanism:
-            return {**data, "cases": _damped(data["cases"], mechanism["damping"])}
-        quality = _quality_of(data.get("material"))
-        if quality is None:
-            return data
-        cases = {
-            name: {**case, "q": quality} if _lacks_q(case) else case
-            for name, case in data["cases"].items()
-        }
-        return {**data, "cases": cases}
+        """Give cases that vibrate without a stated Q that of the mechanism or the material."""
+        return with_default_quality(data)
 
     @classmethod
     def __get_pydantic_json_schema__(
@@ -477,17 +457,14 @@ class DesignSpec(Part):
         spreads = {name: correction.spread for name, correction in self._corrections.items()}
         return [
             self._less(
-                _narrowed(
-                    _scaled(limit, factors.get(limit.name, 1.0)),
-                    spreads.get(limit.name, 0.0),
-                )
+                limit.scaled(factors.get(limit.name, 1.0)).narrowed(spreads.get(limit.name, 0.0))
                 if limit.kind is not None
                 else limit,
                 sizes,
             )
             for limit in limits
         ] + [
-            self._less(_as_judged(correction.alone, correction.at(sizes)), sizes)
+            self._less(limit_of(correction.alone, correction.at(sizes)), sizes)
             for correction in self._corrections.values()
             if correction.alone is not None
         ]
@@ -498,8 +475,8 @@ class DesignSpec(Part):
         if loss is None:
             return limit
         if limit.tolerance is None:
-            return _scaled(limit, loss.at(sizes))
-        return _narrowed(limit, loss.factor - 1.0)
+            return limit.scaled(loss.at(sizes))
+        return limit.narrowed(loss.factor - 1.0)
 
     def with_losses(self, losses: Mapping[str, Correction]) -> "DesignSpec":
         """Return the design with the loss of each check to the tolerances, near a design."""
@@ -651,78 +628,6 @@ class DesignSpec(Part):
                 list(requirement.judged(ask))
             except RequirementError as error:
                 yield Problem(path, str(error), error.hint)
-
-
-def _quality_of(material: Any) -> float | None:
-    """Return Q by the loss factor of a material, as a spec has it or read already."""
-    if isinstance(material, Material):
-        found = material.loss_factor
-        return None if found is None else 1.0 / found.value
-    given = material.get("loss_factor") if isinstance(material, dict) else None
-    given = given.get("value") if isinstance(given, dict) else given
-    try:
-        return 1.0 / float(given) if given is not None else None
-    except (TypeError, ValueError, ZeroDivisionError):
-        return None  # which the material's own field tells
-
-
-def _damped(cases: dict[str, Any], damping: Any) -> dict[str, Any]:
-    """Return the cases of a spec with the mechanism's Q where they, or their shocks, lack one."""
-    from flexcli.parts.mechanisms.base import Damping
-
-    try:
-        quality = Damping.model_validate(damping).quality
-    except ValidationError:
-        return cases  # which the mechanism's own field tells
-    return {name: _with_quality(case, quality) for name, case in cases.items()}
-
-
-def _with_quality(case: Any, quality: float) -> Any:
-    if _lacks_q(case):
-        return {**case, "q": quality}
-    shock = case.get("shock") if isinstance(case, dict) and case.get("q") is None else None
-    if not isinstance(shock, dict) or "q" in shock:
-        return case
-    return {**case, "shock": {**shock, "q": quality}}
-
-
-def _lacks_q(case: Any) -> bool:
-    """Return whether a case, as a spec has it, vibrates and states no Q anywhere."""
-    if not isinstance(case, dict) or case.get("q") is not None:
-        return False
-    shaken = [case[key] for key in SHAKEN if case.get(key) is not None]
-    return bool(shaken) and not any(isinstance(load, dict) and "q" in load for load in shaken)
-
-
-def _scaled(limit: Limit, factor: Quantity) -> Limit:
-    """Return a limit of a multiplied utilisation, by the number that the spec does not state."""
-    if limit.in_capacity:
-        return replace(limit, capacity=limit.capacity * factor ** (-limit.power))
-    return replace(limit, demand=limit.demand * factor**limit.power)
-
-
-def _as_judged(check: Check, share: Quantity) -> Limit:
-    """Return the limit of a check from its utilisation, known by value and slope."""
-    name, _, variant = check.name.removesuffix(")").rpartition(" (")
-    source = "by value and slope"
-    if variant == "min":
-        sides = check.demand, share ** (-1.0) * check.demand
-    elif variant in ("max", "equals"):
-        sides = share * check.capacity, check.capacity
-    else:
-        name, variant, sides = check.name, "", (share * (1.0 / check.required), 1.0)
-    return Limit(
-        name, check.case, check.quantity, *sides, check.unit, source,
-        required=1.0 if variant else check.required, variant=variant,
-        tolerance=1.0 / check.required - 1.0 if check.is_target else None,
-    )  # fmt: skip
-
-
-def _narrowed(limit: Limit, spread: float) -> Limit:
-    """Return a target whose tolerance is narrowed by an error, where it is wide enough."""
-    if limit.tolerance is None or not 0.0 < spread < limit.tolerance:
-        return limit
-    return replace(limit, tolerance=(1.0 + limit.tolerance) / (1.0 + spread) - 1.0)
 
 
 def _refuse_unknown(name: str, known: tuple[str, ...], at: tuple[str, ...]) -> None:

@@ -17,7 +17,7 @@ from flexcli.parts.requirements.ask import (
     JointModel,
     RequirementError,
 )
-from flexcli.parts.requirements.base import Bound, Limit, Requirement
+from flexcli.parts.requirements.base import Bound, Limit, Requirement, limit_of
 from flexcli.parts.requirements.closed_form import CLOSED_FORM
 
 __all__ = [
@@ -35,6 +35,7 @@ __all__ = [
     "RequirementError",
     "Requirements",
     "are_at_rest",
+    "limit_of",
 ]
 
 _HERE = "flexcli.parts.requirements"

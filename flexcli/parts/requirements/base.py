@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from pydantic import model_validator
@@ -12,9 +12,9 @@ from flexcli.parts.base import Part, Ratio, Shorthand, spec_error
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
-from flexcli.results import ErrorRange, QuantityKind
+from flexcli.results import Check, ErrorRange, QuantityKind
 
-__all__ = ["Bound", "FactorRequirement", "Limit", "Requirement"]
+__all__ = ["Bound", "FactorRequirement", "Limit", "Requirement", "limit_of"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +68,35 @@ class Limit:
         """Return the name of the check without its case."""
         name = f"{self.requirement} of {self.joint}" if self.joint else self.requirement
         return f"{name} ({self.variant})" if self.variant else name
+
+    def scaled(self, factor: Quantity) -> "Limit":
+        """Return it with a multiplied utilisation, by the number that the spec does not state."""
+        if self.in_capacity:
+            return replace(self, capacity=self.capacity * factor ** (-self.power))
+        return replace(self, demand=self.demand * factor**self.power)
+
+    def narrowed(self, spread: float) -> "Limit":
+        """Return it with a target's tolerance narrowed by an error, where it is wide enough."""
+        if self.tolerance is None or not 0.0 < spread < self.tolerance:
+            return self
+        return replace(self, tolerance=(1.0 + self.tolerance) / (1.0 + spread) - 1.0)
+
+
+def limit_of(check: Check, share: Quantity) -> Limit:
+    """Return the limit of a check from its utilisation, known by value and slope."""
+    name, _, variant = check.name.removesuffix(")").rpartition(" (")
+    source = "by value and slope"
+    if variant == "min":
+        sides = check.demand, share ** (-1.0) * check.demand
+    elif variant in ("max", "equals"):
+        sides = share * check.capacity, check.capacity
+    else:
+        name, variant, sides = check.name, "", (share * (1.0 / check.required), 1.0)
+    return Limit(
+        name, check.case, check.quantity, *sides, check.unit, source,
+        required=1.0 if variant else check.required, variant=variant,
+        tolerance=1.0 / check.required - 1.0 if check.is_target else None,
+    )  # fmt: skip
 
 
 class Requirement(Part):
