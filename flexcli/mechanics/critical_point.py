@@ -10,6 +10,7 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.assembly import Assembly, at_nodes, finer
 from flexcli.mechanics.demand import Demand
 from flexcli.mechanics.inertia_count import closing_and_balance, inertia_count
+from flexcli.mechanics.uncondensed import uncondensed
 from flexcli.numerics.arc_length import Hyperplane, Steps, correct_on
 
 __all__ = [
@@ -158,6 +159,9 @@ def arc_weight(assembly: Assembly) -> Floats:
 
 def steps_of(assembly: Assembly, demand: Demand) -> Steps:
     """Return the steps of one mechanism for following its path by arc length."""
+    alone = uncondensed(assembly, demand)
+    if alone is not None:
+        return alone.steps
 
     def steps(x: Floats, share: float) -> tuple[Floats, Floats]:
         step, rate = assembly.steps(x[None], np.array([share]), np.arange(1), demand)

@@ -30,7 +30,7 @@ from flexcli.mechanics.prescribed_motion import demand_of, designs_of
 from flexcli.mechanics.refinement import LEVELS, Reached, by_steps, refined
 from flexcli.mechanics.refinement import difference as relative_difference
 from flexcli.mechanics.state import Equilibrium, Part
-from flexcli.mechanics.uncondensed import MOST, Uncondensed
+from flexcli.mechanics.uncondensed import uncondensed
 from flexcli.numerics.compilation import is_compiled
 from flexcli.numerics.newton import NewtonResult
 
@@ -197,7 +197,7 @@ def _solver(assembly: Assembly, designs: int) -> Callable[[Assembly, Demand], _S
             "flexcli.mechanics.compiled_newton"
         ).Compiled
         return found
-    return lambda at, demand: Uncondensed(at, demand) if designs == 1 and at.size <= MOST else None
+    return uncondensed if designs == 1 else lambda *_: None
 
 
 def difference(coarse: Assembly, fine: Assembly, x: Floats, y: Floats, scale: Floats) -> Floats:

@@ -24,13 +24,13 @@ from flexcli.mechanics.demand import Demand, Force, Spring
 from flexcli.numerics.newton import NewtonResult, newton
 from flexcli.numerics.stack import solve_stack
 
-__all__ = ["MOST", "Uncondensed"]
+__all__ = ["Uncondensed", "uncondensed"]
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
 Integers = NDArray[np.intp]
 
-MOST = 120
+_MOST = 120
 """Unknowns up to which one full matrix is faster than blades condensed."""
 
 
@@ -95,13 +95,31 @@ class Uncondensed:
 
     def step(self, x: Floats, share: Floats, rows: Integers) -> Floats:
         """Return Newton's step of the design, (1, unknowns), at the share λ (1,) of the way."""
-        of, axial, shear, rho, spread, sums, by_f, chord, arm, linear, still, order, back = (
-            self._nodes
+        J, r, _ = self._equations(x[0], float(share[0]))
+        return self._change(solve_stack(J, r[:, None]))
+
+    def steps(self, x: Floats, share: float) -> tuple[Floats, Floats]:
+        """Return Newton's step at constant share λ, and dx/dλ of the path, (unknowns,) both."""
+        J, r, moved = self._equations(x, share)
+        step, rate = self._change(solve_stack(J, np.stack([r, self._growth(moved)], axis=1)))
+        return step, rate
+
+    def _change(self, solved: Floats) -> Floats:
+        """Return the changes of the unknowns (columns, unknowns) that undo what is left."""
+        turns, top = self._turns, self._turns + self._blades + self._bodies
+        change = -solved
+        change[:turns] += (
+            self._nodes.still[:turns, top - self._bodies : top] @ change[top - self._bodies : top]
         )
+        return np.asarray(change[self._nodes.back].T)
+
+    def _equations(self, x: Floats, share: float) -> tuple[Floats, Floats, Complexes]:
+        """Return derivative and left-overs of the equations, and how far bodies have turned."""
+        of, axial, shear, rho, spread, sums, by_f, chord, arm, linear, still, order, _ = self._nodes
         ends, demand = self._ends, self._demand
         turns, top, size = self._turns, self._turns + self._blades + self._bodies, order.size
         phi, nu = slice(top - self._bodies, top), slice(top, top + 2 * self._blades)
-        z = x[0][order]
+        z = x[order]
         J, r = still.copy(), linear @ z
         force = z[nu].view(np.complex128)
         e = np.exp(0.5j * z[:top])
@@ -123,7 +141,7 @@ class Uncondensed:
         # where the ends of blades and bodies are apart
         gap = r[nu].view(np.complex128)
         gap += of_body[:-1] @ arm - chord * start - rate @ sums
-        gap += demand.warmth(share)[0] * ends.misfit
+        gap += (1.0 if demand.grown else share) * ends.misfit
         J[nu, :turns] = -(sums * G[:, None]).view(np.float64).T
         bent = (0.5 * rho * T * T) @ sums
         flat, below, last = J.reshape(-1), 2 * size + 2, nu.stop * (size + 1)
@@ -140,16 +158,14 @@ class Uncondensed:
         r[phi] += moment.real
         flat[(top - self._bodies) * (size + 1) : first : size + 1] = moment.imag
         for each in demand.forces:
-            self._apply_force(each, share[0], of_body, r, J)
+            self._apply_force(each, share, of_body, r, J)
         for spring in demand.springs:
             self._apply_spring(spring, z, of_body, r, J)
         before, after = demand.before[0], demand.after[0]
         J[self._held] = 0.0
         J[self._held, self._held] = 1.0
         r[self._held] = z[self._held] - (before + share * (after - before))
-        s = -solve_stack(J, r[:, None])[:, 0]
-        s[:turns] += still[:turns, phi] @ s[phi]
-        return s[back][None]
+        return J, r, of_body
 
     def newton(self, x: Floats, share: Floats, rows: Integers, **how: Any) -> NewtonResult:
         """Return where Newton's method leads from x."""
@@ -163,24 +179,44 @@ class Uncondensed:
         size[k_f] /= FORCE + np.maximum.reduce(pulled)
         return np.maximum.reduce(size, keepdims=True)
 
+    def _growth(self, moved: Complexes) -> Floats:
+        """Return the derivative of the left-overs by λ."""
+        demand, top = self._demand, self._turns + self._blades + self._bodies
+        r = np.zeros(self._nodes.order.size)
+        if not demand.grown:
+            r[top : top + 2 * self._blades] = self._ends.misfit.view(np.float64)
+        for force in demand.forces:
+            self._pull(force, force.after[0] - force.before[0], moved, r)
+        r[self._held] = demand.before[0] - demand.after[0]
+        return r
+
+    def _pull(
+        self, force: Force, size: float, moved: Complexes, r: Floats
+    ) -> tuple[complex, complex]:
+        """Subtract a force of a size on a body from its balance; return it, and it by its arm."""
+        x, phi = self._rows_of(force.body)
+        turn = 1.0 + moved[force.body]
+        arm, P = complex(*force.arm[0]) * turn, size * complex(*force.force[0])
+        if force.follows:
+            P *= turn
+        moment = arm.conjugate() * P
+        r[x] -= P.real
+        r[x + 1] -= P.imag
+        r[phi] -= size * force.moment[0] + moment.imag
+        return P, moment
+
     def _apply_force(
         self, force: Force, share: float, moved: Complexes, r: Floats, J: Floats
     ) -> None:
         """Subtract a force on a body from its balance (``outer_forces.apply_force``)."""
         x, phi = self._rows_of(force.body)
-        turn, before = 1.0 + moved[force.body], force.before[0]
-        size = before + share * (force.after[0] - before)
-        arm, P = complex(*force.arm[0]) * turn, size * complex(*force.force[0])
+        before = force.before[0]
+        P, moment = self._pull(force, before + share * (force.after[0] - before), moved, r)
         if force.follows:
-            P *= turn
             J[x, phi] += P.imag
             J[x + 1, phi] -= P.real
-        moment = arm.conjugate() * P
-        if not force.follows:
+        else:
             J[phi, phi] += moment.real
-        r[x] -= P.real
-        r[x + 1] -= P.imag
-        r[phi] -= size * force.moment[0] + moment.imag
 
     def _apply_spring(
         self, spring: Spring, z: Floats, moved: Complexes, r: Floats, J: Floats
@@ -205,6 +241,11 @@ class Uncondensed:
         """Return the rows of the x, before that of y, and of the rotation of a body."""
         turns = self._turns + self._blades
         return turns + self._bodies + 2 * (self._blades + body), turns + body
+
+
+def uncondensed(assembly: Assembly, demand: Demand) -> Uncondensed | None:
+    """Return Newton's steps of one design where they are faster than by blades condensed."""
+    return Uncondensed(assembly, demand) if assembly.size <= _MOST else None
 
 
 def _ends_of(assembly: Assembly) -> _Ends:

@@ -37,9 +37,14 @@ def assert_same_steps(layout, held, loads, effects, start=None):
         for _ in range(8):  # rotations in equilibrium: else the steps differ in their second order
             at = assembly.linearise(x, share, row, demand)
             x[0, : assembly.turns] += np.concatenate([blade.free.ravel() for blade in at.blades])
-        step = Uncondensed(assembly, demand).step(x, share, row)
-        condensed = assembly.step(x, share, row, demand)
-        assert step == pytest.approx(condensed, rel=0.0, abs=1e-11 * np.max(np.abs(condensed)))
+        alone = Uncondensed(assembly, demand)
+        both = assembly.steps(x, share, row, demand)
+        for own, condensed in zip(alone.steps(x[0], share[0]), both, strict=True):
+            assert own == pytest.approx(
+                condensed[0], rel=0.0, abs=1e-11 * np.max(np.abs(condensed))
+            )
+        step = alone.step(x, share, row)
+        assert step == pytest.approx(both[0], rel=0.0, abs=1e-11 * np.max(np.abs(step)))
 
 
 @pytest.mark.parametrize("kind", SAMPLES)

@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
-from scipy.linalg import block_diag
 
 from flexcli.formulas.blade_spring import deformation_rows
 from flexcli.formulas.profile import Constant
@@ -196,7 +195,7 @@ class _Softening:
 
     def share(self, *, locked: bool) -> float:
         """Return the share of the forces at which a direction loses its stiffness."""
-        root = block_diag(self.assembly.compliance_root(locked=locked), np.diag(self.root))
+        root = _block_diagonal(self.assembly.compliance_root(locked=locked), np.diag(self.root))
         return max(float(np.linalg.eigvalsh(-root @ self.of_coordinates() @ root.T)[-1]), 0.0)
 
     def of_coordinates(self) -> Floats:
@@ -284,7 +283,7 @@ class _Quadratic:
         self.value = self._of(d[:, None])[:, 0]
         curved = self._curvature()
         self.gradient = place.T @ curved[:12, :12] @ d
-        to_bodies = block_diag(place, np.eye(INNER))
+        to_bodies = _block_diagonal(place, np.eye(INNER))
         self.curvature = to_bodies.T @ curved @ to_bodies
         along = np.cross(d[3:6], [self.l, 0.0, 0.0])
         self.local = np.concatenate([d[6:9] - d[:3] - along, d[9:12] - d[3:6]])
@@ -397,4 +396,12 @@ def _cross(a: Floats, b: Floats) -> Floats:
     found: Floats = np.stack(
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
     )
+    return found
+
+
+def _block_diagonal(one: Floats, other: Floats) -> Floats:
+    """Return a matrix of two blocks (without scipy, whose import takes as long as many checks)."""
+    rows, columns = one.shape
+    found = np.zeros((rows + other.shape[0], columns + other.shape[1]))
+    found[:rows, :columns], found[rows:, columns:] = one, other
     return found
