@@ -29,7 +29,7 @@ NAME = "check"
 
 
 class Free(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
-    """What is done with a design whose sizes are free."""
+    """Treatment of a design whose sizes are free."""
 
     SIZE = "size"
     SKIP = "skip"
@@ -98,7 +98,7 @@ def run(
 
 
 def _taken(named: Sequence[Path]) -> tuple[list[Path], list[PassedOver], list[Result]]:
-    """Return the designs that are meant, what is passed over, and the folders without any."""
+    """Return the designs to check, the skipped files, and the folders without any."""
     from flexcli.spec.folder import members
 
     taken: dict[Path, None] = {}

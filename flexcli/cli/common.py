@@ -1,4 +1,4 @@
-"""What the verbs share: which files, which model, and what becomes of the user's mistakes."""
+"""Shared by the verbs: options, reading of specs, and mistakes turned into findings."""
 
 import sys
 from collections.abc import Callable, Sequence

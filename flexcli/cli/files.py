@@ -1,4 +1,4 @@
-"""Files that the user names: a new one is written whole or not at all, an old one if forced."""
+"""Output files: a new file is written whole or not at all, an old one replaced if forced."""
 
 import os
 import stat
@@ -30,7 +30,7 @@ class _NotWritten(Exception):
 def saved(
     path: Path | None, text: Callable[[], str | bytes | None], *, force: bool, nothing: str
 ) -> Iterator[None]:
-    """Write a text to a file, then let the result be printed, then tell what went wrong.
+    """Write a text to a file around the printing of the result, then report any failure.
 
     Parameters
     ----------

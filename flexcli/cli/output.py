@@ -109,7 +109,7 @@ def asked_format(arguments: Sequence[str]) -> Format:
 
 
 def any_stream() -> None:
-    """Let both streams write what their encoding lacks in ASCII, whoever writes to them."""
+    """Let both streams replace characters that their encoding lacks by ASCII."""
     from flexcli.report.charset import TRANSLITERATE
 
     for stream in (sys.stdout, sys.stderr):
@@ -122,7 +122,7 @@ def _encoding(stream: Any) -> str:
 
 
 def _page(stream: Any, style: Format) -> Page:
-    """Return what a stream is as a page; only text has columns and colours."""
+    """Return the columns, colours and characters of a stream; only text has the first two."""
     if style is not Format.TEXT:
         return Page(encoding=_encoding(stream))
     from rich.console import Console

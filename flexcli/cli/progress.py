@@ -1,4 +1,4 @@
-"""What a long run is doing, on a terminal's stderr, and how it ends before its time.
+"""Progress of a long run on a terminal's stderr, and its early end.
 
 Ctrl-C and the time limit are one thing: a wish to stop at once, with what was done kept.
 """
@@ -25,7 +25,7 @@ RETRY, WIND_UP = 0.1, 10.0
 
 
 class Run:
-    """One call of a verb: until when it may take, and why it ended before its time."""
+    """One call of a verb: its time limit, and why it ended early."""
 
     def __init__(self, limit: float | None = None) -> None:
         self.limit = limit

@@ -45,13 +45,13 @@ SAVED = 10.0
 """Seconds after which what is done is saved again."""
 
 SAVING = 20.0
-"""Times what a save takes that pass before the next, however many rows there are."""
+"""Factor on the time of a save that passes before the next, however many rows there are."""
 
 BLOCK = 16
-"""Designs that a worker of a cluster is given at once."""
+"""Number of designs in a block for a cluster's worker."""
 
 EACH = 64
-"""Blocks at least, so that all workers end together."""
+"""Least number of blocks, so that all workers end together."""
 
 
 class Each(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
@@ -248,7 +248,7 @@ def _variation(text: str) -> Any:
 
 
 class _Sweep:
-    """A study on its way: what is done, and where it is saved."""
+    """A study in progress: finished rows, and where they are saved."""
 
     def __init__(
         self,
@@ -280,7 +280,7 @@ class _Sweep:
         self.now = progress.run.get() or progress.Run()
 
     def done(self) -> "StudyResult":
-        """Do what is not done, save it now and then, and return all of it."""
+        """Judge the points that are not done, save now and then, and return all rows."""
         if self.output is not None:
             self._save()  # what cannot be written is said before hours of work
             self.may_replace = True
@@ -305,7 +305,7 @@ class _Sweep:
         return self._collected()
 
     def _made(self) -> "Generator[Row, None, None]":
-        """Yield the rows that are not kept, in order, as far as they get done."""
+        """Yield the new rows in order, as far as they are finished."""
         from flexcli.cli.jobs import over, usual_jobs
         from flexcli.study import block_of, shared
 
@@ -345,7 +345,7 @@ def _not_done(_: "Sequence[Mapping[str, str]]") -> "list[Row]":
 
 
 def _kept(path: Path) -> "dict[tuple[str, ...], Row]":
-    """Return the rows of a study that was saved before, by the values that were put in."""
+    """Return the rows of a study that was saved before, by the values of their points."""
     import csv
 
     from flexcli.report.study_table import FIXED

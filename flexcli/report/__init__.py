@@ -1,1 +1,1 @@
-"""How results are shown, in each of the formats, from results only."""
+"""Rendering of results, in each of the formats, from results only."""

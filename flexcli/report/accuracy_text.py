@@ -1,4 +1,4 @@
-"""What accuracy costs, on screen: each quantity by each model, all together, and the curve."""
+"""Accuracy against time as text: each quantity by each model, all together, and the curve."""
 
 from collections.abc import Iterator
 from math import inf

@@ -46,7 +46,7 @@ def _escaped(text: str, table: dict[int, str], encoding: str) -> str:
 
 
 def _told(result: Result) -> str:
-    """Return the line of the log; no colon starts it, so that it is no command."""
+    """Return a line for the log without a leading colon, so that GitHub takes it for no command."""
     worst = decisive(result.checks)
     said = f": {sentence(worst)}" if worst is not None else ""
     return f"{result.status.value.upper()}  {result.command} {result.spec}{said}"

@@ -29,9 +29,9 @@ def render(report: Report, page: Page) -> str:
 
 
 def dumps(content: Any, encoding: str = "utf-8") -> str:
-    """Return JSON text; numbers that JSON has not (infinity) become null, rows mappings.
+    """Return JSON text; numbers that JSON lacks (infinity) become null, rows mappings.
 
-    What the encoding lacks, and what could steer a terminal, is escaped.
+    Characters outside the encoding, and those that could steer a terminal, are escaped.
     """
     options: dict[str, Any] = {"indent": 2, "allow_nan": False}
     text = json.dumps(_plain(content), ensure_ascii=False, **options)
@@ -45,13 +45,13 @@ def dumps(content: Any, encoding: str = "utf-8") -> str:
 
 
 def contents(result: Result) -> dict[str, Any]:
-    """Return one result as the contract has it, in plain Python: what JSON has not is nothing."""
+    """Return one result by the contract, in plain Python: numbers that JSON lacks are None."""
     plain: dict[str, Any] = _plain(document(result))
     return plain
 
 
 def document(result: Result) -> dict[str, Any]:
-    """Return one result as the contract has it."""
+    """Return one result by the contract."""
     content: dict[str, Any] = {
         "flexure": FORMAT,
         "command": result.command,
@@ -102,7 +102,7 @@ def document(result: Result) -> dict[str, Any]:
 
 
 def _cost(cost: Cost | None) -> dict[str, Any]:
-    """Return what an answer cost; nothing stands for what was not measured."""
+    """Return the cost of an answer; None stands for what was not measured."""
     cost = cost or Cost(nan, "", None)
     return {
         "seconds": cost.seconds,
@@ -114,7 +114,7 @@ def _cost(cost: Cost | None) -> dict[str, Any]:
 
 
 def finding(found: Finding) -> dict[str, Any]:
-    """Return a finding as the contract has it."""
+    """Return a finding by the contract."""
     return {
         "file": found.file,
         "line": found.line,
@@ -141,7 +141,7 @@ def summary(report: Report) -> dict[str, Any]:
 
 
 def listing(command: str, seconds: float, **content: Any) -> dict[str, Any]:
-    """Return what a command lists or tells that is no result of a spec."""
+    """Return a list that a command prints which is no result of a spec."""
     return {
         "flexure": FORMAT,
         "command": command,
@@ -208,7 +208,7 @@ def _stops(found: StopsResult) -> dict[str, Any]:
 
 
 def _plan(found: Plan) -> dict[str, Any]:
-    """Return a plan without its effects, which stand beside it as those of any result."""
+    """Return a plan without its effects, which are a section of the result themselves."""
     told = ("accuracy", "reported", "on", "model", "cost", "estimated_error", "tolerance",
             "models", "scenes")  # fmt: skip
     return {name: getattr(found, name) for name in told}
@@ -221,7 +221,7 @@ SECTIONS: Mapping[str, Callable[[Any], Any]] = {
     "plan": _plan,
     "verification": _verification,
 }
-"""Sections that the contract has otherwise than their records are."""
+"""Sections whose form in the contract differs from their records."""
 
 
 def _plain(content: Any) -> Any:

@@ -1,4 +1,4 @@
-"""Results as text for a terminal: the verdict, what decides it, then what explains it."""
+"""Results as text for a terminal: the verdict, the deciding check, then the details."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
@@ -46,7 +46,7 @@ SECTIONS = {
 """The module whose ``section(result)`` yields each section of a result, in their order."""
 
 UNKNOWN = "?"
-"""Stands for an error that nobody can tell, beside a value."""
+"""Stands for an unknown error beside a value."""
 
 _STYLE = {
     Status.PASS: "bold green",
@@ -58,7 +58,7 @@ _STYLE = {
 
 
 def render(report: Report, page: Page) -> str:
-    """Return the results that are no findings, which stand on stderr, and the summary of many."""
+    """Return the results without findings, which go to stderr, and the summary of many."""
 
     def body(console: Console) -> None:
         for result in report.results:
@@ -105,7 +105,7 @@ def _parts(result: Result, width: int) -> Iterator[RenderableType]:
 
 
 def _cost(cost: Cost) -> str:
-    """Return which models ran, how long each, and how far off the values may be."""
+    """Return the models that ran, the time of each, and the error of the values."""
     error = error_text(cost.estimated_error) if cost.estimated_error is not None else ""
     estimate = f"; values may be off by up to {error}" if error else ""
     if len(cost.by_model) > 1:
@@ -141,7 +141,7 @@ def _effects(result: Result) -> Rows:
 
 
 def _summary(results: Sequence[Result]) -> Rows:
-    """Return one line per spec: its worst check, or what is wrong with it."""
+    """Return one line per spec: its worst check, or its mistakes."""
     rows = table("Summary", "", "spec", "worst margin", "of")
     for result in results:
         worst = decisive(result.checks)
@@ -158,9 +158,9 @@ def _share(margin: float, digits: int) -> str:
 
 
 def findings_text(findings: Sequence[Finding], encoding: str = "utf-8") -> str:
-    """Return findings as compilers print them: place, what, the line with a caret, a hint.
+    """Return findings as compilers print them: place, fault, the line with a caret, a hint.
 
-    They are wrapped by nothing, so that editors can follow them.
+    Lines are not wrapped, so that editors can follow them.
     """
     rows = []
     for found in findings:

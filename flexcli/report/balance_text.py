@@ -19,13 +19,13 @@ MOST_ROWS = 25
 
 
 def section(result: Result) -> Iterator[RenderableType]:
-    """Yield what balances a mechanism, and how well."""
+    """Yield the balancing of a mechanism, and its residual coupling."""
     if result.balance is not None:
         yield from balance_tables(result.balance)
 
 
 def balance_tables(balance: BalanceResult) -> Iterator[RenderableType]:
-    """Yield what was chosen, and the tables that have rows."""
+    """Yield the choice of free numbers, and the tables that have rows."""
     if balance.outcome == "infeasible":
         yield Line(("not balanced: ", "bold red"), balance.reason, hang=2)
         if balance.remedy:

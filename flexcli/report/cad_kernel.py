@@ -17,7 +17,7 @@ def part(name: str) -> Any:
 
 
 def library() -> None:
-    """Find the kernel, and keep it from telling on stdout what it writes.
+    """Find the kernel, and silence what it prints on stdout.
 
     Raises
     ------

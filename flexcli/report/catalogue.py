@@ -1,4 +1,4 @@
-"""What ships as a list: materials, or one with the source of every number, and examples."""
+"""Lists of what ships: materials, with the source of every number, and examples."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
@@ -37,7 +37,7 @@ def document(titles: Mapping[str, str], rows: Mapping[str, Sequence[Property]]) 
 def print_lines(
     heads: tuple[str, ...], rows: Iterable[tuple[str, ...]], told: str, console: Console
 ) -> None:
-    """Print a list of names with what they are, and what to do with one."""
+    """Print a list of names with their descriptions, and how to use one."""
     listed = table("", *heads)
     for row in rows:
         listed.add_row(*row)

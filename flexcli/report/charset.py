@@ -27,7 +27,7 @@ def plain(text: str, encoding: str = "utf-8") -> str:
 
 
 def _spelt(character: str) -> str:
-    """Return a character in ASCII: by the table, a Greek letter by its name, else without marks."""
+    """Return a character in ASCII: by the table, a Greek letter by name, else without accents."""
     if character in _SPELT:
         return _SPELT[character]
     dots = ord(character) - _BRAILLE

@@ -52,7 +52,7 @@ def curve(
 def _samples(
     x: Sequence[float], y: Sequence[float], wide: int, linear: bool
 ) -> list[tuple[int, float]]:
-    """Return the value at every column of dots, and both values of a step."""
+    """Return the value at every column of dots, and both values at a step."""
     left, right = log10(x[0]), log10(x[-1])
     found: list[tuple[int, float]] = []
     for (x1, y1), (x2, y2) in zip(

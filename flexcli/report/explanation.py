@@ -1,4 +1,4 @@
-"""What ``explain`` tells on screen."""
+"""The text of ``explain`` for a terminal."""
 
 from collections.abc import Sequence
 
@@ -38,7 +38,7 @@ def print_list(found: Sequence[Explanation], console: Console) -> None:
 
 
 def print_one(topic: Explanation, console: Console) -> None:
-    """Print a topic: each formula, or the table that was asked for."""
+    """Print a topic: each formula, or the chosen table."""
     console.print(Text(f"{topic.name}: {topic.title}", "bold"))
     if topic.table is not None:
         _print_table(topic.table, console)
@@ -87,7 +87,7 @@ def _print_keys(keys: Sequence[KeyRow], console: Console) -> None:
 
 
 def _print_as_is(text: str, console: Console) -> None:
-    """Print lines that are copied, or drawn: none is broken."""
+    """Print lines meant for copying, or drawn with characters: without wrapping."""
     for line in text.strip("\n").splitlines():
         console.print(Text(line), soft_wrap=True)
 

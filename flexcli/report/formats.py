@@ -10,7 +10,7 @@ __all__ = ["Format", "Page", "Report"]
 
 
 class Report(NamedTuple):
-    """What a command has to tell: its results, whether of several specs, what it passed over."""
+    """The output of a command: its results, whether of several specs, skipped files."""
 
     command: str
     results: tuple[Result, ...]
@@ -19,7 +19,7 @@ class Report(NamedTuple):
 
 
 class Page(NamedTuple):
-    """What the output is written on: columns, colours, and the characters that it can show."""
+    """The medium of the output: columns, colours, and its character set."""
 
     width: int = 80
     is_coloured: bool = False

@@ -35,7 +35,7 @@ VERDICTS = {
 SHORT = {"closed-form": "closed"}
 
 Scales = Mapping[str, float]
-"""The largest number of each unit in a result, beside which noise is 0."""
+"""The largest number of each unit in a result, beside which rounding errors are shown as 0."""
 
 NO_SCALES: Scales = MappingProxyType({})
 
@@ -49,20 +49,20 @@ def worst_first(checks: Sequence[Check]) -> list[Check]:
 
 
 def decisive(checks: Sequence[Check]) -> Check | None:
-    """Return the check that a verdict hangs on: of the worst kind, the one of least margin."""
+    """Return the deciding check of a verdict: of the worst kind, the one of least margin."""
     rows = worst_first(checks)
     worst = [check for check in rows if check.verdict is rows[0].verdict]
     return min(worst, key=_least, default=None)
 
 
 def _least(check: Check) -> float:
-    """Return the least share of the required factor that a check may have, the worst unknown."""
+    """Return the least ratio of factor to required factor, minus infinity where unknown."""
     low = check.factor if check.factor_range is None else check.factor_range[0]
     return -inf if isnan(low) else low / check.required
 
 
 def sentence(check: Check, scales: Scales = NO_SCALES) -> str:
-    """Return what a check says, in one sentence."""
+    """Return the result of a check as one sentence."""
     if isnan(check.factor):
         return f"{check.full_name}: {check.quantity}."
     factor, required = apart(factor_text, check.factor, check.required)
@@ -108,13 +108,13 @@ def _row(check: Check, notes: Sequence[str]) -> tuple[Cell, ...]:
 
 
 def cells_of(check: Check) -> tuple[str, str, str, str, str]:
-    """Return factor, its range and what is asked, demand and capacity; never equal, if not so."""
+    """Return factor, range, requirement, demand and capacity; unequal numbers look unequal."""
     factor, required = apart(factor_text, check.factor, check.required)
     return (factor, _range(check), required, *_sizes(check))
 
 
 def against(checks: Sequence[Check], scales: Scales) -> Rows:
-    """Return what each check compares, and how long it took to decide."""
+    """Return the compared quantity of each check, and how long it took to decide."""
     found = table("", "check", "demand", "capacity", "time", numbers=(1, 2, 3))
     for check in worst_first(checks):
         seconds = show(check.seconds, "s", 2) if check.seconds else ""
@@ -139,7 +139,7 @@ def _source(check: Check) -> str:
 
 
 def _sizes(check: Check, scales: Scales = NO_SCALES) -> tuple[str, str]:
-    """Return demand and capacity with digits that tell them apart; a demand that is noise is 0."""
+    """Return demand and capacity with digits that distinguish them; rounding errors are 0."""
     demand, capacity = apart(partial(_sized, check.unit), check.demand, check.capacity)
     is_noise = abs(check.demand) <= NOISE * scales.get(check.unit, 0.0)
     return "0" if is_noise and check.passed else demand, capacity
@@ -150,7 +150,7 @@ def _sized(unit: str, value: float, digits: int) -> str:
 
 
 def _range(check: Check) -> str:
-    """Return between which factors a check lies, with digits that tell its ends apart."""
+    """Return the range of a check's factor, with digits that distinguish its ends."""
     if check.factor_range is None:
         return "" if isnan(check.factor) else "unknown"
     low, high = check.factor_range

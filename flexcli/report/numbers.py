@@ -1,4 +1,4 @@
-"""How numbers are written for people: only digits that mean something, and no noise."""
+"""Formatting of numbers for people: significant digits only, and no rounding errors."""
 
 from collections.abc import Callable, Iterable
 from math import floor, isfinite, isnan, log10
@@ -19,11 +19,11 @@ FEWEST, MOST = 4, 12
 to tell two different numbers apart."""
 
 MOST_FACTOR = 1e6
-"""Largest factor that is told: beyond it a demand is mostly what cancelled."""
+"""Largest factor that is printed: beyond it a demand is mostly a cancelled difference."""
 
 
 def largest(numbers: Iterable[float | None]) -> float:
-    """Return the largest magnitude of the finite ones, the scale of their noise."""
+    """Return the largest magnitude of the finite ones, the scale of their rounding errors."""
     return max((abs(x) for x in numbers if x is not None and isfinite(x)), default=0.0)
 
 
@@ -44,7 +44,7 @@ def shown(value: float, unit: str, scale: float = 0.0, error: float | None = Non
 
 
 def error_text(error: float | None) -> str:
-    """Return a relative error in a few characters; nothing for one that no digit shows."""
+    """Return a relative error in a few characters; empty where no printed digit shows it."""
     if error is None or not isfinite(error):
         return "unknown"
     if error < 0.5 * 10.0 ** (1 - FEWEST):
@@ -53,21 +53,21 @@ def error_text(error: float | None) -> str:
 
 
 def apart(text: Callable[[float, int], str], one: float, other: float) -> tuple[str, str]:
-    """Return two numbers as texts that differ where the numbers do; nothing for no number."""
+    """Return two numbers as texts that differ where the numbers do; empty for no number."""
     enough = (d for d in range(FEWEST, MOST) if text(one, d) != text(other, d))
     digits = next(enough, FEWEST)
     return "" if isnan(one) else text(one, digits), "" if isnan(other) else text(other, digits)
 
 
 def factor_text(value: float, digits: int = FEWEST) -> str:
-    """Return a factor; infinite where nothing is demanded, and no noise beyond a million."""
+    """Return a factor; ∞ where there is no demand, and nothing precise beyond a million."""
     if not isfinite(value):
         return "∞"
     return f"{value:.{digits}g}" if value < MOST_FACTOR else f"> {MOST_FACTOR:.0e}"
 
 
 def share_text(share: float) -> str:
-    """Return a share in per cent, with the digits that tell it from all and from none."""
+    """Return a share in per cent, with the digits that distinguish it from all and from none."""
     if isnan(share):
         return ""
     digits = 1

@@ -48,7 +48,7 @@ AXIS = (0.4, 8.0)
 
 @cache
 def _environment() -> Any:
-    """Return what fills templates; every text in them is escaped unless it says it is markup."""
+    """Return the template environment; every text is escaped unless it is marked as markup."""
     try:
         jinja2 = import_module("jinja2")
     except ImportError as error:
@@ -142,7 +142,7 @@ def _pictured(drawn: Drawing, title: str, width: float) -> dict[str, Any]:
 
 
 def summary(found: Result | Dossier) -> str:
-    """Return what a notebook shows: verdict, drawing where there is one, margins or values."""
+    """Return the output for a notebook: verdict, drawing where there is one, margins or values."""
     result = found.result if isinstance(found, Dossier) else found
     drawn = found.drawing if isinstance(found, Dossier) else None
     title = result.title or result.spec
@@ -215,7 +215,7 @@ def _inline(svg: str) -> str:
 
 
 def _labelled(svg: str, title: str) -> str:
-    """Return a plot with a name for those who do not see it."""
+    """Return a plot with a label for screen readers."""
     name = str(import_module("markupsafe").escape(title))
     return svg.replace("<svg ", f'<svg role="img" aria-label="{name}" ', 1)
 
@@ -234,7 +234,7 @@ def _tally(checks: Sequence[Check]) -> str:
 
 
 def _lead(result: Result, checks: Sequence[Check]) -> str:
-    """Return the one sentence that matters."""
+    """Return the sentence at the head of the page."""
     if result.status is Status.INFEASIBLE and result.sizing is not None:
         names = ", ".join(row.text or row.name for row in result.sizing.conflict)
         return (

@@ -24,7 +24,7 @@ def section(result: Result) -> Iterator[RenderableType]:
 
 
 def plan_tables(plan: Plan, *, whole: bool) -> Iterator[RenderableType]:
-    """Yield the effects with what they change of each number, and the models; or it in short."""
+    """Yield the effects with their changes of each number, and the models; or a short form."""
     if not whole:
         yield Line(_short(plan), hang=2)
         return
@@ -55,7 +55,7 @@ def _models(title: str, plan: Plan | ScenePlan) -> Rows:
 
 
 def audit_table(rows: Sequence[AuditRow]) -> Rows:
-    """Return what each effect truly changes beside its estimate."""
+    """Return the true change by each effect beside its estimate."""
     found = table(
         "Audit", "effect", "", "number", "estimate", "true", "plan", "how", numbers=[3, 4]
     )

@@ -1,4 +1,4 @@
-"""What of a drawing can be cut: outlines with a depth, of blades and of the blocks beside them."""
+"""Prismatic parts of a drawing for CAD: outlines with a depth, of blades and blocks."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace

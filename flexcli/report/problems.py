@@ -1,4 +1,4 @@
-"""What keeps a result from passing, as a list for machines: what, how bad, and in which line."""
+"""Reasons why a result does not pass, as a list for machines: code, severity, line."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

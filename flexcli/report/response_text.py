@@ -13,7 +13,7 @@ from flexcli.units import show
 __all__ = ["response_tables", "section"]
 
 PER_MODE = (("stress", "Pa"), ("force", "N"))
-"""What of each mode is shown: the worst output of a kind, with its unit."""
+"""Outputs shown for each mode: the worst of a kind, with its unit."""
 
 
 def section(result: Result) -> Iterator[RenderableType]:
@@ -39,7 +39,7 @@ def response_tables(response: CaseResponse) -> Iterator[RenderableType]:
 
 
 def _spread(lives: Mapping[str, float]) -> float:
-    """Return how far apart the methods are, their honest error bar; 1 for an endless life."""
+    """Return the ratio of the largest life to the least of all methods; 1 for an infinite life."""
     shortest, longest = min(lives.values()), max(lives.values())
     return longest / shortest if 0.0 < shortest < inf else 1.0
 

@@ -1,4 +1,4 @@
-"""A mechanism cut by a wire from one plate: the contours that slots leave of it.
+"""A mechanism cut by wire from one plate: the contours left between the slots.
 
 Along both faces of every blade, and around every body that moves, runs a slot as wide as asked,
 whose inner corners are no sharper than the wire leaves. What is left of the plate is the ground.
@@ -28,7 +28,7 @@ from flexcli.results.drawing import XY, Drawing, DrawnBlade, DrawnBody, DrawnCut
 __all__ = ["cut_plate"]
 
 NEAR = 1e-9
-"""Length [m] within which two places are one: what a file of ours is measured to."""
+"""Length [m] within which two places coincide: the accuracy of exported files."""
 
 TURN = 1e-3
 """Angle [rad] between two edges that meet smoothly: the kernel places corners to 1e-7 mm."""
@@ -213,7 +213,7 @@ def _centre(corners: Sequence[XY]) -> XY:
 
 
 def _refuse_rough(stretch: _Stretch, cut: DrawnCut) -> None:
-    """Raise where a wire does not fit beside a blade, or leaves no root as sharp."""
+    """Raise where a wire does not fit beside a blade, or cannot leave roots that sharp."""
     if stretch.length < cut.gap - NEAR:
         text = f"{stretch.name} is {_mm(stretch.length)} long: no wire fits into its slots"
         raise _not_cut(text, f"{_mm(cut.gap)} is the narrowest that can be made")
@@ -386,7 +386,7 @@ def _explored(shape: Any, kind: str) -> Iterator[Any]:
 
 
 def _kept(pieces: Sequence[Any], bodies: Sequence[_Body]) -> dict[str, Any]:
-    """Return the piece of each body; the others fall out."""
+    """Return the piece of each body; loose pieces fall out."""
     found: dict[str, Any] = {}
     owner: dict[int, str] = {}
     for body in bodies:
@@ -485,7 +485,7 @@ def _edges(edge: Any) -> Iterator[DrawnEdge | Arc]:
 
 
 def _refuse_sharp(contour: Edges, radius: float) -> None:
-    """Raise where a contour with the metal on its left has a corner that no wire leaves."""
+    """Raise where a contour with the metal on its left has a corner that no wire can cut."""
     for edge, after in zip(contour, (*contour[1:], contour[0]), strict=True):
         (a, b), (c, d) = _way(edge, 1), _way(after, 0)
         x, y = (f"{each * MM:.4g}" for each in edge.end)

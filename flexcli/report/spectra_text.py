@@ -1,4 +1,4 @@
-"""Spectra: on the terminal a curve and the greatest values, in a file every number."""
+"""Spectra: on the terminal a curve and the maxima, in a file every number."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -16,7 +16,7 @@ __all__ = ["section", "spectra_columns"]
 
 
 BESIDE = ("density", "transfer")
-"""Kinds that are made for a file, beside a result."""
+"""Kinds of spectra that are made for a file, beside a result."""
 
 NEGLIGIBLE = 1e-9
 """Of the largest number of its unit: what is below is rounding, and is not told."""
@@ -44,7 +44,7 @@ def section(result: Result) -> Iterator[RenderableType]:
 
 
 def _drawn(x: Sequence[float], y: Sequence[float]) -> tuple[list[float], list[float]] | None:
-    """Return what a curve on logarithmic axes can show; nothing where that is no curve."""
+    """Return the data of a curve on logarithmic axes; None where there is no such curve."""
     points = [(a, b) for a, b in zip(x, y, strict=True) if a > 0.0 and b > 0.0]
     rising = all(b[0] >= a[0] for a, b in pairwise(points))
     if len(points) < 2 or not rising or points[0][0] == points[-1][0]:

@@ -21,7 +21,7 @@ from flexcli.units import shown_unit
 __all__ = ["section", "sweep_csv"]
 
 SUPPORT = ("travel", "effort", "k_x", "k_y", "k_z", "k_theta_x", "k_theta_y", "k_theta_z", "stress")
-"""What of a stroke in space stands on screen; the CSV file has all."""
+"""Columns of a stroke in space on a terminal; the CSV file has all."""
 
 
 def _units(sweep: Sweep) -> dict[str, str]:
@@ -66,7 +66,7 @@ def section(result: Result) -> Iterator[RenderableType]:
 
 
 def _in_plane(sweep: SweepResult) -> Iterator[RenderableType]:
-    """Yield motion and stress over a stroke, and what is to be said of it."""
+    """Yield motion and stress over a stroke, and notes."""
     units = _units(sweep)
     columns = {
         "travel": "travel",

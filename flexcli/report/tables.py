@@ -1,4 +1,4 @@
-"""The look of our text: lines that hang, and tables that become blocks where they do not fit."""
+"""The layout of text output: hanging lines, and tables that become blocks where they do not fit."""
 
 import re
 from collections.abc import Callable, Iterable

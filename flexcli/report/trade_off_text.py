@@ -1,4 +1,4 @@
-"""What a sizing chose among, as tables: the designs of a front, the options of a spec."""
+"""The alternatives of a sizing as tables: the designs of a front, the options of a spec."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any

@@ -1,4 +1,4 @@
-"""What solid elements say, on screen: each number beside the model's, both with their errors."""
+"""Comparison with solid elements as text: each number by both, with their errors."""
 
 from collections.abc import Iterator
 from math import inf, isfinite

@@ -1,4 +1,4 @@
-"""What a command found out: frozen records that reports print and scripts read.
+"""Frozen records of a command's results, which reports print and scripts read.
 
 Here are those that every verb has; the records of one verb are imported from its module, so that
 a start loads no others. Rows are named tuples: a dataclass takes several times as long to make.

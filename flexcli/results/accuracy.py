@@ -1,4 +1,4 @@
-"""What accuracy costs in time on one design: every model's numbers beside the finest's."""
+"""Accuracy against computing time on one design: every model's numbers beside the finest's."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""What is being done: the engine says it, whoever watches hears it."""
+"""The current activity of a long run: the engine reports it, a listener shows it."""
 
 from collections.abc import Callable
 from contextvars import ContextVar
@@ -6,11 +6,11 @@ from contextvars import ContextVar
 __all__ = ["doing", "listener"]
 
 listener: ContextVar[Callable[[str], None] | None] = ContextVar("activity_listener", default=None)
-"""Told what is being done, in a few words; nothing where nobody watches."""
+"""Receives the current activity, in a few words; None where nobody listens."""
 
 
 def doing(text: str) -> None:
-    """Say what is being done from here on."""
+    """Report the activity that begins now."""
     told = listener.get()
     if told is not None:
         told(text)

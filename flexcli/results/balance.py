@@ -1,4 +1,4 @@
-"""What balancing a mechanism found out."""
+"""Results of balancing a mechanism."""
 
 from typing import NamedTuple
 
@@ -13,7 +13,7 @@ __all__ = [
 
 
 class UnknownResult(NamedTuple):
-    """What was free of a mechanism, and what was chosen within its bounds."""
+    """A free number of a mechanism, and its choice within its bounds."""
 
     name: str
     value: float
@@ -51,7 +51,7 @@ class StrokeRow(NamedTuple):
 
 
 class CouplingTerm(NamedTuple):
-    """How the coupling depends on one number of the mechanism, and what its tolerance does."""
+    """Dependence of the coupling on one number of the mechanism, and effect of its tolerance."""
 
     name: str
     value: float
@@ -62,7 +62,7 @@ class CouplingTerm(NamedTuple):
 
 
 class GravityRow(NamedTuple):
-    """What gravity along one axis does: torque (or force) on the freedom, sag, stiffness."""
+    """The effect of gravity along one axis: torque (or force) on the freedom, sag, stiffness."""
 
     axis: str
     mounted: str

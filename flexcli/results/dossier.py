@@ -1,4 +1,4 @@
-"""All that a design review reads about one design, gathered from what the verbs found."""
+"""All data of a design review about one design, gathered from the verbs."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ __all__ = ["Dossier", "Equation", "Region", "Spectrum"]
 
 @dataclass(frozen=True, eq=False)
 class Equation:
-    """A formula with the numbers of a design put in; nothing where one of them is not known."""
+    """A formula with the numbers of a design inserted; None where one of them is not known."""
 
     title: str
     equation: str

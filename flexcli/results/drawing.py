@@ -1,4 +1,4 @@
-"""A mechanism as it is drawn: at rest and moved, in metres, in the axes of the spec."""
+"""A mechanism for drawing: at rest and moved, in metres, in the axes of the spec."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""What ``explain`` tells of a part: its formulas, where they hold, and charts as data."""
+"""The content of ``explain``: formulas, their validity, and charts as data."""
 
 from collections.abc import Mapping
 from typing import NamedTuple

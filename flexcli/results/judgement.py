@@ -1,4 +1,4 @@
-"""What a design is judged by: values, checks, effects left out, notes."""
+"""The parts of a verdict: values, checks, effects left out, notes."""
 
 from collections.abc import Mapping
 from enum import StrEnum
@@ -20,7 +20,7 @@ __all__ = [
 
 
 class QuantityKind(StrEnum):
-    """What a number of a design is, where models differ in it and effects change it."""
+    """Kinds of numbers of a design, by which the errors of models and effects differ."""
 
     STIFFNESS = "stiffness"
     STRESS = "stress"
@@ -33,7 +33,7 @@ class QuantityKind(StrEnum):
 
 
 class ErrorRange(NamedTuple):
-    """Between which relative errors a number lies: true = number · (1 + error)."""
+    """The relative errors between which a number lies: true = number · (1 + error)."""
 
     low: float
     high: float
@@ -51,11 +51,11 @@ class ErrorRange(NamedTuple):
 
 
 EXACT = ErrorRange(0.0, 0.0)
-"""Of a number that the spec itself defines, such as a mass or a ratio of sizes."""
+"""Error of a number that the spec itself defines, such as a mass or a ratio of sizes."""
 
 
 class Verdict(StrEnum):
-    """What a check says, the worst first; a pass needs the whole range of its factor."""
+    """Verdict of a check, the worst first; a pass needs the whole range of its factor."""
 
     FAIL = "fail"
     UNDECIDED = "undecided"
@@ -64,7 +64,7 @@ class Verdict(StrEnum):
 
     @property
     def rank(self) -> int:
-        """Return its place from the worst, 0, on."""
+        """Return its rank from the worst, 0, on."""
         return list(Verdict).index(self)
 
 
@@ -169,7 +169,7 @@ class Note(NamedTuple):
 
 
 class Property(NamedTuple):
-    """One number of a material with where it comes from."""
+    """One number of a material with its source."""
 
     name: str
     value: float

@@ -1,4 +1,4 @@
-"""What is simulated and by which model, decided before anything is solved; and its audit."""
+"""The planned effects and models of a simulation, and the audit of the plan."""
 
 from collections.abc import Mapping
 from math import isfinite
@@ -64,10 +64,10 @@ class Plan(NamedTuple):
 
 
 class AuditRow(NamedTuple):
-    """What an effect truly changes in one reported number, beside its estimate; relative.
+    """True change by an effect of one reported number, beside its estimate; relative.
 
-    ``right`` tells whether the plan was: left out it must change less than the accuracy. Nothing
-    stands for what no model can tell.
+    ``right`` says whether the plan was: left out, its change must be below the accuracy. None
+    stands for a change that no model gives.
     """
 
     effect: str

@@ -65,7 +65,7 @@ HEADER = frozenset(
 
 
 class PassedOver(NamedTuple):
-    """A file or folder about which nothing was asked, and why."""
+    """A file or folder that was skipped, and why."""
 
     spec: str
     why: str

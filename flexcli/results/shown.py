@@ -1,4 +1,4 @@
-"""How a record shows itself to scripts and notebooks, by renderers that a higher layer gives.
+"""The conversion of a record for scripts and notebooks, by renderers that a higher layer registers.
 
 Records know nothing of reports; what makes a mapping, a page or a picture of them is registered
 from above, and asked for the first time when somebody looks.
@@ -20,7 +20,7 @@ def register(**renderers: Renderer) -> None:
 
 
 def rendered(record: Any, kind: str) -> Any:
-    """Return a record as a kind of output; nothing where nobody makes it."""
+    """Return a record as a kind of output; None where no renderer is registered."""
     return _RENDERERS[kind](record) if kind in _RENDERERS else None
 
 

@@ -1,4 +1,4 @@
-"""What a static sweep of a joint over its stroke found."""
+"""Results of a static sweep of a joint over its stroke."""
 
 from typing import NamedTuple, TypeAlias
 

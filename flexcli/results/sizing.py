@@ -1,4 +1,4 @@
-"""How the dimensions of a design were found."""
+"""Results of a sizing: designs, active requirements, sensitivities, conflicts."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ __all__ = ["Design", "Relaxation", "Sensitivity", "SizingResult"]
 
 
 class Design(NamedTuple):
-    """One set of sizes [m] by their symbols, and what it is."""
+    """One set of sizes [m] by their symbols, with its properties."""
 
     label: str
     sizes: Mapping[str, float]
@@ -16,7 +16,7 @@ class Design(NamedTuple):
 
 
 class Sensitivity(NamedTuple):
-    """What 1 % more of one demand costs: d ln(name) / d ln(demand) for each quantity."""
+    """Cost of 1 % more of one demand: d ln(name) / d ln(demand) for each quantity."""
 
     constraint: str
     driver: str
@@ -24,7 +24,7 @@ class Sensitivity(NamedTuple):
 
 
 class Relaxation(NamedTuple):
-    """How far one requirement of a conflict must give way for a design to exist."""
+    """How far one requirement of a conflict must be relaxed for a design to exist."""
 
     name: str
     factor: float | None
@@ -33,7 +33,7 @@ class Relaxation(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class SizingResult:
-    """How the dimensions were found, and what holds them there."""
+    """How the dimensions were found, and which requirements are active there."""
 
     objective: str
     certificate: str

@@ -1,4 +1,4 @@
-"""What sizing an end stop found out, and what its simulation did."""
+"""Results of sizing an end stop, and of its simulation."""
 
 from typing import NamedTuple
 
@@ -52,12 +52,13 @@ class StopHold(NamedTuple):
 
 
 class StopSimulation(NamedTuple):
-    """What one case did to the blade between its stops, SI.
+    """Response of the blade between its stops in one case, SI.
 
     ``confidence`` is that one more exposure shows no higher peak (random only); ``pi_5`` the range
-    of the tip over the gap (of a sine once steady, as it was measured); the residuals are what
-    energy (as a share of what moved) and momentum leave unaccounted for. ``model`` is that of the
-    contact; ``has_decided`` says that the run was ended where what it had found was enough.
+    of the tip over the gap (of a sine once steady, as it was measured); the residuals are the
+    errors of the energy balance (as a share of the energy in motion) and of the momentum balance.
+    ``model`` is that of the contact; ``has_decided`` says that the run was ended where its result
+    was sufficient.
     """
 
     case: str

@@ -1,4 +1,4 @@
-"""What a study found: a row for each design, its values and checks as columns."""
+"""Results of a study: a row for each design, its values and checks as columns."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -7,7 +7,7 @@ __all__ = ["Column", "StudyResult", "StudyRow"]
 
 
 class Column(NamedTuple):
-    """A column of numbers or words: its name, SI unit ("" for none), what it is."""
+    """A column of numbers or words: its name, SI unit ("" for none), its meaning."""
 
     name: str
     unit: str

@@ -1,4 +1,4 @@
-"""What a tolerance run found: yields, worst cases, and what they hang on."""
+"""Results of a tolerance run: yields, worst cases, and their sensitivities."""
 
 from collections.abc import Mapping
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""What a sizing chose among: designs of a Pareto front, and options of the spec."""
+"""The alternatives of a sizing: designs of a Pareto front, and options of the spec."""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple

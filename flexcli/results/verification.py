@@ -1,4 +1,4 @@
-"""What finite elements say of a design's numbers, beside what its model says."""
+"""Comparison of a design's numbers by its model with those by finite elements."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""What a vibration or a shock does, and the profiles that state one."""
+"""Results of a vibration or a shock, and the profiles that state one."""
 
 from collections.abc import Mapping
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""From pydantic's errors to findings: by their type and context, never by their English text."""
+"""Findings from pydantic's errors: by type and context, never by their English text."""
 
 from collections.abc import Iterable, Iterator
 from difflib import SequenceMatcher, get_close_matches
@@ -20,10 +20,10 @@ __all__ = ["findings_of", "nearest", "path_text", "with_nearest_kinds"]
 Path = tuple[str | int, ...]
 
 NEAR = 0.6
-"""Likeness of two words (difflib's) from which one may be meant for the other."""
+"""Similarity of two words (difflib's) from which one may be a misspelling of the other."""
 
 FEW = 8
-"""Keys of a part that a hint about a key of elsewhere names besides."""
+"""Number of keys of a part that a hint about a misplaced key also names."""
 
 _EXPECTED = {
     "string_type": ("a text", "write it in quotes if it looks like a number"),
@@ -135,7 +135,7 @@ def _fault(raw: Any, model: Any) -> _Fault:
 
 
 def _without_tag(raw: Any, model: Any) -> _Fault:
-    """Return what to say of a mapping that does not tell its kind, or misspells the key."""
+    """Return what is wrong with a mapping without its kind, or with a misspelt key for it."""
     loc, tag = raw["loc"], raw["ctx"]["discriminator"].strip("'")
     misspelled = _misspelled_tag(raw, model)
     if misspelled is not None:
@@ -148,7 +148,7 @@ def _without_tag(raw: Any, model: Any) -> _Fault:
 
 
 def _misspelled_tag(raw: Any, model: Any) -> str | None:
-    """Return the key that was meant to tell the kind."""
+    """Return the key that was meant to give the kind."""
     loc, given, tag = raw["loc"], raw["input"], raw["ctx"]["discriminator"].strip("'")
     close = _close(tag, (key for key in given if isinstance(key, str)))
     return close if close is not None and close not in _keys_at(model, loc) else None
@@ -188,7 +188,7 @@ def _nearest_kind(raw: Any, model: Any) -> _Kind | None:
 
 
 def _misfit(keys: set[str], model: type[BaseModel]) -> float:
-    """Return how many keys a kind does not know or lacks; one that is near counts half."""
+    """Return how many keys a kind does not know or lacks; a similar key counts half."""
     known = {info.alias or name: info.is_required() for name, info in model.model_fields.items()}
     lacking = {key for key, is_required in known.items() if is_required} - keys - {"kind"}
     misfit = 0.0
@@ -239,7 +239,7 @@ def _choice(given: Any, expected: str) -> str:
 
 
 class _Meant(NamedTuple):
-    """What an unknown key stands for: the hint, and the key beside it that it makes up for."""
+    """The likely meaning of an unknown key: the hint, and the key beside it that it replaces."""
 
     hint: str
     required: str = ""
@@ -267,7 +267,7 @@ def _meant(model: Any, loc: Path) -> _Meant:
 
 
 def _shared(path: Path, loc: Path) -> int:
-    """Return how far two paths run together, any name standing for ``<name>``."""
+    """Return how far two paths agree, any name matching ``<name>``."""
     pairs = zip(path, loc, strict=False)
     return sum(1 for _ in takewhile(lambda pair: pair[0] in (pair[1], "<name>"), pairs))
 

@@ -15,18 +15,18 @@ from flexcli.spec.references import SUFFIXES, is_from_anywhere
 __all__ = ["members"]
 
 FIRST = "flexure"
-"""The key that a spec of any kind has."""
+"""The key of a spec of any kind."""
 
 DESIGN = {"material", "geometry", "mechanism", "cases", "requirements"}
 """Keys of which two make a design, though its first one be misspelt."""
 
 LIKE_A_SPEC = re.compile(rf"^\W*(fle\w*|{'|'.join(DESIGN)})\b", re.MULTILINE)
-"""What stands in the text of a design, though it be no YAML."""
+"""Text that marks a design even where it is not valid YAML."""
 
 OUTSIDE = "a link to a file outside the folder; --allow-outside takes it"
 
 LOOKED_AT = 65_536
-"""Characters in which that is looked for."""
+"""Number of characters in which that is looked for."""
 
 
 def members(folder: Path) -> list[tuple[Path, str]]:
@@ -55,7 +55,7 @@ def _members(folder: Path) -> Iterator[tuple[Path, str]]:
 
 
 def _leads_outside(file: Path, folder: Path) -> bool:
-    """Return whether a file is a link that a folder of strangers may not have followed."""
+    """Return whether a file is a link out of the folder, which is not followed."""
     if is_from_anywhere() or not file.is_symlink():
         return False
     try:

@@ -22,9 +22,9 @@ NAME = "<name>"
 ITEM = "[]"
 """Step of a path into a list."""
 SECTIONS = ("requirements", "cases", "size", "balance", "effects")
-"""Sections whose keys stand on their own."""
+"""Sections whose keys are explained on their own."""
 ALONE = ("min", "max", "equals")
-"""Keys that leave no room for those of the example around them."""
+"""Keys that exclude those of the example around them."""
 
 
 class _Place(NamedTuple):

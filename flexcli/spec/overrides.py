@@ -79,9 +79,9 @@ def _read(text: str, position: Position, lines: list[str]) -> Any:
 def overridden(
     document: Document, overrides: Iterable[Override]
 ) -> tuple[Document, list[Override]]:
-    """Return a document with values put in, and those left whose way leads through no mapping.
+    """Return a document with values put in, and the overrides whose path leads through no mapping.
 
-    Such a way may lead through the name of another spec, and be open once that is read.
+    Such a path may lead through the name of another spec, and become valid once that is read.
     """
     value, position, lines = document.value, document.position, document.lines
     changed = dict(document.changed)

@@ -41,7 +41,7 @@ def parse_document(text: str, file: str) -> Document:
 
 
 class _Node(NamedTuple):
-    """A value, its positions, and its size and height, by which aliases to it are bounded."""
+    """A value, its positions, and its size and depth, which limit aliases to it."""
 
     value: Any
     position: Position

@@ -95,7 +95,7 @@ def is_from_anywhere() -> bool:
 
 
 def checked_root(document: Document) -> dict[str, Any]:
-    """Return the mapping that a spec is, or raise what makes the rest of it meaningless."""
+    """Return the mapping that a spec is, or raise a fault that prevents further reading."""
     root, position = document.value, document.position
 
     def refuse(place: Position, path: str, text: str, hint: str) -> NoReturn:
@@ -116,7 +116,7 @@ def checked_root(document: Document) -> dict[str, Any]:
 
 
 def no_version(document: Document) -> Finding:
-    """Return the finding of a spec that does not say its version."""
+    """Return the finding for a spec without a version."""
     text, hint = "'flexure' is missing", f"add '{_VERSION}'"
     return finding_at(document.position, document.lines, "", text, hint)
 

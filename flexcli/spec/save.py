@@ -1,4 +1,4 @@
-"""A spec with what was changed in it, as text: comments and order stay as they stand.
+"""Saving a spec with changed values as text: comments and order are kept.
 
 Changed values are put in the place of the old ones in the text. Where that does not read as it
 should (an alias, a value of several lines), the whole spec is written anew, without comments.
@@ -66,7 +66,7 @@ def _changes(document: Document, plain: Any, folder: Path, target: Path) -> dict
 
 
 def _written_way(value: Any, place: Place) -> Place:
-    """Return a place, or that above it which the text holds as one value or not at all."""
+    """Return a place, or its nearest ancestor in the text, where the change is written."""
     for index, step in enumerate(place):
         known = dict(enumerate(value)) if isinstance(value, list) else value
         if not isinstance(known, dict) or step not in known:

@@ -22,7 +22,7 @@ __all__ = ["BESIDE", "KINDS", "json_schema"]
 
 KINDS = ("design", *PARTS)
 BESIDE = "beside"
-"""Keyword of the keys without which an example would not stand, for those who write it out."""
+"""Keyword for the keys that an example needs, for the manual."""
 EXTENT = "#/$defs/Extent"
 """A size that may be free, in any geometry."""
 DIALECT = "https://json-schema.org/draft/2020-12/schema"

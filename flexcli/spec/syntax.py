@@ -1,4 +1,4 @@
-"""What the parser's complaints mean to a designer: where the fault is, its name, a remedy."""
+"""Meaning of the YAML parser's errors for a designer: place, fault, remedy."""
 
 from typing import Any, NamedTuple
 

@@ -44,7 +44,7 @@ TABLES: dict[str, tuple[tuple[str, str], ...]] = {
 """What the two columns of each kind of table are, and what they measure."""
 
 UNEVEN = 1e-2
-"""Share of a step that a time may be off: files write it in a few digits."""
+"""Allowed deviation of a time step, relative: files write times with few digits."""
 
 STEP = "step"
 """Heading of a column that says where a level jumps."""
@@ -60,7 +60,7 @@ Floats = NDArray[np.float64]
 
 
 class Columns(NamedTuple):
-    """What is told of a table that its heading does not say: units, and which column it is."""
+    """Data about a table that its heading lacks: units, and the column to take."""
 
     units: tuple[str, ...] = ()
     column: str = ""

@@ -1,4 +1,4 @@
-"""What a drawing shows, in words: how much it is magnified, and what the spec does not say."""
+"""The caption of a drawing: its magnification, and what the spec leaves open."""
 
 from math import degrees, floor, hypot, log10
 
@@ -9,11 +9,11 @@ from flexcli.units import show
 __all__ = ["caption", "magnification", "times_of", "travel_text"]
 
 SEEN = 0.12
-"""Share of the mechanism's size that the overlay is to move by."""
+"""Share of the mechanism's size by which the deflected overlay should move."""
 
 
 def magnification(drawing: Drawing) -> float:
-    """Return by how much the overlay's displacements are magnified: 1, 2, 3, 5 times a decade."""
+    """Return the magnification of the overlay's displacements: 1, 2, 3, 5 times a decade."""
     size = size_of(drawing)
     moved = [
         hypot(x - u, y - v)
@@ -39,7 +39,7 @@ def times_of(wanted: float) -> float:
 
 
 def caption(drawing: Drawing) -> str:
-    """Return what the drawing shows and what of it the spec does not say."""
+    """Return the caption: what the drawing shows and what the spec leaves open."""
     said = ["To scale."]
     if drawing.states:
         times = magnification(drawing)

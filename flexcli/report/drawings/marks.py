@@ -1,4 +1,4 @@
-"""What is drawn about a mechanism: centres, masses, forces, lengths, angles, and names."""
+"""Annotations of a mechanism: centres, masses, forces, lengths, angles, and names."""
 
 from collections.abc import Iterator, Sequence
 from math import atan2, cos, degrees, hypot, pi, sin
@@ -13,7 +13,7 @@ from flexcli.units import show
 __all__ = ["draw_marks"]
 
 MOST_NAMED = 8
-"""Bodies or sizes beyond which they are not named one by one."""
+"""Number of bodies or sizes beyond which they are not named one by one."""
 
 PATH, CLOSE = 34.0, 3.0
 """Span that the path of a centre is magnified to, and one that is not worth drawing [px]."""
@@ -23,7 +23,7 @@ OFFSETS = (26.0, 44.0, 62.0, 84.0, 110.0)
 
 
 def draw_marks(sheet: Sheet) -> None:
-    """Draw what explains the shapes, and last what has to find a place among them."""
+    """Draw the annotations, those that need free room last."""
     _centres(sheet)
     _masses(sheet)
     _forces(sheet)
@@ -52,7 +52,7 @@ def _centres(sheet: Sheet) -> None:
 
 
 def _path(sheet: Sheet) -> None:
-    """Draw the path of the centre of rotation about its place, magnified, and by how much."""
+    """Draw the path of the centre of rotation about its place, with its magnification."""
     drawing = sheet.drawing
     if not drawing.path or drawing.motion != "rotation":
         return
@@ -111,7 +111,7 @@ def _measured(sheet: Sheet) -> Iterator[DrawnLength]:
 
 
 def _dimension(sheet: Sheet, length: DrawnLength) -> None:
-    """Draw a length as a dimension beside what it measures, or say it with the sizes."""
+    """Draw a length as a dimension beside the part, or list it with the sizes."""
     (x0, y0), (x1, y1) = sheet.line([length.start, length.end])
     long = hypot(x1 - x0, y1 - y0)
     ux, uy = (x1 - x0) / long, (y1 - y0) / long
@@ -153,7 +153,7 @@ def _length(blade: DrawnBlade) -> float:
 
 
 def _is_size(sheet: Sheet, symbol: str, value: float) -> bool:
-    """Return whether a length is that size of the spec, as near as its ends are numbers."""
+    """Return whether a length equals that size of the spec, to rounding."""
     sizes = dict(sheet.drawing.sizes)
     return symbol in sizes and abs(sizes[symbol] - value) <= 1e-9 * value
 
@@ -211,7 +211,7 @@ def _blade_of(blades: Sequence[DrawnBlade], symbol: str) -> tuple[str, DrawnBlad
 
 
 def _turned_box(text: str, middle: XY, way: XY) -> Box:
-    """Return the room of a text that is centred above a place and runs in a direction."""
+    """Return the box of a text that is centred above a place and runs in a direction."""
     flat = text_box(text, (0.0, -4.5), "middle", TYPE)
     corners = [
         (middle[0] + x * way[0] - y * way[1], middle[1] + x * way[1] + y * way[0])

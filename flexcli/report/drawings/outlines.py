@@ -15,13 +15,13 @@ PIN, EIGHTHS = 0.03, tuple(k * pi / 4.0 for k in range(8))
 """Half the width of a link about a pin over the mechanism's size, and the corners there."""
 
 BETWEEN = (0.3, 0.5, 0.7)
-"""Places of a blade, over its length, that a body had better not lie over."""
+"""Places along a blade that the block of a body should not cover."""
 
 
 def blocks(drawing: Drawing, body: DrawnBody) -> list[list[XY]]:
-    """Return the plain blocks that stand for a body: around its clamps and what is behind them.
+    """Return the plain blocks that stand for a body: around its clamps and the space behind them.
 
-    It is one, unless that would lie over the blades; then clamps stand apart that would make it.
+    It is one block, unless that would cover the blades; then one for each clamp.
     """
     places = [along(blade, share) for blade in drawing.blades for share in BETWEEN]
     feet = zip(body.clamps, body.ways, body.depths, strict=True)

@@ -1,4 +1,4 @@
-"""A mechanism drawn in its plane: at rest and at the ends of its stroke, with all that explains it.
+"""A mechanism drawn in its plane: at rest and at the ends of its stroke, with annotations.
 
 What the spec does not state (the shapes of bodies) is drawn plain and named in the caption.
 """
@@ -47,7 +47,7 @@ def drawing_svg(drawing: Drawing, title: str, *, stress: bool = False, width: fl
 
 
 def _draw_foot(sheet: Sheet, *, stress: bool) -> None:
-    """Draw scale bar, axes, what the overlay is and what its colours are."""
+    """Draw scale bar, axes, and the legend of overlay and colours."""
     page, drawing = sheet.page, sheet.drawing
     y = page.height - 14.0
     length = _round_length(0.11 * page.width / sheet.scale)

@@ -1,4 +1,4 @@
-"""What is drawn of a mechanism itself: ground, bodies, blades at rest, moved, by their stress."""
+"""Shapes of a mechanism: ground, bodies, blades at rest, moved, coloured by stress."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -40,7 +40,7 @@ def _draw_edge(sheet: Sheet, at: XY, way: XY, half: float, *, hatched: bool = Tr
 
 
 def draw_guide(sheet: Sheet, guide: DrawnGuide) -> None:
-    """Draw which way a stage moves, and the rails of an ideal one."""
+    """Draw the direction of a stage, and the rails of an ideal one."""
     (x, y), (wx, wy) = sheet.at(guide.at), guide.way
     size = (sheet.drawing.joint_size or sheet.size) * sheet.scale
     half, apart = INTO * size + RAIL, CLAMP * size + APART
@@ -75,7 +75,7 @@ def _ties(places: Sequence[Sequence[XY]]) -> Iterator[list[XY]]:
 
 
 def draw_blade(sheet: Sheet, blade: DrawnBlade) -> None:
-    """Draw a blade at rest at its true thickness, but never thinner than is seen."""
+    """Draw a blade at rest at its true thickness, but no thinner than is visible."""
     if blade.surface:
         corners = sheet.line(blade.surface)
         sheet.page.path(corners, "face", closed=True)

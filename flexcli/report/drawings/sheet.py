@@ -1,4 +1,4 @@
-"""The page of a drawing: its scale, where places are on it, and what has its place already."""
+"""The page of a drawing: its scale, the positions on it, and the areas in use."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -25,7 +25,7 @@ FOOT = 76.0
 
 
 class Sheet:
-    """A drawing on its page: the scale, and what has its place already."""
+    """A drawing on its page: the scale, and the areas in use."""
 
     def __init__(self, drawing: Drawing, width: float = WIDTH) -> None:
         self.drawing = drawing

@@ -32,7 +32,7 @@ ROUND = radians(20.0)
 
 
 class View(NamedTuple):
-    """Where on the page the axes x, y and z point, and how near along each a place is."""
+    """Directions of the axes x, y and z on the page, and how near along each a place is."""
 
     x: XY
     y: XY
@@ -141,7 +141,7 @@ def _span(blade: DrawnBlade) -> tuple[float, float]:
 
 
 def _anticlockwise(corners: Sequence[XY]) -> list[XY]:
-    """Return an outline anticlockwise, without corners that are none."""
+    """Return an outline anticlockwise, without redundant corners."""
     around = zip([corners[-1], *corners[:-1]], corners, [*corners[1:], corners[0]], strict=True)
     corners = [b for a, b, c in around if a != b and not _is_straight(a, b, c)]
     ends = [*corners[1:], corners[0]]

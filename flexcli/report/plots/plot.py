@@ -12,7 +12,7 @@ __all__ = ["Plot", "curves", "in_unit"]
 
 
 class Plot(NamedTuple):
-    """A plot: its key on the command line, what it shows, in a sentence, and the SVG."""
+    """A plot: its key on the command line, its title and description, and the SVG."""
 
     name: str
     title: str
@@ -21,7 +21,7 @@ class Plot(NamedTuple):
 
 
 def in_unit(values: Iterable[float], unit: str) -> tuple[str, float]:
-    """Return the unit in which a person reads the largest of some values, and its size in SI."""
+    """Return the unit for the largest of some values as a person reads them, and its size in SI."""
     size = np.abs(np.fromiter(values, dtype=np.float64))
     return shown_unit(float(np.max(size[np.isfinite(size)], initial=0.0)), unit)
 

@@ -1,4 +1,4 @@
-"""Plots of a sizing: where every requirement holds, what the demands cost, the Pareto front."""
+"""Plots of a sizing: feasible region, sensitivities, Pareto front."""
 
 from importlib import import_module
 

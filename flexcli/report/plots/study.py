@@ -1,4 +1,4 @@
-"""Plot of a study: what became of a design as values of its spec varied."""
+"""Plot of a study: the outcome of each design over the varied values."""
 
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
@@ -146,7 +146,7 @@ def _mark(chart: Chart, x: Floats, y: Floats, rows: Sequence[StudyRow]) -> None:
 
 
 def _told(rows: Sequence[StudyRow], y: Floats) -> str:
-    """Return what the marks mean, and how many designs have none."""
+    """Return the legend of the marks, and the number of designs without one."""
     count = {status: sum(row.status == status for row in rows) for status in MARKS}
     failed = len(rows) - sum(count.values())
     missing = int(np.sum(~np.isfinite(y)))

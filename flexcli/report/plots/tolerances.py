@@ -1,4 +1,4 @@
-"""Plots of a tolerance run: yields, what margins hang on, what to narrow first."""
+"""Plots of a tolerance run: yields, sensitivities of the margins, the tolerance to narrow first."""
 
 from collections.abc import Iterator
 

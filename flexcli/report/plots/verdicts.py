@@ -1,4 +1,4 @@
-"""Plots of verdicts: margins with their ranges, and what each model's accuracy costs."""
+"""Plots of verdicts: margins with their ranges, and accuracy against time of each model."""
 
 from collections.abc import Sequence
 

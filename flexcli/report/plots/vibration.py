@@ -1,4 +1,4 @@
-"""Plots over frequency: random vibration, what the base passes on, response between stops."""
+"""Plots over frequency: random vibration, transfer of the base's motion, response with stops."""
 
 from collections.abc import Iterator
 
