@@ -41,15 +41,13 @@ def blade_places(blade: Blade, l: float | Floats) -> tuple[Floats, Floats]:
     """Return places along the flexible pieces of a blade of length l and thickness there [m]."""
     u = np.linspace(-1.0, 1.0, POINTS)
     pieces = blade.profile.pieces(per_design(l))
+    each = [(piece.position(u), piece.thickness(u)) for piece in pieces]
+    shape = np.broadcast_shapes(u.shape, *(np.shape(values) for both in each for values in both))
     position, thickness = (
-        np.concatenate([_spread(function(u), u.shape) for function in functions], axis=-1)
-        for functions in ([p.position for p in pieces], [p.thickness for p in pieces])
+        np.concatenate([np.broadcast_to(values, shape) for values in along], axis=-1)
+        for along in zip(*each, strict=True)
     )
     return position, thickness
-
-
-def _spread(values: Floats, shape: tuple[int, ...]) -> Floats:
-    return np.broadcast_to(values, np.broadcast_shapes(np.shape(values), shape))
 
 
 def held_blade(blade: Blade, density: float) -> HeldBlade:

@@ -176,3 +176,17 @@ def test_a_force_along_the_stroke_makes_its_own_stress_however_wide_blades_are(m
         assert check.demand == pytest.approx(of_force, rel=1e-3)
     else:
         assert low <= of_force + 1.065 * of_stroke <= high
+
+
+def test_fillets_weigh_as_their_profile_does():
+    """Fillets are short: the stress across blades is near that of uniform ones, and no less."""
+    filleted, plain = (
+        judged({**STAGE, "h": "0.3 mm", **more}, {"y": "100 g"}, model="exact")
+        for more in ({"root_radius": "0.1 mm"}, {})
+    )
+    light = judged(
+        {**STAGE, "h": "0.3 mm", "root_radius": "0.1 mm"}, {"y": "100 g"}, model="exact",
+        material={"density": "1e-6 kg/m^3"},
+    )  # fmt: skip
+    assert filleted.demand > light.demand
+    assert 0.98 * plain.demand < filleted.demand < 2.0 * plain.demand

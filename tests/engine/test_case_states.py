@@ -279,3 +279,16 @@ def test_the_masses_of_a_drawing_load_it():
         )
     )
     assert weighed == pytest.approx(pushed, rel=1e-4)  # the arm of a dead load turns with it
+
+
+@pytest.mark.parametrize("load", [
+    {"wrench": {"x": "5 mN"}}, {"acceleration": {"level": "0.05 m/s^2", "axis": "x"}},
+])  # fmt: skip
+@pytest.mark.parametrize("ends", ["pinned-pinned", "clamped-clamped", "clamped-guided"])
+def test_no_ends_hold_a_stage_against_a_force_along_its_stroke(ends, load):
+    """σ = 3Fl/(2bh²) of two blades: ends hold a body across a force that presses on its blades."""
+    geometry = stage(**SIZES, spacing="15 mm")
+    case = {"ends": ends, **load}
+    for joint_model in (AS_PRINTED, LinearModel(), ExactModel()):
+        found = largest(geometry, case, joint_model, PAYLOAD if "acceleration" in load else None)
+        assert found == pytest.approx(1.5 * 5e-3 * L / (B * H**2), rel=5e-3)

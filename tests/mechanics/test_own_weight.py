@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from flexcli.formulas.profile import Constant, Notch
+from flexcli.formulas.profile import Constant, Filleted, Notch
 from flexcli.mechanics.layout import Blade, Body, Layout
 from flexcli.mechanics.own_weight import POINTS, blade_places, held_blade, weights_on_bodies
 
@@ -31,7 +31,7 @@ def test_a_uniform_blade_has_the_moments_and_forces_of_a_clamped_beam():
     assert held.limber[0] == pytest.approx(12.0 * L / (B * H**3), rel=1e-9)
 
 
-@pytest.mark.parametrize("profile", [Constant(H), Notch(0.1e-3, 1e-3)])
+@pytest.mark.parametrize("profile", [Constant(H), Notch(0.1e-3, 1e-3), Filleted(H, 0.4e-3)])
 def test_what_holds_a_blade_bears_its_weight_and_the_moment_of_it(profile):
     held = held_blade(blade(profile), DENSITY)
     s, h = blade_places(blade(profile), L)

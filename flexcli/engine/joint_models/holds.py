@@ -1,8 +1,9 @@
 """What a case holds of the moving body: its guide, the stroke, a lock, the ends that are stated.
 
 One mapping for stress and for buckling. The ends of a blade that a case states say what its force
-leaves free: the body goes along the force, and is held across it or from turning. A lock keeps the
-body from turning. What a case neither drives nor holds is free in the plane.
+leaves free: the body goes along the force, and is held across it or from turning. What acts along
+the stroke alone has no force that presses on blades, so that nothing is held across it. A lock
+keeps the body from turning. What a case neither drives nor holds is free in the plane.
 """
 
 from flexcli.parts.ends import ENDS, Hold
@@ -19,7 +20,11 @@ def hold_of(scene: Scene) -> Hold:
     """Return what the ends or the lock of a case hold of the body."""
     if scene.lock is not None and not scene.states_ends:
         return Hold(across=False, turn=True)
-    return FREE if scene.ends is None else ENDS[scene.ends]
+    held = FREE if scene.ends is None else ENDS[scene.ends]
+    if not scene.forces and scene.temperature is None:
+        # a force along the stroke alone, which the ends do not bear
+        held = held._replace(across=False)
+    return held
 
 
 def driven_axis(geometry: Geometry) -> int:
