@@ -10,9 +10,10 @@ from judging import check_as_printed
 from strategies import CASES, LOADS, crossed, design, rcc, specs
 
 from flexcli.engine import assess
+from flexcli.numerics.rows import Rows
 from flexcli.parts.geometries import Blade
 from flexcli.parts.requirements import Limit
-from flexcli.results import EXACT, Verdict
+from flexcli.results import EXACT, ErrorRange, Verdict
 
 ROUNDING = 1e-12
 H, L, B = np.meshgrid([2e-4, 5e-4], [5e-3, 2e-2], [2e-3, 1e-2])
@@ -107,3 +108,28 @@ def test_many_designs_miss_a_target_on_either_side_alike():
     found = assess.factors(spec, h=20e-3 / (40.0 * off), l=np.full(5, 20e-3), b=np.full(5, 5e-3))
     (margins,) = found.values()
     np.testing.assert_allclose(margins, 1.02 / np.maximum(off, 1.0 / off), rtol=1e-12)
+
+
+@pytest.mark.parametrize("error", [EXACT, ErrorRange(-0.1, 0.05), None])
+@pytest.mark.parametrize("required", [1.0, 1.5, 9.0])
+def test_of_two_limits_the_worst_decides_each_of_many_designs_as_it_does_alone(error, required):
+    # the first is the worse of one design, the second of the other
+    capacities = np.array([[2.5, 4.0], [3.0, 2.0]])
+
+    def judged(of):
+        (found,) = assess.checks(
+            Limit("x", "", "x", of(1.0 + 0.0 * row), of(row), "Pa", "",
+                  required=required, error=error)
+            for row in capacities
+        )  # fmt: skip
+        return found
+
+    many = judged(Rows.of)
+    for k in range(2):
+        alone = judged(lambda row, k=k: float(row[k]))
+        assert many.verdict is alone.verdict
+        assert np.asarray(many.factor)[k] == alone.factor
+        if error is None:
+            assert many.factor_range is alone.factor_range is None
+        else:
+            assert np.asarray(many.factor_range)[:, k] == pytest.approx(alone.factor_range)

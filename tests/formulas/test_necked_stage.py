@@ -10,7 +10,9 @@ from flexcli.formulas.necked_stage import (
     compliance_share,
     compression_stiffness,
     end_stress,
+    shear_in_shift,
     shortening,
+    stretch_in_shift,
     translational_stiffness,
 )
 from flexcli.numerics.quadrature import gauss_rule
@@ -50,6 +52,12 @@ def test_stiffness_stress_and_shortening_are_the_integrals_over_two_hinges(xi):
     middle = F / bending * (l / 2 * l_c - l_c**2 / 2)
     path = w @ slope**2 + middle**2 * (l - 2 * l_c) / 2
     assert shortening(l=l, x=x, xi=xi) == pytest.approx(path, rel=ROUNDING)
+    # the force along turned hinges stretches them; their shear, a tenth of the stroke, tilts it
+    turned = 2 * (w @ slope)
+    stretched = -F * turned / (E * b * h) / path
+    assert stretch_in_shift(h=h, l=l, xi=xi) == pytest.approx(stretched, rel=ROUNDING)
+    sheared = (1 + 0.1 * x / (xi * l) * turned / path) / 1.1**2 - 1
+    assert shear_in_shift(Phi=0.1, xi=xi) == pytest.approx(sheared, rel=ROUNDING, abs=ROUNDING)
 
 
 def test_short_hinges_tend_to_pins_with_springs():

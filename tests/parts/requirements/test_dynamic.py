@@ -10,6 +10,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.quality import Quality
 from flexcli.parts.requirements import Ask, RequirementError
 from flexcli.parts.requirements.as_printed import AsPrinted
+from flexcli.parts.requirements.response_range import compounded, over
 from flexcli.parts.response import random_outputs, sine_peaks
 from flexcli.parts.scene import LoadKind
 from flexcli.results import EXACT, ErrorRange, QuantityKind
@@ -158,6 +159,25 @@ def test_it_looks_at_all_that_shakes_and_at_nothing_else():
     found = design(case)
     ((_, requirement),) = found.requirements.each()
     assert requirement.looks_at(found.scene("shake")) == {LoadKind.SINE}
+
+
+def test_it_is_asked_of_cases_that_shake_and_are_named():
+    found = design(sine(50.0), {"dynamic-yield": {"factor": 1.5, "cases": ["shake"]}})
+    ((_, requirement),) = found.requirements.each()
+    shaken = found.scene("shake")
+    assert requirement.applies(shaken)
+    assert not requirement.applies(shaken._replace(case="another"))
+    assert not requirement.applies(shaken._replace(loads=frozenset({LoadKind.STROKE})))
+
+
+def test_errors_of_a_product_and_of_a_ratio_have_their_worst_ends():
+    one, other = ErrorRange(-0.1, 0.2), ErrorRange(-0.2, 0.25)
+    assert compounded(one, other) == pytest.approx((0.9 * 0.8 - 1.0, 1.2 * 1.25 - 1.0))
+    assert over(one, other) == pytest.approx((0.9 / 1.25 - 1.0, 1.2 / 0.8 - 1.0))
+    for found in (compounded, over):
+        assert found(None, other) is found(one, None) is None
+    # a number that may be nothing bounds no ratio
+    assert over(one, ErrorRange(-1.0, 0.0)) is None
 
 
 def test_a_sine_without_damping_is_a_finding():
