@@ -3,7 +3,7 @@
 from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Literal
 
 from pydantic import model_validator
 
@@ -14,7 +14,7 @@ from flexcli.parts.requirements.ask import Ask, RequirementError
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import Check, ErrorRange, QuantityKind
 
-__all__ = ["Bound", "FactorRequirement", "Limit", "Requirement", "limit_of"]
+__all__ = ["Bound", "BoundAtStroke", "FactorRequirement", "Limit", "Requirement", "limit_of"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -233,3 +233,25 @@ class Bound(Requirement):
             yield limit(self.min**power, value, "min")
         if self.equals is not None:
             yield limit(value, self.equals**power, "equals")
+
+
+class BoundAtStroke(Bound):
+    """Bounds on a number at rest, or at both ends of each case's stroke."""
+
+    at: Literal["rest", "full-stroke"] = "rest"
+    """Where it is asked: at rest, or at both ends of each stroke, without the other loads of the
+    case, e.g. ``full-stroke``.
+    """
+
+    @property
+    def is_of_a_case(self) -> bool:
+        """Return whether it is asked at the ends of each stroke."""
+        return self.at == "full-stroke"
+
+    def applies(self, scene: Scene) -> bool:
+        """Return whether the case has a stroke, where that is asked about."""
+        return self.at == "rest" or scene.moves
+
+    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
+        """Return the stroke, where it is asked there."""
+        return frozenset() if self.at == "rest" else frozenset({LoadKind.STROKE})

@@ -3,14 +3,14 @@
 from collections.abc import Iterator
 from dataclasses import replace
 from math import isfinite
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements.ask import Ask, RequirementError
-from flexcli.parts.requirements.base import Bound, Limit
+from flexcli.parts.requirements.base import BoundAtStroke, Limit
 from flexcli.parts.requirements.support import CENTRE, DIRECTIONS, MotionBound, Place
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.space_joint import joint_of
@@ -73,7 +73,7 @@ class ParasiticMotion(MotionBound):
                 )
 
 
-class ParasiticFrequency(Bound):
+class ParasiticFrequency(BoundAtStroke):
     """Bounds on the lowest frequency with the drive locked: of all but its own motion.
 
     That is at rest, or at both ends of each case's stroke.
@@ -86,23 +86,6 @@ class ParasiticFrequency(Bound):
     min: _Hertz | None = None
     max: _Hertz | None = None
     equals: _Hertz | None = None
-    at: Literal["rest", "full-stroke"] = "rest"
-    """Where it is asked: at rest, or at both ends of each stroke, without the other loads of the
-    case, e.g. ``full-stroke``.
-    """
-
-    @property
-    def is_of_a_case(self) -> bool:
-        """Return whether it is asked at the ends of each stroke."""
-        return self.at == "full-stroke"
-
-    def applies(self, scene: Scene) -> bool:
-        """Return whether the case has a stroke, where that is asked about."""
-        return self.at == "rest" or scene.moves
-
-    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the stroke, where it is asked there."""
-        return frozenset() if self.at == "rest" else frozenset({LoadKind.STROKE})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the frequency."""

@@ -26,7 +26,7 @@ from flexcli.parts.base import (
 )
 from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.requirements.ask import Ask, RequirementError
-from flexcli.parts.requirements.base import Bound, Limit
+from flexcli.parts.requirements.base import Bound, BoundAtStroke, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.parts.space_joint import Form, SpaceJoint, joint_in_space
 from flexcli.parts.space_states import beyond_first_order
@@ -179,7 +179,7 @@ def _along(direction: Direction) -> str:
     return f"about {direction[-1]}" if turns(direction) else f"along {direction}"
 
 
-class Support(Bound):
+class Support(BoundAtStroke):
     """Bounds on the stiffness in a direction, all others free; or on its ratio to another's.
 
     That is at rest, or at both ends of each case's stroke; the drive is free as well unless it is
@@ -193,10 +193,6 @@ class Support(Bound):
     """Direction of the force or moment, e.g. ``direction: z, min: 1 N/um``."""
     drive: Literal["free", "locked"] = "free"
     """Whether the drive holds the motion of the stroke meanwhile, e.g. ``locked``."""
-    at: Literal["rest", "full-stroke"] = "rest"
-    """Where it is asked: at rest, or at both ends of each stroke, without the other loads of the
-    case, e.g. ``full-stroke``.
-    """
     over: Direction | None = None
     """Direction whose stiffness it is compared with; the bounds are then plain ratios,
     e.g. ``over: x, direction: y, min: 100``.
@@ -265,19 +261,6 @@ class Support(Bound):
         """Return the bounded quantity in words."""
         over = f" over that {_along(self.over)}" if self.over is not None else ""
         return f"stiffness {_along(self.direction)}{over}"
-
-    @property
-    def is_of_a_case(self) -> bool:
-        """Return whether it is asked at the ends of each stroke."""
-        return self.at == "full-stroke"
-
-    def applies(self, scene: Scene) -> bool:
-        """Return whether the case has a stroke, where that is asked about."""
-        return self.at == "rest" or scene.moves
-
-    def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
-        """Return the stroke, where it is asked there."""
-        return frozenset() if self.at == "rest" else frozenset({LoadKind.STROKE})
 
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the stiffness or on the ratio."""
