@@ -316,6 +316,8 @@ class _Series:
         for model in self.models[first:]:
             doing(f"{requirement.label}, {scene.case}, by the {model.name} model")
             started = perf_counter()
+            if best and not model.may_tell_more(requirement, scene, self.sizes):
+                continue
             buckled: Buckled | None = None
             try:
                 limits = list(self._limits(requirement, scene, model))

@@ -8,6 +8,7 @@ from scipy.special import ellipk
 from strategies import design
 
 from flexcli.engine.check import check
+from flexcli.engine.models import model_series
 from flexcli.results import Verdict
 
 STEEL = {
@@ -209,3 +210,25 @@ def test_a_torsion_bar_that_is_pushed_along_its_axis_buckles_as_a_column():
     # a wide bar is stiffer by what its clamps keep it from curling
     assert row.factor == pytest.approx(2.0, rel=0.01)
     assert row.verdict is Verdict.PASS
+
+
+@pytest.mark.parametrize(("b", "known"), [(100, True), (200, False)])
+def test_what_buckles_blades_without_an_error_is_not_looked_for_after_other_models(b, known):
+    # beams were held against shells up to a width of three lengths
+    drawn = {"kind": "cantilever", "h": "0.5 mm", "l": "50 mm", "b": f"{b} mm"}
+    spec = design(drawn, {"buckling": 2.5}, {"push": {"wrench": {"z": "1 N"}}}, material=STEEL)
+    (scene,), sizes = spec.scenes(), spec.fixed_sizes()
+    beams = next(model for model in model_series(spec) if model.name == "exact")
+    assert beams.may_tell_more(spec.requirements.buckling[0], scene, sizes) is known
+
+
+def test_shells_are_asked_of_supports_and_deflections_alone_in_a_joint_of_the_plane():
+    drawn = {"kind": "cantilever", "h": "0.5 mm", "l": "50 mm", "b": "10 mm"}
+    asked = {"yield": 1.5, "deflection": {"direction": "z", "max": "1 mm"}}
+    work = {"stroke": {"translation": "1 mm"}, "wrench": {"z": "1 N"}}
+    spec = design(drawn, asked, {"work": work}, material=STEEL)
+    (scene,), sizes, shells = spec.scenes(), spec.fixed_sizes(), model_series(spec)[-1]
+    assert shells.name == "shell"
+    each = {type(found): found for _, found in spec.requirements.each()}
+    told = {kind.label: shells.may_tell_more(found, scene, sizes) for kind, found in each.items()}
+    assert told == {"yield": False, "deflection": True}

@@ -126,6 +126,10 @@ class OutOfPlane(JointModel):
             for share in self._space.critical_shares(ask)
         )
 
+    def knows_critical_shares(self, ask: Ask) -> bool:
+        """Return whether blades in space have errors."""
+        return self._space is None or self._space.knows_critical_shares(ask)
+
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the planar stresses, that of the loads out of the plane on top of each.
 

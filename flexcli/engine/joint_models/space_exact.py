@@ -4,6 +4,7 @@ About rest it is the linear model.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from itertools import product
 from math import inf, isfinite
 from typing import TYPE_CHECKING, NamedTuple
@@ -204,6 +205,14 @@ class SpaceExactModel(SpaceLinearModel):
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return the shares of the loads that buckle it: drive locked at a stroke, else free."""
         return tuple(_critical_shares(ask, self.blades))
+
+    def knows_critical_shares(self, ask: Ask) -> bool:
+        """Return whether its blades have errors at the ends of the stroke, before loads act."""
+        with suppress(NotAvailable, SolveError):
+            ends = (at_travel(ask, end, self.blades, warm=False) for end in ask.scene.stroke_ends)
+            found = [self.blades.errors(state) for state in ends]
+            return all(known is not None and isfinite(known.support) for known in found)
+        return True
 
     def _ends(self, ask: Ask, loads: Loads = ()) -> tuple[SpaceEquilibrium, ...]:
         """Return the joint at both ends of its stroke, or as loads and temperature leave it."""

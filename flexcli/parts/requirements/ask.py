@@ -231,6 +231,10 @@ class JointModel(ABC):
         """
         raise NotAvailable("has no share of loads by this model: take --model exact")
 
+    def knows_critical_shares(self, ask: Ask) -> bool:
+        """Return whether the errors of its shares may be known, before any is looked for."""
+        return True
+
     def warm_frequency_ratio(self, ask: Ask, *, locked: bool) -> tuple[float, ErrorRange | None]:
         """Return the ratio of a frequency in space at a case's temperature to the unstrained [-].
 

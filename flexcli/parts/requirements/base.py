@@ -111,6 +111,8 @@ class Requirement(Part):
     """Whether its cases add up, as damage does."""
     is_of_stress: ClassVar[bool] = False
     """Whether it compares the largest stress with a strength, whatever causes the stress."""
+    by_shells: ClassVar[bool] = False
+    """Whether shells tell more of it than beams in a joint of the plane too."""
     of_the_drawing: ClassVar[bool] = False
     """Whether it concerns the shape alone, which needs no model."""
     label: ClassVar[str]
@@ -131,6 +133,10 @@ class Requirement(Part):
     def looks_at(self, scene: Scene) -> frozenset[LoadKind]:
         """Return the kinds of loads of a case that its limits take into account."""
         return frozenset()
+
+    def may_be_decided(self, ask: Ask) -> bool:
+        """Return whether a model may decide it that others left open, as far as is known before."""
+        return True
 
     @abstractmethod
     def limits(self, ask: Ask) -> Iterator[Limit]:

@@ -41,6 +41,13 @@ class Buckling(FactorRequirement):
         """Return the loads of the joint, in its plane or out of it."""
         return scene.pushed_by | scene.across_by
 
+    def may_be_decided(self, ask: Ask) -> bool:
+        """Return whether the model knows how far off it is, of loads in space alone."""
+        scene = ask.scene
+        in_plane = scene.blade_force and not _in_shares(scene)
+        in_space = scene.in_space or bool(scene.across_by)
+        return bool(in_plane) or not in_space or ask.joint_model.knows_critical_shares(ask)
+
     def limits(self, ask: Ask) -> Iterator[Limit]:
         """Yield force against critical force, in the plane and across the blades' width."""
         scene = ask.scene

@@ -187,6 +187,7 @@ class Support(BoundAtStroke):
     """
 
     label: ClassVar[str] = "support"
+    by_shells: ClassVar[bool] = True
     closed_form: ClassVar[bool] = False
 
     direction: Direction
@@ -411,6 +412,7 @@ class Deflection(MotionBound):
     """A bound on how far a case's wrench, at the centre, moves a point in a direction."""
 
     label: ClassVar[str] = "deflection"
+    by_shells: ClassVar[bool] = True
 
     point: Place = CENTRE
     """Point on the moving body that is asked about, from the centre of a pivot or of a stage, or
