@@ -112,7 +112,10 @@ DIMENSIONS = _dimensions(
     ),
     Dimension("stiffness", "N/m", "200 N/m", {"N/m": "1", "N/mm": "1e3", "N/um": "1e6"}),
     Dimension(
-        "rotational stiffness", "N*m/rad", "15 N*m/rad", {"N*m/rad": "1", "N*mm/rad": "1e-3"}
+        "rotational stiffness",
+        "N*m/rad",
+        "15 N*m/rad",
+        {"N*m/rad": "1", "N*mm/rad": "1e-3", "kN*m/rad": "1e3"},
     ),
     Dimension("temperature", "K", "293 K", {"K": "1", "mK": "1e-3"}),
     Dimension("temperature change", "K", "60 K", {"K": "1", "mK": "1e-3"}),

@@ -2,8 +2,6 @@
 
 from math import inf, sqrt
 
-from scipy.optimize import brentq
-
 from flexcli.engine.stopping.damping import case_quality
 from flexcli.engine.stopping.statics import StopTask
 from flexcli.mechanics.stopping.cantilever_modes import cantilever_modes
@@ -124,6 +122,8 @@ def _dashpot(contact: Spring, blade: ModalBlade) -> float:
     """Return the damping [N·s/m] beside a spring that gives the kept modes its restitution."""
     if contact.restitution == 1.0:
         return 0.0
+    from scipy.optimize import brentq  # seldom wanted, and slow to import
+
     mass = 1.0 / float(blade.stop @ blade.stop)
     stiffness = stiffness_on_blade(blade, contact.stiffness)
     ratio = float(

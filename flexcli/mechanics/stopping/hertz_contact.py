@@ -2,13 +2,13 @@
 
 from cmath import exp
 from collections.abc import Callable, Sequence
+from functools import cache
 from math import sqrt
 from operator import mul
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import DOP853
 
 from flexcli.mechanics.stopping.laws import HertzStop
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
@@ -32,11 +32,25 @@ _EPS = 1e-15
 _SAFETY, _LEAST_STEP, _MOST_STEP = 0.9, 0.2, 6.0
 """Of a next step: what it keeps of the one that the error calls for, and its least and most."""
 
-_ROWS = [row[:s].tolist() for s, row in enumerate(DOP853.A)][1 : DOP853.n_stages]
-_WEIGHTS = DOP853.B.tolist()
-_ERRORS = DOP853.E3.tolist(), DOP853.E5.tolist()
-"""Dormand and Prince's tableau of order 8, and its errors of order 3 and 5 (Hairer, Nørsett and
-Wanner 1993, section II.10)."""
+
+class _Tableau(NamedTuple):
+    """Dormand and Prince's tableau of order 8, and its errors of order 3 and 5.
+
+    Hairer, Nørsett and Wanner (1993), section II.10.
+    """
+
+    rows: list[list[float]]
+    weights: list[float]
+    third: list[float]
+    fifth: list[float]
+
+
+@cache
+def _tableau() -> _Tableau:
+    from scipy.integrate import DOP853  # of balls only, and slow to import
+
+    rows = [row[:s].tolist() for s, row in enumerate(DOP853.A)][1 : DOP853.n_stages]
+    return _Tableau(rows, DOP853.B.tolist(), DOP853.E3.tolist(), DOP853.E5.tolist())
 
 
 class HertzPass(NamedTuple):
@@ -117,7 +131,7 @@ class HertzContact:
         h, evaluations, released, ended = self._first_step(x), 1, False, False
         while not (released or ended):
             last, found = steps[-1], _stepped(slope, steps[-1], h, size)
-            evaluations += DOP853.n_stages
+            evaluations += 1 + len(_tableau().rows)
             if found.error > 1.0:
                 h *= max(_LEAST_STEP, _SAFETY * found.error**-0.125)
                 continue
@@ -216,21 +230,22 @@ class _Step(NamedTuple):
 def _stepped(slope: _Slope, last: _Step, h: float, size: Sequence[float]) -> _Step:
     """Return a step from the end of the last one."""
     stages, parts = [[k] for k in last.slopes], [last.sum_slopes]
-    for row in _ROWS:
+    tableau = _tableau()
+    for row in tableau.rows:
         slopes, sums = slope(_moved(last.x, h, row, stages))
         for stage, value in zip(stages, slopes, strict=True):
             stage.append(value)
         parts.append(sums)
-    x = _moved(last.x, h, _WEIGHTS, stages)
+    x = _moved(last.x, h, tableau.weights, stages)
     slopes, sums = slope(x)
     third = fifth = 0.0
     for stage, value, scale in zip(stages, slopes, size, strict=True):
         stage.append(value)
-        third += (sum(map(mul, _ERRORS[0], stage)) / scale) ** 2
-        fifth += (sum(map(mul, _ERRORS[1], stage)) / scale) ** 2
+        third += (sum(map(mul, tableau.third, stage)) / scale) ** 2
+        fifth += (sum(map(mul, tableau.fifth, stage)) / scale) ** 2
     whole = sqrt((fifth + 0.01 * third) * len(x))
     error = h * fifth / (whole * RTOL) if whole else 0.0
-    total = [h * sum(map(mul, _WEIGHTS, part)) for part in zip(*parts, strict=True)]
+    total = [h * sum(map(mul, tableau.weights, part)) for part in zip(*parts, strict=True)]
     return _Step(h, x, slopes, sums, total, error)
 
 
