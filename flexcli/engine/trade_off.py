@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise, product
-from math import exp, hypot, isfinite, isnan, log, nan, sqrt
+from math import exp, hypot, isclose, isfinite, isnan, log, nan, sqrt
 from typing import Any
 
 import numpy as np
@@ -25,6 +25,10 @@ HALVINGS = 7
 
 ROOM = 0.002
 """Share by which the last design of a front keeps clear of the best second objective."""
+
+SAME = 1e-4
+"""Difference (relative) of second objectives at which two designs are one: a front that jumps there
+is filled no further."""
 
 CLOSE = 0.4
 """Share of an even step below which a design is left out for its neighbour."""
@@ -298,21 +302,29 @@ class _Run:
 
     def fill(self, count: int) -> None:
         """Put designs between those that are farthest apart, in logarithms."""
-        stuck: set[tuple[float | None, float | None]] = set()
+        ends: dict[tuple[float | None, float | None], float] = {}
         while len(self.even(count)) < count:
             points, at = self.points, list(_logs(self.points))
-            gaps = [
-                (_distance(at[k], at[k + 1]), k)
-                for k in range(len(points) - 1)
-                if (points[k].bound, points[k + 1].bound) not in stuck
-            ]
+            whole = sum(_distance(one, other) for one, other in pairwise(at))
+            gaps: list[tuple[float, float, FrontPoint, FrontPoint]] = []
+            for k, (one, other) in enumerate(pairwise(points)):
+                # what is asked beyond the last end gave the other again: the front jumps there
+                end = ends.get((one.bound, other.bound), other.second)
+                share = log(end / one.second) / (log(other.second / one.second) or 1.0)
+                gaps.append((share * _distance(at[k], at[k + 1]), end, one, other))
             if not gaps:
                 return
-            _, k = max(gaps)
-            one, other = points[k : k + 2]
-            found = self.at(sqrt(one.second * other.second))
-            if found is None or found.second in (one.second, other.second):
-                stuck.add((one.bound, other.bound))
+            widest, end, one, other = max(gaps, key=lambda gap: gap[0])
+            if widest < 2.0 * CLOSE * whole / (count - 1):
+                return  # what is between is left out for its neighbours
+            middle = sqrt(one.second * end)
+            found = self.at(middle)
+            if found is None or _is_same(found, one):
+                ends[one.bound, other.bound] = one.second
+            elif _is_same(found, other):
+                ends[one.bound, other.bound] = middle
+            if found is not None and any(_is_same(found, each) for each in (one, other)):
+                self.found.pop()
 
     def even(self, count: int) -> list[FrontPoint]:
         """Return the designs that are best in both, without those too near another."""
@@ -331,6 +343,11 @@ class _Run:
             if min(_distance(at[taken[-1]], at[k]), _distance(at[k], at[-1])) >= step:
                 taken.append(k)
         return [*(kept[k] for k in taken), kept[-1]]
+
+
+def _is_same(one: FrontPoint, other: FrontPoint) -> bool:
+    """Return whether a design is another one again, though sized anew."""
+    return isclose(one.second, other.second, rel_tol=SAME)
 
 
 def _logs(points: Sequence[FrontPoint]) -> Iterator[tuple[float, float]]:

@@ -5,7 +5,10 @@ import pytest
 
 import flexcli
 from flexcli import api
+from flexcli.engine import trade_off
 from flexcli.errors import SpecError
+from flexcli.parts.trade_off import MovingBound
+from flexcli.results.trade_off import FrontPoint
 
 STAGE = """\
 flexure: 1
@@ -234,3 +237,26 @@ def test_a_shift_far_below_what_any_blade_has_is_a_conflict():
     found = front_of("{}", **asked)
     assert found.status.value == "infeasible"
     assert any("0.15" in row.text or "150 nm" in row.text for row in found.sizing.conflict)
+
+
+def test_a_front_that_jumps_is_filled_on_either_side_and_no_further():
+    """Whatever is asked between 2 and 8 gives the design at 8 again, to some digits."""
+    moving = MovingBound("frequency", ("requirements", "frequency", "min"), True, "frequency")
+    asked = []
+
+    class Jumping(trade_off._Run):
+        def at(self, bound, near=None):
+            asked.append(bound)
+            second = bound if bound <= 2.0 else max(bound, 8.0 * (1.0 + 1e-9 * len(asked)))
+            point = FrontPoint(second, second, bound, {"l": second}, "", {})
+            self.found.append(point)
+            return point
+
+    design = flexcli.load(STAGE.replace("SIZE", "{}")).part
+    run = Jumping(design, moving, None, None)
+    run.at(1.0)
+    run.at(16.0)
+    run.fill(12)
+    assert len(asked) < 30
+    assert sum(point.second < 2.1 for point in run.points) > 2
+    assert not any(2.1 < point.second < 7.9 for point in run.points)
