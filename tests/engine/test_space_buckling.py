@@ -68,7 +68,7 @@ def test_blades_as_heavy_as_their_body_leave_its_buckling_under_an_acceleration_
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("b", "force"), [(10, 8.4), (20, 28.0), (30, 42.0)])
+@pytest.mark.parametrize(("b", "force"), [(10, 8.4), (20, 28.0), (30, 42.0), (60, 90.0)])
 def test_beams_bear_along_the_width_of_a_guide_what_shells_do_within_their_range(
     tmp_path, b, force
 ):

@@ -126,10 +126,11 @@ CANCELLED = 5e-4
 stroke may be off in which the shortening of blades cancels. Beams were up to 5e-4 l θ² from shells
 in crossed, triple and butterfly pivots."""
 
-WIDTH, WIDTH_MOST = 0.17, 0.3
+WIDTH, WIDTH_MOST = 0.17, 1.0
 """Times (b/l)², and the most: by how much more beams bear along their width than shells before they
 turn aside, where their ends are kept from turning. Guides had 0.034 at b/l 0.5, 0.124 at 1 and
-0.213 at 1.5, at ν = 0.3 and h/l 0.0025 and 0.01, 0.150 at ν = 0.45 and b/l 1; cantilevers 0.01."""
+0.213 at 1.5, at ν = 0.3 and h/l 0.0025 and 0.01, 0.150 at ν = 0.45 and b/l 1; 0.18 at b/l 2 and
+0.61 at 3, 0.64 there at ν = 0.45; cantilevers 0.01."""
 
 HINGE_TURN, HINGE_TWIST, AT_STROKE = 0.21, 1e-3, 0.015
 """Turn of a hinge [rad], and that about itself, up to which its errors are those of its springs at
