@@ -1,7 +1,11 @@
 """Loads far beyond what a joint bears fail by equilibrium alone, where no model follows them."""
 
+from math import pi, sqrt
+
 import pytest
 from twins.verdicts import checked
+
+import flexcli
 
 JOINTS = {
     "rcc": ({"h": "0.1 mm", "l": "20 mm", "b": "1 mm", "p": "2 mm", "half_angle": "45 deg"}, 2e-7),
@@ -36,3 +40,18 @@ def test_a_force_beyond_all_sections_together_fails(kind):
 def test_what_the_sections_may_bear_is_not_failed_by_their_area(kind):
     found = said(kind, 0.9 * STRENGTH * JOINTS[kind][1] / FORCE)
     assert found.verdict == "undecided", found
+
+
+def test_a_stubby_blade_yields_before_it_buckles_across_its_width():
+    """Johnson's parabola at the 3.75 GPa of Euler's load, which the material never bears."""
+    text = """flexure: 1
+material: {youngs_modulus: 114 GPa, poisson_ratio: 0.3, yield_strength: 830 MPa}
+geometry: {kind: rcc, p: 2 mm, half_angle: 45 deg, h: 2 mm, l: 10 mm, b: 1 mm}
+cases: {push: {load: {force: 640 N}, ends: clamped-clamped}}
+requirements: {buckling: 1}
+"""
+    (check,) = flexcli.check(text).checks
+    euler = 4.0 * pi**2 * 114e9 * 1e-3**2 / 12.0 / 10e-3**2
+    stress = 830e6 * (1.0 - 830e6 / (4.0 * euler))
+    assert check.factor == pytest.approx(stress * 2e-6 * sqrt(2.0) / 640.0, rel=1e-9)
+    assert "yield first" in check.source

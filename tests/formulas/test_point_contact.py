@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.formulas.contact import POINT_SHEAR, point_contact
+from flexcli.formulas.contact import POINT_SHEAR, chord_deviation, point_contact
 from flexcli.formulas.handbook.contact_load import point_load
 
 forces = st.floats(1e-3, 1e3)
@@ -68,3 +68,10 @@ def test_no_force_makes_no_contact_and_arrays_equal_elements():
     single = np.array([point_contact(F=f, R=0.05, E_star=50e9) for f in F]).T
     assert together == pytest.approx(single, rel=1e-15)
     assert together[:, 0].tolist() == [0.0] * 4
+
+
+@pytest.mark.parametrize("share", [0.7, 0.9, 1.1184, 1.5])
+def test_a_line_is_off_a_ball_by_its_middle_or_its_end(share):
+    x = np.linspace(0.0, 1.0, 200_001)
+    off = np.max(np.abs(x ** (2.0 / 3.0) - share * x))
+    assert chord_deviation(share) == pytest.approx(off, rel=1e-8)

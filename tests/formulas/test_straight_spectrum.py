@@ -68,6 +68,16 @@ def test_the_width_beyond_a_limit_ends_where_the_line_crosses_it():
     found = level_deviation(measured, ([20.0, 80.0], [1.0, 1.0], "log"), 2.0, 0.5)
     assert found.above == pytest.approx(40.0, rel=1e-9)
     assert (found.most, found.f_most) == (pytest.approx(4.0), 80.0)
+    falling = ([20.0, 80.0], [4.0, 1.0], "log")
+    found = level_deviation(falling, ([20.0, 80.0], [1.0, 1.0], "log"), 2.0, 0.5)
+    assert found.above == pytest.approx(20.0, rel=1e-9)
+
+
+def test_what_was_measured_at_many_frequencies_counts_up_to_the_last():
+    measured = ([20.0, 50.0, 300.0, 2000.0], [1.0, 1.0, 0.8, 3.0], "log")
+    found = level_deviation(measured, FLAT, 2.0, 0.5)
+    assert (found.most, found.f_most) == (pytest.approx(3.0), 2000.0)
+    assert (found.least, found.f_least) == (pytest.approx(0.8), 300.0)
 
 
 def test_what_was_not_measured_is_below():
