@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
-from flexcli.formulas.profile import Tabulated
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
 from flexcli.mechanics.layout import Load
 from flexcli.mechanics.linear_buckling import linear_critical
@@ -513,8 +512,6 @@ def _across_hinges(
     unsure = _unevenly_sprung(joint, acting, stresses, rest)
     if unsure is None or known is None or any(not state.loads for state in groups):
         return Told(rest, None)
-    if any(_is_taper(blade) for blade in joint.layout.blades):
-        return Told(rest, None)  # how a taper spreads its stress across nobody has compared
     least, most = 0.0, 1.0
     # with all loads the other way it is its own mirror image
     for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
@@ -684,10 +681,6 @@ def _of_hinge(blade: SpaceBlade | SpaceRod) -> ErrorRange | None:
     """Return the relative error of the stress of a blade's section where it is a hinge."""
     error = hinge_error(blade)
     return None if error is None else ErrorRange(*error)
-
-
-def _is_taper(blade: SpaceBlade | SpaceRod) -> bool:
-    return isinstance(blade, SpaceBlade) and isinstance(blade.profile, Tabulated)
 
 
 def _warped(stresses: list[BladeStress], most: float) -> float:

@@ -151,9 +151,7 @@ def test_hinges_are_judged_at_a_stroke_by_beams_of_varying_thickness(kind, tmp_p
         assert stiffness("1 mm", wanted).verdict.value == verdict
 
 
-@pytest.mark.parametrize(("stroke", "verdict"), [("0.3 mm", "pass"), ("1 mm", "undecided")])
-def test_a_taper_that_bends_far_was_not_compared_and_decides_nothing(tmp_path, stroke, verdict):
-    text = """
+TAPERS = """
 flexure: 1
 material: {youngs_modulus: 200 GPa, yield_strength: 1800 MPa, poisson_ratio: 0.3}
 geometry:
@@ -170,9 +168,23 @@ cases: {operation: {stroke: {translation: STROKE}}}
 requirements:
   support: {direction: z, min: 1 N/m, at: full-stroke}
 """
-    found = checked(text.replace("STROKE", stroke), tmp_path)
+
+
+@pytest.mark.parametrize(("stroke", "verdict"), [("0.3 mm", "pass"), ("1 mm", "undecided")])
+def test_a_taper_that_bends_far_was_not_compared_and_decides_nothing(tmp_path, stroke, verdict):
+    found = checked(TAPERS.replace("STROKE", stroke), tmp_path)
     (support,) = (c for c in found.checks if c.name.startswith("support"))
     assert support.verdict.value == verdict
+
+
+def test_a_load_across_tapers_beside_their_stroke_is_judged_as_solids_tell(tmp_path):
+    text = TAPERS.replace("STROKE}", "1 mm}, wrench: {z: 5 N}")
+    text = text.split("requirements:")[0] + "requirements: {yield: ASKED}\n"
+    check = only(checked(text.replace("ASKED", "1.5"), tmp_path))
+    assert check.verdict.value == "pass"
+    low, high = check.factor_range
+    for asked, verdict in ((0.99 * low, "pass"), (1.01 * low, "undecided"), (1.01 * high, "fail")):
+        assert only(checked(text.replace("ASKED", f"{asked}"), tmp_path)).verdict.value == verdict
 
 
 def test_a_ratio_and_a_design_without_stroke_are_findings(tmp_path):

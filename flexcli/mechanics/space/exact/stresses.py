@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.formulas.profile import Filleted, Notch
 from flexcli.formulas.torsion_section import shear_factor, warping
 from flexcli.mechanics.space.exact.beams import Beams
 from flexcli.mechanics.space.exact.blade import along
@@ -37,10 +38,10 @@ _ENDS = np.array([-1.0, 1.0])
 _STILL = 1e-6
 """Of the largest ds/du on a segment, the least that is divided by."""
 
-_THICK = 4.0
-"""Thickness over the least of a blade from which on its stress is none of the largest: that of a
-force past a throat is so where it is twice as thick. There the slope of warping is lost in its
-digits."""
+_THICK = 2.5
+"""Thickness over the least of a notch or a blade with fillets from which on its stress is none of
+the largest: that of a force past a throat is so where it is twice as thick. Where its faces stand
+up, the slope of warping is lost in its digits."""
 
 
 class BladeStress(NamedTuple):
@@ -113,7 +114,8 @@ def largest_added(state: SpaceEquilibrium, before: SpaceEquilibrium) -> float:
     each = zip(state.layout.blades, section_states(state), section_states(before), strict=True)
     for blade, now, then in each:
         assert isinstance(blade, SpaceBlade)
-        thin = now.h <= _THICK * now.h.min()
+        steep = isinstance(blade.profile, Notch | Filleted)
+        thin = now.h <= (_THICK if steep else np.inf) * now.h.min()
         more = SectionStates(*(np.subtract(now, then)[:, thin]))
         s, h = now.s[thin], now.h[thin]
         torsion = twisted(blade, h, more.warps, more.turns, more.slope)
