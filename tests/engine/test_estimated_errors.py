@@ -2,9 +2,11 @@
 
 import numpy as np
 import pytest
+import yaml
 from geometries_for_tests import MATERIAL
 from strategies import crossed, design, rcc, stage
 
+import flexcli
 from flexcli.engine.check import check
 
 DESIGNS = 30
@@ -67,3 +69,27 @@ def test_what_is_given_has_no_error_and_what_nobody_estimates_has_none():
     values = check(one, one.fixed_sizes(), "spec").values
     assert values["h"].estimated_error == 0.0
     assert values["k_pivot"].estimated_error > 0.0
+
+
+@pytest.mark.parametrize("model", ["closed-form", "linear"])
+@pytest.mark.parametrize("kind", ["rcc", "cross-spring"])
+def test_the_amplitude_of_an_uneven_stroke_is_in_the_range_of_cheaper_models(kind, model):
+    """What both ways of a crossed pivot do unevenly adds to one end of the stroke, not to both."""
+    place = {"rcc": {"p": "76 mm"}, "cross-spring": {"delta": -0.3}}[kind]
+    sizes = {"half_angle": "62 deg", "h": "0.07 mm", "l": "39 mm", "b": "4 mm"}
+    text = yaml.safe_dump(
+        {
+            "flexure": 1,
+            "material": {
+                "youngs_modulus": "70 GPa", "poisson_ratio": 0.0, "tensile_strength": "1.3 GPa",
+                "fatigue_amplitude": {"value": "600 MPa", "cycles": 1e7, "stress_ratio": -1},
+            },
+            "geometry": {"kind": kind, **place, **sizes},
+            "cases": {"c": {"stroke": {"rotation": ["-3 mrad", "10 mrad"], "cycles": 1e7}}},
+            "requirements": {"fatigue": {"factor": 1.5, "mean_stress": "none"}},
+        }
+    )  # fmt: skip
+    (plain,), (exact,) = (flexcli.verdicts(text, model=name).checks for name in (model, "exact"))
+    low, high = plain.factor_range
+    assert low <= exact.factor_range[1]
+    assert high >= exact.factor_range[0]

@@ -18,6 +18,16 @@ if TYPE_CHECKING:
 
 __all__ = ["Corrected"]
 
+GROWS = frozenset(
+    {
+        EffectName.LARGE_ROTATION,
+        EffectName.BLADE_TENSION,
+        EffectName.AXIAL_EXTENSION,
+        EffectName.ANTICLASTIC,
+    }
+)
+"""Effects whose corrections of a stress grow with the travel."""
+
 LEAST = 1e-300
 """Stress over which none is divided [Pa]."""
 
@@ -186,6 +196,8 @@ class Corrected(JointModel):
     def _beside_stroke(self, ask: Ask) -> ErrorRange | None:
         """Return what of a stress is not the stroke's: of a force beside it, of blades' weight."""
         scene, found = ask.scene, ErrorRange(0.0, 0.0)
+        if scene.moves and scene.mean_travel:
+            found += self._of_nearer_end(ask)
         if scene.push and scene.mean_travel:
             factor = self._factor(ask, QuantityKind.STRESS)
             found = ErrorRange(smaller(1.0 / larger(factor, 1.0) - 1.0, 0.0), 0.0)
@@ -204,6 +216,20 @@ class Corrected(JointModel):
         _, stresses = self.inner.stresses(ask)
         most = larger(LEAST, *(stress.largest for stress in stresses))
         return found + ErrorRange(-added / most, added / most)
+
+    def _of_nearer_end(self, ask: Ask) -> ErrorRange:
+        """Return what corrections that grow with the travel do not do at its nearer end.
+
+        They are of the end that is farther from rest. The amplitude is between both ends: a term
+        that is of the square of the travel, as the two ways of an uneven joint, cancels there.
+        """
+        found = ErrorRange(0.0, 0.0)
+        for effect in self._added(_setting(ask)):
+            change = self._changes(ask, effect).get(QuantityKind.STRESS)
+            if effect.name in GROWS and change is not None and change.value:
+                undone = 1.0 / (1.0 + change.value) - 1.0
+                found += ErrorRange(smaller(undone, 0.0), larger(undone, 0.0))
+        return found
 
     def _left(
         self,
