@@ -9,7 +9,14 @@ from flexcli.formulas.profile import per_design
 from flexcli.mechanics.layout import Blade, Layout, Load
 from flexcli.mechanics.mesh import column
 
-__all__ = ["POINTS", "HeldBlade", "blade_places", "held_blade", "weights_on_bodies"]
+__all__ = [
+    "POINTS",
+    "HeldBlade",
+    "blade_places",
+    "direction",
+    "held_blade",
+    "weights_on_bodies",
+]
 
 Floats = NDArray[np.float64]
 

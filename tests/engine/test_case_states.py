@@ -292,3 +292,31 @@ def test_no_ends_hold_a_stage_against_a_force_along_its_stroke(ends, load):
     for joint_model in (AS_PRINTED, LinearModel(), ExactModel()):
         found = largest(geometry, case, joint_model, PAYLOAD if "acceleration" in load else None)
         assert found == pytest.approx(1.5 * 5e-3 * L / (B * H**2), rel=5e-3)
+
+
+@pytest.mark.parametrize("ends", ["clamped-clamped", "pinned-pinned", "clamped-guided"])
+def test_no_ends_hold_a_pivot_against_the_moment_that_turns_it(ends):
+    """Its stress is that of the turn by its stiffness, as without ends."""
+    geometry = crossed(delta=-0.5, **SIZES)
+    case = {"wrench": {"theta_z": "1e-4 N*m"}}
+    for joint_model in (AS_PRINTED, LinearModel(), ExactModel()):
+        held, free = (
+            largest(geometry, {**case, **more}, joint_model) for more in ({"ends": ends}, {})
+        )
+        assert held == pytest.approx(free, rel=1e-9)
+        assert held > 1e6
+
+
+def test_a_blade_held_along_itself_has_no_linear_stress_where_it_swings_far():
+    """Its end moves by several thicknesses: what that stretches bears most of the force."""
+    geometry = {"kind": "moment-blade", "h": "47 um", "l": "12.5 mm", "b": "2.6 mm"}
+    case = {"ends": "pinned-pinned", "wrench": {"y": "15 mN"}}
+    ask = asked(geometry, case, LinearModel())
+    assert LinearModel().error(ask, QuantityKind.STRESS) is None
+    linear, exact = (largest(geometry, case, each) for each in (LinearModel(), ExactModel()))
+    assert exact < 0.5 * linear
+    near = asked(geometry, {**case, "wrench": {"y": "0.05 mN"}}, LinearModel())
+    error = LinearModel().error(near, QuantityKind.STRESS)
+    small = {**case, "wrench": {"y": "0.05 mN"}}
+    ratio = largest(geometry, small, ExactModel()) / largest(geometry, small, LinearModel()) - 1.0
+    assert error.low <= ratio <= error.high

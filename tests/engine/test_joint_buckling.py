@@ -1,6 +1,6 @@
 """Buckling of a joint: three models answer one question, at the motion and in the sense asked."""
 
-from math import pi, sqrt
+from math import cos, pi, radians, sqrt
 
 import numpy as np
 import pytest
@@ -179,7 +179,7 @@ def test_a_pivot_on_hinges_has_blades_of_unchanged_length_at_its_stroke():
     force = alone * (cosines**2).sum() / cosines.max()
     found, _ = critical(ExactModel(), CROSSED, "pinned-pinned", 180, stroke={"rotation": "0.3 rad"})
     # what a strut's own strain and shear change
-    assert found == pytest.approx(force, rel=2e-3)
+    assert found == pytest.approx(force, rel=1.2e-2)
 
 
 @pytest.mark.parametrize("model", ["closed-form", "linear", "exact"])
@@ -236,3 +236,16 @@ ends: clamped-pinned
 requirements: {buckling: 2}
 """)
     assert {check.verdict.value for check in found.checks} <= {"pass", "undecided", "not judged"}
+
+
+@pytest.mark.parametrize("joint_model", [LinearModel(), ExactModel()])
+def test_thick_blades_on_hinges_share_a_force_as_bars_of_a_truss(joint_model):
+    """F/(2 cos α) in each, of which clamped ends take 6 % where h = l/10: π² EI/l² less shear."""
+    geometry = {"kind": "rcc", "p": "0 mm", "half_angle": "68 deg", "h": "6.9 mm", "l": "69 mm",
+                "b": "15.5 mm"}  # fmt: skip
+    found, _ = critical(joint_model, geometry, "pinned-pinned", 180)
+    h, l, b = 6.9e-3, 69e-3, 15.5e-3
+    euler = pi**2 * 210e9 * b * h**3 / 12.0 / l**2
+    sheared = euler / (1.0 + euler * 1.2 / (80.8e9 * b * h))
+    force = 2.0 * cos(radians(68.0)) * sheared
+    assert found == pytest.approx(force, rel=1.2e-2)

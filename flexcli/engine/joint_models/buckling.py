@@ -17,6 +17,7 @@ from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Blade, Body, Layout, Load
 from flexcli.mechanics.linear_buckling import LinearCritical, linear_critical
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.own_weight import blade_places, direction
 from flexcli.mechanics.stability import Critical as Reached
 from flexcli.mechanics.stability import critical_load, inertia_count_held
 from flexcli.mechanics.state import Equilibrium
@@ -237,13 +238,16 @@ def _linear_error(scene: PushScene, found: LinearCritical) -> ErrorRange | None:
 
 
 def _hinged(scene: PushScene, effects: Effects, held: Held) -> LinearCritical:
-    """Return the critical factor of blades hinged at both ends, one of which buckles alone."""
+    """Return the critical factor of blades hinged at both ends, one of which buckles alone.
+
+    On hinges they bear no moment: they share the force as the bars of a truss do.
+    """
     layout = scene.layout
     if len(layout.bodies) > 1 or layout.supports:
         raise NotAvailable("would fall apart on hinges: its bodies are held by clamped blades")
     whole = linear_critical(layout, held, scene.pattern, effects=blades_of(layout, effects))
-    least = inf
-    for blade, tension in zip(layout.blades, whole.tensions, strict=True):
+    least, tensions, stress = inf, *_of_truss(scene, held)
+    for blade, tension in zip(layout.blades, tensions, strict=True):
         if tension < 0.0:
             strut = _strut(blade, layout)
             ends: Held = {"base": (0.0, 0.0, None), "body": (None, 0.0, None)}
@@ -252,8 +256,34 @@ def _hinged(scene: PushScene, effects: Effects, held: Held) -> LinearCritical:
             least = min(least, alone.factor / -float(tension))
     whole.mode[:] = 0.0
     return LinearCritical(
-        least, whole.most, whole.tensions, whole.strain, whole.stress, 0.0, 0.0, whole.mode
+        least, whole.most, tensions, stress / float(layout.E), stress, 0.0, 0.0, whole.mode
     )
+
+
+def _of_truss(scene: PushScene, held: Held) -> tuple[Floats, float]:
+    """Return the axial forces of blades on hinges under the unit force, and the largest stress.
+
+    By their stiffness E b/∫ds/h, since what is held of the body may take a share.
+    """
+    layout = scene.layout
+    body, (load,) = layout.body(MOVING), scene.pattern
+    free = [i for i, each in enumerate(held[MOVING]) if each is None]
+    rates, stiffness, areas = [], [], []
+    for blade in layout.blades:
+        c, s = (float(each[0]) for each in direction(blade))
+        l = float(np.hypot(*np.subtract(blade.end, blade.start)))
+        end, sense = (blade.end, 1.0) if blade.second == MOVING else (blade.start, -1.0)
+        x, y = (float(at - of) for at, of in zip(end, body.point, strict=True))
+        rates.append([sense * c, sense * s, sense * (s * x - c * y)])
+        along, h = (np.ravel(each) for each in blade_places(blade, l))
+        softness = np.sum(np.diff(along) * (1.0 / h[1:] + 1.0 / h[:-1]) / 2.0)
+        stiffness.append(float(layout.E * blade.b / softness))
+        areas.append(float(blade.b * h.min()))
+    R, k = np.array(rates)[:, free], np.array(stiffness)
+    force = np.array([*load.force, 0.0], dtype=np.float64)[free]
+    moved = np.linalg.lstsq((R.T * k) @ R, force, rcond=None)[0]
+    tensions = k * (R @ moved)
+    return tensions, float(np.max(np.abs(tensions) / np.array(areas)))
 
 
 def _strut(blade: Blade, layout: Layout) -> Layout:

@@ -15,6 +15,9 @@ __all__ = ["FREE", "driven_axis", "held_at_rest", "held_by_stroke", "hold_of"]
 
 FREE = Hold(across=False, turn=False)
 
+TURNING = 5
+"""Component of a wrench that drives a rotation."""
+
 
 def hold_of(scene: Scene) -> Hold:
     """Return what the ends or the lock of a case hold of the body."""
@@ -22,8 +25,9 @@ def hold_of(scene: Scene) -> Hold:
         return Hold(across=False, turn=True)
     held = FREE if scene.ends is None else ENDS[scene.ends]
     if not scene.forces and scene.temperature is None:
-        # a force along the stroke alone, which the ends do not bear
-        held = held._replace(across=False)
+        # a force or a moment along the stroke alone, which the ends do not bear
+        pushed = scene.drive == TURNING and scene.push > 0.0
+        held = held._replace(across=False, turn=held.turn and not pushed)
     return held
 
 

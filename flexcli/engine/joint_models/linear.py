@@ -11,15 +11,16 @@ from flexcli.engine.joint_models.blade_weight import BladeWeights, forced_stress
 from flexcli.engine.joint_models.buckling import linear_critical_forces
 from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.engine.joint_models.face_stress import worst_of_stroke
-from flexcli.engine.joint_models.holds import driven_axis
+from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import blades_of, layout_of, of_case
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE, covered
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.demand import Held
-from flexcli.mechanics.layout import Layout, Load
+from flexcli.mechanics.layout import Layout, Load, Number
 from flexcli.mechanics.linear import NODES, LinearSolution, linear
 from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.own_weight import blade_places, direction
 from flexcli.numerics.rows import all_of_each, isfinite, larger, largest_of_each, of_each, states_of
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
@@ -42,6 +43,12 @@ LEVELS = (16, NODES, 36, 54, 81, 122)
 
 SETTLED = 1e-9
 """Change from level to level at which it does [-]."""
+
+STRETCH = 0.35, 1.2
+"""Twice what an end's motion across a blade over its thickness changes, first and second order."""
+
+KNOWN = 0.3
+"""Change above which no order tells it."""
 
 LEAST = 1e-300
 """Stress over which none is divided [Pa]."""
@@ -155,13 +162,41 @@ class LinearModel(JointModel):
             faces = {"left": states_of(axial - bending), "right": states_of(axial + bending)}
             most = larger(most, *(largest_of_each(np.abs(face)) for face in faces.values()))
             stresses.extend(worst_of_stroke(ask, blade.name, faces))
-        return stresses, 0.0 if weights is None else off / larger(most, LEAST)
+        found_off = 0.0 if weights is None else off / larger(most, LEAST)
+        if hold_of(ask.scene).across and ask.scene.is_loaded and not ask.scene.moves:
+            found_off = found_off + _by_stretching(found)
+        return stresses, found_off
 
     def _solved(self, layout: Layout, held: Held, loads: Sequence[Load], nodes: int) -> "_State":
         blades = blades_of(layout, self.effects)
         found = linear(layout, held, loads=loads, effects=blades, nodes=nodes)
         _refuse_several(found)
         return _State(layout, found.motions, found.end_forces)
+
+
+def _by_stretching(found: "_State") -> Number:
+    """Return what stretching changes of the stress of a blade whose end is held along it.
+
+    By w/h, its end's motion across it over its thickness: the stretch w²/2l² pulls the blade,
+    which bears a share of 6 (w/h)²/10 of what bends it, and stresses it by w/6h of its bending.
+    """
+    layout, most = found.layout, np.zeros(len(found.motions))
+    bodies = [body.name for body in layout.bodies]
+    for blade in layout.blades:
+        c, s = direction(blade)
+        swing = np.zeros(len(found.motions))
+        for name, at, sense in ((blade.first, blade.start, -1.0), (blade.second, blade.end, 1.0)):
+            if name not in bodies:
+                continue
+            index = bodies.index(name)
+            x, y, phi = found.motions[:, index].T
+            arm = [a - p for a, p in zip(at, layout.bodies[index].point, strict=True)]
+            swing = swing + sense * (c * (y + phi * arm[0]) - s * (x - phi * arm[1]))
+        _, h = blade_places(blade, np.hypot(*np.subtract(blade.end, blade.start)))
+        most = np.maximum(most, np.abs(swing) / np.min(h, axis=-1))
+    share = largest_of_each(states_of(most[:, None]))
+    change = share * (STRETCH[0] + STRETCH[1] * share)
+    return change if change < KNOWN else inf
 
 
 class _State(NamedTuple):
