@@ -324,9 +324,10 @@ def _may_turn_aside(joint: SpaceJoint, scene: Scene) -> bool:
     states = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
     for signs in product((1.0, -1.0), repeat=len(states)):
         both = combined(states, list(signs)) if states else None
-        if both is None or width_error(joint.assembly, both.moved.forces[:, 0]) < ROUGH:
+        more = 0.0 if both is None else width_error(joint.assembly, both.moved.forces[:, 0])
+        if both is None or more < ROUGH:
             continue
-        if both.following().buckling > SOFTENED:
+        if both.following().buckling * max(SOFTENED * (1.0 + more), 1.0) > SOFTENED:
             return True
     return False
 

@@ -13,14 +13,19 @@ import numpy as np
 
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.formulas.quantity import Computed
+from flexcli.mechanics.space.layout import SpaceBlade
 from flexcli.mechanics.space.linear import SpaceAssembly
+from flexcli.mechanics.space.states import action
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements import Ask, CriticalShare, EndStress, JointModel
+from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_of
 from flexcli.parts.space_states import (
+    SOFTENED,
     Place,
     Told,
+    acting_groups,
     motions,
     own_frequency,
     sag,
@@ -33,6 +38,9 @@ if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["SpaceLinearModel"]
+
+WIDE = 1.5
+"""Width over length up to which straight beams stand no more than a third beyond what blades do."""
 
 
 class SpaceLinearModel(JointModel):
@@ -115,8 +123,9 @@ class SpaceLinearModel(JointModel):
         scene, joint = ask.scene, _joint(ask)
         if scene.temperature is not None or not joint.is_uniform or ask.geometry.is_guided:
             raise NotAvailable("has no linear model of what buckles it")
+        sure = _borne_by_wide_blades(joint, scene, ask.most_share)
         return tuple(
-            CriticalShare(share, scene.hold, ErrorRange(least / share - 1.0, inf))
+            CriticalShare(share, scene.hold, ErrorRange(least * sure / share - 1.0, inf))
             for share, least in straight_shares(joint, scene, ask.most_share)
         )
 
@@ -143,6 +152,19 @@ def _joint(ask: Ask) -> SpaceJoint:
 
 def _stiffness(assembly: SpaceAssembly) -> float:
     return float(assembly.moved(travel=np.ones(1)).drive[0])
+
+
+def _borne_by_wide_blades(joint: SpaceJoint, scene: Scene, most: float) -> float:
+    """Return the share of a load up to which beams surely stand that very wide blades bear."""
+    members = zip(joint.layout.blades, joint.assembly.members, strict=True)
+    if not any(isinstance(x, SpaceBlade) and x.b > WIDE * member.l for x, member in members):
+        return 1.0
+    # beams at strokes are for them alone
+    from flexcli.engine.joint_models.space_errors import width_error
+
+    forces = [action(joint.assembly, each).moved.forces for each in acting_groups(joint, scene)]
+    more = width_error(joint.assembly, most * np.sum(np.abs(forces), axis=0)[:, 0])
+    return 1.0 / max(SOFTENED * (1.0 + more), 1.0)
 
 
 def _shift(ask: Ask) -> Told:
