@@ -316,7 +316,8 @@ class _Series:
         for model in self.models[first:]:
             doing(f"{requirement.label}, {scene.case}, by the {model.name} model")
             started = perf_counter()
-            if best and not model.may_tell_more(requirement, scene, self.sizes):
+            ask = self.design.ask(scene, self.sizes, model.joint_model) if best else None
+            if ask is not None and not model.may_tell_more(requirement, ask):
                 continue
             buckled: Buckled | None = None
             try:

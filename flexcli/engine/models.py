@@ -7,9 +7,7 @@ from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import MODEL_EFFECTS
-from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, JointModel, Requirement
-from flexcli.parts.scene import Scene
+from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Ask, JointModel, Requirement
 
 __all__ = ["MODEL_SERIES", "NamedModel", "model_series", "series_of"]
 
@@ -34,7 +32,7 @@ class NamedModel:
 
         return OutOfPlane(planar)
 
-    def may_tell_more(self, requirement: Requirement, scene: Scene, sizes: Sizes) -> bool:
+    def may_tell_more(self, requirement: Requirement, ask: Ask) -> bool:
         """Return whether it may decide what those before it left open.
 
         In a joint of the plane shells judge little. A load that buckles blades whose errors nobody
@@ -42,7 +40,6 @@ class NamedModel:
         """
         if self.name == "shell" and not self.design.geometry.in_space:
             return requirement.by_shells
-        ask = self.design.ask(scene, sizes, self.joint_model)
         return requirement.may_be_decided(ask)
 
 

@@ -338,3 +338,10 @@ def test_a_kinematic_mount_is_sized_for_the_cold():
     )
     short = TANGENTIAL.replace("{free: [8 mm, 60 mm]}", f"{0.95 * l!r} m")
     assert flexcli.check(short).status is not Status.PASS
+
+
+def test_models_after_the_first_are_asked_of_a_drawing_as_it_is_drawn():
+    text = GUIDED.format(**RANGES).replace("model: linear\n", "")
+    design = flexcli.load(text).part
+    at = design.geometry.sized({"l": 50e-3, "h": 0.4e-3})
+    assert judged_at(design, at, model_series(design)).used
