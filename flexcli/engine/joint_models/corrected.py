@@ -1,6 +1,6 @@
 """A model with corrections for effects that it does not carry itself: each by its formula, once."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from flexcli.engine.joint_models.remembered import Remembered
@@ -196,8 +196,10 @@ class Corrected(JointModel):
     def _beside_stroke(self, ask: Ask) -> ErrorRange | None:
         """Return what of a stress is not the stroke's: of a force beside it, of blades' weight."""
         scene, found = ask.scene, ErrorRange(0.0, 0.0)
-        if scene.moves and scene.mean_travel:
+        if scene.moves:
             found += self._of_nearer_end(ask)
+        if scene.push:
+            found += self._of_pushed_travel(ask)
         if scene.push and scene.mean_travel:
             factor = self._factor(ask, QuantityKind.STRESS)
             found = ErrorRange(smaller(1.0 / larger(factor, 1.0) - 1.0, 0.0), 0.0)
@@ -220,16 +222,34 @@ class Corrected(JointModel):
     def _of_nearer_end(self, ask: Ask) -> ErrorRange:
         """Return what corrections that grow with the travel do not do at its nearer end.
 
-        They are of the end that is farther from rest. The amplitude is between both ends: a term
-        that is of the square of the travel, as the two ways of an uneven joint, cancels there.
+        They are of the end at which the stress is largest. The amplitude is between both ends: a
+        term that is of the square of the travel, as the two ways of an uneven joint, cancels there.
+        Of ends that are alike nothing is less.
+        """
+        found, is_even = ErrorRange(0.0, 0.0), not ask.scene.mean_travel
+        for change in self._growing(ask):
+            undone = 1.0 / (1.0 + (change.value or 0.0)) - 1.0
+            more = 0.0 if is_even else larger(undone, 0.0)
+            found += ErrorRange(smaller(undone, 0.0), more)
+        return found
+
+    def _of_pushed_travel(self, ask: Ask) -> ErrorRange:
+        """Return what a travel by a force may change of its stress, either way.
+
+        Corrections are of a travel that is given; a force that moves the joint as far has other
+        moments by as much.
         """
         found = ErrorRange(0.0, 0.0)
+        for change in self._growing(ask):
+            found += ErrorRange(-abs(change.value or 0.0), abs(change.value or 0.0))
+        return found
+
+    def _growing(self, ask: Ask) -> Iterator[Change]:
+        """Yield what effects that grow with the travel correct of a stress."""
         for effect in self._added(_setting(ask)):
             change = self._changes(ask, effect).get(QuantityKind.STRESS)
-            if effect.name in GROWS and change is not None and change.value:
-                undone = 1.0 / (1.0 + change.value) - 1.0
-                found += ErrorRange(smaller(undone, 0.0), larger(undone, 0.0))
-        return found
+            if effect.name in GROWS and change is not None:
+                yield change
 
     def _left(
         self,
