@@ -331,7 +331,7 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
         return None
     along = motion_along(axes_about_z(ask.geometry.axes))
     body = joint.layout.body(joint.layout.drive.body)
-    if joint.is_uniform and not ask.geometry.is_guided:
+    if joint.is_uniform and not ask.geometry.is_guided and not joint.layout.springs:
         acting = Acting(0.0, along.T @ load, body.point, np.zeros(3))
         row = sought @ along @ joint.assembly.motion(body.name, body.point)
         state = action(joint.assembly, acting)

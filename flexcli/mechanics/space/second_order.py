@@ -232,7 +232,7 @@ def _blades(assembly: SpaceAssembly, found: Moved, warmth: float = 0.0) -> list[
     """Return the blades in a linear state, of one column."""
     q = found.coordinates[:, 0]
     motions = [_of_body(assembly, q, i) for i in range(len(assembly.layout.bodies))]
-    forces = found.forces[:, 0].reshape(-1, 6)
+    forces = found.forces[: 6 * len(assembly.members), 0].reshape(-1, 6)  # springs follow
     return [_Quadratic(assembly, k, motions, own, warmth) for k, own in enumerate(forces)]
 
 
