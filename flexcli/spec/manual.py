@@ -23,7 +23,7 @@ ITEM = "[]"
 """Step of a path into a list."""
 SECTIONS = ("requirements", "cases", "size", "balance", "effects")
 """Sections whose keys are explained on their own."""
-ALONE = ("min", "max", "equals")
+ALONE = ("min", "max", "equals", "minimize", "maximize")
 """Keys that exclude those of the example around them."""
 
 
