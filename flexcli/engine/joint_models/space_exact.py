@@ -561,6 +561,8 @@ def section_peaks(blade: BladeStress) -> Floats:
     It has the sign of the normal stress; the shape is (places, 6), for a rod (places, 4).
     """
     faces = np.stack([blade.axial + side * blade.bend_thin for side in (1.0, -1.0)], axis=-1)
-    sheared = equivalent(faces, blade.shear[:, None] * np.ones(2))
-    signed = np.where(faces < 0.0, -sheared, sheared)
-    return np.concatenate([blade.corner, signed], axis=1)
+    normal = np.concatenate([blade.corner, faces], axis=1)
+    corners, sides = np.ones(blade.corner.shape[1]), np.ones(2)
+    shear = np.concatenate([np.outer(blade.edge * blade.shear, corners),
+                            np.outer(blade.shear, sides)], axis=1)  # fmt: skip
+    return np.asarray(np.copysign(equivalent(normal, shear), normal))

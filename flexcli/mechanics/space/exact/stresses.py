@@ -51,7 +51,8 @@ class BladeStress(NamedTuple):
     thickness and across the width (for a rod, of both together in the first), ``warping`` that of
     restrained warping and ``fibres`` that of the long fibres at the corners; ``corner``
     (places, 4) is their sum, with its sign, at the corners (+y +z), (+y −z), (−y +z), (−y −z), for
-    a rod the two extremes. ``shear`` is that of torsion at the faces, clamps excepted.
+    a rod the two extremes. ``shear`` is that of torsion at the faces, clamps excepted; ``edge`` is
+    the share of it beside the corners: all but a thickness of the edge of a thin section.
     """
 
     name: str
@@ -63,6 +64,7 @@ class BladeStress(NamedTuple):
     fibres: Floats
     corner: Floats
     shear: Floats
+    edge: Floats
 
 
 class SectionStates(NamedTuple):
@@ -204,6 +206,7 @@ def _of_section(
             fibres=fibres,
             corner=(N / A + fibres)[:, None] + bent[:, None] * np.array([1.0, -1.0]),
             shear=np.abs(G * tau) * blade.sheared,
+            edge=none,  # its faces are all around
         )
     b = blade.b
     thin, wide = M_z * 6.0 / (b * h**2), M_y * 6.0 / (h * b**2)
@@ -224,4 +227,5 @@ def _of_section(
         fibres=fibres,
         corner=corner + warped[:, None] * y * z,
         shear=G * np.minimum(h, b) * np.abs((shear_factor(h, b) - 0.5) * at.warps + 0.5 * tau),
+        edge=1.0 - np.minimum(h, b) / np.maximum(h, b),
     )
