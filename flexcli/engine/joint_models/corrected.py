@@ -182,7 +182,11 @@ class Corrected(JointModel):
         if kind is QuantityKind.STRESS:
             beside = self._beside_stroke(ask)
             left = self._left(ask, kind, found)
-            return None if left is None or beside is None else left + beside
+            if left is None or beside is None:
+                return None
+            # of the corrected stress, whatever the corrections leave
+            low, high = ((1.0 + a) * (1.0 + b) - 1.0 for a, b in zip(left, beside, strict=True))
+            return ErrorRange(low, high)
         if kind is not QuantityKind.SAG or not ask.scene.sags:
             return self._left(ask, kind, found)
         from flexcli.parts.space_states import beyond_linear_sag
@@ -196,7 +200,7 @@ class Corrected(JointModel):
     def _beside_stroke(self, ask: Ask) -> ErrorRange | None:
         """Return what of a stress is not the stroke's: of a force beside it, of blades' weight."""
         scene, found = ask.scene, ErrorRange(0.0, 0.0)
-        if scene.moves:
+        if scene.moves and scene.has_plane:
             found += self._of_nearer_end(ask)
         if scene.push:
             found += self._of_pushed_travel(ask)
@@ -224,14 +228,14 @@ class Corrected(JointModel):
 
         They are of the end at which the stress is largest. The amplitude is between both ends: a
         term that is of the square of the travel, as the two ways of an uneven joint, cancels there.
-        Of ends that are alike nothing is less.
+        Of ends that are alike nothing is less; bars in torsion have no two ways.
         """
-        found, is_even = ErrorRange(0.0, 0.0), not ask.scene.mean_travel
+        low, high, is_even = 1.0, 1.0, not ask.scene.mean_travel
         for change in self._growing(ask):
-            undone = 1.0 / (1.0 + (change.value or 0.0)) - 1.0
-            more = 0.0 if is_even else larger(undone, 0.0)
-            found += ErrorRange(smaller(undone, 0.0), more)
-        return found
+            factor = 1.0 + (change.value or 0.0)
+            low /= larger(factor, 1.0)
+            high /= 1.0 if is_even else smaller(factor, 1.0)
+        return ErrorRange(low - 1.0, high - 1.0)
 
     def _of_pushed_travel(self, ask: Ask) -> ErrorRange:
         """Return what a travel by a force may change of its stress, either way.
