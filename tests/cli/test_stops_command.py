@@ -165,5 +165,5 @@ def test_ctrl_c_keeps_what_was_done_and_a_terminal_sees_how_far_it_is(spec, tmp_
     assert process.returncode == 1
     (run,) = document["stops"]["simulations"]
     assert 0.0 < run["duration"] < run["planned"]
-    assert 0.0 < run["confidence"] < 0.01
+    assert 0.0 < run["confidence"] < 0.1
     assert "interrupted" in [note["code"] for note in document["warnings"]]

@@ -225,9 +225,9 @@ def test_slopes_in_the_plane_are_those_of_whole_solutions_and_solve_nothing(monk
 
 @pytest.mark.slow
 def test_a_layout_is_sized_up_to_where_the_model_knows_its_error_and_says_so():
-    # the error of a support stiffness at a stroke is known up to b/l = 1.5
+    # the error of a support stiffness at a stroke is known up to b/l = 3
     text = GUIDED.format(**RANGES).replace("model: linear", "model: exact")
-    text = text.replace("b: 20 mm", "b: 60 mm")
+    text = text.replace("b: 20 mm", "b: 120 mm")
     asked = """requirements:
   frequency: {min: 35 Hz}
   support: {direction: z, min: 0.1 N/um, at: full-stroke}
@@ -235,8 +235,7 @@ def test_a_layout_is_sized_up_to_where_the_model_knows_its_error_and_says_so():
     kept = [line for line in text.splitlines(True) if not line.startswith("requirements")]
     found = flexcli.size("".join([*kept, asked]))
     assert sizes(found, "l") == pytest.approx([40e-3], rel=2e-4)
-    assert "no model knows the error" in found.sizing.certificate
-    assert "did-not-settle" in {note.code for note in found.warnings}
+    assert "some numbers have no known error" in found.sizing.certificate
 
 
 @pytest.mark.slow

@@ -58,7 +58,7 @@ BEYOND = {
         "no scaling with mass", "is in m, not", "is about$", "on exactly where", "what holds the",
         "needs the payload's inertia", "needs a mass", "needs masses", "needs the cycles",
         "the material has no", "needs material.poisson_ratio", "needs Poisson's ratio",
-        "no body to lock", "cannot be locked", "turns on pivots", "in N/m$", "in N.m/rad",
+        "no body to lock", "cannot be locked", "axial support that the spec", "turns on pivots", "in N/m$", "in N.m/rad",
         "in plain numbers", "stops hold a", "does not stand along", "sits on a cantilever",
         "contact has no stress", "motion of this joint", "is moved, not turned",
         "two forces or of two moments", "no closed form for",
