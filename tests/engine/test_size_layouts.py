@@ -296,7 +296,11 @@ def test_what_no_formula_tells_is_no_objective():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("example", ["folded-stage", "butterfly-pivot", "tripod-mount"])
+@pytest.mark.parametrize(
+    "example",
+    # thinner blades of the last buckle, where their strength ends by a jump
+    ["folded-stage", "butterfly-pivot", "tripod-mount", "kinematic-mount"],
+)
 def test_examples_that_leave_sizes_free_are_sized_to_pass(example):
     found = flexcli.size(EXAMPLES / example / "to-size.yaml")
     assert found.status is Status.PASS

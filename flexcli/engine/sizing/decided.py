@@ -47,6 +47,10 @@ STEEPEST = 1e3
 """A slope beyond any cliff of a response is one of a model that changed on the way."""
 
 
+STEEPEST = 100.0
+"""Largest power of a size by which a correction changes: a jump between two places has none."""
+
+
 class Place(NamedTuple):
     """A design, what each check uses there by the models that judge, and by the formulas.
 
@@ -182,7 +186,7 @@ def turned(slopes: Slopes, place: Place, there: Place, names: Iterable[str]) -> 
     for name in names:
         old = slopes.get(name, np.zeros(step.size))
         missed = there.correction(name) - place.correction(name) - float(old @ step)
-        new[name] = old + missed / float(step @ step) * step
+        new[name] = np.clip(old + missed / float(step @ step) * step, -STEEPEST, STEEPEST)
     return new
 
 

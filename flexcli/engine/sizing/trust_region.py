@@ -73,6 +73,9 @@ PENALTY = 2.0
 """Weight of the largest violation against the objective, in sums of the multipliers: above one,
 so that what is best together keeps what is asked."""
 
+UNHELD = 1.0
+"""Least price of a violation: of a choice that no limit holds, all that it breaks is unforeseen."""
+
 POOR, GOOD = 0.05, 0.7
 """Share of the promised gain below which a choice is not taken, above which the region grows."""
 
@@ -228,7 +231,8 @@ def _gains(
     said = _violation(promised, place, trial.equal)
     if trial.price == inf:
         return was - now, was - said
-    weight = PENALTY * trial.price
+    # a choice that no limit held may break one that no slope foresaw
+    weight = PENALTY * max(trial.price, UNHELD)
     if design.pursued is not None:
         before, after, told = (_most(place.pursued, shares) for shares in (old, used, promised))
         return before - after + weight * (was - now), before - told + weight * (was - said)
