@@ -93,3 +93,31 @@ def test_the_amplitude_of_an_uneven_stroke_is_in_the_range_of_cheaper_models(kin
     low, high = plain.factor_range
     assert low <= exact.factor_range[1]
     assert high >= exact.factor_range[0]
+
+
+@pytest.mark.parametrize("model", ["closed-form", "linear"])
+@pytest.mark.parametrize("method", ["swt", "goodman", "none"])
+def test_a_load_across_the_plane_may_change_the_amplitude_beside_its_mean(model, method):
+    """A small stroke beside a large load: the sum is sure of that, not of the amplitude."""
+    text = yaml.safe_dump(
+        {
+            "flexure": 1,
+            "material": {
+                "youngs_modulus": "114 GPa", "poisson_ratio": 0.45, "tensile_strength": "590 MPa",
+                "fatigue_amplitude": {"value": "297 MPa", "cycles": 1e7, "stress_ratio": -1},
+            },
+            "geometry": {"kind": "cross-spring", "delta": -0.5, "half_angle": "69.6 deg",
+                         "h": "0.069 mm", "l": "5.44 mm", "b": "0.26 mm"},
+            "cases": {"c": {"stroke": {"rotation": "8.3e-6 rad", "cycles": 1e7},
+                            "wrench": {"z": "-0.112 N"}}},
+            "requirements": {"fatigue": {"factor": 1.5, "mean_stress": method}},
+        }
+    )  # fmt: skip
+    plain, exact = (
+        next(c for c in flexcli.verdicts(text, model=name).checks if c.name == "fatigue")
+        for name in (model, "exact")
+    )
+    (low, high), (least, most) = plain.factor_range, exact.factor_range
+    assert low <= most
+    assert high >= least
+    assert exact.demand == pytest.approx(plain.demand, rel=0.3)

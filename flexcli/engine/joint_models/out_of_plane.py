@@ -33,6 +33,9 @@ UNKNOWN = ErrorRange(-1.0, inf)
 NARROW = 0.03
 """Width of the range of a sum from which on exact beams are asked whether they know better."""
 
+SWINGING = 0.06
+"""Width of an error of exact beams up to which they tell a stroke beside loads across it."""
+
 FINEST = ("exact", "shell")
 """Models beside which exact beams in space are no more than what was asked for."""
 
@@ -177,6 +180,17 @@ class OutOfPlane(JointModel):
         low = max(a * (1.0 + planar.low), b * (1.0 + error.low)) / (a + b) - 1.0
         return ErrorRange(low, (a * (1.0 + planar.high) + b * (1.0 + error.high)) / (a + b) - 1.0)
 
+    def amplitude_off(self, ask: Ask) -> float:
+        """Return what the error of the added stress may be of the stroke's: both act on each other.
+
+        A sum has a small error beside a large steady load, and that may be all of the amplitude.
+        """
+        scene = ask.scene
+        if not scene.across_by or scene.travel == 0.0 or self._beams(ask) is not None:
+            return 0.0
+        across, error = self._parts(ask).across
+        return 0.0 if error is None else abs(across) * error.largest
+
     def _whole(self) -> SpaceLinearModel:
         """Return the model of a mechanism that is judged in space alone."""
         if self._space is None:
@@ -194,10 +208,15 @@ class OutOfPlane(JointModel):
         summed = self._sum_error(ask)
         if summed is None:
             return (self._space,)
-        if summed.high - summed.low <= NARROW:
+        swings = ask.scene.travel > 0.0
+        if summed.high - summed.low <= NARROW and not swings:
             return (None,)
         whole = self._space.error(ask, QuantityKind.STRESS)
-        narrower = whole is not None and whole.high - whole.low < summed.high - summed.low
+        if whole is None:
+            return (None,)
+        width = whole.high - whole.low
+        # of a sum nobody knows what is the amplitude's
+        narrower = width < summed.high - summed.low or (swings and width <= SWINGING)
         return (self._space if narrower else None,)
 
     def _parts(self, ask: Ask) -> _Parts:

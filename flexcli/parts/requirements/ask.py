@@ -257,6 +257,10 @@ class JointModel(ABC):
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the name of the stress and its values wherever it may be largest."""
 
+    def amplitude_off(self, ask: Ask) -> float:
+        """Return by how much loads that are added may change the stress of the stroke [Pa]."""
+        return 0.0
+
     @abstractmethod
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
         """Return the forces on the joint, as the case's, that buckle it [N]."""

@@ -5,7 +5,7 @@ from typing import ClassVar, Literal
 
 from flexcli.formulas.fatigue import goodman_amplitude, swt_amplitude_squared
 from flexcli.formulas.quantity import Computed
-from flexcli.numerics.rows import is_of_many, number, smaller
+from flexcli.numerics.rows import is_of_many, larger, number, smaller
 from flexcli.parts.material import MissingProperty
 from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError
 from flexcli.parts.requirements.base import FactorRequirement, Limit
@@ -101,6 +101,9 @@ class Fatigue(FactorRequirement):
         """
         axial = stress.axial
         plain = all(isinstance(x, float) or is_of_many(x) for x in (axial, demand))
+        off = ask.joint_model.amplitude_off(ask)
+        if off > 0.0 and plain and demand > 0.0:
+            return self._beside_loads(stress, ask, strength, method, off)
         if not (ask.scene.directed and plain):
             return None
         if stress.is_at_face or axial <= 0.0 or demand <= 0.0:
@@ -113,6 +116,23 @@ class Fatigue(FactorRequirement):
         return known + ErrorRange(
             smaller((number(least) / demand) ** (1.0 / power) - 1.0, 0.0), 0.0
         )
+
+    def _beside_loads(
+        self, stress: EndStress, ask: Ask, strength: float, method: str, off: float
+    ) -> ErrorRange | None:
+        """Return the error of a demand of which the amplitude is off by a stress [Pa]."""
+        known = ask.joint_model.error(ask, QuantityKind.STRESS)
+        if known is None:
+            return None
+        demand, power = self._equivalent(stress, ask, strength, method)
+        size = number(abs(stress.amplitude))
+        ends = []
+        for amplitude in (larger(size - off, 0.0), size + off):
+            changed, _ = self._equivalent(
+                stress._replace(amplitude=amplitude), ask, strength, method
+            )
+            ends.append((number(changed) / number(demand)) ** (1.0 / power) - 1.0)
+        return known + ErrorRange(*ends)
 
     def _equivalent(
         self, stress: EndStress, ask: Ask, strength: float, method: str
