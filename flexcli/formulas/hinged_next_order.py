@@ -18,6 +18,12 @@ __all__ = [
 ]
 
 
+def _limb_turn(reach: Computed) -> Computed:
+    """Return the turn of a limb whose end has moved by a share of its length; NaN beyond one."""
+    with np.errstate(invalid="ignore"):
+        return np.arcsin(reach)
+
+
 def stage_turn_change(*, l: Quantity, x: Quantity) -> Computed:
     """Return the relative change that a large stroke makes to the turn and stress of the hinges.
 
@@ -43,7 +49,7 @@ def stage_turn_change(*, l: Quantity, x: Quantity) -> Computed:
     Kinematics of a parallelogram.
 
     """
-    return over_sine(np.arcsin(x / l)) - 1.0
+    return over_sine(_limb_turn(x / l)) - 1.0
 
 
 def stage_shift_change(*, l: Quantity, x: Quantity) -> Computed:
@@ -71,7 +77,7 @@ def stage_shift_change(*, l: Quantity, x: Quantity) -> Computed:
     Kinematics of a parallelogram, l(1 − cos ψ) over x²/(2l).
 
     """
-    return np.tan(np.arcsin(x / l) / 2.0) ** 2
+    return np.tan(_limb_turn(x / l) / 2.0) ** 2
 
 
 def pivot_turn_change(*, l: Numbers, p: Numbers, theta: Numbers, half_angle: Numbers) -> Computed:
