@@ -55,6 +55,7 @@ def _sensitivities(sizing: SizingResult) -> Rows:
         numbers=range(2, 2 + len(names)),
     )  # fmt: skip
     for row in sizing.sensitivities:
-        cells = (f"{row.on[name]:+z.3g} %" for name in names)
+        # smaller changes are rounding of the optimum
+        cells = (f"{round(row.on[name], 6):+z.3g} %" for name in names)
         changes.add_row(row.constraint, row.driver, *cells)
     return changes
