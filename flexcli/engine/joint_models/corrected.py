@@ -206,7 +206,7 @@ class Corrected(JointModel):
             found += self._of_pushed_travel(ask)
         if scene.push and scene.mean_travel:
             factor = self._factor(ask, QuantityKind.STRESS)
-            found = ErrorRange(smaller(1.0 / larger(factor, 1.0) - 1.0, 0.0), 0.0)
+            found += ErrorRange(1.0 / larger(factor, 1.0) - 1.0, 0.0)
         if not scene.is_accelerated:
             return found
         if ask.geometry.has_limbs(ask.material.elastic, ask.sizes):
