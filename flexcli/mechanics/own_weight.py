@@ -31,8 +31,9 @@ class HeldBlade(NamedTuple):
     ``moment`` [N·m] and ``pull`` [N] are (designs or 1, places), of an acceleration across the
     blade (to the left of the way from start to end) and of one along it. ``across`` (2, 2) are
     force [N] and moment [N·m] on what holds the start, then the end; ``along`` (2,) the forces.
-    ``thickness`` is that at the places [m], ``limber`` how far a unit moment all along turns the
-    ends against each other, times E [1/m³]. Each has designs first.
+    ``thickness`` is that at the places [m], ``steps`` are the lengths between them, none where it
+    is rigid [m]; ``softness`` is E over the force that buckles it, if it is uniform [1/m²]. Each
+    has designs first.
     """
 
     moment: Floats
@@ -41,7 +42,7 @@ class HeldBlade(NamedTuple):
     along: Floats
     thickness: Floats
     steps: Floats
-    limber: Floats
+    softness: Floats
 
 
 def blade_places(blade: Blade, l: float | Floats) -> tuple[Floats, Floats]:
@@ -112,7 +113,8 @@ def held_blade(blade: Blade, density: float) -> HeldBlade:
         axis=1,
     )
     along = np.stack([n_0, mass - n_0], axis=-1)
-    return HeldBlade(S - line(s), n_0[:, None] - W, ends, along, h, flexible, c_0)
+    softness = l * c_0 / (4.0 * np.pi**2)
+    return HeldBlade(S - line(s), n_0[:, None] - W, ends, along, h, flexible, softness)
 
 
 def _integral(steps: Floats) -> Floats:

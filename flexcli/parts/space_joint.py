@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from functools import cached_property
 from math import inf
+from operator import is_
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ from flexcli.mechanics.space.planar import from_plane
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
-from flexcli.parts.mechanisms.base import Mechanism, OutOfPlane
+from flexcli.parts.mechanisms.base import OutOfPlane
 from flexcli.results import ErrorRange
 
 if TYPE_CHECKING:
@@ -184,29 +185,30 @@ class _Latest:
     """The last joints asked for, kept because all requirements of a design need the same."""
 
     def __init__(self) -> None:
-        self.known: list[tuple[SpaceJoint, Geometry, Material, Sizes, Temperature | None]] = []
+        self.known: list[tuple[SpaceJoint, Geometry, Material, Sizes, tuple[object, ...]]] = []
 
     def of(
         self,
         geometry: Geometry,
         material: Material,
         sizes: Sizes,
-        temperature: "Temperature | None",
+        beside: tuple[object, ...],
+        laid: Callable[[float], SpaceLayout],
     ) -> SpaceJoint:
-        """Return the joint of a design, found once."""
-        for i, (joint, drawn, made_of, own, at) in enumerate(self.known):
-            same = made_of is material and at is temperature
+        """Return the joint of a design and of what stands beside it, found once.
+
+        ``laid`` draws it with blades of a density [kg/m³].
+        """
+        for i, (joint, drawn, made_of, own, others) in enumerate(self.known):
+            same = made_of is material and all(map(is_, others, beside))
             if same and drawn.has_blades_of(geometry) and own == sizes:
                 self.known.append(self.known.pop(i))
                 return joint
-        density = material.density.value if material.density is not None else 0.0
-        layout = geometry.space_layout(material.elastic, sizes, density)
-        layout = material.laid(layout, geometry.drawn_turn)
-        if temperature is not None:
-            others = geometry.body_materials
-            layout = temperature.warmed(layout, material, geometry.axes, others)
-        joint = SpaceJoint(layout)
-        self.known = [*self.known[1 - MOST :], (joint, geometry, material, sizes, temperature)]
+        try:
+            joint = SpaceJoint(laid(0.0 if material.density is None else material.density.value))
+        except SolveError as error:
+            raise NotAvailable(f"has no stiffness: {error}") from error
+        self.known = [*self.known[1 - MOST :], (joint, geometry, material, sizes, beside)]
         return joint
 
 
@@ -227,10 +229,15 @@ def joint_in_space(
         When it is not made of blades, or the material has no shear modulus.
 
     """
-    try:
-        return _LATEST.of(geometry, material, sizes, temperature)
-    except SolveError as error:
-        raise NotAvailable(f"has no stiffness: {error}") from error
+
+    def laid(density: float) -> SpaceLayout:
+        layout = geometry.space_layout(material.elastic, sizes, density)
+        layout = material.laid(layout, geometry.drawn_turn)
+        if temperature is None:
+            return layout
+        return temperature.warmed(layout, material, geometry.axes, geometry.body_materials)
+
+    return _LATEST.of(geometry, material, sizes, (temperature, None, None), laid)
 
 
 def on_pivots(whole: OutOfPlane, density: float, gyration: float) -> SpaceLayout:
@@ -251,10 +258,6 @@ def on_pivots(whole: OutOfPlane, density: float, gyration: float) -> SpaceLayout
     return SpaceLayout(tuple(bodies), found.blades, found.drive, found.springs)
 
 
-_LOCKED: list[tuple[SpaceJoint, Mechanism, Geometry, Material, Sizes, str | None]] = []
-"""The mechanisms that were asked last, each with a body of it locked."""
-
-
 def joint_of(ask: "Ask", *, warm: bool = True) -> SpaceJoint:
     """Return what a case loads in space: its joint, or a mechanism on several that is locked.
 
@@ -271,18 +274,9 @@ def joint_of(ask: "Ask", *, warm: bool = True) -> SpaceJoint:
         heat = scene.temperature if warm else None
         return joint_in_space(ask.geometry, ask.material, ask.sizes, heat)
     assert mechanism is not None  # it has the body that is locked
-    for joint, of, geometry, material, sizes, lock in _LOCKED:
-        same = of is mechanism and material is ask.material and lock == scene.lock
-        if same and geometry.has_blades_of(ask.geometry) and sizes == ask.sizes:
-            return joint
-    layout = ask.geometry.blades_layout(ask.material.elastic, ask.sizes)
-    density = ask.material.density
-    whole = mechanism.out_of_plane(layout, scene.lock)
-    found = on_pivots(whole, 0.0 if density is None else density.value, 0.0)
-    try:
-        joint = SpaceJoint(found)
-    except SolveError as error:
-        raise NotAvailable(f"has no stiffness: {error}") from error
-    del _LOCKED[: max(len(_LOCKED) + 1 - MOST, 0)]
-    _LOCKED.append((joint, mechanism, ask.geometry, ask.material, ask.sizes, scene.lock))
-    return joint
+
+    def laid(density: float) -> SpaceLayout:
+        layout = ask.geometry.blades_layout(ask.material.elastic, ask.sizes)
+        return on_pivots(mechanism.out_of_plane(layout, scene.lock), density, 0.0)
+
+    return _LATEST.of(ask.geometry, ask.material, ask.sizes, (None, mechanism, scene.lock), laid)

@@ -28,7 +28,8 @@ def test_a_uniform_blade_has_the_moments_and_forces_of_a_clamped_beam():
         np.array([[W * L / 2.0, end], [W * L / 2.0, -end]]), rel=1e-4
     )
     assert held.along[0] == pytest.approx([W * L / 2.0, W * L / 2.0], rel=1e-9)
-    assert held.limber[0] == pytest.approx(12.0 * L / (B * H**3), rel=1e-9)
+    euler = np.pi**2 * B * H**3 / 12.0 / (L / 2.0) ** 2
+    assert held.softness[0] == pytest.approx(1.0 / euler, rel=1e-9)
 
 
 @pytest.mark.parametrize("profile", [Constant(H), Notch(0.1e-3, 1e-3), Filleted(H, 0.4e-3)])

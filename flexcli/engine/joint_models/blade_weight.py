@@ -4,25 +4,23 @@ Between its ends a blade bends by itself, by ρ a l²/(2h) at its clamps if it i
 hangs on the bodies besides. Loads that buckle a joint are the more by it.
 """
 
-from collections.abc import Sequence
-from math import inf, pi
+from collections.abc import Iterable
+from functools import partial
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.joint_models.joint_states import blades_of, by_weight_alone, fields, layout_of
+from flexcli.engine.joint_models.joint_states import by_weight_alone, fields, layout_of, linearly
 from flexcli.formulas.profile import per_design
-from flexcli.mechanics.demand import Held
-from flexcli.mechanics.layout import Blade, Layout, Load, Number
-from flexcli.mechanics.linear import LinearSolution, linear
+from flexcli.mechanics.layout import Blade, Number
 from flexcli.mechanics.mesh import Effects, column
 from flexcli.mechanics.own_weight import blade_places, direction, held_blade
-from flexcli.numerics.rows import all_of_each, hypot, larger, largest_of_each, of_each, states_of
-from flexcli.parts.elastic import NotAvailable
+from flexcli.numerics.rows import hypot, larger, largest_of_each, of_each, states_of
 from flexcli.parts.own_motion import DENSEST
-from flexcli.parts.requirements import Ask
+from flexcli.parts.requirements import Ask, EndStress
 
-__all__ = ["BladeWeights", "forced_stress", "left_stress", "weighed"]
+__all__ = ["LEAST", "BladeWeights", "forced_stress", "left_share", "weighed"]
 
 Floats = NDArray[np.float64]
 
@@ -31,6 +29,9 @@ SIMPLIFIED = 0.02
 
 WIDENED = 0.15
 """Of it: what factors of wide blades may make of it, which are of bending by a stroke."""
+
+LEAST = 1e-300
+"""Stress over which none is divided [Pa]."""
 
 AMPLIFIED = 2.0
 """Times that blades bend under their weight beside a push of half of what buckles the joint."""
@@ -83,20 +84,14 @@ class BladeWeights:
         bodies = [body.name for body in self.layout.bodies]
         if blade.first in bodies:
             slope = slope + np.abs(motions[:, bodies.index(blade.first), 2])
-        share = np.max(np.abs(axial) * b * held.thickness / pulls, axis=1) * _softness(self, index)
+        force = np.max(np.abs(axial) * b * held.thickness / pulls, axis=1)
+        share = force * held.softness / self.E[:, 0]
         bent = np.where(share < 0.5, 2.0 * share / np.maximum(1.0 - share, 0.5), inf)
         tension = np.min(axial, axis=1) >= 0.0
         bent = np.where(tension, np.minimum(bent, 1.0), bent)
         most = np.max(np.abs(added[0]) + np.abs(added[1]), axis=1)
         doubt = slope + bent + SIMPLIFIED + WIDENED * self.widens
         return largest_of_each(states_of((np.where(most > 0.0, most * doubt, 0.0))[:, None]))
-
-
-def _softness(weights: BladeWeights, index: int) -> Floats:
-    """Return the reciprocal of the force that buckles a blade between held ends [1/N]."""
-    blade, held = weights.layout.blades[index], weights.blades[index]
-    l = np.hypot(*(column(b) - column(a) for a, b in zip(blade.start, blade.end, strict=True)))
-    return np.asarray(l * held.limber / weights.E[:, 0] / (4.0 * pi**2))
 
 
 def forced_stress(blade: Blade, force: Floats) -> tuple[Floats, Floats]:
@@ -114,28 +109,21 @@ def forced_stress(blade: Blade, force: Floats) -> tuple[Floats, Floats]:
     return pulls * N[:, None] / (b * h), bends * 6.0 * M / (b * h**2)
 
 
-def left_stress(ask: Ask) -> Number:
-    """Return the largest stress that blades may have by their weight [Pa].
+def left_share(ask: Ask, stresses: Iterable[EndStress]) -> Number:
+    """Return the largest stress that blades may have by their weight, over that without it [-].
 
     Twice that of their weight alone by small motion: a joint pushed by half of what buckles it
     bends that much more under anything else.
     """
     density = _most_density(ask)
-    found = by_weight_alone(ask, _linearly, density)
+    found = by_weight_alone(ask, partial(linearly, effects=Effects()), density)
     weights, most = BladeWeights(ask, density), 0.0
     for index, blade in enumerate(weights.layout.blades):
         axial, bending = forced_stress(blade, found.end_forces[:, index])
         pulled, bent = weights.stress(index)
         axial, bending = axial + pulled, bending + bent
         most = larger(most, largest_of_each(states_of(np.abs(axial) + np.abs(bending))))
-    return AMPLIFIED * most
-
-
-def _linearly(layout: Layout, held: Held, loads: Sequence[Load]) -> LinearSolution:
-    found = linear(layout, held, loads=loads, effects=blades_of(layout, Effects()))
-    if not all_of_each(found.unique):
-        raise NotAvailable("has no unique linear solution: hold or support every body")
-    return found
+    return AMPLIFIED * most / larger(LEAST, *(stress.largest for stress in stresses))
 
 
 def _most_density(ask: Ask) -> Number:

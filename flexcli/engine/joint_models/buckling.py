@@ -17,7 +17,7 @@ from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.layout import Blade, Body, Layout, Load
 from flexcli.mechanics.linear_buckling import LinearCritical, linear_critical
 from flexcli.mechanics.mesh import Effects
-from flexcli.mechanics.own_weight import blade_places, direction
+from flexcli.mechanics.own_weight import blade_places
 from flexcli.mechanics.stability import Critical as Reached
 from flexcli.mechanics.stability import critical_load, inertia_count_held
 from flexcli.mechanics.state import Equilibrium
@@ -245,7 +245,6 @@ def _hinged(scene: PushScene, effects: Effects, held: Held) -> LinearCritical:
     layout = scene.layout
     if len(layout.bodies) > 1 or layout.supports:
         raise NotAvailable("would fall apart on hinges: its bodies are held by clamped blades")
-    whole = linear_critical(layout, held, scene.pattern, effects=blades_of(layout, effects))
     least, tensions, stress = inf, *_of_truss(scene, held)
     for blade, tension in zip(layout.blades, tensions, strict=True):
         if tension < 0.0:
@@ -254,10 +253,8 @@ def _hinged(scene: PushScene, effects: Effects, held: Held) -> LinearCritical:
             push = Load("body", strut.body("body").point, (-1.0, 0.0))
             alone = linear_critical(strut, ends, [push], effects=blades_of(strut, effects))
             least = min(least, alone.factor / -float(tension))
-    whole.mode[:] = 0.0
-    return LinearCritical(
-        least, whole.most, tensions, stress / float(layout.E), stress, 0.0, 0.0, whole.mode
-    )
+    still = np.zeros((len(layout.bodies), 3))
+    return LinearCritical(least, inf, tensions, stress / float(layout.E), stress, 0.0, 0.0, still)
 
 
 def _of_truss(scene: PushScene, held: Held) -> tuple[Floats, float]:
@@ -268,27 +265,47 @@ def _of_truss(scene: PushScene, held: Held) -> tuple[Floats, float]:
     layout = scene.layout
     body, (load,) = layout.body(MOVING), scene.pattern
     free = [i for i, each in enumerate(held[MOVING]) if each is None]
-    rates, stiffness, areas = [], [], []
+    ends, moves = _ends(layout)
+    rates = _lengthening(ends, ends - np.array(body.point), moves)[:, free]
+    stiffness, areas = [], []
     for blade in layout.blades:
-        c, s = (float(each[0]) for each in direction(blade))
-        l = float(np.hypot(*np.subtract(blade.end, blade.start)))
-        end, sense = (blade.end, 1.0) if blade.second == MOVING else (blade.start, -1.0)
-        x, y = (float(at - of) for at, of in zip(end, body.point, strict=True))
-        rates.append([sense * c, sense * s, sense * (s * x - c * y)])
-        along, h = (np.ravel(each) for each in blade_places(blade, l))
+        along, h = (np.ravel(each) for each in blade_places(blade, _length(blade)))
         softness = np.sum(np.diff(along) * (1.0 / h[1:] + 1.0 / h[:-1]) / 2.0)
         stiffness.append(float(layout.E * blade.b / softness))
         areas.append(float(blade.b * h.min()))
-    R, k = np.array(rates)[:, free], np.array(stiffness)
+    k = np.array(stiffness)
     force = np.array([*load.force, 0.0], dtype=np.float64)[free]
-    moved = np.linalg.lstsq((R.T * k) @ R, force, rcond=None)[0]
-    tensions = k * (R @ moved)
+    moved = np.linalg.lstsq((rates.T * k) @ rates, force, rcond=None)[0]
+    tensions = k * (rates @ moved)
     return tensions, float(np.max(np.abs(tensions) / np.array(areas)))
+
+
+def _length(blade: Blade) -> float:
+    return float(np.hypot(*np.subtract(blade.end, blade.start)))
+
+
+def _ends(layout: Layout) -> tuple[Floats, NDArray[np.bool_]]:
+    """Return the ends of blades (blades, 2, 2) [m], and which are on the moving body."""
+    ends = np.array([(blade.start, blade.end) for blade in layout.blades], dtype=np.float64)
+    moves = np.array([(blade.first == MOVING, blade.second == MOVING) for blade in layout.blades])
+    return ends, moves
+
+
+def _lengthening(ends: Floats, arms: Floats, moves: NDArray[np.bool_]) -> Floats:
+    """Return by how much motions (x, y, φ) of the body lengthen blades (blades, 3).
+
+    ``arms`` are from the body's point to the ends, of which those that ``moves`` go with it.
+    """
+    sense = np.where(moves, (-1.0, 1.0), 0.0)
+    along = ends[:, 1] - ends[:, 0]
+    x, y = (along / np.linalg.norm(along, axis=1)[:, None]).T
+    turn = sense * (y[:, None] * arms[..., 0] - x[:, None] * arms[..., 1])
+    return np.column_stack([x * sense.sum(axis=1), y * sense.sum(axis=1), turn.sum(axis=1)])
 
 
 def _strut(blade: Blade, layout: Layout) -> Layout:
     """Return one blade along x between two bodies that turn with its ends."""
-    l = float(np.hypot(blade.end[0] - blade.start[0], blade.end[1] - blade.start[1]))
+    l = _length(blade)
     bodies = (Body("base", (0.0, 0.0)), Body("body", (l, 0.0)))
     strip = Blade(blade.name, "base", "body", (0.0, 0.0), (l, 0.0), blade.profile, blade.b)
     return Layout(bodies, (strip,), layout.E, layout.G)
@@ -303,9 +320,8 @@ def _swung(scene: PushScene, motion: Sequence[float | None], near: Floats) -> Pu
     layout = scene.layout
     body = layout.body(MOVING)
     point = np.array(body.point, dtype=np.float64)
-    ends = np.array([(blade.start, blade.end) for blade in layout.blades], dtype=np.float64)
-    moves = np.array([(blade.first == MOVING, blade.second == MOVING) for blade in layout.blades])
-    sense, l = np.where(moves, (-1.0, 1.0), 0.0), np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    ends, moves = _ends(layout)
+    l = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     free = [i for i, each in enumerate(motion) if each is None]
     pose = np.array([n if m is None else m for m, n in zip(motion, near, strict=True)])
     placed = ends
@@ -313,11 +329,8 @@ def _swung(scene: PushScene, motion: Sequence[float | None], near: Floats) -> Pu
         c, s = cos(pose[2]), sin(pose[2])
         arms = (ends - point) @ np.array([[c, s], [-s, c]])
         placed = np.where(moves[..., None], point + pose[:2] + arms, ends)
-        along = placed[:, 1] - placed[:, 0]
-        now = np.linalg.norm(along, axis=1)
-        x, y = (along / now[:, None]).T
-        turn = sense * (y[:, None] * arms[..., 0] - x[:, None] * arms[..., 1])
-        rates = np.column_stack([x * sense.sum(axis=1), y * sense.sum(axis=1), turn.sum(axis=1)])
+        now = np.linalg.norm(placed[:, 1] - placed[:, 0], axis=1)
+        rates = _lengthening(placed, arms, moves)
         pose[free] += np.linalg.lstsq(rates[:, free], l - now, rcond=None)[0]
     moved = body._replace(point=tuple((point + pose[:2]).tolist()))
     blades = tuple(

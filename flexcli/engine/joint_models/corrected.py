@@ -18,19 +18,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Corrected"]
 
-GROWS = frozenset(
-    {
-        EffectName.LARGE_ROTATION,
-        EffectName.BLADE_TENSION,
-        EffectName.AXIAL_EXTENSION,
-        EffectName.ANTICLASTIC,
-    }
-)
-"""Effects whose corrections of a stress grow with the travel."""
-
-LEAST = 1e-300
-"""Stress over which none is divided [Pa]."""
-
 
 class Corrected(JointModel):
     """The answers of a model times one factor an effect, and what is left to be off by.
@@ -53,7 +40,6 @@ class Corrected(JointModel):
         self.name = name or inner.name
         self.at_stroke = inner.at_stroke
         self.directs_blades = inner.directs_blades
-        self.weighs_blades = inner.weighs_blades
         self._known: Remembered[dict[EffectName, dict[str, Change]]] = Remembered()
 
     def carried(self, setting: Setting) -> frozenset[EffectName]:
@@ -211,17 +197,15 @@ class Corrected(JointModel):
             return found
         if ask.geometry.has_limbs(ask.material.elastic, ask.sizes):
             return None  # nobody knows what they weigh
-        if self.weighs_blades and ask.material.density is not None:
+        if self.inner.weighs_blades and ask.material.density is not None:
             return found
-        from flexcli.engine.joint_models.blade_weight import left_stress
+        from flexcli.engine.joint_models.blade_weight import left_share
 
         try:
-            added = left_stress(ask)
+            more = left_share(ask, self.inner.stresses(ask)[1])
         except NotAvailable:
             return None
-        _, stresses = self.inner.stresses(ask)
-        most = larger(LEAST, *(stress.largest for stress in stresses))
-        return found + ErrorRange(-added / most, added / most)
+        return found + ErrorRange(-more, more)
 
     def _of_nearer_end(self, ask: Ask) -> ErrorRange:
         """Return what corrections that grow with the travel do not do at its nearer end.
@@ -252,7 +236,7 @@ class Corrected(JointModel):
         """Yield what effects that grow with the travel correct of a stress."""
         for effect in self._added(_setting(ask)):
             change = self._changes(ask, effect).get(QuantityKind.STRESS)
-            if effect.name in GROWS and change is not None:
+            if effect.grows_with_travel and change is not None:
                 yield change
 
     def _left(

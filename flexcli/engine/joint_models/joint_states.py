@@ -14,6 +14,7 @@ from flexcli.errors import Outcome, SolveError
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.equilibrium import LEVELS, solve
 from flexcli.mechanics.layout import Layout, Load, Number, Point, Support
+from flexcli.mechanics.linear import NODES, LinearSolution, linear
 from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.own_weight import weights_on_bodies
@@ -33,6 +34,7 @@ __all__ = [
     "driven_axis",
     "fields",
     "layout_of",
+    "linearly",
     "of_case",
     "over_stroke",
     "over_travels",
@@ -227,8 +229,7 @@ def fields(ask: Ask) -> tuple[Layout, Floats, Floats]:
     if ask.scene.moves:
         signs = np.repeat(signs, 2, axis=0)
     designs, (scene, layout) = over_states(len(signs), ask.scene, warmed(ask))
-    each = list(_fields(scene, np.repeat(signs, designs, axis=0), 0.0))
-    return layout, *(np.asarray(sum(along)) for along in zip(*each, strict=True))
+    return layout, *_field(scene, np.repeat(signs, designs, axis=0), 0.0)
 
 
 def by_weight_alone(ask: Ask, solver: Solver[Found], density: Number) -> Found:
@@ -275,22 +276,23 @@ def _loads(
             x, y, sign = wrench[0], wrench[1], signs[:, group]
             force = (sign * (c * x - s * y), sign * (s * x + c * y))
             found.append(Load(MOVING, centre, force, sign * wrench[5]))
-    for along in _fields(scene, signs, angle):
-        found += [
-            Load(body.name, body.com, (body.mass * along[0], body.mass * along[1]))
-            for body in layout.bodies
-            if body.mass
-        ]
-        found += weights_on_bodies(layout, density, *along) if np.any(density) else []
-    return found
+    if not scene.is_accelerated:
+        return found
+    field = _field(scene, signs, angle)
+    found += [
+        Load(body.name, body.com, (body.mass * field[0], body.mass * field[1]))
+        for body in layout.bodies
+        if body.mass
+    ]
+    return found + (weights_on_bodies(layout, density, *field) if np.any(density) else [])
 
 
-def _fields(scene: Scene, signs: Floats, angle: float) -> Iterator[tuple[Floats, Floats]]:
-    """Yield what acts on all mass with its signs (states, groups), turned by an angle [m/s²]."""
+def _field(scene: Scene, signs: Floats, angle: float) -> tuple[Floats, Floats]:
+    """Return what acts on all mass with its signs (states, groups), turned by an angle [m/s²]."""
     c, s = cos(angle), sin(angle)
-    for group, (x, y, _) in enumerate(scene.accelerations, 1):
-        if x or y:
-            yield signs[:, group] * (c * x - s * y), signs[:, group] * (s * x + c * y)
+    each = [(x, y) for x, y, _ in scene.accelerations]
+    x, y = (sum(signs[:, k] * field[i] for k, field in enumerate(each, 1)) for i in (0, 1))
+    return np.asarray(c * x - s * y), np.asarray(s * x + c * y)
 
 
 def over_stroke(
@@ -312,6 +314,16 @@ def exactly(
         )  # fmt: skip
 
     return solver
+
+
+def linearly(
+    layout: Layout, held: Held, loads: Sequence[Load] = (), *, effects: Effects, nodes: int = NODES
+) -> LinearSolution:
+    """Return a linear solution, or say why there is none where a requirement asks."""
+    found = linear(layout, held, loads=loads, effects=blades_of(layout, effects), nodes=nodes)
+    if not all_of_each(found.unique):
+        raise NotAvailable("has no unique linear solution: hold or support every body")
+    return found
 
 
 def at_rest(ask: Ask, effects: Effects) -> tuple[Layout, Held]:

@@ -7,21 +7,21 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.joint_models.blade_weight import BladeWeights, forced_stress
+from flexcli.engine.joint_models.blade_weight import LEAST, BladeWeights, forced_stress
 from flexcli.engine.joint_models.buckling import linear_critical_forces
 from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.engine.joint_models.face_stress import worst_of_stroke
 from flexcli.engine.joint_models.holds import driven_axis, hold_of
-from flexcli.engine.joint_models.joint_states import blades_of, layout_of, of_case
+from flexcli.engine.joint_models.joint_states import layout_of, linearly, of_case
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.planning.coverage import COVERAGE, covered
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.layout import Layout, Load, Number
-from flexcli.mechanics.linear import NODES, LinearSolution, linear
+from flexcli.mechanics.linear import NODES
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.own_weight import blade_places, direction
-from flexcli.numerics.rows import all_of_each, isfinite, larger, largest_of_each, of_each, states_of
+from flexcli.numerics.rows import isfinite, larger, largest_of_each, of_each, states_of
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
@@ -49,9 +49,6 @@ STRETCH = 0.35, 1.2
 
 KNOWN = 0.3
 """Change above which no order tells it."""
-
-LEAST = 1e-300
-"""Stress over which none is divided [Pa]."""
 
 ROUNDING = 1e-10
 """Least error that a linear solution is taken to have [-]."""
@@ -105,13 +102,11 @@ class LinearModel(JointModel):
 
     def _find_stiffness(self, ask: Ask) -> tuple[float, int, float]:
         layout, axis = layout_of(ask), driven_axis(ask.geometry)
-        blades = blades_of(layout, self.effects)
         found, error, nodes = nan, inf, 0
         for nodes in LEVELS:
             before = found
             held = {MOVING: ask.geometry.held(1.0)}
-            solution = linear(layout, held, effects=blades, nodes=nodes)
-            _refuse_several(solution)
+            solution = linearly(layout, held, effects=self.effects, nodes=nodes)
             found = of_each(solution.reactions[:, layout.index(MOVING), axis])
             error = abs(before / found - 1.0) if isfinite(before) else inf
             if error <= SETTLED:
@@ -168,9 +163,7 @@ class LinearModel(JointModel):
         return stresses, found_off
 
     def _solved(self, layout: Layout, held: Held, loads: Sequence[Load], nodes: int) -> "_State":
-        blades = blades_of(layout, self.effects)
-        found = linear(layout, held, loads=loads, effects=blades, nodes=nodes)
-        _refuse_several(found)
+        found = linearly(layout, held, loads, effects=self.effects, nodes=nodes)
         return _State(layout, found.motions, found.end_forces)
 
 
@@ -211,8 +204,3 @@ def _refuse_temperature(ask: Ask) -> None:
     """Leave a temperature to the exact model: what it stretches stiffens and softens the rest."""
     if ask.scene.temperature is not None:
         raise NotAvailable("has no linear model of a temperature")
-
-
-def _refuse_several(found: LinearSolution) -> None:
-    if not all_of_each(found.unique):
-        raise NotAvailable("has no unique linear solution: hold or support every body")

@@ -6,6 +6,7 @@ the second order of both together. Where that leaves much, or blades bend aside 
 exact beams in space take all of a case together.
 """
 
+from functools import partial
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -61,7 +62,7 @@ class OutOfPlane(JointModel):
         self.name = inner.name
         self.directs_blades = inner.directs_blades
         self._known: Remembered[_Parts] = Remembered()
-        self._chosen: Remembered[tuple[SpaceLinearModel | None]] = Remembered()
+        self._told_by_beams: Remembered[bool] = Remembered()
         self._space = _in_space(inner.name)
         self._is_finest = inner.name in FINEST
         self.at_stroke = inner.at_stroke if self._space is None else self._space.at_stroke
@@ -199,25 +200,26 @@ class OutOfPlane(JointModel):
 
     def _beams(self, ask: Ask) -> SpaceLinearModel | None:
         """Return exact beams where they say more: of hinges' stress they know no error."""
-        return self._chosen.of("beams", ask, lambda: self._choose(ask))[0]
+        space = self._space
+        if space is None or not self._is_finest:
+            return None
+        find = partial(self._is_told_by_beams, ask, space)
+        told = self._told_by_beams.of("beams", ask, find)
+        return space if told else None
 
-    def _choose(self, ask: Ask) -> tuple[SpaceLinearModel | None]:
-        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-        if self._space is None or not (self._is_finest and joint.is_uniform):
-            return (None,)
+    def _is_told_by_beams(self, ask: Ask, space: SpaceLinearModel) -> bool:
+        if not joint_in_space(ask.geometry, ask.material, ask.sizes).is_uniform:
+            return False
         summed = self._sum_error(ask)
         if summed is None:
-            return (self._space,)
-        swings = ask.scene.travel > 0.0
-        if summed.high - summed.low <= NARROW and not swings:
-            return (None,)
-        whole = self._space.error(ask, QuantityKind.STRESS)
-        if whole is None:
-            return (None,)
-        width = whole.high - whole.low
+            return True
+        swings, width = ask.scene.travel > 0.0, summed.high - summed.low
+        if width <= NARROW and not swings:
+            return False
+        whole = space.error(ask, QuantityKind.STRESS)
         # of a sum nobody knows what is the amplitude's
-        narrower = width < summed.high - summed.low or (swings and width <= SWINGING)
-        return (self._space if narrower else None,)
+        most = max(width, SWINGING) if swings else width
+        return whole is not None and whole.high - whole.low <= most
 
     def _parts(self, ask: Ask) -> _Parts:
         return self._known.of("parts", ask, lambda: self._find(ask))

@@ -32,6 +32,7 @@ class Anticlastic(ModelEffect):
     """
 
     name: ClassVar[EffectName] = EffectName.ANTICLASTIC
+    grows_with_travel: ClassVar[bool] = True
     needs: ClassVar[str] = "poisson_ratio"
     is_whole: ClassVar[bool] = True
 

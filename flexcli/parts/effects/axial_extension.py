@@ -16,6 +16,7 @@ class AxialExtension(ModelEffect):
     """Compliance l/EA beside that of bending, (h/l)² times it."""
 
     name: ClassVar[EffectName] = EffectName.AXIAL_EXTENSION
+    grows_with_travel: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return (h/l)²."""

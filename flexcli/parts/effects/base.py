@@ -145,6 +145,8 @@ class ModelEffect(Effect):
     """The property of the material without which no model can carry it."""
     is_whole: ClassVar[bool] = False
     """Whether its bounds cover its whole change, not just leading terms."""
+    grows_with_travel: ClassVar[bool] = False
+    """Whether what it changes of a stress grows with the travel."""
     spans_what_it_needs: ClassVar[bool] = False
     """Whether its changes cover all values of a property that is not given."""
     only: ClassVar[frozenset[QuantityKind]] = frozenset(QuantityKind)

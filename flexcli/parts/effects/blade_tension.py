@@ -13,6 +13,7 @@ class BladeTension(ModelEffect):
     """Axial stress beside the bending stress, of first order in h/l."""
 
     name: ClassVar[EffectName] = EffectName.BLADE_TENSION
+    grows_with_travel: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return h/l of a pivot that turns."""

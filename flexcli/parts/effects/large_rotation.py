@@ -13,6 +13,7 @@ class LargeRotation(ModelEffect):
     """The closed forms are of first order in the travel; the stiffness is stated at rest."""
 
     name: ClassVar[EffectName] = EffectName.LARGE_ROTATION
+    grows_with_travel: ClassVar[bool] = True
     cost: ClassVar[float] = 3.0
 
     def indicator(self, setting: Setting) -> Indicator | None:

@@ -134,7 +134,7 @@ class JointModel(ABC):
     """The effects that it cannot leave out."""
     at_stroke: str = "exact beams in space, sections that curl and warp"
     """Model of its blades at a stroke in space, for reports."""
-    weighs_blades: bool = False
+    weighs_blades: ClassVar[bool] = False
     """Whether its stresses have what accelerated blades weigh, where their density is known."""
     directs_blades: bool = True
     """Whether each blade has the moduli of its own direction in a crystal or a sheet there."""

@@ -103,7 +103,7 @@ class Fatigue(FactorRequirement):
         plain = all(isinstance(x, float) or is_of_many(x) for x in (axial, demand))
         off = ask.joint_model.amplitude_off(ask)
         if off > 0.0 and plain and demand > 0.0:
-            return self._beside_loads(stress, ask, strength, method, off)
+            return self._beside_loads(stress, ask, strength, method, off, demand)
         if not (ask.scene.directed and plain):
             return None
         if stress.is_at_face or axial <= 0.0 or demand <= 0.0:
@@ -118,19 +118,23 @@ class Fatigue(FactorRequirement):
         )
 
     def _beside_loads(
-        self, stress: EndStress, ask: Ask, strength: float, method: str, off: float
+        self,
+        stress: EndStress,
+        ask: Ask,
+        strength: float,
+        method: str,
+        off: float,
+        demand: Computed,
     ) -> ErrorRange | None:
         """Return the error of a demand of which the amplitude is off by a stress [Pa]."""
         known = ask.joint_model.error(ask, QuantityKind.STRESS)
         if known is None:
             return None
-        demand, power = self._equivalent(stress, ask, strength, method)
         size = number(abs(stress.amplitude))
         ends = []
         for amplitude in (larger(size - off, 0.0), size + off):
-            changed, _ = self._equivalent(
-                stress._replace(amplitude=amplitude), ask, strength, method
-            )
+            at = stress._replace(amplitude=amplitude)
+            changed, power = self._equivalent(at, ask, strength, method)
             ends.append((number(changed) / number(demand)) ** (1.0 / power) - 1.0)
         return known + ErrorRange(*ends)
 
