@@ -1,8 +1,10 @@
 """Random specs over every kind of joint, near their limits: no bug, no unsafe pass, few undecided.
 
-Run: python tests/benchmarks/campaign.py [specs] [--first SEED] [--kinds KIND …] [--rows FILE].
-Each spec is judged with easy requirements; its printed numbers, each 3 % up or down, become the
-requirements, which are judged by default and by the finest model. Prints what came of them by kind
+Run: python tests/benchmarks/campaign.py [specs] [--first SEED] [--kinds KIND …] [--rows FILE]
+[--near SHARE] [--alone].
+Each spec is judged with easy requirements; its printed numbers, each 3 % (or SHARE) up or down,
+become the requirements, all at once or one of them alone, which are judged by default and by the
+finest model. Prints what came of them by kind
 and by requirement, which model decided, and what deciding cost over asking the finest model of
 everything. Each spec adds a line to FILE (JSON) as it is done, so that a run which was stopped goes
 on where it was; with 0 specs the tables are those of the file.
@@ -18,7 +20,7 @@ from time import process_time
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from twins.campaign import KINDS, tried
+from twins.campaign import KINDS, NEAR, tried
 
 SINS = (
     "", "undecided", "lacks a property", "leaves out", "unsafe pass", "false fail", "finding",
@@ -30,7 +32,7 @@ class TooLong(BaseException):
     """A spec took longer than it may."""
 
 
-def row_of(seed, kinds, longest):
+def row_of(seed, kinds, longest, **asked):
     """Return what came of a seed's spec, as one line of the file."""
 
     def stop(*_):
@@ -40,7 +42,7 @@ def row_of(seed, kinds, longest):
     signal.setitimer(signal.ITIMER_VIRTUAL, longest)
     started = process_time()
     try:
-        found = tried(seed, kinds)
+        found = tried(seed, kinds, **asked)
     except TooLong:
         kind = kinds[seed % len(kinds)]
         return {"seed": seed, "kind": kind, "outcomes": [{"requirement": "", "sin": "too long"}]}
@@ -98,6 +100,8 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--kinds", nargs="*", default=KINDS)
     parser.add_argument("--rows", type=Path)
+    parser.add_argument("--near", type=float, default=NEAR, help="distance from a limit, a share")
+    parser.add_argument("--alone", action="store_true", help="one requirement of each spec")
     parser.add_argument("--longest", type=float, default=120.0, help="time of one spec [s]")
     args = parser.parse_args()
     rows = []
@@ -107,7 +111,8 @@ def main():
     for seed in range(args.first, args.first + args.specs):
         if seed in known:
             continue
-        rows.append(row_of(seed, tuple(args.kinds), args.longest))
+        row = row_of(seed, tuple(args.kinds), args.longest, near=args.near, alone=args.alone)
+        rows.append(row)
         if args.rows:
             with args.rows.open("a") as file:
                 file.write(json.dumps(rows[-1], default=float) + "\n")

@@ -21,8 +21,12 @@ ENDS = ("clamped-clamped", "clamped-guided", "clamped-pinned", "pinned-pinned", 
 NEAR = 0.03
 """How far from a printed factor its requirement is set."""
 
-LEAST = 1e-15
-"""A length [m] below which a motion is rounding, of what does not move by symmetry."""
+LEAST, LONGEST = 1e-15, 1.0
+"""Lengths [m]: a motion below the one is rounding, of what does not move by symmetry; nobody
+asks for one beyond the other."""
+
+LEAST_FACTOR = 0.1
+"""A safety factor below which nobody asks: a stress ten times the strength."""
 
 EASY = 1e-6
 """A factor that everything keeps: the first look at a design, which prints its factors."""
@@ -384,10 +388,11 @@ OPEN = {
 What stands between the necks of a stage has no key: a layout with masses would decide."""
 
 
-def near_its_limits(seed, kinds=KINDS):
-    """Return a seed's spec, every requirement 3 % above or below its factor.
+def near_its_limits(seed, kinds=KINDS, near=NEAR, *, alone=False):
+    """Return a seed's spec, every requirement a share above or below its factor.
 
-    It is the outcome instead where there is nothing to ask.
+    One of them at random where it is ``alone``. It is the outcome instead where there is nothing
+    to ask.
     """
     found = scene(seed, kinds)
     rng = np.random.default_rng(seed + 10**6)
@@ -412,14 +417,18 @@ def near_its_limits(seed, kinds=KINDS):
         rows = [row for row in said.rows if _key(row["name"], found.easy) == name and _asks(row)]
         if rows:
             row = rows[int(rng.integers(len(rows)))]
-            blocks[name] = _near(easy, row, 1.0 + NEAR * rng.choice([-1.0, 1.0]))
+            apart = (1.0 + near) ** rng.choice([-1.0, 1.0])
+            blocks[name] = _near(easy, row, apart)
+    if alone and blocks:
+        name = sorted(blocks)[int(rng.integers(len(blocks)))]
+        blocks = {name: blocks[name]}
     sin = CLEAN if blocks else NOT_ASKED
     return Tried(found.kind, {**found.spec, "requirements": blocks}, first, None, sin=sin)
 
 
-def tried(seed, kinds=KINDS):
-    """Return what comes of a seed's spec with all its requirements near their limits."""
-    found = near_its_limits(seed, kinds)
+def tried(seed, kinds=KINDS, near=NEAR, *, alone=False):
+    """Return what comes of a seed's spec with its requirements near their limits."""
+    found = near_its_limits(seed, kinds, near, alone=alone)
     if found.sin:
         return found
     spec = found.spec
@@ -437,7 +446,9 @@ def _asks(row):
     factor, required = row["factor"], row["required"]
     if factor is None or required is None:
         return False
-    if row["unit"] == "m" and row["demand"] < LEAST:
+    if row["unit"] == "m" and not LEAST <= row["demand"] <= LONGEST:
+        return False
+    if required == EASY and factor < LEAST_FACTOR:
         return False
     return 0.0 < factor < (1e15 if required == EASY else 1e24)
 
