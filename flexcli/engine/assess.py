@@ -1,6 +1,6 @@
 """Judge sizes by every requirement: one design into checks, or many at once into factors."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from math import inf
 from typing import Any, NamedTuple
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from flexcli.numerics.rows import Rows, is_of_many
 from flexcli.parts.design import DesignSpec
+from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.parts.requirements import Limit
 from flexcli.results import Check, Verdict
 
@@ -19,6 +20,7 @@ __all__ = [
     "checks",
     "factor",
     "factors",
+    "margins",
     "required",
     "span",
     "verdict",
@@ -237,7 +239,14 @@ def factors(design: DesignSpec, **sizes: NDArray[np.float64]) -> dict[str, NDArr
         where all are at least 1.
 
     """
-    given = design.geometry.sized(sizes)._asdict()
+    return margins(design.closed_limits, design.geometry, design.geometry.sized(sizes))
+
+
+def margins(
+    limits: Callable[[Sizes], list[Limit]], geometry: Geometry, sizes: Sizes
+) -> dict[str, NDArray[np.float64]]:
+    """Return for each check of limits its factor over the required one, at many sizes."""
+    given = sizes._asdict()
     shape = np.broadcast_shapes(*(np.shape(x) for x in given.values()))
     flat = {
         name: np.broadcast_to(np.asarray(x, dtype=np.float64), shape).reshape(-1)
@@ -247,12 +256,10 @@ def factors(design: DesignSpec, **sizes: NDArray[np.float64]) -> dict[str, NDArr
     found: dict[str, NDArray[np.float64]] = {}
     for start in range(0, size, CHUNK):
         part = slice(start, start + CHUNK)
-        for limit in design.closed_limits(
-            design.geometry.sized({name: x[part] for name, x in flat.items()})
-        ):
-            margins = found.setdefault(limit.name, np.full(size, np.inf))
-            np.minimum(margins[part], _factors(limit) / required(limit), out=margins[part])
-    return {name: margins.reshape(shape) for name, margins in found.items()}
+        for limit in limits(geometry.sized({name: x[part] for name, x in flat.items()})):
+            least = found.setdefault(limit.name, np.full(size, np.inf))
+            np.minimum(least[part], _factors(limit) / required(limit), out=least[part])
+    return {name: least.reshape(shape) for name, least in found.items()}
 
 
 def _factors(limit: Limit) -> NDArray[np.float64]:

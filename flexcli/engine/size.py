@@ -12,6 +12,7 @@ from flexcli.engine.sizing.conflict import explain_conflict
 from flexcli.engine.sizing.decided import judged_at
 from flexcli.engine.sizing.free_height import best_height, with_height
 from flexcli.engine.sizing.optimum import active_rows, certificate, optimum, refuse, sensitivities
+from flexcli.engine.sizing.problem import SizingProblem
 from flexcli.engine.sizing.program import SizingProgram, sizing_program
 from flexcli.engine.sizing.runaway import refuse_runaway
 from flexcli.engine.sizing.scouting import best_settled
@@ -21,7 +22,7 @@ from flexcli.errors import NoSolution, Outcome
 from flexcli.numerics.solution import Solution
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.sizing import Objective
+from flexcli.parts.sizing import Correction, Objective
 from flexcli.results import Cost, Note, Result, Status, Value, Verdict
 from flexcli.results.activity import doing
 from flexcli.results.sizing import Design, SizingResult
@@ -68,6 +69,7 @@ def size(
     spec: str,
     model: str | None = None,
     near: Mapping[str, float] | None = None,
+    losses: Mapping[str, Correction] | None = None,
 ) -> Result:
     """Return the sized design with margins, or the conflict that leaves none.
 
@@ -85,6 +87,8 @@ def size(
         The model that alone judges, over that of the spec.
     near : mapping, optional
         The free sizes of a design like it [SI], from which that of a drawing is looked for.
+    losses : mapping, optional
+        What the tolerances take of each check near the choice, by its name.
 
     Raises
     ------
@@ -97,10 +101,11 @@ def size(
     if height is not None:
         design = with_height(design, height)
     series = model_series(design, model)
+    problem = SizingProblem(design, losses=losses or {})
     if design.fixed_sizes() is not None or (model or design.model) == "source":
-        result = _chosen_and_judged(design, spec, series, model)
+        result = _chosen_and_judged(problem, spec, series, model)
     else:
-        result = _decided(design, spec, series, model, near)
+        result = _decided(problem, spec, series, model, near)
     values = dict(result.values)
     if height is not None:
         values["H"] = Value(
@@ -119,29 +124,29 @@ def _merit(design: DesignSpec) -> float | None:
     """Return what a sizing by the formulas makes least, else nothing where none is feasible."""
     objective = design.size.objective
     named = "least-volume" if objective == "balanced" else objective
-    solution = optimum(sizing_program(design), named)
+    solution = optimum(sizing_program(SizingProblem(design)), named)
     return solution.objective if solution.converged else None
 
 
 def _decided(
-    design: DesignSpec,
+    problem: SizingProblem,
     spec: str,
     series: tuple[NamedModel, ...],
     model: str | None,
     near: Mapping[str, float] | None = None,
 ) -> Result:
     """Return the design sized by formulas that say at the choice what the models that judge do."""
-    start = _first(design, near)
+    design, start = problem.design, _first(problem, near)
     if start is None:
-        return _chosen_and_judged(design, spec, series, model)
+        return _chosen_and_judged(problem, spec, series, model)
     is_gridded = set(design.geometry.free) <= design.size.rounding.keys()
     agreed = ROUNDED if is_gridded else AGREED
-    found = best_settled(design, start, series, agreed, alone=bool(near))
+    found = best_settled(problem, start, series, agreed, alone=bool(near))
     if design.size.objective == "balanced" and not found.is_kept:
-        return _without_balance(design, found, spec, series, model)
-    result = _settled_and_judged(design, found, spec, series, model)
+        return _without_balance(problem, found, spec, series, model)
+    result = _settled_and_judged(problem, found, spec, series, model)
     if design.size.rounding and result.status is not Status.PASS:
-        result = _rounded_anew(design, found, result, spec, series, model)
+        result = _rounded_anew(problem, found, result, spec, series, model)
     sizing = result.sizing
     if not found.unsettled:
         return result
@@ -155,7 +160,7 @@ def _decided(
 
 
 def _without_balance(
-    design: DesignSpec,
+    problem: SizingProblem,
     found: Settled,
     spec: str,
     series: tuple[NamedModel, ...],
@@ -166,9 +171,10 @@ def _without_balance(
     text = (
         f"no balanced design by the models that judge: {rest} cannot be at its limit with the rest"
     )
-    options = design.size.model_copy(update={"objective": "least-volume"})
+    options = problem.design.size.model_copy(update={"objective": "least-volume"})
+    least = problem.design.model_copy(update={"size": options})
     try:
-        result = _decided(design.model_copy(update={"size": options}), spec, series, model)
+        result = _decided(problem._replace(design=least), spec, series, model)
     except NoSolution as error:
         raise NoSolution(
             error.code, f"{text}; of the least volume, {error.text}", error.remedy
@@ -178,7 +184,7 @@ def _without_balance(
 
 
 def _rounded_anew(
-    design: DesignSpec,
+    problem: SizingProblem,
     found: Settled,
     result: Result,
     spec: str,
@@ -190,7 +196,7 @@ def _rounded_anew(
     The formulas are corrected at each point that does not and choose again; then the points
     about the design without a grid are judged one by one.
     """
-    first, spreads = result, dict[str, float]()
+    design, first, spreads = problem.design, result, dict[str, float]()
     refused: set[Sizes] = set()
     for _ in range(GRID_ROUNDS):
         if result.status is Status.INFEASIBLE:
@@ -206,12 +212,12 @@ def _rounded_anew(
             for name, each in found.corrections.items()
         }
         found = found._replace(corrections=corrected)
-        result = _settled_and_judged(design, found, spec, series, model)
+        result = _settled_and_judged(problem, found, spec, series, model)
         if result.status is Status.PASS:
             return result
         if first.status in (Status.INFEASIBLE, Status.FAIL) and result.status is Status.UNDECIDED:
             first = result
-    program = sizing_program(design.corrected(found.corrections))
+    program = sizing_program(problem.corrected(found.corrections))
     for sizes in _beside(design, program, first):
         if sizes not in refused and judge(*design.redrawn(sizes), series).status is Status.PASS:
             sizing = first.sizing
@@ -253,16 +259,17 @@ def _spreads(result: Result) -> dict[str, float]:
     }
 
 
-def _first(design: DesignSpec, near: Mapping[str, float] | None) -> Sizes | None:
+def _first(problem: SizingProblem, near: Mapping[str, float] | None) -> Sizes | None:
     """Return the sizes that the formulas choose without a grid, or that miss what is asked least.
 
     Nothing where not even the sizes' own bounds leave any.
     """
+    design = problem.design
     if not design.geometry.closed_forms:
         return design.geometry.sized(near) if near else design.geometry.probe()
     doing("the optimum by the formulas")
     free = design.model_copy(update={"size": design.size.model_copy(update={"rounding": {}})})
-    program = sizing_program(free)
+    program = sizing_program(problem._replace(design=free))
     chosen = _choose(free, program)
     if chosen is not None:
         refuse_runaway(design, chosen.sizes)
@@ -275,14 +282,14 @@ def _first(design: DesignSpec, near: Mapping[str, float] | None) -> Sizes | None
 
 
 def _settled_and_judged(
-    design: DesignSpec,
+    problem: SizingProblem,
     found: Settled,
     spec: str,
     series: tuple[NamedModel, ...],
     model: str | None,
 ) -> Result:
     """Return the choice of the corrected formulas about the place where they hold, judged."""
-    corrected = design.corrected(found.corrections)
+    design, corrected = problem.design, problem.corrected(found.corrections)
     program = sizing_program(corrected)
     if design.geometry.closed_forms:
         if found.is_kept:
@@ -303,7 +310,7 @@ def _ideal(chosen: "_Choice") -> Sizes:
 
 
 def _chosen_and_judged(
-    design: DesignSpec,
+    problem: SizingProblem,
     spec: str,
     series: tuple[NamedModel, ...],
     model: str | None,
@@ -314,10 +321,10 @@ def _chosen_and_judged(
 
     ``alone`` is where the rounds ended of a design without formulas.
     """
-    given = design.fixed_sizes()
+    design, given = problem.design, problem.design.fixed_sizes()
     if given is not None:
         return _judged(design, spec, _Choice(given, _nothing_free()), series, model)
-    program = program or sizing_program(design)
+    program = program or sizing_program(problem)
     chosen = _choose(design, program)
     if chosen is None:
         return _infeasible(design, spec, program, alone)
@@ -400,7 +407,7 @@ def _choose_optimum(
         )
     sizing = SizingResult(
         objective=name,
-        certificate=_certificate(design, certificate(program, solution)),
+        certificate=_certificate(program, certificate(program, solution)),
         active=active_rows(program, solution),
         sensitivities=slopes or (),
         remarks=tuple(remarks),
@@ -414,7 +421,9 @@ def _choose_optimum(
 
 def _least_volume(design: DesignSpec, program: SizingProgram, smallest: Solution) -> list[Design]:
     """Return the design of least volume to compare with, where there is one."""
-    if not smallest.converged or design.is_corrected:  # corrected near the choice, not there
+    if (
+        not smallest.converged or program.problem.is_corrected
+    ):  # corrected near the choice, not there
         return []
     return [_design(design, "least volume", program.complete(smallest.x))]
 
@@ -448,7 +457,7 @@ def _choose_balanced(design: DesignSpec, program: SizingProgram, smallest: Solut
     sizing = SizingResult(
         objective="balanced",
         certificate=_certificate(
-            design, "root of the square system" if found.is_square else "least volume on the rest"
+            program, "root of the square system" if found.is_square else "least volume on the rest"
         ),
         active=found.active,
         sensitivities=found.sensitivities,
@@ -458,9 +467,9 @@ def _choose_balanced(design: DesignSpec, program: SizingProgram, smallest: Solut
     return replace(chosen, notes=(*chosen.notes, *_conditioning(found)))
 
 
-def _certificate(design: DesignSpec, found: str) -> str:
+def _certificate(program: SizingProgram, found: str) -> str:
     """Return how sure a choice is, and of which model."""
-    if not design.is_corrected:
+    if not program.problem.is_corrected:
         return found
     return f"{found}, by the formulas corrected in value and slope to the models that judge"
 
@@ -497,7 +506,7 @@ def _on_grid(
     centre = {name: float(getattr(ideal, name)) for name in program.names}
     goals = None if objective is None else program.objectives(objective)
     doing("the best point of the grid")
-    point = from_stock(design, replace(program, around=None), grids, goals, centre)
+    point = from_stock(replace(program, around=None), grids, goals, centre)
     if point.x is None:
         text = "the manufacturing grid has no feasible design"
         if not point.proved:

@@ -1,6 +1,6 @@
 """A design: material, geometry, mechanism, cases and requirements, joined and consistent."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from math import atan2, hypot
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
@@ -32,12 +32,11 @@ from flexcli.parts.requirements import (
     RequirementError,
     Requirements,
     are_at_rest,
-    limit_of,
 )
 from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.scene import Scene
 from flexcli.parts.scene_of_case import scene_of
-from flexcli.parts.sizing import QUANTITIES, Correction, FreeParameter, SizeOptions
+from flexcli.parts.sizing import QUANTITIES, FreeParameter, SizeOptions
 from flexcli.results import EXACT
 
 if TYPE_CHECKING:
@@ -153,8 +152,6 @@ class DesignSpec(Part):
     e.g. ``exact``.
     """
 
-    _corrections: Mapping[str, Correction] = PrivateAttr(default_factory=dict)
-    _losses: Mapping[str, Correction] = PrivateAttr(default_factory=dict)
     _felt: tuple[Geometry, Geometry] | None = PrivateAttr(None)
 
     @model_validator(mode="before")
@@ -441,59 +438,8 @@ class DesignSpec(Part):
         return list(self._limits(sizes, joint_model, closed_form=False))
 
     def closed_limits(self, sizes: Sizes) -> list[Limit]:
-        """Return the limits that are formulas, on floats, arrays or signomials.
-
-        In a corrected design they agree with the models that judge, and limits without a formula
-        are included.
-        """
-        limits = list(self._limits(sizes, AS_PRINTED, closed_form=True))
-        if not self._corrections:
-            return limits
-        factors = {
-            name: correction.at(sizes)
-            for name, correction in self._corrections.items()
-            if correction.alone is None
-        }
-        spreads = {name: correction.spread for name, correction in self._corrections.items()}
-        return [
-            self._less(
-                limit.scaled(factors.get(limit.name, 1.0)).narrowed(spreads.get(limit.name, 0.0))
-                if limit.kind is not None
-                else limit,
-                sizes,
-            )
-            for limit in limits
-        ] + [
-            self._less(limit_of(correction.alone, correction.at(sizes)), sizes)
-            for correction in self._corrections.values()
-            if correction.alone is not None
-        ]
-
-    def _less(self, limit: Limit, sizes: Sizes) -> Limit:
-        """Return a limit reduced by the loss to tolerances; that of a target is narrowed."""
-        loss = self._losses.get(limit.name)
-        if loss is None:
-            return limit
-        if limit.tolerance is None:
-            return limit.scaled(loss.at(sizes))
-        return limit.narrowed(loss.factor - 1.0)
-
-    def with_losses(self, losses: Mapping[str, Correction]) -> "DesignSpec":
-        """Return the design with the loss of each check to the tolerances, near a design."""
-        design = self.model_copy()
-        design._losses = dict(losses)
-        return design
-
-    @property
-    def is_corrected(self) -> bool:
-        """Return whether its closed limits are corrected to the models that judge, at a design."""
-        return bool(self._corrections)
-
-    def corrected(self, corrections: Mapping[str, Correction]) -> "DesignSpec":
-        """Return the design with its closed limits corrected, check by check."""
-        design = self.model_copy()
-        design._corrections = dict(corrections)
-        return design
+        """Return the limits that are formulas, on floats, arrays or signomials."""
+        return list(self._limits(sizes, AS_PRINTED, closed_form=True))
 
     def _limits(
         self, sizes: Sizes, joint_model: JointModel, *, closed_form: bool

@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from strategies import LOADS, crossed, design, rcc, specs
 
 from flexcli.engine import assess
+from flexcli.engine.sizing.problem import SizingProblem
 from flexcli.engine.sizing.program import sizing_program
 from flexcli.parts.geometries import Blade
 
@@ -16,7 +17,7 @@ ROUNDING = 1e-9  # signomials merge terms, which may cancel digits
 @settings(max_examples=30)
 @given(specs())
 def test_a_row_holds_exactly_where_the_check_of_its_limit_passes(spec):
-    program = sizing_program(spec)
+    program = sizing_program(SizingProblem(spec))
     blade = Blade(**({k: float(v) for k, v in AT.items()} | _fixed(spec)))
     x = {name: getattr(blade, name) for name in program.names}
     margins = assess.factors(spec, **{n: np.array(size) for n, size in blade._asdict().items()})
@@ -37,7 +38,7 @@ def _fixed(spec):
 
 def test_bounds_of_free_dimensions_are_rows_and_fixed_ones_are_none():
     spec = design(rcc(h={"free": [None, "1 mm"]}, b={"free": ["1 mm", None]}, l="20 mm"), LOADS)
-    program = sizing_program(spec)
+    program = sizing_program(SizingProblem(spec))
     bounds = [key for key in program.constraints if program.rows[key].limit is None]
     assert bounds == ["most h", "least b"]
     assert program.names == ("h", "b")
@@ -53,13 +54,13 @@ def test_loads_on_a_remote_centre_are_all_convex(p, method):
         "ends": "clamped-guided",
     }
     asked = {"fatigue": {"factor": 2, "mean_stress": method}, "buckling": 2, "yield": 2}
-    assert sizing_program(design(rcc(p=p), asked, {"both": both})).curved == ()
+    assert sizing_program(SizingProblem(design(rcc(p=p), asked, {"both": both}))).curved == ()
 
 
 def test_a_crossing_at_a_fixed_place_is_not_convex_and_one_at_a_fixed_share_is():
     asked = {"fatigue": 2}
-    assert sizing_program(design(crossed(p="-2 mm"), asked)).curved
-    assert not sizing_program(design(crossed(delta=-0.5), asked)).curved
+    assert sizing_program(SizingProblem(design(crossed(p="-2 mm"), asked))).curved
+    assert not sizing_program(SizingProblem(design(crossed(delta=-0.5), asked))).curved
 
 
 @pytest.mark.parametrize(
@@ -75,7 +76,7 @@ def test_a_crossing_at_a_fixed_place_is_not_convex_and_one_at_a_fixed_share_is()
 )
 def test_objectives_are_what_they_are_called(objective, expected):
     spec = design(rcc(), LOADS, size={"objective": objective})
-    program = sizing_program(spec)
+    program = sizing_program(SizingProblem(spec))
     goal = program.goal(spec.size.objective)
     stiffness = spec.geometry.stiffness(spec.material.elastic, Blade(**AT))
     found = np.exp(goal.sign * program.at([goal.key], AT) + goal.shift)
@@ -84,7 +85,7 @@ def test_objectives_are_what_they_are_called(objective, expected):
 
 def test_targets_become_bands_of_their_tolerance():
     spec = design(rcc(), {"l/h": {"equals": 50, "tolerance": "2 %"}})
-    program = sizing_program(spec)
+    program = sizing_program(SizingProblem(spec))
     above, below = program.banded()
     for term, side in ((above, 1.02), (below, 1 / 1.02)):
         on_rim = {"h": 1e-4, "l": 50 * side * 1e-4, "b": 1e-3}

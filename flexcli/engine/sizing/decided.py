@@ -43,12 +43,8 @@ STEP = 1e-3
 """Change of a size (relative) over which slopes are taken: far above the models' tolerances, and
 small enough for the slope to be that of the place."""
 
-STEEPEST = 1e3
-"""A slope beyond any cliff of a response is one of a model that changed on the way."""
-
-
 STEEPEST = 100.0
-"""Largest power of a size by which a correction changes: a jump between two places has none."""
+"""Largest power of a size by which a correction changes: beyond it a model changed on the way."""
 
 
 class Place(NamedTuple):

@@ -14,6 +14,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.sizing.problem import SizingProblem
 from flexcli.engine.sizing.rows import ONE, Row, Term, rows_of, size_of
 from flexcli.errors import NoSolution
 from flexcli.numerics.black_box import BlackBox
@@ -29,7 +30,6 @@ from flexcli.numerics.ratios import Equality, Ratio, Settled, at_most
 from flexcli.numerics.signomial import Signomial, as_signomial, variables
 from flexcli.numerics.signomial_program import signomial_program
 from flexcli.numerics.solution import Solution
-from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.sizing import Objective
 
@@ -80,6 +80,7 @@ class SizingProgram:
     targets: tuple[str, ...]
     values: Callable[[Floats, Sequence[int]], Floats]
     exact: bool
+    problem: SizingProblem
     around: tuple[Mapping[str, float], float] | None = None
     pursued: tuple[str, ...] | None = None
 
@@ -352,7 +353,7 @@ _PURSUED = Term(ONE, eases=((BEST, -1.0),))
 """The best share of a requirement: as a goal made least, as a limit no more than it allows."""
 
 
-def sizing_program(design: DesignSpec) -> SizingProgram:
+def sizing_program(problem: SizingProblem) -> SizingProgram:
     """Return the program of a design's requirements and bounds.
 
     Notes
@@ -361,9 +362,10 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
     is a limit of its own.
 
     """
+    design = problem.design
     names, exact = design.geometry.free, bool(design.geometry.posynomial)
-    x = dict(zip(names, variables(*names), strict=True)) if exact else _probe(design)
-    rows = rows_of(design, x)
+    x = dict(zip(names, variables(*names), strict=True)) if exact else _probe(problem)
+    rows = rows_of(problem, x)
     limiting = [key for key, row in rows.items() if row.limit is not None or row.bound]
     meant = design.pursued
     pursued = [
@@ -372,7 +374,7 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
         if meant is not None and row.limit is not None and meant.has(row.limit.title)
     ]
     targets = tuple(key for key in limiting if rows[key].is_target)
-    sides = _signomial_sides(rows) if exact else _formula_sides(design, len(rows))
+    sides = _signomial_sides(rows) if exact else _formula_sides(problem, len(rows))
     plain = np.array([key in targets or key not in limiting for key in rows])
 
     def values(y: Floats, places: Sequence[int]) -> Floats:
@@ -395,6 +397,7 @@ def sizing_program(design: DesignSpec) -> SizingProgram:
         targets=targets,
         values=values if exact else _guarded(values),
         exact=exact,
+        problem=problem,
         pursued=None if meant is None else tuple(pursued),
     )
 
@@ -410,11 +413,11 @@ def _signomial_sides(rows: Mapping[str, Row]) -> Sides:
     return lambda x, places: [tuple(side.at(**x) for side in both[k]) for k in places]
 
 
-def _formula_sides(design: DesignSpec, count: int) -> Sides:
+def _formula_sides(problem: SizingProblem, count: int) -> Sides:
     def sides(
         x: Mapping[str, Floats], places: Sequence[int]
     ) -> Iterable[tuple[Floats | float, Floats | float]]:
-        rows = list(rows_of(design, x).values())
+        rows = list(rows_of(problem, x).values())
         if len(rows) != count:
             raise ValueError(f"{len(rows)} rows where {count} were found before")
         return [(rows[k].demand, rows[k].capacity) for k in places]
@@ -440,7 +443,7 @@ def _guarded(
     return guarded
 
 
-def _probe(design: DesignSpec) -> dict[str, Floats]:
+def _probe(problem: SizingProblem) -> dict[str, Floats]:
     """Return sizes of which the formulas have all numbers, looked for between the bounds.
 
     Raises
@@ -449,7 +452,8 @@ def _probe(design: DesignSpec) -> dict[str, Floats]:
         When there are none among many.
 
     """
-    extents, names = design.geometry.extents, design.geometry.free
+    geometry = problem.design.geometry
+    extents, names = geometry.extents, geometry.free
     ends = {
         name: (extents[name].least or LIKELY[0], extents[name].most or LIKELY[1]) for name in names
     }
@@ -463,7 +467,7 @@ def _probe(design: DesignSpec) -> dict[str, Floats]:
             for (name, (low, high)), share in zip(ends.items(), shares, strict=True)
         }
         with suppress(ArithmeticError, ValueError):
-            count = len(rows_of(design, sizes))
+            count = len(rows_of(problem, sizes))
             if count > most:
                 best, most = sizes, count
             if trial >= ENOUGH:
@@ -471,7 +475,7 @@ def _probe(design: DesignSpec) -> dict[str, Floats]:
     if not best:
         raise NoSolution(
             "no-design-to-start-from",
-            f"no sizes were found of which a {design.geometry.name} has numbers",
+            f"no sizes were found of which a {geometry.name} has numbers",
             "bound its free sizes to what can be made",
         )
     return best

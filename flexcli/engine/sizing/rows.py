@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 from typing import NamedTuple
 
+from flexcli.engine.sizing.problem import SizingProblem
 from flexcli.formulas.quantity import Computed, Quantity
-from flexcli.parts.design import DesignSpec
 from flexcli.parts.requirements import Limit
 from flexcli.units import DIMENSIONS, show
 
@@ -100,22 +100,22 @@ class Row:
         return float(new.quantize(last, ROUND_CEILING if upward else ROUND_FLOOR))
 
 
-def rows_of(design: DesignSpec, x: Mapping[str, Quantity]) -> dict[str, Row]:
-    """Return the rows of a design by their keys: its limits, bounds, then what can be least.
+def rows_of(problem: SizingProblem, x: Mapping[str, Quantity]) -> dict[str, Row]:
+    """Return the rows of a problem by their keys: its limits, bounds, then what can be least.
 
     Parameters
     ----------
-    design : DesignSpec
-        The design whose free dimensions are chosen.
+    problem : SizingProblem
+        The design whose free dimensions are chosen, and its corrections.
     x : mapping
         The free dimensions [m]: floats, arrays or signomials.
 
     """
-    geometry = design.geometry
+    geometry = problem.design.geometry
     sizes = geometry.sized(dict(x))
     shape, drawn = geometry.drawn(sizes)
     rows: dict[str, Row] = {}
-    for index, limit in enumerate(design.closed_limits(sizes)):
+    for index, limit in enumerate(problem.limits(sizes)):
         demand = limit.demand * limit.required**limit.power
         name = f"{limit.name}: {limit.quantity}"
         rows[f"{index} {limit.name}"] = Row(name, demand, limit.capacity, limit)
@@ -135,7 +135,7 @@ def rows_of(design: DesignSpec, x: Mapping[str, Quantity]) -> dict[str, Row]:
         **{size_of(name): x[name] for name in geometry.free},
     }
     if geometry.closed_forms:
-        quantities["k_pivot"] = geometry.stiffness(design.material.elastic, sizes)
+        quantities["k_pivot"] = geometry.stiffness(problem.design.material.elastic, sizes)
     return rows | {key: Row(key, value, 1.0) for key, value in quantities.items()}
 
 

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from flexcli.engine.models import NamedModel
 from flexcli.engine.sizing.decided import Place, cheap_slopes_at, judged_at, slopes_at
+from flexcli.engine.sizing.problem import SizingProblem
 from flexcli.engine.sizing.program import sizing_program
 from flexcli.engine.sizing.trust_region import Settled, settled
-from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.results.activity import doing
 
@@ -54,7 +54,7 @@ that keeps it."""
 
 
 def best_settled(
-    design: DesignSpec,
+    problem: SizingProblem,
     start: Sizes,
     models: tuple[NamedModel, ...],
     agreed: float,
@@ -65,7 +65,7 @@ def best_settled(
 
     Parameters
     ----------
-    design : DesignSpec
+    problem : SizingProblem
         The design, without corrections.
     start : named tuple
         Sizes to start from first [m].
@@ -77,15 +77,16 @@ def best_settled(
         Whether the first is known to be near the best, and no other start is looked for.
 
     """
+    design = problem.design
     place = judged_at(design, start, models)
     measure = partial(slopes_at, design, models=models)
     if alone or not place.alone:
-        best = settled(design, place, models, measure, agreed)
+        best = settled(problem, place, models, measure, agreed)
     else:
-        best = _rough(design, place, models)
+        best = _rough(problem, place, models)
     if alone or (best.is_kept and design.size.objective == "balanced"):
         return best
-    scout = _Scout(design, best, models)
+    scout = _Scout(problem, best, models)
     tried, starts, skipped = [best.place.y], 1, 0
     for y in scout.elsewhere():
         is_new = all(float(np.abs(y - other).max()) > APART for other in tried)
@@ -97,31 +98,35 @@ def best_settled(
             skipped += 1  # nobody knows enough of it to start there
             continue
         starts += 1
-        other = _rough(design, place, models)
+        other = _rough(problem, place, models)
         if other.is_kept and scout.merits(other.place.y[:, None])[0] < scout.least:
             best = scout.best = other
             tried.append(best.place.y)
         if len(tried) - skipped > STARTS:
             break
     if best.agreed > agreed:
-        best = settled(design, best.place, models, measure, agreed, best.slopes)
+        best = settled(problem, best.place, models, measure, agreed, best.slopes)
     return best._replace(starts=starts)
 
 
-def _rough(design: DesignSpec, place: Place, models: tuple[NamedModel, ...]) -> Settled:
+def _rough(problem: SizingProblem, place: Place, models: tuple[NamedModel, ...]) -> Settled:
     """Return about where the rounds from a design end, by slopes of the cheapest model."""
-    return settled(design, place, models, partial(cheap_slopes_at, design, models=models), ROUGH)
+    return settled(
+        problem, place, models, partial(cheap_slopes_at, problem.design, models=models), ROUGH
+    )
 
 
 class _Scout:
     """Looks for designs that may be better than the best one so far."""
 
-    def __init__(self, design: DesignSpec, best: Settled, models: tuple[NamedModel, ...]) -> None:
-        self.design = design
+    def __init__(
+        self, problem: SizingProblem, best: Settled, models: tuple[NamedModel, ...]
+    ) -> None:
+        self.problem = problem
         self.best = best
         self.models = models
-        self.program = sizing_program(design.corrected(best.corrections))
-        self.goals = self.program.objectives(design.size.objective)
+        self.program = sizing_program(problem.corrected(best.corrections))
+        self.goals = self.program.objectives(problem.design.size.objective)
 
     @property
     def least(self) -> float:
@@ -155,7 +160,7 @@ class _Scout:
         doing("designs to start from")
         for y in self._points(alone):
             place = judged_at(
-                self.design, self.sizes(y), self.models[:1], only=questions, rough=True
+                self.problem.design, self.sizes(y), self.models[:1], only=questions, rough=True
             )
             if not place.open:
                 over = max(0.0, *(log(used.share) for used in place.used.values()))

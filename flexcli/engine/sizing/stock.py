@@ -19,7 +19,6 @@ from flexcli.engine.sizing.program import SizingProgram
 from flexcli.engine.sizing.rows import ONE, Term, size_of
 from flexcli.errors import Outcome
 from flexcli.numerics.solution import Solution
-from flexcli.parts.design import DesignSpec
 from flexcli.parts.sizing import Grid
 
 __all__ = ["StockChoice", "from_stock", "points_about"]
@@ -72,7 +71,6 @@ class StockChoice:
 
 
 def from_stock(
-    design: DesignSpec,
     program: SizingProgram,
     grids: Mapping[str, Grid],
     goals: Sequence[Term] | None,
@@ -85,7 +83,7 @@ def from_stock(
     point = StockChoice(None, False, 0)
     curved = bool(program.curved)
     if set(grids) == set(centre):
-        point = _judged_one_by_one(design, program, grids, goals, centre)
+        point = _judged_one_by_one(program, grids, goals, centre)
         if point.proved or (point.x is not None and curved):
             return point
     other = _branched(program, grids, goals, centre)
@@ -133,7 +131,6 @@ def _about(grid: Grid, size: float) -> Floats:
 
 
 def _judged_one_by_one(
-    design: DesignSpec,
     program: SizingProgram,
     grids: Mapping[str, Grid],
     goals: Sequence[Term] | None,
@@ -148,7 +145,7 @@ def _judged_one_by_one(
     judged, width = 0, _first_width(grids, centre)
     best: dict[str, float] | None = None
     while best is None and width <= WIDEST_WINDOW:
-        best, count = _best_of_box(design, program, grids, _window(centre, width), merits)
+        best, count = _best_of_box(program, grids, _window(centre, width), merits)
         if count == 0:
             break
         judged, width = judged + count, width * 2.0
@@ -161,7 +158,7 @@ def _judged_one_by_one(
         box = _box_of_better(program, goals[0], reached, centre)
     if box is None:
         return StockChoice(best, False, judged)
-    better, count = _best_of_box(design, program, grids, box, merits)
+    better, count = _best_of_box(program, grids, box, merits)
     proved = count > 0 and (goals is None or not program.curved)
     return StockChoice(better or best, proved, judged + count)
 
@@ -214,7 +211,6 @@ class _Axis:
 
 
 def _best_of_box(
-    design: DesignSpec,
     program: SizingProgram,
     grids: Mapping[str, Grid],
     box: Box,
@@ -231,7 +227,7 @@ def _best_of_box(
     for start in range(0, size, assess.CHUNK):
         places = np.unravel_index(np.arange(start, min(start + assess.CHUNK, size)), shape)
         x = {name: values[name][at] for name, at in zip(values, places, strict=True)}
-        holds = _feasible(design, program, x)
+        holds = _feasible(program, x)
         if holds.any():
             found.append(_first_by(merits, {name: at[holds] for name, at in x.items()}))
     if not found:
@@ -251,15 +247,14 @@ def _first_by(
     return {name: at[kept[:1]] for name, at in x.items()}
 
 
-def _feasible(
-    design: DesignSpec, program: SizingProgram, x: Mapping[str, Floats]
-) -> NDArray[np.bool_]:
+def _feasible(program: SizingProgram, x: Mapping[str, Floats]) -> NDArray[np.bool_]:
+    geometry = program.problem.design.geometry
     holds = np.ones(next(iter(x.values())).shape, dtype=bool)
-    for name, extent in design.geometry.extents.items():
+    for name, extent in geometry.extents.items():
         if name in x:
             holds &= x[name] >= (extent.least or 0.0)
             holds &= x[name] <= (extent.most or np.inf)
-    for margin in assess.factors(design, **program.complete(x)._asdict()).values():
+    for margin in assess.margins(program.problem.limits, geometry, program.complete(x)).values():
         holds &= margin >= 1.0 - assess.ROUNDING
     return holds
 

@@ -23,6 +23,7 @@ from flexcli.engine.sizing.decided import (
     shares,
     turned,
 )
+from flexcli.engine.sizing.problem import SizingProblem
 from flexcli.engine.sizing.program import SizingProgram, sizing_program
 from flexcli.engine.sizing.rows import ONE, Row, Term
 from flexcli.engine.sizing.runaway import refuse_runaway
@@ -121,7 +122,7 @@ class _Trial(NamedTuple):
 
 
 def settled(
-    design: DesignSpec,
+    problem: SizingProblem,
     place: Place,
     models: tuple[NamedModel, ...],
     measure: Callable[[Place], Slopes],
@@ -132,7 +133,7 @@ def settled(
 
     Parameters
     ----------
-    design : DesignSpec
+    problem : SizingProblem
         The design, without corrections.
     place : Place
         What the models that judge say of the first one.
@@ -146,6 +147,7 @@ def settled(
         Slopes of the corrections, of which not all need hold there.
 
     """
+    design = problem.design
     fresh: Floats | None = None
     off: dict[str, float] = {}
     edge: Floats | None = None
@@ -161,7 +163,7 @@ def settled(
     before = inf
     for round_ in range(ROUNDS):
         doing(f"the optimum, round {round_ + 1}")
-        corrected = design.corrected(corrections(design, place, known, MARGIN))
+        corrected = problem.corrected(corrections(design, place, known, MARGIN))
         trial = _trial(corrected, place, width)
         if trial is None:
             return ended()
@@ -176,15 +178,15 @@ def settled(
         there = judged_at(design, sizes, models, place) if step > 0.0 else place
         barred = bool(there.open - place.open)
         edge = trial.y if barred else edge
-        plain = design.corrected(corrections(design, place, known, 0.0))
-        promised = shares(plain.closed_limits(sizes))
+        plain = problem.corrected(corrections(design, place, known, 0.0))
+        promised = shares(plain.limits(sizes))
         off = _broken(there, promised)
         agree = max(off.values(), default=0.0) <= agreed and step < 0.99 * width and not barred
         is_fresh = fresh is not None and float(np.abs(trial.y - fresh).max()) <= FRESH
         if agree and (is_fresh or not there.near):
             place = there
             return ended()
-        gain, promise = _gains(design, trial, place, there, promised)
+        gain, promise = _gains(problem, trial, place, there, promised)
         if agree or gain >= POOR * promise > 0.0:
             if not agree:
                 known = turned(known, place, there, there.used.keys() & place.used.keys())
@@ -220,7 +222,11 @@ def _broken(there: Place, promised: Mapping[str, float]) -> dict[str, float]:
 
 
 def _gains(
-    design: DesignSpec, trial: _Trial, place: Place, there: Place, promised: Mapping[str, float]
+    problem: SizingProblem,
+    trial: _Trial,
+    place: Place,
+    there: Place,
+    promised: Mapping[str, float],
 ) -> tuple[float, float]:
     """Return by how much a choice is better by the models that judge, and as was promised."""
     used = {name: each.share for name, each in there.used.items()}
@@ -233,10 +239,11 @@ def _gains(
         return was - now, was - said
     # a choice that no limit held may break one that no slope foresaw
     weight = PENALTY * max(trial.price, UNHELD)
+    design = problem.design
     if design.pursued is not None:
         before, after, told = (_most(place.pursued, shares) for shares in (old, used, promised))
         return before - after + weight * (was - now), before - told + weight * (was - said)
-    program = sizing_program(design)
+    program = sizing_program(problem)
     goal = program.goal(design.size.objective)
     before, after = program.worth(goal, np.stack([place.y, there.y], axis=1))
     gain = float(before - after)
@@ -265,13 +272,13 @@ def _sized(design: DesignSpec, sizes: Sizes, y: Floats) -> Sizes:
     return sizes._replace(**free)
 
 
-def _trial(corrected: DesignSpec, place: Place, width: float) -> _Trial | None:
+def _trial(corrected: SizingProblem, place: Place, width: float) -> _Trial | None:
     """Return the best design within a region, else the one that exceeds its limits the least.
 
     Nothing where not even that helps.
     """
     program = sizing_program(corrected).about(place.sizes, width)
-    objective = corrected.size.objective
+    objective = corrected.design.size.objective
     if objective == "balanced":
         found = balanced(program)
         if isinstance(found, Balanced):

@@ -80,7 +80,7 @@ def robust_size(design: DesignSpec, spec: str, model: str | None = None) -> Resu
     )
     for number in range(ROUNDS):
         doing(f"loss to the tolerances, round {number + 1}")
-        chosen = size(design.with_losses(lost), spec)
+        chosen = size(design, spec, losses=lost)
         if chosen.status is Status.INFEASIBLE or not _has_sizes(design, chosen):
             return _told(chosen, lost)
         made = _made(design, chosen)
