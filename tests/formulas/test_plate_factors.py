@@ -16,6 +16,7 @@ from flexcli.formulas.profile import Constant
 from flexcli.formulas.restrained_torsion import restrained_stiffness
 from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.mechanics.wide_hinge import wide_hinge
+from flexcli.parts.bending.wide import NECKS_BUCKLED, SHORTEST
 from flexcli.parts.geometries import AnyGeometry
 
 RITZ = 5e-5
@@ -121,6 +122,37 @@ def test_buckling_factors_are_those_of_the_plate(ends, b, nu):
     true = Strip(b, nu, bubbles=3).critical(END_MOTIONS[ends]) / euler
     factor = plate_buckling.buckling_factor(b=b, l=1.0, ends=ends, poisson_ratio=nu)
     assert factor == pytest.approx(true, rel=plate_buckling.BUCKLING_ERROR[ends] + 5.0 * RITZ)
+
+
+@pytest.mark.parametrize(("b", "nu"), [(0.1, 0.3), (0.5, 0.45), (2.0, 0.34)])
+def test_under_any_axial_force_a_plate_bends_as_stiff_as_beams_of_two_factors(b, nu):
+    """The ends turn alike or against each other, pulled by twice Euler's load or pushed."""
+    at = {"b": b, "l": 1.0, "poisson_ratio": nu}
+    hinged = float(plate_buckling.buckling_factor(ends="pinned-pinned", **at))
+    low = hinged - plate_buckling.BUCKLING_ERROR["pinned-pinned"]
+    high = float(plates.pure_bending_factor(**{**at, "b": SHORTEST * b}))
+    plate, beam = strip(b, nu), strip(b, 0.0)
+    for force in np.pi**2 * np.linspace(-2.0, 3.8, 12):
+        true = plate.stiffness(force)
+        least, most = (k * beam.stiffness(force / k) for k in (low, high))
+        for turns in ([0.0, 1.0, 0.0, 1.0], [0.0, 1.0, 0.0, -1.0]):
+            assert turns @ (true - least) @ turns >= -RITZ * b
+            assert turns @ (most - true) @ turns >= -RITZ * b
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("middle", [0.0, 1.0, 10.0])
+@pytest.mark.parametrize(("b", "nu"), [(0.1, 0.3), (0.36, 0.45), (1.0, 0.34)])
+def test_hinges_of_a_blade_that_buckles_bend_to_an_arc_or_to_an_s(b, nu, middle):
+    at = {"b": b, "l": 1.0, "poisson_ratio": nu}
+    arc, bent = (float(k(**at)) for k in (plates.pure_bending_factor, plates.guided_factor))
+    off = NECKS_BUCKLED * (arc - 1.0)
+    free = {"clamped-clamped": [2, 3], "clamped-pinned": [2, 3, 5], "clamped-guided": [2, 3, 4],
+            "pinned-pinned": [1, 2, 3, 5], "clamped-free": [2, 3, 4, 5]}  # fmt: skip
+    for ends, moves in free.items():
+        plate, beam = (strip(b, each).critical_of_two(middle, moves) for each in (nu, 0.0))
+        most = bent if ends == "clamped-clamped" else arc + off
+        assert arc - off - RITZ <= plate / beam <= most + RITZ
 
 
 @pytest.mark.parametrize(("b", "within"), [(0.1, 0.002), (0.5, 0.004), (1.0, 0.007)])

@@ -232,6 +232,32 @@ def test_buckling_takes_the_factor_of_the_ends_that_hold_a_guided_blade():
         assert found.value == pytest.approx(k - 1.0, rel=1e-12)
 
 
+@pytest.mark.parametrize("shape", [
+    {"kind": "leaf-spring-stage", "spacing": "9 mm", **THIN}, {"kind": "guided-blade", **THIN},
+])  # fmt: skip
+@pytest.mark.parametrize(
+    ("ends", "held"), [("clamped-free", "clamped-guided"), ("clamped-pinned", "clamped-clamped")]
+)
+def test_blades_that_keep_their_body_upright_buckle_as_if_its_ends_were_kept(shape, ends, held):
+    """A second blade, or the guide, keeps the body from turning where the ends do not."""
+    case = {"load": {"force": "1 N"}, "ends": ends}
+    found = WIDENING.changes(setting_of(shape, MOVE, case=case))["buckling"]
+    k = float(plate_buckling.buckling_factor(ends=held, **BLADE))
+    assert found.value == pytest.approx(k - 1.0, rel=1e-12)
+
+
+def test_blades_on_hinges_buckle_one_alone():
+    """Of a pivot, and of a drawing of blades that are alike."""
+    k = float(plate_buckling.buckling_factor(ends="pinned-pinned", **BLADE))
+    alike = {name: {**blade, "h": "0.05 mm", "b": "10 mm"}
+             for name, blade in LAYOUT["blades"].items()}  # fmt: skip
+    case = {"load": {"force": "1 N"}, "ends": "pinned-pinned"}
+    for shape, stroke in ((PIVOT, TURN), ({**LAYOUT, "blades": alike}, MOVE)):
+        found = WIDENING.changes(setting_of(shape, stroke, case=case))["buckling"]
+        assert found.value == pytest.approx(k - 1.0, rel=1e-6)
+        assert found.error < 2e-3
+
+
 def test_a_sag_that_bends_the_width_follows_the_sheet_and_not_the_plate():
     three = {"kind": "three-blade", **THIN}
     found = WIDENING.all_changes(setting_of(three, TURN))

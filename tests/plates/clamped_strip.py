@@ -154,3 +154,43 @@ class Strip:
         K, G = (form * scale[:, None] * scale for form in (K, G))
         last = len(K) - 1
         return 1.0 / eigh(G, K, eigvals_only=True, subset_by_index=[last, last])[0]
+
+    def stiffness(self, force):
+        """Return the stiffness of w, w' at 0, w, w' at 1 under an axial force, of a width."""
+        K, G = self._of_ends
+        form = K - force * G
+        inside = form[4:, 4:]
+        return form[:4, :4] - form[:4, 4:] @ np.linalg.solve(inside, form[4:, :4])
+
+    @cached_property
+    def _of_ends(self):
+        every = range(4)
+        return self._whole(self._bends, every), self._whole([(1.0, (1, 1), (0, 0))], every)
+
+    def critical_of_two(self, middle, free):
+        """Return the least axial force over the width that buckles two, rigid between them.
+
+        That is as long as ``middle``. Of w, w' at the start, where the first one ends, and at the
+        end of the second those in ``free`` are free, the others zero.
+        """
+        first, second = np.eye(6)[:4], np.zeros((4, 6))
+        second[[0, 0, 1, 2, 3], [2, 3, 3, 4, 5]] = 1.0, middle, 1.0, 1.0, 1.0
+        n = len(self.inner) * len(self.kept)
+        K, G = (
+            self._placed(form, first, 0, n) + self._placed(form, second, n, n)
+            for form in self._of_ends
+        )
+        G[3, 3] += self.b * middle
+        kept = [*free, *range(6, len(K))]
+        K, G = (form[np.ix_(kept, kept)] for form in (K, G))
+        last, scale = len(kept) - 1, 1.0 / np.sqrt(np.diag(K))
+        K, G = (form * scale[:, None] * scale for form in (K, G))
+        return 1.0 / eigh(G, K, eigvals_only=True, subset_by_index=[last, last])[0]
+
+    @staticmethod
+    def _placed(form, ends, place, n):
+        """Return a form of ends and inside in one of six motions and the inside of two strips."""
+        where = np.zeros((4 + n, 6 + 2 * n))
+        where[:4, :6] = ends
+        where[4:, 6 + place : 6 + place + n] = np.eye(n)
+        return where.T @ form @ where

@@ -41,11 +41,16 @@ SHORTEST = 4.0
 """Equivalent width ratio: a blade in pure bending that many times wider is as flat as one bent in
 any shape between clamps (guided 2.9 at most, buckled with any ends 2.6)."""
 
+NECKS_BUCKLED = 0.2
+"""Part of what a hinge in pure bending widens by, by which the hinges of a blade that buckles
+sideways, or on pins, may differ from it: plates with a rigid middle of 0 to 40 hinges' lengths
+between them had 0.1 at most."""
+
 OF_CROSS = 1.0
 """Part of the plates' change of the shift of joined blades that the cross may cancel: it is thin,
 and holds their sections by the other blade alone."""
 
-LOCKED = "clamped-clamped"
+LOCKED, HINGED = "clamped-clamped", "pinned-pinned"
 
 
 def wide_pivot(
@@ -63,8 +68,9 @@ def wide_pivot(
     shift = _pivot_shift(gamma, *_shortening(blade, nu)) if pair else None
     bends = (1.0 - 3.0 * gamma) / l, (1.0 + 3.0 * gamma) / l
     held = _held(blade, nu)
-    # whose body turns as well: the shape is none of these
-    held |= {ends: _hull(held.values(), at=held[ends]) for ends in held if ends != LOCKED}
+    # whose body turns as well: the shape is none of these; on hinges one blade buckles alone
+    turned = [ends for ends in held if ends not in (LOCKED, HINGED)]
+    held |= {ends: _hull(held.values(), at=held[ends]) for ends in turned}
     sag = None
     if sags_wide:
         inverse = 1.0 / number(sheets.guided_factor(b=b, l=l, poisson_ratio=nu))
@@ -73,12 +79,16 @@ def wide_pivot(
 
 
 def wide_guided(blade: Blade, nu: float) -> WideBlades:
-    """Return the factors of parallel blades whose ends do not turn."""
+    """Return the factors of parallel blades whose ends do not turn.
+
+    What guides them, or the next blade, keeps the body from turning whatever the ends say.
+    """
     _, l, b = blade = _floats(blade)
     factor = _factor(plates.guided_factor, blade, nu)
     _, bent = _shortening(blade, nu)
     bends = 6.0 / l**2, -6.0 / l**2
     held = _held(blade, nu)
+    held |= {"clamped-free": held["clamped-guided"], "clamped-pinned": held[LOCKED]}
     stiffness = _any_shape(factor, blade, nu)
     return WideBlades(b / l, stiffness, factor, held, (bent, 0.2 * bent), None, bends)
 
@@ -158,13 +168,12 @@ def wide_necks(neck: Blade, nu: float, *, l: Numbers) -> WideBlades:
 
     The force is at half the height of the stage.
     """
-    h, l_c, b = neck = _floats(neck)
+    _, l_c, b = neck = _floats(neck)
     l = number(l)
     stiffness = _factor(plates.limb_hinge_factor, neck, nu, arm=(l - l_c) / 2.0)
-    buckles = _between(number(plates.pure_bending_factor(b=b, l=l_c, poisson_ratio=nu, h=h)), nu)
     pure, _ = _shortening(neck, nu)
     share = 2.0 * l_c / l  # of the path, most of which is that of the rigid middle
-    held = dict.fromkeys(EFFECTIVE_LENGTH, buckles)
+    held = _held_necks(neck, nu)
     return WideBlades(b / l_c, stiffness, stiffness, held, (0.0, share * pure))
 
 
@@ -233,7 +242,8 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
     Each is given where it is thinnest, and whether its thickness is constant; springs that are not
     blades take their share.
     """
-    found, most, path, kept = [], 0.0, 0.0, 1.0
+    found, hinged, kept = list[Factor](), list[Factor](), list[Factor]()
+    most = path = 0.0
     for given, constant in blades:
         blade = _floats(given)
         most = larger(most, blade.b / blade.l)
@@ -241,12 +251,13 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
         if constant:
             bent = _factor(plates.guided_factor, blade, nu)
             found.append(Factor((pure.value + bent.value) / 2.0, pure.low, bent.high))
-            short = _factor(plates.pure_bending_factor, blade._replace(b=SHORTEST * blade.b), nu)
-            kept = larger(kept, short.high)
+            hinged.append(_buckling(blade, nu, HINGED))
+            kept.append(_buckled(blade, nu))
             path = larger(path, *_shortening(blade, nu))
         else:
             found.append(_between(pure.low, nu))
-            kept = 1.0 + number(plates.bound(nu))
+            kept.append(_between(1.0, nu))
+            hinged.append(kept[-1])
             path = number(plates.bound(nu)) / 5.0
     hull = _hull(found)
     stiffness = _hull([hull, Factor(1.0, 1.0, 1.0)]) if springs else hull
@@ -254,7 +265,10 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
     # what one blade takes more of than another adds to its own factor; curvature flattens it
     spread = stiffness.high - stiffness.low
     stress = Factor(stiffness.value, larger(1.0 - spread, stiffness.low - spread), flat + spread)
-    buckles = dict.fromkeys(EFFECTIVE_LENGTH, Factor(stiffness.value, 1.0, kept))
+    if springs:
+        kept.append(Factor(1.0, 1.0, 1.0))
+    # on hinges a blade buckles alone
+    buckles = dict.fromkeys(EFFECTIVE_LENGTH, _hull(kept)) | {HINGED: _hull(hinged)}
     return WideBlades(most, stiffness, stress, buckles, (0.0, CANCELS * path))
 
 
@@ -348,6 +362,16 @@ def _any_shape(factor: Factor, blade: Blade, nu: float) -> Factor:
     return factor._replace(other=larger(most / factor.value - 1.0, 1.0 - least / factor.value))
 
 
+def _buckled(blade: Blade, nu: float) -> Factor:
+    """Return the range of the factor of the force that buckles a blade in any shape between clamps.
+
+    Plates under any axial force, bent evenly or oddly, are softest where their ends have no moment.
+    """
+    least = _buckling(blade, nu, HINGED).low
+    most = _factor(plates.pure_bending_factor, blade._replace(b=SHORTEST * blade.b), nu).high
+    return Factor((least + most) / 2.0, least, most)
+
+
 def _floats(blade: Blade) -> Blade:
     return Blade(number(blade.h), number(blade.l), number(blade.b))  # without fillets
 
@@ -362,6 +386,19 @@ def _shortening(blade: Blade, nu: float) -> tuple[float, float]:
 def _held(blade: Blade, nu: float) -> dict[str, Factor]:
     """Return the factors of the critical force by its end conditions."""
     return {ends: _buckling(blade, nu, ends) for ends in EFFECTIVE_LENGTH}
+
+
+def _held_necks(neck: Blade, nu: float) -> dict[str, Factor]:
+    """Return the factors of the force that buckles two hinges with a rigid middle, by their ends.
+
+    The blades of a stage keep it upright: one that is not kept from turning buckles as if it were.
+    Its hinges bend to an arc as it sways, to an S where it is kept from that as well.
+    """
+    pure, bent = (_factor(f, neck, nu) for f in (plates.pure_bending_factor, plates.guided_factor))
+    off = NECKS_BUCKLED * (pure.value - 1.0)
+    arc = pure._replace(low=larger(1.0, pure.low - off), high=pure.high + off)
+    locked = _hull([arc, bent])
+    return dict.fromkeys(EFFECTIVE_LENGTH, arc) | {LOCKED: locked, "clamped-pinned": locked}
 
 
 def _factor(formula: Any, blade: Blade, nu: float, **more: float) -> Factor:

@@ -68,6 +68,7 @@ class Cantilever(SagsAlongStroke, _SingleBlade):
     motion: ClassVar[str] = "translation"
     cards: ClassVar[tuple[Card, ...]] = blade.FORCE_CARDS
     turns_freely: ClassVar[bool] = True
+    held_by_one_blade: ClassVar[bool] = True
 
     kind: Literal["cantilever"]
 
@@ -146,6 +147,7 @@ class MomentBlade(_SingleBlade):
 
     motion: ClassVar[str] = "rotation"
     cards: ClassVar[tuple[Card, ...]] = (*blade.MOMENT_CARDS, *BLADE_CARDS)
+    held_by_one_blade: ClassVar[bool] = True
 
     kind: Literal["moment-blade"]
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from math import pi, remainder
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
+from flexcli.formulas.plate_buckling import BUCKLING_ERROR, buckling_factor
 from flexcli.formulas.section import shear_parameter
 from flexcli.numerics.rows import Rows, isfinite, larger, number
 from flexcli.numerics.signomial import Signomial
@@ -108,8 +109,9 @@ def least_blade_force(ask: Ask) -> Critical:
 def across_width(ask: Ask) -> Iterator[Critical]:
     """Yield the force that buckles a blade across its width, where there is a formula.
 
-    Euler's load of the most loaded blade with the stated ends. The bodies hold blades together,
-    which can only raise it; shear across the width lowers it.
+    Euler's load of the most loaded blade with the stated ends. What holds a body besides, other
+    blades or a guide, can only raise it, and so do clamps that keep a blade flat over its
+    thickness; shear across the width lowers it.
     """
     scene, elastic = ask.scene, ask.material.elastic
     assert scene.ends is not None  # the requirement asks for them
@@ -124,10 +126,24 @@ def across_width(ask: Ask) -> Iterator[Critical]:
         phi = shear_parameter(depth=b, l=l, poisson_ratio=0.5 if elastic.nu is None else elastic.nu)
         n = number(critical.force) * 12.0 * l**2 / (elastic.E * h * b**3)
         softer = n * phi / 12.0 / (1.0 + n * phi / 12.0)
-        least = EFFECTIVE_LENGTH[scene.ends] / STIFFEST
-        high = 0.0 if ENDS[scene.ends].hinged else least**2 - 1.0
+        alone = ask.geometry.held_by_one_blade or ENDS[scene.ends].hinged
+        stiffer = 1.0 if alone else (EFFECTIVE_LENGTH[scene.ends] / STIFFEST) ** 2
+        flat = _flatness(h, l, b, elastic.nu, scene.ends if alone else None)
         stress = scene.axial_share / (h * b)
         force = critical.force / scene.axial_share
         low = (1.0 - softer) / (1.0 + ask.clamp_softening) - 1.0
-        error = ErrorRange(low, larger(high, 0.0))
+        error = ErrorRange(low, stiffer * flat - 1.0)
         yield Critical(ACROSS_WIDTH, force, critical.source, stress, error)
+
+
+def _flatness(h: float, l: float, b: float, nu: float | None, ends: str | None) -> float:
+    """Return the most that a blade bent across its width bears as a plate over the beam.
+
+    Of the ends that are named, or of any.
+    """
+    held, nu = EFFECTIVE_LENGTH if ends is None else (ends,), 0.5 if nu is None else nu
+    deep = larger(h, b)
+    return larger(
+        number(buckling_factor(b=deep, l=l, ends=each, poisson_ratio=nu)) + BUCKLING_ERROR[each]
+        for each in held
+    )
