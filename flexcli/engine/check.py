@@ -15,7 +15,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import JointModel
-from flexcli.results import Check, Cost, Note, QuantityKind, Result, Value, Verdict
+from flexcli.results import Check, Cost, Note, QuantityKind, Result, Value, Verdict, with_seconds
 
 __all__ = ["check", "judged", "told_values", "verdicts"]
 
@@ -98,8 +98,10 @@ def judged(
     model: str | None = None,
 ) -> Result:
     """Return a judgement with the values of a design by the cheapest model, and its warnings."""
-    joint_model = _judging(design, found, model or design.model or _cheapest(design, found))
+    name = model or design.model or _cheapest(design, found)
+    joint_model, started = _judging(design, found, name), perf_counter()
     values, notes = _values_of_any(design, sizes, joint_model)
+    by_model = with_seconds(found.by_model, name, perf_counter() - started)
     rows = omitted_effects.effects(design, sizes, joint_model)
     errors = [v.estimated_error for v in values.values() if v.estimated_error is not None]
     result = Result(
@@ -119,7 +121,7 @@ def judged(
             *_shaken(design, sizes, joint_model, found),
             *_without_loads(design, sizes, found),
         ),
-        cost=Cost(0.0, found.deciding, max(errors, default=None), by_model=found.by_model),
+        cost=Cost(0.0, found.deciding, max(errors, default=None), by_model=by_model),
     )
     if design.accuracy is None or joint_model.name == "source":
         return result

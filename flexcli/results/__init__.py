@@ -21,6 +21,7 @@ from flexcli.results.result import (
     PassedOver,
     Result,
     Status,
+    with_seconds,
 )
 
 __all__ = [
@@ -38,4 +39,5 @@ __all__ = [
     "Status",
     "Value",
     "Verdict",
+    "with_seconds",
 ]

@@ -57,6 +57,11 @@ class Cost:
     by_model: Mapping[str, float] = field(default_factory=dict)
 
 
+def with_seconds(by_model: Mapping[str, float], model: str, seconds: float) -> dict[str, float]:
+    """Return the seconds of models with some more of one."""
+    return {**by_model, model: by_model.get(model, 0.0) + seconds}
+
+
 HEADER = frozenset(
     {"command", "spec", "status", "title", "values", "checks", "effects", "warnings"}
     | {"findings", "cost"}

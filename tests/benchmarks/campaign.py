@@ -49,7 +49,7 @@ def row_of(seed, kinds, longest, **asked):
     finally:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
     row = {"seed": seed, "kind": found.kind, "spent": process_time() - started}
-    row["seconds"] = [each.seconds if each else 0.0 for each in (found.said, found.finest)]
+    row["seconds"] = [each.deciding if each else 0.0 for each in (found.said, found.finest)]
     outcomes = [
         {
             "requirement": each.requirement, "sin": each.sin, "said": each.said.verdict,

@@ -86,6 +86,16 @@ def test_a_wide_margin_stays_with_the_closed_form(flexure, spec):
     assert set(document["cost"]["by_model"]) == {"closed-form"}
 
 
+def test_values_that_an_accuracy_asks_for_are_in_the_cost(flexure, spec):
+    """The closed form decides; the model that makes the values beside has seconds of its own."""
+    spec.write_text(SPEC + "accuracy: 1e-6\n")
+    document = checked(flexure)
+    assert [check["model"] for check in document["checks"]] == ["closed-form"]
+    by_model = document["cost"]["by_model"]
+    assert set(by_model) == {"closed-form", "exact"}
+    assert 0.0 < by_model["exact"] < document["cost"]["seconds"]
+
+
 def test_size_by_the_exact_model_writes_a_design_that_it_passes(flexure, spec):
     spec.write_text(SPEC.replace("h: 0.2 mm", "h: free") + "size: {objective: {maximize: h}}\n")
     assert flexure("size", "--model", "exact", "--write", "sized.yaml").returncode == 0

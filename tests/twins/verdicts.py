@@ -46,6 +46,15 @@ class Answer(NamedTuple):
     seconds: float
     bug: str = ""
 
+    @property
+    def deciding(self):
+        """Return how long it took to decide all checks [s], without the values beside them."""
+        each = {}
+        for row in self.found.get("checks", []):
+            question = (row.get("place") or {}).get("path"), row.get("case")
+            each[question] = max(each.get(question, 0.0), row.get("cost") or 0.0)
+        return sum(each.values())
+
     def about(self, name):
         """Return what was said of one requirement."""
         if self.bug:

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from math import isfinite
+from time import perf_counter
 
 from flexcli.engine import values as design_values
 from flexcli.engine.models import NamedModel
@@ -11,7 +12,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.results import Note, Result
+from flexcli.results import Note, Result, with_seconds
 from flexcli.results.plan import Plan
 
 __all__ = ["simulate_by_plan", "told", "with_planned_values"]
@@ -27,6 +28,7 @@ def with_planned_values(
 
     They stay as they are, with a note, where that model has no answer.
     """
+    started = perf_counter()
     found = plan(design, sizes, model)
     in_space = design.geometry.in_space
     try:
@@ -37,6 +39,9 @@ def with_planned_values(
         note = Note("planned-model-has-no-answer", text)
         return replace(result, warnings=(*result.warnings, note))
     kept = {name: value for name, value in result.values.items() if name not in values}
+    if result.cost is not None:
+        took = with_seconds(result.cost.by_model, found.model, perf_counter() - started)
+        result = replace(result, cost=replace(result.cost, by_model=took))
     return told(replace(result, values={**kept, **values}), found)
 
 

@@ -8,7 +8,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements.dynamic import DynamicLife, DynamicYield
 from flexcli.parts.scene import LoadKind
-from flexcli.results import Check, Verdict
+from flexcli.results import Check, Verdict, with_seconds
 
 __all__ = ["between_stops"]
 
@@ -48,7 +48,7 @@ def between_stops(
         kept.append(check)
     by_model = dict(found.by_model)
     for name, seconds in stopped.by_model.items():
-        by_model[name] = by_model.get(name, 0.0) + seconds
+        by_model = with_seconds(by_model, name, seconds)
     # rows that only say of statics which model made them have no seconds of their own
     for check in stopped.checks:
         by_model.setdefault(check.model, 0.0)

@@ -9,7 +9,7 @@ from flexcli.engine.stopping.statics import task_of
 from flexcli.errors import SolveError
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.results import Cost, Note, Result, Status, Value, Verdict
+from flexcli.results import Cost, Note, Result, Status, Value, Verdict, with_seconds
 from flexcli.results.stops import StopPlace, StopSimulation
 
 __all__ = ["Watch", "decided", "simulated", "with_time"]
@@ -95,13 +95,11 @@ def with_time(cost: Cost | None, seconds: float, model: str) -> Cost:
     """Return the cost of a result for which a model ran as well, some seconds."""
     before = cost or Cost(0.0, "", None)
     names = [name for name in before.model.split(", ") if name]
-    by_model = dict(before.by_model)
-    by_model[model] = by_model.get(model, 0.0) + seconds
     return replace(
         before,
         seconds=before.seconds + seconds,
         model=", ".join(dict.fromkeys((*names, model))),
-        by_model=by_model,
+        by_model=with_seconds(before.by_model, model, seconds),
     )
 
 
