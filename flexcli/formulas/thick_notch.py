@@ -5,14 +5,15 @@ the blocks that the notch is cut into give way at its mouth. A beam has neither.
 """
 
 from collections.abc import Iterator
-from typing import Literal, NamedTuple, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
 from flexcli.formulas.card import Card, Range
+from flexcli.formulas.quantity import Numbers
 from flexcli.numerics.rows import Number, larger, number, smaller
 
-__all__ = ["CARDS", "DEEPEST", "THICKEST", "Blocks", "Softening", "softening"]
+__all__ = ["CARDS", "DEEPEST", "THICKEST", "Blocks", "Softening", "bends_more", "softening"]
 
 OF_SLOPE, AT_MOST = 1.2, 4.0
 """Share of its curvature that a section bends more, per square of the slope of its faces, and its
@@ -112,7 +113,7 @@ def softening(
     H = e + 2.0 * depth
     places = list(_places(e, depth, l))
     bends = [12.0 / h**3 * dx for _, dx, h, _ in places]
-    shares = (OF_SLOPE * s**2 / (1.0 + OF_SLOPE / AT_MOST * s**2) for *_, s in places)
+    shares = (bends_more(s) for *_, s in places)
     softer = 2.0 * sum(bend * share for bend, share in zip(bends, shares, strict=True))
     low, high, bar = _of_blocks(e, depth, l, blocks)
     fit = OF_FIT * softer + BESIDE / H**2
@@ -134,6 +135,14 @@ def softening(
     return Softening(
         softer + (low + high) / 2.0, fit + (high - low) / 2.0, least - less, most + more
     )
+
+
+def bends_more(slope: Numbers) -> Any:
+    """Return the share of its curvature that a section bends more, by the slope of its faces [-].
+
+    ``1.2 s²/(1 + 0.3 s²)``.
+    """
+    return OF_SLOPE * slope**2 / (1.0 + OF_SLOPE / AT_MOST * slope**2)
 
 
 class Spread(NamedTuple):
