@@ -41,7 +41,8 @@ def steady_steps(blade, stops, *, angular, amplitude, kick=0.0):
     motion = None
     for omega, A in zip(angular, np.broadcast_to(amplitude, len(angular)), strict=True):
         if motion is None:
-            motion = stepped_motion(blade, stops, float(A), kick=kick)
+            motion = stepped_motion(blade, stops, float(A))
+            motion.point.rate[0] = kick
         elif motion.driven.amplitude != A:
             motion = replace(motion, driven=DrivenBlade(blade, stops, float(A)), known=[])
         yield motion.follow(float(omega))

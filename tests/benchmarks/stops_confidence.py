@@ -34,7 +34,7 @@ def peak(seed: int, confidence: float) -> float:
     """Return the highest travel of a run [m]."""
     options = DESIGN.stops.simulation.model_copy(update={"confidence": confidence, "seed": seed})
     (run,) = stop_runs(DESIGN, TASK, SIZES, PLACE, "launch", options=options)
-    return float(run.told(lambda _: True).travel)
+    return float(run.driven(lambda _: True).travel)
 
 
 def main(repeats: int, first: int) -> None:

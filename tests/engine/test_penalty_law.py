@@ -5,12 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from flexcli.engine.comparing.penalty_law import RIGID_PENALTY, penalty_law, rigid_damping
+from flexcli.engine.comparing.penalty_law import RIGID_PENALTY, penalty_law
 from flexcli.mechanics.stopping.laws import (
     HertzStop,
     LinearStop,
     RigidStop,
-    damped_stop_restitution,
 )
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 
@@ -43,15 +42,6 @@ def test_a_damped_spring_lies_in_series_with_the_left_out_modes_and_never_pulls(
     push = penalty_law(blade(stop_residual=0.5), LinearStop(2.0, damping=3.0))
     assert push(0.1, 0.2) == pytest.approx(0.1 / (0.5 + 0.5) + 3.0 * 0.2, rel=1e-14)
     assert push(0.1, -1.0) == 0.0
-
-
-@given(st.floats(0.14, 1.0))
-def test_the_penalty_of_a_rigid_stop_bounces_with_its_restitution(e):
-    assert damped_stop_restitution(rigid_damping(e)) == pytest.approx(e, rel=1e-6)
-
-
-def test_a_deader_bounce_than_critical_damping_gives_is_that_of_critical_damping():
-    assert damped_stop_restitution(rigid_damping(0.05)) == pytest.approx(np.exp(-2), rel=1e-3)
 
 
 def test_an_elastic_rigid_stop_is_a_spring_many_times_as_stiff_as_the_blade():

@@ -152,7 +152,7 @@ def test_the_dashpot_of_a_spring_gives_its_restitution(restitution):
     sizes = design.fixed_sizes()
     task = task_of(design, design.stops, sizes)
     place = stop_place(task, "", 28.4e-3, 1e-9)
-    blade, found, _ = stop_scene(design, design.mechanism, task, sizes, place, "resonance")
+    blade, found, _ = stop_scene(design, task, sizes, place, "resonance")
     run = StoppedVibration(blade, found, rate=[1e-3])
     half = pi / OMEGA
     for _ in run.run(sine(amplitude=1e-30, angular=OMEGA, duration=2.5 * half)):
@@ -353,7 +353,7 @@ def test_of_two_alike_exposures_the_second_is_higher_half_of_the_time():
     for seed in range(48):
         options = design.stops.simulation.model_copy(update={"seed": seed})
         (one,) = stop_runs(design, task, sizes, place, "launch", options=options)
-        peaks.append(one.told(lambda _: True).travel)
+        peaks.append(one.driven(lambda _: True).travel)
     higher = sum(b > a for a, b in zip(peaks[::2], peaks[1::2], strict=True))
     assert abs(higher - 12) <= 8
 

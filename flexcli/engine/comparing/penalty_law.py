@@ -1,22 +1,19 @@
-"""A stop as a force of approach and speed, which an integrator that knows no events can take."""
+"""A stop as a force of approach and speed, for integrators that find no impacts and contacts."""
 
 from collections.abc import Callable
 from math import acos, acosh, cos, cosh, sqrt
 from typing import TypeAlias
 
-from scipy.optimize import brentq
-
-from flexcli.engine.stopping.scene import MOST_DAMPING
 from flexcli.mechanics.stopping.laws import (
     AnyStopLaw,
     HertzStop,
     RigidStop,
-    damped_stop_restitution,
+    damping_ratio,
     stiffness_on_blade,
 )
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 
-__all__ = ["RIGID_PENALTY", "penalty_law", "rigid_damping"]
+__all__ = ["RIGID_PENALTY", "penalty_law"]
 
 Push: TypeAlias = Callable[[float, float], float]
 
@@ -29,28 +26,18 @@ def penalty_law(blade: ModalBlade, law: AnyStopLaw) -> Push:
 
     The left-out modes and the stop's mount lie in series with the contact. A rigid stop with a
     restitution has no such law: a spring ``RIGID_PENALTY`` as stiff as the blade at the stop takes
-    its place, beside the dashpot that gives one mode that restitution.
+    its place, beside the dashpot that gives one mode that restitution, or the least that a dashpot
+    can.
     """
     if isinstance(law, HertzStop):
         return _hertz_push(law, blade.stop_residual)
     if isinstance(law, RigidStop):
         k = RIGID_PENALTY / float((blade.stop**2 / blade.angular**2).sum())
         mass = 1.0 / float(blade.stop @ blade.stop)
-        c = 2.0 * rigid_damping(law.restitution) * sqrt(k * mass)
+        c = 2.0 * damping_ratio(law.restitution) * sqrt(k * mass)
     else:
         k, c = stiffness_on_blade(blade, law.stiffness), law.damping
     return lambda approach, speed: max(k * approach + c * speed, 0.0)
-
-
-def rigid_damping(restitution: float) -> float:
-    """Return the damping ratio of the penalty that bounces with a restitution.
-
-    Next to critical it bounces with 1/e², the least: below that the bounce is in its model error.
-    """
-    least = damped_stop_restitution(MOST_DAMPING)
-    if restitution <= least:
-        return MOST_DAMPING
-    return float(brentq(lambda r: damped_stop_restitution(r) - restitution, 0.0, MOST_DAMPING))
 
 
 def _hertz_push(law: HertzStop, residual: float) -> Push:

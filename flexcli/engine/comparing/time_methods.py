@@ -40,11 +40,9 @@ class TimePeaks(NamedTuple):
 def event_driven(motion: StoppedMotion) -> tuple[TimePeaks, float]:
     """Return what the event-driven run gives, and its energy residual as a share of what moved."""
     found = simulate(motion.blade, motion.stops, motion.pieces, rate=motion.rate)
-    balance, times = found.balance, found.contacts.time
-    moved = balance.start + abs(balance.base_work) + balance.damped + balance.lost_at_stops
+    times = found.contacts.time
     last = float(times[-1]) if times.size else nan
-    peaks = TimePeaks(found.peaks.travel, found.peaks.force, last)
-    return peaks, abs(balance.energy_residual) / (moved or 1.0)
+    return TimePeaks(found.peaks.travel, found.peaks.force, last), found.balance.energy_error
 
 
 def stretches(pieces: Iterable[Piece]) -> list[Piece]:

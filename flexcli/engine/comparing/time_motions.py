@@ -17,7 +17,6 @@ from flexcli.numerics.signal_pieces import Piece
 from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.mechanisms.tip_mass import TipMass
 
 __all__ = ["PERIODS", "StoppedMotion", "motions"]
 
@@ -40,8 +39,7 @@ class StoppedMotion(NamedTuple):
 
 def motions(design: DesignSpec, sizes: Sizes) -> Iterator[StoppedMotion]:
     """Yield the first periods, from rest, of every sine and shock between the chosen stops."""
-    mechanism = design.mechanism
-    if design.stops is None or not isinstance(mechanism, TipMass):
+    if design.stops is None:
         return
     asked = {name: alone for name, case in design.cases.items() if (alone := _short(case))}
     if not asked:
@@ -50,7 +48,7 @@ def motions(design: DesignSpec, sizes: Sizes) -> Iterator[StoppedMotion]:
     place = choose(task).place
     signs = (1,) if design.stops.sides == "both" else (1, -1)
     for name, case in asked.items():
-        blade, stops, _ = stop_scene(design, mechanism, task, sizes, place, name)
+        blade, stops, _ = stop_scene(design, task, sizes, place, name)
         all_shaken = [
             shaken
             for sign in signs

@@ -42,10 +42,8 @@ def between_stops(
         # the damage of all cases together has no case of its own
         touched = touching - untouched
         touched |= {""} if touched else set()
-        if check.case in touched and check.name == DynamicLife.label:
-            kept.append(_unknown(check))
-            continue
-        kept.append(check)
+        is_life = check.case in touched and check.name == DynamicLife.label
+        kept.append(_without_stops(check) if is_life else check)
     by_model = dict(found.by_model)
     for name, seconds in stopped.by_model.items():
         by_model = with_seconds(by_model, name, seconds)
@@ -60,6 +58,7 @@ def _is_seen(design: DesignSpec, check: Check) -> bool:
     return LoadKind(check.name) in looked_at(design.cases[check.case])
 
 
-def _unknown(check: Check) -> Check:
+def _without_stops(check: Check) -> Check:
+    """Return the check of a life left open: it is that of the blade without its stops."""
     text = f"{check.quantity}, without the stops that it meets: no life is known between them"
     return check._replace(quantity=text, verdict=Verdict.UNDECIDED, factor_range=None)

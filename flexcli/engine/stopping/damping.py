@@ -11,11 +11,11 @@ __all__ = ["case_quality"]
 def case_quality(mechanism: TipMass, name: str, case: Case) -> float:
     """Return Q of the first mode: as the case or the mechanism states it, else a load of it."""
     if case.q is not None:
-        return _first(case.q)
+        return _of_first_mode(case.q)
     if mechanism.damping is not None:
         return mechanism.damping.quality
     if case.asd is not None:
-        return _first(case.asd.q)
+        return _of_first_mode(case.asd.q)
     if case.shock is not None:
         return case.shock.q
     raise SolveError(
@@ -25,5 +25,5 @@ def case_quality(mechanism: TipMass, name: str, case: Case) -> float:
     )
 
 
-def _first(quality: Quality) -> float:
+def _of_first_mode(quality: Quality) -> float:
     return quality.modes.get(1, quality.all)

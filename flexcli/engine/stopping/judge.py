@@ -6,6 +6,7 @@ more modes; and of a rigid or linear stop, how far a round one's indentation is 
 """
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
 from functools import partial
 from math import inf, nan, pi, sqrt
 from time import perf_counter
@@ -29,7 +30,6 @@ from flexcli.formulas.stop_stiffness import bent_shape, free_stiffness
 from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.requirements import Limit
 from flexcli.parts.requirements.dynamic import DynamicYield
 from flexcli.parts.scene import LoadKind
@@ -152,12 +152,12 @@ def judge_stops(
     SolveError
         When forced, for a case that is no motion in time.
     """
-    series = _Series(design, task, sizes, place, watch, options or task.stops.simulation)
-    series.keep_history, series.forced = keep_history, forced
+    options = options or task.stops.simulation
+    series = _Series(design, task, sizes, place, watch, options, keep_history, forced)
     begun = perf_counter()
     checks = [c._replace(model=STATICS) for c in assess.checks(static_limits(task, place))]
     series.spend(LINE, perf_counter() - begun)
-    f_0 = _frequency(design, task)
+    f_0 = _frequency(task)
     shaken = [name for name, case in design.cases.items() if shakes(case)]
     for name in shaken:
         error = line_error(task, place, design.cases[name], f_0)
@@ -169,7 +169,7 @@ def judge_stops(
         if simulate:
             found = series.climbed(name, on_line, strengths, f_0)
         else:
-            found.extend(_open(strength) for strength in strengths)
+            found.extend(_undecided(strength) for strength in strengths)
         checks.extend(found)
     if not shaken:
         (on_line,) = assess.checks([line_limit(task, place, "", None)])
@@ -183,12 +183,10 @@ def judge_stops(
     )
 
 
-def _frequency(design: DesignSpec, task: StopTask) -> float:
+def _frequency(task: StopTask) -> float:
     """Return the natural frequency of the tip on its free blade [Hz]."""
-    mechanism = design.mechanism
-    assert isinstance(mechanism, TipMass)  # the design refuses others
     k = float(free_stiffness(E=task.elastic.E, I=task.I, L=task.L))
-    return sqrt(k / mechanism.equivalent_mass(task.L)) / (2.0 * pi)
+    return sqrt(k / task.mechanism.equivalent_mass(task.L)) / (2.0 * pi)
 
 
 def _strengths(design: DesignSpec, case: str) -> list[_Strength]:
@@ -202,7 +200,8 @@ def _strengths(design: DesignSpec, case: str) -> list[_Strength]:
     return found
 
 
-def _open(strength: _Strength, reason: str = "only a simulation gives it") -> Check:
+def _undecided(strength: _Strength, reason: str = "only a simulation gives it") -> Check:
+    """Return the check of a strength whose stress is not known."""
     text = f"peak bending stress between the stops; {reason}"
     return Check(
         strength.name, strength.case, text, nan, strength.strength, "Pa", nan, strength.factor,
@@ -210,27 +209,25 @@ def _open(strength: _Strength, reason: str = "only a simulation gives it") -> Ch
     )  # fmt: skip
 
 
+@dataclass(eq=False)
 class _Series:
     """Runs of each case by the models in turn, and the seconds that each took."""
 
-    def __init__(
-        self,
-        design: DesignSpec,
-        task: StopTask,
-        sizes: Sizes,
-        place: StopPlace,
-        watch: Watch,
-        options: Simulation,
-    ) -> None:
-        self.design, self.task, self.sizes, self.place = design, task, sizes, place
-        self.watch, self.options = watch, options
-        self.keep_history = self.forced = False
-        self.runs: list[StopSimulation] = []
-        self.aside: list[StopSimulation] = []
-        self.histories: list[StopHistory] = []
-        self.seconds: dict[str, float] = {}
+    design: DesignSpec
+    task: StopTask
+    sizes: Sizes
+    place: StopPlace
+    watch: Watch
+    options: Simulation
+    keep_history: bool
+    forced: bool
+    runs: list[StopSimulation] = field(default_factory=list)
+    aside: list[StopSimulation] = field(default_factory=list)
+    histories: list[StopHistory] = field(default_factory=list)
+    seconds: dict[str, float] = field(default_factory=dict)
 
     def spend(self, model: str, seconds: float) -> None:
+        """Add to the time that a model took."""
         self.seconds[model] = self.seconds.get(model, 0.0) + seconds
 
     def climbed(
@@ -256,7 +253,7 @@ class _Series:
             reason = f"no simulation: {error}"
             best[on_line.full_name] = on_line._replace(quantity=f"{on_line.quantity}; {reason}")
             for strength in strengths:
-                check = _open(strength, reason)
+                check = _undecided(strength, reason)
                 best[check.full_name] = check
         return list(best.values())
 
@@ -278,10 +275,11 @@ class _Series:
             enough = None if self.forced else self._enough(strengths, errors)
             runs = self._run(case, self.options, enough, head=head)
             self.runs.extend(runs)
-            peaks = _of(runs)
+            peaks = _greatest(runs)
             complete = whole and all(run.is_complete for run in runs)
-            told = partial(self._error, errors, self._given(peaks, head), complete, known)
-            yield list(self._limits(case, runs, peaks, strengths, told)), model
+            of_contact = self._contact_errors(peaks, head)
+            error = partial(self._error, errors, of_contact, complete, known)
+            yield list(self._limits(case, runs, peaks, strengths, error)), model
             force = peaks.force
 
     def _is_alone(self, case: str) -> bool:
@@ -313,7 +311,7 @@ class _Series:
             options=options, keep_history=self.keep_history and design is None, head=head,
             stiffening=stiffening, more_modes=more_modes,
         ):  # fmt: skip
-            simulation = run.told(partial(self.watch, case), enough)
+            simulation = run.driven(partial(self.watch, case), enough)
             self.spend(simulation.model, simulation.seconds)
             found.append(simulation)
             if (history := run.history()) is not None:
@@ -352,9 +350,7 @@ class _Series:
         stiffer = [high] if high > NOTABLE else []
         tuned = (given.sine.frequency / f_0) ** 2 - 1.0 if given.sine is not None else 0.0
         stiffer += [tuned] if 0.0 < tuned < high else []
-        mechanism = self.design.mechanism
-        assert isinstance(mechanism, TipMass)  # the design refuses others
-        has_more = self.design.material.density is not None or not mechanism.is_point
+        has_more = self.design.material.density is not None or not task.mechanism.is_point
         if not stiffer and not has_more:
             return {name: ErrorRange(low, -low) for name in _Peaks._fields}, True
         options = self.options.model_copy(update={"confidence": 0.5})
@@ -367,7 +363,9 @@ class _Series:
         for stiffening, more in others:
             runs = run(stiffening=stiffening, more_modes=more)
             all_runs += runs
-            for name, mine, theirs in zip(_Peaks._fields, _of(base), _of(runs), strict=True):
+            for name, mine, theirs in zip(
+                _Peaks._fields, _greatest(base), _greatest(runs), strict=True
+            ):
                 change = theirs / mine - 1.0 if mine > 0.0 else (inf if theirs > 0.0 else 0.0)
                 ends[name].append(change)
                 if stiffening:
@@ -419,8 +417,11 @@ class _Series:
         modulus = contact.modulus(self.task.elastic)
         return float(point_contact(F=force, R=contact.radius, E_star=modulus).approach)
 
-    def _given(self, peaks: _Peaks, head: float | None) -> dict[str, float]:
-        """Return what the indentation of a round head may change, where the run has another."""
+    def _contact_errors(self, peaks: _Peaks, head: float | None) -> dict[str, float]:
+        """Return by what share the indentation of a round head may change each peak of a run.
+
+        Nothing of a run whose stop gives by Hertz' law itself.
+        """
         task, place = self.task, self.place
         deep = self._indented(peaks.force)
         if is_round(task.stops.contact) and head is None:
@@ -478,10 +479,10 @@ class _Series:
             )  # fmt: skip
 
 
-def _of(runs: Iterable[StopSimulation]) -> _Peaks:
-    """Return the greatest of several runs of a case."""
+def _greatest(runs: Iterable[StopSimulation]) -> _Peaks:
+    """Return the greatest peaks of several runs of a case."""
     rows = [(run.travel, run.sigma_base, run.sigma_contact, run.force) for run in runs]
-    return _Peaks(*map(max, *rows)) if len(rows) > 1 else _Peaks(*rows[0])
+    return _Peaks(*map(max, zip(*rows, strict=True)))
 
 
 def _sureness(runs: Iterable[StopSimulation]) -> str:

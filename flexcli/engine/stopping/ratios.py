@@ -11,7 +11,6 @@ from flexcli.engine.stopping.statics import StopTask
 from flexcli.mechanics.stopping.response import stepped_motion
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.results.stops import StopRatio
 
 __all__ = ["ratios"]
@@ -32,13 +31,11 @@ def ratios(
 
     The steady motion that a blade at rest comes to; without it where there is none, or no contact.
     """
-    mechanism = design.mechanism
-    assert isinstance(mechanism, TipMass)  # the design refuses others
     for height in np.linspace(*measured_heights(task), COUNT):
         if not goes_on():
             return
         place = on_line(task, "", float(height))
-        blade, stops, _ = stop_scene(design, mechanism, task, sizes, place, case, head=inf)
+        blade, stops, _ = stop_scene(design, task, sizes, place, case, head=inf)
         found = stepped_motion(blade, stops, acceleration).follow(float(blade.angular[0]))
         travel = found.peaks.tip_above + found.peaks.tip_below
         touches = found.settled and found.contacts > 0.0

@@ -1,4 +1,4 @@
-"""One run of a blade between its stops: driven leg by leg, told as a row of the result."""
+"""One run of a blade between its stops, driven leg by leg, and its row of the result."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -14,7 +14,6 @@ from flexcli.mechanics.stopping.result import Peaks
 from flexcli.mechanics.stopping.vibration import StoppedVibration
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.stops.stops import Simulation
 from flexcli.results.stops import StopHistory, StopPlace, StopSimulation
 
@@ -36,7 +35,6 @@ class StopRun:
     """A case ready to run: ``law`` says in words how the stop pushes back."""
 
     task: StopTask
-    mechanism: TipMass
     place: StopPlace
     case: str
     law: str
@@ -46,17 +44,18 @@ class StopRun:
     model: str = ""
     stiffening: float = 0.0
 
-    def told(self, go_on: Callable[[float], bool], enough: Enough | None = None) -> StopSimulation:
-        """Run for as long as it is told to go on, and return what came of it.
+    def driven(
+        self, go_on: Callable[[float], bool], enough: Enough | None = None
+    ) -> StopSimulation:
+        """Drive the blade for as long as it shall go on, and return what came of it.
 
         A random run may end early, where its peaks are enough for a verdict.
         """
         begun = perf_counter()
-        most, last, decided = self._driven(go_on, enough if self.shaken.exposure else None)
+        most, last, decided = self._peaks_of_legs(go_on, enough if self.shaken.exposure else None)
         found = self.engine.result()
-        task, shaken, balance = self.task, self.shaken, found.balance
+        task, shaken = self.task, self.shaken
         exposed = found.duration / shaken.exposure if shaken.exposure else None
-        moved = balance.start + abs(balance.base_work) + balance.damped + balance.lost_at_stops
         contact = task.stops.contact.stress(most.force, task.elastic)
         base, at_stop = self._stresses(most)
         stopped = found.outcome is Outcome.CHATTER
@@ -83,8 +82,8 @@ class StopRun:
             sigma_contact=at_stop,
             p_hertz=contact.pressure if contact else None,
             tau_hertz=contact.shear if contact else None,
-            energy_residual=abs(balance.energy_residual) / (moved or 1.0),
-            impulse_residual=balance.impulse_residual,
+            energy_residual=found.balance.energy_error,
+            impulse_residual=found.balance.impulse_residual,
             events=found.cost.events,
             seconds=perf_counter() - begun,
             model=self.model,
@@ -93,7 +92,7 @@ class StopRun:
 
     def _stresses(self, peaks: Peaks) -> tuple[float, float]:
         """Return the peak stresses at the base and at the stop [Pa]."""
-        task, c = self.task, self.mechanism.offset
+        task, c = self.task, self.task.mechanism.offset
         load = (1.0 + self.stiffening) * force_at_travel(task, self.place, c, peaks.travel)
         arm = task.L - self.place.L_a + c
         base, at_stop = (
@@ -108,18 +107,18 @@ class StopRun:
             return None
         return StopHistory(self.case, *(tuple(column.tolist()) for column in history))
 
-    def _driven(
+    def _peaks_of_legs(
         self, go_on: Callable[[float], bool], enough: Enough | None
     ) -> tuple[Peaks, Peaks, bool]:
-        """Run leg after leg, and return the peaks of all and of the last; whether they do."""
-        engine, count, told = self.engine, 0, 0.0
+        """Run leg after leg; return the peaks of all and of the last, whether they were enough."""
+        engine, count, reported = self.engine, 0, 0.0
         most = last = engine.take_peaks()
         for leg in self.shaken.legs:
             for progress in engine.run(leg):
                 count += 1
                 done = progress.time / self.shaken.planned
-                if count % LOOK_UP == 0 or done > told + 1.0 / REPORTS:
-                    told = done
+                if count % LOOK_UP == 0 or done > reported + 1.0 / REPORTS:
+                    reported = done
                     if not go_on(done):
                         last = engine.take_peaks()
                         return _higher(most, last), last, False
@@ -158,17 +157,13 @@ def stop_runs(
     SolveError
         ``no-time`` and alike for what is no motion in time.
     """
-    mechanism = design.mechanism
-    assert isinstance(mechanism, TipMass)  # the design refuses others
     given = design.cases[case]
     blade, stops, law = stop_scene(
-        design, mechanism, task, sizes, place, case,
+        design, task, sizes, place, case,
         head=head, stiffening=stiffening, more_modes=more_modes,
     )  # fmt: skip
     model = contact_model(task.stops.contact, head)
     for sign in (1,) if task.stops.sides == "both" else (1, -1):
         for shaken in excitation(case, given, blade, options, sign):
             engine = StoppedVibration(blade, stops, rate=shaken.rate, keep_history=keep_history)
-            yield StopRun(
-                task, mechanism, place, case, law, blade, shaken, engine, model, stiffening
-            )
+            yield StopRun(task, place, case, law, blade, shaken, engine, model, stiffening)

@@ -11,13 +11,12 @@ from flexcli.mechanics.stopping.laws import (
     LinearStop,
     RigidStop,
     Stops,
-    damped_stop_restitution,
+    damping_ratio,
     stiffness_on_blade,
 )
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.stops import Ball, Contact, Rigid, Spring
 from flexcli.results.stops import StopPlace
 
@@ -32,10 +31,6 @@ __all__ = [
 ]
 
 HERTZ, LINEAR = "Hertz contact", "linear contact"
-
-MOST_DAMPING = 1.0 - 1e-9
-"""Damping ratio of a dashpot next to critical, where the bounce is the least."""
-
 
 RIGID = "rigid, the blade's own compliance against it"
 
@@ -64,7 +59,6 @@ def contact_series(contact: Contact) -> tuple[str, ...]:
 
 def stop_scene(
     design: DesignSpec,
-    mechanism: TipMass,
     task: StopTask,
     sizes: Sizes,
     place: StopPlace,
@@ -79,7 +73,7 @@ def stop_scene(
     ``head`` is the stiffness [N/m] of a head that stands for a round one, inf for one that does
     not give; ``stiffening`` is what the blade's rigidity has over that of the beam, relative.
     """
-    density = design.material.density
+    mechanism, density = task.mechanism, design.material.density
     volume = float(design.geometry.volume(sizes))
     blade = cantilever_modes(
         E=task.elastic.E * (1.0 + stiffening),
@@ -109,24 +103,10 @@ def _law(contact: Contact, task: StopTask, blade: ModalBlade) -> tuple[AnyStopLa
         stiffness = 4.0 / 3.0 * contact.modulus(task.elastic) * sqrt(contact.radius)
         return HertzStop(stiffness), "ball, Hertz, elastic"
     if isinstance(contact, Spring):
-        damping = _dashpot(contact, blade)
-        return LinearStop(
-            contact.stiffness, damping
-        ), f"spring, restitution {contact.restitution:g}"
+        mass = 1.0 / float(blade.stop @ blade.stop)
+        critical = 2.0 * sqrt(stiffness_on_blade(blade, contact.stiffness) * mass)
+        law = LinearStop(contact.stiffness, damping_ratio(contact.restitution) * critical)
+        return law, f"spring, restitution {contact.restitution:g}"
     if isinstance(contact, Rigid) and contact.restitution is not None:
         return RigidStop(contact.restitution), f"rigid, restitution {contact.restitution:g}"
     return LinearStop(), RIGID
-
-
-def _dashpot(contact: Spring, blade: ModalBlade) -> float:
-    """Return the damping [N·s/m] beside a spring that gives the kept modes its restitution."""
-    if contact.restitution == 1.0:
-        return 0.0
-    from scipy.optimize import brentq  # seldom wanted, and slow to import
-
-    mass = 1.0 / float(blade.stop @ blade.stop)
-    stiffness = stiffness_on_blade(blade, contact.stiffness)
-    ratio = float(
-        brentq(lambda r: damped_stop_restitution(r) - contact.restitution, 0.0, MOST_DAMPING)
-    )
-    return 2.0 * ratio * sqrt(stiffness * mass)

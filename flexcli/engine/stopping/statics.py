@@ -24,6 +24,7 @@ from flexcli.parts.effects import Setting
 from flexcli.parts.effects.plate import PlateWidening
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Sizes
+from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.parts.requirements import Limit
 from flexcli.parts.stops import Stops
 from flexcli.results import EXACT, ErrorRange
@@ -62,13 +63,14 @@ SHEAR_OF_STRENGTH = 0.5
 
 
 class StopTask(NamedTuple):
-    """The blade [SI], its stops, the deflection of the tip allowed, and what must stay free.
+    """Tip mass and blade [SI], the stops, the deflection of the tip allowed, what must stay free.
 
     ``rigidity`` is how far the blade's bending rigidity may be off that of the beam: more by its
     plate widening, more or less by the rotation at the end of its travel. ``Phi`` is Timoshenko's
     parameter of the whole blade.
     """
 
+    mechanism: TipMass
     elastic: Elastic
     I: float
     h: float
@@ -93,11 +95,14 @@ class StopTask(NamedTuple):
 
 def task_of(design: DesignSpec, stops: Stops, sizes: Sizes) -> StopTask:
     """Return what a design asks of its stops; each case with a stroke must stay free of contact."""
+    mechanism = design.mechanism
+    assert isinstance(mechanism, TipMass)  # the design refuses others
     material = design.material
     scenes = design.scenes()
     given = setting(design, sizes)
     travel = stops.allowed(material, sizes)
     return StopTask(
+        mechanism=mechanism,
         elastic=material.elastic,
         I=float(second_moment(sizes.b, sizes.h)),
         h=float(sizes.h),

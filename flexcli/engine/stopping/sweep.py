@@ -25,7 +25,6 @@ from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.excitation import Sweep
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.mechanisms.tip_mass import TipMass
 from flexcli.results import Note, Result, Status
 from flexcli.results.stops import StopEnd, StopKick, StopSweep, SweepStep
 
@@ -59,8 +58,6 @@ def swept(result: Result, design: DesignSpec, sizes: Sizes, watch: Watch) -> Res
     """
     assert result.stops is not None  # the caller's result
     assert design.stops is not None
-    mechanism = design.mechanism
-    assert isinstance(mechanism, TipMass)  # the design refuses others
     task = task_of(design, design.stops, sizes)
     found: list[StopSweep] = []
     cost = result.cost
@@ -69,7 +66,7 @@ def swept(result: Result, design: DesignSpec, sizes: Sizes, watch: Watch) -> Res
         if case.sine is None and case.sweep is None:
             continue
         place = result.stops.chosen
-        blade, stops, law = stop_scene(design, mechanism, task, sizes, place, name, head=inf)
+        blade, stops, law = stop_scene(design, task, sizes, place, name, head=inf)
         if is_round(task.stops.contact):
             law += " (a ball gives too: stops --simulate shows what that changes)"
         for way in _ways(case, blade, stops):
@@ -114,7 +111,7 @@ def swept(result: Result, design: DesignSpec, sizes: Sizes, watch: Watch) -> Res
 
 @dataclass
 class _Pace:
-    """How far a response is, and whether it has been told to end."""
+    """How far a response is, and whether it shall end."""
 
     case: str
     planned: int
@@ -271,34 +268,30 @@ class _Running:
         return _told(case, self.how, self.taken, law)
 
     def steps(self, goes_on: Callable[[], bool]) -> Iterator[SweepStep]:
-        """Yield every part, and keep it."""
-        for step in _running(self.sweep, self.blade, self.stops, goes_on):
-            self.taken.append(step)
-            yield step
-
-
-def _running(
-    sweep: Sweep, blade: ModalBlade, stops: Stops, goes_on: Callable[[], bool]
-) -> Iterator[SweepStep]:
-    """Yield the peaks in equal parts of the time of a sweep and of its way back."""
-    low, high = sorted((sweep.start, sweep.end))
-    share = (np.arange(STEPS) + 0.5) / STEPS
-    middles = low + (high - low) * share if sweep.rate.is_linear else low * (high / low) ** share
-    for backwards in (False, True):
-        run = StoppedVibration(blade, stops)
-        up = (sweep.start < sweep.end) is not backwards
-        on_way = middles if up else middles[::-1]
-        part, seen = 0, 0
-        for count, progress in enumerate(run.run(sweep_pieces(sweep, backwards=backwards))):
-            if count % LOOK_UP == 0 and not goes_on():
-                return
-            done = progress.time / sweep.duration * STEPS
-            if done < part + 1.0 - 1e-9:
-                continue
-            peaks, frequency = run.take_peaks(), float(on_way[part])
-            touched = (run.contact_count - seen) * STEPS / (frequency * sweep.duration)
-            yield SweepStep(up, frequency, peaks.travel, peaks.force, touched, True)
-            part, seen = min(int(done + 1e-9), STEPS - 1), run.contact_count
+        """Yield the peaks in equal parts of the time of the sweep and of its way back."""
+        sweep = self.sweep
+        low, high = sorted((sweep.start, sweep.end))
+        share = (np.arange(STEPS) + 0.5) / STEPS
+        is_linear = sweep.rate.is_linear
+        middles = low + (high - low) * share if is_linear else low * (high / low) ** share
+        for backwards in (False, True):
+            run = StoppedVibration(self.blade, self.stops)
+            up = (sweep.start < sweep.end) is not backwards
+            on_way = middles if up else middles[::-1]
+            part, seen = 0, 0
+            for count, progress in enumerate(run.run(sweep_pieces(sweep, backwards=backwards))):
+                if count % LOOK_UP == 0 and not goes_on():
+                    return
+                done = progress.time / sweep.duration * STEPS
+                if done < part + 1.0 - 1e-9:
+                    continue
+                peaks, frequency = run.take_peaks(), float(on_way[part])
+                touched = (run.contact_count - seen) * STEPS / (frequency * sweep.duration)
+                self.taken.append(
+                    SweepStep(up, frequency, peaks.travel, peaks.force, touched, True)
+                )
+                yield self.taken[-1]
+                part, seen = min(int(done + 1e-9), STEPS - 1), run.contact_count
 
 
 def _told(case: str, how: str, steps: list[SweepStep], law: str) -> StopSweep:

@@ -2,11 +2,11 @@
 
 import numpy as np
 from numpy.polynomial import Legendre
-from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.numerics.modes import natural_modes
+from flexcli.numerics.quadrature import gauss_rule
 
 __all__ = ["cantilever_modes"]
 
@@ -96,8 +96,7 @@ def cantilever_modes(
     if not 0.0 < L_a <= L:
         raise ValueError(f"the stop must lie on the blade, got L_a = {L_a:g} of L = {L:g}")
     count = modes + _EXTRA if blade_mass else 2
-    nodes, weights = leggauss(2 * count + 2)
-    xi, weights = (nodes + 1.0) / 2.0, weights / 2.0
+    xi, weights = gauss_rule(2 * count + 2)
     w, _, bend = _shapes(count, xi)
     EI = E * I
     K = EI / L**3 * (bend * weights) @ bend.T

@@ -27,7 +27,7 @@ class ContactLog:
     def __init__(self) -> None:
         """Start with none."""
         self._closed: list[_Touch] = []
-        self._open: _Touch | None = None
+        self._now: _Touch | None = None
 
     def __len__(self) -> int:
         """Return the number of contacts that have ended, the index of the one under way."""
@@ -39,17 +39,20 @@ class ContactLog:
 
     def begin(self, time: float, side: int, speed: float) -> None:
         """Take the start of a contact that lasts."""
-        self._open = _Touch(time, side, speed)
+        self._now = _Touch(time, side, speed)
 
     def end(self, time: float) -> None:
         """Take the end of the contact under way."""
-        if self._open is not None:
-            self._closed.append(replace(self._open, end=time))
-            self._open = None
+        if self._now is not None:
+            self._closed.append(replace(self._now, end=time))
+            self._now = None
 
     def contacts(self, time: float, impulses: Mapping[int, float]) -> Contacts:
         """Return all contacts at a time, with the impulses of those that last by their index."""
-        touches = [*self._closed, *([replace(self._open, end=time)] if self._open else [])]
+        touches = [
+            *self._closed,
+            *([replace(self._now, end=time)] if self._now else []),
+        ]
         pushed = [t.impulse + impulses.get(i, 0.0) for i, t in enumerate(touches)]
         return Contacts(
             time=np.array([t.time for t in touches]),

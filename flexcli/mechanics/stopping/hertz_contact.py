@@ -24,7 +24,7 @@ RTOL = 1e-9
 LEAST = 1e-8
 """Least u at the start, as a share of its size to come."""
 SAMPLES = np.arange(1, 9) / 8.0
-"""Shares of a step at which the motion is told, by Hermite's cubic between its ends."""
+"""Shares of a step at which the motion is sampled, by Hermite's cubic between its ends."""
 _TIME, _ROOT = -2, -1
 """Places of t and u in a state."""
 _NEWTON = 50
@@ -142,7 +142,7 @@ class HertzContact:
                 released, ended = False, True
             steps.append(found)
             h *= min(_MOST_STEP, _SAFETY * max(found.error, _EPS) ** -0.125)
-        times, motions, rates, indented = _told(steps, n)
+        times, motions, rates, indented = _samples(steps, n)
         factor = 1.0 + self._law.dissipation * (stop @ rates)
         work, damped, lost, base_integral, impulse, *of_modes = (
             sum(parts) for parts in zip(*(step.sums for step in steps), strict=True)
@@ -273,7 +273,7 @@ def _stepped_to(
     return found
 
 
-def _told(steps: Sequence[_Step], n: int) -> tuple[Floats, Floats, Floats, Floats]:
+def _samples(steps: Sequence[_Step], n: int) -> tuple[Floats, Floats, Floats, Floats]:
     """Return times, q, their rates and u at the start and within every step."""
     x, slopes = (np.array([getattr(step, of) for step in steps]) for of in ("x", "slopes"))
     h = np.array([step.h for step in steps[1:]])[:, None, None]

@@ -9,7 +9,6 @@ import numpy as np
 from flexcli.errors import Outcome
 from flexcli.mechanics.stopping.periodic import DrivenBlade, MotionPoint, PeriodicMotion
 from flexcli.mechanics.stopping.vibration import StoppedVibration
-from flexcli.numerics.signal_pieces import sine
 
 __all__ = ["Kick", "least_kick"]
 
@@ -43,7 +42,7 @@ class Kick(NamedTuple):
 
 
 def least_kick(
-    driven: DrivenBlade, contact: PeriodicMotion, goes_on: Callable[[], bool] = lambda: True
+    driven: DrivenBlade, contact: PeriodicMotion, goes_on: Callable[[], bool]
 ) -> Kick | None:
     """Return the smallest blow found from the motion without contact to one with it.
 
@@ -99,20 +98,11 @@ def _is_caught(
     """Return whether a run from a state ends at a motion with contact."""
     angular, phase = contact.angular, contact.start.phase
     engine = StoppedVibration(driven.blade, driven.stops, q=start.q, rate=start.rate)
-    # first to the phase of the base at which the motion is told
+    # first to the phase of the base at which the motion's start is given
     begun, periods = start.phase, ((phase - start.phase) / (2.0 * pi)) % 1.0
     aim = driven.scaled(contact.start)
     for _ in range(BURSTS):
-        period = 2.0 * pi / angular
-        for _ in engine.run(
-            sine(
-                amplitude=driven.amplitude,
-                angular=angular,
-                duration=periods * period,
-                phase=begun,
-            )
-        ):
-            pass
+        driven.shake(engine, angular, begun, periods)
         if engine.outcome is Outcome.CHATTER or not goes_on():
             return False
         point = MotionPoint(*engine.state, phase)

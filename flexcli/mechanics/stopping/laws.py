@@ -14,12 +14,15 @@ __all__ = [
     "RigidStop",
     "Stops",
     "damped_stop_restitution",
+    "damping_ratio",
     "refuse_start",
     "stiffness_on_blade",
 ]
 
 INSIDE = 1e-12
 """A start that far beyond a stop, as a share of the room, is rounding."""
+MOST_DAMPING = 1.0 - 1e-9
+"""Damping ratio of a dashpot next to critical, where the bounce is the least."""
 
 
 @dataclass(frozen=True)
@@ -126,6 +129,21 @@ def damped_stop_restitution(ratio: float) -> float:
     """
     wander = sqrt(1.0 - ratio**2)
     return exp(-ratio / wander * (pi - 2.0 * asin(ratio)))
+
+
+def damping_ratio(restitution: float) -> float:
+    """Return the damping ratio ζ with which a mass leaves a ``LinearStop`` with a restitution.
+
+    The inverse of :func:`damped_stop_restitution`. Next to critical damping the bounce is the
+    least, e⁻² = 0.135: below it that damping is returned.
+    """
+    if restitution == 1.0:
+        return 0.0
+    if restitution <= damped_stop_restitution(MOST_DAMPING):
+        return MOST_DAMPING
+    from scipy.optimize import brentq  # seldom wanted, and slow to import
+
+    return float(brentq(lambda r: damped_stop_restitution(r) - restitution, 0.0, MOST_DAMPING))
 
 
 def refuse_start(blade: ModalBlade, stops: Stops, at_stop: float) -> None:

@@ -156,15 +156,22 @@ class DrivenBlade:
         found = StoppedVibration(
             self.blade, self.stops, q=start.q, rate=start.rate, keep_history=keep_history
         )
-        shaken = sine(
+        self.shake(found, angular, start.phase, periods)
+        return found
+
+    def shake(
+        self, vibration: StoppedVibration, angular: float, phase: float, periods: float
+    ) -> float:
+        """Go on with a run for some periods from a phase of the base; return the phase after."""
+        base = sine(
             amplitude=self.amplitude,
             angular=angular,
             duration=periods * 2.0 * pi / angular,
-            phase=start.phase,
+            phase=phase,
         )
-        for _ in found.run(shaken):
+        for _ in vibration.run(base):
             pass
-        return found
+        return (phase + 2.0 * pi * periods) % (2.0 * pi)
 
     def after(self, angular: float, start: MotionPoint, periods: float) -> MotionPoint:
         """Return where the motion is after some periods."""
@@ -224,7 +231,7 @@ class DrivenBlade:
         )
 
     def begun_free(self, motion: PeriodicMotion) -> PeriodicMotion:
-        """Return the same motion told from where it is nearest to the middle of the gap."""
+        """Return the same motion from where it is nearest to the middle of the gap."""
         if self.is_away(motion.start.q):
             return motion
         seen = self.run(
@@ -262,21 +269,20 @@ class DrivenBlade:
         """Return the derivative of the map over (x, ln ω), x scaled, shape (2n, 2n + 1)."""
         x, phase = self.scaled(start), start.phase
         over_x = self._derivative(angular, x, phase, periods)
-        ends = [
+        ahead, behind = (
             self.mapped(angular * exp(sign * DIFFERENCE), x, phase, periods) for sign in (1.0, -1.0)
-        ]
-        ahead, behind = ends
+        )
         if over_x is None or ahead is None or behind is None:
             return None
         return np.column_stack([over_x, (ahead - behind) / (2.0 * DIFFERENCE)])
 
     def _derivative(self, angular: float, x: Floats, phase: float, periods: int) -> Floats | None:
+        """Return the derivative of the map over x, scaled, shape (2n, 2n)."""
         columns = []
         for direction in np.eye(x.size) * DIFFERENCE:
-            ends = [
+            ahead, behind = (
                 self.mapped(angular, x + sign * direction, phase, periods) for sign in (1.0, -1.0)
-            ]
-            ahead, behind = ends
+            )
             if ahead is None or behind is None:
                 return None
             columns.append((ahead - behind) / (2.0 * DIFFERENCE))

@@ -1,12 +1,10 @@
 """Peaks, work, losses and momentum of the segments of a run, gathered in batches."""
 
 from collections import defaultdict
-from functools import lru_cache
 from math import ceil
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from flexcli.mechanics.stopping.hertz_contact import HertzPass
@@ -14,6 +12,7 @@ from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.mechanics.stopping.phases import Contact, Phase
 from flexcli.mechanics.stopping.result import History, Peaks
 from flexcli.numerics.linear_response import LinearResponse, respond
+from flexcli.numerics.quadrature import gauss_rule
 from flexcli.numerics.response_batch import ResponseBatch, greatest_values
 from flexcli.numerics.sampled_response import SampledResponse
 from flexcli.numerics.signal_pieces import Samples
@@ -44,12 +43,6 @@ _PEAK_ROWS = (
 """What peaks are of: its name, its row of the outputs, its sign."""
 _LEAST_SHARE = 0.8
 """A segment whose samples stay below that share of the greatest value can't exceed it."""
-
-
-@lru_cache(maxsize=32)
-def _gauss(count: int) -> tuple[Floats, Floats]:
-    nodes, weights = leggauss(count)
-    return (nodes + 1.0) / 2.0, weights / 2.0
 
 
 def _crest(times: Floats, values: Floats) -> float:
@@ -137,7 +130,7 @@ class Record:
     def _evaluate(self, phase: Phase, count: int, segments: list[_Segment]) -> None:
         batch = ResponseBatch([s.response for s in segments])
         lengths = np.array([s.length for s in segments])
-        nodes, weights = _gauss(count)
+        nodes, weights = gauss_rule(count)
         times = lengths[:, None] * np.concatenate([[0.0], nodes, [1.0]])
         y = batch.amplitudes(times)
         a = batch.signal(times)
@@ -180,7 +173,7 @@ class Record:
             for name in ("before", "after", "contacts")
         )
         rates = float(np.abs(phase.system.roots).max(initial=0.0))
-        nodes, weights = _gauss(min(ceil(_STEP_NODES + rates * step), _MOST_NODES))
+        nodes, weights = gauss_rule(min(ceil(_STEP_NODES + rates * step), _MOST_NODES))
         shares = np.concatenate([[0.0], nodes, [1.0]])
         inner = flow.within(y, before, after, shares)
         signal = before[:, None] + (after - before)[:, None] * shares

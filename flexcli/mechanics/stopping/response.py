@@ -19,7 +19,6 @@ from flexcli.mechanics.stopping.periodic import (
 )
 from flexcli.mechanics.stopping.result import MotionKind, Peaks
 from flexcli.mechanics.stopping.vibration import StoppedVibration
-from flexcli.numerics.signal_pieces import sine
 
 __all__ = [
     "Step",
@@ -30,7 +29,7 @@ __all__ = [
 BURST = 10
 """Periods between two trials for a periodic motion while the blade settles."""
 BURSTS = 30
-"""Bursts after which a frequency is left unsettled; of the last third the range is told."""
+"""Bursts after which a frequency is left unsettled; the last third gives its range of peaks."""
 MOST_BURSTS = 300
 """The same for a motion that dies away, which takes some three thousand periods at Q = 1000."""
 DYING = 0.995
@@ -73,7 +72,7 @@ class Step(NamedTuple):
 class SteppedMotion:
     """A blade whose base's frequency is stepped: ``follow`` goes on from the motion before.
 
-    The first is the motion without contact where there is one; a blade that was kicked, or has
+    The first is the motion without contact where there is one; a blade that moves already, or has
     none, is run. ``known`` are periodic motions with contact, found on any way through the
     frequencies; ``end`` is where the motion of the step before gave way. ``goes_on`` is asked in
     the middle of a long run.
@@ -85,7 +84,6 @@ class SteppedMotion:
     motion: LinearMotion | PeriodicMotion | None = None
     angular: float = 0.0
     end: BranchEnd | None = None
-    kicked: bool = False
     goes_on: Callable[[], bool] = lambda: True
 
     @property
@@ -111,7 +109,7 @@ class SteppedMotion:
                 self.end = BranchEnd(touch or angular, Bifurcation.TOUCH)
             if (found := self._known_at(angular)) is not None:
                 return self._contact(found)
-        elif not before and not self.kicked and self.driven.is_free(angular):
+        elif not before and not self.point.rate.any() and self.driven.is_free(angular):
             return self._linear(angular)
         return self._settled(angular)
 
@@ -195,7 +193,7 @@ class SteppedMotion:
         outcome = MotionKind.APERIODIC
         while len(seen) < BURSTS or (free and len(seen) < MOST_BURSTS and _dies(seen)):
             touched = engine.contact_count
-            phase = self._run(engine, angular, phase, BURST)
+            phase = driven.shake(engine, angular, phase, BURST)
             seen.append(engine.take_peaks())
             touched = engine.contact_count - touched
             phase = self._away(engine, angular, phase)
@@ -218,33 +216,21 @@ class SteppedMotion:
             outcome = MotionKind.TRANSIENT
         self.motion = None
         self.point = MotionPoint(*engine.state, phase)
-        told = seen[-max(len(seen) // 3, 1) :]
+        last_third = seen[-max(len(seen) // 3, 1) :]
         return Step(
             angular,
-            Peaks(*map(max, *told)) if len(told) > 1 else told[0],
+            Peaks(*map(max, zip(*last_third, strict=True))),
             touched / BURST,
             outcome,
-            least=min(peaks.travel for peaks in told),
+            least=min(peaks.travel for peaks in last_third),
         )
-
-    def _run(self, engine: StoppedVibration, angular: float, phase: float, periods: float) -> float:
-        """Run an engine for some periods and return the phase after them."""
-        shaken = sine(
-            amplitude=self.driven.amplitude,
-            angular=angular,
-            duration=periods * 2.0 * pi / angular,
-            phase=phase,
-        )
-        for _ in engine.run(shaken):
-            pass
-        return (phase + 2.0 * pi * periods) % (2.0 * pi)
 
     def _away(self, engine: StoppedVibration, angular: float, phase: float) -> float:
         """Run on until the blade is away from its stops, two periods at most."""
         for _ in range(2 * PARTS):
             if self.driven.is_away(engine.state[0]):
                 break
-            phase = self._run(engine, angular, phase, 1.0 / PARTS)
+            phase = self.driven.shake(engine, angular, phase, 1.0 / PARTS)
         return phase
 
 
@@ -256,13 +242,9 @@ def _dies(seen: list[Peaks]) -> bool:
     return late < DYING * early
 
 
-def stepped_motion(
-    blade: ModalBlade, stops: Stops, amplitude: float, *, kick: float = 0.0
-) -> SteppedMotion:
-    """Return a blade at rest, or kicked, before its first frequency."""
-    point = at_rest(blade)
-    point.rate[0] = kick
-    return SteppedMotion(DrivenBlade(blade, stops, amplitude), [], point, kicked=kick != 0.0)
+def stepped_motion(blade: ModalBlade, stops: Stops, amplitude: float) -> SteppedMotion:
+    """Return a blade at rest before its first frequency."""
+    return SteppedMotion(DrivenBlade(blade, stops, amplitude), [], at_rest(blade))
 
 
 def at_rest(blade: ModalBlade) -> MotionPoint:

@@ -95,6 +95,12 @@ class Balance(NamedTuple):
     energy_residual: float
     impulse_residual: float
 
+    @property
+    def energy_error(self) -> float:
+        """The energy that is unaccounted for, as a share of all that was there or came [-]."""
+        moved = self.start + abs(self.base_work) + self.damped + self.lost_at_stops
+        return abs(self.energy_residual) / (moved or 1.0)
+
 
 class History(NamedTuple):
     """Samples in time: tip [m], deflection at the stop [m], push of the stops [N]."""

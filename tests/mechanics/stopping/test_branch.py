@@ -69,7 +69,7 @@ def test_going_down_contact_ends_where_the_linear_motion_just_touches(branch):
 def test_the_least_blow_leads_to_contact_for_good_and_a_smaller_one_does_not(branch):
     motion, _ = branch
     driven, contact = motion.driven, motion.motion
-    kick = least_kick(driven, contact)
+    kick = least_kick(driven, contact, lambda: True)
     assert 0.0 < kick.none < kick.enough
 
     def contacts(blow, phase, periods):

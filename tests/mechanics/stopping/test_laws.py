@@ -13,6 +13,7 @@ from flexcli.mechanics.stopping.laws import (
     RigidStop,
     Stops,
     damped_stop_restitution,
+    damping_ratio,
     stiffness_on_blade,
 )
 from flexcli.mechanics.stopping.vibration import simulate
@@ -31,6 +32,15 @@ def test_a_damped_stop_that_cannot_pull_gives_its_restitution(ratio):
     result = simulate(oscillator(angular=SLOW), stops, quiet(12.0), rate=[1.0])
     assert result.contacts.time.size == 1
     assert -result.rate[0] == pytest.approx(damped_stop_restitution(ratio), rel=1e-5)
+
+
+@given(st.floats(0.14, 1.0))
+def test_the_damping_for_a_restitution_gives_it(e):
+    assert damped_stop_restitution(damping_ratio(e)) == pytest.approx(e, rel=1e-6)
+
+
+def test_a_deader_bounce_than_critical_damping_gives_is_that_of_critical_damping():
+    assert damped_stop_restitution(damping_ratio(0.05)) == pytest.approx(np.exp(-2), rel=1e-3)
 
 
 def test_a_damped_head_is_met_again_where_it_is():
