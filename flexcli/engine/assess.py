@@ -38,10 +38,10 @@ CHUNK = 65_536
 def factor(limit: Limit, demand: float, capacity: float) -> float:
     """Return the factor of safety of one limit: capacity over demand, infinite for no demand.
 
-    For a target it is the ratio of the smaller to the larger, 1 when met exactly.
+    For a target it is the ratio of the smaller to the larger, 1 when met exactly, none of nothing.
     """
     if demand <= 0.0:
-        return np.inf
+        return np.inf if limit.tolerance is None else 0.0
     ratio = float(np.sign(capacity) * (abs(capacity) / demand) ** (1.0 / limit.power))
     return min(ratio, 1.0 / ratio) if limit.tolerance is not None and ratio > 0.0 else ratio
 

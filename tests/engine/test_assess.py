@@ -133,3 +133,43 @@ def test_of_two_limits_the_worst_decides_each_of_many_designs_as_it_does_alone(e
             assert many.factor_range is alone.factor_range is None
         else:
             assert np.asarray(many.factor_range)[:, k] == pytest.approx(alone.factor_range)
+
+
+@pytest.mark.parametrize("error", [EXACT, ErrorRange(-1.0, 0.5), ErrorRange(-0.1, 0.05), None])
+@pytest.mark.parametrize("in_capacity", [True, False])
+@pytest.mark.parametrize("tolerance", [None, 0.02])
+@pytest.mark.parametrize("power", [1, 2])
+@pytest.mark.parametrize(
+    ("demand", "capacity"),
+    # small numbers, targets missed on either side and met, nothing that bears
+    [(0.04, 0.09), (0.09, 0.04), (1.0, 1.0), (1.0, 4.0), (2.0, 0.0), (2.0, -1.0)],
+)
+def test_many_designs_are_told_what_each_is_told_alone(
+    demand, capacity, power, tolerance, in_capacity, error
+):
+    def judged(of):
+        limit = Limit(
+            "x", "", "x", of(demand), of(capacity), "Pa", "",
+            power=power, tolerance=tolerance, in_capacity=in_capacity, error=error,
+        )  # fmt: skip
+        (found,) = assess.checks([limit])
+        return found
+
+    many, alone = judged(lambda x: Rows.of([x, x])), judged(float)
+    assert many.verdict is alone.verdict
+    for name in ("demand", "capacity", "factor"):
+        first, second = np.asarray(getattr(many, name))
+        assert first == second == pytest.approx(getattr(alone, name)), name
+    if error is None:
+        assert many.factor_range is alone.factor_range is None
+    else:
+        assert np.asarray(many.factor_range)[:, 0] == pytest.approx(alone.factor_range)
+
+
+@pytest.mark.parametrize("demand", [0.0, -1.0])
+def test_a_target_that_is_not_there_at_all_is_missed(demand):
+    limit = Limit("x", "", "x", demand, 2.0, "N/m", "", tolerance=0.1, error=EXACT)
+    (alone,) = assess.checks([limit])
+    (many,) = assess.checks([replace(limit, demand=Rows.of([demand, demand]))])
+    assert alone.verdict is many.verdict is Verdict.FAIL
+    assert alone.factor == np.asarray(many.factor)[0] == 0.0
