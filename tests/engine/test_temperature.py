@@ -474,3 +474,10 @@ def test_a_blade_that_a_gradient_bends_moves_its_end_by_no_more_than_is_told(mos
         if c.name.startswith("parasitic")
     )
     assert check.verdict.value == verdict
+
+
+def test_what_no_temperature_changes_in_our_numbers_is_asked_at_assembly_alone():
+    """A support stiffness is that of the cold joint: it judges no case of its temperature."""
+    found = mount("temperature: {uniform: -100 K}", "support: {direction: z, min: 1 N/m}").checks
+    assert [(check.name, check.case) for check in found if check.case] == [("temperature", "c")]
+    assert [check.name for check in found if not check.case] == ["support z (min)"]

@@ -98,3 +98,11 @@ def test_two_oscillators_are_added_in_time_within_the_pulse():
 def test_invalid_arguments_are_refused(stated, text):
     with pytest.raises(ValueError, match=text):
         half_sine(*stated)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_an_oscillator_that_follows_the_pulse_adds_to_one_that_nearly_does(sign):
+    # of 100 and 300 periods in the pulse: both ride along, so that their halves add up or cancel
+    shares = np.array([[[0.5, 0.5 * sign]]])
+    (found,) = half_sine_sums([shares], [100.0, 300.0], 10.0, 1.0, 1.0)
+    assert found == pytest.approx(0.5 * (1.0 + sign), abs=0.01)

@@ -9,7 +9,7 @@ from flexcli.formulas import pivot_next_order as following
 from flexcli.formulas import pivot_next_order as shifts
 from flexcli.formulas import thick_blades
 from flexcli.formulas.handbook import large_stroke, thick_pivot
-from flexcli.formulas.pivot import WITTRICK
+from flexcli.formulas.pivot import LIMITS, WITTRICK
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.linear import linear
 from flexcli.mechanics.mesh import Effects
@@ -17,6 +17,7 @@ from flexcli.mechanics.stresses import greatest_stress
 from flexcli.mechanics.tangent import held_stiffness
 
 H, L, B = 1e-4, 20e-3, 10e-3
+NONE = 60.0  # degrees: no such angle up to there
 SLENDER = Effects(extension=False, shear=False)
 CASES = [(0.0, 45.0), (-0.5, 30.0), (0.8, 60.0), (-0.8, 40.0), (WITTRICK, 50.0)]
 ANGLES = 0.02 * 2.0 ** np.arange(3)
@@ -159,3 +160,43 @@ def test_next_order_estimates_what_the_closed_forms_leave_out_over_random_design
     ratio = np.hypot(along, across) / np.hypot(x + leading, y)
     assert 0.95 < np.median(ratio) < 1.1
     assert np.mean(ratio < 0.9) < 0.05
+
+
+@pytest.mark.parametrize(("delta", "degrees"), [(0.0, 45.0), (-0.8, 40.0), (WITTRICK, 50.0)])
+def test_the_stress_has_both_coefficients_of_the_exact_solution(delta, degrees):
+    # a polynomial through what is left over: of θ and θ² nothing is
+    theta = np.array([0.01, 0.015, 0.02, 0.03, 0.04, 0.05, 0.06])
+    found, at = turned(delta, degrees, theta)
+    ends = closed.end_stresses(E=E, h=H, l=L, p=delta * L, theta=theta)
+    change = greatest_stress(found).bending.max(axis=1) / np.abs(ends).max(axis=0) - 1.0
+    powers = theta[:, None] ** np.arange(1, 6)
+    first, second, *_ = np.linalg.lstsq(powers, change - following.stress_change(**at))[0]
+    assert abs(first) < 1e-9
+    assert abs(second) < 1e-6
+
+
+@pytest.mark.parametrize("delta", LIMITS)
+def test_closed_forms_are_off_by_what_is_printed_at_the_angles_that_are_printed(delta):
+    printed = np.array(LIMITS[delta])
+    theta, place = np.unique(np.radians(printed), return_inverse=True)
+    # h/l and h²/(l² θ²) are out of it
+    thin = aimed(delta, np.pi / 4.0, h=2e-6)
+    found = solve(thin, {"out": (None, None, theta)}, effects=SLENDER, tolerance=1e-10).checked()
+    K = closed.rotational_stiffness(E=E, h=2e-6, l=L, b=B, p=delta * L)
+    ends = closed.end_stresses(E=E, h=2e-6, l=L, p=delta * L, theta=theta)
+    shift = closed.parasitic_shift(l=L, p=delta * L, theta=theta, half_angle=np.pi / 4.0)
+    of = (
+        held_stiffness(found)[:, 0, 0] / K,
+        greatest_stress(found).bending.max(axis=1) / np.abs(ends).max(axis=0),
+        -found.motions[:, 0, 0] / shift,
+    )
+    for number, ratios in enumerate(of):
+        for share, at, angle in zip(
+            (0.01, 0.05), place.reshape(printed.shape)[number], printed[number], strict=True
+        ):
+            off = abs(ratios[at] - 1.0)
+            if angle == NONE:
+                assert off < share
+            else:
+                # three digits of the angle, of whose square or more it grows
+                assert off == pytest.approx(share, rel=0.03)

@@ -283,3 +283,13 @@ def test_table_of_the_card_falls_to_one():
     found = [ratio(value) for value in table.values]
     assert found == sorted(found, reverse=True)
     assert found[-1] == pytest.approx(1.0, abs=0.011)
+
+
+def test_the_error_of_a_slender_bar_is_that_of_what_it_was_compared_with():
+    error = restraint_error(nu=0.3, h=0.01, b=1.0, l=1e6)
+    assert (*error.shear, *error.stiffness) == pytest.approx((-2e-3, 2e-3, 0.0, 2e-3), abs=1e-6)
+
+
+def test_the_shear_of_a_short_bar_is_known_to_a_twentieth():
+    error = restraint_error(nu=0.3, h=0.01, b=1.0, l=0.35)
+    assert error.shear.high == pytest.approx(0.05, abs=5e-3)

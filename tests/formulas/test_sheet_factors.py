@@ -43,3 +43,14 @@ def test_a_blade_held_across_grows_by_poissons_ratio_where_it_is_wide_and_not_wh
     assert narrow == pytest.approx(0.0, abs=1e-6)
     assert 0.8 * 0.3 < wide < 0.3
     assert sheets.held_growth(b=1.0, l=1.0, poisson_ratio=0.0) == 0.0
+
+
+def test_the_compliances_of_bending_and_of_shear_add_up():
+    at = {"b": 0.5, "l": 1.0, "poisson_ratio": 0.3}
+    Phi = 2.4 * 1.3 * 0.5**2
+
+    def compliance(shear):
+        return (1.0 + Phi / shear) / sheets.guided_factor(**at, shear=shear)
+
+    stiff = compliance(1e12)
+    assert compliance(1.0) - stiff == pytest.approx(2.0 * (compliance(2.0) - stiff), rel=1e-9)

@@ -84,3 +84,13 @@ def test_what_was_not_measured_is_below():
     found = level_deviation(([100.0, 2000.0], [1.0, 1.0], "log"), FLAT, 2.0, 0.5)
     assert found.least == 0.0
     assert found.below == pytest.approx(80.0)
+
+
+@pytest.mark.parametrize("times", [1e-4, 1e-3, 1e-2, 1.0])
+def test_steps_of_slow_bands_stand_where_those_of_fast_ones_do(times):
+    # a pier that sways: steps less than 1 Hz apart
+    cuts = np.array([3.0, 70.0, 130.0, 210.0, 650.0, 990.0]) * times
+    whole = ([cuts[0], cuts[-1]], [1.0, 1.0], "log")
+    f, g = power_sum([whole, *(([a, b], [3.0, 3.0], "log") for a, b in (cuts[1:3], cuts[3:5]))])
+    assert f.tolist() == [cuts[0], *np.repeat(cuts[1:-1], 2), cuts[-1]]
+    assert g == pytest.approx([1, 1, 4, 4, 1, 1, 4, 4, 1, 1], rel=1e-12)

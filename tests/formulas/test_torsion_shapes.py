@@ -160,3 +160,10 @@ def test_array_call_equals_element_wise_calls(card):
         for k in range(3)
     ]
     np.testing.assert_allclose(card.function(**arrays), one_by_one, rtol=1e-14)
+
+
+@pytest.mark.parametrize("strips", [2, 3, 4, 5, 6])
+def test_the_error_of_a_core_is_a_small_share_of_it(strips):
+    core = star_torsion_constant(1.0, 20.0, strips=strips) - strips * 20.0 / 3.0
+    long = star_core_error(star_arm(1.0, 20.0, strips=strips), strips)
+    assert 0.0 < long < 0.015 * abs(core)

@@ -6,12 +6,21 @@ import yaml
 import flexcli
 from flexcli.errors import SpecError
 from flexcli.formulas.handbook.actuator import actuator_stroke, thermal_stroke
-from flexcli.results import Status, Verdict
+from flexcli.parts.design import DesignSpec
+from flexcli.parts.requirements import Ask, DriveEffort
+from flexcli.parts.requirements.as_printed import AsPrinted
+from flexcli.results import EXACT, Status, Verdict
 
 BENDER = {"blocking_force": "5.5 N", "free_stroke": "85 um", "drives": "both-ways"}
 STAGE = {
     "kind": "leaf-spring-stage", "h": "0.337 mm", "l": "12 mm", "b": "3 mm", "blades": 4,
     "spacing": "3 mm",
+}  # fmt: skip
+LEVERS = {
+    "kind": "parallel-stage", "height": "20 mm",
+    "solid-1": {"mass": "10 g", "com": "10 mm", "inertia": "1e-6 kg*m^2"},
+    "solid-2": {"mass": "50 g"},
+    "solid-3": {"mass": "10 g", "com": "10 mm", "inertia": "1e-6 kg*m^2"},
 }  # fmt: skip
 TITANIUM = {"youngs_modulus": "114 GPa", "poisson_ratio": 0.34, "thermal_expansion": "8.6e-6 1/K"}
 
@@ -82,22 +91,16 @@ def test_an_arm_turns_a_moment_into_a_force_and_an_angle_into_a_stroke():
 
 
 def test_four_pivots_between_levers_take_the_force_of_their_stage():
-    stage = {
-        "kind": "parallel-stage", "height": "20 mm",
-        "solid-1": {"mass": "10 g", "com": "10 mm", "inertia": "1e-6 kg*m^2"},
-        "solid-2": {"mass": "50 g"},
-        "solid-3": {"mass": "10 g", "com": "10 mm", "inertia": "1e-6 kg*m^2"},
-    }  # fmt: skip
     pivot = {"kind": "rcc", "p": "2 mm", "half_angle": "45 deg",
              "h": "0.2 mm", "l": "20 mm", "b": "2 mm"}  # fmt: skip
-    result = flexcli.check(spec(pivot, {"translation": "50 um"}, more={"mechanism": stage}))
+    result = flexcli.check(spec(pivot, {"translation": "50 um"}, more={"mechanism": LEVERS}))
     (found,) = result.checks
     K = result.values["k_pivot"]
     force = 4.0 * K.value / 20e-3**2 * 50e-6
     assert found.demand == pytest.approx(force, rel=K.estimated_error + 1e-4)
     shaken = {"acceleration": {"level": "10 m/s^2", "axis": "x"}}
     with pytest.raises(SpecError, match="drive of several joints is not known"):
-        flexcli.check(spec(pivot, {"translation": "50 um"}, more={"mechanism": stage}, **shaken))
+        flexcli.check(spec(pivot, {"translation": "50 um"}, more={"mechanism": LEVERS}, **shaken))
 
 
 def test_an_acceleration_along_the_stroke_counts_on_top():
@@ -157,3 +160,32 @@ def test_wide_blades_in_the_plane_and_as_shells_agree_within_what_both_tell():
 def test_a_model_without_the_force_at_a_stroke_decides_nothing():
     asked = spec(STAGE, {"translation": "20 um"}, more={"model": "linear"})
     assert flexcli.check(asked).status is Status.UNDECIDED
+
+
+def test_four_pivots_that_start_at_rest_are_driven_from_there():
+    pivot = {"kind": "rcc", "p": "2 mm", "half_angle": "45 deg",
+             "h": "0.2 mm", "l": "20 mm", "b": "2 mm"}  # fmt: skip
+    both, one = (
+        drive(pivot, {"translation": stroke}, more={"mechanism": LEVERS})
+        for stroke in ("50 um", ["0 um", "50 um"])
+    )
+    assert one.demand == pytest.approx(both.demand, rel=1e-3)
+    assert one.passed
+
+
+class Held(AsPrinted):
+    """A joint that is pulled back to rest, and pushed less at its stroke."""
+
+    def effort(self, ask):
+        return DriveEffort(0.0, -2.0, EXACT), DriveEffort(20e-6, 1.0, EXACT)
+
+
+@pytest.mark.parametrize(("drives", "forces"), [("both-ways", [2.0, 1.0]), ("one-way", [1.0])])
+def test_what_pulls_at_rest_is_held_by_a_drive_that_pulls(drives, forces):
+    grows = {**BENDER, "drives": drives, "length": "20 mm", "thermal_expansion": "8.6e-6 1/K"}
+    asked = spec(STAGE, {"translation": ["0 um", "20 um"]}, grows, temperature={"uniform": "20 K"})
+    design = DesignSpec.model_validate(yaml.safe_load(asked))
+    ask = Ask(design.material, design.geometry, None, design.fixed_sizes(), design.scene("work"),
+              Held(), design.actuator)  # fmt: skip
+    ((_, requirement),) = design.requirements.each()
+    assert [limit.demand for limit in requirement.limits(ask)] == forces

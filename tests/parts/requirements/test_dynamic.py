@@ -10,7 +10,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.quality import Quality
 from flexcli.parts.requirements import Ask, RequirementError
 from flexcli.parts.requirements.as_printed import AsPrinted
-from flexcli.parts.requirements.response_range import compounded, over
+from flexcli.parts.requirements.response_range import compounded, over, uncertain_structure
 from flexcli.parts.response import random_outputs, sine_peaks
 from flexcli.parts.scene import LoadKind
 from flexcli.results import EXACT, ErrorRange, QuantityKind
@@ -282,3 +282,34 @@ def test_a_locked_stage_turns_no_pivot_whatever_shakes_it():
     found = limits_of_levers({**flat(20.0, 40.0), "lock": "solid-2"})
     assert found
     assert all(each.error.high == pytest.approx(0.0, abs=1e-3) for each in found)
+
+
+def test_a_peak_beyond_the_strength_is_as_far_off_as_where_it_reaches_it():
+    """What pivots are off at the motion of a stress that they never bear does not count."""
+    found = limits_of_levers(sine(1.0, 200.0))
+    worst = max(found, key=lambda each: float(each.demand))
+    bearable = 900e6 / 1.5
+    assert worst.demand > 2.0 * bearable
+    assert worst.error.high == pytest.approx(10.0 * turned(bearable), rel=0.02)
+
+
+class Stiffer(Off):
+    """A joint that is stiffer than printed along its motion, as wide blades are."""
+
+    def stiffness(self, ask):
+        return 1.1 * super().stiffness(ask)
+
+
+@pytest.mark.parametrize("axis", ["x", "y"])
+def test_what_stretches_blades_is_no_stiffer_by_what_stiffens_their_bending(axis):
+    case = flat(20.0, 40.0)
+    case["asd"]["axis"] = axis
+    given = design(case)
+    sizes, scene = given.fixed_sizes(), given.scene("shake")
+    ask = Ask(given.material, given.geometry, given.mechanism, sizes, scene, Stiffer())
+    found = uncertain_structure(ask, ())
+    plain = given.mechanism.structure(given.geometry, given.material.elastic, sizes, None)
+    ratios = [other.stiffness[0, 0] / plain.stiffness[0, 0] for other in found.others]
+    # clamps that give way soften what stretches; what bends has them in the model's own number
+    least = 1.1 if axis == "x" else 1.0 / (1.0 + ask.clamp_softening)
+    assert (min(ratios), max(ratios)) == pytest.approx((least, 1.1))
