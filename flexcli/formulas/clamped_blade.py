@@ -22,6 +22,7 @@ __all__ = [
     "NARROWER",
     "OF_RODS",
     "VALIDITY",
+    "WIDE",
     "Across",
     "ClampedSprings",
     "clamped_blade",
@@ -40,8 +41,15 @@ as a share of what they widen by; of the S shape across the width and of torsion
 EDGE = 0.63
 """Share of the torsion constant that the ends of a thin section take, times h/b [-]."""
 
+WIDE, WIDEST = 4.0, 8.0
+"""b/l from which, and up to which, errors grow by what follows."""
+
+WIDE_BENT, WIDE_TWISTED = 0.05, 0.12
+"""Times ν², by how much more very wide blades are off across their thickness, and stiffer in
+torsion: solids of b up to 60 l had 0.033 and 0.098."""
+
 VALIDITY = (
-    Range("b/l", most=4.0, why="wider blades were not compared with solids"),
+    Range("b/l", most=60.0, why="wider blades were not compared with solids"),
     Range("h/l", most=0.3, why="thicker ones were not compared with solids"),
 )
 """Blades of an isotropic material whose springs are those of CalculiX's solids, h ≤ b."""
@@ -142,6 +150,8 @@ def clamped_blade(
     off_pure = plates.factor_error(pure, thin_pure) + held * h_ / l_
     # clamps make the shear more even and less soft
     off_guided = plates.factor_error(guided, thin_guided) + Phi / 10.0 + held / 2.0
+    more = nu**2 * np.clip((b_ / l_ - WIDE) / (WIDEST - WIDE), 0.0, 1.0)
+    off_pure, off_guided = off_pure + WIDE_BENT * more, off_guided + WIDE_BENT * more
     twist = restraint_error(nu=nu, h=h_, b=wider * b_, l=l_).stiffness
     stretched, flat = sheets.axial_factor(**size), sheets.bending_factor(**size)
     stiffness = (
@@ -154,7 +164,8 @@ def clamped_blade(
     )
     sheet, bent = sheets.SHEET_ERROR, sheets.GUIDED_ERROR
     low = (sheet, off_guided, bent, -twist.low, sheet, off_pure)
-    high = (sheet + held, off_guided, bent + held, twist.high, sheet + held, off_pure)
+    twisted = twist.high + WIDE_TWISTED * more
+    high = (sheet + held, off_guided, bent + held, twisted, sheet + held, off_pure)
     if across is not None:
         off = np.abs(np.log(gamma))
         thick = h_ / b_ * np.abs(np.sqrt(G_ / G_thin) - 1.0)

@@ -1,7 +1,7 @@
 """Notches, fillets, tapers and wide blades between rigid bodies: solids by CalculiX, in six axes.
 
 Run by hand: python tests/benchmarks/hinges_in_space.py
-It writes tests/mechanics/space/hinges.json in fifteen minutes of one processor: for each hinge, in
+It writes tests/mechanics/space/hinges.json in twenty minutes of one processor: for each hinge, in
 units of the radius of its roots, of half its length or of a millimetre, its kind, its profile's
 numbers, its length, its width and ν, and six stiffnesses about its middle, each with all else free,
 over E. The mesh is the coarsest of ``verify``; twice as fine a one has up to 4 % more or less where
@@ -98,6 +98,16 @@ def blades(count=24, seed=7):
         yield "blade", [float(l * thick)], l, float(l * wide), nu
 
 
+def very_wide_blades(count=20, seed=9):
+    """Yield blades wider than 4 l, as hinges of necked-down stages are, in the same way."""
+    random = np.random.default_rng(seed)
+    l = 10.0
+    for _ in range(count):
+        nu = float(random.choice([0.0, 0.2, 0.3, 0.45]))
+        wide, thick = 10 ** random.uniform(0.6, 1.8), 10 ** random.uniform(-2.0, -0.53)
+        yield "blade", [float(l * thick)], l, float(l * wide), nu
+
+
 def stiffness(kind, numbers, l, b, nu, fineness=1):
     """Return six stiffnesses about the middle of a hinge by solids, over E."""
     profile = KINDS[kind](*(R * n for n in numbers))
@@ -113,7 +123,7 @@ def stiffness(kind, numbers, l, b, nu, fineness=1):
 def main():
     rows = []
     soft = notches(12, 4, (0.45, 0.49), 1.2)
-    for hinge in (*hinges(), *notches(), *soft, *tapers(), *blades()):
+    for hinge in (*hinges(), *notches(), *soft, *tapers(), *blades(), *very_wide_blades()):
         fineness = 2 if hinge[0] == "blade" else 1
         rows.append([*hinge, stiffness(*hinge, fineness).tolist()])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")

@@ -137,6 +137,25 @@ def test_a_guide_keeps_its_blade_from_turning_in_every_direction_that_is_asked()
     assert found == pytest.approx(S_SHAPE * 12 * E * TURN / L**3 / (1 + SHEAR), rel=ROUNDING)
 
 
+def test_hinges_much_wider_than_long_have_a_support_that_is_known():
+    """Two sheets of b = 12 l_c in series at either end of the middle, with the shear of both."""
+    b, neck, arm = 60e-3, 5e-3, 7.5e-3
+    sizes = {"h": f"{H} m", "l": "20 mm", "l_c": f"{neck} m", "b": f"{b} m", "blades": 2,
+             "spacing": "50 mm"}  # fmt: skip
+    wide = {"b": b, "l": neck, "poisson_ratio": 0.34}
+    turns = float(sheets.bending_factor(**wide)) * E * H * b**3 / 12.0 / neck
+    shift = 12.0 * E * H * b**3 / 12.0 / neck**3 * float(sheets.guided_factor(**wide))
+    shift /= 1.0 + 2.4 * 1.34 * (b / neck) ** 2
+    stage = 2.0 / (2.0 / shift + 2.0 * arm**2 / turns)
+    asked = {"support": {"direction": "z", "min": f"{stage!r} N/m", "drive": "locked"}}
+    _, found = checks_of("necked-down-stage", asked, STROKE, **sizes)
+    low, high = found.factor_range
+    assert 0.97 < low < 1.0 < high < 1.03
+    harder = {"support": {"direction": "z", "min": f"{1.05 * found.capacity!r} N/m"}}
+    _, missed = checks_of("necked-down-stage", harder, STROKE, **sizes)
+    assert missed.verdict is Verdict.FAIL
+
+
 def test_several_supports_make_a_check_each():
     rows = [{"direction": axis, "min": "1 N/m"} for axis in ("x", "y", "z")]
     found = checks_of("rcc", {"support": rows})

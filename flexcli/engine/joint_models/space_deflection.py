@@ -18,11 +18,13 @@ from flexcli.engine.joint_models.space_stroke import (
     driven_coordinate,
 )
 from flexcli.errors import SolveError
+from flexcli.formulas.clamped_blade import WIDE
+from flexcli.formulas.profile import NeckedDown
 from flexcli.formulas.rigid_motion import motion_at
 from flexcli.mechanics.space.exact.critical import critical_load
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
-from flexcli.mechanics.space.layout import SpaceLoad
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceLoad, SpaceRod
 from flexcli.mechanics.space.second_order import SecondOrder
 from flexcli.mechanics.space.states import Acting, SpaceState, action, combined
 from flexcli.parts.elastic import Buckled, NotAvailable
@@ -242,10 +244,25 @@ def sag_changes(ask: Ask) -> Iterator[tuple[float, float]]:
 
 
 def _unsure(joint: SpaceJoint) -> float:
-    """Return by how much the springs of what varies in thickness may be off, at most."""
+    """Return by how much the springs of what varies in thickness may be off, at most.
+
+    What a stroke or a load changes of very wide blades nobody compared: it may be off by itself.
+    """
+    if any(map(_is_very_wide, joint.layout.blades)):
+        return 1.0
     if joint.is_uniform:
         return 0.0
     return float(np.max(np.maximum(joint.high, -joint.low)))
+
+
+def _is_very_wide(blade: SpaceBlade | SpaceRod) -> bool:
+    """Return whether a blade, or the hinges of one, were compared at rest alone."""
+    if isinstance(blade, SpaceRod):
+        return False
+    l = float(np.linalg.norm(np.subtract(blade.end, blade.start)))
+    if isinstance(blade.profile, NeckedDown):
+        l = float(blade.profile.hinge)
+    return blade.b > WIDE * l
 
 
 def _tangent(ask: Ask, travel: float, blades: Blades) -> _Tangent:
