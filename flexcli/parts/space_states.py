@@ -5,11 +5,11 @@ small motion is told by its second order; where that is not small beside the fir
 unknown.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from itertools import product
 from math import inf, isfinite, pi
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,9 +43,13 @@ from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space, joint_of
 from flexcli.results import ErrorRange
 
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.exact.stresses import SectionStates
+
 __all__ = [
     "SOFTENED",
     "WARPING_ERROR",
+    "AcrossStress",
     "Place",
     "StrokeEnd",
     "Told",
@@ -82,6 +86,12 @@ KNOWN = 0.3
 
 EXACT, NODES = 1e-5, (18, 27, 40)
 """Error of the forces of exact beams beside a stroke, relative, and their nodes, level by level."""
+
+SWINGS, TURNING = 1.2, 2.0
+"""On what loads across hinges alternate by in exact beams, and the rest of it as a share of their
+stress per rotation of a hinge: the flow of forces about a throat turns with it. Solids by CalculiX
+(``tests/benchmarks/hinges_at_stroke.py``) had up to 1.07 times that of beams by a moment M_y, and
+up to 1.5 θ of the stress of a force or a torque."""
 
 FAR = 0.2
 """Rotation of a hinge under loads out of its plane, by small motion, up to which exact beams are
@@ -131,6 +141,17 @@ class Told(NamedTuple):
         """Return it times a factor that has an error of its own."""
         both = None if self.error is None or error is None else self.error + error
         return Told(self.value * factor, both)
+
+
+class AcrossStress(NamedTuple):
+    """The largest stress of loads across a joint [Pa], its error, and how far it alternates [Pa].
+
+    ``swings`` is by how much the stroke's amplitude may be more or less beside these loads.
+    """
+
+    value: float
+    error: ErrorRange | None
+    swings: float = 0.0
 
 
 class StrokeEnd(NamedTuple):
@@ -453,7 +474,7 @@ def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRa
     return found, whole + ErrorRange(-bent / most, bent / most)
 
 
-def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
+def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
     """Return the largest stress of a case's loads out of the plane of a joint, and its error.
 
     Each load acts either way, the drive free, in the pose at rest. The error includes the
@@ -470,22 +491,23 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> Told:
     ]
     acting = [each for each in acting if each.wrench.any() or each.acceleration.any()]
     if not acting:
-        return Told(0.0, ErrorRange(0.0, 0.0))
+        return AcrossStress(0.0, ErrorRange(0.0, 0.0))
     groups = [action(joint.assembly, each) for each in acting]
     rest = _at_once(groups, stresses)
     if scene.temperature is not None:
-        return Told(rest, None)  # nobody has told how far what it strains stiffens the rest
+        return AcrossStress(rest, None)  # nobody has told how far what it strains stiffens the rest
     if not joint.is_known_in_stress:
-        return Told(rest, None)
+        return AcrossStress(rest, None)
     if not joint.is_uniform:
         return _across_hinges(joint, scene, acting, groups, stresses, rest)
     found = list(_beside(joint, scene, groups, stresses))
     most = max(more for more, _ in found)
     error = max(each for _, each in found)
     if error > KNOWN:
-        return Told(rest + most, None)
+        return AcrossStress(rest + most, None)
     # what the stroke adds was taken as if largest at one place
-    return Told(rest + most, ErrorRange(-error - most / (rest + most), error))
+    known = ErrorRange(-error - most / (rest + most), error)
+    return AcrossStress(rest + most, known, (rest + most) * known.largest)
 
 
 def _at_once(groups: list[SpaceState], stresses: Stresses) -> float:
@@ -502,35 +524,67 @@ def _across_hinges(
     groups: list[SpaceState],
     stresses: Stresses,
     rest: float,
-) -> Told:
+) -> AcrossStress:
     """Return the stress of loads out of the plane of a joint with hinges, and its error.
 
     ``rest`` is the stress at rest [Pa]. Exact beams give its relative change at a stroke; that of
-    the blades' own weight, which they do not include, is taken to change as that of the loads.
+    the blades' own weight, which they do not include, is taken to change as that of the loads. What
+    they alternate by besides is half of the difference between both ends.
     """
+    # exact beams are for hinges alone
+    from flexcli.mechanics.space.exact.stresses import largest_of
+
     known = _hull(map(_of_hinge, joint.layout.blades))
     unsure = _unevenly_sprung(joint, acting, stresses, rest)
     if unsure is None or known is None or any(not state.loads for state in groups):
-        return Told(rest, None)
-    least, most = 0.0, 1.0
+        return AcrossStress(rest, None)
+    least, most, swings = 0.0, 1.0, 0.0
+    turned = _turned_by(joint, scene)
     # with all loads the other way it is its own mirror image
     for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
         loads = combined(groups, list(signs))
-        turned = loads.moved.deformations[: 6 * len(joint.layout.blades), 0].reshape(-1, 6)[:, 3:]
-        if np.abs(turned).max() > FAR:
-            return Told(rest, None)  # far beyond what it bears, and costly to follow
+        if _largest_turn(joint, loads) > FAR:
+            return AcrossStress(rest, None)  # far beyond what it bears, and costly to follow
         forces = loads.moved.forces[:, 0]
         here = max(map(_largest, stresses.of(forces, np.zeros_like(loads.weights))))
-        for end in dict.fromkeys(scene.stroke_ends):
-            there = _added(joint, loads, end)
-            if there is None:
-                return Told(rest, None)
+        added = _added(joint, loads, tuple(dict.fromkeys(scene.stroke_ends)))
+        if added is None:
+            return AcrossStress(rest, None)
+        for there in (largest_of(joint.layout, each) for each in added):
             least, most = max(least, there), max(most, there / here)
+        swings = max(swings, _alternating(joint, added) * rest / here)
     found = rest * most
     # warping between straight clamps is as unsure as a hinge's is
     low = (1.0 + min(known.low, -WARPING_ERROR)) * (1.0 + unsure.low)
     high = (1.0 + max(known.high, WARPING_ERROR)) * (1.0 + unsure.high)
-    return Told(found, ErrorRange(least / found * low - 1.0, high - 1.0))
+    swings = (SWINGS * swings + TURNING * turned * found) * high
+    return AcrossStress(found, ErrorRange(least / found * low - 1.0, high - 1.0), swings)
+
+
+def _turned_by(joint: SpaceJoint, scene: Scene) -> float:
+    """Return by how much the stroke turns a hinge either way from its mean [rad]."""
+    if not scene.travel:
+        return 0.0
+    body = joint.layout.body(joint.layout.drive.body)
+    stroke = action(joint.assembly, Acting(scene.travel, np.zeros(6), body.point, np.zeros(3)))
+    return _largest_turn(joint, stroke)
+
+
+def _largest_turn(joint: SpaceJoint, state: SpaceState) -> float:
+    """Return the largest rotation of one end of a hinge against the other, about any axis [rad]."""
+    bent = state.moved.deformations[: 6 * len(joint.layout.blades), 0].reshape(-1, 6)
+    return float(np.abs(bent[:, 3:]).max())
+
+
+def _alternating(joint: SpaceJoint, ends: "Sequence[list[SectionStates]]") -> float:
+    """Return the stress of half of the difference between what loads add at both ends [Pa]."""
+    # exact beams are for hinges alone
+    from flexcli.mechanics.space.exact.stresses import difference, largest_of
+
+    if len(ends) < 2:
+        return 0.0
+    apart = [difference(now, then) for now, then in zip(*ends, strict=True)]
+    return largest_of(joint.layout, apart) / 2.0
 
 
 def _unevenly_sprung(
@@ -563,31 +617,40 @@ def _unevenly_sprung(
     return ErrorRange(min(0.0, *found), max(0.0, *found))
 
 
-def _added(joint: SpaceJoint, loads: SpaceState, travel: float) -> float | None:
-    """Return the largest stress that loads add at a travel by exact beams, the drive held [Pa].
+def _added(
+    joint: SpaceJoint, loads: SpaceState, travels: Sequence[float]
+) -> "list[list[SectionStates]] | None":
+    """Return what loads add in sections at travels by exact beams, the drive held.
 
     None where there is no such state, or slightly larger loads would buckle the joint sideways,
-    there or at rest with its drive free.
+    there or at rest with its drive free. All have the same nodes.
     """
-    # exact beams are for hinges alone
     from flexcli.mechanics.space.exact.demand import drive_frame
     from flexcli.mechanics.space.exact.equilibrium import solve
-    from flexcli.mechanics.space.exact.stresses import largest_added
+    from flexcli.mechanics.space.exact.stresses import added_states
 
     drive = joint.layout.drive
-    held: list[float | None] = [None] * 6
-    held[3 if drive.turns else 0] = travel
-    at = {drive.body: tuple(held)}
     made = partial(solve, joint.layout, frames=drive_frame(drive), tolerance=EXACT)
+    held = [{drive.body: _held_at(joint, travel)} for travel in travels]
     try:
         free = made(loads=loads.loads, load_factor=1.0 / SOFTENED, levels=NODES).checked()
-        state = made(at, loads=loads.loads, levels=NODES).checked()
-        plain = made(at, levels=(state.nodes,)).checked()
+        states = [made(at, loads=loads.loads, levels=NODES).checked() for at in held]
+        most = max(state.nodes for state in states)
+        for k, at in enumerate(held):
+            if states[k].nodes < most:
+                states[k] = made(at, loads=loads.loads, levels=(most,)).checked()
+        plain = [made(at, levels=(most,)).checked() for at in held]
     except SolveError:
         return None
-    if free.unstable or state.unstable:
+    if free.unstable or any(state.unstable for state in states):
         return None
-    return largest_added(state, plain)
+    return [added_states(*both) for both in zip(states, plain, strict=True)]
+
+
+def _held_at(joint: SpaceJoint, travel: float) -> tuple[float | None, ...]:
+    """Return the motion of the drive's body where the drive alone holds it at a travel."""
+    own = 3 if joint.layout.drive.turns else 0
+    return tuple(travel if axis == own else None for axis in range(6))
 
 
 def _beside(

@@ -6,7 +6,9 @@ kind, profile's numbers, length, width [mm], ν, how far the end is moved across
 and turned [rad] (nothing where it is free), and loads at its middle (V_z, T, M_y) [N, N·m] with
 the largest von Mises stress that each adds at rest and at the stroke [Pa], E being 200 GPa. The
 stroke is what strains it by 0.3 to 1 times 1.5 %, of a turn of 0.21 rad at most. Stress is looked
-at a thickness or more from the clamps.
+at a thickness or more from the clamps. With SWINGS in place of a file it prints by which share of
+its stress at rest each load alternates as the hinge turns from rest: half of the difference, in the
+axes of sections that turn as those of exact beams.
 """
 
 import json
@@ -19,7 +21,7 @@ from flexcli.engine.solid import bricks as meshes
 from flexcli.engine.solid.calculix import run
 from flexcli.formulas.profile import Filleted, Notch, Tabulated
 from flexcli.mechanics.space.exact.equilibrium import solve
-from flexcli.mechanics.space.exact.stresses import blade_stresses
+from flexcli.mechanics.space.exact.stresses import blade_stresses, section_states
 from flexcli.mechanics.space.layout import Drive, Isotropic, SpaceBlade, SpaceBody, SpaceLayout
 
 E, MM, STRAIN, TURN, LOADED = 200e9, 1e3, 0.015, 0.21, 5e-4
@@ -80,7 +82,12 @@ def stroke_of(layout, guided, share):
 
 
 def stresses(layout, loads, held=None):
-    """Return the stress (nodes, 6) that loads (V_z, T, M_y) add, linear where nothing is held."""
+    """Return the largest stress that each load (V_z, T, M_y) adds, linear where nothing is held."""
+    return [mises(each) for each in added(layout, loads, held)[1]]
+
+
+def added(layout, loads, held=None):
+    """Return places along a hinge [m] and the stress (nodes, 6) that loads add there [Pa]."""
     blade = layout.blades[0]
     l, b, h = blade.end[0], blade.b, [float(p.thickness(np.array([-1.0, 1.0])).min())
                                       for p in blade.profile.pieces(blade.end[0])]  # fmt: skip
@@ -121,7 +128,7 @@ def stresses(layout, loads, held=None):
     clear = np.flatnonzero((x >= far[0]) & (x <= l - far[1]))
     fields = run("\n".join([*lines, ""]), "hinge").fields("STRESS")
     alone, *with_loads = (1e6 * np.array([field[i + 1][:6] for i in clear]) for field in fields)
-    return [mises(each - alone) for each in with_loads]
+    return x[clear], [each - alone for each in with_loads]
 
 
 def mises(stress):
@@ -129,6 +136,32 @@ def mises(stress):
     direct, shear = stress[:, :3], stress[:, 3:]
     apart = np.sum((direct - np.roll(direct, 1, axis=1)) ** 2, axis=1) / 2.0
     return float(np.sqrt(apart + 3.0 * np.sum(shear**2, axis=1)).max())
+
+
+def swings(kind, hinge, share):
+    """Return the rotation of a hinge and the shares by which V_z, T and M_y alternate with it."""
+    layout = layout_of(kind, *hinge[:4])
+    l, (_, turn) = hinge[1] / MM, stroke_of(layout, False, share)
+    loads = np.diag([1.0, l, l])
+    loads = loads / np.array(stresses(layout, loads))[:, None] * LOADED * E
+    (x, ends), (_, rest) = (added(layout, loads, (None, angle)) for angle in (turn, 1e-7))
+    state = solve(layout, {"b": (None,) * 5 + (turn,)}, levels=(27,)).checked()
+    (at,) = section_states(state)
+    bent = np.cumsum(np.gradient(at.s) * at.M_z / at.h**3)
+    angle = turn * np.interp(x / l, at.s, bent / bent[-1])
+    return turn, [
+        mises(turned(a, angle) - b) / 2.0 / mises(b) for a, b in zip(ends, rest, strict=True)
+    ]
+
+
+def turned(stress, angle):
+    """Return stresses (nodes, 6) in axes turned by angles about z."""
+    xx, yy, zz, xy, xz, yz = stress.T
+    c, s = np.cos(angle), np.sin(angle)
+    return np.stack([
+        c * c * xx + s * s * yy + 2.0 * c * s * xy, s * s * xx + c * c * yy - 2.0 * c * s * xy, zz,
+        c * s * (yy - xx) + (c * c - s * s) * xy, c * xz + s * yz, c * yz - s * xz,
+    ], axis=-1)  # fmt: skip
 
 
 def row(kind, hinge, share):
@@ -148,6 +181,9 @@ def main():
     count, seed, kind, file = int(sys.argv[1]), int(sys.argv[2]), sys.argv[3], Path(sys.argv[4])
     shares = np.random.default_rng(seed).uniform(0.3, 1.0, count)
     for hinge, share in zip(hinges(kind, count, seed), shares, strict=True):
+        if file.name == "SWINGS":
+            print(kind, *hinge[:4], *swings(kind, hinge, float(share)))
+            continue
         rows = json.loads(file.read_text(encoding="utf-8")) if file.exists() else []
         rows.append(row(kind, hinge, float(share)))
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")

@@ -5,11 +5,20 @@ import pytest
 from geometries_for_tests import geometry
 from space_mechanisms import STEEL, blade, guide, random_mechanism, rod
 
+from flexcli.formulas.profile import Filleted, Notch
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import solve as solve_in_space
 from flexcli.mechanics.space.exact.stresses import blade_stresses
-from flexcli.mechanics.space.layout import BeamEffects, Drive, SpaceBody, SpaceLayout, SpaceLoad
+from flexcli.mechanics.space.layout import (
+    BeamEffects,
+    Drive,
+    Isotropic,
+    SpaceBlade,
+    SpaceBody,
+    SpaceLayout,
+    SpaceLoad,
+)
 from flexcli.mechanics.space.planar import from_plane
 from flexcli.mechanics.space.states import Stresses
 from flexcli.mechanics.space.stresses import equivalent
@@ -266,6 +275,45 @@ def test_a_moment_on_a_turned_notch_twists_its_throat_too(angle):
     expected = np.max(equivalent(at_rest.normal @ forces, at_rest.shear @ forces))
     assert 0.99 < found.value / expected < (1.2 if angle else 1.01)
     assert -0.5 < found.error.low < 0.0 < found.error.high < 0.5
+
+
+SWINGING = [
+    (Notch(0.0865, 1.0), 2.0, 2.193, 0.4, 0.0366, (0.0264, 0.0246, 0.0756)),
+    (Notch(0.0622, 1.0), 2.0, 1.113, 0.4, 0.0568, (0.0416, 0.0376, 0.1229)),
+    (Notch(0.0724, 1.0), 2.0, 1.939, 0.3, 0.1030, (0.0740, 0.0686, 0.2282)),
+    (Notch(0.1234, 1.0), 2.0, 1.298, 0.2, 0.0678, (0.0512, 0.0464, 0.0888)),
+    (Notch(0.1936, 1.0), 2.0, 1.951, 0.3, 0.0265, (0.0200, 0.0198, 0.0339)),
+    (Filleted(0.7562, 1.0), 9.21, 1.784, 0.4, 0.2016, (0.0842, 0.1624, 0.1844)),
+    (Filleted(0.5269, 1.0), 7.80, 1.509, 0.3, 0.1382, (0.0667, 0.1117, 0.1576)),
+]
+"""Hinges, lengths, widths, ν, and by which share of their stress V_z, T and M_y alternate as a
+stroke turns them from rest to an angle [rad]: ``tests/benchmarks/hinges_at_stroke.py``."""
+
+
+@pytest.mark.parametrize(
+    "row",
+    [pytest.param(row, marks=[] if k in (0, 3, 6) else pytest.mark.slow)
+     for k, row in enumerate(SWINGING)],
+)  # fmt: skip
+def test_loads_across_a_hinge_alternate_no_more_than_they_are_told_to(row):
+    profile, l, b, nu, turn, shares = row
+    ends, middle = ((0.0, 0.0, 0.0), (l, 0.0, 0.0)), (l / 2.0, 0.0, 0.0)
+    hinge = SpaceBlade(
+        "h", "ground", "b", *ends, (0, 0, 1), profile, b, Isotropic(2e11, 1e11 / (1.0 + nu))
+    )
+    layout = SpaceLayout(
+        (SpaceBody("b", middle, middle),), (hinge,), Drive("b", True, (0, 0, 1), middle)
+    )
+    for k, share in enumerate(shares):
+        load = np.zeros(6)
+        load[2 + k] = 1e4
+        scene = moved(
+            turn / 2.0, mean_travel=turn / 2.0, middle=turn / 2.0,
+            stated=tuple(load.tolist()), across_by=frozenset({LoadKind.WRENCH}),
+        )  # fmt: skip
+        found = across_stress(SpaceJoint(layout), scene)
+        most = found.value * (1.0 + found.error.high)
+        assert share < found.swings / most < 2.0 * share + turn
 
 
 @pytest.mark.parametrize("kind", ["hinged-stage", "hinged-pivot"])

@@ -18,9 +18,16 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Setting
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
-from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
+from flexcli.parts.requirements import (
+    Ask,
+    CriticalShare,
+    DriveEffort,
+    EndStress,
+    JointModel,
+    Swing,
+)
 from flexcli.parts.space_joint import joint_in_space
-from flexcli.parts.space_states import Told, across_stress
+from flexcli.parts.space_states import AcrossStress, across_stress
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -46,7 +53,7 @@ class _Parts(NamedTuple):
 
     name: str
     planar: list[EndStress]
-    across: Told
+    across: AcrossStress
 
     @property
     def largest(self) -> float:
@@ -172,7 +179,7 @@ class OutOfPlane(JointModel):
         Both are added as if largest at one place: together they are no less than either.
         """
         planar, parts = self.inner.error(ask, QuantityKind.STRESS), self._parts(ask)
-        across, error = parts.across
+        across, error = parts.across.value, parts.across.error
         if planar is None or error is None:
             return None
         a, b = parts.largest, across
@@ -181,16 +188,18 @@ class OutOfPlane(JointModel):
         low = max(a * (1.0 + planar.low), b * (1.0 + error.low)) / (a + b) - 1.0
         return ErrorRange(low, (a * (1.0 + planar.high) + b * (1.0 + error.high)) / (a + b) - 1.0)
 
-    def amplitude_off(self, ask: Ask) -> float:
-        """Return what the error of the added stress may be of the stroke's: both act on each other.
+    def swing(self, ask: Ask) -> Swing | None:
+        """Return what is known of the amplitude beside the added stress: both act on each other.
 
         A sum has a small error beside a large steady load, and that may be all of the amplitude.
         """
         scene = ask.scene
         if not scene.across_by or scene.travel == 0.0 or self._beams(ask) is not None:
-            return 0.0
-        across, error = self._parts(ask).across
-        return 0.0 if error is None else abs(across) * error.largest
+            return None
+        own, across = self.inner.error(ask, QuantityKind.STRESS), self._parts(ask).across
+        if own is None or across.error is None:
+            return None
+        return Swing(own, abs(across.value), across.error, across.swings)
 
     def _whole(self) -> SpaceLinearModel:
         """Return the model of a mechanism that is judged in space alone."""

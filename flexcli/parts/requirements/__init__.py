@@ -16,6 +16,7 @@ from flexcli.parts.requirements.ask import (
     EndStress,
     JointModel,
     RequirementError,
+    Swing,
 )
 from flexcli.parts.requirements.base import Bound, Limit, Requirement, limit_of
 from flexcli.parts.requirements.closed_form import CLOSED_FORM
@@ -34,6 +35,7 @@ __all__ = [
     "Requirement",
     "RequirementError",
     "Requirements",
+    "Swing",
     "are_at_rest",
     "limit_of",
 ]

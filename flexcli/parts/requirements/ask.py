@@ -26,7 +26,22 @@ __all__ = [
     "EndStress",
     "JointModel",
     "RequirementError",
+    "Swing",
 ]
+
+
+class Swing(NamedTuple):
+    """What is known of a stroke's amplitude where the stress of other loads is added to it.
+
+    ``own`` is the error of the stress of the stroke alone, ``added`` the stress of the loads [Pa],
+    in the axial stress of all places, with its error; ``off`` is how far these may change the
+    amplitude [Pa].
+    """
+
+    own: ErrorRange
+    added: float
+    error: ErrorRange
+    off: float
 
 
 class RequirementError(ValueError):
@@ -257,9 +272,9 @@ class JointModel(ABC):
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the name of the stress and its values wherever it may be largest."""
 
-    def amplitude_off(self, ask: Ask) -> float:
-        """Return by how much loads that are added may change the stress of the stroke [Pa]."""
-        return 0.0
+    def swing(self, ask: Ask) -> Swing | None:
+        """Return what is known of amplitudes beside loads that are added to the stress, if any."""
+        return None
 
     @abstractmethod
     def critical(self, ask: Ask) -> tuple[Critical, ...]:

@@ -7,7 +7,7 @@ from flexcli.formulas.fatigue import goodman_amplitude, swt_amplitude_squared
 from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import is_of_many, larger, number, smaller
 from flexcli.parts.material import MissingProperty
-from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError
+from flexcli.parts.requirements.ask import Ask, EndStress, RequirementError, Swing
 from flexcli.parts.requirements.base import FactorRequirement, Limit
 from flexcli.parts.scene import LoadKind, Scene
 from flexcli.results import ErrorRange, QuantityKind
@@ -101,9 +101,9 @@ class Fatigue(FactorRequirement):
         """
         axial = stress.axial
         plain = all(isinstance(x, float) or is_of_many(x) for x in (axial, demand))
-        off = ask.joint_model.amplitude_off(ask)
-        if off > 0.0 and plain and demand > 0.0:
-            return self._beside_loads(stress, ask, strength, method, off, demand)
+        swing = ask.joint_model.swing(ask)
+        if swing is not None and plain and demand > 0.0:
+            return self._beside_loads(stress, ask, strength, method, swing, demand)
         if not (ask.scene.directed and plain):
             return None
         if stress.is_at_face or axial <= 0.0 or demand <= 0.0:
@@ -123,20 +123,29 @@ class Fatigue(FactorRequirement):
         ask: Ask,
         strength: float,
         method: str,
-        off: float,
+        swing: Swing,
         demand: Computed,
-    ) -> ErrorRange | None:
-        """Return the error of a demand of which the amplitude is off by a stress [Pa]."""
-        known = ask.joint_model.error(ask, QuantityKind.STRESS)
-        if known is None:
-            return None
-        size = number(abs(stress.amplitude))
-        ends = []
-        for amplitude in (larger(size - off, 0.0), size + off):
-            at = stress._replace(amplitude=amplitude)
+    ) -> ErrorRange:
+        """Return the error of a demand whose amplitude is the stroke's, its mean of loads besides.
+
+        What they add is largest at one place, and may be nothing where the amplitude is.
+        """
+        size, mean, axial = (number(x) for x in (abs(stress.amplitude), stress.mean, stress.axial))
+        own, ends = swing.own, []
+        least, most = sorted((mean * (1.0 + own.low), mean * (1.0 + own.high)))
+        beside = abs(axial) * own.largest
+        for amplitude, middle, other in (
+            (size * (1.0 + own.low) - swing.off, least, axial - swing.added - beside),
+            (
+                size * (1.0 + own.high) + swing.off,
+                most,
+                axial + swing.added * max(swing.error.high, 0.0) + beside,
+            ),
+        ):
+            at = stress._replace(amplitude=larger(amplitude, 0.0), mean=middle, axial=other)
             changed, power = self._equivalent(at, ask, strength, method)
             ends.append((number(changed) / number(demand)) ** (1.0 / power) - 1.0)
-        return known + ErrorRange(*ends)
+        return ErrorRange(*ends)
 
     def _equivalent(
         self, stress: EndStress, ask: Ask, strength: float, method: str

@@ -8,7 +8,7 @@ import pytest
 
 from flexcli.formulas.profile import Filleted, Notch, Tabulated
 from flexcli.mechanics.space.exact.equilibrium import solve
-from flexcli.mechanics.space.exact.stresses import largest_added
+from flexcli.mechanics.space.exact.stresses import added_states, largest_of
 from flexcli.mechanics.space.layout import (
     Drive,
     Isotropic,
@@ -61,7 +61,8 @@ def added_at_stroke(blade, held, loads):
         acting = tuple(
             SpaceLoad("b", (middle[0] + x, y, 0.0), (0.0, 0.0, F)) for (x, y), F in forces.items()
         )
-        yield largest_added(solve(layout, way, loads=acting, levels=(40,)).checked(), plain)
+        state = solve(layout, way, loads=acting, levels=(40,)).checked()
+        yield largest_of(layout, added_states(state, plain))
 
 
 def test_stress_across_tapers_and_hinges_at_rest_is_within_what_is_told():

@@ -18,16 +18,18 @@ from flexcli.formulas.torsion_section import shear_factor, warping
 from flexcli.mechanics.space.exact.beams import Beams
 from flexcli.mechanics.space.exact.blade import along
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
-from flexcli.mechanics.space.layout import BeamEffects, SpaceBlade, SpaceRod
+from flexcli.mechanics.space.layout import BeamEffects, SpaceBlade, SpaceLayout, SpaceRod
 from flexcli.mechanics.space.stresses import SectionForces, at_places, equivalent, twisted
 from flexcli.numerics.collocation import gauss_nodes, interpolation_matrix
 
 __all__ = [
     "BladeStress",
     "SectionStates",
+    "added_states",
     "beam_stresses",
     "blade_stresses",
-    "largest_added",
+    "difference",
+    "largest_of",
     "section_states",
 ]
 
@@ -106,24 +108,35 @@ def _beams_of(state: SpaceEquilibrium) -> tuple[Beams, Floats]:
     return assembly.members, assembly.at(part.x).inside
 
 
-def largest_added(state: SpaceEquilibrium, before: SpaceEquilibrium) -> float:
-    """Return the largest stress of what a state of blades has more than another [Pa].
+def added_states(state: SpaceEquilibrium, before: SpaceEquilibrium) -> list[SectionStates]:
+    """Return what acts more in the sections of blades in a state than in another.
 
-    Both have the same nodes. Von Mises' stress of the difference of both their stresses, at the
-    places of :func:`flexcli.mechanics.space.stresses.at_places`.
+    Both have the same nodes.
+    """
+    each = zip(section_states(state), section_states(before), strict=True)
+    return [difference(now, then) for now, then in each]
+
+
+def difference(now: SectionStates, then: SectionStates) -> SectionStates:
+    """Return what acts in sections at the same places less what acts in others."""
+    return SectionStates(now.s, now.h, *(np.subtract(now[2:], then[2:])))
+
+
+def largest_of(layout: SpaceLayout, states: Sequence[SectionStates]) -> float:
+    """Return the largest stress of von Mises of what acts in the sections of blades [Pa].
+
+    At the places of :func:`flexcli.mechanics.space.stresses.at_places`.
     """
     found = 0.0
-    each = zip(state.layout.blades, section_states(state), section_states(before), strict=True)
-    for blade, now, then in each:
+    for blade, now in zip(layout.blades, states, strict=True):
         assert isinstance(blade, SpaceBlade)
         steep = isinstance(blade.profile, Notch | Filleted)
         thin = now.h <= (_THICK if steep else np.inf) * now.h.min()
-        more = SectionStates(*(np.subtract(now, then)[:, thin]))
-        s, h = now.s[thin], now.h[thin]
-        torsion = twisted(blade, h, more.warps, more.turns, more.slope)
-        forces = (more.N, more.V_y, more.V_z, more.M_y, more.M_z, *torsion)
+        at = SectionStates(*(each[thin] for each in now))
+        torsion = twisted(blade, at.h, at.warps, at.turns, at.slope)
+        forces = (at.N, at.V_y, at.V_z, at.M_y, at.M_z, *torsion)
         columns = SectionForces(*(each[:, None] for each in forces))
-        rows = at_places(blade, s, h, ("",) * len(s), columns)
+        rows = at_places(blade, at.s, at.h, ("",) * len(at.s), columns)
         found = max(found, float(equivalent(rows.normal, rows.shear).max()))
     return found
 
