@@ -1,7 +1,7 @@
 """A case with a temperature: what is judged, what it moves, what is refused."""
 
 import re
-from math import pi, tan, tanh
+from math import pi, sqrt, tan, tanh
 
 import pytest
 
@@ -61,6 +61,16 @@ def test_a_hotter_body_bends_the_blades_that_it_spreads():
     # each blade is a guided one, a little less than bent by that: it shears
     assert 0.999 < check.demand / (3.0 * E * 0.2e-3 * spread / 20e-3**2) < 1.0
     assert check.model == "exact"
+
+
+def test_what_clamps_hold_across_may_add_to_all_that_bends_along():
+    case = "stroke: {translation: 0.5 mm, cycles: 1e6}, temperature: {bodies: {moving: 50 K}}"
+    along, held = flexcli.check(spec(case)).checks[:2]
+    assert "held across" in held.full_name
+    # as a plate is held, by von Mises beside what bends it the other way
+    across = E * ALPHA * 50.0 / (1.0 - 0.342**2)
+    worst = sqrt(along.demand**2 + along.demand * across + across**2)
+    assert held.factor_range[0] <= 880e6 / worst < held.factor_range[1]
 
 
 def test_stroke_and_temperature_act_together():
@@ -474,10 +484,3 @@ def test_a_blade_that_a_gradient_bends_moves_its_end_by_no_more_than_is_told(mos
         if c.name.startswith("parasitic")
     )
     assert check.verdict.value == verdict
-
-
-def test_what_no_temperature_changes_in_our_numbers_is_asked_at_assembly_alone():
-    """A support stiffness is that of the cold joint: it judges no case of its temperature."""
-    found = mount("temperature: {uniform: -100 K}", "support: {direction: z, min: 1 N/m}").checks
-    assert [(check.name, check.case) for check in found if check.case] == [("temperature", "c")]
-    assert [check.name for check in found if not check.case] == ["support z (min)"]

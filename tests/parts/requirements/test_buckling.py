@@ -30,3 +30,22 @@ def test_a_joint_without_a_closed_form_bears_what_its_most_loaded_blade_bears_be
     # each of both blades bears F/(2 cos α); shear lowers its load by some (h/l)²
     assert check.capacity == pytest.approx(johnson * H * B * 2.0 * cos(ALPHA), rel=(H / L) ** 2)
     assert check.factor_range is None, "one blade is not the joint"
+
+
+@pytest.mark.parametrize("width", [0.3e-3, 3e-3])
+def test_blades_narrower_than_thick_buckle_across_their_width(width):
+    spec = {
+        "flexure": 1,
+        "material": {"youngs_modulus": f"{E} Pa", "poisson_ratio": 0.3},
+        "geometry": {"kind": "leaf-spring-stage", "h": "1 mm", "l": "40 mm", "b": f"{width} m",
+                     "spacing": "10 mm"},
+        "cases": {"push": {"load": {"force": "1 N"}, "ends": "clamped-guided"}},
+        "requirements": {"buckling": 1.5},
+    }  # fmt: skip
+    (check,) = flexcli.check(yaml.safe_dump(spec)).checks
+    thin, thick = sorted((1e-3, width))
+    euler = 2.0 * pi**2 * E * thick * thin**3 / 12.0 / 40e-3**2
+    assert ("width" in check.quantity) == (width < 1e-3)
+    # clamps let a blade bear no more than Euler's load; shear takes and strain adds some (h/l)²
+    assert check.capacity == pytest.approx(euler, rel=0.01)
+    assert check.factor_range[0] < 1.01 * euler

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import yaml
 
+import flexcli
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.quality import Quality
 from flexcli.parts.requirements import Ask, RequirementError
@@ -313,3 +314,51 @@ def test_what_stretches_blades_is_no_stiffer_by_what_stiffens_their_bending(axis
     # clamps that give way soften what stretches; what bends has them in the model's own number
     least = 1.1 if axis == "x" else 1.0 / (1.0 + ask.clamp_softening)
     assert (min(ratios), max(ratios)) == pytest.approx((least, 1.1))
+
+
+def test_a_drawn_stage_whose_body_has_the_mass_is_judged_as_the_stage_that_carries_it():
+    blades = {
+        name: {"between": ["ground", "stage"], "h": "0.2 mm", "b": "10 mm",
+               "from": ["0 mm", y], "to": ["20 mm", y]}
+        for name, y in (("left", "15 mm"), ("right", "-15 mm"))
+    }  # fmt: skip
+    drawn = {
+        "kind": "layout", "moving": "stage", "motion": {"translation": "90 deg"},
+        "bodies": {"stage": {"at": ["10 mm", "0 mm"], "mass": f"{MASS} kg", "inertia": "1 kg*m^2"}},
+        "blades": blades,
+    }  # fmt: skip
+    payload = {"kind": "payload", "mass": f"{MASS} kg"}
+    given = {"flexure": 1, "material": MATERIAL, "requirements": {"dynamic-yield": 1.5},
+             "model": "exact"}  # fmt: skip
+
+    def judged(axis, **parts):
+        (shaken,) = sine(1.0, 50.0).values()
+        case = {"sine": {**shaken, "axis": axis}, "q": Q}
+        spec = yaml.safe_dump({**given, "cases": {"shake": case}, **parts})
+        return flexcli.check(spec).checks[0]
+
+    own = judged("y", geometry=drawn)
+    carried = judged("x", geometry={**STAGE, "spacing": "30 mm"}, mechanism=payload)
+    travel = 50.0 / (2.0 * pi * F_0) ** 2
+    assert own.demand == pytest.approx(travel_stress(travel), rel=0.03)
+    assert own.demand == pytest.approx(carried.demand, rel=0.01)
+    # both are off by what the stage moves, not more
+    assert own.factor_range == pytest.approx(carried.factor_range, rel=0.02)
+
+
+def test_damages_of_cases_add_up_and_so_do_what_they_may_be():
+    points = [{"cycles": n, "amplitude": s} for n, s in ((1e3, "800 MPa"), (1e9, "100 MPa"))]
+    given = {
+        "flexure": 1,
+        "material": {**MATERIAL, "sn_amplitudes": {"points": points, "stress_ratio": -1}},
+        "geometry": {**STAGE, "spacing": "30 mm"},
+        "mechanism": {"kind": "payload", "mass": f"{MASS} kg", "damping": {"q": Q}},
+        "cases": {"launch": flat(F_0 / 3.0, 3.0 * F_0, 0.02), "fly": flat(20.0, 60.0, 0.03)},
+        "requirements": {"dynamic-life": {"factor": 4, "method": "dirlik"}},
+    }
+    both, *each = sorted(flexcli.check(yaml.safe_dump(given)).checks, key=lambda c: bool(c.case))
+    assert [len(each), both.case] == [2, ""]
+    assert 1.0 / both.factor == pytest.approx(sum(1.0 / c.factor for c in each))
+    for end in (0, 1):
+        damage = sum(1.0 / c.factor_range[end] for c in each)
+        assert 1.0 / both.factor_range[end] == pytest.approx(damage)

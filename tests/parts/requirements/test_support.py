@@ -1,0 +1,52 @@
+"""Support stiffness: ratios against what they are of."""
+
+import pytest
+import yaml
+
+import flexcli
+from flexcli.errors import SpecError
+
+STAGE = {"kind": "leaf-spring-stage", "h": "0.2 mm", "l": "20 mm", "b": "10 mm", "spacing": "30 mm"}
+MATERIAL = {"youngs_modulus": "114 GPa", "poisson_ratio": 0.3, "yield_strength": "800 MPa"}
+
+
+def checks(requirements, geometry=STAGE, material=MATERIAL):
+    spec = {"flexure": 1, "material": material, "geometry": geometry, "requirements": requirements}
+    return flexcli.check(yaml.safe_dump(spec)).checks
+
+
+def test_a_ratio_of_stiffnesses_is_as_unsure_as_both():
+    bounds = [
+        {"direction": "y", "min": "1 N/m"},
+        {"direction": "x", "min": "1 N/m"},
+        {"direction": "y", "over": "x", "min": 1},
+    ]
+    one, other, ratio = (check.factor_range for check in checks({"support": bounds}))
+    assert other[1] > other[0]
+    assert ratio == pytest.approx((one[0] / other[1], one[1] / other[0]), rel=1e-9)
+
+
+def test_clamps_that_may_give_way_lower_the_least_support_and_not_the_most():
+    asked = {"support": {"direction": "y", "min": "1 N/m"}}
+    (held,) = checks(asked, {**STAGE, "clamps": "rigid"})
+    (may,) = checks(asked, {**STAGE, "clamps": "monolithic"})
+    assert may.factor_range[0] < held.factor_range[0]
+    assert may.factor_range[1] == pytest.approx(held.factor_range[1])
+
+
+def test_a_strength_that_a_misalignment_needs_is_asked_for():
+    blade = {"between": ["ground", "stage"], "h": "0.1 mm", "b": "2 mm", "width": "z"}
+    layout = {
+        "kind": "space-layout",
+        "bodies": {"stage": {"at": ["0 mm", "20 mm", "0 mm"]}},
+        "blades": {
+            name: {**blade, "from": [x, "0 mm", "0 mm"], "to": [x, "20 mm", "0 mm"]}
+            for name, x in (("left", "-15 mm"), ("right", "15 mm"))
+        },
+        "moving": "stage",
+        "motion": {"translation": "x"},
+    }
+    asked = {"misalignment_stress": {"of": "left", "rotation": {"about": "z", "by": "1 mrad"},
+                                     "factor": 2, "allowable": "tensile-strength"}}  # fmt: skip
+    with pytest.raises(SpecError, match="tensile_strength"):
+        checks(asked, layout)
