@@ -47,8 +47,7 @@ def list_(style: CatalogueFormatOption = Format.TEXT) -> None:
         return
     lines = [(each.name, each.title, each.command) for each in found]
     told = "flexure examples copy NAME makes one your own"
-    write_text(lambda console: catalogue.print_lines(("name", "what it is", "command"), lines,
-                                                     told, console))  # fmt: skip
+    write_text(catalogue.lines(("name", "what it is", "command"), lines, told))
 
 
 @app.command()

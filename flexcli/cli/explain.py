@@ -45,6 +45,6 @@ def run(
     if style is Format.JSON:
         write_json(listing(NAME, perf_counter() - started, topics=list(found)))
     elif name is None:
-        write_text(lambda console: explanation.print_list(found, console))
+        write_text(explanation.list_of(found))
     else:
-        write_text(lambda console: explanation.print_one(found[0], console))
+        write_text(explanation.sheet(found[0]))

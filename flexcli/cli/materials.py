@@ -41,7 +41,7 @@ def run(
         content = catalogue.document(titles, rows)
         write_json(listing(NAME, perf_counter() - started, materials=content))
     elif name is None:
-        write_text(lambda console: catalogue.print_list(rows, console))
+        write_text(catalogue.list_of(rows))
     else:
         note = materials[name].note
-        write_text(lambda console: catalogue.print_one(titles[name], note, rows[name], console))
+        write_text(catalogue.sheet(titles[name], note, rows[name]))

@@ -3,7 +3,7 @@
 import io
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
@@ -14,7 +14,7 @@ from flexcli.report.formats import Format, Page, Report
 from flexcli.results import PassedOver, Result, Status
 
 if TYPE_CHECKING:
-    from rich.console import Console
+    from flexcli.report.tables import Piece
 
 __all__ = [
     "CatalogueFormatOption",
@@ -28,6 +28,9 @@ __all__ = [
     "write_plain",
     "write_text",
 ]
+
+USUAL_COLUMNS = 80
+"""Columns of what is no terminal."""
 
 FormatOption = Annotated[
     Format,
@@ -82,11 +85,11 @@ def write_failure(style: Format, text: str, command: str = "", hint: str = "") -
     _write(style.render(Report(result.command, (result,)), _page(sys.stdout, style)), sys.stdout)
 
 
-def write_text(body: Callable[["Console"], None]) -> None:
-    """Render with rich for the terminal that reads, and write it whole."""
+def write_text(pieces: Iterable["Piece"]) -> None:
+    """Lay pieces of text out for the terminal that reads, and write them whole."""
     from flexcli.report.tables import on_page
 
-    _write(on_page(body, _page(sys.stdout, Format.TEXT)), sys.stdout)
+    _write(on_page(pieces, _page(sys.stdout, Format.TEXT)), sys.stdout)
 
 
 def write_plain(text: str) -> None:
@@ -125,10 +128,29 @@ def _page(stream: Any, style: Format) -> Page:
     """Return the columns, colours and characters of a stream; only text has the first two."""
     if style is not Format.TEXT:
         return Page(encoding=_encoding(stream))
-    from rich.console import Console
+    return Page(_columns(), _is_coloured(stream), _encoding(stream))
 
-    reader = Console(file=stream)
-    return Page(reader.width, reader.is_terminal and not reader.no_color, _encoding(stream))
+
+def _columns() -> int:
+    """Return the columns that the environment states, else those of the terminal in use."""
+    stated = os.environ.get("COLUMNS", "")
+    if stated.isdigit() and int(stated):
+        return int(stated)
+    for stream in (sys.__stdin__, sys.__stdout__, sys.__stderr__):
+        try:
+            if stream is not None and (found := os.get_terminal_size(stream.fileno()).columns):
+                return found
+        except (OSError, ValueError):  # no terminal, or closed
+            continue
+    return USUAL_COLUMNS
+
+
+def _is_coloured(stream: Any) -> bool:
+    """Return whether a stream wants colours: no-color.org, force-color.org, else a terminal."""
+    forced = os.environ.get("FORCE_COLOR")
+    if os.environ.get("NO_COLOR") or os.environ.get("TERM") in ("dumb", "unknown"):
+        return False
+    return bool(forced) if forced is not None else stream.isatty()
 
 
 def _write(text: str, stream: Any) -> None:

@@ -3,10 +3,8 @@
 from collections.abc import Iterator
 from math import inf
 
-from rich.console import RenderableType
-
 from flexcli.report.curve import curve
-from flexcli.report.tables import Drawing, Line, Rows, table
+from flexcli.report.tables import Drawing, Line, Piece, Rows, table
 from flexcli.results import Result
 from flexcli.results.accuracy import AccuracyResult, ModelAccuracy, QuantityAccuracy
 from flexcli.units import show
@@ -38,13 +36,13 @@ LEAVES_OUT_IN_TIME = (
 )
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the comparison of the models on a design."""
     if result.accuracy is not None:
         yield from accuracy_tables(result.accuracy)
 
 
-def accuracy_tables(found: AccuracyResult) -> Iterator[RenderableType]:
+def accuracy_tables(found: AccuracyResult) -> Iterator[Piece]:
     """Yield a table for each quantity, one of the whole, the curve and what to take."""
     yield from _series(found, "")
     against = AGAINST_SHELLS if found.is_shell else LEAVES_OUT
@@ -54,7 +52,7 @@ def accuracy_tables(found: AccuracyResult) -> Iterator[RenderableType]:
         yield Line((LEAVES_OUT_IN_TIME, "dim"))
 
 
-def _series(found: AccuracyResult, where: str) -> Iterator[RenderableType]:
+def _series(found: AccuracyResult, where: str) -> Iterator[Piece]:
     """Yield the tables of one series of models, its curve and what to take."""
     for quantity in found.quantities:
         yield _quantity(quantity)

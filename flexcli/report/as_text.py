@@ -4,8 +4,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from math import isnan
 
-from rich.console import Console, RenderableType
-
 from flexcli.errors import Finding
 from flexcli.report.charset import plain
 from flexcli.report.formats import Page, Report
@@ -18,7 +16,7 @@ from flexcli.report.margins_text import (
     sources,
 )
 from flexcli.report.numbers import apart, error_text, largest, shown
-from flexcli.report.tables import Line, Rows, on_page, table
+from flexcli.report.tables import Line, Piece, Rows, on_page, table
 from flexcli.results import Cost, Result, Status, Value
 
 __all__ = ["SECTIONS", "findings_text", "render"]
@@ -59,21 +57,20 @@ _STYLE = {
 
 def render(report: Report, page: Page) -> str:
     """Return the results without findings, which go to stderr, and the summary of many."""
-
-    def body(console: Console) -> None:
-        for result in report.results:
-            if not result.findings:
-                for part in _parts(result, page.width):
-                    console.print(part)
-        if report.is_of_many:
-            console.print(_summary(report.results))
-        for spec, why in report.passed_over:
-            console.print(Line(("passed over ", "dim"), f"{spec}: {why}", hang=2))
-
-    return on_page(body, page)
+    return on_page(_pieces(report, page.width), page)
 
 
-def _parts(result: Result, width: int) -> Iterator[RenderableType]:
+def _pieces(report: Report, width: int) -> Iterator[Piece]:
+    for result in report.results:
+        if not result.findings:
+            yield from _of_one(result, width)
+    if report.is_of_many:
+        yield _summary(report.results)
+    for spec, why in report.passed_over:
+        yield Line(("passed over ", "dim"), f"{spec}: {why}", hang=2)
+
+
+def _of_one(result: Result, width: int) -> Iterator[Piece]:
     """Yield heading, margins, sections, values, effects, warnings, sources and cost."""
     yield Line((result.status.value.upper(), _STYLE[result.status]),
                f"  {result.command} {result.spec}", hang=6)  # fmt: skip
@@ -114,7 +111,7 @@ def _cost(cost: Cost) -> str:
     return f"{cost.model} model{estimate}; {cost.seconds * 1e3:.1f} ms"
 
 
-def _values(values: Mapping[str, Value], scales: Mapping[str, float]) -> Iterator[RenderableType]:
+def _values(values: Mapping[str, Value], scales: Mapping[str, float]) -> Iterator[Piece]:
     """Yield the values, each with the digits that its error leaves; noise is 0."""
     has_errors = any(map(_error, values.values()))
     heads = ("name", "value", *(["±"] if has_errors else []), "meaning")

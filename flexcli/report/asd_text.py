@@ -3,10 +3,8 @@
 from collections.abc import Iterator, Sequence
 from math import isinf
 
-from rich.console import RenderableType
-
 from flexcli.report.curve import curve
-from flexcli.report.tables import Drawing, Line, Rows, table
+from flexcli.report.tables import Drawing, Line, Piece, Rows, table
 from flexcli.results import Result
 from flexcli.results.vibration import BreakpointRow, ProfileRow, WorstCaseRow
 from flexcli.units import STANDARD_GRAVITY, show
@@ -20,7 +18,7 @@ def _g(value: float | None) -> str:
     return "" if value is None else f"{value / STANDARD_GRAVITY:.4g} g"
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the sheet of one profile, or the list of several, and the worst cases."""
     if result.breakpoints:
         yield from profile_sheet(result.profiles[0], result.breakpoints)
@@ -39,9 +37,7 @@ def profile_list(rows: Sequence[ProfileRow]) -> Rows:
     return listed
 
 
-def profile_sheet(
-    row: ProfileRow, breakpoints: Sequence[BreakpointRow]
-) -> Iterator[RenderableType]:
+def profile_sheet(row: ProfileRow, breakpoints: Sequence[BreakpointRow]) -> Iterator[Piece]:
     """Yield breakpoints with slopes, the curve, and where the numbers come from."""
     points = table("Breakpoints", "frequency", "level", "slope to the next", numbers=[0, 1, 2])
     for point in breakpoints:
@@ -77,7 +73,7 @@ def _slope(slope: float | None) -> str:
     return "step" if isinf(slope) else f"{slope:+z.2f} dB/oct"
 
 
-def worst_cases(rows: Sequence[WorstCaseRow]) -> Iterator[RenderableType]:
+def worst_cases(rows: Sequence[WorstCaseRow]) -> Iterator[Piece]:
     """Yield Miles beside the exact response, and the peaks, over cases and Q.
 
     Of a single row, whose values stand alone, only what was applied to the profile.

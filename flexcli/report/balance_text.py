@@ -4,10 +4,8 @@ from cmath import phase
 from collections.abc import Iterator
 from math import degrees
 
-from rich.console import RenderableType
-
 from flexcli.report.numbers import NOISE, largest, shown
-from flexcli.report.tables import Line, Rows, table
+from flexcli.report.tables import Line, Piece, Rows, table
 from flexcli.results import Result
 from flexcli.results.balance import BalanceResult, TransferRow
 from flexcli.units import show
@@ -18,13 +16,13 @@ MOST_ROWS = 25
 """Rows of the transfer functions that a terminal gets; a sweep has more in CSV and JSON."""
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the balancing of a mechanism, and its residual coupling."""
     if result.balance is not None:
         yield from balance_tables(result.balance)
 
 
-def balance_tables(balance: BalanceResult) -> Iterator[RenderableType]:
+def balance_tables(balance: BalanceResult) -> Iterator[Piece]:
     """Yield the choice of free numbers, and the tables that have rows."""
     if balance.outcome == "infeasible":
         yield Line(("not balanced: ", "bold red"), balance.reason, hang=2)

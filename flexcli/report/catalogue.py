@@ -1,15 +1,13 @@
 """Lists of what ships: materials, with the source of every number, and examples."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from rich.console import Console
-
-from flexcli.report.tables import Line, table
+from flexcli.report.tables import Line, Piece, table
 from flexcli.results import Property
 from flexcli.units import show
 
-__all__ = ["document", "print_lines", "print_list", "print_one"]
+__all__ = ["document", "lines", "list_of", "sheet"]
 
 _LISTED = ("youngs_modulus", "yield_strength", "tensile_strength", "fatigue_amplitude")
 
@@ -34,26 +32,24 @@ def document(titles: Mapping[str, str], rows: Mapping[str, Sequence[Property]]) 
     }
 
 
-def print_lines(
-    heads: tuple[str, ...], rows: Iterable[tuple[str, ...]], told: str, console: Console
-) -> None:
-    """Print a list of names with their descriptions, and how to use one."""
+def lines(heads: tuple[str, ...], rows: Iterable[tuple[str, ...]], told: str) -> Iterator[Piece]:
+    """Yield a list of names with their descriptions, and how to use one."""
     listed = table("", *heads)
     for row in rows:
         listed.add_row(*row)
-    console.print(listed)
-    console.print(Line((told, "dim")))
+    yield listed
+    yield Line((told, "dim"))
 
 
-def print_list(rows: Mapping[str, Sequence[Property]], console: Console) -> None:
-    """Print one line per material: stiffness and strengths; a blank is a value nobody gave."""
+def list_of(rows: Mapping[str, Sequence[Property]]) -> Iterator[Piece]:
+    """Yield one line per material: stiffness and strengths; a blank is a value nobody gave."""
     listed = table("", "name", "E", "R_p0.2", "R_m", "fatigue", numbers=range(1, 5))
     for name, properties in rows.items():
         known = {row.name: row for row in properties}
         cells = [_cell(known[field]) if field in known else "" for field in _LISTED]
         listed.add_row(name, *cells)
-    console.print(listed)
-    console.print(Line(("flexure materials NAME shows one with its sources", "dim")))
+    yield listed
+    yield Line(("flexure materials NAME shows one with its sources", "dim"))
 
 
 def _cell(row: Property) -> str:
@@ -61,12 +57,12 @@ def _cell(row: Property) -> str:
     return show(row.value, row.unit) + mark
 
 
-def print_one(title: str, note: str, properties: Sequence[Property], console: Console) -> None:
-    """Print every number of a material with its status and source."""
-    console.print(Line((title, "bold")))
+def sheet(title: str, note: str, properties: Sequence[Property]) -> Iterator[Piece]:
+    """Yield every number of a material with its status and source."""
+    yield Line((title, "bold"))
     if note:
-        console.print(Line(note))
+        yield Line(note)
     numbers = table("", "property", "value", "", "status", "source", numbers=[1])
     for row in properties:
         numbers.add_row(row.name, show(row.value, row.unit), row.detail, row.status, row.source)
-    console.print(numbers)
+    yield numbers

@@ -1,11 +1,10 @@
 """The text of ``explain`` for a terminal."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from rich.console import Console
-from rich.table import Table
-from rich.text import Text
-
+from flexcli.report.charset import plain
+from flexcli.report.styled import Text, cell_len
+from flexcli.report.tables import GAP, Line, Piece, Unbroken, table
 from flexcli.results.explanation import (
     Explanation,
     FieldRow,
@@ -16,98 +15,86 @@ from flexcli.results.explanation import (
 )
 from flexcli.units import show
 
-GAP = 2
-"""Columns between those of a table."""
-
 SHOWN_PLACES = 4
 """Places of a key that are listed; of more, only their number."""
 
-__all__ = ["print_list", "print_one"]
+__all__ = ["list_of", "sheet"]
 
 
-def print_list(found: Sequence[Explanation], console: Console) -> None:
-    """Print one line per topic."""
-    table = Table(box=None, pad_edge=False)
-    table.add_column("name", no_wrap=True)
-    table.add_column("what it is", overflow="fold")
+def list_of(found: Sequence[Explanation]) -> Iterator[Piece]:
+    """Yield one line per topic."""
+    topics = table("", "name", "what it is")
     for topic in found:
-        table.add_row(topic.name, topic.title)
-    console.print(table)
+        topics.add_row(topic.name, topic.title)
+    yield topics
     told = "flexure explain NAME shows its formulas; NAME may be any key of a spec, e.g. lock"
-    console.print(Text(told, "dim"))
+    yield Line((told, "dim"))
 
 
-def print_one(topic: Explanation, console: Console) -> None:
-    """Print a topic: each formula, or the chosen table."""
-    console.print(Text(f"{topic.name}: {topic.title}", "bold"))
+def sheet(topic: Explanation) -> Iterator[Piece]:
+    """Yield a topic: each formula, or the chosen table."""
+    yield Line((f"{topic.name}: {topic.title}", "bold"))
     if topic.table is not None:
-        _print_table(topic.table, console)
+        yield Chart(topic.table)
+        if topic.table.note:
+            yield from _paragraphs(topic.table.note, "dim")
         return
     for field in topic.fields:
-        console.print()
-        _print_field(field, console)
+        yield ""
+        yield from _field(field)
     for formula in topic.formulas:
-        console.print()
-        _print_formula(formula, console)
+        yield ""
+        yield from _formula(formula)
 
 
-def _print_field(field: FieldRow, console: Console) -> None:
-    console.print(Text(field.path, "bold"))
+def _paragraphs(text: str, style: str = "") -> Iterator[Piece]:
+    return (Line((line, style)) for line in text.split("\n"))
+
+
+def _field(field: FieldRow) -> Iterator[Piece]:
+    yield Line((field.path, "bold"))
     if field.text:
-        console.print(Text(field.text))
+        yield from _paragraphs(field.text)
     facts = [field.written]
     facts += ["must be given"] if field.required else []
     facts += [f"default: {field.default}"] if field.default else []
-    console.print(Text("; ".join(facts)))
+    yield Line("; ".join(facts))
     if field.kinds:
-        console.print(Text(f"of {', '.join(field.kinds)}", "dim"))
+        yield Line((f"of {', '.join(field.kinds)}", "dim"))
     if len(field.also) > SHOWN_PLACES:
-        console.print(Text(f"and in {len(field.also)} other places", "dim"))
+        yield Line((f"and in {len(field.also)} other places", "dim"))
     elif field.also:
-        console.print(Text(f"also {', '.join(field.also)}", "dim"))
+        yield Line((f"also {', '.join(field.also)}", "dim"))
     if field.axes:
-        console.print()
-        _print_as_is(field.axes, console)
+        yield from ("", Unbroken(field.axes.strip("\n")))
     if field.keys:
-        console.print()
-        _print_keys(field.keys, console)
+        yield ""
+        yield _keys(field.keys)
     if field.example:
-        console.print()
-        _print_as_is(field.example, console)
+        yield from ("", Unbroken(field.example.strip("\n")))
 
 
-def _print_keys(keys: Sequence[KeyRow], console: Console) -> None:
-    table = Table(box=None, pad_edge=False)
-    for column in ("key", "default", "what it is"):
-        table.add_column(column, overflow="fold")
+def _keys(keys: Sequence[KeyRow]) -> Piece:
+    found = table("", "key", "default", "what it is")
     for key in keys:
-        default = "must be given" if key.required else key.default
-        table.add_row(Text(key.name), Text(default), Text(key.text))
-    console.print(table)
+        found.add_row(key.name, "must be given" if key.required else key.default, key.text)
+    return found
 
 
-def _print_as_is(text: str, console: Console) -> None:
-    """Print lines meant for copying, or drawn with characters: without wrapping."""
-    for line in text.strip("\n").splitlines():
-        console.print(Text(line), soft_wrap=True)
-
-
-def _print_formula(formula: FormulaRow, console: Console) -> None:
-    console.print(Text(f"{formula.name}: {formula.title}", "bold"))
-    console.print(Text(formula.equation))
-    table = Table(box=None, pad_edge=False)
-    for column in ("symbol", "worked case", "meaning"):
-        table.add_column(column, overflow="fold")
+def _formula(formula: FormulaRow) -> Iterator[Piece]:
+    yield Line((f"{formula.name}: {formula.title}", "bold"))
+    yield from _paragraphs(formula.equation)
+    symbols = table("", "symbol", "worked case", "meaning")
     for symbol in (*formula.symbols, *formula.gives):
-        table.add_row(symbol.name, _value(symbol), symbol.meaning)
-    console.print(table)
+        symbols.add_row(symbol.name, _value(symbol), symbol.meaning)
+    yield symbols
     for row in formula.validity:
-        console.print(Text(f"valid for {row.text}: {row.why}"))
+        yield Line(f"valid for {row.text}: {row.why}")
     if formula.notes:
-        console.print(Text(formula.notes))
-    console.print(Text(f"source: {formula.source}", "dim"))
+        yield from _paragraphs(formula.notes)
+    yield from _paragraphs(f"source: {formula.source}", "dim")
     for name in formula.tables:
-        console.print(Text(f"chart as data: --table {name}", "dim"))
+        yield Line((f"chart as data: --table {name}", "dim"))
 
 
 def _value(symbol: SymbolRow) -> str:
@@ -118,22 +105,25 @@ def _value(symbol: SymbolRow) -> str:
     return show(symbol.value, symbol.unit.replace("·", "*"))
 
 
-def _print_table(found: TableRow, console: Console) -> None:
-    titles = {c: f"{c} [{unit}]" if unit else c for c, unit in found.units.items()}
-    texts = {c: [f"{x:.5g}" for x in values] for c, values in found.columns.items()}
-    variable, *rest = titles
-    widths = {c: max(map(len, (titles[c], *texts[c]))) + GAP for c in titles}
-    while rest:
-        # as many columns as stand beside the variable; the others below, with it again
-        room = console.width - widths[variable]
-        taken = [c for i, c in enumerate(rest) if sum(widths[c] for c in rest[: i + 1]) <= room]
-        shown = taken or rest[:1]
-        rest = rest[len(shown) :]
-        table = Table(box=None, pad_edge=False)
-        for column in (variable, *shown):
-            table.add_column(titles[column], justify="right", no_wrap=True)
-        for row in zip(*(texts[column] for column in (variable, *shown)), strict=True):
-            table.add_row(*row)
-        console.print(table)
-    if found.note:
-        console.print(Text(found.note, "dim"))
+class Chart:
+    """A chart as numbers: columns that do not fit beside the others stand below, x again first."""
+
+    def __init__(self, found: TableRow) -> None:
+        self.found = found
+
+    def lines(self, width: int, encoding: str) -> Iterator[Text]:
+        """Yield its lines."""
+        units = self.found.units.items()
+        titles = {c: plain(f"{c} [{unit}]" if unit else c, encoding) for c, unit in units}
+        texts = {c: [f"{x:.5g}" for x in values] for c, values in self.found.columns.items()}
+        variable, *rest = titles
+        widths = {c: max(map(cell_len, (titles[c], *texts[c]))) + GAP for c in titles}
+        while rest:
+            room = width + GAP - widths[variable]
+            taken = [c for i, c in enumerate(rest) if sum(widths[c] for c in rest[: i + 1]) <= room]
+            shown = (variable, *(taken or rest[:1]))
+            rest = rest[len(shown) - 1 :]
+            rows = table("", *(titles[c] for c in shown), numbers=range(len(shown)))
+            for row in zip(*(texts[c] for c in shown), strict=True):
+                rows.add_row(*row)
+            yield from rows.lines(width, encoding)

@@ -5,10 +5,8 @@ from functools import partial
 from math import inf, isfinite, isnan, log
 from types import MappingProxyType
 
-from rich.console import RenderableType
-
 from flexcli.report.numbers import MOST_FACTOR, NOISE, apart, factor_text
-from flexcli.report.tables import Cell, Line, Rows, table
+from flexcli.report.tables import Cell, Line, Piece, Rows, table
 from flexcli.results import Check, Verdict
 from flexcli.units import show
 
@@ -127,7 +125,7 @@ def sources(checks: Sequence[Check]) -> list[str]:
     return list(dict.fromkeys(map(_source, worst_first(checks))))
 
 
-def source_lines(notes: Sequence[str]) -> Iterator[RenderableType]:
+def source_lines(notes: Sequence[str]) -> Iterator[Piece]:
     """Yield the numbered sources."""
     yield from ("", Line(("Sources", "bold")))
     for number, note in enumerate(notes, 1):

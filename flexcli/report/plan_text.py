@@ -3,9 +3,7 @@
 from collections.abc import Iterator, Sequence
 from math import isfinite
 
-from rich.console import RenderableType
-
-from flexcli.report.tables import Cell, Line, Rows, table
+from flexcli.report.tables import Cell, Line, Piece, Rows, table
 from flexcli.results import Result
 from flexcli.results.plan import AuditRow, Plan, ScenePlan
 
@@ -15,7 +13,7 @@ NOTHING = 1e-8
 """Relative change below which none is shown."""
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the plan, whole where it was asked for, and its audit."""
     if result.plan is not None:
         yield from plan_tables(result.plan, whole=result.command == "plan")
@@ -23,7 +21,7 @@ def section(result: Result) -> Iterator[RenderableType]:
         yield audit_table(result.audit)
 
 
-def plan_tables(plan: Plan, *, whole: bool) -> Iterator[RenderableType]:
+def plan_tables(plan: Plan, *, whole: bool) -> Iterator[Piece]:
     """Yield the effects with their changes of each number, and the models; or a short form."""
     if not whole:
         yield Line(_short(plan), hang=2)

@@ -3,9 +3,7 @@
 from collections.abc import Iterator, Mapping
 from math import inf
 
-from rich.console import RenderableType
-
-from flexcli.report.tables import Line, Rows, table
+from flexcli.report.tables import Line, Piece, Rows, table
 from flexcli.results import Result
 from flexcli.results.vibration import CaseResponse, ModeResult, OutputResult
 from flexcli.units import show
@@ -16,13 +14,13 @@ PER_MODE = (("stress", "Pa"), ("force", "N"))
 """Outputs shown for each mode: the worst of a kind, with its unit."""
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the response of every case."""
     for response in result.responses:
         yield from response_tables(response)
 
 
-def response_tables(response: CaseResponse) -> Iterator[RenderableType]:
+def response_tables(response: CaseResponse) -> Iterator[Piece]:
     """Yield modes, outputs and lives of one case."""
     yield Line((f"{response.case}: {response.kind}", "bold"))
     if response.modes:

@@ -2,9 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from rich.console import RenderableType
-
-from flexcli.report.tables import Line, Rows, table
+from flexcli.report.tables import Line, Piece, Rows, table
 from flexcli.results import Result, Value
 from flexcli.results.sizing import SizingResult
 from flexcli.units import show
@@ -15,7 +13,7 @@ MOST_COLUMNS = 4
 """Sizes that a table of designs shows before it leaves the given ones out."""
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the designs, what holds them, what conflicts, and what a demand costs."""
     sizing = result.sizing
     if sizing is None:

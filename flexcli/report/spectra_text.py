@@ -3,11 +3,9 @@
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from rich.console import RenderableType
-
 from flexcli.report.columns_file import FileColumn
 from flexcli.report.curve import curve
-from flexcli.report.tables import Drawing, Line, table
+from flexcli.report.tables import Drawing, Line, Piece, table
 from flexcli.results import Result
 from flexcli.results.vibration import Spectrum
 from flexcli.units import show
@@ -22,7 +20,7 @@ NEGLIGIBLE = 1e-9
 """Of the largest number of its unit: what is below is rounding, and is not told."""
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield where every column is greatest; of a spectrum that was asked for, its curve before."""
     for spectrum in result.spectra:
         over, *columns = spectrum.columns

@@ -2,9 +2,7 @@
 
 from collections.abc import Iterator
 
-from rich.console import RenderableType
-
-from flexcli.report.tables import Line, Rows, table
+from flexcli.report.tables import Line, Piece, Rows, table
 from flexcli.results import Result
 from flexcli.results.stops import (
     StopKick,
@@ -23,13 +21,13 @@ MOST_STEPS = 25
 """Steps of a frequency response that a terminal gets; CSV and JSON have all."""
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the stop that was chosen and what verified it."""
     if result.stops is not None:
         yield from stops_tables(result.stops)
 
 
-def stops_tables(stops: StopsResult) -> Iterator[RenderableType]:
+def stops_tables(stops: StopsResult) -> Iterator[Piece]:
     """Yield the stop, the operating line, and what was simulated."""
     if stops.outcome == "infeasible":
         yield Line(("no stop is possible: ", "bold red"), stops.reason, hang=2)
@@ -106,7 +104,7 @@ def _simulation(found: StopSimulation) -> Rows:
     return rows
 
 
-def _sweep(sweep: StopSweep) -> Iterator[RenderableType]:
+def _sweep(sweep: StopSweep) -> Iterator[Piece]:
     yield Line((f"Frequency response with stops: {sweep.case}, {sweep.how}", "bold"))
     if sweep.law:
         yield Line(f"  stop: {sweep.law}; {show(sweep.seconds, 's', 3)}")

@@ -4,11 +4,9 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from math import isnan
 
-from rich.console import RenderableType
-
 from flexcli.report.columns_file import FileColumn, csv_text
 from flexcli.report.columns_file import parquet_bytes as columns_parquet
-from flexcli.report.tables import Line, table
+from flexcli.report.tables import Line, Piece, table
 from flexcli.results import Result
 from flexcli.results.study import StudyResult, StudyRow
 from flexcli.units import numbers_and_unit, show
@@ -63,7 +61,7 @@ def _columns(result: StudyResult) -> list[FileColumn]:
     ]
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield what a result has of it: what varies, how each design ended, the wanted values."""
     if result.study is None:
         return

@@ -3,10 +3,8 @@
 from collections.abc import Iterator, Sequence
 from math import isinf
 
-from rich.console import RenderableType
-
 from flexcli.report.rows_csv import rows_csv
-from flexcli.report.tables import Line, table
+from flexcli.report.tables import Line, Piece, table
 from flexcli.results import Result
 from flexcli.results.simulation import (
     Deflection,
@@ -55,7 +53,7 @@ def _units(sweep: Sweep) -> dict[str, str]:
     }
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the sweep of every case."""
     sweeps: tuple[Sweep, ...] = (*result.sweeps, *result.space_sweeps)
     for sweep in sweeps:
@@ -65,7 +63,7 @@ def section(result: Result) -> Iterator[RenderableType]:
             yield from _in_plane(sweep) if isinstance(sweep, SweepResult) else _in_space(sweep)
 
 
-def _in_plane(sweep: SweepResult) -> Iterator[RenderableType]:
+def _in_plane(sweep: SweepResult) -> Iterator[Piece]:
     """Yield motion and stress over a stroke, and notes."""
     units = _units(sweep)
     columns = {
@@ -94,7 +92,7 @@ def _in_plane(sweep: SweepResult) -> Iterator[RenderableType]:
         yield Line(("unstable where the drive is let go", "yellow"))
 
 
-def _in_space(sweep: SpaceSweep) -> Iterator[RenderableType]:
+def _in_space(sweep: SpaceSweep) -> Iterator[Piece]:
     """Yield effort and support stiffness over a stroke, the drive locked."""
     units, scales = _units(sweep), {}
     for name in SUPPORT:
@@ -116,7 +114,7 @@ def _title(name: str, sweep: SpaceSweep) -> str:
     return name.replace("theta_", "θ").replace("k_", "k ")
 
 
-def _deflections(sweep: SweepResult, input_scale: tuple[str, float]) -> RenderableType:
+def _deflections(sweep: SweepResult, input_scale: tuple[str, float]) -> Piece:
     """Return the deflection of every joint of a linkage over its input."""
     name, unit = input_scale
     columns = {f"travel [{name}]": [point.travel / unit for point in sweep.points]}

@@ -1,21 +1,17 @@
 """The layout of text output: hanging lines, and tables that become blocks where they do not fit."""
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Iterator
 from functools import cache
-from io import StringIO
-
-from rich.cells import cell_len
-from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
-from rich.padding import Padding
-from rich.table import Table
-from rich.text import Text
+from itertools import zip_longest
+from typing import Protocol
 
 from flexcli.report.charset import plain
 from flexcli.report.formats import Page
+from flexcli.report.styled import Text, cell_len
 from flexcli.units import SHOWN_UNITS
 
-__all__ = ["Cell", "Drawing", "Line", "Rows", "on_page", "table"]
+__all__ = ["GAP", "Cell", "Drawing", "Line", "Piece", "Rows", "Unbroken", "on_page", "table"]
 
 Cell = str | tuple[str, str]
 """A text, or a text with its style."""
@@ -31,6 +27,18 @@ GLUE = "\ue000"
 """Stands for the space between a number and its unit until lines are broken."""
 
 
+class Laid(Protocol):
+    """What lays itself out in lines."""
+
+    def lines(self, width: int, encoding: str) -> Iterator[Text]:
+        """Yield its lines on a page of so many columns, in the characters that it has."""
+        ...
+
+
+Piece = Laid | str
+"""A piece of text output; a text alone is a paragraph."""
+
+
 @cache
 def _quantity(encoding: str) -> re.Pattern[str]:
     units = "|".join(re.escape(plain(unit, encoding)) for unit in sorted(SHOWN_UNITS))
@@ -39,19 +47,27 @@ def _quantity(encoding: str) -> re.Pattern[str]:
 
 def _text(cell: Cell, encoding: str) -> Text:
     text, style = (cell, "") if isinstance(cell, str) else cell
-    return Text(_quantity(encoding).sub(GLUE, plain(text, encoding)), style)
+    return Text((_quantity(encoding).sub(GLUE, plain(text, encoding)), style))
 
 
-def _lines(text: Text, console: Console, width: int) -> list[Text]:
+def _lines(text: Text, width: int) -> list[Text]:
     """Return the lines that a text is broken into, at least one, no quantity torn."""
-    lines = [*text.wrap(console, width)] or [Text()]
-    for line in lines:
-        line.plain = line.plain.replace(GLUE, " ")
-    return lines
+    return [line.replace(GLUE, " ") for line in text.broken(width)]
 
 
-def _broken(text: Text, console: Console, width: int) -> Text:
-    return Text("\n").join(_lines(text, console, width))
+def _broken(row: list[Text], widths: list[int]) -> list[list[Text]]:
+    return [_lines(cell, width) for cell, width in zip(row, widths, strict=False)]
+
+
+def _joined(separator: str, texts: Iterable[Text]) -> Text:
+    found: list[tuple[str, str]] = []
+    for text in texts:
+        found += [(separator, "")] * bool(found) + [*text.runs]
+    return Text(*found)
+
+
+def _spaces(count: int) -> Text:
+    return Text((" " * count, ""))
 
 
 class Line:
@@ -60,12 +76,12 @@ class Line:
     def __init__(self, *cells: Cell, indent: int = 0, hang: int = 0) -> None:
         self.cells, self.indent, self.hang = cells, indent, hang
 
-    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
-        """Render it for rich."""
-        whole = Text.assemble(*(_text(cell, options.encoding) for cell in self.cells))
-        width = max(1, options.max_width - self.indent - self.hang)
-        for number, line in enumerate(_lines(whole, console, width)):
-            yield Padding(line, (0, 0, 0, self.indent + (self.hang if number else 0)))
+    def lines(self, width: int, encoding: str) -> Iterator[Text]:
+        """Yield its lines."""
+        whole = _joined("", (_text(cell, encoding) for cell in self.cells))
+        broken = _lines(whole, max(1, width - self.indent - self.hang))
+        for number, line in enumerate(broken):
+            yield _spaces(self.indent + (self.hang if number else 0)) + line
 
 
 class Rows:
@@ -85,24 +101,34 @@ class Rows:
         """Add a row; cells that are left out are empty."""
         self.cells.append(cells)
 
-    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
-        """Render it for rich."""
+    def lines(self, width: int, encoding: str) -> Iterator[Text]:
+        """Yield its title after an empty line, and its rows."""
         if self.title:
-            yield from ("", Line((self.title, "bold")))
-        rows = [[_text(cell, options.encoding) for cell in row] for row in self.cells]
-        heads = [Text(plain(head, options.encoding), "bold") for head in self.columns]
-        widths = self._widths(heads, rows, options.max_width)
+            yield Text()
+            yield from Line((self.title, "bold")).lines(width, encoding)
+        rows = [[_text(cell, encoding) for cell in row] for row in self.cells]
+        heads = [Text((plain(head, encoding), "bold")) for head in self.columns]
+        widths = self._widths(heads, rows, width)
         if widths is None:
-            yield from self._blocks(heads, rows, console, options.max_width)
+            yield from self._blocks(heads, rows, width)
             return
-        found = Table(box=None, pad_edge=False, padding=(0, GAP, 0, 0))
-        found.show_header = self.show_header
-        for index, (head, width) in enumerate(zip(heads, widths, strict=True)):
-            right = index in self.numbers
-            found.add_column(head, justify="right" if right else "left", width=width)
+        if self.show_header:
+            broken = _broken(heads, widths)
+            tall = max(map(len, broken))
+            # heads of fewer lines stand upon the rows
+            yield from self._beside([[Text()] * (tall - len(x)) + x for x in broken], widths)
         for row in rows:
-            found.add_row(*(_broken(c, console, w) for c, w in zip(row, widths, strict=False)))
-        yield found
+            yield from self._beside(_broken(row, widths), widths)
+
+    def _beside(self, cells: list[list[Text]], widths: list[int]) -> Iterator[Text]:
+        """Yield the lines of a row, each cell in its column."""
+        for line in zip_longest(*cells, fillvalue=Text()):
+            found: list[tuple[str, str]] = []
+            for index, (text, width) in enumerate(zip(line, widths, strict=False)):
+                room = (" " * (width - cell_len(text.plain)), "")
+                found += [room, *text.runs] if index in self.numbers else [*text.runs, room]
+                found.append((" " * GAP, ""))
+            yield Text(*found)
 
     def _widths(self, heads: list[Text], rows: list[list[Text]], most: int) -> list[int] | None:
         """Return the widths of the columns, the widest texts made narrower; nothing if too many."""
@@ -123,33 +149,40 @@ class Rows:
             widths[wide] = max(least[wide], next_wide, widths[wide] - excess)
         return widths
 
-    def _blocks(
-        self, heads: list[Text], rows: list[list[Text]], console: Console, width: int
-    ) -> Iterable[RenderableType]:
+    def _blocks(self, heads: list[Text], rows: list[list[Text]], width: int) -> Iterator[Text]:
         for row in rows:
-            lead = [cell for cell in row[: self.leads] if cell.plain.strip()]
-            yield _broken(Text(" ").join(lead), console, width)
+            yield from _lines(
+                _joined(" ", (cell for cell in row[: self.leads] if cell.plain.strip())), width
+            )
             rest = [
-                Text.assemble(head.plain, " " * bool(head.plain), cell)
+                _joined(" ", [head, cell] if head.plain else [cell])
                 for head, cell in zip(heads[self.leads :], row[self.leads :], strict=False)
                 if cell.plain.strip()
             ]
             if rest:
-                told = _broken(Text(", ").join(rest), console, max(1, width - GAP))
-                yield Padding(told, (0, 0, 0, GAP))
+                for line in _lines(_joined(", ", rest), max(1, width - GAP)):
+                    yield _spaces(GAP) + line
 
 
-class Drawing:
-    """Lines that are drawn with characters; left out where the page is too narrow for them."""
+class Unbroken:
+    """Lines meant for copying: they are as long as they are."""
 
     def __init__(self, text: str) -> None:
-        self.lines = text.split("\n")
+        self.texts = text.split("\n")
 
-    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
-        """Render it for rich."""
-        lines = [plain(line, options.encoding) for line in self.lines]
-        if max(map(cell_len, lines)) <= options.max_width:
-            yield Text("\n".join(lines), no_wrap=True)
+    def lines(self, _: int, encoding: str) -> Iterator[Text]:
+        """Yield its lines."""
+        return (Text((plain(text, encoding), "")) for text in self.texts)
+
+
+class Drawing(Unbroken):
+    """Lines that are drawn with characters; left out where the page is too narrow for them."""
+
+    def lines(self, width: int, encoding: str) -> Iterator[Text]:
+        """Yield its lines, or none."""
+        drawn = [*super().lines(width, encoding)]
+        if max(cell_len(line.plain) for line in drawn) <= width:
+            yield from drawn
 
 
 def table(title: str, *columns: str, numbers: Iterable[int] = ()) -> Rows:
@@ -157,30 +190,11 @@ def table(title: str, *columns: str, numbers: Iterable[int] = ()) -> Rows:
     return Rows(title, columns, numbers)
 
 
-class _Sheet(StringIO):
-    """A file in memory with the alphabet of the one that the text is for."""
-
-    def __init__(self, alphabet: str) -> None:
-        super().__init__()
-        self.alphabet = alphabet
-
-    @property
-    def encoding(self) -> str:  # type: ignore[override]
-        return self.alphabet
-
-
-def on_page(body: Callable[[Console], None], page: Page) -> str:
-    """Return what a body prints on a page."""
-    sheet = _Sheet(page.encoding)
-    console = Console(
-        file=sheet,
-        width=page.width,
-        force_terminal=page.is_coloured,
-        no_color=not page.is_coloured,
-        color_system="standard" if page.is_coloured else None,
-        highlight=False,
-        markup=False,
-        emoji=False,
+def on_page(pieces: Iterable[Piece], page: Page) -> str:
+    """Return pieces of text one below the other, as a page takes them."""
+    laid = (Line(piece) if isinstance(piece, str) else piece for piece in pieces)
+    return "".join(
+        f"{line.shown(page.is_coloured).rstrip()}\n"
+        for piece in laid
+        for line in piece.lines(page.width, page.encoding)
     )
-    body(console)
-    return "\n".join(line.rstrip() for line in sheet.getvalue().split("\n"))

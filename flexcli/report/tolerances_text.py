@@ -3,10 +3,8 @@
 from collections.abc import Iterator
 from math import isnan
 
-from rich.console import RenderableType
-
 from flexcli.report.numbers import share_text
-from flexcli.report.tables import Cell, Line, table
+from flexcli.report.tables import Cell, Line, Piece, table
 from flexcli.results import Result
 from flexcli.results.tolerances import TolerancesResult, YieldRow
 from flexcli.units import show
@@ -22,7 +20,7 @@ GAIN = 0.001
 """Share of the parts that a narrower tolerance has to gain to be told."""
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the share of parts that pass, the worst of them, and what it hangs on."""
     found = result.tolerances
     if found is None:
@@ -34,7 +32,7 @@ def section(result: Result) -> Iterator[RenderableType]:
     yield Line(("judged by ", "dim"), (found.method, "dim"), hang=2)
 
 
-def _yields(found: TolerancesResult) -> Iterator[RenderableType]:
+def _yields(found: TolerancesResult) -> Iterator[Piece]:
     sure = f"{100.0 * found.confidence:.4g} %"
     rows = table("Yields", "", "pass", f"{sure} interval", "undecided", "first order",
                  numbers=(1, 2, 3, 4))  # fmt: skip
@@ -51,7 +49,7 @@ def _yields(found: TolerancesResult) -> Iterator[RenderableType]:
     yield Line(f"of {found.parts} parts of seed {found.seed}{asked}; undecided parts do not pass")
 
 
-def _worst(found: TolerancesResult) -> Iterator[RenderableType]:
+def _worst(found: TolerancesResult) -> Iterator[Piece]:
     units = {row.name: row.unit for row in found.tolerances}
     rows = table("Worst case", "", "", "over required", "known by", "at", numbers=[2])
     for row in found.checks:
@@ -66,7 +64,7 @@ def _worst(found: TolerancesResult) -> Iterator[RenderableType]:
         yield Line("of a normal spread, up to three standard deviations")
 
 
-def _tolerances(found: TolerancesResult) -> Iterator[RenderableType]:
+def _tolerances(found: TolerancesResult) -> Iterator[Piece]:
     rows = table("Tolerances", "", "nominal", "least", "most", "spread", "all pass if halved",
                  numbers=(1, 2, 3, 5))  # fmt: skip
     for row in found.tolerances:
@@ -82,7 +80,7 @@ def _tolerances(found: TolerancesResult) -> Iterator[RenderableType]:
         )  # fmt: skip
 
 
-def _causes(found: TolerancesResult) -> Iterator[RenderableType]:
+def _causes(found: TolerancesResult) -> Iterator[Piece]:
     heads = ("", "number", "by 1 % more", "of the variance", "in all")
     rows = table("What the margins depend on", *heads, numbers=(2, 3, 4))
     near = [row for row in found.checks if row.slopes and _is_near(row)]

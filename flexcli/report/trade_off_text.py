@@ -3,9 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from rich.console import RenderableType
-
-from flexcli.report.tables import Line, table
+from flexcli.report.tables import Line, Piece, table
 from flexcli.results import Result
 from flexcli.results.trade_off import Choices, Front
 from flexcli.units import show
@@ -13,7 +11,7 @@ from flexcli.units import show
 __all__ = ["section"]
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the front of a trade-off, and the options of a spec beside each other."""
     if result.choices is not None:
         yield from _choices(result.choices)
@@ -21,7 +19,7 @@ def section(result: Result) -> Iterator[RenderableType]:
         yield from _front(result.front)
 
 
-def _front(front: Front) -> Iterator[RenderableType]:
+def _front(front: Front) -> Iterator[Piece]:
     names = list(front.points[0].sizes)
     options = any(point.chosen for point in front.points)
     columns = ("", front.second, front.first, *names, *["taken"] * options)
@@ -40,7 +38,7 @@ def _front(front: Front) -> Iterator[RenderableType]:
     yield from (Line(remark, hang=2) for remark in front.remarks)
 
 
-def _choices(choices: Choices) -> Iterator[RenderableType]:
+def _choices(choices: Choices) -> Iterator[Piece]:
     rows = table("Options", "", "", choices.objective, "why not", numbers=[2])
     for row in choices.rows:
         value = "" if row.objective is None else show(row.objective, choices.unit, 5)

@@ -3,10 +3,8 @@
 from collections.abc import Iterator
 from math import inf, isfinite
 
-from rich.console import RenderableType
-
 from flexcli.report.numbers import error_text
-from flexcli.report.tables import Line, Rows, table
+from flexcli.report.tables import Line, Piece, Rows, table
 from flexcli.results import ErrorRange, Result
 from flexcli.results.verification import Verification, VerifiedNumber
 from flexcli.units import show
@@ -22,7 +20,7 @@ MEASURES = (
 )
 
 
-def section(result: Result) -> Iterator[RenderableType]:
+def section(result: Result) -> Iterator[Piece]:
     """Yield the comparison with solid elements."""
     found = result.verification
     if found is None:

@@ -99,6 +99,20 @@ def test_a_full_disk_ends_with_one_line_and_code_2(process, tmp_path, example_te
     ]
 
 
+@pytest.mark.parametrize(
+    ("stated", "coloured"),
+    [
+        ({}, False),
+        ({"FORCE_COLOR": "1"}, True),
+        ({"FORCE_COLOR": "1", "NO_COLOR": "1"}, False),
+        ({"FORCE_COLOR": "1", "TERM": "dumb"}, False),
+    ],
+)
+def test_colours_come_where_they_are_wanted(flexure, stated, coloured):
+    usual = {"NO_COLOR": "", "FORCE_COLOR": "", "TERM": "xterm"}
+    assert ("\x1b[1m" in flexure("materials", **{**usual, **stated}).stdout) is coloured
+
+
 def test_no_color_and_narrow_terminals_are_honoured(flexure, tmp_path, example_text):
     (tmp_path / "flexure.yaml").write_text(example_text)
     told = flexure("size", "--model", "source", COLUMNS="40", NO_COLOR="1", FORCE_COLOR="")

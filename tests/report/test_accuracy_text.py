@@ -1,12 +1,11 @@
 """What accuracy costs, on screen: from a hand-made result."""
 
-from io import StringIO
 from math import inf
-
-from rich.console import Console
 
 from flexcli.report.accuracy_text import accuracy_tables, told_error
 from flexcli.report.curve import curve
+from flexcli.report.formats import Page
+from flexcli.report.tables import on_page
 from flexcli.results.accuracy import AccuracyResult, ModelAccuracy, QuantityAccuracy, Reading
 
 
@@ -25,11 +24,7 @@ def result(recommended="fine"):
 
 
 def shown(found):
-    text = StringIO()
-    console = Console(file=text, width=120)
-    for part in accuracy_tables(found):
-        console.print(part)
-    return text.getvalue()
+    return on_page(accuracy_tables(found), Page(120))
 
 
 def test_each_row_has_value_error_and_time_with_its_spread():

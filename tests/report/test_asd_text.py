@@ -1,11 +1,10 @@
 """Worst cases as text, from results made by hand."""
 
-from io import StringIO
-
 import pytest
-from rich.console import Console
 
 from flexcli.report.asd_text import worst_cases
+from flexcli.report.formats import Page
+from flexcli.report.tables import on_page
 from flexcli.results.vibration import WorstCaseRow
 
 
@@ -21,11 +20,7 @@ def row(**changes):
 
 
 def told(*rows):
-    text = StringIO()
-    console = Console(file=text, width=150)
-    for part in worst_cases(rows):
-        console.print(part)
-    return text.getvalue()
+    return on_page(worst_cases(rows), Page(150))
 
 
 @pytest.mark.parametrize("excess", [-1e-6, -0.0, 0.0, 1e-6])

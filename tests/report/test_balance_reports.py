@@ -1,13 +1,12 @@
 """Text, JSON and CSV of a balance, from hand-made results."""
 
-from io import StringIO
 from math import pi
-
-from rich.console import Console
 
 from flexcli.report.as_json import contents
 from flexcli.report.balance_csv import transfer_csv
 from flexcli.report.balance_text import MOST_ROWS, balance_tables
+from flexcli.report.formats import Page
+from flexcli.report.tables import on_page
 from flexcli.results import Result, Status
 from flexcli.results.balance import BalanceResult, GravityRow, StrokeRow, TransferRow, UnknownResult
 
@@ -23,10 +22,7 @@ def result(**changes):
 
 
 def told(balance):
-    console = Console(file=StringIO(), width=120)
-    for part in balance_tables(balance):
-        console.print(part)
-    return console.file.getvalue()
+    return on_page(balance_tables(balance), Page(120))
 
 
 def test_the_csv_has_a_row_per_frequency_and_empty_cells_for_no_number():

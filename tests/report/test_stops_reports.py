@@ -4,11 +4,12 @@ import csv
 from io import StringIO
 
 import pytest
-from rich.console import Console
 
 from flexcli.report.as_json import contents
+from flexcli.report.formats import Page
 from flexcli.report.stops_csv import history_csv, sweep_csv
 from flexcli.report.stops_text import stops_tables
+from flexcli.report.tables import on_page
 from flexcli.results import Result, Status
 from flexcli.results.stops import (
     StopEnd,
@@ -38,11 +39,7 @@ def step(up, frequency, settled=True):
 
 
 def told(stops):
-    text = StringIO()
-    console = Console(file=text, width=150)
-    for part in stops_tables(stops):
-        console.print(part)
-    return text.getvalue()
+    return on_page(stops_tables(stops), Page(150))
 
 
 def result(**changes):
