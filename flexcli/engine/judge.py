@@ -248,6 +248,11 @@ def _is_sure(check: Check, far: float) -> bool:
     return low > far * check.required or high - low <= SURE * abs(low)
 
 
+def _tells_less(check: Check, known: Check) -> bool:
+    """Return whether a finer model has no range where one before it has."""
+    return check.factor_range is None and known.factor_range is not None
+
+
 def _is_decided(check: Check) -> bool:
     return check.verdict is not Verdict.UNDECIDED
 
@@ -330,8 +335,8 @@ class _Series:
             self.seconds[model.name] = self.seconds.get(model.name, 0.0) + took
             spent += took
             for check in assess.checks(limits):
-                key = check.full_name
-                if key not in best or not enough(best[key]):
+                key, known = check.full_name, best.get(check.full_name)
+                if known is None or not (enough(known) or _tells_less(check, known)):
                     best[key] = check._replace(model=model.name, seconds=spent)
             if buckled is not None:
                 nobody = [_no_answer(requirement, scene, "", "", 0.0)] if first == 0 else []

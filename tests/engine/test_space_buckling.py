@@ -84,3 +84,18 @@ def test_beams_bear_along_the_width_of_a_guide_what_shells_do_within_their_range
     assert straight.factor_range[0] <= shells.factor
     assert beams.factor_range[0] <= shells.factor <= beams.factor_range[1]
     assert beams.factor > 1.02 * shells.factor
+
+
+def test_very_wide_hinges_pushed_along_their_width_stand_as_solids_of_them_do():
+    """Two hinges of b = 26 l_c: 127.8 times this load by CalculiX's solids, rigid in the middle."""
+    found = flexcli.check("""\
+flexure: 1
+material: {youngs_modulus: 114 GPa, poisson_ratio: 0.0, yield_strength: 900 MPa}
+geometry: {kind: necked-down-stage, h: 1.3872 mm, l: 52.998 mm, b: 158.994 mm, l_c: 6.1352 mm,
+  blades: 2, spacing: 70.4 mm}
+cases: {work: {wrench: {z: 15416 N}, ends: clamped-clamped}}
+requirements: {buckling: 2}
+""")
+    (check,) = (c for c in found.checks if c.name == "buckling")
+    assert check.verdict.value == "pass"
+    assert 2.0 < check.factor_range[0] < 127.8
