@@ -16,10 +16,19 @@ from flexcli.formulas.spectrum_integrals import rms_displacement, rms_velocity, 
 from flexcli.formulas.straight_spectrum import power_sum
 from flexcli.parts.asd import ASDProfile, Breakpoint
 from flexcli.results import Cost, Note, Result, Status, Value
-from flexcli.results.vibration import BreakpointRow, ProfileRow
+from flexcli.results.vibration import BreakpointRow, ProfileRow, SpectrumColumn
 from flexcli.units import LARGEST, SMALLEST, STANDARD_GRAVITY
 
-__all__ = ["catalogue", "describe", "enveloped", "made", "profile_row", "scaled", "summed"]
+__all__ = [
+    "catalogue",
+    "column",
+    "describe",
+    "enveloped",
+    "made",
+    "profile_row",
+    "scaled",
+    "summed",
+]
 
 Floats = NDArray[np.float64]
 
@@ -127,6 +136,11 @@ def made(
     )
     durations = [source.duration for source in sources if source.duration is not None]
     return found.model_copy(update={"duration": max(durations, default=None)})
+
+
+def column(name: str, unit: str, label: str, values: Floats) -> SpectrumColumn:
+    """Return a column of a spectrum: its name, SI unit, what it is, its numbers."""
+    return SpectrumColumn(name, unit, label, tuple(values.tolist()))
 
 
 def profile_row(name: str, profile: ASDProfile) -> ProfileRow:

@@ -1,6 +1,7 @@
 """Response and damage spectra of an environment, and environments of equal damage."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from importlib import import_module
 from math import ceil, log2, log10
 from time import perf_counter
@@ -9,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.asd import describe, made
+from flexcli.engine.asd import column, describe, made
 from flexcli.errors import SolveError
 from flexcli.formulas.damage_spectrum import (
     damage_spectrum,
@@ -21,7 +22,7 @@ from flexcli.formulas.record_spectrum import record_turns, shock_response_spectr
 from flexcli.parts.asd import ASDProfile
 from flexcli.parts.record import Record
 from flexcli.results import Cost, Note, Result, Status, Value
-from flexcli.results.vibration import Spectrum, SpectrumColumn
+from flexcli.results.vibration import Spectrum
 from flexcli.units import show
 
 __all__ = ["Environment", "Grid", "equal_damage", "fatigue_damage", "shock_response"]
@@ -37,6 +38,9 @@ FOLLOWED = 3.0
 """Natural periods times Q that the free motion after a record is counted for."""
 MOST = 5000
 """Natural frequencies of a spectrum."""
+SEVERE_DB, SEVERE_PEAK = 3.0, 1.05
+"""Level over that of equal damage [dB], and extreme response over those of service, from which a
+test is called more severe."""
 
 
 class Environment(NamedTuple):
@@ -89,28 +93,28 @@ def shock_response(environment: Environment, Q: float, grid: Grid) -> Result:
     started = perf_counter()
     source = environment.source
     f = grid.frequencies(source)
-    columns = [_column("frequency", "Hz", "natural frequency", f)]
+    columns = [column("frequency", "Hz", "natural frequency", f)]
     notes: tuple[Note, ...] = ()
     if isinstance(source, Record):
         up, down, pseudo = shock_response_spectrum(source.acceleration, source.step, f, Q)
         told = "largest absolute acceleration"
         columns += [
-            _column("srs", "m/s^2", f"{told} either way", np.maximum(up, down)),
-            _column("positive", "m/s^2", told, up),
-            _column("negative", "m/s^2", f"{told} the other way", down),
-            _column("pseudo", "m/s^2", "largest spring force per mass, ω² z", pseudo),
+            column("srs", "m/s^2", f"{told} either way", np.maximum(up, down)),
+            column("positive", "m/s^2", told, up),
+            column("negative", "m/s^2", f"{told} the other way", down),
+            column("pseudo", "m/s^2", "largest spring force per mass, ω² z", pseudo),
         ]
         name = f"shock response spectrum, Q = {Q:g}"
-        notes = _sampling(source, f)
+        notes = _sampling_notes(source, f)
         model = "exact between samples"
     else:
         g, scale, time = source.levels, source.scale, environment.seconds
         found = oscillator_response(source.frequencies, g, f, Q, scale=scale)
         extreme = _extreme(source, f, Q, time)
         columns += [
-            _column("extreme", "m/s^2", f"largest ω² z to expect in {show(time, 's')}", extreme),
-            _column("rms pseudo", "m/s^2", "rms of ω² z", found.pseudo_acceleration),
-            _column("rms absolute", "m/s^2", "rms acceleration", found.absolute_acceleration),
+            column("extreme", "m/s^2", f"largest ω² z to expect in {show(time, 's')}", extreme),
+            column("rms pseudo", "m/s^2", "rms of ω² z", found.pseudo_acceleration),
+            column("rms absolute", "m/s^2", "rms acceleration", found.absolute_acceleration),
         ]
         name = f"extreme response spectrum, Q = {Q:g}, {show(time, 's')}"
         model = "quadrature (exact)"
@@ -126,11 +130,11 @@ def fatigue_damage(environment: Environment, Q: float, exponent: float, grid: Gr
     damage = _damage(environment, f, Q, exponent)
     label = f"Σ amplitude^{exponent:g} of the displacement z relative to the base"
     columns = (
-        _column("frequency", "Hz", "natural frequency", f),
-        _column("damage", f"m^{exponent:g}", label, damage),
+        column("frequency", "Hz", "natural frequency", f),
+        column("damage", f"m^{exponent:g}", label, damage),
     )
     name = f"fatigue damage spectrum, Q = {Q:g}, b = {exponent:g}"
-    notes = _sampling(source, f) if isinstance(source, Record) else ()
+    notes = _sampling_notes(source, f) if isinstance(source, Record) else ()
     model = "rainflow" if isinstance(source, Record) else "narrow-band, exact rms"
     spectrum = Spectrum("fds", name, "", columns)
     return _result("asd fds", environment.name, spectrum, notes, started, model)
@@ -187,39 +191,28 @@ def equal_damage(
             peaks, "", "its extreme response over theirs, the largest over all frequencies"
         )
     columns = (
-        _column("frequency", "Hz", "natural frequency", f),
-        _column("damage", f"m^{exponent:g}", f"of {names}", wanted),
-        _column("damage of the new", f"m^{exponent:g}", title, own * factor ** (exponent / 2.0)),
+        column("frequency", "Hz", "natural frequency", f),
+        column("damage", f"m^{exponent:g}", f"of {names}", wanted),
+        column("damage of the new", f"m^{exponent:g}", title, own * factor ** (exponent / 2.0)),
     )
     spectrum = Spectrum("fds", f"fatigue damage, Q = {Q:g}, b = {exponent:g}", "", columns)
-    return Result(
-        command=found.command,
-        spec=names,
-        status=Status.PASS,
-        title=title,
+    return replace(
+        found,
         values={**own_values, **found.values},
-        warnings=tuple(_beside(excess, peaks)),
-        profiles=found.profiles,
-        breakpoints=found.breakpoints,
+        warnings=tuple(_severity_notes(excess, peaks)),
         spectra=(spectrum,),
         cost=Cost(perf_counter() - started, "narrow-band, exact rms", None),
     )
 
 
-SEVERE_DB = 3.0
-SEVERE_PEAK = 1.05
-
-
-def _beside(excess: float, peaks: float | None) -> list[Note]:
-    """Return what a test of equal damage does besides."""
-    found = []
+def _severity_notes(excess: float, peaks: float | None) -> Iterator[Note]:
+    """Yield where a test of equal damage is more severe than service."""
     if excess > SEVERE_DB:
         text = f"another shape: the level is up to {excess:.1f} dB above equal damage elsewhere"
-        found.append(Note("overtest", text))
+        yield Note("overtest", text)
     if peaks is not None and peaks > SEVERE_PEAK:
         text = f"its extreme response is up to {peaks:.2f} times theirs: what breaks or yields at "
-        found.append(Note("higher-peaks", f"{text}once, or hits a stop, sees more than in service"))
-    return found
+        yield Note("higher-peaks", f"{text}once, or hits a stop, sees more than in service")
 
 
 def _peaks(
@@ -244,13 +237,13 @@ def _extreme(source: ASDProfile, f: Floats, Q: float, time: float) -> Floats:
 def _damage(environment: Environment, f: Floats, Q: float, exponent: float) -> Floats:
     source = environment.source
     if isinstance(source, Record):
-        return _counted(source, f, Q, exponent)
+        return _rainflow_damage(source, f, Q, exponent)
     return damage_spectrum(
         source.frequencies, source.levels, f, Q, environment.seconds, exponent, scale=source.scale
     )
 
 
-def _counted(record: Record, f: Floats, Q: float, exponent: float) -> Floats:
+def _rainflow_damage(record: Record, f: Floats, Q: float, exponent: float) -> Floats:
     """Return the rainflow damage of a record at each natural frequency, half cycles as halves."""
     try:
         extract = import_module("rainflow").extract_cycles
@@ -273,7 +266,7 @@ def _inside(f: Floats, grid: Grid) -> Floats:
     return f[(f >= low) & (f <= high) & (f > 0.0)]
 
 
-def _sampling(record: Record, f: Floats) -> tuple[Note, ...]:
+def _sampling_notes(record: Record, f: Floats) -> tuple[Note, ...]:
     """Return a warning where a record has too few samples in a natural period."""
     most = 1.0 / (FEW_SAMPLES * record.step)
     if f[-1] <= most * (1.0 + 1e-9):
@@ -294,7 +287,3 @@ def _result(
     cost = Cost(perf_counter() - started, model, None)
     return Result(command, spec, Status.PASS, values=values, warnings=notes, cost=cost,
                   spectra=(spectrum,))  # fmt: skip
-
-
-def _column(name: str, unit: str, label: str, values: Floats) -> SpectrumColumn:
-    return SpectrumColumn(name, unit, label, tuple(values.tolist()))

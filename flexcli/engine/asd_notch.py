@@ -1,13 +1,14 @@
 """The verb notch: a test's profile lowered where a force limit asks for it."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from time import perf_counter
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.asd import describe, made
+from flexcli.engine.asd import column, describe, made
 from flexcli.engine.models import model_series
 from flexcli.engine.response_spectra import structure_of_case
 from flexcli.errors import SolveError
@@ -20,8 +21,8 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.response import apparent_mass, mode_qualities, sweep_points
 from flexcli.parts.structure import Structure
-from flexcli.results import Cost, Note, Result, Status, Value
-from flexcli.results.vibration import Spectrum, SpectrumColumn
+from flexcli.results import Cost, Note, Result, Value
+from flexcli.results.vibration import Spectrum
 
 __all__ = ["ForceLimit", "notch"]
 
@@ -118,27 +119,19 @@ def notch(
         ("limit", "N^2/Hz", "semi-empirical force limit", bound),
         ("without", "N^2/Hz", "density of the force without the notch", force),
     )
-    spectrum = Spectrum(
-        "force",
-        f"force at the base along {along}",
-        name,
-        tuple(SpectrumColumn(n, unit, label, tuple(x.tolist())) for n, unit, label, x in columns),
-    )
-    return Result(
-        command=found.command,
-        spec=spec,
-        status=Status.PASS,
-        title=title,
+    of_force = tuple(column(*each) for each in columns)
+    spectrum = Spectrum("force", f"force at the base along {along}", name, of_force)
+    return replace(
+        found,
         values={**values, **found.values},
         warnings=tuple(_notes(float(depth[deepest]))),
-        profiles=found.profiles,
-        breakpoints=found.breakpoints,
         spectra=(spectrum,),
         cost=Cost(perf_counter() - started, MODEL, None),
     )
 
 
 def _vibration(design: DesignSpec, case: str | None) -> tuple[str, Vibration]:
+    """Return the case that is named, or the only one with a random vibration, and its vibration."""
     vibrations = {name: loads.vibration for name, loads in design.cases.items()}
     found = {name: each for name, each in vibrations.items() if each is not None}
     if case is not None and case not in found:
@@ -154,6 +147,7 @@ def _vibration(design: DesignSpec, case: str | None) -> tuple[str, Vibration]:
 
 
 def _axis(vibration: Vibration, axis: str | None) -> Axis:
+    """Return the axis that is named, or the only one along which the base is shaken."""
     if axis is None and len(vibration.axes) == 1:
         return vibration.axes[0]
     along = next((each for each in vibration.axes if each == axis), None)
@@ -186,8 +180,6 @@ def _root(density: Floats, f: Floats) -> float:
 
 def _notes(depth: float) -> Iterator[Note]:
     if depth == 0.0:
-        text = "the force stays below the limit: there is no notch"
-        yield Note("no-notch", text)
+        yield Note("no-notch", "the force stays below the limit: there is no notch")
     elif depth < -DEEP_DB:
-        text = f"the notch is {-depth:.1f} dB deep: show where C comes from"
-        yield Note("deep-notch", text)
+        yield Note("deep-notch", f"the notch is {-depth:.1f} dB deep: show where C comes from")

@@ -7,6 +7,7 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.asd import column
 from flexcli.errors import SolveError
 from flexcli.formulas.miles import miles, miles_worst_case
 from flexcli.formulas.oscillator import oscillator_response
@@ -17,7 +18,7 @@ from flexcli.parts.case import Case
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.quality import Quality
 from flexcli.results import Cost, Note, Result, Status, Value
-from flexcli.results.vibration import Spectrum, SpectrumColumn, WorstCaseRow
+from flexcli.results.vibration import Spectrum, WorstCaseRow
 from flexcli.units import STANDARD_GRAVITY, show
 
 __all__ = ["Environment", "environments", "exposed", "over_frequency", "worst_case"]
@@ -62,12 +63,12 @@ def environments(
     return [
         _environment(name, use.profile.name, use, q, duration)
         for case, loads in design.cases.items()
-        for name, use in _each(case, loads)
+        for name, use in _profiles(case, loads)
         for q in qualities or (use.q.all,)
     ]
 
 
-def _each(case: str, loads: Case) -> list[tuple[str, RandomVibration]]:
+def _profiles(case: str, loads: Case) -> list[tuple[str, RandomVibration]]:
     """Return the profiles of a case, those by axis under names of their own."""
     if loads.asd is not None:
         return [(case, loads.asd)]
@@ -136,14 +137,8 @@ def _spectrum(each: Environment) -> Spectrum:
         ("exact", "m/s^2", "rms acceleration, exact", exact),
         ("level", "(m/s^2)^2/Hz", "density of the profile", level),
     )
-    return Spectrum(
-        "worst-case",
-        f"rms acceleration of oscillators, {each.name}, Q = {each.q:g}",
-        each.case,
-        tuple(
-            SpectrumColumn(name, unit, label, tuple(x.tolist())) for name, unit, label, x in columns
-        ),
-    )
+    title = f"rms acceleration of oscillators, {each.name}, Q = {each.q:g}"
+    return Spectrum("worst-case", title, each.case, tuple(column(*x) for x in columns))
 
 
 def worst_case(

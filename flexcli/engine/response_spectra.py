@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.asd import column
 from flexcli.errors import SolveError
 from flexcli.numerics.modes import natural_modes
 from flexcli.parts.requirements import Ask, RequirementError
@@ -17,7 +18,7 @@ from flexcli.parts.response import (
     transfer_functions,
 )
 from flexcli.parts.structure import Structure
-from flexcli.results.vibration import Spectrum, SpectrumColumn
+from flexcli.results.vibration import Spectrum
 
 __all__ = ["UNITS", "densities", "structure_of_case", "transfers"]
 
@@ -49,14 +50,14 @@ def densities(ask: Ask) -> Iterator[Spectrum]:
     if vibration is None:
         return
     f, levels, found = response_density(structure_of_case(ask), vibration)
-    columns = [_column("frequency", "Hz", "", f)]
+    columns = [column("frequency", "Hz", "", f)]
     for name, density in found.items():
         unit = f"{UNITS[name.split()[0]]}^2/Hz"
-        columns.append(_column(name, unit, "", density))
+        columns.append(column(name, unit, "", density))
     distinct = len({id(each) for each in vibration.by_axis().values()}) > 1
     for axis, level in levels.items() if distinct else [("", next(iter(levels.values())))]:
         label = f"acceleration of the base, along {axis or 'each axis'}"
-        columns.append(_column(f"base {axis}".strip(), "(m/s^2)^2/Hz", label, level))
+        columns.append(column(f"base {axis}".strip(), "(m/s^2)^2/Hz", label, level))
     name = f"response densities, along {', '.join(vibration.axes)}"
     yield Spectrum("density", name, ask.scene.case, tuple(columns))
 
@@ -81,17 +82,13 @@ def transfers(ask: Ask) -> Iterator[Spectrum]:
             axes[sine.axis] = quality.told, Q, around
     for axis, (told, each, band) in axes.items():
         f = sweep_points(band, resonances, each)
-        columns = [_column("frequency", "Hz", "", f)]
+        columns = [column("frequency", "Hz", "", f)]
         for body, gains in transfer_functions(structure, each, axis, f).items():
             for direction, gain in zip(structure.directions, gains.T, strict=True):
                 unit = "rad/m" if direction.startswith("theta") else ""
                 name = f"{body} {direction}"
                 label = "over the base's"
-                columns.append(_column(name, unit, label, np.abs(gain)))
-                columns.append(_column(f"{name} phase", "rad", "", np.angle(gain)))
+                columns.append(column(name, unit, label, np.abs(gain)))
+                columns.append(column(f"{name} phase", "rad", "", np.angle(gain)))
         name = f"transfer functions, base along {axis}, {told}"
         yield Spectrum("transfer", name, f"{scene.case}, along {axis}", tuple(columns))
-
-
-def _column(name: str, unit: str, label: str, values: Floats) -> SpectrumColumn:
-    return SpectrumColumn(name, unit, label, tuple(values.tolist()))

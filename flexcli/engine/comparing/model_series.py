@@ -23,8 +23,12 @@ __all__ = [
     "NamedModel",
     "Number",
     "SolvedSeries",
+    "asked_of",
+    "largest_stress",
     "numbers",
+    "parasitic_shift",
     "series",
+    "stiffness",
 ]
 
 NODES = (3, 4, 6, 8, 12)
@@ -109,27 +113,32 @@ def numbers(design: DesignSpec, sizes: Sizes) -> Iterator[Number]:
     """Yield what is reported of a design's joint: at rest and assembly, then case by case."""
     geometry, asks = design.geometry, design.asks(sizes, AS_PRINTED)
     turns = geometry.motion == "rotation"
-    stiffness, unit = ("k_pivot", "N*m/rad") if turns else ("k_stage", "N/m")
+    name, unit = ("k_pivot", "N*m/rad") if turns else ("k_stage", "N/m")
     rest = design.ask(asks[0].scene.at_assembly(), sizes, AS_PRINTED)
-    yield Number(stiffness, "stiffness at rest", unit, _by(rest, _stiffness))
+    yield Number(name, "stiffness at rest", unit, asked_of(rest, stiffness))
     for ask in asks:
         scene = ask.scene
         end = f"_{scene.case}" if len(asks) > 1 else ""
         if scene.moves or scene.is_loaded:
-            yield Number(f"sigma{end}", f"largest stress, {scene.case}", "Pa", _by(ask, _stress))
+            label = f"largest stress, {scene.case}"
+            yield Number(f"sigma{end}", label, "Pa", asked_of(ask, largest_stress))
         if scene.moves:
             label = f"stiffness at full stroke, {scene.case}"
-            yield Number(f"k_end{end}", label, unit, _by(ask, _stiffness_at_end))
-            yield Number(f"shift{end}", f"parasitic shift, {scene.case}", "m", _by(ask, _shift))
+            yield Number(f"k_end{end}", label, unit, asked_of(ask, _stiffness_at_end))
+            label = f"parasitic shift, {scene.case}"
+            yield Number(f"shift{end}", label, "m", asked_of(ask, parasitic_shift))
         if scene.forces and scene.ends is not None:
-            yield Number(f"F_cr{end}", f"critical force, {scene.case}", "N", _by(ask, _critical))
+            label = f"critical force, {scene.case}"
+            yield Number(f"F_cr{end}", label, "N", asked_of(ask, _critical))
 
 
-def _by(ask: Ask, number: Callable[[Ask], float]) -> Callable[[JointModel], float]:
+def asked_of(ask: Ask, number: Callable[[Ask], float]) -> Callable[[JointModel], float]:
+    """Return what asks a model for a number of a case."""
     return lambda joint_model: float(number(ask._replace(joint_model=joint_model)))
 
 
-def _stiffness(ask: Ask) -> float:
+def stiffness(ask: Ask) -> float:
+    """Return the stiffness of the joint [N/m or N·m/rad]."""
     return float(ask.joint_model.stiffness(ask))
 
 
@@ -137,15 +146,17 @@ def _stiffness_at_end(ask: Ask) -> float:
     """Return the tangent at full stroke: that at rest by a model in which nothing changes it."""
     if isinstance(ask.joint_model, ExactModel):
         return ask.joint_model.stiffness_at_end(ask)
-    return _stiffness(ask)
+    return stiffness(ask)
 
 
-def _stress(ask: Ask) -> float:
+def largest_stress(ask: Ask) -> float:
+    """Return the largest magnitude of the stress in a case [Pa]."""
     _, stresses = ask.joint_model.stresses(ask)
     return max(abs(float(stress.largest)) for stress in stresses)
 
 
-def _shift(ask: Ask) -> float:
+def parasitic_shift(ask: Ask) -> float:
+    """Return the parasitic shift of a case [m]."""
     return float(ask.joint_model.parasitic_shift(ask))
 
 

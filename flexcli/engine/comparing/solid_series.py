@@ -42,7 +42,7 @@ def with_solids(
         ``no-solid`` when the joint has none.
 
     """
-    same = set(verifiable(design, sizes)) - _otherwise(design)
+    same = set(verifiable(design, sizes)) - _in_other_states(design)
     asked = [each.number.name for each in series.settled if each.number.name in same]
     if not asked:
         text = "solids have none of its numbers in the same state"
@@ -76,8 +76,11 @@ def with_solids(
     return SolvedSeries(settled, [*series.models, *finer], times, unsettled), notes
 
 
-def _otherwise(design: DesignSpec) -> set[str]:
-    """Return the numbers that solids have without the loads of a case, or without its stroke."""
+def _in_other_states(design: DesignSpec) -> set[str]:
+    """Return the numbers that solids have without the loads of a case, or without its stroke.
+
+    The models have them with both.
+    """
     scenes = design.scenes()
     return {
         f"{name}_{scene.case}" if len(scenes) > 1 else name

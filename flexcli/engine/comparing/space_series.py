@@ -1,13 +1,21 @@
 """The series of models of a mechanism in space, timed: shells of many modes are the finest."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from time import perf_counter
 
 import numpy as np
 
 from flexcli.engine.comparing.compared import Settled, Timed, relative_bound
-from flexcli.engine.comparing.model_series import NamedModel, Number, SolvedSeries
+from flexcli.engine.comparing.model_series import (
+    NamedModel,
+    Number,
+    SolvedSeries,
+    asked_of,
+    largest_stress,
+    parasitic_shift,
+    stiffness,
+)
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.engine.joint_models.space_shell import SHELLS, SpaceShellModel
@@ -17,7 +25,7 @@ from flexcli.mechanics.space.exact.support import driven_stiffness
 from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
-from flexcli.parts.requirements import AS_PRINTED, Ask, JointModel
+from flexcli.parts.requirements import AS_PRINTED, Ask
 
 __all__ = ["space_series"]
 
@@ -97,46 +105,31 @@ def _numbers(design: DesignSpec, sizes: Sizes) -> Iterator[Number]:
     asks = design.asks(sizes, AS_PRINTED)
     turns = design.geometry.motion == "rotation"
     name, unit = ("k_pivot", "N*m/rad") if turns else ("k_stage", "N/m")
-    yield Number(name, "stiffness at rest", unit, _by(asks[0], _stiffness))
+    yield Number(name, "stiffness at rest", unit, asked_of(asks[0], stiffness))
     for ask in asks:
         case = ask.scene.case
         end = f"_{case}" if len(asks) > 1 else ""
         if not ask.scene.moves:
             continue
-        yield Number(f"sigma{end}", f"largest stress, {case}", "Pa", _by(ask, _stress))
+        label = f"largest stress, {case}"
+        yield Number(f"sigma{end}", label, "Pa", asked_of(ask, largest_stress))
         label = f"stiffness at full stroke, {case}"
-        yield Number(f"k_end{end}", label, unit, _by(ask, _stiffness_at_end))
-        yield Number(f"shift{end}", f"parasitic shift, {case}", "m", _by(ask, _shift))
+        yield Number(f"k_end{end}", label, unit, asked_of(ask, _stiffness_at_end))
+        label = f"parasitic shift, {case}"
+        yield Number(f"shift{end}", label, "m", asked_of(ask, parasitic_shift))
         for index, (axis, own) in enumerate(AXES.items()):
             label = f"support along {axis} at full stroke, drive locked, {case}"
-            by = _by(ask, partial(_support, index=index))
-            yield Number(f"support_{axis}{end}", label, own, by)
-
-
-def _by(ask: Ask, number: Callable[[Ask], float]) -> Callable[[JointModel], float]:
-    return lambda joint_model: float(number(ask._replace(joint_model=joint_model)))
-
-
-def _stiffness(ask: Ask) -> float:
-    return float(ask.joint_model.stiffness(ask))
+            support = asked_of(ask, partial(_support, index=index))
+            yield Number(f"support_{axis}{end}", label, own, support)
 
 
 def _stiffness_at_end(ask: Ask) -> float:
     """Return the tangent at full stroke: that at rest by a model in which nothing changes it."""
     model, scene = ask.joint_model, ask.scene
     if not isinstance(model, SpaceExactModel):
-        return _stiffness(ask)
+        return stiffness(ask)
     state = at_travel(ask, scene.stroke_ends[0], model.blades)
     return driven_stiffness(state, driven_coordinate(state.layout))
-
-
-def _stress(ask: Ask) -> float:
-    _, stresses = ask.joint_model.stresses(ask)
-    return max(abs(float(stress.largest)) for stress in stresses)
-
-
-def _shift(ask: Ask) -> float:
-    return float(ask.joint_model.parasitic_shift(ask))
 
 
 def _support(ask: Ask, index: int) -> float:

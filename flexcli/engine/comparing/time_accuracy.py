@@ -1,6 +1,7 @@
 """What accuracy costs in time: a stopped blade's first periods by every method and tolerance."""
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from time import perf_counter
 from typing import NamedTuple
 
@@ -77,15 +78,14 @@ def accuracy_in_time(
 def time_methods() -> tuple[TimeMethod, ...]:
     """Return general integrators from coarse to fine, and the event-driven run."""
     general = [
-        TimeMethod(f"{method} at {tolerance:.0e}", _general(method, tolerance))
+        TimeMethod(
+            f"{method} at {tolerance:.0e}",
+            partial(penalty_run, method=method, tolerance=tolerance),
+        )
         for method in METHODS
         for tolerance in TOLERANCES
     ]
     return (*general, TimeMethod("event-driven", lambda motion: event_driven(motion)[0]))
-
-
-def _general(method: Method, tolerance: float) -> Callable[[StoppedMotion], TimePeaks]:
-    return lambda motion: penalty_run(motion, method, tolerance)
 
 
 def bounded(motion: StoppedMotion) -> Iterator[tuple[TimeNumber, float, float | None]]:

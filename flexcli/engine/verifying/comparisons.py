@@ -1,7 +1,7 @@
 """The numbers that are compared: how a model and how solid elements give each."""
 
 from collections.abc import Callable, Iterator
-from functools import cached_property
+from functools import cache
 from math import sqrt
 from typing import NamedTuple
 
@@ -111,27 +111,34 @@ def _warm(asked: CaseAsks, model: ModelNumbers, unit: str, effort: str) -> Itera
 def _supports(ask: Ask) -> Iterator[Comparison]:
     """Yield the stiffness in every direction, all others free."""
     guided = ask.geometry.motion == "translation" and ask.geometry.held(0.0)[2] is not None
-    for index, direction in enumerate(DIRECTIONS):
-        if guided and index == 5:
-            continue
-        turns = direction.startswith("theta")
+    for index in range(5 if guided else 6):
+        yield _support(ask, index)
 
-        def ours(index: int = index) -> Found:
-            def stiffness(assembly: SpaceAssembly) -> float:
-                return float(1.0 / compliance_of(ask, assembly=assembly)[index, index])
 
-            joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-            return stiffness(joint.assembly), joint.error(stiffness)
+def _support(ask: Ask, index: int) -> Comparison:
+    """Return the stiffness at rest in one of the six directions."""
 
-        def solid(numbers: SolidNumbers, index: int = index) -> float:
-            return float(1.0 / numbers.compliance()[index, index])
+    def stiffness(assembly: SpaceAssembly) -> float:
+        return float(1.0 / compliance_of(ask, assembly=assembly)[index, index])
 
-        way = f"about {direction[-1]}" if turns else f"along {direction}"
-        yield Comparison(
-            f"support_{direction}", f"support {way}", "N*m/rad" if turns else "N/m", ask,
-            ours, solid, "support", f"motion of the moving body in step {index + 1}, a unit load",
-            kind=QuantityKind.SUPPORT,
-        )  # fmt: skip
+    def ours() -> Found:
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        return stiffness(joint.assembly), joint.error(stiffness)
+
+    way, unit = _direction(index)
+    return Comparison(
+        f"support_{DIRECTIONS[index]}", f"support {way}", unit, ask, ours,
+        lambda solid: float(1.0 / solid.compliance()[index, index]), "support",
+        f"motion of the moving body in step {index + 1}, a unit load", kind=QuantityKind.SUPPORT,
+    )  # fmt: skip
+
+
+def _direction(index: int) -> tuple[str, str]:
+    """Return one of the six directions in words, and the unit of a stiffness in it."""
+    name = DIRECTIONS[index]
+    if name.startswith("theta"):
+        return f"about {name[-1]}", "N*m/rad"
+    return f"along {name}", "N/m"
 
 
 def _has_mass(ask: Ask) -> bool:
@@ -176,13 +183,13 @@ def _case(asked: CaseAsks, model: ModelNumbers, *, many: bool) -> Iterator[Compa
             lambda: TANGENT, scene.case,
         )  # fmt: skip
     if scene.moves or scene.is_loaded or scene.temperature is not None:
-        place = _Lazy(lambda: model.stress_place(ask))
+        place = cache(lambda: model.stress_place(ask))
         yield Comparison(
-            f"sigma{end}", "stress at a face", "Pa", ask, lambda: model.stress(ask, place.value),
-            lambda solid: solid.stress(place.value),
+            f"sigma{end}", "stress at a face", "Pa", ask, lambda: model.stress(ask, place()),
+            lambda solid: solid.stress(place()),
             f"stress-{scene.case}" if scene.is_loaded else f"stroke-{scene.case}",
-            place.value_text, lambda: model.law_in_stress(ask), scene.case,
-            lambda: model.share_at(ask, place.value),
+            _stress_read(place), lambda: model.law_in_stress(ask), scene.case,
+            lambda: model.share_at(ask, place()),
         )  # fmt: skip
     if scene.forces and scene.ends is not None:
         cold = asked.cold
@@ -207,49 +214,36 @@ def _supports_at_stroke(case: Ask, model: ModelNumbers, *, many: bool) -> Iterat
     if not all(isinstance(blade.profile, Constant) for blade in blades):
         return
     for index in OUT_OF_PLANE:
-        direction = DIRECTIONS[index]
-        turns = direction.startswith("theta")
-        way = f"about {direction[-1]}" if turns else f"along {direction}"
-
-        def ours(index: int = index) -> Found:
-            return model.by_support(ask, index)[1]
-
-        def directs(index: int = index) -> bool:
-            return model.by_support(ask, index)[0].directs_blades
-
-        def solid(numbers: SolidNumbers, index: int = index) -> float:
-            try:
-                known = model.by_support(ask, index)[1][1] is not None
-            except SolveError as error:
-                raise NotAvailable(f"is solved by no model: {error}") from error
-            if not known:
-                raise NotAvailable("is bent or shaped in a way for which no model has an error")
-            return numbers.support_at_end(index)
-
-        yield Comparison(
-            f"support_{direction}_end{end}", f"support {way} at full stroke",
-            "N*m/rad" if turns else "N/m", ask, ours, solid, f"support-{ask.scene.case}",
-            f"motion of two places of the moving body in step {index}, beside step 1",
-            lambda: TANGENT, ask.scene.case, kind=QuantityKind.SUPPORT,
-            directs=directs,
-        )  # fmt: skip
+        yield _support_at_stroke(ask, model, index, end)
 
 
-class _Lazy:
-    """A place that is looked for when it is first asked for."""
+def _support_at_stroke(ask: Ask, model: ModelNumbers, index: int, end: str) -> Comparison:
+    """Return the stiffness at full stroke in one direction out of the plane."""
 
-    def __init__(self, find: Callable[[], Place]) -> None:
-        self._find = find
-
-    @cached_property
-    def value(self) -> Place:
-        return self._find()
-
-    @property
-    def value_text(self) -> str:
+    def solid(numbers: SolidNumbers) -> float:
         try:
-            place = self.value
-        except (NotAvailable, SolveError):
-            return "stress at a face, the mean over its width"
-        where = "greatest along it" if place.s is None else f"{place.s * 1e3:.4g} mm from its start"
-        return f"{place.face} face of {place.stretch}, mean over its width, {where}"
+            known = model.by_support(ask, index)[1][1] is not None
+        except SolveError as error:
+            raise NotAvailable(f"is solved by no model: {error}") from error
+        if not known:
+            raise NotAvailable("is bent or shaped in a way for which no model has an error")
+        return numbers.support_at_end(index)
+
+    way, unit = _direction(index)
+    return Comparison(
+        f"support_{DIRECTIONS[index]}_end{end}", f"support {way} at full stroke", unit, ask,
+        lambda: model.by_support(ask, index)[1], solid, f"support-{ask.scene.case}",
+        f"motion of two places of the moving body in step {index}, beside step 1",
+        lambda: TANGENT, ask.scene.case, kind=QuantityKind.SUPPORT,
+        directs=lambda: model.by_support(ask, index)[0].directs_blades,
+    )  # fmt: skip
+
+
+def _stress_read(find: Callable[[], Place]) -> str:
+    """Return in words which stress of the solid is read."""
+    try:
+        place = find()
+    except (NotAvailable, SolveError):
+        return "stress at a face, the mean over its width"
+    where = "greatest along it" if place.s is None else f"{place.s * 1e3:.4g} mm from its start"
+    return f"{place.face} face of {place.stretch}, mean over its width, {where}"
