@@ -93,6 +93,7 @@ def kind_of(limit: Limit) -> str:
 
 
 def _violated(program: SizingProgram, x: dict[str, float]) -> list[str]:
+    """Return the names of the rows that sizes violate."""
     keys = [*program.constraints, *program.targets]
     values = dict(zip(keys, program.at(keys, x)[:, 0].tolist(), strict=True))
     broken = [key for key in program.constraints if values[key] > ACTIVE]
@@ -106,7 +107,7 @@ def _roots(program: SizingProgram, keys: tuple[str, ...]) -> Iterator[Balanced]:
     for root in roots(rows, _starts(program, rows)):
         x = dict(zip(program.names, np.exp(root.y).tolist(), strict=True))
         slopes = _sensitivities(program, keys, root.y, root.inverse)
-        yield Balanced(x, *_named(program, keys), slopes, is_square=True)
+        yield Balanced(x, *_names(program, keys), slopes, is_square=True)
 
 
 def _starts(program: SizingProgram, rows: Field) -> Floats:
@@ -141,12 +142,11 @@ def _least_volume(program: SizingProgram, keys: tuple[str, ...]) -> Iterator[Bal
     equal = [*program.equalities(), *(Term(key) for key in keys)]
     found = program.least([Term("volume")], limits, equal)
     if found.converged:
-        yield Balanced(
-            {n: found.x[n] for n in program.names}, *_named(program, keys), (), is_square=False
-        )
+        x = {name: found.x[name] for name in program.names}
+        yield Balanced(x, *_names(program, keys), (), is_square=False)
 
 
-def _named(
+def _names(
     program: SizingProgram, keys: tuple[str, ...]
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return the names of rows, and of the checks that they belong to."""

@@ -45,7 +45,7 @@ def explain_conflict(program: SizingProgram) -> tuple[tuple[Relaxation, ...], st
 def _members(program: SizingProgram) -> tuple[Sequence[str], str]:
     """Return the keys of rows that conflict, and how sure it is that fewer do not."""
     keys = (*program.constraints, *program.targets)
-    terms = [Term(key, sign) for key in keys for sign in _senses(program, key)]
+    terms = [Term(key, sign) for key in keys for sign in program.senses(key)]
     found = program.disagreement(terms, [keys.index(term.key) for term in terms])
     sure = "no smaller set conflicts" if found.smallest else "a smaller set may conflict"
     if not program.exact:
@@ -53,10 +53,6 @@ def _members(program: SizingProgram) -> tuple[Sequence[str], str]:
     elif program.curved:
         sure += "; found from many starts, not proved, as the problem is not convex"
     return [keys[k] for k in found.members], sure
-
-
-def _senses(program: SizingProgram, key: str) -> tuple[float, ...]:
-    return (1.0, -1.0) if key in program.targets else (1.0,)
 
 
 def _nearest(

@@ -88,15 +88,12 @@ class SizingProgram:
     def curved(self) -> tuple[str, ...]:
         """Return the names of the requirements that are not convex in the logarithms."""
         if not self.exact:
-            return tuple(dict.fromkeys(self.rows[key].name for key in self._limiting))
+            limiting = (*self.constraints, *self.targets)
+            return tuple(dict.fromkeys(self.rows[key].name for key in limiting))
         rows = [(key, self._ratio(Term(key))) for key in self.constraints]
         curved = [key for key, row in rows if isinstance(row, Ratio) and not row.is_convex]
         curved += [key for key in self.targets if not self._equality(Term(key)).is_convex]
         return tuple(dict.fromkeys(self.rows[key].name for key in curved))
-
-    @property
-    def _limiting(self) -> tuple[str, ...]:
-        return (*self.constraints, *self.targets)
 
     def complete(self, x: Mapping[str, Floats | float]) -> Sizes:
         """Return the sizes of a solution, fixed dimensions included."""
@@ -146,6 +143,10 @@ class SizingProgram:
             for name in self.names
             for sign in (1.0, -1.0)
         ]
+
+    def senses(self, key: str) -> tuple[float, ...]:
+        """Return the signs with which a row is kept at most zero: a target's with either."""
+        return (1.0, -1.0) if key in self.targets else (1.0,)
 
     def equalities(self) -> list[Term]:
         """Return the rows of the targets."""

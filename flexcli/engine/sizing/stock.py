@@ -123,8 +123,8 @@ def _about(grid: Grid, size: float) -> Floats:
     if grid.step is None:
         stock = np.array(sorted(set(grid.stock)))
         return stock[np.argsort(np.abs(np.log(stock / size)))[: 2 * REACH]]
-    step, first = Decimal(repr(grid.step)), floor(size / grid.step)
-    return np.array([float(step * k) for k in range(max(1, first - REACH), first + REACH + 2)])
+    first = floor(size / grid.step)
+    return _sizes(grid, range(max(1, first - REACH), first + REACH + 2))
 
 
 # -- point by point --------------------------------------------------------------------------
@@ -170,44 +170,33 @@ def _first_width(grids: Mapping[str, Grid], centre: Mapping[str, float]) -> floa
 
 
 def _window(centre: Mapping[str, float], width: float) -> Box:
+    """Return the box of sizes within a logarithm of those of the centre."""
     factor = float(np.exp(width))
     return {name: (x / factor, x * factor) for name, x in centre.items()}
 
 
-@dataclass(frozen=True)
-class _Axis:
-    """The values of one dimension in a box: multiples of a step, or sizes of a stock.
+def _within(grid: Grid, low: float, high: float) -> Sequence[float]:
+    """Return the sizes in stock between two, or which multiples of the step lie there.
 
-    A box without a value gets the nearest ones, so that a coarse stock does not make the search
-    miss every design.
+    Where there is none it is the nearest ones, so that a coarse stock does not make the search miss
+    every design.
     """
+    low, high = low * (1.0 - HAIR), high * (1.0 + HAIR)
+    if grid.step is None:
+        stock = sorted(set(grid.stock))
+        inside = [size for size in stock if low <= size <= high]
+        outside = [s for s in stock if s < low][-1:] + [s for s in stock if s > high][:1]
+        return inside or outside
+    first, last = sorted((ceil(low / grid.step), floor(high / grid.step)))
+    return range(max(1, first), max(1, first, last) + 1)
 
-    stock: Floats
-    step: float
-    first: int
-    count: int
 
-    @classmethod
-    def of(cls, grid: Grid, low: float, high: float) -> "_Axis":
-        low, high = low * (1.0 - HAIR), high * (1.0 + HAIR)
-        if grid.step is None:
-            stock = np.array(sorted(set(grid.stock)))
-            inside = stock[(stock >= low) & (stock <= high)]
-            if not inside.size:
-                inside = np.concatenate([stock[stock < low][-1:], stock[stock > high][:1]])
-            return cls(inside, 0.0, 0, inside.size)
-        first, last = int(np.ceil(low / grid.step)), int(np.floor(high / grid.step))
-        if first > last:
-            first, last = last, first
-        first = max(1, first)
-        return cls(np.empty(0), grid.step, first, max(last, first) - first + 1)
-
-    def values(self) -> Floats:
-        """Return the values, each the float nearest to the decimal multiple of the step."""
-        if not self.step:
-            return self.stock
-        step = Decimal(repr(self.step))
-        return np.array([float(step * k) for k in range(self.first, self.first + self.count)])
+def _sizes(grid: Grid, places: Sequence[float]) -> Floats:
+    """Return sizes in stock as they are, or multiples of a step: the floats nearest to decimals."""
+    if grid.step is None:
+        return np.array(places)
+    step = Decimal(repr(grid.step))
+    return np.array([float(step * int(k)) for k in places])
 
 
 def _best_of_box(
@@ -217,17 +206,17 @@ def _best_of_box(
     merits: Callable[[Mapping[str, Floats]], list[Floats]],
 ) -> tuple[dict[str, float] | None, int]:
     """Return the best feasible point of a box and how many were judged: none when too many."""
-    axes = {name: _Axis.of(grid, *box[name]) for name, grid in grids.items()}
-    size = prod(axis.count for axis in axes.values())
+    axes = {name: _within(grid, *box[name]) for name, grid in grids.items()}
+    shape = tuple(map(len, axes.values()))
+    size = prod(shape)
     if size > MOST_POINTS:
         return None, 0
-    values = {name: axis.values() for name, axis in axes.items()}
-    shape = tuple(axis.count for axis in axes.values())
+    values = {name: _sizes(grid, axes[name]) for name, grid in grids.items()}
     found: list[dict[str, Floats]] = []
     for start in range(0, size, assess.CHUNK):
         places = np.unravel_index(np.arange(start, min(start + assess.CHUNK, size)), shape)
         x = {name: values[name][at] for name, at in zip(values, places, strict=True)}
-        holds = _feasible(program, x)
+        holds = _holds(program, x)
         if holds.any():
             found.append(_first_by(merits, {name: at[holds] for name, at in x.items()}))
     if not found:
@@ -247,7 +236,8 @@ def _first_by(
     return {name: at[kept[:1]] for name, at in x.items()}
 
 
-def _feasible(program: SizingProgram, x: Mapping[str, Floats]) -> NDArray[np.bool_]:
+def _holds(program: SizingProgram, x: Mapping[str, Floats]) -> NDArray[np.bool_]:
+    """Return which points keep the bounds of the sizes and all limits."""
     geometry = program.problem.design.geometry
     holds = np.ones(next(iter(x.values())).shape, dtype=bool)
     for name, extent in geometry.extents.items():
@@ -353,7 +343,7 @@ def _search(
             continue
         split = _farthest(relaxed, grids)
         if split is not None:
-            open_bounds.extend(_children(bounds, *split))
+            open_bounds.extend(_branches(bounds, *split))
             continue
         solved += 1
         sizes = {name: _nearest(grid, relaxed.x[name]) for name, grid in grids.items()}
@@ -391,9 +381,10 @@ def _farthest(
     return found
 
 
-def _children(
+def _branches(
     bounds: Bounds, name: str, below: float | None, above: float | None
 ) -> Iterator[Bounds]:
+    """Yield the bounds on either side of a gap of the grid of one size."""
     low, high = bounds.get(name, (None, None))
     if below is not None:
         yield {**bounds, name: (low, below)}

@@ -304,7 +304,7 @@ def least_eased(program: SizingProgram, goals: Sequence[Term]) -> Solution:
     limits = [
         Term(key, sign, 0.0, _ease(program.rows[key]))
         for key in (*program.constraints, *program.targets)
-        for sign in ((1.0, -1.0) if key in program.targets else (1.0,))
+        for sign in program.senses(key)
     ]
     least = Term(ONE, 1.0, 0.0, (("ease", -1.0),))
     ties = [goal for goal in goals if not goal.eases]
@@ -312,5 +312,6 @@ def least_eased(program: SizingProgram, goals: Sequence[Term]) -> Solution:
 
 
 def _ease(row: Row) -> tuple[tuple[str, float], ...]:
+    """Return the unknown by which a row is eased, and its power; none for a bound or a shape."""
     is_asked = row.limit is not None and row.limit.error != EXACT
     return (("ease", float(row.power)),) if is_asked else ()

@@ -318,8 +318,8 @@ class States(NamedTuple):
             np.asarray(x.all(axis=1, keepdims=True))
             for x in (self.passed, self.surely, self.perhaps)
         )
-        open_ = (self.passed | self.undecided).all(axis=1, keepdims=True) & ~passed
-        return States(passed, surely, perhaps, np.asarray(open_))
+        undecided = (self.passed | self.undecided).all(axis=1, keepdims=True) & ~passed
+        return States(passed, surely, perhaps, np.asarray(undecided))
 
 
 def states(response: Response, checks: Sequence[str], u: Floats) -> States:
@@ -344,8 +344,5 @@ def states(response: Response, checks: Sequence[str], u: Floats) -> States:
 
 def drawn(each: Sequence[Variation], shares: Floats) -> Floats:
     """Return parts as scaled variables, from the shares of all parts that lie below each."""
-    columns = [
-        v.scale(np.maximum(v.nominal + v.spread.ppf(q), v.least))
-        for v, q in zip(each, shares.T, strict=True)
-    ]
-    return np.stack(columns, axis=1)
+    parts = zip(each, shares.T, strict=True)
+    return np.stack([v.scale(v.made(v.spread.ppf(q))) for v, q in parts], axis=1)

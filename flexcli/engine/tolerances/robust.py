@@ -81,8 +81,9 @@ def robust_size(design: DesignSpec, spec: str, model: str | None = None) -> Resu
     for number in range(ROUNDS):
         doing(f"loss to the tolerances, round {number + 1}")
         chosen = size(design, spec, losses=lost)
-        if chosen.status is Status.INFEASIBLE or not _has_sizes(design, chosen):
-            return _told(chosen, lost)
+        has_sizes = bool(chosen.checks) and all(n in chosen.values for n in design.geometry.free)
+        if chosen.status is Status.INFEASIBLE or not has_sizes:
+            return _without_design(chosen, lost)
         made = _made(design, chosen)
         sizes = made.fixed_sizes()
         known = {check: log(float(each.at(sizes))) for check, each in lost.items()}
@@ -111,10 +112,6 @@ def robust_size(design: DesignSpec, spec: str, model: str | None = None) -> Resu
     )
 
 
-def _has_sizes(design: DesignSpec, chosen: Result) -> bool:
-    return bool(chosen.checks) and all(name in chosen.values for name in design.geometry.free)
-
-
 def _made(design: DesignSpec, chosen: Result) -> DesignSpec:
     """Return the design with the sizes that were chosen."""
     height = chosen.values.get("H")
@@ -126,7 +123,7 @@ def _made(design: DesignSpec, chosen: Result) -> DesignSpec:
     return made
 
 
-def _told(chosen: Result, lost: Mapping[str, Correction]) -> Result:
+def _without_design(chosen: Result, lost: Mapping[str, Correction]) -> Result:
     """Return a sizing that found no design, with the largest loss to the tolerances."""
     if not lost:
         return chosen
@@ -177,7 +174,7 @@ class _Loss:
 
     def at(self, each: Sequence[Variation]) -> Losses:
         """Return the losses where nominal values are those of ``each``."""
-        here = self._worst_rows(self._scaled([np.array([v.nominal]) for v in each]))[0]
+        here = self._at_nominal(each)
         if self.share is None:
             ends = self._scaled([v.nominal + np.array([v.spread.low, v.spread.high]) for v in each])
             least = least_of(self.response, ends[0], ends[1])
@@ -206,7 +203,7 @@ class _Loss:
 
         A check that holds the choice goes down to its loss, any other keeps the margin it has.
         """
-        here = self._worst_rows(self._scaled([np.array([v.nominal]) for v in self.each]))[0]
+        here = self._at_nominal(self.each)
         margins = self._worst_rows(self._parts(self.each))
         holds = here - np.array([lost.get(check, 0.0) for check in self.checks]) <= ACTIVE
 
@@ -221,9 +218,16 @@ class _Loss:
             low, high = (middle, high) if passing(middle) >= share else (low, middle)
         return low
 
+    def _at_nominal(self, each: Sequence[Variation]) -> Floats:
+        """Return the logarithm of each check's margin at nominal values."""
+        u = self._scaled([np.array([v.nominal]) for v in each])
+        return np.asarray(self._worst_rows(u)[0])
+
     def _parts(self, each: Sequence[Variation]) -> Floats:
-        columns = zip(each, self.shares.T, strict=True)
-        return self._scaled([np.maximum(v.nominal + v.spread.ppf(q), v.least) for v, q in columns])
+        """Return the drawn parts with other nominal values, as the variables of the fits."""
+        return self._scaled(
+            [v.made(v.spread.ppf(q)) for v, q in zip(each, self.shares.T, strict=True)]
+        )
 
     def _scaled(self, values: Sequence[Floats]) -> Floats:
         """Return values as the variables of the fits, a hair beyond them at most."""

@@ -198,17 +198,13 @@ class _Run:
             _row(name, found.of(k), self.confidence) for k, name in enumerate(self.names)
         )
         self.together = _row("together", found.together, self.confidence)
-        if self._is_open():
+        low, high = self.together.interval
+        if high - low > OPEN:
             self._judge_parts()
         self.rows = self._with_slopes(response)
         self.halved = self._halved(response)
         worst = worst_cases(response, self.each, self.design)
         self.rows = tuple(row._replace(worst=worst.get(row.name)) for row in self.rows)
-
-    def _is_open(self) -> bool:
-        """Return whether the fits leave more open than fewer parts, judged each, would."""
-        low, high = self.together.interval
-        return high - low > OPEN
 
     def _judge_parts(self) -> None:
         """Judge a few of the parts themselves; a yield is as sure as so few can make it."""
@@ -279,8 +275,7 @@ class _Run:
         columns = [response.places(name) for name in checks]
 
         def margins(x: Floats) -> Floats:
-            values = [v.scale(np.maximum(v.nominal + d, v.least))
-                      for v, d in zip(self.each, x, strict=True)]  # fmt: skip
+            values = [v.scale(v.made(d)) for v, d in zip(self.each, x, strict=True)]
             low = response.low.at(np.clip(np.stack(values, axis=1), -1.0, 1.0))
             return np.stack([low[:, places].min(axis=1) for places in columns])
 
@@ -299,10 +294,8 @@ class _Run:
                 v._replace(spread=v.spread.scaled(NARROWED)) if v.tolerance == name else v
                 for v in self.each
             ]
-            u = np.stack(
-                [v.scale(np.maximum(v.nominal + n.spread.ppf(q), v.least))
-                 for v, n, q in zip(self.each, narrow, self.shares.T, strict=True)], axis=1,
-            )  # fmt: skip
+            parts = zip(self.each, narrow, self.shares.T, strict=True)
+            u = np.stack([v.scale(v.made(n.spread.ppf(q))) for v, n, q in parts], axis=1)
             found[name] = float(states(response, self.names, u).together.passed.mean())
         return found
 

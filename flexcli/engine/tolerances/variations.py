@@ -68,6 +68,10 @@ class Variation(NamedTuple):
             return 2.0 / log(high / low)
         return 2.0 * abs(self.nominal) / (high - low)
 
+    def made(self, deviation: Floats) -> Floats:
+        """Return the numbers of parts by their deviation from the nominal, at least ``least``."""
+        return np.asarray(np.maximum(self.nominal + deviation, self.least))
+
     def scale(self, x: Floats) -> Floats:
         """Return values as a variable that is −1 and 1 at the ends of the domain.
 

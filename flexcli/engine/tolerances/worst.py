@@ -61,13 +61,12 @@ def least_of(response: Response, low: Floats, high: Floats) -> list[Least]:
     level = np.maximum(response.error_low, LEVEL)
     is_monotone = np.asarray(((falls <= level) | (rises >= -level)).all(axis=0))
     below, _ = response.low.bounds(low, high)
-    points = _tried(low, high)
+    points = _corners_and_inside(low, high)
     values = response.low.at(points)
     found = []
     for k in range(len(response.rows)):
         at = points[int(np.argmin(values[:, k]))]
         if is_monotone[k]:
-            at = np.where(np.abs(falls[:, k]) < np.abs(rises[:, k]), low, high)
             at = np.where(falls[:, k] + rises[:, k] < 0.0, high, low)
         margin = float(response.low.at(at[None, :])[0, k])
         error = float(response.error_low[k])
@@ -76,7 +75,8 @@ def least_of(response: Response, low: Floats, high: Floats) -> list[Least]:
     return found
 
 
-def _tried(low: Floats, high: Floats) -> Floats:
+def _corners_and_inside(low: Floats, high: Floats) -> Floats:
+    """Return the corners of a box, or many of them, and points inside it."""
     count = len(low)
     inside = np.random.default_rng(0).uniform(low, high, (TRIED, count))
     if count > ALL_CORNERS:
@@ -98,7 +98,7 @@ def worst_cases(
         corner = tuple(worst.at.tolist())
         if corner not in known:
             doing(f"the worst case of {check}")
-            known[corner] = judged_at(design, each, worst.at)
+            known[corner] = judged_of(design, each, _values(each, worst.at))
         there = known[corner].get(check)
         verdict = Verdict.UNDECIDED if there is None else there.verdict
         bound = min(least[k].bound for k in response.places(check))
@@ -111,14 +111,14 @@ def worst_cases(
             if verdict is Verdict.PASS:
                 by, share = "bound", min(share, exp(min(bound, MOST)))
                 verdict = Verdict.PASS if share >= 1.0 - ROUNDING else Verdict.UNDECIDED
-        at = {v.name: float(v.value(x)) for v, x in zip(each, worst.at, strict=True)}
+        at = dict(zip([v.name for v in each], _values(each, worst.at), strict=True))
         found[check] = WorstCase(share, verdict.value, by, at)
     return found
 
 
-def judged_at(design: DesignSpec, each: Sequence[Variation], u: Floats) -> Mapping[str, Check]:
-    """Return what the models say of each check of a part."""
-    return judged_of(design, each, [float(v.value(x)) for v, x in zip(each, u, strict=True)])
+def _values(each: Sequence[Variation], u: Floats) -> list[float]:
+    """Return the numbers of a part [SI] from the scaled variables."""
+    return [float(v.value(x)) for v, x in zip(each, u, strict=True)]
 
 
 def judged_of(
@@ -131,6 +131,7 @@ def judged_of(
 
 
 def _share(check: Check | None, margin: float) -> float:
+    """Return the least factor of a check over the required one, by the fit where it has none."""
     if check is None or check.factor_range is None or check.is_target:
         return exp(margin)
     return check.factor_range[0] / check.required
