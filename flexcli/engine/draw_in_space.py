@@ -13,7 +13,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.drawn_layout import drawn_blade, drawn_bodies, turning
+from flexcli.engine.drawn_layout import (
+    drawn_blade,
+    drawn_bodies,
+    drawn_line,
+    place_of,
+    turning,
+)
 from flexcli.engine.joint_models.space_exact import section_peaks
 from flexcli.engine.joint_models.space_stroke import at_travel
 from flexcli.errors import SolveError
@@ -71,8 +77,8 @@ class View(NamedTuple):
     @property
     def axes(self) -> tuple[tuple[str, tuple[float, float]], ...]:
         """Return the axes that are seen, with where they point."""
-        ways = [(float(x), float(y)) for x, y in self.rows.T]
-        return tuple((name, way) for name, way in zip("xyz", ways, strict=True) if any(way))
+        ways = zip("xyz", drawn_line(self.rows.T), strict=True)
+        return tuple((name, way) for name, way in ways if any(way))
 
     @property
     def normal(self) -> Floats:
@@ -191,7 +197,7 @@ def _seen(
         ),
         bodies=drawn_bodies(layout, turn, drive),
         sizes=given,
-        centre=(float(at[0]), float(at[1])),
+        centre=place_of(at),
         case=ask.scene.case,
         unit=ask.geometry.travel_unit,
         states=tuple(_state(space, layout, view, *each) for each in moved.items()),
@@ -216,7 +222,7 @@ def _state(
             line = _cubic(*_ends(state, member.first, member.start, member.axes[0]),
                           *_ends(state, member.second, member.end, member.axes[0]),
                           length, s)  # fmt: skip
-            axes[member.name] = tuple((float(x), float(y)) for x, y in line @ view.rows.T)
+            axes[member.name] = drawn_line(line @ view.rows.T)
             largest = np.abs(section_peaks(felt)).max(axis=1)
             stress[member.name] = tuple(np.interp(s, felt.s, largest).tolist())
     motions = {}
@@ -269,7 +275,7 @@ def _flat(layout: SpaceLayout, view: View) -> tuple[Layout, int]:
             deep = member.b
             if abs(float(across @ member.axes[1])) > 1.0 - ROUNDING:  # seen along its width
                 profile = member.profile
-        ends = (float(start[0]), float(start[1])), (float(end[0]), float(end[1]))
+        ends = place_of(start), place_of(end)
         height = float(view.normal @ (np.add(member.start, member.end) / 2.0))
         profile = profile or Constant(thick)
         blades.append(Blade(member.name, member.first, member.second, *ends, profile, deep, height))
@@ -278,8 +284,8 @@ def _flat(layout: SpaceLayout, view: View) -> tuple[Layout, int]:
 
 def _bodies(layout: SpaceLayout, rows: Floats) -> Iterator[Body]:
     for body in layout.bodies:
-        (x, y), (p, q) = rows @ body.point, rows @ body.com
-        yield Body(body.name, (float(x), float(y)), body.mass, 0.0, (float(p), float(q)))
+        point, com = place_of(rows @ body.point), place_of(rows @ body.com)
+        yield Body(body.name, point, body.mass, 0.0, com)
 
 
 def _surfaces(layout: SpaceLayout, view: View) -> Iterator[tuple[str, tuple[XY, ...]]]:
@@ -290,5 +296,4 @@ def _surfaces(layout: SpaceLayout, view: View) -> Iterator[tuple[str, tuple[XY, 
         half = 0.5 * member.b * member.axes[2]
         start, end = np.asarray(member.start), np.asarray(member.end)
         corners = (start - half, start + half, end + half, end - half)
-        seen = (view.rows @ corner for corner in corners)
-        yield member.name, tuple((float(x), float(y)) for x, y in seen)
+        yield member.name, tuple(place_of(view.rows @ corner) for corner in corners)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from flexcli.formulas.profile import Edge
 from flexcli.mechanics.layout import Blade, Body, Layout, Point
-from flexcli.mechanics.mesh import column
+from flexcli.mechanics.mesh import single
 from flexcli.mechanics.shape import ROUNDING, centre_line
 from flexcli.mechanics.state import Equilibrium
 from flexcli.parts.geometries.base import GROUND, MOVING
@@ -52,7 +52,7 @@ def turning(angle: float) -> Turn:
 
 def numbers(place: Point) -> Floats:
     """Return the place of the one design that is drawn."""
-    return np.array([float(column(c)[0]) for c in place])
+    return np.array([single(c) for c in place])
 
 
 def place_of(place: Floats) -> XY:
@@ -86,7 +86,7 @@ def drawn_blade(blade: Blade, turn: Turn) -> DrawnBlade:
     if h[0] == 0.0 and s[1] == 0.0:
         s, h = s[1:], h[1:]
     axis = start + (np.array(s) / l)[:, None] * (end - start)
-    width, height = float(column(blade.b)[0]), float(column(blade.z)[0])
+    width, height = single(blade.b), single(blade.z)
     outlines = tuple(_outline(face, start, end, turn) for face in blade.profile.faces(l))
     line = drawn_line(turn(axis))
     return DrawnBlade(
@@ -145,7 +145,7 @@ def drawn_bodies(
         if name in known:
             rigid = known[name]
             point = numbers(rigid.point)
-            if (mass := float(column(rigid.mass)[0])) > 0.0:
+            if (mass := single(rigid.mass)) > 0.0:
                 masses = (DrawnMass("", place_of(turn(numbers(rigid.com))), mass),)
         found.append(
             DrawnBody(

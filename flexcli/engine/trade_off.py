@@ -192,12 +192,13 @@ class _Run:
         self.results: dict[float | None, Result] = {}
         self.last: Result
         self.unit = ""
+        self.sense = 1.0 if moving.rises else -1.0
+        """Sign with which the second objective grows as it becomes better."""
 
     @property
     def points(self) -> list[FrontPoint]:
         """Return the designs, the loosest second objective first."""
-        sign = 1.0 if self.moving.rises else -1.0
-        return sorted(self.found, key=lambda point: sign * point.second)
+        return sorted(self.found, key=lambda point: self.sense * point.second)
 
     def at(self, bound: float | None, near: Mapping[str, float] | None = None) -> FrontPoint | None:
         """Return the design at a bound on the second objective, if one passes.
@@ -216,7 +217,7 @@ class _Run:
         if result.status is not Status.PASS or any(n not in result.values for n in free):
             return None
         _, _, first = objective_of(self.design, result)
-        second = self._second(result)
+        self.unit, second = _worst(self.moving, result)
         if isnan(second):
             return None
         point = FrontPoint(
@@ -233,21 +234,16 @@ class _Run:
         if bound is None or not self.found:
             return {}
         points = self.points
-        at = log(bound) * (1.0 if self.moving.rises else -1.0)
-        own = [log(point.second) * (1.0 if self.moving.rises else -1.0) for point in points]
+        at = self.sense * log(bound)
+        own = [self.sense * log(point.second) for point in points]
         sizes = [np.log([*point.sizes.values()]) for point in points]
         y = [float(np.interp(at, own, column)) for column in zip(*sizes, strict=True)]
         return dict(zip(points[0].sizes, np.exp(y).tolist(), strict=True))
 
-    def _second(self, result: Result) -> float:
-        """Return the worst value of the second objective over the cases."""
-        self.unit, worst = _worst(self.moving, result)
-        return worst
-
     def end(self) -> str:
         """Follow the second objective to where no design is left, and say where that is."""
         (start,) = self.points
-        sense = 1.0 if self.moving.rises else -1.0
+        sense = self.sense
         far = start.second * exp(sense * DECADES * log(10.0))
         doing(f"the best {self.moving.key}")
         found = self._best(None, {})

@@ -106,6 +106,11 @@ def column(value: Any) -> Floats:
     return np.array(value, dtype=np.float64, ndmin=1)
 
 
+def single(value: Any) -> float:
+    """Return the number of a batch of one design."""
+    return float(column(value)[0])
+
+
 def pick(values: NDArray[Kind], rows: NDArray[np.intp]) -> NDArray[Kind]:
     """Return the designs ``rows`` of an array whose first axis is designs, or 1 for all alike."""
     return values if values.shape[0] == 1 else values[rows]

@@ -11,7 +11,7 @@ _RESOLUTION = 1e-15
 """Share of the horizon below which two times are the same."""
 
 Crossing = tuple[float, int]
-"""The time of a crossing, or the horizon if there is none, and the number of evaluations."""
+"""The time of a crossing, infinite where there is none, and the number of evaluations."""
 
 
 def quadratic_zero(d: float, v: float, a: float) -> float:

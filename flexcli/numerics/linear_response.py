@@ -1,6 +1,7 @@
 """The exact response of a linear system to a piece of a signal, from a given state."""
 
 from collections.abc import Sequence
+from itertools import zip_longest
 from typing import NamedTuple
 
 import numpy as np
@@ -42,9 +43,9 @@ class LinearResponse(NamedTuple):
         start = reach = 0.0
         T = self.piece.duration
         for r, root, own, forced in zip(row, self.system.roots, self.own, self.forced, strict=True):
-            found, size = _moved(own, root, T)
+            found, size = _start_and_change(own, root, T)
             for (rate, _), p in zip(self.piece.terms, forced, strict=True):
-                value, more = _moved(p, rate, T)
+                value, more = _start_and_change(p, rate, T)
                 found, size = found + value, size + more
             start += (r * found).real
             reach += abs(r) * size
@@ -87,14 +88,15 @@ def respond(system: LinearSystem, w: Complexes, y: Complexes, piece: Piece) -> L
             if P:
                 start -= drive[j] * P[0]
             else:
-                secular = _sum(secular, _integral(p, gap, piece.duration))
+                more = _integral(p, gap, piece.duration)
+                secular = [a + b for a, b in zip_longest(secular, more, fillvalue=0j)]
             parts.append([drive[j] * c for c in P])
         own.append([start, *(drive[j] * c for c in secular[1:])])
         forced.append(tuple(parts))
     return LinearResponse(system, piece, tuple(own), tuple(forced))
 
 
-def _moved(p: Sequence[complex], rate: complex, T: float) -> tuple[complex, float]:
+def _start_and_change(p: Sequence[complex], rate: complex, T: float) -> tuple[complex, float]:
     """Return p(t) exp(λt) at zero, and a bound of its change until T, Re λ ≤ 0."""
     if not p:
         return 0j, 0.0
@@ -117,11 +119,6 @@ def _forced_part(p: Sequence[complex], gap: complex, T: float) -> list[complex]:
         size = size * T + abs(P[k])
         natural = natural * T + abs(p[k])
     return P if size <= _MOST_CANCELLATION * T * natural else []
-
-
-def _sum(a: Sequence[complex], b: Sequence[complex]) -> list[complex]:
-    short, long = sorted((a, b), key=len)
-    return [c + short[k] if k < len(short) else c for k, c in enumerate(long)]
 
 
 def _integral(p: Sequence[complex], gap: complex, T: float) -> list[complex]:

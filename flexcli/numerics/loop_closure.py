@@ -130,7 +130,7 @@ def solve_at(equations: Equations, curve: Curve, parameters: Floats) -> CurvePoi
     away = (parameters - nodes[nearest])[:, None]
     guess = at.q[nearest] + away * (at.first[nearest] + away / 2.0 * at.second[nearest])
     q = _newton(equations, guess, parameters)
-    if q is None or np.any(_size(q - at.q[nearest]) > BESIDE * _way(curve, parameters)):
+    if q is None or np.any(_size(q - at.q[nearest]) > BESIDE * _spacing(curve, parameters)):
         raise SolveError(
             "did-not-converge",
             "Newton's method did not settle on the curve",
@@ -179,7 +179,7 @@ def _derivatives(equations: Equations, q: Floats) -> tuple[Floats, Floats]:
     return first, np.asarray(np.linalg.solve(J, load)[..., 0], dtype=np.float64)
 
 
-def _way(curve: Curve, parameters: Floats) -> Floats:
+def _spacing(curve: Curve, parameters: Floats) -> Floats:
     """Return the distance between the neighbouring points of the curve at each parameter."""
     after = np.clip(np.searchsorted(curve.parameters, parameters), 1, curve.parameters.size - 1)
     return _size(curve.points.q[after] - curve.points.q[after - 1])

@@ -126,7 +126,7 @@ def solve(
     converged = end.outcome is Outcome.CONVERGED
     y, unique, steps = end.y, False, end.iterations
     if converged:
-        y, unique, more = _untied(programs, found)
+        y, unique, more = _best_of_equals(programs, found)
         steps += more
     values = program.rows(y[:, None])[:, 0]
     unequal, equal = np.split(end.multipliers, [len(limits)])
@@ -155,7 +155,7 @@ def solve(
     )
 
 
-def _untied(programs: Sequence[LogProgram], found: _End) -> tuple[Floats, bool, int]:
+def _best_of_equals(programs: Sequence[LogProgram], found: _End) -> tuple[Floats, bool, int]:
     """Return the best of equally good points, whether it is unique, and the steps taken."""
     program, end = programs[0], found.descent
     y, iterations = end.y, 0
@@ -200,11 +200,11 @@ def _global(program: LogProgram) -> _End:
     keep = 1 + program.inequalities
     rows = program.model(at, origin)
     G, d = at.jacobian[keep:], -at.values[keep:]
-    lines = LogSumExp(G, -d, np.arange(d.size))
+    lines = rows.logs.size + np.arange(d.size)
     everything = LogSumExp(
         np.vstack([rows.exponents, G]),
-        np.concatenate([rows.logs, lines.logs]),
-        np.concatenate([rows.first, rows.logs.size + lines.first]).astype(np.intp),
+        np.concatenate([rows.logs, -d]),
+        np.concatenate([rows.first, lines]).astype(np.intp),
     )
     found = minimize_convex(Convex(rows, G, d), middle(everything))
     multipliers = np.concatenate([found.multipliers, found.equality_multipliers])

@@ -11,9 +11,8 @@ from flexcli.engine.solid.bricks import CORNERS
 from flexcli.engine.solid.growth import Spacer, grows, spacers_of, strains_of
 from flexcli.engine.solid.model import SolidBody, SolidModel
 from flexcli.formulas.anisotropy import turned_stiffness
-from flexcli.formulas.quantity import Quantity
 from flexcli.mechanics.layout import Load
-from flexcli.mechanics.mesh import column
+from flexcli.mechanics.mesh import single
 
 __all__ = [
     "MM",
@@ -225,7 +224,7 @@ def _load_points(loads: Sequence[Load]) -> dict[tuple[str, float, float], int]:
 
 
 def _place_of(load: Load) -> tuple[str, float, float]:
-    x, y = (float(column(c)[0]) for c in load.point)
+    x, y = (single(c) for c in load.point)
     return load.body, x, y
 
 
@@ -321,7 +320,7 @@ def _head(
 
 def _materials(model: SolidModel, density: float | None) -> Iterator[str]:
     """Yield the material of what flexes and of what does not, blade by blade where they grow."""
-    E, G = (float(column(x)[0]) for x in (model.layout.E, model.layout.G))
+    E, G = (single(x) for x in (model.layout.E, model.layout.G))
     nu = E / (2.0 * G) - 1.0
     stiff = [stretch.bricks.stiff for stretch in model.stretches]
     for name, has, stiffer, heavier in (
@@ -412,7 +411,7 @@ def _spacer(
 
 def _axial(model: SolidModel) -> float:
     """Return the stiffness of the stiffest blade along itself, as thick as it is anywhere [N/m]."""
-    E, found = float(column(model.layout.E)[0]), 0.0
+    E, found = single(model.layout.E), 0.0
     for stretch in model.stretches:
         size = np.ptp(stretch.bricks.places, axis=0)
         found = max(found, float(E * size[1] * size[2] / size[0]))
@@ -498,10 +497,6 @@ def _loads(
     for load in loads:
         node = first + points[_place_of(load)]
         for axis, force in enumerate(load.force, 1):
-            yield f"{node}, {axis}, {_one(force) * model.share:.14g}"
-        if _one(load.moment):
-            yield f"{numbers[load.body][1]}, 3, {_one(load.moment) * MM * model.share:.14g}"
-
-
-def _one(number: Quantity) -> float:
-    return float(column(number)[0])
+            yield f"{node}, {axis}, {single(force) * model.share:.14g}"
+        if single(load.moment):
+            yield f"{numbers[load.body][1]}, 3, {single(load.moment) * MM * model.share:.14g}"

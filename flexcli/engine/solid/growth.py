@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.solid.model import SolidModel, Stretch
 from flexcli.mechanics.layout import Layout
-from flexcli.mechanics.mesh import column
+from flexcli.mechanics.mesh import single
 from flexcli.parts.temperature import held_share
 
 __all__ = ["Spacer", "grows", "spacers_of", "strains_of"]
@@ -36,7 +36,7 @@ def spacers_of(model: SolidModel) -> Iterator[Spacer]:
         for body, place, side in zip(
             stretch.bodies, (blade.start, blade.end), (0, -1), strict=True
         ):
-            x, y = (float(column(c)[0]) for c in place)
+            x, y = (single(c) for c in place)
             about = points.get(body, (0.0, 0.0))
             strain = _strain(model.layout, body)
             moved = strain * (x - about[0]), strain * (y - about[1])
@@ -53,13 +53,13 @@ def strains_of(model: SolidModel, stretch: Stretch) -> tuple[float, float]:
     """
     layout = model.layout
     blade = next(b for b in layout.blades if b.name == stretch.name)
-    E, G = (float(column(x)[0]) for x in (layout.E, layout.G))
+    E, G = (single(x) for x in (layout.E, layout.G))
     held = held_share(blade, E / (2.0 * G) - 1.0)
     of_bodies = sum(_strain(layout, body) for body in stretch.bodies) / 2.0
-    longer = float(column(layout.blade_growth.get(stretch.name, 0.0))[0])
+    longer = single(layout.blade_growth.get(stretch.name, 0.0))
     own = (longer + held * of_bodies) / (1.0 + held)
     return own, own - of_bodies
 
 
 def _strain(layout: Layout, body: str) -> float:
-    return float(column(layout.body_growth.get(body, 0.0))[0])
+    return single(layout.body_growth.get(body, 0.0))

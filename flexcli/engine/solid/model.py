@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from flexcli.engine.solid.bricks import Bricks, bricks
 from flexcli.formulas.profile import Constant
-from flexcli.mechanics.layout import Body, Layout, Number, Point
-from flexcli.mechanics.mesh import column
+from flexcli.mechanics.layout import Body, Layout, Point
+from flexcli.mechanics.mesh import single
 from flexcli.mechanics.space.layout import Isotropic, SpaceBody, SpaceLayout, SpaceRod, SpaceStar
 from flexcli.parts.elastic import NotAvailable
 
@@ -133,10 +133,10 @@ def solid_model(
         l = float(np.hypot(end[0] - start[0], end[1] - start[1]))
         angle = float(np.arctan2(end[1] - start[1], end[0] - start[0]))
         groups = blade.profile.stretches(l)
-        solid = bricks(groups, _one(blade.b), fineness=fineness, is_half=is_half)
+        solid = bricks(groups, single(blade.b), fineness=fineness, is_half=is_half)
         c, n = np.cos(angle), np.sin(angle)
         axes = np.array([[c, n, 0.0], [-n, c, 0.0], [0.0, 0.0, 1.0]])
-        at = (*start, _one(blade.z))
+        at = (*start, single(blade.z))
         stretches.append(Stretch(blade.name, (blade.first, blade.second), solid, at, axes, count))
         count += solid.places.shape[0]
     bodies = [SolidBody(body.name, (*_place(body.point), 0.0), NONE, _in_plane(body))
@@ -199,10 +199,10 @@ def _tied(
 
 def _in_plane(body: Body) -> tuple[tuple[Place, float], ...]:
     """Return point masses with the mass and the inertia of a body in its plane."""
-    mass, (x, y) = _one(body.mass), _place(body.com)
+    mass, (x, y) = single(body.mass), _place(body.com)
     if mass == 0.0:
         return ()
-    arm = float(np.sqrt(_one(body.inertia) / mass))
+    arm = float(np.sqrt(single(body.inertia) / mass))
     if arm == 0.0:
         return (((x, y, 0.0), mass),)
     return ((x - arm, y, 0.0), mass / 2.0), ((x + arm, y, 0.0), mass / 2.0)
@@ -223,8 +223,4 @@ def _of_tensor(body: SpaceBody) -> tuple[tuple[Place, float], ...]:
 
 
 def _place(point: Point) -> tuple[float, float]:
-    return _one(point[0]), _one(point[1])
-
-
-def _one(number: Number) -> float:
-    return float(column(number)[0])
+    return single(point[0]), single(point[1])

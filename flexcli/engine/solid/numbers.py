@@ -25,7 +25,7 @@ from flexcli.formulas.profile import Constant, NeckedDown, Tabulated
 from flexcli.formulas.rigid_motion import motion_at
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.layout import Body, Layout, Load, Number
-from flexcli.mechanics.mesh import column
+from flexcli.mechanics.mesh import single
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.mechanisms.carried import is_guided
@@ -145,7 +145,7 @@ class SolidNumbers:
         if self.ask.geometry.motion == "translation":
             return -float(x)
         # the centre is the layout's origin
-        a, b = (-float(column(c)[0]) for c in body.point)
+        a, b = (-single(c) for c in body.point)
         x += (cos(phi) - 1.0) * a - sin(phi) * b
         y += sin(phi) * a + (cos(phi) - 1.0) * b
         return float(np.copysign(np.hypot(x, y), -x))
@@ -189,7 +189,7 @@ class SolidNumbers:
         scene, geometry, layout = self.ask.scene, self.ask.geometry, layout_of(self.ask)
         end, arm = scene.stroke_ends[0], _longest(layout)
         back = end if geometry.motion == "rotation" else 0.0
-        x, y = (float(column(c)[0]) for c in layout.body(MOVING).point)
+        x, y = (single(c) for c in layout.body(MOVING).point)
         ways = [geometry.axes - back, geometry.axes - back + pi / 2.0]
         arms = [
             ((x + arm * cos(way), y + arm * sin(way)), (x - arm * cos(way), y - arm * sin(way)))

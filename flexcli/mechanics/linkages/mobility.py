@@ -30,13 +30,15 @@ def require_one_freedom(linkage: Linkage) -> None:
     singular pose.
 
     """
-    C, count = _closure(linkage), linkage.count
+    equations = loops(linkage)
+    driven = equations.jacobian(np.zeros(3 * equations.moving))
+    C, count = driven[:-1], linkage.count
     free = 3 * len(linkage.moving) - _rank(C)
     if count > 1:
         raise SolveError(
             "under-constrained",
             f"the linkage has {free} degrees of freedom and one input",
-            f"join or guide what moves with '{linkage.input}' held: {_moving_by_itself(linkage)}",
+            f"join or guide what moves with '{linkage.input}' held: {_loose(linkage, driven)}",
         )
     if count < 1 and free > 0:
         raise SolveError(
@@ -59,7 +61,7 @@ def require_one_freedom(linkage: Linkage) -> None:
             f"in this pose joints repeat each other ({_repeating(linkage, C)})",
             "assemble it in a pose in which its links do not line up, or move a joint",
         )
-    if _rank(_driven(linkage)) < 3 * len(linkage.moving):
+    if _rank(driven) < 3 * len(linkage.moving):
         raise SolveError(
             "dead-point-at-rest",
             f"the linkage moves with '{linkage.input}' at a standstill: a dead point",
@@ -67,23 +69,13 @@ def require_one_freedom(linkage: Linkage) -> None:
         )
 
 
-def _driven(linkage: Linkage) -> Floats:
-    equations = loops(linkage)
-    return equations.jacobian(np.zeros(3 * equations.moving))
-
-
-def _closure(linkage: Linkage) -> Floats:
-    return _driven(linkage)[:-1]
-
-
 def _rank(matrix: Floats) -> int:
     s = np.linalg.svd(matrix, compute_uv=False)
     return int((s > INDEPENDENT * s.max(initial=0.0)).sum())
 
 
-def _moving_by_itself(linkage: Linkage) -> str:
+def _loose(linkage: Linkage, J: Floats) -> str:
     """Return the names of the links that move while the input is held."""
-    J = _driven(linkage)
     motions = np.linalg.svd(J)[2][_rank(J) :]
     amount = np.abs(motions).reshape(-1, len(linkage.moving), 3).max(axis=(0, 2))
     return ", ".join(np.array(linkage.moving)[amount > TAKES_PART].tolist())
