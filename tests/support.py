@@ -1,10 +1,10 @@
 """Support stiffness for tests: the compliance inverted, or stated elsewhere."""
 
 import numpy as np
+from planar_support import support_compliance
 
 from flexcli.formulas.rigid_motion import motion_along, motion_at
 from flexcli.mechanics.space.exact.support import support_compliance as in_space
-from flexcli.mechanics.support import support_compliance
 
 
 def support_stiffness(*arguments, **options):

@@ -78,10 +78,9 @@ def forces_of(
     loads: Sequence[Load],
     length: Floats,
     force: Floats,
-    before: Number = 0.0,
-    after: Number = 1.0,
+    factor: Number = 1.0,
 ) -> tuple[Force, ...]:
-    """Return loads in scaled form, without those on the ground."""
+    """Return loads times a factor in scaled form, from nothing at the start."""
     names = {body.name: i for i, body in enumerate(layout.bodies)}
     found = []
     for load in loads:
@@ -91,7 +90,7 @@ def forces_of(
         pair = np.stack(np.broadcast_arrays(*map(column, load.force)), axis=-1) / force[:, None]
         moment = column(load.moment) / (force * length)
         arm = _arm(layout, i, load.point, length)
-        found.append(Force(i, arm, pair, moment, load.follows, column(before), column(after)))
+        found.append(Force(i, arm, pair, moment, load.follows, np.zeros(1), column(factor)))
     return tuple(found)
 
 

@@ -23,10 +23,10 @@ def hanging_mass(
     layout: Layout,
     body: str,
     direction: tuple[float, float, float],
-    density: float = 0.0,
+    density: float,
     *,
-    is_guided: bool = False,
-    warping: Warping = "restrained",
+    is_guided: bool,
+    warping: Warping,
 ) -> float:
     """Return the mass which, alone at a body's point, makes the sag that all masses make.
 

@@ -1,4 +1,4 @@
-"""The linear model: small motions of exact beams, on request stiffened by their axial forces."""
+"""The linear model: small motions of exact beams, and the axial forces that they have by it."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.assembly import Assembly, assemble
 from flexcli.mechanics.demand import Demand, Held
-from flexcli.mechanics.layout import Layout, Load, Number
+from flexcli.mechanics.layout import Layout, Load
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.prescribed_motion import demand_of, designs_of
 from flexcli.mechanics.si import blade_forces, body_forces, body_motions
@@ -40,23 +40,17 @@ def linear(
     held: Held | None = None,
     *,
     loads: Sequence[Load] = (),
-    load_factor: Number = 1.0,
     effects: Effects | None = None,
-    axial_load: bool = False,
     nodes: int = NODES,
 ) -> LinearSolution:
     """Return the small motions of a mechanism under motions and loads.
 
-    Each blade is the exact Euler (``shear`` off) or Timoshenko beam of its profile. With
-    ``axial_load`` its bending is that of a beam under the axial force of the plain linear
-    solution: tanh for tension, tan for compression, to the Euler load and beyond.
+    Each blade is the exact Euler (``shear`` off) or Timoshenko beam of its profile.
 
     Parameters
     ----------
-    layout, held, loads, load_factor, effects
+    layout, held, loads, effects
         As in :func:`flexcli.mechanics.equilibrium.solve`.
-    axial_load : bool
-        Whether axial forces stiffen the blades.
     nodes : int
         Gauss nodes on a piece.
 
@@ -67,18 +61,13 @@ def linear(
 
     Notes
     -----
-    Second-order effects of the motions (shortening, rotated levers) are left out. Axial forces
-    that the motions cause, and not the loads, are those of the plain linear solution.
+    Second-order effects of the motions (shortening, rotated levers) are left out, and axial forces
+    do not stiffen the blades.
 
     """
     assembly = assemble(layout, Effects() if effects is None else effects, nodes)
-    demand = demand_of(assembly, {} if held is None else held, loads, load_factor)
-    designs = designs_of(assembly, demand)
-    rest = np.zeros((designs, assembly.size))
-    first = _about(assembly, demand, rest)
-    if not axial_load:
-        return first[1]
-    return _about(assembly, demand, _axial(assembly, first[0])[0])[1]
+    demand = demand_of(assembly, {} if held is None else held, loads)
+    return _from_rest(assembly, demand)[1]
 
 
 def straight_state(assembly: Assembly, demand: Demand) -> tuple[LinearSolution, Floats, Floats]:
@@ -86,13 +75,13 @@ def straight_state(assembly: Assembly, demand: Demand) -> tuple[LinearSolution, 
 
     The state has shape (designs, unknowns), the forces (designs, blades); tension is positive.
     """
-    rest = np.zeros((designs_of(assembly, demand), assembly.size))
-    x, found = _about(assembly, demand, rest)
+    x, found = _from_rest(assembly, demand)
     return found, *_axial(assembly, x)
 
 
-def _about(assembly: Assembly, demand: Demand, x: Floats) -> tuple[Floats, LinearSolution]:
-    """Return the solution linearised about a state."""
+def _from_rest(assembly: Assembly, demand: Demand) -> tuple[Floats, LinearSolution]:
+    """Return the solution linearised about rest, as unknowns and in SI."""
+    x = np.zeros((designs_of(assembly, demand), assembly.size))
     rows, share = np.arange(x.shape[0]), np.ones(x.shape[0])
     step = assembly.step(x, share, rows, demand)
     at = assembly.linearise(x, share, rows, demand)

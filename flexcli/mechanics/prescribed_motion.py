@@ -46,7 +46,7 @@ def demand_of(
     index, free, after = held_of(layout, held, length)
     own = (*layout.loads, *weights_of(layout))
     forces = forces_of(layout, own, length, force)
-    forces += forces_of(layout, loads, length, force, after=load_factor)
+    forces += forces_of(layout, loads, length, force, load_factor)
     springs = springs_of(layout, length, force)
     if start is None:
         return Demand(index, free, np.zeros_like(after), after, forces, springs)

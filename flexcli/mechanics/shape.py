@@ -20,6 +20,9 @@ _NODES = 24
 """Gauss nodes on a piece for the way along it: rounding for every profile."""
 
 
+POINTS = 17
+"""Places on each flexible piece, its ends among them."""
+
 ROUNDING = 1e-9
 """Of the length: a piece that ends so near an end of the blade ends there."""
 
@@ -37,8 +40,8 @@ class CentreLine(NamedTuple):
     h: Floats
 
 
-def centre_line(state: Equilibrium, blade: str, points: int = 17) -> CentreLine:
-    """Return where the axis of a blade lies, at ``points`` places on each flexible piece.
+def centre_line(state: Equilibrium, blade: str) -> CentreLine:
+    """Return where the axis of a blade lies, at ``POINTS`` places on each flexible piece.
 
     ``r(s) = r(0) + ∫ ((1 + ε) t + γ n) ds`` from the moved start, with t the direction of the
     section's normal and n across it; ε and γ of the section forces, where the state has them.
@@ -49,8 +52,6 @@ def centre_line(state: Equilibrium, blade: str, points: int = 17) -> CentreLine:
         The designs in equilibrium.
     blade : str
         Name of the blade.
-    points : int
-        Places on each flexible piece, its ends among them.
 
     Returns
     -------
@@ -70,7 +71,7 @@ def centre_line(state: Equilibrium, blade: str, points: int = 17) -> CentreLine:
         origin = origin + point_motion(state, drawn.first, drawn.start)
     angle = np.arctan2(way[:, 1], way[:, 0])
     length = np.hypot(way[:, 0], way[:, 1])
-    whole = [_of_part(state, part, index, points, length[part.rows]) for part in state.parts]
+    whole = [_of_part(state, part, index, length[part.rows]) for part in state.parts]
     local = state.scatter([np.moveaxis(np.stack(each), 0, 1) for each in whole])
     s, x, y, stress, h = np.moveaxis(local, 1, 0)
     bent = np.stack([x, y], axis=-1)
@@ -79,12 +80,10 @@ def centre_line(state: Equilibrium, blade: str, points: int = 17) -> CentreLine:
     return CentreLine(s, place, stress, h)
 
 
-def _of_part(
-    state: Equilibrium, part: Part, blade: int, points: int, length: Floats
-) -> tuple[Floats, ...]:
+def _of_part(state: Equilibrium, part: Part, blade: int, length: Floats) -> tuple[Floats, ...]:
     """Return s, x, y in the frame of the start, stress and h (designs of the part, places)."""
     rows = part.rows.size
-    u = np.linspace(-1.0, 1.0, points)[None]
+    u = np.linspace(-1.0, 1.0, POINTS)[None]
     at = np.zeros((rows, 3))  # s, x, y reached
     found: list[Floats] = []
     turn = np.zeros(rows)

@@ -5,13 +5,13 @@ from math import cos, sin
 import numpy as np
 import pytest
 from geometries_for_tests import MATERIAL, SAMPLES, spec
+from planar_support import support_compliance
 from strategies import crossed, design, rcc, stage
 
 from flexcli.engine import assess
 from flexcli.engine.check import check
 from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.engine.joint_models.linear import LinearModel
-from flexcli.mechanics.support import support_compliance
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 from flexcli.parts.requirements import AS_PRINTED, Ask

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from planar_support import support_compliance
 
 from flexcli.formulas import pivot
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.three_blade import CARDS, out_of_plane_compliance, out_of_plane_stiffness
 from flexcli.mechanics.layout import Blade, Body, Layout
-from flexcli.mechanics.support import support_compliance
 from flexcli.numerics.signomial import variables
 
 E, NU, l, m, g = 116e9, 0.34, 80e-3, 0.8, 3.7

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from geometries_for_tests import ELASTIC, SAMPLES, geometry, kinds, spec
 from judging import check_as_printed
+from planar_support import support_compliance
 from strategies import design
 
 from flexcli.formulas.notch import circular_stiffness
 from flexcli.formulas.pivot import WITTRICK
-from flexcli.mechanics.support import support_compliance
 from flexcli.parts.geometries.base import MOVING
 
 ROUNDING = 1e-13

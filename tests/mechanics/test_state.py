@@ -144,21 +144,6 @@ def test_linear_is_the_limit_of_small_loads():
     assert small.end_forces == pytest.approx(exact.end_forces, rel=1e-4, abs=1e-12)
 
 
-@pytest.mark.parametrize("n", [-9.0, 5.0])
-def test_linear_with_axial_load_follows_tanh_and_tan(n):
-    N, stroke = n * EI / l**2, 1e-3
-    half = np.sqrt(complex(n)) / 2.0
-    k = (N / l / (1.0 - np.tanh(half) / half)).real
-    found = linear(
-        cantilever(),
-        {"tip": (None, stroke, 0.0)},
-        loads=[Load("tip", (l, 0.0), (N, 0.0))],
-        effects=SLENDER,
-        axial_load=True,
-    )
-    assert found.reactions[0, 0, 1] == pytest.approx(k * stroke, rel=1e-10)
-
-
 def test_gravity_and_springs_balance():
     """A mass on a spring beside a blade that is too soft to matter."""
     k = 1e4

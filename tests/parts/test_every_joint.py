@@ -14,6 +14,7 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 from geometries_for_tests import ELASTIC, SAMPLES, asked, geometry, kinds, varied
+from planar_support import support_compliance
 
 from flexcli.formulas.card import Card
 from flexcli.formulas.profile import Constant
@@ -24,7 +25,6 @@ from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.points import point_motion
 from flexcli.mechanics.stresses import blade_stress
-from flexcli.mechanics.support import support_compliance
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries import Geometry

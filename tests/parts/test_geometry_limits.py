@@ -7,10 +7,10 @@ import pytest
 from geometries_for_tests import ELASTIC, SAMPLES, geometry
 from hypothesis import given
 from hypothesis import strategies as st
+from planar_support import support_compliance
 from support import support_stiffness
 
 from flexcli.formulas.buckling import euler_load
-from flexcli.mechanics.support import support_compliance
 from flexcli.parts.geometries.base import MOVING
 
 E = ELASTIC.E

@@ -5,11 +5,11 @@ import pytest
 from geometries_for_tests import ELASTIC, SAMPLES, asked, geometry, travel
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from planar_support import support_compliance
 from support import compliance_from
 
 from flexcli.formulas.blade_spring import SHEAR_FACTOR
 from flexcli.formulas.rigid_motion import axes_about_z, motion_at
-from flexcli.mechanics.support import support_compliance
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING
 

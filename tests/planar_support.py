@@ -1,4 +1,4 @@
-"""Support compliance: the 6×6 compliance of one body of a layout at rest.
+"""Support compliance of a planar layout at rest, by a route that the package does not take.
 
 The blades are linear beams in space between rigid bodies; every other body of the layout is free
 and unloaded. Blades are kept as rows √k · deformation, and the other bodies are condensed on
@@ -13,11 +13,7 @@ from flexcli.formulas.blade_spring import SHEAR_FACTOR, Warping
 from flexcli.formulas.rigid_motion import motion_along
 from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.spring_rows import Place, spring_rows
-from flexcli.numerics.square_root import Singular, condensed, inverse
-
-__all__ = [
-    "support_compliance",
-]
+from flexcli.numerics.square_root import NO_RESISTANCE, Singular
 
 Floats = NDArray[np.float64]
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -123,3 +119,78 @@ def _alike(matrices: list[Floats]) -> list[Floats]:
     """Return matrices with the batch shape of all of them."""
     batch = np.broadcast_shapes(*(matrix.shape[:-2] for matrix in matrices))
     return [np.broadcast_to(matrix, (*batch, *matrix.shape[-2:])) for matrix in matrices]
+
+
+def condensed(A: Floats, kept: int) -> Floats:
+    """Return the factor of AᵀA with all but its last coordinates minimised over.
+
+    ``K = K_kk − K_ki K_ii⁻¹ K_ik`` is the lower right block of R in A = QR, squared.
+
+    Parameters
+    ----------
+    A : array, shape (..., rows, n)
+        Factor; the coordinates to be kept come last.
+    kept : int
+        How many are kept.
+
+    Returns
+    -------
+    R : array, shape (..., kept, kept)
+        Upper triangular factor of the condensed form.
+
+    Raises
+    ------
+    Singular
+        When the form has no resistance along the other coordinates, so that no minimum is unique.
+
+    References
+    ----------
+    Golub & Van Loan (2013), Matrix Computations, section 5.3; rows sorted by size as in
+    Cox & Higham (1998), Stability of Householder QR for weighted least squares.
+
+    """
+    n = A.shape[-1]
+    scale = np.sqrt(np.sum(A**2, axis=-2, keepdims=True))
+    if not (scale[..., : n - kept] > 0.0).all():
+        raise Singular("a coordinate without any resistance")
+    scaled = A / np.where(scale > 0.0, scale, 1.0)
+    order = np.argsort(-np.abs(scaled).max(axis=-1), axis=-1)
+    rows = np.take_along_axis(scaled, order[..., np.newaxis], axis=-2)
+    missing = max(n - rows.shape[-2], 0)
+    rows = np.pad(rows, [(0, 0)] * (rows.ndim - 2) + [(0, missing), (0, 0)])
+    R = np.asarray(np.linalg.qr(rows, mode="r"))
+    _require_pivots(R[..., : n - kept, : n - kept])
+    return np.asarray(R[..., n - kept :, n - kept :] * scale[..., n - kept :])
+
+
+def inverse(R: Floats) -> Floats:
+    """Return the inverse of the form RᵀR.
+
+    Parameters
+    ----------
+    R : array, shape (..., n, n)
+        Upper triangular factor.
+
+    Returns
+    -------
+    C : array, shape (..., n, n)
+        (RᵀR)⁻¹, symmetric.
+
+    Raises
+    ------
+    Singular
+        When the form has no resistance along some combination of coordinates.
+
+    """
+    scale = np.sqrt(np.sum(R**2, axis=-2, keepdims=True))
+    if not (scale > 0.0).all():
+        raise Singular("a coordinate without any resistance")
+    _require_pivots(R / scale)
+    root = np.linalg.inv(R / scale) / scale.swapaxes(-1, -2)
+    return np.asarray(root @ root.swapaxes(-1, -2))
+
+
+def _require_pivots(R: Floats) -> None:
+    """Refuse a triangle with a negligible pivot in a column of unit length."""
+    if not (np.abs(np.diagonal(R, axis1=-2, axis2=-1)) > NO_RESISTANCE).all():
+        raise Singular("a combination of coordinates without resistance")

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from planar_joint import blade_rows, joint_stiffness
+from planar_support import support_compliance
 from support import compliance_from, support_stiffness
 
 from flexcli.errors import SolveError
@@ -16,7 +17,6 @@ from flexcli.formulas.profile import Constant, Notch
 from flexcli.formulas.rigid_motion import axes_about_z, motion_at
 from flexcli.formulas.stage import translational_stiffness
 from flexcli.mechanics.layout import Blade, Body, Layout, Support
-from flexcli.mechanics.support import support_compliance
 
 E, G = 114e9, 42.5e9
 h, l, b = 0.3e-3, 20e-3, 8e-3
