@@ -164,7 +164,7 @@ def clamped_blade(
     )
     sheet, bent = sheets.SHEET_ERROR, sheets.GUIDED_ERROR
     low = (sheet, off_guided, bent, -twist.low, sheet, off_pure)
-    twisted = twist.high + WIDE_TWISTED * more
+    twisted = np.maximum(twist.high, 0.0) + WIDE_TWISTED * more
     high = (sheet + held, off_guided, bent + held, twisted, sheet + held, off_pure)
     if across is not None:
         off = np.abs(np.log(gamma))

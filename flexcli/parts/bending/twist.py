@@ -105,9 +105,12 @@ class Twist(Bending):
         low, high = (max(end(found_at), plain) / plain for end in (min, max))
         value = (low + high) / 2.0 - 1.0
         error = (high - low) / (high + low) + self.ratio
-        error += self.bars.side_error(self.sizes) + ends.stress
+        of_section = self.bars.side_error(self.sizes) + ends.stress
+        error += of_section
         error += min(UNEVEN, value) * self.bars.is_restrained
-        found["stress"] = Change(value, value + error, error, 1) if isfinite(error) else UNKNOWN
+        # fibres only add to a stress, whose own error is to either side
+        sign = 0 if of_section else 1
+        found["stress"] = Change(value, value + error, error, sign) if isfinite(error) else UNKNOWN
         return found
 
     def tension(self) -> Changes:

@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from math import exp, hypot, inf, pi, sqrt
+from math import hypot, pi, sqrt
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
@@ -51,10 +51,6 @@ Bars = Annotated[int, Field(strict=True, ge=1, le=1000)]
 NARROW_SIDE = 0.743
 """Shear stress in the middle of a thin strip's narrow sides over that of the broad ones: 8/π²
 times Catalan's constant, Saint-Venant's series there."""
-
-WIDE = 10.0
-"""Width of strips over their thickness from which on the stress of more than three is known."""
-
 
 MOST_LAID = 24
 """Bars in a row that are laid out in space."""
@@ -316,9 +312,9 @@ class TorsionBar(TorsionGeometry):
         if not self.is_restrained:
             return super().stiffness(elastic, sizes)
         h, l, b = sizes
-        return self.bars * restrained_torsion.restrained_stiffness(
-            E=elastic.E, G=elastic.G, h=h, b=b, l=l
-        )
+        stiff = restrained_torsion.restrained_stiffness(E=elastic.E, G=elastic.G, h=h, b=b, l=l)
+        changed = self._restraint(elastic, sizes).stiffness.middle
+        return self.bars * stiff * (1.0 + changed)
 
     def end_stresses(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return von Mises' equivalent stress at mid-length and, where clamped, at the ends."""
@@ -328,7 +324,19 @@ class TorsionBar(TorsionGeometry):
         found = restrained_torsion.restrained_stresses(
             E=elastic.E, G=elastic.G, h=h, b=b, l=l, theta=travel
         )
-        return {"broad side": sqrt(3.0) * found.shear, "corners at the clamps": found.normal}
+        changed = self._clamped(elastic, sizes)[0]
+        corners = found.normal * (1.0 + changed)
+        return {"broad side": sqrt(3.0) * found.shear, "corners at the clamps": corners}
+
+    def _restraint(self, elastic: Elastic, sizes: Blade) -> restrained_torsion.RestraintError:
+        nu = elastic.E / (2.0 * elastic.G) - 1.0
+        return restrained_torsion.restraint_error(nu=np.maximum(nu, 0.0), **sizes._asdict())
+
+    def _clamped(self, elastic: Elastic, sizes: Blade) -> tuple[Computed, Computed]:
+        """Return what blocks change of the stress at the clamps, and what they leave of it [-]."""
+        band = self._restraint(elastic, sizes).normal
+        told = band.low > -1.0
+        return np.where(told, band.middle, 0.0), np.where(told, band.around, 1.0)
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in; of clamps that hold it, the sides as well."""
@@ -341,19 +349,14 @@ class TorsionBar(TorsionGeometry):
         """Return what blocks between rigid bodies showed; of the stress, where it is largest."""
         if not self.is_restrained:
             return EndErrors()
-        poisson = 0.5 if nu is None else nu
-        at = sizes._asdict()
-        error = restrained_torsion.restraint_error(nu=poisson, **at)
-        found = restrained_torsion.restrained_stresses(
-            E=2.0 * (1.0 + poisson), G=1.0, theta=1.0, **at
-        )
-        values = np.array([sqrt(3.0) * found.shear, found.normal])
+        elastic = Elastic(1.0, 0.5 if nu is None else nu)
+        error, (_, left) = self._restraint(elastic, sizes), self._clamped(elastic, sizes)
+        values = np.array(list(self.end_stresses(elastic, sizes, 1.0).values()))
         low, high = (
             float(np.max(values * (1.0 + np.array(ends))) / np.max(values)) - 1.0
-            for ends in zip(error.shear, error.normal, strict=True)
+            for ends in ((error.shear.low, -left), (error.shear.high, left))
         )
-        stiffness = max(-float(error.stiffness.low), float(error.stiffness.high))
-        return EndErrors(stiffness, max(-low, high))
+        return EndErrors(float(error.stiffness.around), max(-low, high))
 
     def member(
         self, name: str, start: Vector, end: Vector, elastic: Elastic, sizes: Blade, density: float
@@ -497,20 +500,19 @@ class TorsionStar(TorsionGeometry):
     def side_error(self, sizes: Blade) -> float:
         """Return the error of the stress in the middle of an arm's sides, endless if unknown [-].
 
-        Core and edge change it by a share of what fades on the way from either; the roots, whose
-        stress is that of their fillet, are left out.
+        The roots, whose stress is that of their fillet, are left out.
         """
-        if self.strips <= 3:
-            return 0.5 * exp(-pi * float(self._arm(sizes)) / 2.0)
-        wide = float(sizes.b) >= WIDE * float(sizes.h)
-        return 8.0 * exp(-pi * float(self._arm(sizes)) / 2.0) if wide else inf
+        return torsion_shapes.star_side_error(float(self._arm(sizes)), self.strips)
 
     def _arm(self, sizes: Blade) -> Computed:
         return torsion_shapes.star_arm(sizes.h, sizes.b, self.strips)
 
     def shear(self, elastic: Elastic, sizes: Blade, twist: float) -> Computed:
-        """Return the shear stress of the thin strips [Pa]."""
-        return torsion_bar.shear_stress(G=elastic.G, h=sizes.h, l=sizes.l, theta=twist)
+        """Return the shear stress in the middle of an arm's sides [Pa]."""
+        factor = torsion_shapes.star_shear_factor(sizes.h, sizes.b, self.strips)
+        return torsion_bar.shear_stress(
+            G=elastic.G, h=sizes.h, l=sizes.l, theta=twist, factor=factor
+        )
 
     def member(
         self, name: str, start: Vector, end: Vector, elastic: Elastic, sizes: Blade, density: float
