@@ -12,6 +12,7 @@ from flexcli.formulas.spectrum import spectral_level
 from flexcli.formulas.spectrum_integrals import rms
 from flexcli.numerics.modes import natural_modes
 from flexcli.parts.asd import AppliedASD, Vibration
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.response import (
     REACH,
     OutputRows,
@@ -64,6 +65,11 @@ def miles_outputs(
         than those of the others, however they are correlated. Where the strongest mode lies
         outside the band Miles has nothing, which the range tells.
 
+    Raises
+    ------
+    NotAvailable
+        When along an axis the band excites no mode.
+
     """
     modes, rows = natural_modes(structure.stiffness, structure.mass), OutputRows(structure)
     qualities = mode_qualities(structure, vibration.q, vibration.axes, modes)
@@ -72,6 +78,8 @@ def miles_outputs(
         participation, share, static = participations(structure, modes, rows.matrix, axis)
         excited = excited_modes(modes, share, applied)
         angular, Q = modes.angular[excited], qualities[excited]
+        if not angular.size:
+            raise NotAvailable(f"has no response by Miles: along {axis} no mode is in reach")
         # of each mode, per pseudo-acceleration of its oscillator
         alone = -((rows.matrix @ modes.shapes) * participation)[:, excited] / angular**2
         each = {name: np.linalg.norm(b, axis=-1) for name, b in rows.by_name(alone.T)}

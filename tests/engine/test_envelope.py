@@ -4,6 +4,7 @@ from math import atan2, cos, hypot, radians, sin
 
 import numpy as np
 import pytest
+import yaml
 
 import flexcli
 from flexcli.mechanics.equilibrium import solve
@@ -121,3 +122,20 @@ def test_a_layout_is_sized_by_its_envelope():
     # the blades, and half of the stage beyond them, to within the doubt of small motion
     assert found.values["l"].value == pytest.approx(45e-3, rel=0.015)
     assert found.values["l"].value < 45e-3
+
+
+def test_a_stage_is_sized_to_stay_in_its_box():
+    box = ["50 mm", "40 mm", "10 mm"]
+    free = {"h": {"free": ["0.05 mm", "1 mm"]}, "l": {"free": ["5 mm", "60 mm"]}}
+    spec = {
+        "flexure": 1,
+        "material": {"youngs_modulus": "114 GPa", "yield_strength": "800 MPa",
+                     "poisson_ratio": 0.34, "density": "4430 kg/m^3"},
+        "geometry": {"kind": "leaf-spring-stage", "spacing": "30 mm", "b": "5 mm", **free},
+        "cases": {"work": {"stroke": {"translation": "0.5 mm"}}},
+        "requirements": {"yield": 1.5, "stiffness": {"max": "5 N/mm"}, "envelope": box},
+        "size": {"objective": {"minimize": "mass"}},
+    }  # fmt: skip
+    result = flexcli.size(yaml.safe_dump(spec))
+    assert result.status is Status.PASS
+    assert sum(check.name.startswith("envelope") for check in result.checks) == 3

@@ -7,7 +7,9 @@ from judging import check_as_printed
 from pydantic import ValidationError
 from strategies import TITANIUM, Inconsistent, crossed, design, rcc, stage, three_blade
 
+from flexcli.engine.assess import required
 from flexcli.formulas import pivot
+from flexcli.parts.requirements import limit_of
 from flexcli.results import Verdict
 
 ROUNDING = 1e-12
@@ -235,3 +237,14 @@ def test_a_case_without_a_stroke_has_no_parasitic_shift():
     asked = {"parasitic_shift": {"max": "1 um"}}
     found = checks_of(asked, {**PUSHED, "turn": TURN})
     assert [c.case for c in found if c.name.startswith("parasitic shift")] == ["turn"]
+
+
+@pytest.mark.parametrize("bound", [{"equals": 40, "tolerance": "3 %"}, {"max": 40}, {"min": 20}])
+def test_a_limit_made_of_a_check_asks_for_what_the_check_did(bound):
+    (check,) = checks_of({"l/h": bound}, {}, geometry=rcc(**{**SIZED, "h": "0.51 mm"}))
+    again = limit_of(check, check.demand / check.capacity)
+    assert again.name == check.name
+    assert again.demand / again.capacity == pytest.approx(check.demand / check.capacity)
+    assert required(again) == pytest.approx(check.required)
+    if "tolerance" in bound:
+        assert again.tolerance == pytest.approx(0.03)

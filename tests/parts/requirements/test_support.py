@@ -50,3 +50,17 @@ def test_a_strength_that_a_misalignment_needs_is_asked_for():
                                      "factor": 2, "allowable": "tensile-strength"}}  # fmt: skip
     with pytest.raises(SpecError, match="tensile_strength"):
         checks(asked, layout)
+
+
+@pytest.mark.parametrize("beyond", [5e-3, -5e-3])
+def test_a_point_beyond_the_tip_of_a_blade_is_softer_across_its_width_and_one_before_it_stiffer(
+    beyond,
+):
+    E, h, l, b = 114e9, 0.2e-3, 20e-3, 2e-3
+    blade = {"kind": "cantilever", "h": f"{h} m", "l": f"{l} m", "b": f"{b} m"}
+    # x is the stroke, so that the blade stands along y, its root where y is positive
+    asked = {"direction": "z", "min": "1 N/m", "point": ["0 m", f"{-beyond} m", "0 m"]}
+    (found,) = checks({"support": asked}, blade, {**MATERIAL, "poisson_ratio": 0.0})
+    bends = (l**3 / 3.0 + beyond * l**2 + beyond**2 * l) / (E * h * b**3 / 12.0)
+    # shear adds some (b/l)²
+    assert found.capacity == pytest.approx(1.0 / bends, rel=2.0 * (b / l) ** 2)
