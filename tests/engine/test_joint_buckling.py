@@ -225,10 +225,13 @@ def test_across_the_width_a_blade_bears_engesser_s_load_at_least_and_that_of_two
     assert clamped <= high <= clamped / (1.0 - (nu or 0.5) ** 2)
 
 
-@pytest.mark.parametrize("kind", ["cantilever", "moment-blade"])
+@pytest.mark.parametrize("kind", ["cantilever", "moment-blade", "guided-blade"])
 @pytest.mark.parametrize("ends", ENDS)
 def test_a_single_blade_buckles_across_its_width_as_its_ends_say(kind, ends):
-    """It is thicker than wide: a plate of the width h and the thickness b, held by nothing else."""
+    """It is thicker than wide: a plate of the width h and the thickness b, held by nothing else.
+
+    A guide keeps it from turning in its plane alone.
+    """
     E, h, l, b, nu = 210e9, 2e-3, 20e-3, 0.2e-3, 0.3
     blade = {"kind": kind, "h": "2 mm", "l": "20 mm", "b": "0.2 mm"}
     ask = ask_of(blade, ends, direction=180)
@@ -237,6 +240,24 @@ def test_a_single_blade_buckles_across_its_width_as_its_ends_say(kind, ends):
     true = plate * pi**2 * E * h * b**3 / 12.0 / (EFFECTIVE_LENGTH[ends] * l) ** 2
     low, high = (float(found.force) * (1.0 + end) for end in found.error)
     assert low < true < high < 1.025 * low
+
+
+@pytest.mark.parametrize("kind", ["cantilever", "moment-blade", "guided-blade"])
+def test_a_single_blade_that_is_pulled_does_not_buckle_across_its_width(kind):
+    blade = {"kind": kind, "h": "2 mm", "l": "20 mm", "b": "0.2 mm"}
+    found = CLOSED_FORM.critical(ask_of(blade, "clamped-free", direction=0))
+    assert all(float(c.force) == np.inf for c in found)
+
+
+@pytest.mark.parametrize("ends", ["pinned-pinned", "clamped-free"])
+def test_a_force_of_a_stated_direction_may_pull_the_blade_that_bears_most(ends):
+    """Pushed the other way, the same two blades would buckle across their width."""
+    narrow = CROSSED | {"b": "0.03 mm"}
+    (pulled,) = (c for c in CLOSED_FORM.critical(ask_of(narrow, ends, direction=0))
+                 if c.way == "across the width")  # fmt: skip
+    assert pulled.error.high == np.inf
+    (either,) = (c for c in CLOSED_FORM.critical(ask_of(narrow, ends)) if c.way == pulled.way)
+    assert either.error.high < 16.0
 
 
 def test_a_side_force_on_a_blade_at_a_stroke_has_an_outcome():

@@ -219,7 +219,7 @@ class Geometry(Part):
     """Whether its formulas assume a body that turns freely as it moves, which a case may
     prevent."""
     held_by_one_blade: ClassVar[bool] = False
-    """Whether nothing but one blade and the ends of a case hold its body, in its plane and out."""
+    """Whether nothing but one blade and the ends of a case hold its body out of its plane."""
     keeps_level: ClassVar[bool] = False
     """Whether its closed forms assume a body kept from turning, whatever the distance of its
     blades."""

@@ -104,6 +104,7 @@ class GuidedBlade(_SingleBlade):
 
     motion: ClassVar[str] = "translation"
     cards: ClassVar[tuple[Card, ...]] = blade.GUIDED_CARDS
+    held_by_one_blade: ClassVar[bool] = True
 
     kind: Literal["guided-blade"]
 

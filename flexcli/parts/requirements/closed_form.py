@@ -1,7 +1,7 @@
 """Closed forms that judge: those of the sources, improved where the sources' are rough."""
 
 from collections.abc import Iterator
-from math import pi, remainder
+from math import cos, inf, pi, remainder
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.plate_buckling import BUCKLING_ERROR, buckling_factor
@@ -109,15 +109,18 @@ def least_blade_force(ask: Ask) -> Critical:
 def across_width(ask: Ask) -> Iterator[Critical]:
     """Yield the force that buckles a blade across its width, where there is a formula.
 
-    Euler's load of the most loaded blade with the stated ends. What holds a body besides, other
-    blades or a guide, can only raise it, and so do clamps that keep a blade flat over its
-    thickness; shear across the width lowers it.
+    Euler's load of the most loaded blade with the stated ends. Other blades that hold a body
+    can only raise it, and so do clamps that keep a blade flat over its thickness; shear across the
+    width lowers it. A force whose direction is stated may pull that blade, which it then leaves
+    straight.
     """
     scene, elastic = ask.scene, ask.material.elastic
     assert scene.ends is not None  # the requirement asks for them
-    blade = ask.geometry.blade(ask.sizes)
-    if blade is None:
+    blade, single = ask.geometry.blade(ask.sizes), ask.geometry.held_by_one_blade
+    pushed = any(cos(_facing(ask, push)) < 0.0 for push in scene.pushes())
+    if blade is None or (single and not pushed):
         return
+    sure = single or not scene.directed
     found = ask.geometry.critical(elastic, ask.sizes, scene.ends)
     for critical in found:
         if critical.way != ACROSS_WIDTH or isinstance(critical.force, Signomial):
@@ -126,13 +129,13 @@ def across_width(ask: Ask) -> Iterator[Critical]:
         phi = shear_parameter(depth=b, l=l, poisson_ratio=0.5 if elastic.nu is None else elastic.nu)
         n = number(critical.force) * 12.0 * l**2 / (elastic.E * h * b**3)
         softer = n * phi / 12.0 / (1.0 + n * phi / 12.0)
-        alone = ask.geometry.held_by_one_blade or ENDS[scene.ends].hinged
+        alone = single or ENDS[scene.ends].hinged
         stiffer = 1.0 if alone else (EFFECTIVE_LENGTH[scene.ends] / STIFFEST) ** 2
         flat = _flatness(h, l, b, elastic.nu, scene.ends if alone else None)
         stress = scene.axial_share / (h * b)
         force = critical.force / scene.axial_share
         low = (1.0 - softer) / (1.0 + ask.clamp_softening) - 1.0
-        error = ErrorRange(low, stiffer * flat - 1.0)
+        error = ErrorRange(low, stiffer * flat - 1.0 if sure else inf)
         yield Critical(ACROSS_WIDTH, force, critical.source, stress, error)
 
 
