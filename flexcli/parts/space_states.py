@@ -536,7 +536,7 @@ def _across_hinges(
 
     known = _hull(map(_of_hinge, joint.layout.blades))
     unsure = _unevenly_sprung(joint, acting, stresses, rest)
-    if unsure is None or known is None or any(not state.loads for state in groups):
+    if unsure is None or any(not state.loads for state in groups):
         return AcrossStress(rest, None)
     least, most, swings = 0.0, 1.0, 0.0
     turned = _turned_by(joint, scene)
@@ -554,6 +554,8 @@ def _across_hinges(
             least, most = max(least, there), max(most, there / here)
         swings = max(swings, _alternating(joint, added) * rest / here)
     found = rest * most
+    if known is None:  # of the stress itself; all that acts in its sections is known
+        return AcrossStress(found, ErrorRange(-1.0, inf), inf)
     # warping between straight clamps is as unsure as a hinge's is
     low = (1.0 + min(known.low, -WARPING_ERROR)) * (1.0 + unsure.low)
     high = (1.0 + max(known.high, WARPING_ERROR)) * (1.0 + unsure.high)

@@ -75,6 +75,9 @@ SMALL = 1e-3
 IN, OUT = [0, 1, 5], [2, 3, 4]
 """Motions and loads in the plane of a joint, and out of it."""
 
+SOLVED = 1e-6
+"""Share of the whole motion that loads cause up to which beams tell the part along an axis."""
+
 ROUNDING = 1e-9
 """Share of a compliance without units below which a direction is held."""
 
@@ -102,9 +105,11 @@ class _Told(NamedTuple):
 
     @property
     def with_error(self) -> tuple[float, ErrorRange | None]:
-        """Return the motion and its relative error."""
-        if self.value == 0.0 or not np.isfinite(self.high - self.low):
+        """Return the motion and its relative error; of one that cancels, the most it may be."""
+        if not np.isfinite(self.high - self.low):
             return self.value, None
+        if self.value == 0.0:
+            return max(self.high, -self.low), ErrorRange(-1.0, 0.0)
         low, high = sorted((self.low / self.value, self.high / self.value))
         return self.value, ErrorRange(low, high)
 
@@ -173,11 +178,13 @@ class _Asked:
         change = end.beams - self.rest
         share, (first, known, work) = _largest_share(change, self.rest), self.form
         value = sign * first + own + sign * float(self.sought @ change @ self.load)
+        own_axes = slice(0, 3) if self.sought[:3].any() else slice(3, 6)
+        cancelled = SOLVED * float(np.linalg.norm((self.rest @ self.load)[own_axes]))
         if known is None or abs(own) + share * work > MOST * work:
             return _Told(value, -inf, inf)
         # and what both do to each other
         off = self._grown(own, work) + max(STROKE_ERROR, self.unsure) * share * work
-        off += abs(own) * share
+        off += abs(own) * share + cancelled
         low, high = sorted(sign * end for end in known)
         return _Told(value, low - off, high + off)
 

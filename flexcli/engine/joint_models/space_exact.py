@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.soft_blocks import hinge_alone_off, with_soft_blocks
 from flexcli.engine.joint_models.space_deflection import deflections
 from flexcli.engine.joint_models.space_errors import StrokeErrors, strain_error, width_error
 from flexcli.engine.joint_models.space_frequency import locked_frequency
@@ -28,11 +29,11 @@ from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.space.exact.critical import critical_load, straight_critical_factor
 from flexcli.mechanics.space.exact.demand import Held, drive_frame
-from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
+from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium, solve
 from flexcli.mechanics.space.exact.stresses import BladeStress, blade_stresses
 from flexcli.mechanics.space.exact.support import support_compliance, vibration
 from flexcli.mechanics.space.inertia import blade_masses
-from flexcli.mechanics.space.layout import SpaceLoad, Vector
+from flexcli.mechanics.space.layout import SpaceLayout, SpaceLoad, Vector
 from flexcli.mechanics.space.states import Acting, Stresses, action, combined
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.elastic import Buckled, NotAvailable
@@ -367,6 +368,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
         path = _path_at(ask, travel, blades)
         known = blades.errors(at_travel(ask, travel, blades, warm=False))
         beams = path if blades is BEAMS else _path_at(ask, travel, BEAMS)
+        soft = _with_soft_blocks(layout, beams) if blades is BEAMS and known else None
         for signs in senses(scene, len(groups)):
             pattern = list(_signed(groups, signs))
             spoken = scene.hold
@@ -389,11 +391,40 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
                 start=beams.start,
             )  # fmt: skip
             low = min(1.0, straight / share) * (1.0 - off)
+            if soft is not None:
+                softest = straight_critical_factor(
+                    soft.layout, beams.held, pattern, most=share, frames=drive_frame(drive),
+                    start=soft.start,
+                )  # fmt: skip
+                own = (1.0 - soft.off) * (1.0 - found.estimated_error - unsure)
+                low = max(low, min(1.0, softest / share) * own)
             if rest:
                 forces = combined(rest, [share * sign for sign in signs]).moved.forces[:, 0]
                 low /= 1.0 + width_error(joint.assembly, forces)
             error_range = ErrorRange(low - 1.0, high) if isfinite(off) else None
             yield CriticalShare(share, spoken, error_range)
+
+
+class _SoftBlocks(NamedTuple):
+    """A joint drawn with its blocks at their softest, where loads start on it, and its error.
+
+    By as much its hinges alone may be less stiff than beams.
+    """
+
+    layout: SpaceLayout
+    start: SpaceEquilibrium | None
+    off: float
+
+
+def _with_soft_blocks(layout: SpaceLayout, path: "_Path") -> _SoftBlocks | None:
+    """Return a joint with blocks beside its hinges, which its own beams have in their error."""
+    soft = with_soft_blocks(layout)
+    if soft is None:
+        return None
+    start = None
+    if path.held is not None:
+        start = solve(soft, path.held, frames=drive_frame(soft.drive)).checked()
+    return _SoftBlocks(soft, start, hinge_alone_off(layout))
 
 
 class _Path(NamedTuple):

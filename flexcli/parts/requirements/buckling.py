@@ -9,6 +9,7 @@ from flexcli.formulas.buckling import EFFECTIVE_LENGTH, johnson_stress
 from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import number
 from flexcli.numerics.signomial import Signomial
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.material import Material
 from flexcli.parts.requirements.ask import MOST_SHARE, Ask, CriticalShare, RequirementError
@@ -21,6 +22,10 @@ __all__ = ["Buckling", "borne"]
 BEYOND = 1.5
 """How far beyond the factor that is asked for it is looked what buckles a joint: the error of what
 stands up to there is less."""
+
+FURTHER, FARTHEST = 1.15, 1e3
+"""Where its error is more, how far beyond what would do it is looked once more, and how often the
+factor that is asked for at most: beams whose springs are hardly known may stand a hundred times."""
 
 
 class Buckling(FactorRequirement):
@@ -80,7 +85,6 @@ class Buckling(FactorRequirement):
 
     def _shares(self, ask: Ask) -> Iterator[Limit]:
         """Yield the loads of a case against the factor on them that buckles blades or bodies."""
-        ask = ask._replace(most_share=max(MOST_SHARE, BEYOND * self.factor))
         in_space = ask.scene.in_space or ask.scene.across_by
         beams = ask.joint_model.at_stroke if in_space else "exact beams in the plane"
         what = "the loads of the case"
@@ -88,7 +92,7 @@ class Buckling(FactorRequirement):
             alone = ask.scene.loads <= {LoadKind.TEMPERATURE, LoadKind.STROKE}
             what = "the temperature" if alone else "temperature and loads"
         heated = _by_temperature_alone(ask)
-        for found in ask.joint_model.critical_shares(ask):
+        for found in self._far_enough(ask):
             yield Limit(
                 self.label,
                 ask.scene.case,
@@ -102,6 +106,34 @@ class Buckling(FactorRequirement):
                 in_capacity=True,
                 error=_with(heated, found),
             )
+
+    def _far_enough(self, ask: Ask) -> Sequence[CriticalShare]:
+        """Return the shares of the loads that buckle the joint, looked for as far as that decides.
+
+        What stands at all shares that were looked at may be known to stand at the factor only if it
+        stands far beyond.
+        """
+        most = max(MOST_SHARE, BEYOND * self.factor)
+        found = tuple(ask.joint_model.critical_shares(ask._replace(most_share=most)))
+        for _ in range(2):
+            further = self._most_to_decide(found, most)
+            if further is None:
+                break
+            try:
+                more = ask.joint_model.critical_shares(ask._replace(most_share=further))
+                found, most = tuple(more), further
+            except NotAvailable:  # so far its path is not found
+                break
+        return found
+
+    def _most_to_decide(self, found: Sequence[CriticalShare], most: float) -> float | None:
+        """Return up to which share to look, if that all stand beyond ``most`` may decide."""
+        least = [each.share * (1.0 + each.error.low) for each in found if each.error is not None]
+        standing = all(each.share >= most for each in found) and len(least) == len(found)
+        if not found or not standing or not 0.0 < min(least) < self.factor:
+            return None
+        further = FURTHER * most * self.factor / min(least)
+        return further if further <= FARTHEST * self.factor else None
 
 
 def _in_shares(scene: Scene) -> bool:
