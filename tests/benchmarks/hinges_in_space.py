@@ -108,6 +108,40 @@ def very_wide_blades(count=20, seed=9):
         yield "blade", [float(l * thick)], l, float(l * wide), nu
 
 
+WIDE = (
+    (0.2, 1.0, 24.0, 0.3), (0.45, 1.0, 24.0, 0.0), (0.76, 0.26, 55.0, 0.45), (0.45, 1.0, 60.0, 0.0),
+    (0.05, 1.0, 60.0, 0.45), (0.3, 0.5, 36.0, 0.2),
+)  # fmt: skip
+SOFT = (0.2, 8.0, 2.0, 0.45), (0.7, 7.2, 3.0, 0.49), (0.1, 12.0, 15.0, 0.49), (1.0, 8.0, 6.0, 0.45)
+
+
+def wide_notches(count=24, seed=11):
+    """Yield notches of b/l from 8 to 31, chosen ones and others in the same way."""
+    for e, depth, b, nu in WIDE:
+        yield "notch", [e, depth], 2.0, b, nu
+    random = np.random.default_rng(seed)
+    while count:
+        nu = float(random.choice([0.0, 0.2, 0.3, 0.4, 0.45, 0.49]))
+        depth = float(random.choice([0.2, 0.5, 1.0, 2.0]))
+        e, b = float(10 ** random.uniform(-2.0, 0.3)), float(10 ** random.uniform(1.2, 1.8))
+        if e * depth <= 1.0 and e <= 4.0 * depth:
+            count -= 1
+            yield "notch", [e, depth], 2.0, b, nu
+
+
+def soft_fillets(count=16, seed=12):
+    """Yield blades with fillets of a material that hardly gives way in volume, as those."""
+    for h, l, b, nu in SOFT:
+        yield "filleted", [h, 1.0], l, b, nu
+    random = np.random.default_rng(seed)
+    while count:
+        nu, h = float(random.choice([0.45, 0.49])), float(10 ** random.uniform(-1.3, 0.0))
+        l, b = float(random.uniform(4.0, 20.0)), float(10 ** random.uniform(-0.3, 1.3))
+        if h <= b and h <= 0.15 * l and b <= 2.0 * l:
+            count -= 1
+            yield "filleted", [h, 1.0], l, b, nu
+
+
 def stiffness(kind, numbers, l, b, nu, fineness=1):
     """Return six stiffnesses about the middle of a hinge by solids, over E."""
     profile = KINDS[kind](*(R * n for n in numbers))
@@ -122,8 +156,9 @@ def stiffness(kind, numbers, l, b, nu, fineness=1):
 
 def main():
     rows = []
-    soft = notches(12, 4, (0.45, 0.49), 1.2)
-    for hinge in (*hinges(), *notches(), *soft, *tapers(), *blades(), *very_wide_blades()):
+    soft = *notches(12, 4, (0.45, 0.49), 1.2), *soft_fillets()
+    wide = *very_wide_blades(), *wide_notches()
+    for hinge in (*hinges(), *notches(), *soft, *tapers(), *blades(), *wide):
         fineness = 2 if hinge[0] == "blade" else 1
         rows.append([*hinge, stiffness(*hinge, fineness).tolist()])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")

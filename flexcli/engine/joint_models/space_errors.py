@@ -246,7 +246,7 @@ def _hinge_error(blade: SpaceBlade, bend: Bend) -> float | None:
     """Return the error of the stiffness of a blade that bends in hinges, at a stroke."""
     # its beams have no blocks, which are all in the error
     springs = springs_of(replace(blade, blocks=(0.0, blade.blocks[1])))
-    turn, l, curls = bend.turn, _length(blade), 0.0
+    turn, l, curls, wide = bend.turn, _length(blade), 0.0, 0.0
     match blade.profile:
         case NeckedDown(h=h, hinge=hinge):
             # the body between the hinges turns by no more than this
@@ -258,12 +258,12 @@ def _hinge_error(blade: SpaceBlade, bend: Bend) -> float | None:
         case Tabulated(thicknesses=h):
             turn = max(turn, bend.curve)
             curls = blade.b**2 / (float(min(h)) * l)
-        case Notch():
-            pass
+        case Notch(e=e, depth=depth):
+            wide = blade.b**2 / (float(e) * l * float(e / depth) ** 0.5)
         case _:
             return None
     # sections that hardly curl are those of rest
-    compared = springs.in_stress or curls * turn <= FLAT
+    compared = springs.in_stress or max(curls, wide) * turn <= FLAT
     if not (springs.is_known and compared) or turn > HINGE_TURN or bend.twist > HINGE_TWIST:
         return None
     curled = blade.material.nu**2 * min(curls * turn / CURL, 1.0)

@@ -53,10 +53,18 @@ HINGES = (
     Range("e/ρ", most=1.0, why="blunter notches were not compared with solids"),
     Range("2 depth/l", most=2.0, why="deeper notches were not compared with solids"),
     Range("e/b", most=1.0, why="throats thicker than wide were not compared with solids"),
-    Range("b/l", most=8.0, why="wider ones were not compared with solids"),
+    Range("b/l", most=30.0, why="wider ones were not compared with solids"),
     Range("ν", most=0.5, why="no solid has more"),
 )
 """Hinges that were compared, ρ the radius of the throat; fillets are half a notch at either end."""
+
+WIDE, THICK_WIDE = 8.0, 0.4
+"""b/l from which on hinges are wide: of those none was compared at a stroke, nor any of which e/l
+is more."""
+
+OF_WIDE = 1.6
+"""On by how much a wide one is stiffer at most: kept from narrowing and from thinning at once.
+Solids of b/l from 8 to 31 and ν up to 0.49 had 0.9 of that, and were as soft as others at most."""
 
 STRAIGHT = np.array([0.01, 0.01, 0.01, 0.06, 0.01])
 FLANKS = np.array([0.15, 0.09, 0.25, 0.12, 0.13])
@@ -71,14 +79,15 @@ always in torsion. Solids had nothing more up to b/l = ¼, 0.05 up to ½, 0.156 
 Beyond that ν it is what a plate that is kept straight across has more, and 0.01."""
 
 FILLETED_POISSON = 0.4
-"""Largest ν of blades with fillets that were compared."""
+"""Largest ν of blades with fillets that were compared at a stroke."""
 
 THROAT, THROAT_HIGH = 0.5, 0.02
 """Share of e/ρ by which a throat may bend more than its beam, and of its stiffness what it may be
 off besides, or ν²/6; solids had 0.87 of that, and none was stiffer."""
 
-FILLETED, LONG = 0.07, 4.0
-"""The same of blades with fillets of a radius of at most l over this; solids had 0.053."""
+FILLETED, FILLETED_SOFT, LONG = 0.07, 0.12, 4.0
+"""The same of blades with fillets of a radius of at most l over this; solids had 0.053, and of ν
+beyond 0.4 they were stiffer by 0.092."""
 
 TAPERS = (
     Range("dh/ds", most=0.13, why="steeper tapers were not compared with solids"),
@@ -222,11 +231,11 @@ def _hinge(blade: SpaceBlade, l: float) -> MemberSprings:
     flexible = [axial, bent_y + sheared_y, bent_z + sheared_z, twist, turn_y, turn_z]
     stiffness = section.EI / np.array(flexible) / np.repeat([l**3, l], 3)
     springs = BladeSprings(stiffness, across_thickness * l, across_width * l)
-    low, high, known = _hinge_errors(blade, l)
+    low, high, known, at_stroke = _hinge_errors(blade, l)
     known = known and not isinstance(blade.material, Directed)  # of which no solid was made
     if any(blade.blocks):
         springs, low, high = _between_blocks(blade, l, springs, low, high)
-    return MemberSprings(springs, low, high, blade.axes, l, STRIP_CONSTRAINTS, known)
+    return MemberSprings(springs, low, high, blade.axes, l, STRIP_CONSTRAINTS, known, at_stroke)
 
 
 def twist_rate(mesh: Mesh) -> Floats:
@@ -266,19 +275,23 @@ def _bars(blade: SpaceBlade, l: float, H: float, L: float) -> Floats:
     )  # fmt: skip
 
 
-def _hinge_errors(blade: SpaceBlade, l: float) -> tuple[Floats, Floats, bool]:
-    """Return the errors of a hinge's springs, and whether it is among those that were compared."""
+def _hinge_errors(blade: SpaceBlade, l: float) -> tuple[Floats, Floats, bool, bool]:
+    """Return the errors of a hinge's springs, and whether such ones were compared.
+
+    That is at rest, and at a stroke and in stress.
+    """
     nu = round(blade.material.nu, 9)  # of E and G, it is off by digits
     match blade.profile:
         case Tabulated():
-            return _taper_errors(blade, l, nu)
+            return *_taper_errors(blade, l, nu), True
         case Notch(e=e, depth=depth):
             reach = l / 2.0
         case Filleted(h=e, r=depth):
             reach = depth
             if l >= LONG * depth:
-                known = e <= depth and nu <= FILLETED_POISSON
-                return np.full(6, -FILLETED), np.full(6, FILLETED), bool(known)
+                soft = nu > FILLETED_POISSON
+                high = np.full(6, FILLETED_SOFT if soft else FILLETED)
+                return np.full(6, -FILLETED), high, bool(e <= depth), not soft
         case _:
             raise TypeError("only notches and fillets were compared with solids")
     sharp, deep, wide = float(e) * float(depth) / reach**2, float(depth) / reach, blade.b / l
@@ -288,10 +301,13 @@ def _hinge_errors(blade: SpaceBlade, l: float) -> tuple[Floats, Floats, bool]:
     most = max(KEPT_MOST, nu**2 / (1.0 - nu**2) + 0.01)
     kept = min(NARROWS + KEPT * wide * most / KEPT_MOST, most)
     high = np.array([kept, kept, kept, most, kept, THROAT_HIGH])
-    known = not outside(HINGES, at)
+    known, is_wide = not outside(HINGES, at), wide > WIDE
+    if is_wide:
+        high[:5] *= OF_WIDE
+        known = known and float(e) <= THICK_WIDE * l
     if isinstance(blade.profile, Filleted):
-        known = known and nu <= FILLETED_POISSON
-    return low, high, known
+        known = known and nu <= FILLETED_POISSON and not is_wide
+    return low, high, known, not is_wide
 
 
 def _taper_errors(blade: SpaceBlade, l: float, nu: float) -> tuple[Floats, Floats, bool]:
