@@ -113,6 +113,14 @@ def test_what_changes_a_hinges_sections_leaves_its_mass_as_it_counts(kind, body)
         assert abs(found / plain - 1.0) <= error
 
 
+def test_a_hinge_whose_mouths_give_way_is_not_told_closer_where_two_modes_mix():
+    """A heavy payload shakes across the hinge almost as slowly as it turns about it."""
+    kind, body = "notch", (1.0, 5.0)
+    made = DesignSpec.model_validate(spec(kind, body, None))
+    changed = BladeMass().changes(omitted_effects.setting(made, made.fixed_sizes()))
+    assert changed["frequency"].other == np.inf
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_frequency_of_a_heavy_hinge_is_about_as_sure_as_its_stiffness(tmp_path, kind):
     """Half the range of the stiffness, and what the mass of the hinge leaves: up to 2 % here."""
