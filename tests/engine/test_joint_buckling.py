@@ -1,6 +1,6 @@
 """Buckling of a joint: three models answer one question, at the motion and in the sense asked."""
 
-from math import cos, pi, radians, sqrt
+from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
@@ -13,6 +13,9 @@ from flexcli.engine.judge import judge
 from flexcli.engine.models import model_series
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.plate_buckling import buckling_factor
+from flexcli.formulas.profile import Constant
+from flexcli.mechanics.layout import Blade, Body, Layout, Load
+from flexcli.mechanics.linear_buckling import linear_critical
 from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Ask
 from flexcli.results import Verdict
 
@@ -258,6 +261,34 @@ def test_a_force_of_a_stated_direction_may_pull_the_blade_that_bears_most(ends):
     assert pulled.error.high == np.inf
     (either,) = (c for c in CLOSED_FORM.critical(ask_of(narrow, ends)) if c.way == pulled.way)
     assert either.error.high < 16.0
+
+
+@pytest.mark.parametrize("crossing", [0.5, 0.3])
+@pytest.mark.parametrize("degrees", [30.0, 60.0])
+def test_joined_blades_on_pins_bear_more_than_one_alone_and_less_than_their_longer_parts(
+    crossing, degrees
+):
+    """Against beams with a body on each pin, pushed along the bisector as the body would."""
+    l, E, nu = 20e-3, 210e9, 0.3
+    cross = {"kind": "unseparated-cross", "h": "0.1 mm", "l": "20 mm", "b": "0.2 mm",
+             "half_angle": f"{degrees} deg", "crossing": crossing}  # fmt: skip
+    ask = ask_of(cross, "pinned-pinned", direction=180)
+    found = next(c for c in CLOSED_FORM.critical(ask) if c.way != "across the width")
+    low, high = (float(found.force) * (1.0 + end) for end in found.error)
+    bodies, blades, held, loads = [Body("cross", (0.0, 0.0))], [], {}, []
+    for sign in (1.0, -1.0):
+        along = np.array([cos(radians(degrees)), sign * sin(radians(degrees))])
+        for place, side in ((-crossing * l, "base"), ((1.0 - crossing) * l, "body")):
+            point, pin = tuple((place * along).tolist()), f"{side} {sign}"
+            bodies.append(Body(pin, point))
+            ends = (point, (0.0, 0.0)) if side == "base" else ((0.0, 0.0), point)
+            names = (pin, "cross") if side == "base" else ("cross", pin)
+            blades.append(Blade(f"to {pin}", *names, *ends, Constant(0.1e-3), 0.2e-3))
+            held[pin] = (0.0 if side == "base" else None, 0.0, None)
+            if side == "body":
+                loads.append(Load(pin, point, (-0.5, 0.0)))
+    frame = Layout(tuple(bodies), tuple(blades), E, E / (2.0 + 2.0 * nu))
+    assert low <= linear_critical(frame, held, loads).factor <= high
 
 
 def test_a_side_force_on_a_blade_at_a_stroke_has_an_outcome():

@@ -6,6 +6,7 @@ from pydantic import model_validator
 
 from flexcli.formulas import pivot
 from flexcli.formulas import unseparated as joined
+from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.layout import Body, Layout
@@ -15,9 +16,11 @@ from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.joined import Joined
 from flexcli.parts.bending.wide import wide_halves
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import GROUND, MOVING, Blade
+from flexcli.parts.ends import ENDS
+from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
+from flexcli.parts.geometries.joint_buckling import pivot_critical
 from flexcli.parts.geometries.pivots import BladePair, largest_share, on_ray
-from flexcli.results import Value
+from flexcli.results import ErrorRange, Value
 
 __all__ = ["UnseparatedPivot"]
 
@@ -81,6 +84,24 @@ class UnseparatedPivot(BladePair):
     def axial_share(self, direction: float) -> float:
         """Return the axial force in a part-blade per force: both halves bear all of it [-]."""
         return largest_share(self.blade_angles, direction)
+
+    def joint_critical(
+        self, elastic: Elastic, sizes: Blade, ends: str, direction: float
+    ) -> Critical:
+        """Return the force that buckles a blade on pins, as if no other were joined to it [N].
+
+        That can only raise it, to no more than what the longer part bears between its pin and a
+        cross that stands still.
+        """
+        if not ENDS[ends].hinged:
+            return super().joint_critical(elastic, sizes, ends, direction)
+        p = number(self.offset(sizes))
+        found = pivot_critical(elastic, sizes, p, self.blade_angles, ends, direction)
+        if found.error is None:
+            return found
+        part = EFFECTIVE_LENGTH["clamped-pinned"] * max(self.crossing, 1.0 - self.crossing)
+        low, high = found.error
+        return found._replace(error=ErrorRange(low, (1.0 + high) / part**2 - 1.0))
 
     def parasitic_shift(self, sizes: Blade, travel: float) -> Computed:
         """Return the signed shift of the centre along the bisector [m], leading order."""
