@@ -69,7 +69,7 @@ def notch(
     structure = structure_of_case(ask)
     applied = vibration.by_axis()[along]
     total = structure.moved[along] + limit.fixed_mass
-    knee = _primary(structure, along) if limit.knee is None else limit.knee
+    knee = _primary_frequency(structure, along) if limit.knee is None else limit.knee
     modes = natural_modes(structure.stiffness, structure.mass)
     resonances = modes.angular / (2.0 * np.pi)
     Q = mode_qualities(structure, vibration.q, vibration.axes, modes)
@@ -108,8 +108,8 @@ def notch(
         "f_primary": Value(knee, "Hz", "frequency of the primary mode"),
         "db_deepest": Value(float(depth[deepest]), "dB", "deepest notch"),
         "f_deepest": Value(float(dense[deepest]), "Hz", "frequency of that"),
-        "F_rms": Value(_root(force, dense), "N", "rms force at the base without the notch", MODEL),
-        "F_rms_notched": Value(_root(held, dense), "N", "rms force at the base with it", MODEL),
+        "F_rms": Value(_rms(force, dense), "N", "rms force at the base without the notch", MODEL),
+        "F_rms_notched": Value(_rms(held, dense), "N", "rms force at the base with it", MODEL),
     }
     bound = force_limit(dense, _level(applied, dense, "right"), limit.C, total, knee,
                         limit.exponent)  # fmt: skip
@@ -157,7 +157,7 @@ def _axis(vibration: Vibration, axis: str | None) -> Axis:
     return along
 
 
-def _primary(structure: Structure, axis: str) -> float:
+def _primary_frequency(structure: Structure, axis: str) -> float:
     """Return the frequency of the mode that moves most mass along an axis [Hz]."""
     modes = natural_modes(structure.stiffness, structure.mass)
     share = (modes.shapes.T @ structure.pull[axis]) ** 2
@@ -174,7 +174,8 @@ def _inside(f: Floats | list[float], corners: Floats) -> Floats:
     return np.asarray(at[(at > corners[0]) & (at < corners[-1])])
 
 
-def _root(density: Floats, f: Floats) -> float:
+def _rms(density: Floats, f: Floats) -> float:
+    """Return the rms of a density."""
     return float(np.sqrt(np.trapezoid(density, f)))
 
 

@@ -85,7 +85,7 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
         at_rest = linkage_drawing(geometry, ask, given, notes, cut)
         return _moved_linkage(geometry, at_rest, ask, design, sizes)
     if geometry.strain == "twist":
-        blades, bodies = _bar(geometry, sizes)
+        blades, bodies = _twisted_bars(geometry, sizes)
         return Drawing(
             kind=geometry.name, motion=geometry.motion, blades=blades, bodies=bodies, sizes=given,
             centre=(0.0, 0.0), case=ask.scene.case, unit=geometry.travel_unit, twists=True,
@@ -94,7 +94,7 @@ def drawing(design: DesignSpec, sizes: Sizes, case: str | None = None) -> Drawin
     layout = geometry.layout(design.material.elastic, sizes)
     carried = design.mechanism.carried_body(geometry, layout) if design.mechanism else None
     turn = turning(-geometry.axes)
-    states, path, missed = _moved(ask, turn) if ask.scene.moves else ((), (), "")
+    states, path, missed = _stroke(ask, turn) if ask.scene.moves else ((), (), "")
     centre = place_of(turn(numbers(layout.body(MOVING).point)))
     return Drawing(
         kind=geometry.name,
@@ -133,7 +133,7 @@ def _moved_linkage(
 
     turn, bodies = as_in_spec(geometry), at_rest.bodies
     try:
-        states, path, missed = _moved(ask, turn) if ask.scene.moves else ((), (), "")
+        states, path, missed = _stroke(ask, turn) if ask.scene.moves else ((), (), "")
         if design.mechanism is not None:
             layout = geometry.plane_layout(design.material.elastic, sizes)
             carried = design.mechanism.carried_body(geometry, layout)
@@ -170,7 +170,7 @@ def _moving(geometry: Geometry) -> str:
     return str(getattr(geometry, "moving", "moving body"))
 
 
-def _moved(ask: Ask, turn: Turn) -> tuple[tuple[DrawnState, ...], tuple[XY, ...], str]:
+def _stroke(ask: Ask, turn: Turn) -> tuple[tuple[DrawnState, ...], tuple[XY, ...], str]:
     """Return the ends of the stroke, the path of the centre, and what was not reached."""
     scene = ask.scene
     travels = np.linspace(*scene.stroke_ends, STATES)
@@ -220,7 +220,9 @@ def _angles(geometry: Geometry) -> list[DrawnAngle]:
     return [DrawnAngle("2α", (0.0, 0.0), -float(half), float(half))]
 
 
-def _bar(geometry: Geometry, sizes: Any) -> tuple[tuple[DrawnBlade, ...], tuple[DrawnBody, ...]]:
+def _twisted_bars(
+    geometry: Geometry, sizes: Any
+) -> tuple[tuple[DrawnBlade, ...], tuple[DrawnBody, ...]]:
     """Return bars that twist about their axis, one behind the other, as seen from the side."""
     l = float(sizes.l)
     deep = float(getattr(sizes, "b", None) or getattr(sizes, "d", None) or sizes.h)

@@ -87,7 +87,7 @@ class View(NamedTuple):
         return np.asarray(towards / np.linalg.norm(towards))
 
 
-def _along(axis: str) -> View:
+def _view_along(axis: str) -> View:
     right, up = AXES[axis]
     rows = np.array([[float(a == b) for a in "xyz"] for b in (right, up)])
     return View(rows, f"seen along {axis}: {right} to the right, {up} upwards")
@@ -100,18 +100,20 @@ def _views(layout: SpaceLayout) -> dict[str, View]:
         front = max(AXES, key=lambda axis: size[axis])
     else:
         front = min(AXES, key=lambda axis: round(size[axis], 3))
-    beside = max((axis for axis in AXES if axis != front), key=lambda axis: _shown(layout, axis))
+    beside = max(
+        (axis for axis in AXES if axis != front), key=lambda axis: _count_seen(layout, axis)
+    )
     corner = np.array([CORNER[AXES[front][1]][axis] for axis in "xyz"]).T
     return {
-        "front": _along(front),
-        "side": _along(beside),
+        "front": _view_along(front),
+        "side": _view_along(beside),
         "isometric": View(corner, "seen from the corner between the axes"),
     }
 
 
-def _shown(layout: SpaceLayout, axis: str) -> int:
+def _count_seen(layout: SpaceLayout, axis: str) -> int:
     """Return how many blades are seen along an axis."""
-    return len(_flat(layout, _along(axis))[0].blades)
+    return len(_as_planar(layout, _view_along(axis))[0].blades)
 
 
 def space_drawing(
@@ -129,7 +131,7 @@ def space_drawing(
         except (NotAvailable, SolveError) as reason:
             missed = str(reason)
     drawn = {
-        name: _seen(ask, space, view, found, given, notes, cut, missed)
+        name: _drawn_view(ask, space, view, found, given, notes, cut, missed)
         for name, view in _views(space).items()
     }
     views = {k: v for k, v in drawn.items() if k != "front"}
@@ -158,7 +160,7 @@ def _in_space(layout: SpaceLayout) -> Iterator[DrawnInSpace]:
         yield DrawnInSpace(drawn, (x, y, z), (u, v, w))
 
 
-def _seen(
+def _drawn_view(
     ask: Ask,
     space: SpaceLayout,
     view: View,
@@ -169,7 +171,7 @@ def _seen(
     missed: str,
 ) -> Drawing:
     """Return the mechanism as it is seen from one side."""
-    layout, hidden = _flat(space, view)
+    layout, hidden = _as_planar(space, view)
     notes = (*notes, f"{view.words}; lengths as they look")
     if hidden:
         notes = (*notes, f"{hidden} blades are seen end on, and left out")
@@ -219,8 +221,8 @@ def _state(
         if member.name in shown:
             s = np.union1d(ALONG, felt.s)
             length = float(np.linalg.norm(np.subtract(member.end, member.start)))
-            line = _cubic(*_ends(state, member.first, member.start, member.axes[0]),
-                          *_ends(state, member.second, member.end, member.axes[0]),
+            line = _cubic(*_moved_end(state, member.first, member.start, member.axes[0]),
+                          *_moved_end(state, member.second, member.end, member.axes[0]),
                           length, s)  # fmt: skip
             axes[member.name] = drawn_line(line @ view.rows.T)
             largest = np.abs(section_peaks(felt)).max(axis=1)
@@ -233,7 +235,7 @@ def _state(
     return DrawnState(travel, axes, stress, motions)
 
 
-def _ends(
+def _moved_end(
     state: SpaceEquilibrium, body: str, end: tuple[float, float, float], along: Floats
 ) -> tuple[Floats, Floats]:
     """Return where an end of a blade went, and the way along the blade there."""
@@ -254,7 +256,7 @@ def _cubic(
     )  # fmt: skip
 
 
-def _flat(layout: SpaceLayout, view: View) -> tuple[Layout, int]:
+def _as_planar(layout: SpaceLayout, view: View) -> tuple[Layout, int]:
     """Return a mechanism as a planar one seen from a side, and how many blades are end on."""
     rows = view.rows
     blades, hidden = [], 0

@@ -77,7 +77,7 @@ def mechanism_drawing(design: DesignSpec, sizes: Sizes, case: str | None = None)
     if scene.moves and scene.lock is None:
         per_motion = stage.joint_travel_per_motion
         travels = [travel / per_motion for travel in scene.stroke_ends]
-        states, missed = _moved(layout, travels[:1] if scene.travel == 0.0 else travels)
+        states, missed = _states_at(layout, travels[:1] if scene.travel == 0.0 else travels)
     height = stage.height
     lengths = [DrawnLength("H", (0.0, 0.0), (0.0, height))]
     bodies = {body.name: body for body in drawn_bodies(layout, AS_DRAWN, SOLID_2)}
@@ -113,7 +113,7 @@ def mechanism_drawing(design: DesignSpec, sizes: Sizes, case: str | None = None)
     )
 
 
-def _moved(layout: Layout, travels: Sequence[float]) -> tuple[tuple[DrawnState, ...], str]:
+def _states_at(layout: Layout, travels: Sequence[float]) -> tuple[tuple[DrawnState, ...], str]:
     """Return the mechanism at travels of solid 2, or why it does not get there."""
     held = {SOLID_2: (np.array(travels), None, None)}
     effects = blades_of(layout, Effects())

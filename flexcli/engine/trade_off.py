@@ -55,8 +55,8 @@ def objective_of(design: DesignSpec, result: Result) -> tuple[str, str, float]:
     return name, found.unit, found.value
 
 
-def _own(moving: MovingBound, result: Result) -> list[Check]:
-    """Return the checks of a requirement."""
+def _checks_of(moving: MovingBound, result: Result) -> list[Check]:
+    """Return the checks of the requirement that is the second objective."""
     return [
         check
         for check in result.checks
@@ -66,7 +66,7 @@ def _own(moving: MovingBound, result: Result) -> list[Check]:
 
 def _worst(moving: MovingBound, result: Result) -> tuple[str, float]:
     """Return unit and worst value of a requirement over the cases."""
-    own = _own(moving, result)
+    own = _checks_of(moving, result)
     if not own:
         return "", nan  # it does not apply to any case
     if len(moving.path) < 3:
@@ -273,7 +273,7 @@ class _Run:
             return None
         if result.status is not Status.PASS:
             return None
-        own = _own(self.moving, result)
+        own = _checks_of(self.moving, result)
         shares = [c.factor_range[0] / c.factor if c.factor_range else 1.0 for c in own]
         worst = min(shares, default=1.0)
         _, value = _worst(self.moving, result)

@@ -94,7 +94,7 @@ def space_series(design: DesignSpec, sizes: Sizes, runs: int) -> SolvedSeries:
 
 
 def _solve(asks: list[Ask], joint_model: SpaceExactModel) -> None:
-    """Solve the ends of all strokes, which the model then knows."""
+    """Solve the ends of all strokes; the model remembers them."""
     for ask in asks:
         if ask.scene.moves:
             joint_model.parasitic_shift(ask._replace(joint_model=joint_model))

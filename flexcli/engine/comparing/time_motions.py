@@ -1,4 +1,4 @@
-"""The motions of a design between its stops that are short enough for every method in time."""
+"""The first periods of a design between its stops, on which methods in time are compared."""
 
 from collections.abc import Iterable, Iterator
 from math import pi
@@ -41,7 +41,7 @@ def motions(design: DesignSpec, sizes: Sizes) -> Iterator[StoppedMotion]:
     """Yield the first periods, from rest, of every sine and shock between the chosen stops."""
     if design.stops is None:
         return
-    asked = {name: alone for name, case in design.cases.items() if (alone := _short(case))}
+    asked = {name: alone for name, case in design.cases.items() if (alone := _sine_and_shock(case))}
     if not asked:
         return
     task = task_of(design, design.stops, sizes)
@@ -63,13 +63,15 @@ def motions(design: DesignSpec, sizes: Sizes) -> Iterator[StoppedMotion]:
                 stops=stops,
                 # a sine or a shock has no samples
                 pieces=tuple(
-                    _first((p for leg in shaken.legs for p in leg if isinstance(p, Piece)), window)
+                    _first_part(
+                        (p for leg in shaken.legs for p in leg if isinstance(p, Piece)), window
+                    )
                 ),
                 rate=np.zeros(blade.angular.size) if shaken.rate is None else shaken.rate,
             )
 
 
-def _short(case: Case) -> Case | None:
+def _sine_and_shock(case: Case) -> Case | None:
     """Return a case with its sine and its shock in time only, or nothing where it has neither."""
     shock = case.shock
     if shock is not None and (shock.srs or shock.record is not None):
@@ -81,7 +83,7 @@ def _short(case: Case) -> Case | None:
     )
 
 
-def _first(pieces: Iterable[Piece], window: float) -> Iterator[Piece]:
+def _first_part(pieces: Iterable[Piece], window: float) -> Iterator[Piece]:
     """Yield pieces up to a time."""
     left = window
     for piece in pieces:

@@ -30,7 +30,7 @@ __all__ = [
     "judged_at",
     "shares",
     "slopes_at",
-    "turned",
+    "updated_slopes",
 ]
 
 Slopes: TypeAlias = dict[str, NDArray[np.float64]]
@@ -167,8 +167,8 @@ def cheap_slopes_at(design: DesignSpec, place: Place, models: tuple[NamedModel, 
     return {name: found[name] for name in place.alone & found.keys()}
 
 
-def turned(slopes: Slopes, place: Place, there: Place, names: Iterable[str]) -> Slopes:
-    """Return slopes with which the corrections of some checks at a place hold at another too.
+def updated_slopes(slopes: Slopes, place: Place, there: Place, names: Iterable[str]) -> Slopes:
+    """Return slopes by which the corrections of some checks hold at two places (Broyden's update).
 
     References
     ----------

@@ -229,7 +229,7 @@ class SizingProgram:
         if self.exact:
             return self._least_exact(names, ends, goals, limits, equal, starts)
         boxes = [
-            BlackBox(names, self._moved([goal, *limits, *equal], names), len(limits), *ends)
+            BlackBox(names, self._as_used([goal, *limits, *equal], names), len(limits), *ends)
             for goal in goals
         ]
         return solve(
@@ -240,22 +240,23 @@ class SizingProgram:
         )
 
     def _starts(self, program: LogProgram, *, beyond: bool) -> list[Floats]:
-        points = self._wide() if beyond else self.samples()
+        points = self._samples_beyond() if beyond else self.samples()
         further = np.zeros((program.low.size - len(self.names), points.shape[1]))
         points = np.vstack([points, further])
         if beyond:
             return starts_among(program, points, FAR_STARTS, apart=FAR_APART)
         return starts_among(program, points, STARTS)
 
-    def _wide(self) -> Floats:
+    def _samples_beyond(self) -> Floats:
+        """Return points between the bounds and beyond them."""
         return np.hstack([self.samples(), self.samples(BEYOND)])
 
     def disagreement(self, terms: Sequence[Term], owners: Sequence[int]) -> Conflict:
         """Return which of the owners of some rows cannot hold together."""
-        points = self._wide()
+        points = self._samples_beyond()
         if not self.exact:
             ends = (np.full(len(self.names), log(end)) for end in WORLD)
-            rows = self._moved([Term(ONE), *terms], self.names)
+            rows = self._as_used([Term(ONE), *terms], self.names)
             return conflict(BlackBox(self.names, rows, len(terms), *ends), owners, points)
         rows_of_owners = [(self._ratio(term), own) for term, own in zip(terms, owners, strict=True)]
         for row, owner in rows_of_owners:
@@ -316,7 +317,7 @@ class SizingProgram:
 
     # -- rows as numbers ---------------------------------------------------------------------
 
-    def _moved(self, terms: Sequence[Term], names: tuple[str, ...]) -> Field:
+    def _as_used(self, terms: Sequence[Term], names: tuple[str, ...]) -> Field:
         """Return rows as the terms use them, over the logarithms of all unknowns."""
         n = len(self.names)
         rows = self.picked([term.key for term in terms])

@@ -101,7 +101,7 @@ def points_about(
 
     Without goals the nearest first.
     """
-    axes = [_about(grids[name], centre[name]) for name in program.names]
+    axes = [_values_about(grids[name], centre[name]) for name in program.names]
     points = np.stack([axis.ravel() for axis in np.meshgrid(*axes, indexing="ij")])
     x = dict(zip(program.names, points, strict=True))
     limits = [(term.key, term.sign, term.shift) for term in program.banded()]
@@ -118,8 +118,8 @@ def points_about(
     return [{name: float(at[k]) for name, at in x.items()} for k in order[:MOST_BESIDE]]
 
 
-def _about(grid: Grid, size: float) -> Floats:
-    """Return the values of a grid nearest to a size."""
+def _values_about(grid: Grid, size: float) -> Floats:
+    """Return a few values of a grid about a size."""
     if grid.step is None:
         stock = np.array(sorted(set(grid.stock)))
         return stock[np.argsort(np.abs(np.log(stock / size)))[: 2 * REACH]]
@@ -336,7 +336,7 @@ def _search(
             return StockChoice(best, False, solved)
         bounds = open_bounds.pop()
         solved += 1
-        relaxed = program.least(goals[:1], [*limits, *_between(bounds)], (), near)
+        relaxed = program.least(goals[:1], [*limits, *_bound_rows(bounds)], (), near)
         proved &= relaxed.outcome in (Outcome.CONVERGED, Outcome.INFEASIBLE)
         proved &= relaxed.certificate == "global"
         if not relaxed.converged or relaxed.objective >= least * (1.0 - NO_BETTER):
@@ -355,7 +355,7 @@ def _search(
     return StockChoice(best, proved, solved)
 
 
-def _between(bounds: Bounds) -> list[Term]:
+def _bound_rows(bounds: Bounds) -> list[Term]:
     """Return the rows of further bounds on sizes."""
     found = []
     for name, (low, high) in bounds.items():
@@ -406,4 +406,5 @@ def _neighbours(grid: Grid, size: float) -> tuple[float | None, float | None]:
 
 
 def _nearest(grid: Grid, size: float) -> float:
+    """Return the value of a grid nearest to a size."""
     return min((s for s in _neighbours(grid, size) if s is not None), key=lambda s: abs(s - size))

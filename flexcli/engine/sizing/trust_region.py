@@ -21,7 +21,7 @@ from flexcli.engine.sizing.decided import (
     corrections,
     judged_at,
     shares,
-    turned,
+    updated_slopes,
 )
 from flexcli.engine.sizing.problem import SizingProblem
 from flexcli.engine.sizing.program import SizingProgram, sizing_program
@@ -180,7 +180,7 @@ def settled(
         edge = trial.y if barred else edge
         plain = problem.corrected(corrections(design, place, known, 0.0))
         promised = shares(plain.limits(sizes))
-        off = _broken(there, promised)
+        off = _differences(there, promised)
         agree = max(off.values(), default=0.0) <= agreed and step < 0.99 * width and not barred
         is_fresh = fresh is not None and float(np.abs(trial.y - fresh).max()) <= FRESH
         if agree and (is_fresh or not there.near):
@@ -189,7 +189,7 @@ def settled(
         gain, promise = _gains(problem, trial, place, there, promised)
         if agree or gain >= POOR * promise > 0.0:
             if not agree:
-                known = turned(known, place, there, there.used.keys() & place.used.keys())
+                known = updated_slopes(known, place, there, there.used.keys() & place.used.keys())
             if gain >= GOOD * promise and step > 0.8 * width:
                 width *= 2.5
             elif gain < 0.25 * promise:
@@ -200,7 +200,7 @@ def settled(
         elif fresh is None:
             known, fresh = known | measure(place), place.y
         else:
-            known = turned(known, place, there, there.used.keys() & place.used.keys())
+            known = updated_slopes(known, place, there, there.used.keys() & place.used.keys())
             width = 0.5 * step
             if width < NARROWEST:
                 break
@@ -213,7 +213,7 @@ def settled(
     return ended(*([name for name in worst if off[name] > agreed] or worst))
 
 
-def _broken(there: Place, promised: Mapping[str, float]) -> dict[str, float]:
+def _differences(there: Place, promised: Mapping[str, float]) -> dict[str, float]:
     """Return by how far what is near its limit is off what was promised, as logarithms."""
     return {
         name: abs(log(there.used[name].share / promised[name])) if name in promised else inf
@@ -241,7 +241,9 @@ def _gains(
     weight = PENALTY * max(trial.price, UNHELD)
     design = problem.design
     if design.pursued is not None:
-        before, after, told = (_most(place.pursued, shares) for shares in (old, used, promised))
+        before, after, told = (
+            _largest_share(place.pursued, shares) for shares in (old, used, promised)
+        )
         return before - after + weight * (was - now), before - told + weight * (was - said)
     program = sizing_program(problem)
     goal = program.goal(design.size.objective)
@@ -250,7 +252,7 @@ def _gains(
     return gain + weight * (was - now), gain + weight * (was - said)
 
 
-def _most(names: frozenset[str], used: Mapping[str, float]) -> float:
+def _largest_share(names: frozenset[str], used: Mapping[str, float]) -> float:
     """Return the logarithm of the largest share of some checks."""
     return log(max((used[name] for name in names & used.keys()), default=inf))
 

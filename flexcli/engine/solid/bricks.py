@@ -70,11 +70,11 @@ class Bricks:
 
     def end(self, side: int) -> Integers:
         """Return the nodes of the first (0) or of the last (−1) cross-section."""
-        return _there(self.lattice[side])
+        return _existing(self.lattice[side])
 
     def middle(self) -> Integers:
         """Return the nodes on the plane of symmetry, but those of both ends."""
-        return _there(self.lattice[1:-1, :, 0]) if self.is_half else np.zeros(0, dtype=np.intp)
+        return _existing(self.lattice[1:-1, :, 0]) if self.is_half else np.zeros(0, dtype=np.intp)
 
     def face(self, side: int) -> Integers:
         """Return the nodes (along, across the width) of the right (0) or left (−1) face."""
@@ -127,7 +127,7 @@ def bricks(
         The section is the ellipse in that rectangle: sides of the square are bent to its arcs.
 
     """
-    s, h, rigid = _whole(stretches, fineness)
+    s, h, rigid = _lattice_along(stretches, fineness)
     constant = HALVES if is_round else CONSTANT
     across = _steps(constant if np.allclose(h, h[0], rtol=1e-9) else VARIED, fineness)
     widths = _widths(b, float(h.min()))
@@ -169,7 +169,7 @@ def graded(l: float, first: float) -> Floats:
     return np.concatenate([[0.0], np.cumsum(sizes)]) * (l / float(sizes.sum()))
 
 
-def _whole(
+def _lattice_along(
     stretches: Sequence[Sequence[Piece]], fineness: int
 ) -> tuple[Floats, Floats, NDArray[np.bool_]]:
     """Return place and thickness at each step along the blade, and which elements are rigid."""
@@ -233,7 +233,8 @@ def _steps(cuts: Floats, fineness: int) -> Floats:
     return np.append(inner.ravel(), cuts[-1])
 
 
-def _there(numbers: Integers) -> Integers:
+def _existing(numbers: Integers) -> Integers:
+    """Return the nodes of a part of the lattice; faces and bricks have none in their middle."""
     return numbers[numbers >= 0]
 
 

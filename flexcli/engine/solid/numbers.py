@@ -84,7 +84,7 @@ class SolidNumbers:
     def stiffness(self) -> float:
         """Return the stiffness along the motion at rest [N·m/rad or N/m]."""
         if self.ask.geometry.in_space:
-            way = _way(self.ask)
+            way = _drive_motion(self.ask)
             return float(1.0 / (way @ self.compliance() @ way))
         layout = layout_of(self.ask)
         axis = driven_axis(self.ask.geometry)
@@ -134,9 +134,9 @@ class SolidNumbers:
         if scene.temperature is None:
             return self._shift_of(self.states(), 1)
         if not scene.moves:
-            return self._shift_of(self._left(), 0)
+            return self._shift_of(self._warm_rest(), 0)
         reach = scene.travel + scene.mean_travel
-        state = self._solve(warmed(self.ask), self._driven(np.array([reach, -reach])), ())
+        state = self._solve(warmed(self.ask), self._held_at(np.array([reach, -reach])), ())
         return max((self._shift_of(state, index) for index in (0, 1)), key=abs)
 
     def _shift_of(self, state: SolidStates, index: int) -> float:
@@ -150,13 +150,13 @@ class SolidNumbers:
         y += sin(phi) * a + (cos(phi) - 1.0) * b
         return float(np.copysign(np.hypot(x, y), -x))
 
-    def _left(self) -> SolidStates:
+    def _warm_rest(self) -> SolidStates:
         """Return the joint as its temperature leaves it, the drive free."""
         held: Held = {MOVING: (None, None, 0.0 if self.ask.geometry.is_guided else None)}
         return self._solve(warmed(self.ask), held, ())
 
-    def _driven(self, travels: Floats) -> Held:
-        """Return what a drive holds at travels."""
+    def _held_at(self, travels: Floats) -> Held:
+        """Return the coordinates of the moving body that the drive holds, at travels."""
         held: list[Number | None] = list(self.ask.geometry.held(0.0))
         held[driven_axis(self.ask.geometry)] = travels
         return {MOVING: (held[0], held[1], held[2])}
@@ -166,8 +166,8 @@ class SolidNumbers:
         layout, axis = warmed(self.ask), driven_axis(self.ask.geometry)
         body = layout.index(MOVING)
         small = NEAR * (1.0 if axis == 2 else _longest(layout))
-        travels = self._left().motions[0, body, axis] + small * np.array([-1.0, 1.0])
-        state = self._solve(layout, self._driven(travels), ())
+        travels = self._warm_rest().motions[0, body, axis] + small * np.array([-1.0, 1.0])
+        state = self._solve(layout, self._held_at(travels), ())
         effort = state.reactions[:, body, axis]
         return float(effort[1] - effort[0]) / (2.0 * small)
 
@@ -216,7 +216,7 @@ class SolidNumbers:
         """Return the magnitude of the stress at a place at the end of the stroke [Pa]."""
         states = self.states()
         found = states.face_stresses(1 if self.ask.scene.moves else 0)
-        return _at(next(f for f in found if f.stretch.name == place.stretch), place)
+        return _stress_at(next(f for f in found if f.stretch.name == place.stretch), place)
 
     def critical(self, near: float) -> float:
         """Return the least force of the case at which the joint buckles at rest in its plane [N].
@@ -237,7 +237,7 @@ class SolidNumbers:
         if density is None:
             raise NotAvailable("needs material.density for the mass of the blades")
         if ask.geometry.in_space:
-            model, guided, way = whole_model(ask, self.fineness), [], _way(ask)
+            model, guided, way = whole_model(ask, self.fineness), [], _drive_motion(ask)
         else:
             model = self._model(moving_masses(ask))
             guided = [MOVING] if is_guided(ask.geometry) else []
@@ -346,14 +346,14 @@ def whole_model(ask: Ask, fineness: int) -> SolidModel:
 
 
 def moving_body(ask: Ask) -> str:
-    """Return the name of the body that the motion is stated of."""
+    """Return the name of the body whose motion the joint's stiffness is of."""
     if not ask.geometry.in_space:
         return MOVING
     return joint_in_space(ask.geometry, ask.material, ask.sizes).layout.drive.body
 
 
-def _way(ask: Ask) -> Floats:
-    """Return by what motions of its body's point (6,) a drive in space is moved."""
+def _drive_motion(ask: Ask) -> Floats:
+    """Return the motion (6,) of the driven body's point along the drive of a joint in space."""
     layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
     arm = np.subtract(layout.drive.point, layout.body(layout.drive.body).point)
     return np.asarray(motion_at(arm).T @ layout.drive.motion)
@@ -391,7 +391,7 @@ def _longest(layout: Layout) -> float:
     return max(float(np.hypot(*end)) for end in ends)
 
 
-def _at(found: FaceStress, place: Place) -> float:
+def _stress_at(found: FaceStress, place: Place) -> float:
     face = found.left if place.face == "left" else found.right
     if place.s is None:
         return float(np.abs(face).max())

@@ -48,7 +48,7 @@ class SolidStates:
         """Return the stress along both faces of every stretch in a state."""
         moved = list(self.printed.fields("DISP"))[state]
         stress = list(self.printed.fields("STRESS"))[state]
-        return tuple(_along(stretch, moved, stress) for stretch in self.model.stretches)
+        return tuple(_face_stress(stretch, moved, stress) for stretch in self.model.stretches)
 
 
 def solid_states(
@@ -109,7 +109,9 @@ def _states(held: Held, loads: Sequence[Load]) -> list[State]:
     ]
 
 
-def _along(stretch: Stretch, moved: dict[int, Floats], stress: dict[int, Floats]) -> FaceStress:
+def _face_stress(
+    stretch: Stretch, moved: dict[int, Floats], stress: dict[int, Floats]
+) -> FaceStress:
     """Return the stress along the moved faces, where every node across the width has one."""
     solid, found = stretch.bricks, []
     weight = _simpson(solid.places[solid.face(0)[0], 2])

@@ -1,4 +1,4 @@
-"""A design with stops is judged with them: what a case does between them, not beyond."""
+"""The judgement of a design with end stops: what its cases do between the stops."""
 
 from flexcli.engine.judge import Judgement
 from flexcli.engine.stopping.choice import choose

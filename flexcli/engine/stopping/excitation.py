@@ -90,7 +90,7 @@ def excitation(
     if sine is not None and not is_random:
         yield _sine(sine, quality, sign)
     if case.sweep is not None and case.sweep.axis == "x":
-        kind = f"sweep from {case.sweep.start:g} to {case.sweep.end:g} Hz{_turned(sign)}"
+        kind = f"sweep from {case.sweep.start:g} to {case.sweep.end:g} Hz{_sign_words(sign)}"
         pieces = sweep_pieces(case.sweep, sign=sign)
         yield Excitation(kind, case.sweep.duration, iter([pieces]))
     if case.shock is not None and case.shock.axis == "x":
@@ -134,12 +134,13 @@ def _sine(given: Sine, quality: float, sign: int) -> Excitation:
         )
         for periods in (transient, STEADY_PERIODS)
     )
-    kind = f"sine at {given.frequency:g} Hz{_turned(sign)}"
+    kind = f"sine at {given.frequency:g} Hz{_sign_words(sign)}"
     planned = (transient + STEADY_PERIODS) / given.frequency
     return Excitation(kind, planned, legs, settles=True)
 
 
-def _turned(sign: int) -> str:
+def _sign_words(sign: int) -> str:
+    """Return what is said of an excitation that is turned round."""
     return "" if sign > 0 else ", turned round"
 
 
@@ -153,17 +154,17 @@ def _shock(name: str, shock: Shock, blade: ModalBlade, sign: int) -> Excitation:
         amplitude = sign * shock.half_sine.acceleration
         pulse = next(half_sine(amplitude=amplitude, width=width, duration=width))
         planned = width + periods * period
-        return Excitation(f"half-sine shock{_turned(sign)}", planned, iter([[pulse, *silence]]))
+        return Excitation(f"half-sine shock{_sign_words(sign)}", planned, iter([[pulse, *silence]]))
     if shock.velocity is not None:
         rate = -sign * blade.base * shock.velocity
-        kind = f"velocity shock{_turned(sign)}"
+        kind = f"velocity shock{_sign_words(sign)}"
         return Excitation(kind, periods * period, iter([silence]), rate=rate)
     if shock.record is not None:
         record, period = shock.record, 2.0 * pi / float(blade.angular[0])
         samples = Samples(sign * record.acceleration, record.step)
         kind = (
             f"record {record.name}, {record.acceleration.size} samples, straight lines between, "
-            f"{period / record.step:.3g} a period of the blade{_turned(sign)}"
+            f"{period / record.step:.3g} a period of the blade{_sign_words(sign)}"
         )
         planned = record.duration + periods * period
         return Excitation(kind, planned, iter([[samples, *silence]]))

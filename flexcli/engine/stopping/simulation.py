@@ -21,7 +21,7 @@ NOTABLE = 1.05
 def decided(
     result: Result, design: DesignSpec, sizes: Sizes, watch: Watch, *, seed: int | None = None
 ) -> Result:
-    """Return a sized stop with what its line left undecided decided by simulation.
+    """Return a sized stop; checks that the operating line leaves undecided are simulated.
 
     A seed takes the place of the spec's.
     """

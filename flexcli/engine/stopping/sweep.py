@@ -69,7 +69,7 @@ def swept(result: Result, design: DesignSpec, sizes: Sizes, watch: Watch) -> Res
         blade, stops, law = stop_scene(design, task, sizes, place, name, head=inf)
         if is_round(task.stops.contact):
             law += " (a ball gives too: stops --simulate shows what that changes)"
-        for way in _ways(case, blade, stops):
+        for way in _responses(case, blade, stops):
             begun = perf_counter()
             pace = _Pace(name, way.planned, watch)
             for _ in way.steps(pace.goes_on):
@@ -78,13 +78,13 @@ def swept(result: Result, design: DesignSpec, sizes: Sizes, watch: Watch) -> Res
                     break
             if pace.is_stopped:
                 way.how += f", interrupted after {pace.count} of {way.planned} steps"
-            told = way.told(name, law)
+            response = way.result(name, law)
             if isinstance(way, _Stepped) and not pace.is_stopped:
                 found_there = ratios(design, task, sizes, name, way.acceleration, pace.goes_on)
-                told = told._replace(ratios=tuple(found_there))
+                response = response._replace(ratios=tuple(found_there))
             interrupted = interrupted or pace.is_stopped
             seconds = perf_counter() - begun
-            found.append(told._replace(seconds=seconds, is_complete=not pace.is_stopped))
+            found.append(response._replace(seconds=seconds, is_complete=not pace.is_stopped))
             cost = with_time(cost, seconds, PERIODIC if isinstance(way, _Stepped) else RUN)
     if not found:
         raise SolveError(
@@ -125,7 +125,7 @@ class _Pace:
         return not self.is_stopped
 
 
-def _ways(case: Case, blade: ModalBlade, stops: Stops) -> "Iterator[_Stepped | _Running]":
+def _responses(case: Case, blade: ModalBlade, stops: Stops) -> "Iterator[_Stepped | _Running]":
     """Yield the response to a sine, or to a sweep at its own rate and at none."""
     if case.sweep is not None:
         sweep, rate = case.sweep, case.sweep.rate
@@ -180,12 +180,12 @@ class _Stepped:
         found = motion.follow(angular)
         if motion.end is not None:
             self.ends.append(StopEnd(motion.end.angular / (2.0 * pi), up, motion.end.kind.value))
-        self.taken.append(_told_step(found, up=up))
+        self.taken.append(_sweep_step(found, up=up))
         return self.taken[-1]
 
     def _kicked(self, motion: SteppedMotion, goes_on: Callable[[], bool]) -> Iterator[StopKick]:
         """Yield what takes the blade from one motion to the other, across the range with both."""
-        band = self.told("", "").metastable
+        band = self.result("", "").metastable
         if band is None:
             return
         low, high = (2.0 * pi * end for end in band)
@@ -208,9 +208,9 @@ class _Stepped:
                 )
                 yield self.kicks[-1]
 
-    def told(self, case: str, law: str) -> StopSweep:
+    def result(self, case: str, law: str) -> StopSweep:
         """Return the response with its contact bands, to where the motions gave way."""
-        found = _told(case, self.how, self.taken, law)
+        found = _response(case, self.how, self.taken, law)
         up, down = (
             _widened(band, [end.frequency for end in self.ends if end.up is way])
             for way, band in ((True, found.contact_up), (False, found.contact_down))
@@ -218,7 +218,7 @@ class _Stepped:
         return found._replace(
             contact_up=up,
             contact_down=down,
-            metastable=_between(up, down),
+            metastable=_range_of_both(up, down),
             ends=tuple(self.ends),
             kicks=tuple(self.kicks),
         )
@@ -228,7 +228,7 @@ def _nearest(known: list[PeriodicMotion], angular: float) -> PeriodicMotion | No
     return min(known, key=lambda m: abs(m.angular - angular), default=None)
 
 
-def _told_step(found: Step, *, up: bool) -> SweepStep:
+def _sweep_step(found: Step, *, up: bool) -> SweepStep:
     return SweepStep(
         up,
         found.angular / (2.0 * pi),
@@ -263,9 +263,9 @@ class _Running:
         self.planned = 2 * STEPS
         self.taken: list[SweepStep] = []
 
-    def told(self, case: str, law: str) -> StopSweep:
+    def result(self, case: str, law: str) -> StopSweep:
         """Return the response with its contact bands."""
-        return _told(case, self.how, self.taken, law)
+        return _response(case, self.how, self.taken, law)
 
     def steps(self, goes_on: Callable[[], bool]) -> Iterator[SweepStep]:
         """Yield the peaks in equal parts of the time of the sweep and of its way back."""
@@ -294,13 +294,13 @@ class _Running:
                 part, seen = min(int(done + 1e-9), STEPS - 1), run.contact_count
 
 
-def _told(case: str, how: str, steps: list[SweepStep], law: str) -> StopSweep:
+def _response(case: str, how: str, steps: list[SweepStep], law: str) -> StopSweep:
     """Return a response with its contact bands and the range between them."""
     up, down = (_band([s for s in steps if s.up is way]) for way in (True, False))
-    return StopSweep(case, how, tuple(steps), up, down, _between(up, down), law)
+    return StopSweep(case, how, tuple(steps), up, down, _range_of_both(up, down), law)
 
 
-def _between(
+def _range_of_both(
     up: tuple[float, float] | None, down: tuple[float, float] | None
 ) -> tuple[float, float] | None:
     """Return where contact is a choice: both ways must have been gone."""

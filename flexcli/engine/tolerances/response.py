@@ -76,7 +76,7 @@ class Stopped(KeyboardInterrupt):
 
 
 class Portable:
-    """A design that another process makes anew by its recipe: its own classes do not travel."""
+    """A design with the recipe by which another process makes it: a design cannot be pickled."""
 
     def __init__(self, design: DesignSpec, recipe: Recipe) -> None:
         self.design, self.recipe = design, recipe
@@ -259,7 +259,7 @@ class Response(NamedTuple):
             fits.append(fit)
             errors.append(SAFETY * off.max(axis=0, initial=0.0))
         off_by = dict(zip(known, np.maximum(*errors).tolist(), strict=True))
-        taken, unknown = _taken(rows, off_by)
+        taken, unknown = _rows_to_go_by(rows, off_by)
         places = [known.index(k) for k in taken]
         low, high = (PolynomialFit(f.exponents, f.coefficients[:, places]) for f in fits)
         return cls(
@@ -278,7 +278,9 @@ def _worst_of_each(found: Reading) -> Reading:
     return worst
 
 
-def _taken(rows: tuple[Row, ...], off_by: Mapping[int, float]) -> tuple[list[int], frozenset[str]]:
+def _rows_to_go_by(
+    rows: tuple[Row, ...], off_by: Mapping[int, float]
+) -> tuple[list[int], frozenset[str]]:
     """Return the rows to go by and the checks that nothing is known of in some parts.
 
     A check goes by its limits, or by the worst of them where that has the smaller error.

@@ -185,7 +185,7 @@ class _Loss:
             worst = np.quantile(self._worst_rows(self._parts(each)), self.risk, axis=0)
         return dict(zip(self.checks, (here - worst).tolist(), strict=True))
 
-    def moved(self, path: tuple[str | int, ...], factor: float) -> Losses:
+    def with_nominal(self, path: tuple[str | int, ...], factor: float) -> Losses:
         """Return the losses with the nominal of the numbers at a path changed by a factor."""
 
         def there(v: Variation) -> Variation:
@@ -253,7 +253,7 @@ def _corrections(loss: _Loss, free: Sequence[str]) -> dict[str, Correction]:
         reach = [(v.spread.high - v.spread.low) / v.nominal for v in loss.each if v.path == path]
         if reach:
             factor = 1.0 + STEP * min(reach)  # within what the fit goes through
-            for check, there in loss.moved(path, factor).items():
+            for check, there in loss.with_nominal(path, factor).items():
                 slopes[check][name] = (there - here[check]) / log(factor)
     return {
         check: Correction(exp(taken + HAIR), about, slopes[check]) for check, taken in here.items()

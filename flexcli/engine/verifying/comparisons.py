@@ -77,14 +77,16 @@ def comparisons(asks: list[CaseAsks], at_stroke: bool) -> Iterator[Comparison]:
         )  # fmt: skip
     for asked in asks if not first.geometry.in_space else ():
         if asked.case.scene.temperature is not None:
-            yield from _warm(asked, model, unit, effort)
-        yield from _case(asked, model, many=len(asks) > 1)
+            yield from _at_temperature(asked, model, unit, effort)
+        yield from _of_case(asked, model, many=len(asks) > 1)
         if asked.case.scene.moves and asked.case.scene.temperature is None:
             supports = _supports_at_stroke(asked.case, model, many=len(asks) > 1)
             yield from (each._replace(on_demand=not at_stroke) for each in supports)
 
 
-def _warm(asked: CaseAsks, model: ModelNumbers, unit: str, effort: str) -> Iterator[Comparison]:
+def _at_temperature(
+    asked: CaseAsks, model: ModelNumbers, unit: str, effort: str
+) -> Iterator[Comparison]:
     """Yield the stiffness at a temperature, and the frequency that is its own and of its masses."""
     ask, cold = asked
     case, turns = ask.scene.case, ask.geometry.motion == "rotation"
@@ -151,7 +153,7 @@ def _has_mass(ask: Ask) -> bool:
     return True
 
 
-def _case(asked: CaseAsks, model: ModelNumbers, *, many: bool) -> Iterator[Comparison]:
+def _of_case(asked: CaseAsks, model: ModelNumbers, *, many: bool) -> Iterator[Comparison]:
     ask = asked.case
     scene, end = ask.scene, f"_{ask.scene.case}" if many else ""
     alone = ask._replace(scene=scene.without_loads())

@@ -118,7 +118,7 @@ class ModelNumbers:
     def share_at(self, ask: Ask, place: Place) -> float:
         """Return the stress at a place over the greatest, by exact beams."""
         exact = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
-        return abs(self._along(ask, place)) / exact
+        return abs(self._stress_at(ask, place)) / exact
 
     def law_in_stress(self, ask: Ask) -> float:
         """Return what the law of finite strain of a solid may change in a stress: the strain.
@@ -143,7 +143,7 @@ class ModelNumbers:
             found += 0.5 * float(np.trapezoid(strain**2, along.s[0]))
         return PRINTED + found / abs(float(self.exact.parasitic_shift(ask)))
 
-    def _along(self, ask: Ask, place: Place) -> float:
+    def _stress_at(self, ask: Ask, place: Place) -> float:
         state = self.exact.states(ask)
         found = blade_stress(state, place.stretch, 257)
         face = (found.left if place.face == "left" else found.right)[0]
@@ -171,7 +171,7 @@ class ModelNumbers:
             for face in ("left", "right"):
                 for one in at:
                     place = Place(stretch.name, face, one)
-                    found[place] = abs(self._along(ask, place))
+                    found[place] = abs(self._stress_at(ask, place))
         return max(found, key=found.__getitem__)
 
 

@@ -10,7 +10,7 @@ from flexcli.mechanics.linkages.equations import Loops, loops
 from flexcli.mechanics.linkages.linkage import Linkage
 from flexcli.numerics.loop_closure import CurvePoints
 
-__all__ = ["LinkageMotion", "moved"]
+__all__ = ["LinkageMotion", "motion_of"]
 
 Floats = NDArray[np.float64]
 
@@ -38,8 +38,8 @@ class LinkageMotion:
         return u + x * c - y * s, v + x * s + y * c
 
 
-def moved(linkage: Linkage, inputs: Floats, solution: CurvePoints) -> LinkageMotion:
-    """Return the motion that solutions of the loop equations, one per input, stand for."""
+def motion_of(linkage: Linkage, inputs: Floats, solution: CurvePoints) -> LinkageMotion:
+    """Return the motion of links and joints from solutions of the loop equations, one per input."""
     equations = loops(linkage)
     unit = equations.units()
     per_input = unit / unit[equations.input]
@@ -49,15 +49,15 @@ def moved(linkage: Linkage, inputs: Floats, solution: CurvePoints) -> LinkageMot
     bend = np.einsum("njk,nk->nj", slopes, second) + equations.bends(q, first)[..., 2]
     names = [joint.name for joint in linkage.joints]
 
-    def named(columns: Floats) -> dict[str, Floats]:
+    def by_joint(columns: Floats) -> dict[str, Floats]:
         return {name: columns[:, i].reshape(inputs.shape) for i, name in enumerate(names)}
 
     shifts, turns = _poses(linkage, equations, q, inputs.shape)
     return LinkageMotion(
         inputs,
-        named(equations.rows(q)[..., 2] * unit),
-        named(ratio * per_input),
-        named(bend * per_input / unit[equations.input]),
+        by_joint(equations.rows(q)[..., 2] * unit),
+        by_joint(ratio * per_input),
+        by_joint(bend * per_input / unit[equations.input]),
         shifts,
         turns,
     )

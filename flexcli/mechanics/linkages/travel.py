@@ -12,7 +12,7 @@ from flexcli.errors import SolveError
 from flexcli.mechanics.linkages.equations import Loops, loops
 from flexcli.mechanics.linkages.linkage import Linkage
 from flexcli.mechanics.linkages.mobility import require_one_freedom
-from flexcli.mechanics.linkages.motion import LinkageMotion, moved
+from flexcli.mechanics.linkages.motion import LinkageMotion, motion_of
 from flexcli.numerics.loop_closure import Curve, follow, solve_at
 
 __all__ = ["Stop", "Travel", "TravelLimit", "motion", "travel"]
@@ -73,7 +73,7 @@ class Travel:
         unit = equations.units()
         # the clip takes back what the change of units rounds beyond an end
         scaled = np.clip(values.ravel() / unit[equations.input], *self.curve.parameters[[0, -1]])
-        return moved(self.linkage, values, solve_at(equations, self.curve, scaled))
+        return motion_of(self.linkage, values, solve_at(equations, self.curve, scaled))
 
 
 def travel(linkage: Linkage, start: float, end: float) -> Travel:

@@ -47,7 +47,7 @@ class Basis(NamedTuple):
 
         Each (3, functions, points).
         """
-        lines = [_along(i) for i in range(self.along)]
+        lines = [_function_along(i) for i in range(self.along)]
         rows = [_sample(lines, order, 2.0 * s - 1.0) * 2.0**order for order in range(3)]
         for row in rows:
             row[1:AT_ENDS:2] /= 2.0  # slopes by the length
@@ -77,7 +77,7 @@ def _sample(lines: list[Legendre], order: int, u: Floats) -> Floats:
 
 
 @functools.cache
-def _along(i: int) -> Legendre:
+def _function_along(i: int) -> Legendre:
     """Return a function along; the first four have value or slope one at one end."""
     if i >= AT_ENDS:
         n = i - AT_ENDS + 2

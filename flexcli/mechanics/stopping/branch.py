@@ -73,16 +73,16 @@ def branch_steps(
     fold, where two motions meet and none lies beyond, is passed like any other point. The last
     one is free of contact, or as far as it could be followed.
     """
-    here = _at(driven, motion)
+    here = _branch_point(driven, motion)
     if here is None:
         return
-    here = _turned(here, rising=rising)
+    here = _facing(here, rising=rising)
     arc = FIRST
     for _ in range(MOST_STEPS):
         if abs(here.tangent[-1]) > UPRIGHT and not driven.is_away(here.motion.start.q):
-            moved = _at(driven, driven.begun_free(here.motion))
+            moved = _branch_point(driven, driven.begun_free(here.motion))
             if moved is not None:
-                here = _turned(moved, rising=bool(here.tangent[-1] > 0.0))
+                here = _facing(moved, rising=bool(here.tangent[-1] > 0.0))
         found, count = _stepped(driven, here, arc)
         while found is None:
             arc /= 2.0
@@ -108,10 +108,10 @@ def branch_end(driven: DrivenBlade, motion: PeriodicMotion, *, rising: bool) -> 
     for step in branch_steps(driven, motion, rising=rising):
         ends = step.start, step.end
         if ends[0].tangent[-1] * ends[1].tangent[-1] < 0.0:
-            angular = _where(driven, step, lambda point: float(point.tangent[-1]))
+            angular = _frequency_of_zero(driven, step, lambda point: float(point.tangent[-1]))
             return BranchEnd(angular, Bifurcation.FOLD)
         if not step.end.motion.is_stable:
-            angular = _where(driven, step, lambda point: point.motion.largest - 1.0)
+            angular = _frequency_of_zero(driven, step, lambda point: point.motion.largest - 1.0)
             return BranchEnd(angular, _kind(step.end.motion))
         if not step.end.motion.contacts:
             ways = step.start.motion.angular, step.end.motion.angular
@@ -128,7 +128,9 @@ def _kind(motion: PeriodicMotion) -> Bifurcation:
     return Bifurcation.SYMMETRY_BREAKING if worst.real > 0.0 else Bifurcation.PERIOD_DOUBLING
 
 
-def _where(driven: DrivenBlade, step: BranchStep, function: Callable[[_Point], float]) -> float:
+def _frequency_of_zero(
+    driven: DrivenBlade, step: BranchStep, function: Callable[[_Point], float]
+) -> float:
     """Return the frequency within a step at which a function of its points is zero."""
     found = {0.0: step.start, step.arc: step.end}
 
@@ -145,13 +147,16 @@ def _where(driven: DrivenBlade, step: BranchStep, function: Callable[[_Point], f
     return found[float(arc)].motion.angular
 
 
-def _turned(point: _Point, *, rising: bool) -> _Point:
+def _facing(point: _Point, *, rising: bool) -> _Point:
+    """Return a point whose direction leads to higher, or to lower, frequencies."""
     sign = 1.0 if bool(point.tangent[-1] > 0.0) is rising else -1.0
     return point._replace(tangent=sign * point.tangent)
 
 
-def _at(driven: DrivenBlade, motion: PeriodicMotion, along: Floats | None = None) -> _Point | None:
-    """Return a motion with its derivative and direction, turned along another one."""
+def _branch_point(
+    driven: DrivenBlade, motion: PeriodicMotion, along: Floats | None = None
+) -> _Point | None:
+    """Return a motion as a point of its branch; its direction is less than 90° off another one."""
     start, periods = motion.start, motion.periods
     slope = driven.slope(motion.angular, start, periods)
     if slope is None:
@@ -193,4 +198,4 @@ def _stepped(driven: DrivenBlade, here: _Point, arc: float) -> tuple[_Point | No
         contacts=driven.run(angular, driven.point(u[:n], phase), periods).contact_count,
         residual=size,
     )
-    return _at(driven, found, here.tangent), count
+    return _branch_point(driven, found, here.tangent), count

@@ -232,11 +232,11 @@ def _stepped(slope: _Slope, last: _Step, h: float, size: Sequence[float]) -> _St
     stages, parts = [[k] for k in last.slopes], [last.sum_slopes]
     tableau = _tableau()
     for row in tableau.rows:
-        slopes, sums = slope(_moved(last.x, h, row, stages))
+        slopes, sums = slope(_advanced(last.x, h, row, stages))
         for stage, value in zip(stages, slopes, strict=True):
             stage.append(value)
         parts.append(sums)
-    x = _moved(last.x, h, tableau.weights, stages)
+    x = _advanced(last.x, h, tableau.weights, stages)
     slopes, sums = slope(x)
     third = fifth = 0.0
     for stage, value, scale in zip(stages, slopes, size, strict=True):
@@ -249,9 +249,10 @@ def _stepped(slope: _Slope, last: _Step, h: float, size: Sequence[float]) -> _St
     return _Step(h, x, slopes, sums, total, error)
 
 
-def _moved(
+def _advanced(
     x: Sequence[float], h: float, row: Sequence[float], stages: Sequence[Sequence[float]]
 ) -> list[float]:
+    """Return a state moved by a step along the weighted slopes of stages."""
     return [z + h * sum(map(mul, row, stage)) for z, stage in zip(x, stages, strict=True)]
 
 

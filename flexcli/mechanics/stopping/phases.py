@@ -73,7 +73,8 @@ class Phase:
         return taken
 
 
-def _along(direction: Floats, basis: Floats, system: LinearSystem) -> Complexes:
+def _amplitude_row(direction: Floats, basis: Floats, system: LinearSystem) -> Complexes:
+    """Return the row whose real part, times the amplitudes, is the motion along a direction."""
     row: Complexes = direction @ basis @ system.shapes
     return row
 
@@ -90,7 +91,7 @@ def free_phase(blade: ModalBlade) -> Phase:
         system=system,
         drive=system.drive(-blade.base),
         force=Row(np.zeros(system.roots.size, dtype=np.complex128)),
-        deflection=Row(_along(blade.stop, np.eye(n), system)),
+        deflection=Row(_amplitude_row(blade.stop, np.eye(n), system)),
     )
 
 
@@ -102,7 +103,7 @@ def spring_phase(blade: ModalBlade, law: LinearStop, gap: float, side: int) -> P
     system = second_order_system(blade.stiffness + k * together, blade.damper + c * together)
     softness = s / blade.angular**2
     origin = side * gap * k * softness / (1.0 + k * (s @ softness))
-    along = _along(s, np.eye(n), system)
+    along = _amplitude_row(s, np.eye(n), system)
     # k (φ·origin side − gap) in the form that doesn't cancel
     push = -k * gap / (1.0 + k * float(s @ softness))
     return Phase(
