@@ -8,18 +8,25 @@ from flexcli.numerics.signomial import Signomial, as_signomial
 
 
 @dataclass(frozen=True, eq=False)
-class Ratio:
-    """numerator / denominator ≤ 1, with both sides posynomials.
-
-    Convex in the logarithms of the variables when the denominator is a monomial.
-    """
+class Quotient:
+    """numerator / denominator, both posynomials."""
 
     name: str
     numerator: Signomial
     denominator: Signomial
 
     def __post_init__(self) -> None:
-        _require_posynomials(self.name, self.numerator, self.denominator)
+        for side in ("numerator", "denominator"):
+            signomial: Signomial = getattr(self, side)
+            if not signomial.is_posynomial:
+                raise ValueError(f"{self.name}: the {side} {signomial!r} is not a posynomial")
+
+
+class Ratio(Quotient):
+    """numerator / denominator ≤ 1.
+
+    Convex in the logarithms of the variables when the denominator is a monomial.
+    """
 
     @property
     def is_convex(self) -> bool:
@@ -27,16 +34,8 @@ class Ratio:
         return self.denominator.is_monomial
 
 
-@dataclass(frozen=True, eq=False)
-class Equality:
-    """numerator / denominator = 1, with both sides posynomials; affine when both are monomials."""
-
-    name: str
-    numerator: Signomial
-    denominator: Signomial
-
-    def __post_init__(self) -> None:
-        _require_posynomials(self.name, self.numerator, self.denominator)
+class Equality(Quotient):
+    """numerator / denominator = 1; affine when both are monomials."""
 
     @property
     def is_convex(self) -> bool:
@@ -83,9 +82,3 @@ def at_most(name: str, demand: Signomial | float, capacity: Signomial | float) -
     if offered.is_monomial and not below.is_monomial:
         return Ratio(name, needed, offered)
     return Ratio(name, above, below)
-
-
-def _require_posynomials(name: str, numerator: Signomial, denominator: Signomial) -> None:
-    for side, signomial in (("numerator", numerator), ("denominator", denominator)):
-        if not signomial.is_posynomial:
-            raise ValueError(f"{name}: the {side} {signomial!r} is not a posynomial")

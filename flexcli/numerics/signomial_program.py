@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.numerics.log_sum_exp import Expansion, LogSumExp, pack
-from flexcli.numerics.ratios import Equality, Ratio
+from flexcli.numerics.ratios import Equality, Quotient, Ratio
 from flexcli.numerics.signomial import Floats
 
 __all__ = ["SignomialProgram", "signomial_program"]
@@ -114,7 +114,7 @@ def signomial_program(
     ends: tuple[Floats, Floats] | None = None,
 ) -> SignomialProgram:
     """Pack a geometric program; ``ends`` are those of each variable's logarithm."""
-    rows: list[Ratio | Equality] = [objective, *constraints, *equalities]
+    rows: list[Quotient] = [objective, *constraints, *equalities]
     above, below, split = [], [], []
     for r, entry in enumerate(rows):
         if entry.denominator.is_monomial:

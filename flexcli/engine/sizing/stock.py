@@ -8,6 +8,7 @@ Where a size stays continuous, or those are too many points, branch and bound de
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import partial
 from math import ceil, floor, log, prod
 from typing import TypeAlias
 
@@ -109,11 +110,7 @@ def points_about(
     over = np.max(
         [sign * row + shift for row, (_, sign, shift) in zip(rows, limits, strict=True)], axis=0
     )
-    merit = (
-        np.abs(np.log(points / [[centre[name]] for name in program.names])).sum(axis=0)
-        if goals is None
-        else program.worth(goals[0], np.log(points))
-    )
+    merit = _merits(program, goals, centre, x)[0]
     order = [k for k in np.argsort(merit, kind="stable") if over[k] <= NEARLY]
     return [{name: float(at[k]) for name, at in x.items()} for k in order[:MOST_BESIDE]]
 
@@ -136,12 +133,7 @@ def _judged_one_by_one(
     goals: Sequence[Term] | None,
     centre: Mapping[str, float],
 ) -> StockChoice:
-    def merits(x: Mapping[str, Floats]) -> list[Floats]:
-        if goals is None:
-            return [np.asarray(sum(np.abs(np.log(x[name] / at)) for name, at in centre.items()))]
-        y = np.log(np.array([np.atleast_1d(x[name]) for name in program.names]))
-        return [program.worth(goal, y) for goal in goals]
-
+    merits = partial(_merits, program, goals, centre)
     judged, width = 0, _first_width(grids, centre)
     best: dict[str, float] | None = None
     while best is None and width <= WIDEST_WINDOW:
@@ -161,6 +153,19 @@ def _judged_one_by_one(
     better, count = _best_of_box(program, grids, box, merits)
     proved = count > 0 and (goals is None or not program.curved)
     return StockChoice(better or best, proved, judged + count)
+
+
+def _merits(
+    program: SizingProgram,
+    goals: Sequence[Term] | None,
+    centre: Mapping[str, float],
+    x: Mapping[str, Floats],
+) -> list[Floats]:
+    """Return what decides between points, the less the better: the goals, or their distance."""
+    if goals is None:
+        return [np.asarray(sum(np.abs(np.log(x[name] / at)) for name, at in centre.items()))]
+    y = np.log(np.array([x[name] for name in program.names]))
+    return [program.worth(goal, y) for goal in goals]
 
 
 def _first_width(grids: Mapping[str, Grid], centre: Mapping[str, float]) -> float:
