@@ -12,13 +12,13 @@ from flexcli.engine.joint_models.buckling import PushScene, ends_held, push_scen
 from flexcli.engine.joint_models.holds import driven_axis
 from flexcli.engine.joint_models.joint_states import layout_of, over_travels, warmed
 from flexcli.engine.solid.deck import (
-    MM,
     State,
     buckling_deck,
     compliance_deck,
     modes_deck,
     support_deck,
 )
+from flexcli.engine.solid.deck_model import MM
 from flexcli.engine.solid.model import SolidModel, solid_model, solid_model_in_space
 from flexcli.engine.solid.states import FaceStress, Runner, SolidStates, solid_states
 from flexcli.formulas.profile import Constant, NeckedDown, Tabulated

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.solid.calculix import Printed
-from flexcli.engine.solid.deck import MM, MPA, Deck, State, states_deck
+from flexcli.engine.solid.deck import Deck, State, states_deck
+from flexcli.engine.solid.deck_model import MM, MPA
 from flexcli.engine.solid.model import SolidModel, Stretch, solid_model
 from flexcli.mechanics.demand import Held
 from flexcli.mechanics.layout import Layout, Load
