@@ -5,13 +5,13 @@ from time import perf_counter
 
 import numpy as np
 
-from flexcli.engine.comparing.compared import Settled, Timed, compared, relative_bound
+from flexcli.engine.comparing.compared import Reference, Timed, compared, relative_bound
 from flexcli.engine.comparing.model_series import (
     CONTROL_LEVELS,
     FINEST,
     Finest,
-    NamedModel,
     Number,
+    SeriesModel,
     SolvedSeries,
     numbers,
     series,
@@ -25,7 +25,7 @@ from flexcli.parts.geometries import Sizes
 from flexcli.results import Cost, Note, Result, Status, Value
 from flexcli.results.accuracy import AccuracyResult
 
-__all__ = ["Settled", "Timed", "accuracy", "compared", "timed"]
+__all__ = ["accuracy", "timed"]
 
 
 def accuracy(
@@ -106,7 +106,7 @@ def _solved(design: DesignSpec, sizes: Sizes, runs: int) -> SolvedSeries:
     raise SolveError("one-model", text, "'flexure check' judges it by the model that it has")
 
 
-def _settled(asked: Sequence[Number]) -> tuple[float, list[Settled[Number]], tuple[str, ...]]:
+def _settled(asked: Sequence[Number]) -> tuple[float, list[Reference[Number]], tuple[str, ...]]:
     """Return the finest tolerance, the numbers that are sure to it, the names of the others.
 
     It is the first that leaves no number unsure, else the one that leaves fewest.
@@ -121,14 +121,14 @@ def _settled(asked: Sequence[Number]) -> tuple[float, list[Settled[Number]], tup
     return min(tried, key=lambda each: len(each[2]))
 
 
-def _finest(number: Number, tolerance: float) -> Settled[Number] | None:
+def _finest(number: Number, tolerance: float) -> Reference[Number] | None:
     """Return a number by the finest model, whose error other nodes and the solver bound."""
     finest = number.tried(Finest(tolerance=tolerance))
     control = number.tried(Finest(tolerance=tolerance, levels=CONTROL_LEVELS))
     if finest is None or control is None:
         return None
     bound = relative_bound(finest, control, tolerance)
-    return None if bound is None else Settled(number, finest, bound)
+    return None if bound is None else Reference(number, finest, bound)
 
 
 def _why_not(number: Number) -> str:
@@ -140,7 +140,7 @@ def _why_not(number: Number) -> str:
     return f"is zero to rounding in its {number.label}"
 
 
-def timed(settled: Sequence[Settled[Number]], models: Sequence[NamedModel], runs: int) -> Timed:
+def timed(settled: Sequence[Reference[Number]], models: Sequence[SeriesModel], runs: int) -> Timed:
     """Return every number by every model, and the seconds that each took.
 
     The code is warm, the models are new each time: none remembers what it solved before. They take

@@ -10,12 +10,13 @@ from strategies import crossed, design, rcc, stage
 
 import flexcli
 from flexcli.engine import accuracy as verb
-from flexcli.engine.accuracy import Settled, Timed, accuracy, compared, timed
+from flexcli.engine.accuracy import accuracy, timed
+from flexcli.engine.comparing.compared import Reference, Timed, compared
 from flexcli.engine.comparing.model_series import (
     CONTROL_LEVELS,
     Finest,
-    NamedModel,
     Number,
+    SeriesModel,
     numbers,
     series,
 )
@@ -142,8 +143,8 @@ def test_no_accuracy_beyond_the_finest_is_promised():
 
 def by_hand(values, seconds, asked, bound=1e-12):
     """Compare made-up models on one number whose finest value is 1."""
-    models = [NamedModel(name, AS_PRINTED) for name in "abcd"[: len(values)]]
-    settled = [Settled(Number("k", "stiffness", "N/m", lambda joint_model: 1.0), 1.0, bound)]
+    models = [SeriesModel(name, AS_PRINTED) for name in "abcd"[: len(values)]]
+    settled = [Reference(Number("k", "stiffness", "N/m", lambda joint_model: 1.0), 1.0, bound)]
     times = Timed(np.array(values)[:, None], np.array(seconds)[None, :, None])
     return compared(settled, models, times, asked)
 
@@ -172,10 +173,10 @@ def test_a_model_without_an_answer_is_not_recommended_and_says_what_it_lacks():
 
 
 def test_the_spread_is_that_of_the_runs():
-    settled = [Settled(Number("k", "stiffness", "N/m", lambda joint_model: 1.0), 1.0, 1e-12)]
+    settled = [Reference(Number("k", "stiffness", "N/m", lambda joint_model: 1.0), 1.0, 1e-12)]
     seconds = np.array([3.0, 1.0, 2.0])[:, None, None]
     times = Timed(np.ones((1, 1)), seconds)
-    (model,) = compared(settled, [NamedModel("a", AS_PRINTED)], times, 0.1).models
+    (model,) = compared(settled, [SeriesModel("a", AS_PRINTED)], times, 0.1).models
     assert (model.least, model.seconds, model.most) == (1.0, 2.0, 3.0)
 
 

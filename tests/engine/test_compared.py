@@ -5,7 +5,7 @@ from math import nan
 import numpy as np
 import pytest
 
-from flexcli.engine.comparing.compared import UNSURE, Settled, Timed, compared, relative_bound
+from flexcli.engine.comparing.compared import UNSURE, Reference, Timed, compared, relative_bound
 from flexcli.engine.comparing.time_accuracy import TimeNumber
 
 
@@ -24,7 +24,7 @@ def test_a_value_without_a_control_that_agrees_is_not_sure(pair):
 
 
 def test_one_run_that_gives_two_quantities_is_paid_once():
-    settled = [Settled(TimeNumber(name, name, "m"), 1.0, 1e-12) for name in "xy"]
+    settled = [Reference(TimeNumber(name, name, "m"), 1.0, 1e-12) for name in "xy"]
     seconds = np.full((1, 2, 2), 3.0)
     shared = Timed(np.ones((2, 2)), seconds, np.full((1, 2), 3.0))
     found = compared(settled, [Model("a"), Model("b")], shared, 0.1)
@@ -33,7 +33,7 @@ def test_one_run_that_gives_two_quantities_is_paid_once():
 
 
 def test_a_model_that_lacks_a_quantity_has_no_time_of_all_even_where_it_is_shared():
-    settled = [Settled(TimeNumber(name, name, "m"), 1.0, 1e-12) for name in "xy"]
+    settled = [Reference(TimeNumber(name, name, "m"), 1.0, 1e-12) for name in "xy"]
     values = np.array([[1.0, nan], [1.0, 1.0]])
     found = compared(
         settled, [Model("a"), Model("b")],

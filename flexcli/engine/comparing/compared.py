@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from flexcli.numerics.pareto import pareto
 from flexcli.results.accuracy import AccuracyResult, ModelAccuracy, QuantityAccuracy, Reading
 
-__all__ = ["UNSURE", "Named", "Settled", "Timed", "compared", "relative_bound"]
+__all__ = ["UNSURE", "Named", "Reference", "Timed", "compared", "relative_bound"]
 
 Floats = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ class Reported(Named, Protocol):
 N = TypeVar("N", bound=Reported)
 
 
-class Settled(NamedTuple, Generic[N]):
+class Reference(NamedTuple, Generic[N]):
     """A number with the finest model's value and the bound on its relative error."""
 
     number: N
@@ -71,7 +71,7 @@ def relative_bound(finest: float, control: float, tolerance: float) -> float | N
 
 
 def compared(
-    settled: Sequence[Settled[N]],
+    settled: Sequence[Reference[N]],
     models: Sequence[Named],
     times: Timed,
     asked: float,
@@ -120,7 +120,7 @@ def compared(
 
 
 def _quantity(
-    each: Settled[N], names: Sequence[str], values: Floats, errors: Floats, seconds: Floats,
+    each: Reference[N], names: Sequence[str], values: Floats, errors: Floats, seconds: Floats,
     asked: float,
 ) -> QuantityAccuracy:  # fmt: skip
     middle = np.median(seconds, axis=0)

@@ -5,7 +5,7 @@ from functools import partial
 from math import isfinite
 from typing import NamedTuple
 
-from flexcli.engine.comparing.compared import Named, Settled, Timed
+from flexcli.engine.comparing.compared import Named, Reference, Timed
 from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.engine.joint_models.joint_states import over_stroke
 from flexcli.engine.joint_models.linear import LinearModel
@@ -20,8 +20,8 @@ __all__ = [
     "CONTROL_LEVELS",
     "FINEST",
     "Finest",
-    "NamedModel",
     "Number",
+    "SeriesModel",
     "SolvedSeries",
     "asked_of",
     "largest_stress",
@@ -51,7 +51,7 @@ class Finest(ExactModel):
         return "greatest stress at a face", [EndStress("where it is greatest", stress, 0.0, 0.0)]
 
 
-class NamedModel(NamedTuple):
+class SeriesModel(NamedTuple):
     """A model by the name that reports give it; a new one remembers no answer."""
 
     name: str
@@ -81,31 +81,31 @@ class SolvedSeries(NamedTuple):
     ``unsettled`` names the numbers without a sure value of the finest.
     """
 
-    settled: Sequence[Settled[Number]]
+    settled: Sequence[Reference[Number]]
     models: Sequence[Named]
     times: Timed
     unsettled: tuple[str, ...]
 
 
-def series(geometry: Geometry, tolerance: float = FINEST[0]) -> tuple[NamedModel, ...]:
+def series(geometry: Geometry, tolerance: float = FINEST[0]) -> tuple[SeriesModel, ...]:
     """Return the models that fit a geometry, from the cheapest to the finest.
 
     Those of given nodes solve their equations to the finest's tolerance, so that their error is
     that of their nodes.
     """
-    closed = [NamedModel(AS_PRINTED.name, lambda: AS_PRINTED)] if geometry.closed_forms else []
+    closed = [SeriesModel(AS_PRINTED.name, lambda: AS_PRINTED)] if geometry.closed_forms else []
     exact = [
-        NamedModel(
+        SeriesModel(
             f"exact, {nodes} nodes", partial(ExactModel, tolerance=tolerance, levels=(nodes,))
         )
         for nodes in NODES
     ]
     return (
         *closed,
-        NamedModel("linear", LinearModel),
+        SeriesModel("linear", LinearModel),
         *exact,
-        NamedModel("exact", ExactModel),
-        NamedModel(f"exact to {tolerance:g}", partial(Finest, tolerance=tolerance)),
+        SeriesModel("exact", ExactModel),
+        SeriesModel(f"exact to {tolerance:g}", partial(Finest, tolerance=tolerance)),
     )
 
 

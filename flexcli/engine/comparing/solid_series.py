@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from flexcli.engine.comparing.compared import UNSURE, Settled, Timed
+from flexcli.engine.comparing.compared import UNSURE, Reference, Timed
 from flexcli.engine.comparing.model_series import SolvedSeries
 from flexcli.engine.verify import verifiable, verify
 from flexcli.errors import SolveError
@@ -66,7 +66,7 @@ def with_solids(
         return series, [*notes, Note("no-sure-solid", text)]
     solids = [numbers[each.number.name] for each in kept]
     settled = [
-        Settled(each.number, _greatest(by.solid, by), float(by.solid_error or 0.0))
+        Reference(each.number, _greatest(by.solid, by), float(by.solid_error or 0.0))
         for each, by in zip(kept, solids, strict=True)
     ]
     whole = sum(number.seconds - number.model_seconds for number in found.numbers)

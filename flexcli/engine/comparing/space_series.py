@@ -6,10 +6,10 @@ from time import perf_counter
 
 import numpy as np
 
-from flexcli.engine.comparing.compared import Settled, Timed, relative_bound
+from flexcli.engine.comparing.compared import Reference, Timed, relative_bound
 from flexcli.engine.comparing.model_series import (
-    NamedModel,
     Number,
+    SeriesModel,
     SolvedSeries,
     asked_of,
     largest_stress,
@@ -51,10 +51,10 @@ class _Control(SpaceShellModel):
 
 
 SERIES = (
-    NamedModel("linear", SpaceLinearModel),
-    NamedModel("exact", SpaceExactModel),
-    NamedModel("shell", SpaceShellModel),
-    NamedModel(_Finest.name, _Finest),
+    SeriesModel("linear", SpaceLinearModel),
+    SeriesModel("exact", SpaceExactModel),
+    SeriesModel("shell", SpaceShellModel),
+    SeriesModel(_Finest.name, _Finest),
 )
 
 
@@ -72,7 +72,7 @@ def space_series(design: DesignSpec, sizes: Sizes, runs: int) -> SolvedSeries:
         if bound is None:
             unsettled.append(number.name)
         else:
-            settled.append(Settled(number, finest, bound))
+            settled.append(Reference(number, finest, bound))
     values = np.full((len(SERIES), len(settled)), np.nan)
     seconds, whole = np.full((runs, *values.shape), np.nan), np.full((runs, len(SERIES)), np.nan)
     asks = design.asks(sizes, AS_PRINTED)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from flexcli.engine.comparing.compared import Settled, Timed, compared, relative_bound
+from flexcli.engine.comparing.compared import Reference, Timed, compared, relative_bound
 from flexcli.engine.comparing.penalty_law import RIGID_PENALTY
 from flexcli.engine.comparing.time_methods import Method, TimePeaks, event_driven, penalty_run
 from flexcli.engine.comparing.time_motions import StoppedMotion, motions
@@ -58,7 +58,7 @@ def accuracy_in_time(
 ) -> AccuracyResult | None:
     """Return what accuracy costs in time, for designs with stops that a sine or shock shakes."""
     shaken = list(motions(design, sizes))
-    settled: list[Settled[TimeNumber]] = []
+    settled: list[Reference[TimeNumber]] = []
     unsettled: list[str] = []
     columns: list[tuple[int, int]] = []
     for i, motion in enumerate(shaken):
@@ -66,7 +66,7 @@ def accuracy_in_time(
             if bound is None:
                 unsettled.append(number.name)
             else:
-                settled.append(Settled(number, value, bound))
+                settled.append(Reference(number, value, bound))
                 columns.append((i, j))
     if not settled:
         return None

@@ -34,7 +34,7 @@ from flexcli.parts.requirements.support import compliance_of
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.structure import joined
 
-__all__ = ["BESIDE", "Place", "SolidNumbers", "moving_masses", "whole_model"]
+__all__ = ["BESIDE", "SolidNumbers", "StressPlace", "moving_masses", "whole_model"]
 
 Floats = NDArray[np.float64]
 
@@ -62,7 +62,7 @@ STRAIGHT = (Constant, NeckedDown, Tabulated)
 """Profiles that end in a corner at their clamps, where the stress of a solid has no bound."""
 
 
-class Place(NamedTuple):
+class StressPlace(NamedTuple):
     """Where the stress of a stretch is compared: a face, and how far along its blade [m].
 
     Without a distance it is the greatest along the face, which is on a curve and not in a corner.
@@ -212,7 +212,7 @@ class SolidNumbers:
             return float((one + other) / ((u + v) / 2.0))
         return float((one - other) * arm / ((u - v) / (2.0 * arm)))
 
-    def stress(self, place: Place) -> float:
+    def stress(self, place: StressPlace) -> float:
         """Return the magnitude of the stress at a place at the end of the stroke [Pa]."""
         states = self.states()
         found = states.face_stresses(1 if self.ask.scene.moves else 0)
@@ -391,7 +391,7 @@ def _longest(layout: Layout) -> float:
     return max(float(np.hypot(*end)) for end in ends)
 
 
-def _stress_at(found: FaceStress, place: Place) -> float:
+def _stress_at(found: FaceStress, place: StressPlace) -> float:
     face = found.left if place.face == "left" else found.right
     if place.s is None:
         return float(np.abs(face).max())

@@ -6,7 +6,7 @@ from math import sqrt
 from typing import NamedTuple
 
 from flexcli.engine.joint_models.exact import ExactModel
-from flexcli.engine.solid.numbers import Place, SolidNumbers, moving_masses
+from flexcli.engine.solid.numbers import SolidNumbers, StressPlace, moving_masses
 from flexcli.engine.verifying.model_numbers import PRINTED, Found, ModelNumbers
 from flexcli.errors import SolveError
 from flexcli.formulas.profile import Constant
@@ -241,7 +241,7 @@ def _support_at_stroke(ask: Ask, model: ModelNumbers, index: int, end: str) -> C
     )  # fmt: skip
 
 
-def _stress_read(find: Callable[[], Place]) -> str:
+def _stress_read(find: Callable[[], StressPlace]) -> str:
     """Return in words which stress of the solid is read."""
     try:
         place = find()

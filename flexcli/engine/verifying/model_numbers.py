@@ -9,7 +9,7 @@ from flexcli.engine.joint_models.exact_with_shells import ExactWithShells
 from flexcli.engine.joint_models.joint_states import warmed
 from flexcli.engine.joint_models.linear import LinearModel
 from flexcli.engine.solid.model import solid_model
-from flexcli.engine.solid.numbers import STRAIGHT, Place
+from flexcli.engine.solid.numbers import STRAIGHT, StressPlace
 from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.stresses import blade_stress
 from flexcli.mechanics.tangent import free_compliance
@@ -110,12 +110,12 @@ class ModelNumbers:
         bent, straight = (_least_critical(each, ask) for each in (self.exact, LinearModel()))
         return PRINTED + abs(float(bent.force) / float(straight.force) - 1.0)
 
-    def stress(self, ask: Ask, place: Place) -> Found:
+    def stress(self, ask: Ask, place: StressPlace) -> Found:
         """Return the stress at a place, in proportion to the worst that the model knows."""
         worst = max(abs(float(s.largest)) for s in self.joint_model.stresses(ask)[1])
         return self.of(ask, QuantityKind.STRESS, worst * self.share_at(ask, place))
 
-    def share_at(self, ask: Ask, place: Place) -> float:
+    def share_at(self, ask: Ask, place: StressPlace) -> float:
         """Return the stress at a place over the greatest, by exact beams."""
         exact = max(abs(float(s.largest)) for s in self.exact.stresses(ask)[1])
         return abs(self._stress_at(ask, place)) / exact
@@ -143,7 +143,7 @@ class ModelNumbers:
             found += 0.5 * float(np.trapezoid(strain**2, along.s[0]))
         return PRINTED + found / abs(float(self.exact.parasitic_shift(ask)))
 
-    def _stress_at(self, ask: Ask, place: Place) -> float:
+    def _stress_at(self, ask: Ask, place: StressPlace) -> float:
         state = self.exact.states(ask)
         found = blade_stress(state, place.stretch, 257)
         face = (found.left if place.face == "left" else found.right)[0]
@@ -151,13 +151,13 @@ class ModelNumbers:
             return float(np.abs(face).max())
         return float(np.interp(place.s, found.s[0], face))
 
-    def stress_place(self, ask: Ask) -> Place:
+    def stress_place(self, ask: Ask) -> StressPlace:
         """Return where the stress of solids is compared: where it is greatest but in no corner.
 
         On blades that end in a corner that is two thicknesses from a clamp, else along the face.
         """
         layout = ask.geometry.layout(ask.material.elastic, ask.sizes)
-        found: dict[Place, float] = {}
+        found: dict[StressPlace, float] = {}
         for stretch in solid_model(layout).stretches:
             blade = next(b for b in layout.blades if b.name == stretch.name)
             s = stretch.bricks.places[:, 0]
@@ -170,7 +170,7 @@ class ModelNumbers:
                 at = (float(s.min()) + BESIDE_CLAMP * low, float(s.max()) - BESIDE_CLAMP * high)
             for face in ("left", "right"):
                 for one in at:
-                    place = Place(stretch.name, face, one)
+                    place = StressPlace(stretch.name, face, one)
                     found[place] = abs(self._stress_at(ask, place))
         return max(found, key=found.__getitem__)
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.mechanics.stopping.laws import Stops
-from flexcli.mechanics.stopping.phases import Contact, Phase, Row
+from flexcli.mechanics.stopping.phases import Contact, Output, Phase
 from flexcli.numerics.sampled_response import SampledResponse
 
 __all__ = ["Flight"]
@@ -25,7 +25,7 @@ class Flight:
         """Prepare the flow, and what stays positive until something happens."""
         self.sampled = SampledResponse(phase.system, phase.drive, step)
         free = [
-            Row(-side * phase.deflection.on_y, stops.gap(side))
+            Output(-side * phase.deflection.on_y, stops.gap(side))
             for side in (1, -1)
             if stops.gap(side) < inf
         ]

@@ -15,7 +15,7 @@ from flexcli.mechanics.stopping.laws import LinearStop, RigidStop, Stops, stiffn
 from flexcli.mechanics.stopping.modal_blade import ModalBlade
 from flexcli.numerics.linear_system import LinearSystem, second_order_system
 
-__all__ = ["Contact", "Phase", "Row", "free_phase", "held_phase", "phases_of", "spring_phase"]
+__all__ = ["Contact", "Output", "Phase", "free_phase", "held_phase", "phases_of", "spring_phase"]
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
@@ -29,7 +29,7 @@ class Contact(Enum):
     HELD = "held by a rigid stop"
 
 
-class Row(NamedTuple):
+class Output(NamedTuple):
     """An output ``constant + Re(on_y · y) + direct a`` of a phase, a the base's acceleration."""
 
     on_y: Complexes
@@ -52,8 +52,8 @@ class Phase:
     basis: Floats
     system: LinearSystem
     drive: Complexes
-    force: Row
-    deflection: Row
+    force: Output
+    deflection: Output
     spring: float = 0.0
     dashpot: float = 0.0
 
@@ -90,8 +90,8 @@ def free_phase(blade: ModalBlade) -> Phase:
         basis=np.eye(n),
         system=system,
         drive=system.drive(-blade.base),
-        force=Row(np.zeros(system.roots.size, dtype=np.complex128)),
-        deflection=Row(_amplitude_row(blade.stop, np.eye(n), system)),
+        force=Output(np.zeros(system.roots.size, dtype=np.complex128)),
+        deflection=Output(_amplitude_row(blade.stop, np.eye(n), system)),
     )
 
 
@@ -113,8 +113,8 @@ def spring_phase(blade: ModalBlade, law: LinearStop, gap: float, side: int) -> P
         basis=np.eye(n),
         system=system,
         drive=system.drive(-blade.base),
-        force=Row(side * along * (k + c * system.roots), push),
-        deflection=Row(along, float(s @ origin)),
+        force=Output(side * along * (k + c * system.roots), push),
+        deflection=Output(along, float(s @ origin)),
         spring=k,
         dashpot=c,
     )
@@ -141,12 +141,12 @@ def held_phase(blade: ModalBlade, gap: float, side: int) -> Phase:
         basis=basis,
         system=system,
         drive=system.drive(-basis.T @ blade.base),
-        force=Row(
+        force=Output(
             -side / weight * on_y,
             -side * float(elastic @ origin) / weight,
             -side * float(s @ blade.base) / weight,
         ),
-        deflection=Row(np.zeros(system.roots.size, dtype=np.complex128), side * gap),
+        deflection=Output(np.zeros(system.roots.size, dtype=np.complex128), side * gap),
     )
 
 
