@@ -11,6 +11,7 @@ from flexcli.parts.bending.base import (
     FilletedRoots,
     Thick,
     WideBlades,
+    solid_cross,
     together,
     whole,
 )
@@ -26,6 +27,7 @@ __all__ = [
     "FilletedRoots",
     "Thick",
     "WideBlades",
+    "solid_cross",
     "together",
     "whole",
 ]

@@ -14,7 +14,7 @@ from flexcli.formulas.profile import Profile
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment
 from flexcli.mechanics.layout import Layout
-from flexcli.numerics.rows import larger, number, one_alone, one_by_one, smaller
+from flexcli.numerics.rows import larger, number, one_alone, one_by_one, sin, smaller
 from flexcli.parts.bending.base import Factor, WideBlades
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
@@ -46,9 +46,12 @@ NECKS_BUCKLED = 0.2
 sideways, or on pins, may differ from it: plates with a rigid middle of 0 to 40 hinges' lengths
 between them had 0.1 at most."""
 
-OF_CROSS = 1.0
-"""Part of the plates' change of the shift of joined blades that the cross may cancel: it is thin,
-and holds their sections by the other blade alone."""
+UNEVEN_LINE = 0.05
+"""Part of the plates' change of joined blades by which they turn unevenly along their line: thin
+plates, held on it, by Ritz's method (``tests/plates/crossed_strip.py``)."""
+
+OF_PATH = 5e-4
+"""What their shift is off besides, by the errors of how much blades shorten [-]."""
 
 LOCKED, HINGED = "clamped-clamped", "pinned-pinned"
 
@@ -113,8 +116,13 @@ def wide_moment(blade: Blade, nu: float) -> WideBlades:
     return WideBlades(b / l, stiffness, factor, _held(blade, nu), shift, None, bends)
 
 
-def wide_halves(blade: Blade, nu: float, crossing: float) -> WideBlades:
-    """Return the factors of two pivots of p = 0 in series, clamped by the cross of the blades."""
+def wide_halves(blade: Blade, nu: float, crossing: float, half_angle: float) -> WideBlades:
+    """Return the factors of two pivots of p = 0 in series, clamped by the cross of the blades.
+
+    Each blade holds the line of the other straight, the less the thicker they are and the flatter
+    they cross; what turns unevenly along it is little. Both halves bear the same moment there,
+    half that of the body: the stress rises as the stiffness.
+    """
     blade = _floats(blade)
     shares = (crossing, 1.0 - crossing)
     parts = [blade._replace(l=share * blade.l) for share in shares]
@@ -123,22 +131,25 @@ def wide_halves(blade: Blade, nu: float, crossing: float) -> WideBlades:
         1.0 / sum(share / factor[i] for share, factor in zip(shares, each, strict=True))
         for i in range(3)
     )
-    whole = _factor(plates.pivot_factor, blade, nu, delta=0.0)
-    # the cross is thin, and holds its sections by the other blade alone
-    stiffness = Factor(value, smaller(low, whole.low), high)
-    ends = [_factor(plates.end_moment_factor, part, nu, delta=0.0) for part in parts]
-    stress = _hull([*ends, stiffness], at=Factor(larger(e.value for e in ends), 1.0, 1.0))
-    shift = _halves_shift(shares, parts, [factor.value for factor in each], nu)
+    loose = 2.0 * blade.h / blade.b / sin(2.0 * half_angle)  # tan α + cot α
+    over, most = value - 1.0, 1.0 + number(plates.bound(nu))
+    low = larger(1.0, low - (UNEVEN_LINE + loose) * over)
+    stiffness = Factor(value, low, smaller(most, high + loose * over))
+    shift = _halves_shift(shares, parts, [factor.value for factor in each], nu, loose)
     held = _held(blade, nu)
-    flat = Factor(1.0, 1.0, 1.0 + number(plates.bound(nu)))
+    flat = Factor(1.0, 1.0, most)
     held = {ends: _hull([flat], at=held[ends]) for ends in held}
     bends = 4.0 / blade.l, -2.0 / blade.l  # at the cross and at the ends of either half
     widest = blade.b / smaller(part.l for part in parts)
-    return WideBlades(widest, stiffness, stress, held, shift, None, bends)
+    return WideBlades(widest, stiffness, stiffness, held, shift, None, bends)
 
 
 def _halves_shift(
-    shares: tuple[float, float], parts: Sequence[Blade], each: Sequence[float], nu: float
+    shares: tuple[float, float],
+    parts: Sequence[Blade],
+    each: Sequence[float],
+    nu: float,
+    loose: float,
 ) -> tuple[float, float]:
     """Return the change of the shift of two pivots in series and its error, of the leading term.
 
@@ -155,11 +166,12 @@ def _halves_shift(
         return 0.0, inf
     # a part that is stiffer by ε turns by ε times the share of the other less
     turns = (-2.0 * lost * shares[1], 2.0 * lost * shares[0])
-    value = error = 0.0
+    value, error = 0.0, OF_PATH
     for own, part, turn in zip(leading, parts, turns, strict=True):
         moved, off = _pivot_shift(1.0, *_shortening(part, nu))
         value += own * (moved + turn) / whole
-        error += abs(own / whole) * (off + lost**2 + OF_CROSS * (abs(turn) + abs(moved)))
+        astray = smaller(UNEVEN_LINE + loose, 1.0) * (abs(turn) + abs(moved))
+        error += abs(own / whole) * (off + lost**2 + astray)
     return value, error
 
 

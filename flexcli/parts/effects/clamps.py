@@ -59,7 +59,8 @@ class ClampStress(ModelEffect):
 class ClampCompliance(ModelEffect):
     """The compliance of bodies that the blades are cut from, at their roots, beyond any beam model.
 
-    At a given travel the stress falls, which is not counted on; under loads it may rise as well.
+    A crossing in which blades are joined, a body of its own, is stiffer than they are. At a given
+    travel the stress falls, which is not counted on; under loads it may rise as well.
     """
 
     name: ClassVar[EffectName] = EffectName.CLAMP_COMPLIANCE
@@ -69,7 +70,11 @@ class ClampCompliance(ModelEffect):
         """Return the largest h/l of a blade, and the error of rigid clamps where none is stated."""
         softened, slender = _CLAMPS.of(setting), setting.slenderness
         if softened is not None:
-            return Indicator(softened.ratio, f"h/l = {softened.ratio:.2g}")
+            text = f"h/l = {softened.ratio:.2g}"
+            if softened.stiffness.low == 1.0:
+                more = softened.stiffness.high - 1.0
+                text += f"; the solid crossing makes blades up to {more:.1%} stiffer"
+            return Indicator(softened.ratio, text)
         if slender is None or setting.geometry.with_compliant_clamps() is None:
             return None
         softer = 6.0 * clamps.extra_length(h=slender)
@@ -161,7 +166,9 @@ _FILLETED: _Last[FilletedRoots] = _Last(
 
 
 def _within(value: float, low: float, high: float) -> Change:
-    """Return the change to a factor known as a range."""
+    """Return the change to a factor known as a range, of which the value may be the least."""
+    if value == low:
+        return Change(value - 1.0, high - 1.0, high / value - 1.0, 1)
     error = larger(high - value, value - low) / value
     return Change(value - 1.0, larger(1.0 - low, high - 1.0), error)
 
@@ -170,5 +177,5 @@ def _between(low: float, high: float) -> Change:
     """Return a change known as a range; with a value of zero where the range includes it."""
     if low <= 0.0 <= high:
         size = larger(-low, high)
-        return Change(0.0, size, size, -1 if high == 0.0 else 0)
+        return Change(0.0, size, size, -1 if high == 0.0 else 1 if low == 0.0 else 0)
     return _within(1.0 + (low + high) / 2.0, 1.0 + low, 1.0 + high)

@@ -12,7 +12,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.numerics.rows import number, smaller
 from flexcli.parts.base import QuantityOf, spec_error
-from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending import Bending, CompliantClamps, WideBlades, solid_cross
 from flexcli.parts.bending.joined import Joined
 from flexcli.parts.bending.wide import wide_halves
 from flexcli.parts.elastic import Elastic
@@ -75,7 +75,14 @@ class UnseparatedPivot(BladePair):
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
         """Return the plate factors of its part-blades."""
-        return wide_halves(sizes, nu, self.crossing)
+        return wide_halves(sizes, nu, self.crossing, self.half_angle)
+
+    def compliant_clamps(self, sizes: Blade, nu: float) -> CompliantClamps:
+        """Return the changes by the crossing, stiffer than a point, and by compliant roots."""
+        h, l, _ = map(number, self.blade(sizes))
+        stiffer = float(joined.solid_crossing(h=h, l=l, half_angle=self.half_angle))
+        roots = super().compliant_clamps(sizes, nu)
+        return solid_cross(stiffer, h / l / min(self.crossing, 1.0 - self.crossing), roots)
 
     def s_bending_share(self, sizes: Blade) -> float:
         """Return ¾ (1/c + 1/(1 − c)): ¾ of each part, whose Φ is that of its own length."""
