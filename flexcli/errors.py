@@ -1,13 +1,12 @@
 """Findings about a spec, how solutions end, and the errors that carry both to the user."""
 
-from dataclasses import dataclass
 from enum import Enum
+from typing import NamedTuple
 
 __all__ = ["Finding", "NoSolution", "Outcome", "SolveError", "SpecError", "printable"]
 
 
-@dataclass(frozen=True)
-class Finding:
+class Finding(NamedTuple):
     """One mistake in a spec: where it is, what is wrong, what would be right."""
 
     file: str

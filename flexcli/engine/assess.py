@@ -1,7 +1,6 @@
 """Judge sizes by every requirement: one design into checks, or many at once into factors."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 from math import inf
 from typing import Any, NamedTuple
 
@@ -147,7 +146,7 @@ class _OfMany(NamedTuple):
 def _of_many(limit: Limit) -> _OfMany:
     root, asked = 1.0 / limit.power, required(limit)
     demand, capacity = np.asarray(limit.demand), np.asarray(limit.capacity)
-    plain = _factors(replace(limit, tolerance=None))
+    plain = _factors(limit._replace(tolerance=None))
     found = plain if limit.tolerance is None else _factors(limit)
     least = most = np.full(found.shape, np.nan)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -185,7 +184,7 @@ def span(limit: Limit) -> tuple[float, float] | None:
         many = _of_many(limit)
         return Rows.of(many.least), Rows.of(many.most)
     demand, capacity = float(limit.demand), float(limit.capacity)
-    plain = replace(limit, tolerance=None)
+    plain = limit._replace(tolerance=None)
     found = factor(plain, demand, capacity)
     low, high = (max(1.0 + error, 0.0) for error in limit.error)
     if limit.in_capacity:

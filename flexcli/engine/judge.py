@@ -6,7 +6,6 @@ reaches across the required one, the next model is asked, so that a wide margin 
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from math import inf, isfinite, isnan, nan
 from time import perf_counter
 from typing import NamedTuple
@@ -402,7 +401,7 @@ def limits_by(
         names = ", ".join(sorted(name.key for name in design.omitted))
         raise NotAvailable(f"buckles without {names}, which is switched off") from buckled
     for limit in of_whole:
-        between, worst = assess.span(replace(limit, tolerance=None)), whole.get(limit.name)
+        between, worst = assess.span(limit._replace(tolerance=None)), whole.get(limit.name)
         if limit.name not in whole or (worst and (not between or between < worst)):
             whole[limit.name] = between
     finite = {limit.name for limit in found if isfinite(_factor(limit))}
@@ -410,17 +409,17 @@ def limits_by(
         # no demand has no range of its own: others of its check tell it
         told = isfinite(_factor(limit)) or limit.name not in finite
         error = _with_whole(limit, whole.get(limit.name)) if told else limit.error
-        yield replace(limit, error=error)
+        yield limit._replace(error=error)
 
 
 def _factor(limit: Limit) -> float:
-    plain = replace(limit, tolerance=None)
+    plain = limit._replace(tolerance=None)
     return assess.factor(plain, float(limit.demand), float(limit.capacity))
 
 
 def _with_whole(limit: Limit, whole: tuple[float, float] | None) -> ErrorRange | None:
     """Return the error of a limit by which its factor reaches to those of the whole design."""
-    own, found = assess.span(replace(limit, tolerance=None)), _factor(limit)
+    own, found = assess.span(limit._replace(tolerance=None)), _factor(limit)
     if own == whole:
         return limit.error
     if own is None or whole is None:
@@ -468,7 +467,7 @@ def _known(design: DesignSpec, ask: Ask, limits: Iterable[Limit]) -> Iterator[Li
             )
         if error is not None and limit.strengths:
             error = ask.material.weakened(error, limit.strengths)
-        yield replace(limit, error=error)
+        yield limit._replace(error=error)
 
 
 def _no_answer(

@@ -7,7 +7,6 @@ from there; a card adds what a docstring cannot be queried for: validity, a work
 import inspect
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from functools import cache
 from math import inf, radians
 from typing import Any, NamedTuple
@@ -65,8 +64,7 @@ class Symbol(NamedTuple):
     meaning: str
 
 
-@dataclass(frozen=True, eq=False)
-class Table:
+class Table(NamedTuple):
     """A chart as data: columns against one variable; each column is (unit, function of it)."""
 
     variable: str
@@ -76,8 +74,7 @@ class Table:
     unit: str = ""
 
 
-@dataclass(frozen=True, eq=False)
-class Card:
+class Card(NamedTuple):
     """A formula with its validity, one worked case (SI), and the charts drawn from it.
 
     ``kind`` says which numbers of a joint it makes: outside its validity nobody judges by them.
@@ -87,7 +84,7 @@ class Card:
     function: Callable[..., Any]
     example: Mapping[str, Any]
     validity: tuple[Range, ...] = ()
-    tables: Mapping[str, Table] = field(default_factory=dict)
+    tables: Mapping[str, Table] = {}
     kind: QuantityKind | None = None
 
 

@@ -1,7 +1,6 @@
 """A YAML file as read: plain values, where each stands, and findings that point there."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from flexcli.errors import Finding, printable
@@ -36,8 +35,7 @@ class Position(NamedTuple):
         return here, tuple(taken)
 
 
-@dataclass(frozen=True, eq=False)
-class Document:
+class Document(NamedTuple):
     """The plain values of a YAML file, its positions and lines, and what is wrong so far.
 
     ``text`` is that of the file; ``changed`` holds the values put in since it was read, by path.
@@ -49,7 +47,7 @@ class Document:
     lines: dict[str, list[str]]
     findings: tuple[Finding, ...] = ()
     text: str = ""
-    changed: Mapping[tuple[str | int, ...], Any] = field(default_factory=dict)
+    changed: Mapping[tuple[str | int, ...], Any] = {}
 
 
 def finding_at(

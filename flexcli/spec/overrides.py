@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from typing import Any, NamedTuple, TypeAlias
 
 from flexcli.errors import SpecError
@@ -70,7 +69,7 @@ def _read(text: str, position: Position, lines: list[str]) -> Any:
     try:
         read = parse_document(padding + text, FILE)
     except SpecError as error:
-        shown = [replace(f, source_line=lines[f.line - 1]) for f in error.findings]
+        shown = [f._replace(source_line=lines[f.line - 1]) for f in error.findings]
         raise SpecError(shown) from error
     position.children.update(read.position.children)
     return read.value
@@ -94,7 +93,7 @@ def overridden(
         value = with_value(value, override.path, override.value)
         position = with_position(position, override.path, override.position)
         changed[override.path] = override.value
-    found = replace(document, value=value, position=position, lines=lines, changed=changed)
+    found = document._replace(value=value, position=position, lines=lines, changed=changed)
     return found, waiting
 
 
@@ -110,7 +109,7 @@ def refuse_waiting(document: Document, waiting: Iterable[Override]) -> Document:
         findings.append(
             finding_at(override.position, document.lines, path, text, hint, at_key=True)
         )
-    return replace(document, findings=(*document.findings, *findings))
+    return document._replace(findings=(*document.findings, *findings))
 
 
 def at(value: Any, path: Place) -> Any:

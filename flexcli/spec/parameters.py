@@ -10,7 +10,7 @@ import ast
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from keyword import iskeyword
 from math import sqrt
 from typing import Any, NamedTuple
@@ -152,7 +152,7 @@ def with_parameters(document: Document) -> tuple[Document, dict[str, Any]]:
             wrong.append((("geometry", *place), str(error), error.hint))
     idle = known.keys() - used
     wrong += [((KEY, n), f"nothing uses the parameter '{n}'", "leave it out") for n in idle]
-    found = _with(replace(document, value=value), sorted(wrong, key=lambda each: str(each[0])))
+    found = _with(document._replace(value=value), sorted(wrong, key=lambda each: str(each[0])))
     if not extents or wrong:
         return found, value
     drawing = Expressions(extents, dimensions, geometry, stated, tuple(texts))
@@ -164,7 +164,7 @@ def _with(document: Document, wrong: list[tuple[Place, str, str]]) -> Document:
     for place, text, hint in wrong:
         position, path = document.position.closest(place)
         findings.append(finding_at(position, document.lines, path_text(path), text, hint))
-    return replace(document, findings=(*document.findings, *findings))
+    return document._replace(findings=(*document.findings, *findings))
 
 
 def _texts(value: Any, place: Place) -> Iterator[tuple[Place, str]]:

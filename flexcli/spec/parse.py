@@ -25,10 +25,8 @@ MAX_NODES = 100_000
 _SafeLoader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 _LINE_BREAK = re.compile("\r\n|[\n\r\x85\u2028\u2029]")
-_NOT_TEXT = re.compile(
-    "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufeff\ufffe\uffff]"
-)
-"""What YAML does not allow in a file, and a byte order mark in its middle."""
+_NOT_TEXT = "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufeff\ufffe\uffff]"
+"""What YAML does not allow in a file, and a byte order mark in its middle; nothing printable."""
 
 
 def parse_document(text: str, file: str) -> Document:
@@ -65,7 +63,9 @@ class _Reader:
 
     def document(self) -> Document:
         """Return the one document of the text."""
-        strange = _NOT_TEXT.search(self.text)
+        is_plain = all(map(str.isprintable, self.lines[self.file]))
+        # looked for only where it may be: the pattern costs more than most specs
+        strange = None if is_plain else re.search(_NOT_TEXT, self.text)
         if strange is not None:
             before = _LINE_BREAK.split(self.text[: strange.start()])
             place = self._position(len(before) - 1, len(before[-1]))

@@ -7,7 +7,6 @@ A spec may come from a stranger: what it names lies in its own folder, also thro
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any, NoReturn
@@ -169,8 +168,8 @@ class _Resolver:
                     new, place = _extended(new, place, own, position.closest(path)[0])
                 value = with_value(value, path, new)
                 position = with_position(position, path, place)
-        found = replace(
-            document, value=value, position=position, lines=lines, findings=tuple(findings)
+        found = document._replace(
+            value=value, position=position, lines=lines, findings=tuple(findings)
         )
         for pattern, wanted in TABLE_PLACES.items() if kind in ("design", "asd") else ():
             for path in _matches(found.value, pattern):
@@ -197,12 +196,12 @@ class _Resolver:
                 f if f.line else finding_at(place, lines, path_text(path), f.text, f.hint)
                 for f in error.findings
             ]
-            return replace(document, findings=(*document.findings, *here)), False
+            return document._replace(findings=(*document.findings, *here)), False
         value = with_value(document.value, path, value)
         position = with_position(document.position, path, table.position())
         if file.resolve().is_relative_to(self.home):
             lines[table.file] = table.lines
-        return replace(document, value=value, position=position, lines=lines), True
+        return document._replace(value=value, position=position, lines=lines), True
 
     def _found(self, kind: str, name: str, folder: Path, depth: int) -> Document:
         """Return the document of a spec named or given by its path from a folder."""
@@ -221,7 +220,7 @@ class _Resolver:
         try:
             document = _read(kind, path) if is_path else _shipped(kind, path)
             if is_foreign:
-                document = replace(document, lines={}, findings=_unquoted(document.findings))
+                document = document._replace(lines={}, findings=_unquoted(document.findings))
             document, unresolved = self.resolved(document, path.parent, kind, depth + 1)
             if unresolved:
                 raise SpecError(list(document.findings))
@@ -275,7 +274,7 @@ def _read(kind: str, path: Path) -> Document:
         document = read_document(path)
     except SpecError as error:
         raise SpecError(
-            [f if f.line else replace(f, text=f"{path} {f.text}") for f in error.findings]
+            [f if f.line else f._replace(text=f"{path} {f.text}") for f in error.findings]
         ) from error
     root = checked_root(document)
     if "flexure" not in root:
@@ -295,7 +294,7 @@ def _shipped(kind: str, path: Path) -> Document:
 
 def _unquoted(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     """Return findings without the lines that they point at."""
-    return tuple(replace(found, source_line="") for found in findings)
+    return tuple(found._replace(source_line="") for found in findings)
 
 
 def _extends(value: Any, kind: str) -> bool:

@@ -1,7 +1,5 @@
 """Judging blades: one or many give the same margins, and targets count from both sides."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -58,7 +56,7 @@ def test_without_demand_the_factor_is_infinite():
     assert assess.factor(limit, 0.0, 1.0) == np.inf
     assert assess.checks([limit])[0].verdict is Verdict.PASS
     # a nothing of which nobody knows how far it is off is no proof
-    assert assess.checks([replace(limit, error=None)])[0].verdict is Verdict.UNDECIDED
+    assert assess.checks([limit._replace(error=None)])[0].verdict is Verdict.UNDECIDED
 
 
 def test_thicker_blades_lower_the_fatigue_margin_and_raise_the_buckling_margin():
@@ -170,6 +168,6 @@ def test_many_designs_are_told_what_each_is_told_alone(
 def test_a_target_that_is_not_there_at_all_is_missed(demand):
     limit = Limit("x", "", "x", demand, 2.0, "N/m", "", tolerance=0.1, error=EXACT)
     (alone,) = assess.checks([limit])
-    (many,) = assess.checks([replace(limit, demand=Rows.of([demand, demand]))])
+    (many,) = assess.checks([limit._replace(demand=Rows.of([demand, demand]))])
     assert alone.verdict is many.verdict is Verdict.FAIL
     assert alone.factor == np.asarray(many.factor)[0] == 0.0

@@ -1,7 +1,6 @@
 """Sizing by limits that are numbers: the optimum, balance, conflict and grid of the signomials."""
 
 import warnings
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -202,7 +201,7 @@ def test_the_better_of_two_branches_of_a_crossing_is_found():
 
 def of_fatigue(limits, factor):
     """The fatigue limits with a factor on their demand."""
-    return [replace(x, demand=x.demand * factor) for x in limits if x.requirement == "fatigue"]
+    return [x._replace(demand=x.demand * factor) for x in limits if x.requirement == "fatigue"]
 
 
 def steeper_when_short(sizes):
@@ -236,7 +235,7 @@ def test_sizes_off_the_domain_of_a_model_are_avoided():
 
     def slender_only(limits, sizes):
         known = sizes.l > 30 * sizes.h
-        return [replace(limit, demand=np.where(known, limit.demand, np.nan)) for limit in limits]
+        return [limit._replace(demand=np.where(known, limit.demand, np.nan)) for limit in limits]
 
     assert sizes_of(size_as_printed(with_limits(spec, slender_only))) == pytest.approx(
         sizes_of(size_as_printed(spec)), rel=SAME
@@ -261,7 +260,7 @@ def test_a_balance_counts_each_joint_with_sizes_of_its_own():
 
     def two_joints(limits, _):
         return [
-            replace(limit, requirement="fatigue", joint={"fatigue": "A", "yield": "B"}[kind])
+            limit._replace(requirement="fatigue", joint={"fatigue": "A", "yield": "B"}[kind])
             if (kind := limit.requirement) != "buckling"
             else limit
             for limit in limits
@@ -285,7 +284,7 @@ def test_a_grid_is_searched_by_the_limits_of_the_design():
     spec = design(rcc(**BOUNDED), LOADS, size={"round": rounding})
 
     def harder(limits, sizes):
-        return [replace(x, demand=x.demand * (1.1 + sizes.h / 2e-3)) for x in limits]
+        return [x._replace(demand=x.demand * (1.1 + sizes.h / 2e-3)) for x in limits]
 
     result = size_as_printed(with_limits(spec, harder))
     points = np.array(np.meshgrid(*stock.values(), indexing="ij")).reshape(3, -1)

@@ -5,7 +5,6 @@ is two limits, one either way.
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
 from math import e, inf, isfinite, log, nan
 from typing import NamedTuple
 
@@ -134,7 +133,7 @@ def _margins(question: int, limits: list[Limit]) -> dict[Row, Margin]:
         key = limit.name, limit.quantity
         places[key] = places.get(key, -1) + 1
         row = Row(limit.name, question, f"{limit.quantity} {places[key]}")
-        between = assess.span(replace(limit, tolerance=None))
+        between = assess.span(limit._replace(tolerance=None))
         low, high = (_log(end) for end in between) if between is not None else (nan, nan)
         if limit.tolerance is None:
             asked = _log(limit.required)

@@ -2,8 +2,7 @@
 
 from abc import abstractmethod
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, NamedTuple
 
 from pydantic import model_validator
 
@@ -17,8 +16,7 @@ from flexcli.results import Check, ErrorRange, QuantityKind
 __all__ = ["Bound", "BoundAtStroke", "FactorRequirement", "Limit", "Requirement", "limit_of"]
 
 
-@dataclass(frozen=True, eq=False)
-class Limit:
+class Limit(NamedTuple):
     """``required · demand ≤ capacity``, or ``demand = capacity`` within a tolerance.
 
     ``quantity`` names what is compared; several limits of one requirement, case and variant (both
@@ -72,14 +70,14 @@ class Limit:
     def scaled(self, factor: Quantity) -> "Limit":
         """Return it with a multiplied utilisation, by the number that the spec does not state."""
         if self.in_capacity:
-            return replace(self, capacity=self.capacity * factor ** (-self.power))
-        return replace(self, demand=self.demand * factor**self.power)
+            return self._replace(capacity=self.capacity * factor ** (-self.power))
+        return self._replace(demand=self.demand * factor**self.power)
 
     def narrowed(self, spread: float) -> "Limit":
         """Return it with a target's tolerance narrowed by an error, where it is wide enough."""
         if self.tolerance is None or not 0.0 < spread < self.tolerance:
             return self
-        return replace(self, tolerance=(1.0 + self.tolerance) / (1.0 + spread) - 1.0)
+        return self._replace(tolerance=(1.0 + self.tolerance) / (1.0 + spread) - 1.0)
 
 
 def limit_of(check: Check, share: Quantity) -> Limit:

@@ -1,7 +1,6 @@
 """Parasitic motion and frequency of a mechanism in space: those beside its stroke."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from math import isfinite
 from typing import Annotated, ClassVar
 
@@ -123,5 +122,5 @@ class ParasiticFrequency(BoundAtStroke):
             yield (
                 limit
                 if self.at == "rest"
-                else replace(limit, requirement=f"{limit.requirement} at stroke")
+                else limit._replace(requirement=f"{limit.requirement} at stroke")
             )

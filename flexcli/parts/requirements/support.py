@@ -5,7 +5,6 @@ They judge a given design; a 6×6 compliance is no posynomial, so they cannot si
 
 from abc import abstractmethod
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias, get_args
 
 import numpy as np
@@ -277,7 +276,7 @@ class Support(BoundAtStroke):
             error = _of_ratio(error, _with_clamps(ask, joint.error(stiffness)))
         quantity = f"{self.spoken}, drive {self.drive}"
         for limit in self._bounds(value, error, "", quantity, SOURCE):
-            yield replace(limit, is_directed=joint.is_directed)
+            yield limit._replace(is_directed=joint.is_directed)
 
     def _limits_at_stroke(self, ask: Ask) -> Iterator[Limit]:
         """Yield the bounds on the stiffness at both ends of the case's stroke."""
@@ -295,7 +294,7 @@ class Support(BoundAtStroke):
         ):
             told = _with_clamps(ask, error)
             for limit in self._bounds(value, told, ask.scene.case, quantity, source):
-                yield replace(limit, is_directed=directed)
+                yield limit._replace(is_directed=directed)
 
     def _bounds(
         self, value: float, error: ErrorRange | None, case: str, quantity: str, source: str
@@ -319,7 +318,7 @@ class Support(BoundAtStroke):
             kind=QuantityKind.SUPPORT,
             error=error,
         ):
-            yield replace(limit, requirement=f"{name}{there}{locked}")
+            yield limit._replace(requirement=f"{name}{there}{locked}")
 
     def _stiffness(self, ask: Ask, direction: Direction) -> Callable[["SpaceAssembly"], float]:
         """Return the stiffness in a direction as a function of the springs."""
@@ -405,7 +404,7 @@ class MotionBound(Bound):
         plain = self.model_copy(update={"max": self.max[0]})
         for limit in plain.bounds(value, unit=self.unit, kind=QuantityKind.SUPPORT, **of):
             name = f"{self.label} {self.direction}{spoken_place(self.point)}"
-            yield replace(limit, requirement=name)
+            yield limit._replace(requirement=name)
 
 
 class Deflection(MotionBound):
