@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from flexcli.engine.joint_models.space_errors import AT_STROKE
 from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceBody, SpaceLayout, Vector
 from flexcli.mechanics.space.springs import SPREAD, WARPED, springs_of
@@ -38,11 +39,14 @@ def with_soft_blocks(layout: SpaceLayout) -> SpaceLayout | None:
 
 
 def hinge_alone_off(layout: SpaceLayout) -> float:
-    """Return by how much less the hinges of a layout may be stiff than beams, without blocks."""
+    """Return by how much less the hinges of a layout may be stiff than beams, without blocks.
+
+    At rest and at a stroke; a hinge twists more between blocks than between rigid bodies.
+    """
     bare = (blade for blade in layout.blades if isinstance(blade, SpaceBlade))
     alone = (springs_of(replace(blade, blocks=(0.0, 0.0))) for blade in bare)
     least = min(float(springs.low.min()) for springs in alone)
-    return 1.0 - (1.0 + least) / (1.0 + WARPED)
+    return 1.0 - (1.0 + least) / (1.0 + WARPED) + AT_STROKE
 
 
 def _moved(place: Vector, by: np.ndarray) -> Vector:

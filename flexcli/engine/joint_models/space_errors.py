@@ -21,6 +21,7 @@ from flexcli.mechanics.space.linear import SpaceAssembly
 from flexcli.mechanics.space.springs import MemberSprings, springs_of
 
 __all__ = [
+    "AT_STROKE",
     "SEEN",
     "Bend",
     "StrokeErrors",
