@@ -16,7 +16,6 @@ from pathlib import Path
 
 import numpy as np
 
-from flexcli.engine.solid.bricks import graded
 from flexcli.engine.solid.calculix import run
 
 FOUND = Path(__file__).parents[1] / "mechanics/space/stars.json"
@@ -55,10 +54,21 @@ def section(h, b, n):
     return np.array(found), np.array(roots)
 
 
+def graded(l, first):
+    """Return where elements end along a bar: six in its middle, each a quarter of the next."""
+    growing = []
+    while l / 6.0 * 4.0 ** -len(growing) > first:
+        growing.insert(0, l / 6.0 * 4.0 ** -(len(growing) + 1))
+    left = l - 2.0 * sum(growing)
+    inner = max(1, int(np.ceil(left / (l / 6.0) - 1e-9)))
+    sizes = [*growing, *[left / inner] * inner, *growing[::-1]]
+    return np.concatenate([[0.0], np.cumsum(sizes)]) * (l / sum(sizes))
+
+
 def mesh(h, b, n):
     """Return nodes, elements of 20 nodes, and the roots between two arms."""
     quads, roots = section(h, b, n)
-    cuts, index, places, elements = graded(L, min(2.0 * h, L / 12.0), 6), {}, [], []
+    cuts, index, places, elements = graded(L, min(2.0 * h, L / 12.0)), {}, [], []
 
     def node(x, at):
         key = tuple(np.round(np.array([x, *at]) / L * 1e8).astype(int).tolist())
