@@ -13,7 +13,17 @@ from flexcli.formulas.card import Card, Range
 from flexcli.formulas.quantity import Numbers
 from flexcli.numerics.rows import Number, larger, number, smaller
 
-__all__ = ["CARDS", "DEEPEST", "THICKEST", "Blocks", "Softening", "bends_more", "softening"]
+__all__ = [
+    "CARDS",
+    "DEEPEST",
+    "THICKEST",
+    "Blocks",
+    "Softening",
+    "bends_more",
+    "mouth_loss",
+    "notch_places",
+    "softening",
+]
 
 OF_SLOPE, AT_MOST = 1.2, 4.0
 """Share of its curvature that a section bends more, per square of the slope of its faces, and its
@@ -111,7 +121,7 @@ def softening(
 
     """
     H = e + 2.0 * depth
-    places = list(_places(e, depth, l))
+    places = list(notch_places(e, depth, l))
     bends = [12.0 / h**3 * dx for _, dx, h, _ in places]
     shares = (bends_more(s) for *_, s in places)
     softer = 2.0 * sum(bend * share for bend, share in zip(bends, shares, strict=True))
@@ -125,7 +135,7 @@ def softening(
     end = (straight + l) / 2.0
     rest, bent = (body.beside_bar(L, end, H).mean / beam.mean for L in (0.0, bar))
     lever = (end / beam.mean - 1.0) / body.turn  # of a compliance at the mouth
-    mouth = _of_mouth(e, depth, l)
+    mouth = mouth_loss(e, depth, l)
     taken = smaller(0.0, low - OF_BAR * bar / H**3 if blocks is not None else low)
     less = ((LESS + LESS_BY_MOUTH * mouth) / H**2 - taken) * lever
     more = smaller(SPREADS * e * 4.0 * depth / l**2, SPREADS_MOST)
@@ -170,7 +180,7 @@ class Spread(NamedTuple):
         return found
 
 
-def _places(e: Number, depth: Number, l: Number) -> Iterator[tuple[Number, ...]]:
+def notch_places(e: Number, depth: Number, l: Number) -> Iterator[tuple[Number, ...]]:
     """Yield places from the throat to the mouth: x, its share dx, thickness and slope of a face.
 
     They crowd towards the throat: u = w sinh, u the tangent of half the angle.
@@ -190,7 +200,7 @@ def _of_blocks(
     e: Number, depth: Number, l: Number, blocks: Blocks
 ) -> tuple[Number, Number, Number]:
     """Return least and greatest compliance of the blocks times E b, and a bar's length [m]."""
-    H, mouth = e + 2.0 * depth, _of_mouth(e, depth, l)
+    H, mouth = e + 2.0 * depth, mouth_loss(e, depth, l)
     if blocks is None:
         return -mouth / H**2, OF_BAR / H**2, H
     if isinstance(blocks, str):
@@ -199,7 +209,7 @@ def _of_blocks(
     return (bar - mouth * number(np.exp(-blocks / (NEAR * H)))) / H**2, bar / H**2, blocks
 
 
-def _of_mouth(e: Number, depth: Number, l: Number) -> Number:
+def mouth_loss(e: Number, depth: Number, l: Number) -> Number:
     """Return the most compliance that a rigid body removes at a mouth, in 1/(E b H²)."""
     short = 2.0 * depth / l
     return AT_MOUTH * short * number(larger(1.0, short) ** OF_SHORT) / (1.0 + SHALLOWER * e / depth)

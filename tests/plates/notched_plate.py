@@ -12,6 +12,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 
 __all__ = [
+    "assembled",
     "elliptic",
     "filleted",
     "peaks_over_nominal",
@@ -130,9 +131,13 @@ def _columns(edges, block, rise):
         yield body, a, b
 
 
-def _assembled(edges, block, rise, nu):
-    """Return the places of all nodes, their numbers, the elements, strain, elastic law and K."""
-    p, columns = DEGREE, list(_columns(edges, block, rise))
+def assembled(columns, nu):
+    """Return the places of all nodes, their numbers, the elements, strain, elastic law and K.
+
+    A column of elements stands from the axis to the edge: s → (x on the axis, x and z on the edge),
+    and from which to which s.
+    """
+    p, columns = DEGREE, list(columns)
     inner = legendre.legroots(legendre.legder([0] * p + [1]))
     t = np.concatenate([[-1], inner, [1]])
     to_legendre = np.linalg.inv(legendre.legvander(t, p))
@@ -202,7 +207,7 @@ def _moved(X, Z, number, K, stretch):
 
 
 def _solid(edges, block, rise, nu, stretch=False):
-    X, Z, number, _, _, strain, elastic, K = _assembled(edges, block, rise, nu)
+    X, Z, number, _, _, strain, elastic, K = assembled(_columns(edges, block, rise), nu)
     u, p = _moved(X, Z, number, K, stretch), DEGREE
     peaks = []
     for i in range((len(X) - 1) // p):
@@ -217,7 +222,7 @@ def _solid(edges, block, rise, nu, stretch=False):
 
 def _solid_fields(edges, block, rise, stretch):
     """Return x of the end, weight, gradient and stress at points, and what an end's force is."""
-    X, Z, number, blocks, (g, w), strain, elastic, K = _assembled(edges, block, rise, 0.3)
+    X, Z, number, blocks, (g, w), strain, elastic, K = assembled(_columns(edges, block, rise), 0.3)
     u, points = _moved(X, Z, number, K, stretch), []
     for where in blocks:
         ids = number[where].ravel()

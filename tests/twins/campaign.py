@@ -98,7 +98,7 @@ class _Writer:
         requirements = self.requirements(cases, mechanism, material)
         if self.kind in LIMBS and rng.random() < 0.5:
             geometry["limb"] = limb(geometry, self.log(1e3, 1e4))
-        if self.kind in NOTCHES and rng.random() < 0.5:
+        if self.kind in (*NOTCHES, *LIMBS) and rng.random() < 0.5:
             geometry["blocks"] = self.one("massive", m(mouth(geometry) * self.log(0.3, 3.0)))
         return Scene(self.kind, spec, requirements)
 

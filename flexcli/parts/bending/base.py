@@ -174,13 +174,19 @@ class Thick(NamedTuple):
 
     ``ratio`` is the largest e/radius; there is no factor where no such notch was compared.
     ``shift`` is the range of the hinges' shift over that of their beams, ``path`` the part of the
-    joint's shift that comes from them.
+    joint's shift that comes from them. ``stress`` is the factor of the moments in the throats at a
+    travel, ``loaded`` that of what loads bend, where they are not that of the stiffness. ``first``
+    is the motion of first order beside the shift, over the second order of a unit travel
+    [rad or m], and the range of its change.
     """
 
     ratio: float
     factor: Factor | None
     shift: tuple[float, float] = (1.0, 1.0)
     path: float = 1.0
+    stress: Factor | None = None
+    loaded: Factor | None = None
+    first: tuple[float, float, float] = (0.0, 1.0, 1.0)
 
 
 class Bending(ABC):

@@ -16,19 +16,15 @@ def thick_notch(
     depth: Numbers,
     l: Numbers,
     turn: Numbers,
-    uneven: float = 0.0,
     blocks: Blocks = None,
 ) -> Thick:
-    """Return the factor of a notch, whose stiffness as a beam at E b = 1 is ``turn`` [m²].
-
-    ``uneven`` is the part of its bending by moments that vary along it.
-    """
+    """Return the factor of a notch, whose stiffness as a beam at E b = 1 is ``turn`` [m²]."""
     e, depth, l = number(e), number(depth), number(l)
     ratio = 4.0 * depth * e / l**2
     if not (ratio <= THICKEST and e <= DEEPEST * depth):
         return Thick(ratio, None)
     found = softening(e=e, depth=depth, l=l, blocks=blocks)
-    return _thick(ratio, found, number(turn), uneven)
+    return _thick(ratio, found, number(turn))
 
 
 def thick_fillets(
@@ -37,7 +33,7 @@ def thick_fillets(
     """Return the factor of a blade with fillets, whose stiffness at E b = 1 is ``turn`` [m²]."""
     h, r, l = number(h), number(r), number(l)
     found = softening(e=h, depth=r, l=2.0 * r, straight=l - 2.0 * r, blocks=blocks)
-    return _thick(h / r, found, number(turn), 0.0)
+    return _thick(h / r, found, number(turn))
 
 
 def thick_linked(each: Sequence[Thick | None]) -> Thick | None:
@@ -57,10 +53,9 @@ def thick_linked(each: Sequence[Thick | None]) -> Thick | None:
     return Thick(ratio, Factor((low + high) / 2.0, low, high), (1.0 - most, 1.0 + most))
 
 
-def _thick(ratio: float, found: Softening, turn: float, uneven: float) -> Thick:
+def _thick(ratio: float, found: Softening, turn: float) -> Thick:
     """Return the stiffness over the beam's, None where its error is as large as itself."""
     more, error = found.more * turn, found.error * turn
-    error += uneven * abs(more)
     if error >= 1.0 + more:
         return Thick(ratio, None)
     ends = 1.0 / (1.0 + more + error), 1.0 / (1.0 + more - error)

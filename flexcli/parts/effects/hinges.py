@@ -4,7 +4,7 @@ from math import inf
 from typing import ClassVar
 
 from flexcli.numerics.rows import larger
-from flexcli.parts.bending import UNKNOWN, Change, Changes, Thick
+from flexcli.parts.bending import UNKNOWN, Change, Changes, Factor, Thick
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 
@@ -57,22 +57,39 @@ class ThickNotch(ModelEffect):
         if thick.factor is None:
             names = ("stiffness", "stress", "shift", *(("buckling",) if buckles else ()))
             return dict.fromkeys(names, UNKNOWN)
-        factor, low, high, _ = thick.factor
-        value, error = factor - 1.0, max(high - factor, factor - low) / factor
-        most = max(1.0 - low, high - 1.0)
+        value, most, error = _of_factor(thick.factor)
         found = {"stiffness": Change(value, most, error, other=BESIDE_WIDENING * most)}
+        under_loads = _of_factor(thick.loaded or thick.factor)
         if buckles:  # hinges between rigid limbs buckle by their stiffness, a bar less so
+            value, most, error = under_loads
             found["buckling"] = Change(value, most, error - value)
         if setting.largest_travel:
             loaded = any(scene.is_loaded for scene in setting.scenes)
+            value, most, error = _of_factor(thick.stress or thick.factor)
+            most = larger(most, under_loads[1])
             found["stress"] = Change(0.0, most, most, -1) if loaded else Change(value, most, error)
-            found["shift"] = _of_shift(thick)
+            found["shift"] = _of_shift(thick, setting.largest_travel)
         return found
 
 
-def _of_shift(thick: Thick) -> Change:
-    """Return the change of a shift: the rotation is distributed differently along its hinges."""
-    low, high = thick.shift
+def _of_factor(factor: Factor) -> tuple[float, float, float]:
+    """Return the change that a factor makes, its largest, and its error."""
+    value, low, high, _ = factor
+    return value - 1.0, max(1.0 - low, high - 1.0), max(high - value, value - low) / value
+
+
+def _of_shift(thick: Thick, travel: float) -> Change:
+    """Return the change of a shift: the rotation is distributed differently along its hinges.
+
+    What the centre moves aside, in proportion to the travel, is a part of its own.
+    """
+    (low, high), (first, least, greatest) = thick.shift, thick.first
+    if first != 0.0:
+        aside, low = (first / travel) ** 2, larger(low, 0.0)
+        low, high = (
+            ((one**2 + aside * other**2) / (1.0 + aside)) ** 0.5
+            for one, other in ((low, least), (high, greatest))
+        )
     most = larger(1.0 - low, high - 1.0)
     if thick.path != 1.0:
         return Change(0.0, most * thick.path, most * thick.path)

@@ -12,9 +12,10 @@ from flexcli.formulas.card import Card, Range
 from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
 from flexcli.formulas.profile import Notch, per_design
 from flexcli.formulas.quantity import Computed, Quantity
+from flexcli.formulas.thick_notch import Blocks as BesideNotch
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
-from flexcli.numerics.rows import cos, number, sin
+from flexcli.numerics.rows import cos, number, sin, tan
 from flexcli.parts.base import (
     Inertia,
     Length,
@@ -24,12 +25,19 @@ from flexcli.parts.base import (
     QuantityOf,
     spec_error,
 )
-from flexcli.parts.bending import Bending, Thick, WideBlades, thick
+from flexcli.parts.bending import Bending, Thick, WideBlades
 from flexcli.parts.bending.limbs import Hinge, LimbPivot, LimbStage
+from flexcli.parts.bending.thick_limbs import thick_limb_pivot, thick_limb_stage
 from flexcli.parts.bending.wide import wide_notch
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
-from flexcli.parts.geometries.notch import CONCENTRATION, Concentration, throat_factor, throat_peaks
+from flexcli.parts.geometries.notch import (
+    CONCENTRATION,
+    Blocks,
+    Concentration,
+    throat_factor,
+    throat_peaks,
+)
 from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, places
 from flexcli.results import Value
 
@@ -87,6 +95,12 @@ class _Hinged(Geometry):
     """How the peak of the stress in a throat counts: Neuber's deep notch, or not at all,
     e.g. ``none``.
     """
+    blocks: Blocks | None = None
+    """What the outer sides of the hinges are cut into: blocks as high as the mouths of the notches,
+    of a length up to the rigid bodies behind them, 0 mm where the mouths themselves are clamped; or
+    massive ones, at least twice as high within half the height of the mouth. The limb is then a bar
+    as high as the mouths. Left out, blocks and limb are anything from rigid to that, e.g. ``5 mm``.
+    """
     limb: Limb | None = None
     """Mass of each limb, which frequencies and vibration turn on; left out, nobody knows it,
     e.g. ``{mass: 4 g, inertia: 2e-7 kg*m^2}``.
@@ -98,6 +112,15 @@ class _Hinged(Geometry):
         if radius is not None and limb is not None and 2.0 * radius > limb:
             raise spec_error("the hinges of a limb overlap", "r is at most l/2", at=("r",))
         return self
+
+    @property
+    def unstated(self) -> tuple[str, ...]:
+        """Return the keys that a layout lacks, and that of the blocks where they are unstated."""
+        return (*super().unstated, *(() if self.blocks is not None else ("blocks",)))
+
+    @property
+    def _beside(self) -> BesideNotch:
+        return self.blocks.beside if self.blocks is not None else None
 
     def hinge(self, elastic: Elastic, sizes: LimbSizes) -> tuple[Computed, Computed]:
         """Return stiffness of a hinge [N·m/rad] and reach of its bending about its centre [m]."""
@@ -150,14 +173,6 @@ class _Hinged(Geometry):
     def radii(self, sizes: LimbSizes) -> dict[str, Computed]:
         """Return that of its notches."""
         return {"the notches": sizes.r}
-
-    def thick_notches(self, sizes: LimbSizes) -> Thick | None:
-        """Return the factors of the hinges, whose moments vary along them."""
-        e, r, l, b = map(number, sizes)
-        turn, c = self.hinge(Elastic(1.0), sizes)
-        uneven = 4.0 * (number(c) / l) ** 2
-        found = thick.thick_notch(e=e, depth=r, l=2.0 * r, turn=turn / b, uneven=uneven)
-        return found._replace(path=2.0 * number(c) / l)
 
     def throat_stress(self, sizes: LimbSizes, moment: Quantity) -> Computed:
         """Return the stress in a throat that bears a moment [Pa]."""
@@ -255,6 +270,11 @@ class HingedStage(SagsAlongStroke, _Hinged):
         """Return the bending of parallel limbs."""
         return LimbStage(hinge=self.hinge_in_limbs(sizes), travel=travel / number(sizes.l))
 
+    def thick_notches(self, sizes: LimbSizes) -> Thick | None:
+        """Return the factors of limbs that bend like an S."""
+        e, r, l, _ = sizes
+        return thick_limb_stage(e=e, r=r, l=l, blocks=self._beside)
+
     def volume(self, sizes: LimbSizes) -> Computed:
         """Return the volume of the hinges [m³]; the limbs are bodies."""
         return self.hinges_volume(sizes, 2 * self.limbs)
@@ -342,6 +362,13 @@ class HingedPivot(_Hinged):
         """Return the bending of two limbs that point at one centre."""
         delta, hinge = number(self.offset(sizes) / sizes.l), self.hinge_in_limbs(sizes)
         return LimbPivot(hinge=hinge, delta=delta, theta=travel, half_angle=self.half_angle)
+
+    def thick_notches(self, sizes: LimbSizes) -> Thick | None:
+        """Return the factors of two limbs that point at one centre."""
+        e, r, l, _ = sizes
+        gamma = 1.0 + 2.0 * self.offset(sizes) / l
+        at = {"gamma": gamma, "slope": tan(self.half_angle)}
+        return thick_limb_pivot(e=e, r=r, l=l, **at, blocks=self._beside)
 
     def volume(self, sizes: LimbSizes) -> Computed:
         """Return the volume of the hinges [m³]; the limbs are bodies."""

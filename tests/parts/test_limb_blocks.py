@@ -1,0 +1,173 @@
+"""What the hinges of limbs are cut into may be stated, which decides stages and pivots of them."""
+
+from functools import cache
+from math import cos, hypot, radians, tan
+
+import pytest
+import yaml
+from plates import hinged_limb
+
+import flexcli
+from flexcli.errors import SpecError
+from flexcli.results import Status
+
+E, ANGLE, DELTA = 100e9, 35.0, 0.4
+R, B = 1e-3, 0.01e-3
+"""Radius of the notches, and a width that keeps nothing flat [m]."""
+
+LIMBS = {"short": (0.6, 2.4), "usual": (0.35, 5.0)}
+"""Thickness of the throats and distance between them, in radii."""
+
+BLOCKS = {"square": (1.0, 0.0), "clamped": (0.02, 0.0), "massive": (0.5, 1.0)}
+"""Length of the blocks in heights of a mouth, and by which share of it they rise."""
+
+KINDS = ["hinged-stage", "hinged-pivot"]
+
+
+@cache
+def body(limb, block):
+    e, l = LIMBS[limb]
+    length, rise = BLOCKS[block]
+    return hinged_limb.solid(e=e, l=l, block=length, rise=rise, nu=0.0)
+
+
+def geometry(kind, limb, block=None):
+    e, l = LIMBS[limb]
+    sizes = {"e": e, "r": 1.0, "l": l}
+    found = {"kind": kind, **{name: f"{size!r} mm" for name, size in sizes.items()}}
+    found["b"] = f"{B!r} m"
+    if block:
+        length, rise = BLOCKS[block]
+        found["blocks"] = "massive" if rise else f"{length * (e + 2.0)!r} mm"
+    if kind == "hinged-stage":
+        return found | {"spacing": "20 mm"}
+    return found | {"delta": DELTA, "half_angle": f"{ANGLE} deg"}
+
+
+def moments(limb, block):
+    """Return the moments of a limb by a rotation and across its middle, of a pivot turned by 1."""
+    found = body(limb, block)
+    across = found.swing + found.along / tan(radians(ANGLE)) ** 2
+    middle = (0.5 + DELTA) * LIMBS[limb][1]
+    return E * B * R**2 / found.turn, E * B * R**2 * middle / across, middle
+
+
+def stiffness(kind, limb, block):
+    """Return the stiffness of the plane bodies [N/m or N·m/rad]."""
+    if kind == "hinged-stage":
+        return 2.0 * E * B / body(limb, block).swing
+    turn, force, middle = moments(limb, block)
+    return 2.0 * (turn + force * middle)
+
+
+def judged(spec, requirements, cases=None, model=None):
+    text = yaml.safe_dump(
+        {
+            "flexure": 1,
+            "title": "limbs",
+            "material": {
+                "name": "steel", "youngs_modulus": "100 GPa", "poisson_ratio": 0.0,
+                "density": "8 g/cm^3", "yield_strength": "1 GPa",
+            },
+            "geometry": spec,
+            "requirements": requirements,
+            **({"cases": cases} if cases else {}),
+        }
+    )  # fmt: skip
+    return flexcli.check(text, model=model)
+
+
+def unit(kind):
+    return "N/m" if kind == "hinged-stage" else "N*m/rad"
+
+
+@pytest.mark.parametrize("block", BLOCKS)
+@pytest.mark.parametrize("limb", LIMBS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_stated_blocks_decide_a_stiffness_that_is_open_without_them(kind, limb, block):
+    true = stiffness(kind, limb, block)
+    room = 0.06 if block == "square" else 0.12
+    for share, verdict in ((1.0 + room, Status.FAIL), (1.0 - room, Status.PASS)):
+        least = {"stiffness": {"min": f"{share * true!r} {unit(kind)}"}}
+        assert judged(geometry(kind, limb, block), least).status is verdict
+        if limb == "usual":
+            continue
+        result = judged(geometry(kind, limb), least)
+        assert result.status is Status.UNDECIDED
+        assert "needs-blocks" in [note.code for note in result.warnings]
+
+
+@pytest.mark.parametrize("model", ["closed-form", "linear", "exact"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_model_has_the_stiffness_of_the_bodies_in_its_range(kind, model):
+    for limb in LIMBS:
+        for block in BLOCKS:
+            true = stiffness(kind, limb, block)
+            for stated in (block, None):
+                asked = {"stiffness": {"min": f"{true!r} {unit(kind)}"}}
+                (found,) = judged(geometry(kind, limb, stated), asked, model=model).checks[-1:]
+                if found.factor_range is not None:
+                    assert found.factor_range[0] <= 1.0 <= found.factor_range[1]
+
+
+@pytest.mark.parametrize("limb", LIMBS)
+def test_the_stress_of_a_stroke_is_the_peak_in_the_bodies(limb):
+    found = body(limb, "square")
+    # half a limb's ends turn by −1 and move by 1, and the whole limb by twice as much
+    turned = -0.5 * found.turned
+    _, force, _ = moments(limb, "square")
+    unit_force = force / (2.0 * E * B * R**2)
+    across = found.swung * found.swing * unit_force
+    along = abs(found.pulled) * found.along * unit_force / tan(radians(ANGLE))
+    of_pivot = max((abs(turned + sign * across) + along).max() for sign in (1, -1))
+    peaks = {
+        "hinged-stage": ("translation", "m", 0.5 * abs(found.swung).max() / R),
+        "hinged-pivot": ("rotation", "rad", of_pivot),
+    }
+    for kind, (way, of_travel, peak) in peaks.items():
+        travel = float(1e6 / E / peak)  # 1 MPa
+        found = judged(
+            geometry(kind, limb, "square"), {"yield": 1},
+            {"work": {"stroke": {way: f"{travel!r} {of_travel}"}}}, "exact",
+        )  # fmt: skip
+        (row,) = (check for check in found.checks if check.name.startswith("yield"))
+        low, high = row.factor_range
+        assert low <= 1e3 <= high
+        assert high < 1.2 * low
+
+
+@pytest.mark.parametrize("limb", LIMBS)
+@pytest.mark.parametrize("block", ["square", "clamped"])
+def test_the_shift_is_that_of_the_bodies(limb, block):
+    found, l = body(limb, block), LIMBS[limb][1] * R
+    travel = 1e-3
+    _, force, middle = moments(limb, block)
+    turned = force * found.swing / (E * B * R**2) / middle  # of what rigid limbs would be moved by
+    gamma = 1.0 + 2.0 * DELTA
+    aside = 1.0 - turned
+    of_pivot = (gamma * turned) ** 2 * found.sway - found.arc - 2.0 * gamma * aside
+    pivot = travel**2 * l / (8.0 * cos(radians(ANGLE))) * of_pivot
+    # the limbs stretch, which moves the centre across the bisector
+    pivot = hypot(pivot, gamma * aside * travel * l / (2.0 * cos(radians(ANGLE))))
+    stage = (travel * l) ** 2 / (2.0 * l) * found.sway
+    for kind, way, size, true in (
+        ("hinged-stage", "translation", f"{travel * l!r} m", stage),
+        ("hinged-pivot", "rotation", f"{travel!r} rad", pivot),
+    ):
+        asked = {"parasitic_shift": {"max": f"{abs(true)!r} m"}}
+        for stated in (block, None):
+            result = judged(
+                geometry(kind, limb, stated), asked, {"work": {"stroke": {way: size}}}, "exact"
+            )
+            (row,) = (check for check in result.checks if check.name.startswith("parasitic"))
+            if row.factor_range is None:
+                assert stated is None
+                continue
+            low, high = row.factor_range
+            assert low <= 1.0 <= (high or 1.0), (kind, stated)
+
+
+def test_blocks_are_written_as_beside_a_single_notch():
+    for wrong in ("solid", "-1 mm", 3):
+        with pytest.raises(SpecError):
+            judged(geometry("hinged-stage", "usual") | {"blocks": wrong}, {"mass": {"max": "1 kg"}})
