@@ -20,6 +20,9 @@ from flexcli.engine.solid.calculix import run
 
 FOUND = Path(__file__).parents[1] / "mechanics/space/stars.json"
 E, MM, L = 200e9, 1e3, 20e-3
+SHORT = ((3, 0.19, 0.7, 0.2), (3, 0.19, 0.7, 0.4), (3, 0.12, 0.7, 0.4), (2, 0.19, 0.8, 0.4),
+         (2, 0.12, 0.8, 0.4), (4, 0.15, 0.7, 0.4), (3, 0.06, 0.8, 0.4))  # fmt: skip
+"""Strips, h/b, b/l and ν of short stars."""
 QUAD = np.array([[0, 1], [1, 2], [2, 3], [3, 0]])
 
 
@@ -124,7 +127,9 @@ def main():
     rows = []
     wide = stars(5, 1, [2, 2, 3, 4, 6], (-1.2, 0.0), (-1.7, -0.6))
     thick = stars(10, 3, [2, 2, 3, 3, 4], (-1.0, 0.0), (-1.3, -0.6))
-    for h, b, n, nu in (*wide, *thick):
+    stout = stars(9, 5, [2, 2, 3], (-1.0, -0.05), (-0.7, -0.48))
+    short = [(h * b * L, b * L, n, nu) for n, h, b, nu in SHORT]
+    for h, b, n, nu in (*wide, *thick, *stout, *short):
         found = [[float(f"{x:.5g}") for x in each] for each in solid(h, b, n, nu)]
         rows.append([float(f"{h:.5g}"), float(f"{b:.5g}"), L, n, nu, *found])
         sys.stderr.write(f"{json.dumps(rows[-1])}\n")

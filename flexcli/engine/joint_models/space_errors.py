@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.formulas.card import Range
+from flexcli.formulas.clamped_star import stiffer_across
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.mechanics.space.exact.equilibrium import SpaceEquilibrium
 from flexcli.mechanics.space.exact.rotation import conjugate, matrix_of, product, vector_of
@@ -171,9 +172,10 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
     for blade in state.layout.blades:
         bend, l = _bend(state, blade), _length(blade)
         if isinstance(blade, SpaceStar):
-            if not springs_of(blade).is_known or _arms_may_buckle(state, blade):
+            if not springs_of(blade).in_stress or _arms_may_buckle(state, blade):
                 return None
-            starred = max(starred, STARRED + SHEAR * (blade.h / l) ** 2)
+            across = STARRED + stiffer_across(blade.b / l)
+            starred = max(starred, across + SHEAR * (blade.h / l) ** 2)
             if blade.b**2 * bend.twist > STAR_TWIST * blade.h * l:
                 return None
             felt = {"rod": blade.h / l, "shift": bend.shift, "curve": bend.curve}

@@ -16,7 +16,7 @@ from flexcli.formulas.clamped_blade import (
     clamped_blade,
     clamped_rod,
 )
-from flexcli.formulas.clamped_star import OF_STARS, clamped_star
+from flexcli.formulas.clamped_star import OF_STARS, STRESSED, clamped_star
 from flexcli.formulas.profile import Constant, Filleted, NeckedDown, Notch, Tabulated
 from flexcli.formulas.torsion_section import torsion_constant
 from flexcli.formulas.torsion_shapes import star_arm
@@ -157,7 +157,8 @@ def springs_of(member: SpaceBlade | SpaceRod) -> MemberSprings:
             "arm/h": float(star_arm(member.h, member.b, member.strips)), "strips": member.strips,
         }  # fmt: skip
         known = not outside(OF_STARS, felt)
-        return _at_middle(star, (known, known), member.axes, l, STRETCH)
+        stressed = known and member.h <= STRESSED * member.b
+        return _at_middle(star, (known, stressed), member.axes, l, STRETCH)
     if isinstance(member, SpaceRod):
         rod = clamped_rod(E=material.E, G=material.G, d=member.d, l=l)
         known = not outside(OF_RODS, {"d/l": member.d / l})

@@ -69,7 +69,9 @@ def test_springs_and_stress_of_stars_are_those_of_solids_within_what_is_told():
         rows, (low, high) = stress_rows(one, springs), hinge_error(one)
         for axis, most in zip(AXES, stress, strict=True):
             told = equivalent(rows.normal[:, axis], rows.shear[:, axis]).max()
-            if axis != AXES[1]:  # a force across bends the most at the clamps, where none was seen
+            if (
+                springs.in_stress and axis != AXES[1]
+            ):  # a force across bends the most at the clamps, where none was seen
                 assert 1.0 + low < most / told < 1.0 + high
 
 
