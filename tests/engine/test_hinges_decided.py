@@ -79,3 +79,16 @@ def test_a_load_along_a_hinge_does_not_move_it_across():
     )
     assert found.verdict is Verdict.PASS
     assert found.factor > 1e3
+
+
+def test_a_load_across_that_exceeds_the_mean_s_limit_fails_a_small_stroke():
+    """Its stress is where the amplitude is, or where that is nothing."""
+    endured = {"value": "250 MPa", "cycles": 1e7, "stress_ratio": -1}
+    strong = {"tensile_strength": "600 MPa", "fatigue_amplitude": endured}
+    spec = {"flexure": 1, "material": STEEL | strong, "geometry": NOTCH,
+            "cases": {"c": {"stroke": {"rotation": "1 µrad", "cycles": 1e7},
+                            "wrench": {"theta_y": "10 N*m"}}},
+            "requirements": {"fatigue": {"factor": 2, "mean_stress": "goodman"}}}  # fmt: skip
+    (found,) = flexcli.verdicts(yaml.safe_dump(spec)).checks[-1:]
+    assert found.verdict is Verdict.FAIL
+    assert found.factor_range[1] < 1.5 * found.factor

@@ -128,24 +128,26 @@ class Fatigue(FactorRequirement):
     ) -> ErrorRange:
         """Return the error of a demand whose amplitude is the stroke's, its mean of loads besides.
 
-        What they add is largest at one place, and may be nothing where the amplitude is.
+        What they add is largest at one place, and may be nothing where the amplitude is; there the
+        amplitude may be nothing.
         """
         size, mean, axial = (number(x) for x in (abs(stress.amplitude), stress.mean, stress.axial))
-        own, ends = swing.own, []
+        own, added = swing.own, swing.added
         least, most = sorted((mean * (1.0 + own.low), mean * (1.0 + own.high)))
         beside = abs(axial) * own.largest
-        for amplitude, middle, other in (
-            (size * (1.0 + own.low) - swing.off, least, axial - swing.added - beside),
-            (
-                size * (1.0 + own.high) + swing.off,
-                most,
-                axial + swing.added * max(swing.error.high, 0.0) + beside,
-            ),
-        ):
+        in_plane = min(abs(axial - added), abs(axial + added))
+
+        def share(amplitude: float, middle: float, other: float) -> float:
             at = stress._replace(amplitude=larger(amplitude, 0.0), mean=middle, axial=other)
             changed, power = self._equivalent(at, ask, strength, method)
-            ends.append((number(changed) / number(demand)) ** (1.0 / power) - 1.0)
-        return ErrorRange(*ends)
+            return float((number(changed) / number(demand)) ** (1.0 / power))
+
+        low = max(
+            share(size * (1.0 + own.low) - swing.off, least, axial - added - beside),
+            share(0.0, 0.0, max(added * (1.0 + swing.error.low) - in_plane, 0.0)),
+        )
+        high = axial + added * max(swing.error.high, 0.0) + beside
+        return ErrorRange(low - 1.0, share(size * (1.0 + own.high) + swing.off, most, high) - 1.0)
 
     def _equivalent(
         self, stress: EndStress, ask: Ask, strength: float, method: str
