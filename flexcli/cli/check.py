@@ -99,8 +99,6 @@ def run(
 
 def _taken(named: Sequence[Path]) -> tuple[list[Path], list[PassedOver], list[Result]]:
     """Return the designs to check, the skipped files, and the folders without any."""
-    from flexcli.spec.folder import members
-
     taken: dict[Path, None] = {}
     passed: dict[PassedOver, None] = {}
     empty = []
@@ -108,6 +106,8 @@ def _taken(named: Sequence[Path]) -> tuple[list[Path], list[PassedOver], list[Re
         if not path.is_dir():
             taken[path] = None
             continue
+        from flexcli.spec.folder import members
+
         found = members(path)
         designs = [file for file, why in found if not why]
         taken |= dict.fromkeys(designs)

@@ -5,10 +5,10 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from flexcli.numerics.rows import cos, hypot, number, sin
-from flexcli.parts.case import Case, components_along
+from flexcli.parts.case import Case
 from flexcli.parts.geometries import Geometry
 from flexcli.parts.mechanisms import Mechanism, MechanismError
-from flexcli.parts.scene import NO_WRENCH, ROUNDING, LoadKind, Wrench
+from flexcli.parts.scene import NO_WRENCH, ROUNDING, LoadKind, Wrench, components_along
 from flexcli.results import Value
 
 __all__ = ["InertialLoads", "force_values", "in_layout", "inertial_loads", "without_rounding"]

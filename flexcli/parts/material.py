@@ -1,7 +1,6 @@
 """The material of the blades: numbers with their source, and strength as an amplitude."""
 
 from collections.abc import Collection, Iterable
-from itertools import pairwise
 from math import sqrt
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,7 +10,6 @@ from pydantic_core import CoreSchema
 from flexcli.formulas.fatigue import amplitude_at_life, fully_reversed_amplitude
 from flexcli.numerics.rows import number
 from flexcli.parts.base import (
-    Count,
     Density,
     Expansion,
     Part,
@@ -21,7 +19,7 @@ from flexcli.parts.base import (
 )
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.named import Named
-from flexcli.parts.sourced import Sourced, WithSource
+from flexcli.parts.sourced import Sourced
 from flexcli.results import EXACT, ErrorRange, Property, QuantityKind
 
 if TYPE_CHECKING:
@@ -30,14 +28,17 @@ if TYPE_CHECKING:
 
     from flexcli.mechanics.space.layout import SpaceLayout
     from flexcli.parts.anisotropic import Crystal, Orientation, Orthotropic
+    from flexcli.parts.fatigue_strength import FatigueAmplitude, SNCurve
     from flexcli.parts.over_temperature import OverTemperature
 else:
     Crystal = Annotated[Any, Named("flexcli.parts.anisotropic:Crystal")]
     Orientation = Annotated[Any, Named("flexcli.parts.anisotropic:Orientation")]
     Orthotropic = Annotated[Any, Named("flexcli.parts.anisotropic:Orthotropic")]
+    FatigueAmplitude = Annotated[Any, Named("flexcli.parts.fatigue_strength:FatigueAmplitude")]
+    SNCurve = Annotated[Any, Named("flexcli.parts.fatigue_strength:SNCurve")]
     OverTemperature = Annotated[Any, Named("flexcli.parts.over_temperature:OverTemperature")]
 
-__all__ = ["STRENGTHS", "WARM", "FatigueAmplitude", "Material", "MissingProperty", "SNCurve"]
+__all__ = ["STRENGTHS", "WARM", "Material", "MissingProperty"]
 
 OUT_OF_PLANE = (QuantityKind.SUPPORT, QuantityKind.RESPONSE)
 """Kinds of numbers that depend on torsion and shear of the blades, whatever the joint."""
@@ -70,121 +71,6 @@ class MissingProperty(ValueError):
         super().__init__(f"the material has no {field}: {why}")
         self.field = field
         self.why = why
-
-
-class FatigueAmplitude(WithSource):
-    """Stress amplitude (half of the range) that is borne for a number of cycles."""
-
-    value: Stress
-    """Stress amplitude, half of the range, e.g. ``510 MPa``."""
-    cycles: Count | None = None
-    """Number of cycles that it is borne for, e.g. ``1e7``."""
-    stress_ratio: Annotated[float, QuantityOf("ratio", at_least=-1.0, below=1.0)] | None = None
-    """Least over largest stress of the test: -1 is fully reversed, e.g. ``-1``."""
-
-    @model_validator(mode="before")
-    @classmethod
-    def _must_be_mapping(cls, data: Any) -> Any:
-        if not isinstance(data, dict):
-            raise spec_error(
-                "a fatigue amplitude holds for a number of cycles",
-                "write {value: 510 MPa, cycles: 1e7}",
-            )
-        return data
-
-
-class SNPoint(Part):
-    """One point of an S-N curve: cycles to failure at a stress amplitude."""
-
-    cycles: Count
-    """Cycles to failure, e.g. ``1e4``."""
-    amplitude: Stress
-    """Stress amplitude, half of the range, e.g. ``700 MPa``."""
-
-
-class Basquin(Part):
-    """Amplitude = coefficient (2 N)^exponent between two lives."""
-
-    coefficient: Stress
-    """Stress amplitude at half a cycle, e.g. ``2000 MPa``."""
-    exponent: Annotated[float, QuantityOf("ratio", above=-1.0, below=0.0)]
-    """Exponent of 2 N, negative, e.g. ``-0.1``."""
-    from_cycles: Count = 1e3
-    """Life from which the line holds, e.g. ``1e3``."""
-    to_cycles: Count
-    """Life up to which the line holds, e.g. ``1e7``."""
-
-    @model_validator(mode="after")
-    def _in_order(self) -> "Basquin":
-        if self.from_cycles >= self.to_cycles:
-            raise spec_error(
-                "from_cycles must be below to_cycles", "swap them", at=("from_cycles",)
-            )
-        return self
-
-    def points(self) -> tuple[tuple[float, float], ...]:
-        """Return the two ends of the line as (cycles, amplitude)."""
-        return tuple(
-            (n, self.coefficient * (2.0 * n) ** self.exponent)
-            for n in (self.from_cycles, self.to_cycles)
-        )
-
-
-class SNCurve(WithSource):
-    """S-N curve in amplitudes: points joined by log-log lines, or Basquin's law."""
-
-    points: tuple[SNPoint, ...] = ()
-    """Points of the curve by rising cycles; or give basquin,
-    e.g. ``points: [{cycles: 1e4, amplitude: 700 MPa}, {cycles: 1e7, amplitude: 510 MPa}]``.
-    """
-    basquin: Basquin | None = None
-    """Basquin's law, amplitude = coefficient (2 N)^exponent,
-    e.g. ``{coefficient: 2000 MPa, exponent: -0.08, to_cycles: 1e7}``.
-    """
-    stress_ratio: Annotated[float, QuantityOf("ratio", at_least=-1.0, below=1.0)] | None = None
-    """Least over largest stress of the tests: -1 is fully reversed,
-    e.g. ``stress_ratio: -1, basquin: {coefficient: 2000 MPa, exponent: -0.08, to_cycles: 1e7}``.
-    """
-
-    @model_validator(mode="after")
-    def _one_description(self) -> "SNCurve":
-        if bool(self.points) == (self.basquin is not None):
-            raise spec_error(
-                "an S-N curve is given by 'points' or by 'basquin'", "give one of them"
-            )
-        if len(self.points) == 1:
-            raise spec_error("an S-N curve needs two points or more", "add a point", at=("points",))
-        for index, (first, second) in enumerate(pairwise(self.points)):
-            if first.cycles >= second.cycles:
-                raise spec_error(
-                    "cycles must rise from point to point",
-                    "put the points in order",
-                    at=("points", index + 1, "cycles"),
-                )
-            if first.amplitude < second.amplitude:
-                raise spec_error(
-                    "the amplitude must not rise with the cycles",
-                    "check the two points",
-                    at=("points", index + 1, "amplitude"),
-                )
-        return self
-
-    def times(self, factor: float) -> "SNCurve":
-        """Return the curve with every amplitude times a factor."""
-        if self.basquin is not None:
-            coefficient = factor * self.basquin.coefficient
-            changed = self.basquin.model_copy(update={"coefficient": coefficient})
-            return self.model_copy(update={"basquin": changed})
-        points = tuple(
-            p.model_copy(update={"amplitude": factor * p.amplitude}) for p in self.points
-        )
-        return self.model_copy(update={"points": points})
-
-    def curve(self) -> tuple[tuple[float, float], ...]:
-        """Return the corners of the curve as (cycles, amplitude)."""
-        if self.basquin is not None:
-            return self.basquin.points()
-        return tuple((p.cycles, p.amplitude) for p in self.points)
 
 
 class Material(Part):
@@ -321,7 +207,7 @@ class Material(Part):
         given, tensile = getattr(self, name), self.tensile_strength
         if given is None or given.stress_ratio is None or tensile is None:
             return
-        curve = isinstance(given, SNCurve)
+        curve = name == "sn_amplitudes"
         amplitude = max(s for _, s in given.curve()) if curve else given.value
         mean = amplitude * (1.0 + given.stress_ratio) / (1.0 - given.stress_ratio)
         if mean >= tensile.value:
@@ -570,13 +456,13 @@ class Material(Part):
         rows = []
         for name in type(self).model_fields:
             given = getattr(self, name)
-            if isinstance(given, SNCurve):
+            if given is not None and name == "sn_amplitudes":
                 ratio = f", R = {given.stress_ratio:g}" if given.stress_ratio is not None else ""
                 rows += [
                     Property(name, s, "Pa", f"{n:g} cycles{ratio}", given.status, given.source)
                     for n, s in given.curve()
                 ]
-            elif isinstance(given, FatigueAmplitude):
+            elif given is not None and name == "fatigue_amplitude":
                 detail = [f"{given.cycles:g} cycles"] if given.cycles is not None else []
                 if given.stress_ratio is not None:
                     detail.append(f"R = {given.stress_ratio:g}")

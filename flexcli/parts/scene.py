@@ -27,6 +27,7 @@ __all__ = [
     "Scene",
     "Wrench",
     "components_across",
+    "components_along",
     "largest_travel",
 ]
 
@@ -269,6 +270,12 @@ class Scene(NamedTuple):
 def largest_travel(scenes: Iterable[Scene]) -> float:
     """Return the largest travel of the joint in any case, from rest [rad or m]."""
     return max((scene.travel + scene.mean_travel for scene in scenes), default=0.0)
+
+
+def components_along(axis: str | None, level: float) -> tuple[float, float, float]:
+    """Return the components along x, y and z of what acts along one of them."""
+    x, y, z = (level if axis == each else 0.0 for each in "xyz")
+    return x, y, z
 
 
 def components_across(*, has_plane: bool) -> tuple[int, ...]:
