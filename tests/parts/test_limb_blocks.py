@@ -1,6 +1,7 @@
 """What the hinges of limbs are cut into may be stated, which decides stages and pivots of them."""
 
 from functools import cache
+from itertools import pairwise
 from math import cos, hypot, radians, tan
 
 import pytest
@@ -171,3 +172,50 @@ def test_blocks_are_written_as_beside_a_single_notch():
     for wrong in ("solid", "-1 mm", 3):
         with pytest.raises(SpecError):
             judged(geometry("hinged-stage", "usual") | {"blocks": wrong}, {"mass": {"max": "1 kg"}})
+
+
+def stage_of_bars(block):
+    """Return a stage of slender limbs as a joint, and drawn with its bars and blocks as blades."""
+    e, r, l, apart, b = 0.05, 1.0, 12.0, 20.0, 3.0
+    notch = {"kind": "notch", "e": f"{e} mm", "depth": f"{r} mm"}
+    bodies, blades = {"stage": {"at": [f"{l / 2} mm", "0 mm"]}}, {}
+    for name, y in (("left", -apart / 2), ("right", apart / 2)):
+        ends = [-r, r, l - r, l + r]
+        if block:
+            ends = [-r - block, *ends, l + r + block]
+        links = ["ground", *(f"{name}-{k}" for k in range(len(ends) - 2)), "stage"]
+        bodies |= {
+            link: {"at": [f"{x} mm", f"{y} mm"]}
+            for link, x in zip(links[1:-1], ends[1:-1], strict=True)
+        }
+        for k, (start, end) in enumerate(pairwise(ends)):
+            is_hinge = k % 2 == (1 if block else 0)
+            blades[f"{name}-{k}"] = {
+                "between": links[k : k + 2],
+                "from": [f"{start} mm", f"{y} mm"], "to": [f"{end} mm", f"{y} mm"], "b": f"{b} mm",
+                **({"profile": notch} if is_hinge else {"h": f"{e + 2 * r} mm"}),
+            }  # fmt: skip
+    drawn = {
+        "kind": "layout", "bodies": bodies, "blades": blades, "moving": "stage",
+        "motion": {"translation": "90 deg"},
+    }  # fmt: skip
+    sizes = {"e": f"{e} mm", "r": f"{r} mm", "l": f"{l} mm", "b": f"{b} mm"}
+    return {"kind": "hinged-stage", **sizes, "spacing": f"{apart} mm"}, drawn
+
+
+@pytest.mark.parametrize("block", [0.0, 3.0])
+@pytest.mark.parametrize(("direction", "drawn_as"), [("z", "z"), ("y", "x")])
+def test_bars_and_blocks_give_way_across_the_motion_too(block, direction, drawn_as):
+    def support(geometry, along):
+        asked = {"support": [{"direction": along, "min": "1 N/m"}]}
+        (row,) = (c for c in judged(geometry, asked).checks if c.name.startswith("support"))
+        return row
+
+    joint, drawn = stage_of_bars(block)
+    true = support(drawn, drawn_as).factor
+    told = [support(joint | {"blocks": f"{block} mm"}, direction)]
+    if block <= 2.05:
+        told.append(support(joint, direction))
+    for each in told:
+        assert each.factor_range[0] < true < each.factor_range[1]
+        assert each.factor_range[0] > 0.4 * true

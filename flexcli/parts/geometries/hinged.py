@@ -1,8 +1,9 @@
 """Stages and pivots of rigid limbs that have a right-circular notch hinge at each end."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from math import pi
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, cast
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -15,7 +16,7 @@ from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.thick_notch import Blocks as BesideNotch
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
-from flexcli.numerics.rows import cos, number, sin, tan
+from flexcli.numerics.rows import cos, larger, number, sin, smaller, tan
 from flexcli.parts.base import (
     Inertia,
     Length,
@@ -40,6 +41,9 @@ from flexcli.parts.geometries.notch import (
 )
 from flexcli.parts.geometries.parallel import SagsAlongStroke, force_share, places
 from flexcli.results import Value
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout
 
 __all__ = ["HingedPivot", "HingedStage"]
 
@@ -208,6 +212,20 @@ class _Hinged(Geometry):
     def reach(self, sizes: LimbSizes) -> Computed:
         """Return how far a hinge bends about its centre over the length of a limb [-]."""
         return self.hinge(Elastic(1.0), sizes)[1] / sizes.l
+
+    def laid_in_space(self, elastic: Elastic, sizes: LimbSizes, density: float) -> "SpaceLayout":
+        """Return bodies and hinges in space, with what they are cut into on either side.
+
+        Nothing on one side of a hinge gives way more than as much on both.
+        """
+        layout, (e, r, l, _) = super().laid_in_space(elastic, sizes, density), map(number, sizes)
+        beside, limb, mouth = self._beside, l / 2.0 - r, e + 2.0 * r
+        if isinstance(beside, float):
+            blocks = (smaller(limb, beside), larger(limb, beside))
+        else:  # as of a single notch, whether they are massive or not stated
+            blocks = (0.0, larger(limb, mouth))
+        hinges = (replace(cast("SpaceBlade", each), blocks=blocks) for each in layout.blades)
+        return replace(layout, blades=tuple(hinges))
 
     def hinged_limb(
         self, name: str, start: Point, end: Point, sizes: LimbSizes
