@@ -112,9 +112,7 @@ def worst_case(
         list[float] | None,
         typer.Option("--q", help="Give a quality factor, once or more; a design has its own."),
     ] = None,
-    duration: Annotated[
-        str | None, typer.Option("--duration", help="Give the time of exposure, e.g. '2 min'.")
-    ] = None,
+    duration: DurationOption = None,
     units: UnitsOption = None,
     column: ColumnOption = None,
     stated: SetOption = None,
