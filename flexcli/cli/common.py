@@ -51,6 +51,7 @@ class Model(str, Enum):  # noqa: UP042 - typer reads the values of a str enum
     LINEAR = "linear"
     EXACT = "exact"
     SHELL = "shell"
+    SOLID = "solid"
 
 
 def _positive(seconds: float | None) -> float | None:

@@ -11,7 +11,7 @@ from flexcli.parts.requirements import AS_PRINTED, CLOSED_FORM, Ask, JointModel,
 
 __all__ = ["MODEL_SERIES", "NamedModel", "model_series", "series_of"]
 
-MODEL_SERIES = ("closed-form", "linear", "exact", "shell")
+MODEL_SERIES = ("closed-form", "linear", "exact", "shell", "solid")
 """What judges, the cheapest first."""
 
 
@@ -26,7 +26,7 @@ class NamedModel:
     def joint_model(self) -> JointModel:
         """Return the model itself."""
         planar = _joint_model(self.design, self.name)
-        if not any(scene.across_by for scene in self.design.scenes()):
+        if self.name == "solid" or not any(scene.across_by for scene in self.design.scenes()):
             return planar
         from flexcli.engine.joint_models.out_of_plane import OutOfPlane
 
@@ -35,11 +35,13 @@ class NamedModel:
     def may_tell_more(self, requirement: Requirement, ask: Ask) -> bool:
         """Return whether it may decide what those before it left open.
 
-        In a joint of the plane shells judge little. A load that buckles blades whose errors nobody
-        knows would be looked for in vain.
+        In a joint of the plane shells judge little, and solids not all. A load that buckles blades
+        whose errors nobody knows would be looked for in vain.
         """
         if self.name == "shell" and not self.design.geometry.in_space:
             return requirement.by_shells
+        if self.name == "solid":
+            return requirement.by_solids
         return requirement.may_be_decided(ask)
 
 
@@ -60,8 +62,14 @@ def model_series(design: DesignSpec, model: str | None = None) -> tuple[NamedMod
 
 def series_of(design: DesignSpec) -> tuple[str, ...]:
     """Return the names of the models that a design's geometry has, the cheapest first."""
-    first = 0 if design.geometry.closed_forms else 1
-    return MODEL_SERIES[first : 4 if _has_shells(design) else 3]
+    lacking = set[str]()
+    if not design.geometry.closed_forms:
+        lacking.add("closed-form")
+    if not _has_shells(design):
+        lacking.add("shell")
+    if not _has_solids(design):
+        lacking.add("solid")
+    return tuple(name for name in MODEL_SERIES if name not in lacking)
 
 
 def _has_shells(design: DesignSpec) -> bool:
@@ -76,6 +84,18 @@ def _has_shells(design: DesignSpec) -> bool:
         asked = asked or any(each.moves and each.wrench is not None for each in scenes)
     drawn = design.geometry.in_space and design.geometry.has_blades
     return design.fixed_sizes() is not None and (drawn or asked) and not design.omitted
+
+
+def _has_solids(design: DesignSpec) -> bool:
+    """Return whether a joint is a neck of which there are solids, of a material that is known.
+
+    While its sizes are sought, beams are fine enough. Solids are whole: nothing of them can be left
+    out.
+    """
+    material = design.material
+    known = material.poisson_ratio is not None and not material.is_directed
+    is_whole = design.fixed_sizes() is not None and not design.omitted
+    return design.geometry.is_neck and known and is_whole
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:
@@ -119,6 +139,10 @@ def _joint_model(design: DesignSpec, model: str) -> JointModel:
         from flexcli.engine.joint_models.linear import LinearModel
 
         return Corrected(LinearModel(blades), heard, model, omitted=off)
+    if model == "solid":
+        from flexcli.engine.joint_models.exact_with_solids import ExactWithSolids
+
+        return Corrected(ExactWithSolids(blades), heard, model, omitted=off)
     if model == "shell":
         from flexcli.engine.joint_models.exact_with_shells import ExactWithShells
 

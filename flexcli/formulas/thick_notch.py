@@ -20,6 +20,7 @@ __all__ = [
     "Blocks",
     "Softening",
     "bends_more",
+    "massive_bars",
     "mouth_loss",
     "notch_places",
     "softening",
@@ -48,6 +49,9 @@ SPREADS, SPREADS_MOST = 0.6, 0.012
 LESS, LESS_BY_MOUTH, MORE = 8.0, 0.6, 30.0
 """Bounds of the shift: below, as if the mouth bent less than beam and bar, in 1/(E b H²) and as a
 share of what a rigid body removes; above, for massive blocks."""
+
+HALVINGS = 40
+"""Of the interval in which the length of a bar is looked for."""
 
 PLACES, PIECES = 40, 4
 """Integration points along half a notch, and along a bar beside it."""
@@ -213,6 +217,32 @@ def mouth_loss(e: Number, depth: Number, l: Number) -> Number:
     """Return the most compliance that a rigid body removes at a mouth, in 1/(E b H²)."""
     short = 2.0 * depth / l
     return AT_MOUTH * short * number(larger(1.0, short) ** OF_SHORT) / (1.0 + SHALLOWER * e / depth)
+
+
+def massive_bars(*, e: float, depth: float, l: float) -> tuple[float, float]:
+    """Return the lengths of bars that give way as massive blocks do at least and at most [m].
+
+    The bars are as high as the mouth, with rigid bodies behind them: at least
+    ``24 L/H − m exp(−L/(0.13 H)) = 7.5``, at most ``24 L/H = 18``, and what either may be off.
+
+    Parameters
+    ----------
+    e, depth, l : float
+        As of :func:`softening` [m].
+
+    Examples
+    --------
+    >>> [round(L, 3) for L in massive_bars(e=0.2, depth=1.0, l=2.0)]
+    [0.77, 1.742]
+
+    """
+    H, mouth = e + 2.0 * depth, mouth_loss(e, depth, l)
+    low, high = 0.0, OF_MASS[1] / OF_BAR
+    for _ in range(HALVINGS):
+        share = (low + high) / 2.0
+        less = OF_BAR * share - mouth * np.exp(-share / NEAR) < OF_MASS[0] - BESIDE
+        low, high = (share, high) if less else (low, share)
+    return low * H, (OF_MASS[1] + BESIDE) / OF_BAR * H
 
 
 CARDS: tuple[Card, ...] = (

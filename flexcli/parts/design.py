@@ -66,7 +66,7 @@ IN_PLANE = 1e-6
 CASE_KEYS = tuple(Case.model_fields)
 EffectKey: TypeAlias = Literal[tuple(effect.key for effect in EFFECTS)]  # type: ignore[valid-type]
 Wish: TypeAlias = Literal["auto", "on", "off"]
-ModelName: TypeAlias = Literal["source", "closed-form", "linear", "exact", "shell"]
+ModelName: TypeAlias = Literal["source", "closed-form", "linear", "exact", "shell", "solid"]
 
 
 class Problem(NamedTuple):

@@ -14,6 +14,7 @@ from flexcli.formulas.profile import Constant
 from flexcli.mechanics.space.layout import Directed, SpaceLayout, SpaceRod
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.mechanics.space.planar import from_plane
+from flexcli.mechanics.space.springs import MemberSprings
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
 from flexcli.parts.material import Material
@@ -59,12 +60,15 @@ class SpaceJoint:
     """The assembly of a joint, and the errors of its springs.
 
     ``low`` and ``high`` are the least and the largest relative error of every spring; an infinite
-    high marks a stiffness of unknown excess over a beam's.
+    high marks a stiffness of unknown excess over a beam's. ``members`` are the springs of the
+    layout's blades, where others than those by formulas are known.
     """
 
-    def __init__(self, layout: SpaceLayout) -> None:
+    def __init__(
+        self, layout: SpaceLayout, members: tuple[MemberSprings, ...] | None = None
+    ) -> None:
         self.layout = layout
-        self.assembly = assemble(layout)
+        self.assembly = assemble(layout, members)
         exact = np.zeros(len(self.assembly.stiffness) - 6 * len(self.assembly.members))
         members = self.assembly.members
         self.low = np.concatenate([*(m.low for m in members), exact])

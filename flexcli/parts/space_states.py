@@ -54,10 +54,12 @@ __all__ = [
     "StrokeEnd",
     "Told",
     "across_stress",
+    "acting_across",
     "acting_groups",
     "bent_by_gradient",
     "beyond_first_order",
     "beyond_linear_sag",
+    "changed_across",
     "largest_misfit_stress",
     "left_by_temperature",
     "motions",
@@ -96,6 +98,9 @@ up to 1.5 θ of the stress of a force or a torque."""
 FAR = 0.2
 """Rotation of a hinge under loads out of its plane, by small motion, up to which exact beams are
 used [rad]."""
+
+SMALL = 1e-3
+"""Share of loads that moves hinges by so little that twice as much moves them twice as far."""
 
 STIFFENS = 12.0
 """Axial force [EI/l²] that would change the bending of a blade by as much as itself."""
@@ -481,15 +486,7 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
     interaction of the stroke with these loads: to second order, in joints with hinges by exact
     beams.
     """
-    stresses, across = Stresses(joint.assembly), np.isin(np.arange(6), scene.across)
-    acting = [
-        each._replace(
-            wrench=np.where(across, each.wrench, 0.0),
-            acceleration=np.where(across[:3], each.acceleration, 0.0),
-        )
-        for each in acting_groups(joint, scene)
-    ]
-    acting = [each for each in acting if each.wrench.any() or each.acceleration.any()]
+    stresses, acting = Stresses(joint.assembly), acting_across(joint, scene)
     if not acting:
         return AcrossStress(0.0, ErrorRange(0.0, 0.0))
     groups = [action(joint.assembly, each) for each in acting]
@@ -508,6 +505,59 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
     # what the stroke adds was taken as if largest at one place
     known = ErrorRange(-error - most / (rest + most), error)
     return AcrossStress(rest + most, known, (rest + most) * known.largest)
+
+
+def acting_across(joint: SpaceJoint, scene: Scene) -> list[Acting]:
+    """Return what acts out of the plane of a joint, each load by itself."""
+    across = np.isin(np.arange(6), scene.across)
+    acting = [
+        each._replace(
+            wrench=np.where(across, each.wrench, 0.0),
+            acceleration=np.where(across[:3], each.acceleration, 0.0),
+        )
+        for each in acting_groups(joint, scene)
+    ]
+    return [each for each in acting if each.wrench.any() or each.acceleration.any()]
+
+
+class Changed(NamedTuple):
+    """How a stroke changes the stress of loads across hinges: factors on that by small motion.
+
+    ``swings`` is by what share of itself it alternates as the stroke does.
+    """
+
+    least: float
+    most: float
+    swings: float
+
+
+def changed_across(joint: SpaceJoint, scene: Scene) -> Changed | None:
+    """Return how a stroke, and their own size, change the stress of loads across hinges.
+
+    That is by exact beams under the loads in every sense, at both ends of the stroke; None where
+    there is no such state.
+    """
+    # exact beams are for hinges alone
+    from flexcli.mechanics.space.exact.stresses import largest_of
+
+    groups = [action(joint.assembly, each) for each in acting_across(joint, scene)]
+    if any(not state.loads for state in groups):
+        return None
+    ratios, swings = list[float](), 0.0
+    for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
+        loads = combined(groups, list(signs))
+        if _largest_turn(joint, loads) > FAR:
+            return None
+        small = _added(joint, combined([loads], [SMALL]), (0.0,))
+        added = _added(joint, loads, tuple(dict.fromkeys(scene.stroke_ends)))
+        if small is None or added is None:
+            return None
+        here = largest_of(joint.layout, small[0]) / SMALL
+        ratios += [largest_of(joint.layout, each) / here for each in added]
+        swings = max(swings, _alternating(joint, added) / here)
+    swing = TURNING * _turned_by(joint, scene.travel)
+    turned = TURNING * _turned_by(joint, max(map(abs, scene.stroke_ends)))
+    return Changed(min(ratios) - turned, max(ratios) + turned, SWINGS * swings + swing)
 
 
 def _at_once(groups: list[SpaceState], stresses: Stresses) -> float:
@@ -539,7 +589,7 @@ def _across_hinges(
     if unsure is None or any(not state.loads for state in groups):
         return AcrossStress(rest, None)
     least, most, swings = 0.0, 1.0, 0.0
-    turned = _turned_by(joint, scene)
+    turned = _turned_by(joint, scene.travel)
     # with all loads the other way it is its own mirror image
     for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
         loads = combined(groups, list(signs))
@@ -563,12 +613,12 @@ def _across_hinges(
     return AcrossStress(found, ErrorRange(least / found * low - 1.0, high - 1.0), swings)
 
 
-def _turned_by(joint: SpaceJoint, scene: Scene) -> float:
-    """Return by how much the stroke turns a hinge either way from its mean [rad]."""
-    if not scene.travel:
+def _turned_by(joint: SpaceJoint, travel: float) -> float:
+    """Return by how much a travel turns a hinge [rad]."""
+    if not travel:
         return 0.0
     body = joint.layout.body(joint.layout.drive.body)
-    stroke = action(joint.assembly, Acting(scene.travel, np.zeros(6), body.point, np.zeros(3)))
+    stroke = action(joint.assembly, Acting(travel, np.zeros(6), body.point, np.zeros(3)))
     return _largest_turn(joint, stroke)
 
 

@@ -45,16 +45,17 @@ requirements: REQUIREMENTS
 """
 
 
-@pytest.mark.parametrize(("factor", "verdict"), [(3.5, "pass"), (5.0, "undecided"), (7.5, "fail")])
+@pytest.mark.parametrize(("factor", "verdict"), [(3.5, "pass"), (5.0, "pass"), (7.5, "fail")])
 def test_a_notch_that_is_shaken_across_its_plane_is_judged_by_yield(checked, factor, verdict):
-    # a throat that is wide against √(e r) is sheared evenly: √3 m a/(b e) is a factor of 5.9
+    # a throat that is wide against √(e r) is sheared evenly: √3 m a/(b e) is a factor of 5.9, which
+    # beams reach around; solids, which decide between, have a fifth more where it is most
     code, found = checked(f"{{yield: {factor}}}", NOTCH)
     assert code == (verdict != "pass")
     (check,) = found["checks"]
     assert check["verdict"] == verdict
     low, high = check["factor_range"]
     nominal = 830e6 / (np.sqrt(3.0) * 0.3 * 400.0 / (8e-3 * 0.2e-3))
-    assert low < nominal < high
+    assert low < nominal < high / 0.8
     assert high < 2.0 * low
 
 

@@ -14,6 +14,7 @@ from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStres
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
+    from flexcli.mechanics.space.springs import MemberSprings
     from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["Corrected"]
@@ -38,7 +39,7 @@ class Corrected(JointModel):
         self.effects = tuple(effects)
         self.omitted = tuple(omitted)
         self.name = name or inner.name
-        self.at_stroke = inner.at_stroke
+        self.at_stroke, self.at_rest = inner.at_stroke, inner.at_rest
         self.directs_blades = inner.directs_blades
         self._known: Remembered[dict[EffectName, dict[str, Change]]] = Remembered()
 
@@ -51,6 +52,10 @@ class Corrected(JointModel):
             if any(change.value is not None for change in effect.changes(setting).values())
         }
         return frozenset(self.inner.covers | self.inner.always | known) - lacking
+
+    def springs(self, ask: Ask) -> "tuple[MemberSprings, ...] | None":
+        """Return those of the inner model."""
+        return self.inner.springs(ask)
 
     def frequency_factor(self, ask: Ask) -> float:
         """Return what the effects change beside the stiffness."""

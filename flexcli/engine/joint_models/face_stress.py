@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from flexcli.numerics.rows import number
 from flexcli.parts.requirements import Ask, EndStress
 
-__all__ = ["worst_of_stroke"]
+__all__ = ["WEIGHTS", "worst_of_stroke"]
 
 Floats = NDArray[np.float64]
 

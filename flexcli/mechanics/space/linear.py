@@ -203,10 +203,13 @@ class _Factor:
         return np.asarray(self.root.T @ (self.root @ loads - self.Q.T @ (self.weights * strained)))
 
 
-def assemble(layout: SpaceLayout) -> SpaceAssembly:
-    """Return a mechanism ready to be solved."""
+def assemble(
+    layout: SpaceLayout, members: tuple[MemberSprings, ...] | None = None
+) -> SpaceAssembly:
+    """Return a mechanism ready to be solved, its blades by formulas where no springs are given."""
     drive = layout.drive
-    members = tuple(springs_of(member) for member in layout.blades)
+    if members is None:
+        members = tuple(springs_of(member) for member in layout.blades)
     arm = np.subtract(layout.body(drive.body).point, drive.point)
     to_body = motion_at(arm) @ motion_along(_axes_from(drive.direction)).T
     names = [body.name for body in layout.bodies]

@@ -82,6 +82,7 @@ __all__ = [
     "Extent",
     "Geometry",
     "Held",
+    "NeckSizes",
     "RootedBlade",
     "Sizes",
     "TwistingBars",
@@ -132,6 +133,25 @@ class TwistingBars(NamedTuple):
 
     polar: Computed
     restrained: bool
+
+
+class NeckSizes(NamedTuple):
+    """A single notch of constant width: two half-ellipses, apart by a straight stretch [m].
+
+    ``blocks`` are the least and the greatest length that each block beside it may have, as high as
+    its mouth and rigid at its end, or the one that it has; ``turning`` what these are where blocks
+    of another shape give way as much under a moment about the axis of the notch. ``has_peaks`` says
+    that the peak of its stress counts.
+    """
+
+    e: float
+    depth: float
+    l: float
+    b: float
+    straight: float
+    blocks: tuple[float, ...]
+    turning: tuple[float, ...]
+    has_peaks: bool
 
 
 class Extent(Part):
@@ -211,6 +231,8 @@ class Geometry(Part):
     """Whether its sag bends the blades across their width."""
     in_space: ClassVar[bool] = False
     """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
+    is_neck: ClassVar[bool] = False
+    """Whether it is a single notch, of which there are solids."""
     has_plane: ClassVar[bool] = True
     """Whether forces bend it in a plane as its stroke does; bars along an axis only twist."""
     _omitted: frozenset[EffectName] = PrivateAttr(frozenset())
@@ -482,6 +504,17 @@ class Geometry(Part):
 
         None where no part of it bends across its thickness.
         """
+
+    def neck(self, sizes: Sizes) -> NeckSizes:
+        """Return the sizes of a joint that is a single notch, and the blocks beside it.
+
+        Raises
+        ------
+        NotAvailable
+            When it is anything else.
+
+        """
+        raise NotAvailable("is no single notch, of which there are solids")
 
     def thick_notches(self, sizes: Sizes) -> Thick | None:
         """Return the changes by plane elasticity in its notch hinges, None where it has none."""

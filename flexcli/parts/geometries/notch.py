@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field, GetJsonSchemaHandler, model_validator
 from pydantic_core import CoreSchema
 
-from flexcli.formulas import fillet, hinge_shift, notch, notch_compliance
+from flexcli.formulas import fillet, hinge_shift, notch, notch_compliance, thick_notch
 from flexcli.formulas.card import Card, Range
 from flexcli.formulas.profile import Filleted, Notch, Profile, per_design
 from flexcli.formulas.quantity import Computed, Numbers, Quantity
@@ -22,7 +22,7 @@ from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.arc import Arc
 from flexcli.parts.bending.wide import wide_notch
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
+from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry, NeckSizes
 from flexcli.parts.geometries.parallel import straight_share
 from flexcli.results import Value
 
@@ -105,6 +105,7 @@ class NotchGeometry(Geometry):
     motion: ClassVar[str] = "rotation"
     source: ClassVar[str] = SOURCE
     posynomial: ClassVar[bool] = False
+    is_neck: ClassVar[bool] = True
 
     concentration: Concentration = Field(CONCENTRATION, alias="stress-concentration")
     """How the peak of the stress in a throat counts: by Neuber's deep notch, of fillets by their
@@ -140,6 +141,18 @@ class NotchGeometry(Geometry):
             sizes._make(np.asarray(size, dtype=np.float64)[..., None] for size in sizes)
         )
         return profile, np.asarray(l, dtype=np.float64)[..., 0]
+
+    def _neck(
+        self, e: Computed, depth: Computed, l: Computed, b: Computed, straight: Computed = 0.0
+    ) -> NeckSizes:
+        """Return a neck of these sizes with the blocks beside it."""
+        e, depth, l, beside = number(e), number(depth), number(l), self._beside
+        blocks = (beside,) if isinstance(beside, float) else (0.0, e + 2.0 * depth)
+        turning = blocks
+        if isinstance(beside, str):
+            turning = thick_notch.massive_bars(e=e, depth=depth, l=l)
+        has_peaks = self.concentration != "none"
+        return NeckSizes(e, depth, l, number(b), number(straight), blocks, turning, has_peaks)
 
     def compliance(self, elastic: Elastic, sizes: Any) -> Computed:
         """Return the planar compliance about the middle of the hinge, without shear."""
@@ -293,6 +306,10 @@ class CircularHinge(NotchGeometry):
         at = {"e": e, "depth": r, "l": 2.0 * r, "turn": self.turn(sizes)}
         return thick.thick_notch(**at, blocks=self._beside)
 
+    def neck(self, sizes: CircularSizes) -> NeckSizes:
+        """Return two half-circles."""
+        return self._neck(sizes.e, sizes.r, 2.0 * sizes.r, sizes.b)
+
     def volume(self, sizes: CircularSizes) -> Computed:
         """Return the volume between the notches [m³]."""
         return sizes.b * (2.0 * sizes.r * (sizes.e + 2.0 * sizes.r) - np.pi * sizes.r**2)
@@ -354,6 +371,10 @@ class EllipticHinge(NotchGeometry):
         e, depth, l, _ = sizes
         at = {"e": e, "depth": depth, "l": l, "turn": self.turn(sizes)}
         return thick.thick_notch(**at, blocks=self._beside)
+
+    def neck(self, sizes: EllipticSizes) -> NeckSizes:
+        """Return two half-ellipses."""
+        return self._neck(*sizes)
 
     def volume(self, sizes: EllipticSizes) -> Computed:
         """Return the volume between the notches [m³]."""
@@ -424,6 +445,11 @@ class FilletedHinge(NotchGeometry):
         """Return the factor of its fillets."""
         at = {"h": sizes.h, "r": sizes.r, "l": sizes.l, "turn": self.turn(sizes)}
         return thick.thick_fillets(**at, blocks=self._beside)
+
+    def neck(self, sizes: FilletedSizes) -> NeckSizes:
+        """Return two halves of a half-circle, apart by the straight blade."""
+        h, r, l, b = sizes
+        return self._neck(h, r, 2.0 * r, b, l - 2.0 * r)
 
     def volume(self, sizes: FilletedSizes) -> Computed:
         """Return the volume of the blade and its fillets [m³]."""

@@ -14,6 +14,7 @@ from flexcli.parts.scene import Scene
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
+    from flexcli.mechanics.space.springs import MemberSprings
     from flexcli.mechanics.space.swept_box import SweptBox
     from flexcli.parts.actuator import Actuator
     from flexcli.parts.effects import Setting
@@ -151,12 +152,18 @@ class JointModel(ABC):
     """Model of its blades at a stroke in space, for reports."""
     weighs_blades: ClassVar[bool] = False
     """Whether its stresses have what accelerated blades weigh, where their density is known."""
+    at_rest: str = "linear blades between rigid clamps, assembled in space at rest"
+    """Model of its blades at rest in space, for reports."""
     directs_blades: bool = True
     """Whether each blade has the moduli of its own direction in a crystal or a sheet there."""
 
     def carried(self, setting: "Setting") -> frozenset[EffectName]:
         """Return the effects that its numbers include in a design."""
         return self.covers | self.always
+
+    def springs(self, ask: Ask) -> "tuple[MemberSprings, ...] | None":
+        """Return the springs of the blades in space at rest, None for those of formulas."""
+        return None
 
     def frequency_factor(self, ask: Ask) -> float:
         """Return the ratio of a frequency to that by the stiffness alone, if it has one [-]."""

@@ -111,6 +111,8 @@ class Requirement(Part):
     """Whether it compares the largest stress with a strength, whatever causes the stress."""
     by_shells: ClassVar[bool] = False
     """Whether shells tell more of it than beams in a joint of the plane too."""
+    by_solids: ClassVar[bool] = False
+    """Whether solids of a joint's necks tell more of it than beams."""
     of_the_drawing: ClassVar[bool] = False
     """Whether it concerns the shape alone, which needs no model."""
     label: ClassVar[str]

@@ -28,6 +28,7 @@ class Drive(FactorRequirement):
 
     label: ClassVar[str] = "drive"
     closed_form: ClassVar[bool] = False
+    by_solids: ClassVar[bool] = True
 
     def applies(self, scene: Scene) -> bool:
         """Return whether the case has a stroke to drive."""

@@ -26,6 +26,7 @@ class Fatigue(FactorRequirement):
     """
 
     label: ClassVar[str] = "fatigue"
+    by_solids: ClassVar[bool] = True
 
     mean_stress: Literal["goodman", "soderberg", "swt", "none"] = "goodman"
     """How the mean stress counts, e.g. ``soderberg``."""

@@ -18,6 +18,7 @@ class Frequency(Bound):
     """Bounds on √(k/m)/2π of the free mechanism."""
 
     label: ClassVar[str] = "frequency"
+    by_solids: ClassVar[bool] = True
     is_warmed: ClassVar[bool] = True
 
     min: _Hertz | None = None

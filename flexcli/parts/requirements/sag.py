@@ -21,6 +21,7 @@ class Sag(Bound):
     """Bounds on m a / K along the axis of the case's acceleration."""
 
     label: ClassVar[str] = "sag"
+    by_solids: ClassVar[bool] = True
     per_case: ClassVar[bool] = True
 
     min: _Length | None = None

@@ -21,6 +21,7 @@ class Stiffness(Bound):
     """Bounds on the stiffness of one joint, N·m/rad for a rotation and N/m for a translation."""
 
     label: ClassVar[str] = "stiffness"
+    by_solids: ClassVar[bool] = True
     is_warmed: ClassVar[bool] = True
 
     @field_validator("min", "max", "equals", mode="before", json_schema_input_type=_Either)

@@ -66,8 +66,6 @@ CENTRE = (0.0, 0.0, 0.0)
 HELD = 1e-14
 """Share of the compliance below which a guide or the drive holds a direction."""
 
-SOURCE = "linear blades between rigid clamps, assembled in space at rest"
-
 EXACT = "exact beams in space under the wrench, and their tangent at stroke"
 
 
@@ -97,7 +95,7 @@ def compliance_of(
         When the joint has no layout, no shear modulus, or a freedom without any spring.
 
     """
-    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    joint = _in_space(ask)
     drive = joint.layout.drive
     axes = axes_about_z(ask.geometry.axes)
     place = _at(joint.layout.body(drive.body).point + axes.T @ np.array(point))
@@ -119,7 +117,7 @@ def deflection_form(ask: Ask, sought: NDArray[np.float64], load: NDArray[np.floa
 
     Both are along the axes of cases (6,), all free but for a guide.
     """
-    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    joint = _in_space(ask)
     body, assembly = joint.layout.body(joint.layout.drive.body), joint.assembly
     turned = motion_along(axes_about_z(ask.geometry.axes))
     rows = turned @ assembly.motion(body.name, body.point)
@@ -141,10 +139,17 @@ def _at(place: NDArray[np.float64]) -> Place:
     return x, y, z
 
 
+def _in_space(ask: Ask) -> SpaceJoint:
+    """Return the joint in space, with the springs of its model where that has its own."""
+    joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+    springs = ask.joint_model.springs(ask)
+    return joint if springs is None else SpaceJoint(joint.layout, springs)
+
+
 def space_joint(ask: Ask) -> SpaceJoint:
     """Return the joint in space, or raise why there is none."""
     try:
-        return joint_in_space(ask.geometry, ask.material, ask.sizes)
+        return _in_space(ask)
     except NotAvailable as error:
         raise _refused(ask, error) from error
 
@@ -186,6 +191,7 @@ class Support(BoundAtStroke):
     """
 
     label: ClassVar[str] = "support"
+    by_solids: ClassVar[bool] = True
     by_shells: ClassVar[bool] = True
     closed_form: ClassVar[bool] = False
 
@@ -275,7 +281,7 @@ class Support(BoundAtStroke):
             value /= stiffness(joint.assembly)
             error = _of_ratio(error, _with_clamps(ask, joint.error(stiffness)))
         quantity = f"{self.spoken}, drive {self.drive}"
-        for limit in self._bounds(value, error, "", quantity, SOURCE):
+        for limit in self._bounds(value, error, "", quantity, ask.joint_model.at_rest):
             yield limit._replace(is_directed=joint.is_directed)
 
     def _limits_at_stroke(self, ask: Ask) -> Iterator[Limit]:
@@ -411,6 +417,7 @@ class Deflection(MotionBound):
     """A bound on how far a case's wrench, at the centre, moves a point in a direction."""
 
     label: ClassVar[str] = "deflection"
+    by_solids: ClassVar[bool] = True
     by_shells: ClassVar[bool] = True
 
     point: Place = CENTRE
@@ -440,8 +447,9 @@ class Deflection(MotionBound):
         except Buckled:
             raise
         except NotAvailable as reason:
-            found = (self._at_rest(ask),)
-            source = SOURCE if found[0][1] is not None else f"{SOURCE}; the joint {reason}"
+            found, source = (self._at_rest(ask),), ask.joint_model.at_rest
+            if found[0][1] is None:
+                source += f"; the joint {reason}"
         for value, error in found:
             yield from self.bounds_in_direction(
                 abs(value),

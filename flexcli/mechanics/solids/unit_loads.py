@@ -1,0 +1,135 @@
+"""A neck under six unit loads: compliances and surface stresses, each on two meshes.
+
+The coarser mesh has bricks of one order less each way; by what both differ the finer is off at
+most.
+"""
+
+from functools import cached_property
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.solids.neck import Neck, neck_lattice
+from flexcli.mechanics.solids.octant import LOADS, Lattice, Moved, moved
+
+__all__ = ["COARSE", "FINE", "NeckUnderLoads", "equivalent"]
+
+Floats = NDArray[np.float64]
+
+COARSE, FINE = (3, 5, 3), (4, 6, 4)
+"""Orders of the bricks along, across and over the width."""
+
+BEYOND = 0.9
+"""Share of the length of a curved face, from which on a place is beside the block."""
+
+TWISTED = 0.208
+"""Least torque of a rectangle over b h² times its largest shear: that of a square."""
+
+VOIGT = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+"""Ways of the stresses as the octant has them."""
+
+
+class NeckUnderLoads:
+    """The neck between rigid bodies; loads are solved when they are first asked for."""
+
+    def __init__(self, neck: Neck, E: float, nu: float) -> None:
+        self.neck = neck
+        self.elastic = E, nu
+        self._known: dict[tuple[tuple[int, int, int], int], Moved] = {}
+
+    @cached_property
+    def _lattices(self) -> dict[tuple[int, int, int], Lattice]:
+        return {orders: neck_lattice(self.neck, orders) for orders in (COARSE, FINE)}
+
+    def compliance(self, index: int) -> tuple[float, float]:
+        """Return the compliance to a unit load about the middle, and its relative error.
+
+        ``index`` is the place of the load in a wrench [m/N or rad/(N·m)].
+        """
+        coarse, fine = (self._moved(orders, index).compliance for orders in (COARSE, FINE))
+        return fine, abs(coarse / fine - 1.0)
+
+    def stresses(self, wrenches: Floats, orders: tuple[int, int, int]) -> tuple[Floats, Floats]:
+        """Return the stresses of wrenches about the middle, all over the surface beside the throat.
+
+        It is all that lies between the mouths, but for the last bricks where these are clamped: a
+        rigid body stresses without end what is beside its edges.
+
+        Parameters
+        ----------
+        wrenches : array, shape (states, 6)
+            What the body at its end bears, along the neck's axes [N, N·m].
+        orders : tuple of int
+            Those of the mesh.
+
+        Returns
+        -------
+        stress : array, shape (states, places, 6)
+            xx, yy, zz, yz, zx, xy [Pa]; the same place in each state.
+        is_last : array, shape (places,)
+            Whether a place is in the last bricks before the mouth or beyond it, or as near as any
+            to one that is clamped: larger stresses may be beyond.
+
+        """
+        lattice = self._lattices[orders]
+        rows, near = lattice.mouth + 1, lattice.mouth - orders[0]
+        if self.neck.block == 0.0:
+            rows = near + 1
+        on = np.zeros(lattice.shape, dtype=bool)
+        on[:rows, -1, :] = on[:rows, :, -1] = True
+        row, column, _ = np.nonzero(on)
+        beside = self.neck.straight / 2.0 + BEYOND * self.neck.l / 2.0
+        last = (row >= near) | (lattice.x[row, column] >= beside)
+        found = np.zeros((len(wrenches), 8, last.size, 6))
+        for index in np.flatnonzero(np.any(wrenches, axis=0)):
+            own = self._moved(orders, int(index)).stress[on]
+            for octant, mirrored in enumerate(product((False, True), repeat=3)):
+                signs = _signs(LOADS[index].signs, mirrored)
+                found[:, octant] += wrenches[:, index, None, None] * (own * signs)
+        return found.reshape(len(wrenches), -1, 6), np.tile(last, 8)
+
+    def at_mouth(self, wrenches: Floats) -> float:
+        """Return the most that a beam as high as the mouth is stressed there by wrenches [Pa]."""
+        neck = self.neck
+        H, b, x = neck.height, neck.b, neck.end
+        Fx, Fy, Fz, Mx, My, Mz = np.abs(wrenches).T
+        normal = Fx / (b * H) + 6.0 * (Mz + x * Fy) / (b * H**2) + 6.0 * (My + x * Fz) / (H * b**2)
+        shear = 1.5 * (Fy + Fz) / (b * H) + Mx / (TWISTED * b * H * min(b, H))
+        return float(np.max(normal + np.sqrt(3.0) * shear))
+
+    def apart(self, index: int) -> float:
+        """Return by how much the largest stresses of a unit load differ on both meshes [Pa]."""
+        unit = np.eye(6)[[index]]
+        coarse, fine = (equivalent(self.stresses(unit, each)[0]) for each in (COARSE, FINE))
+        return abs(float(np.abs(coarse).max() - np.abs(fine).max()))
+
+    def _moved(self, orders: tuple[int, int, int], index: int) -> Moved:
+        if (orders, index) not in self._known:
+            found = moved(self._lattices[orders], LOADS[index], *self.elastic)
+            self._known[orders, index] = found
+        return self._known[orders, index]
+
+
+def _signs(parity: tuple[int, int, int], mirrored: tuple[bool, ...]) -> Floats:
+    """Return the signs (6,) of the stresses of a load in a mirrored octant."""
+    found = np.ones(6)
+    for axis in range(3):
+        if mirrored[axis]:
+            found *= [parity[axis] * (-1.0) ** ((i == axis) + (j == axis)) for i, j in VOIGT]
+    return found
+
+
+def equivalent(stress: Floats) -> Floats:
+    """Return the larger of von Mises' stress and the largest principal one (...,) [Pa].
+
+    It has the sign of the latter. A wide throat has von Mises' below its stress along, by which
+    beams are judged; in shear von Mises' is the larger.
+    """
+    tensor = np.empty((*stress.shape[:-1], 3, 3))
+    for k, (i, j) in enumerate(VOIGT):
+        tensor[..., i, j] = tensor[..., j, i] = stress[..., k]
+    least, middle, most = np.moveaxis(np.linalg.eigvalsh(tensor), -1, 0)
+    mises = np.sqrt(((most - middle) ** 2 + (middle - least) ** 2 + (most - least) ** 2) / 2.0)
+    found = np.maximum(mises, np.maximum(np.abs(most), np.abs(least)))
+    return np.asarray(np.where(most >= -least, found, -found))

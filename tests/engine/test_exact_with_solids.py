@@ -1,0 +1,148 @@
+"""The solid model of a single notch, from a spec: what beams cannot decide."""
+
+import pytest
+
+import flexcli
+from flexcli.errors import SolveError
+
+NOTCH = """
+flexure: 1
+material: {{youngs_modulus: 200 GPa, poisson_ratio: 0.3, yield_strength: 1 GPa,
+            density: 7800 kg/m^3, fatigue_amplitude: {{value: 400 MPa, cycles: 1e7}}}}
+geometry: {{kind: {kind}, {blocks}}}
+{mechanism}
+cases:
+  work: {{{case}}}
+requirements:
+{requirements}
+"""
+
+THICK = "notch-hinge, e: 0.5 mm, r: 1 mm, b: 10 mm"
+STATED = "blocks: 2 mm"
+STROKE = "stroke: {rotation: 1 mrad, cycles: 1e6}"
+ACROSS = "wrench: {z: 300 N, theta_x: 0.5 N*m}"
+
+
+def checked(
+    tmp_path, requirements, *, kind=THICK, blocks=STATED, case=STROKE, model=None, mechanism=""
+):
+    path = tmp_path / "flexure.yaml"
+    text = NOTCH.format(
+        kind=kind, blocks=blocks, case=case, requirements=requirements, mechanism=mechanism
+    )
+    path.write_text(text, encoding="utf-8")
+    return flexcli.check(path, model=model).checks
+
+
+def only(checks):
+    (check,) = (each for each in checks if each.verdict.value != "not judged")
+    return check
+
+
+def width(check):
+    low, high = check.factor_range
+    return (high - low) / check.factor
+
+
+@pytest.mark.parametrize(
+    ("requirements", "case", "most"),
+    [
+        ("  stiffness: {min: 1 N*m/rad}", STROKE, 0.01),
+        ("  yield: 1.5", STROKE, 0.04),
+        ("  fatigue: 1.5", STROKE, 0.04),
+        ("  yield: 1.5", f"{STROKE}, {ACROSS}", 0.1),
+        ("  yield: 1.5", ACROSS, 0.1),
+        ("  support: [{direction: z, min: 1 N/m}]", STROKE, 0.02),
+        ("  deflection: [{direction: z, max: 1 mm}]", "wrench: {z: 1 N}", 0.02),
+    ],
+)
+def test_solids_know_more_of_a_thick_notch_than_beams_which_allow_for_it(
+    tmp_path, requirements, case, most
+):
+    exact, solid = (
+        only(checked(tmp_path, requirements, case=case, model=model))
+        for model in ("exact", "solid")
+    )
+    assert width(solid) < most
+    if exact.factor_range is not None:
+        assert width(solid) < width(exact)
+        low, high = exact.factor_range
+        assert low <= solid.factor_range[1]
+        assert solid.factor_range[0] <= high
+
+
+def test_what_exact_beams_leave_undecided_climbs_to_solids(tmp_path):
+    pinned = only(checked(tmp_path, "  stiffness: {min: 1 N*m/rad}", model="solid"))
+    asked = 0.99 * pinned.factor
+    beams = only(checked(tmp_path, f"  stiffness: {{min: {asked} N*m/rad}}", model="exact"))
+    assert beams.verdict.value == "undecided"
+    check = only(checked(tmp_path, f"  stiffness: {{min: {asked} N*m/rad}}"))
+    assert (check.model, check.verdict.value) == ("solid", "pass")
+
+
+def test_a_wide_margin_asks_no_solid(tmp_path):
+    assert only(checked(tmp_path, "  stiffness: {min: 1 N*m/rad}")).model != "solid"
+
+
+@pytest.mark.parametrize(
+    ("blocks", "inside"),
+    [("", ("massive", "0 mm", "2.5 mm")), ("blocks: massive", ("1.3 mm",))],
+)
+def test_blocks_that_are_left_open_are_in_the_range(tmp_path, blocks, inside):
+    asked = "  stiffness: {min: 1 N*m/rad}"
+    least, most = only(checked(tmp_path, asked, blocks=blocks, model="solid")).factor_range
+    for length in inside:
+        stated = f"blocks: {length}"
+        low, high = only(checked(tmp_path, asked, blocks=stated, model="solid")).factor_range
+        assert least * (1.0 - 1e-9) <= low <= high <= most * (1.0 + 1e-9)
+
+
+def test_the_stress_of_a_stroke_is_the_peak_at_the_moment_of_the_solid(tmp_path):
+    K = only(checked(tmp_path, "  stiffness: {min: 1 N*m/rad}", model="solid")).factor
+    stress = only(checked(tmp_path, "  yield: 1", model="solid"))
+    nominal = 6.0 * K * 1e-3 / (10e-3 * 0.5e-3**2)
+    # Neuber's deep notch of e/r = 0.5 has 1.095, a wide one some more at its middle
+    assert stress.demand == pytest.approx(1.10 * nominal, rel=0.03)
+
+
+def test_solids_leave_to_beams_what_they_do_not_know(tmp_path):
+    at_stroke = "  support: [{direction: z, min: 1 N/m, at: full-stroke}]"
+    for asked in ("  parasitic_shift: {max: 1 mm}", at_stroke):
+        check = only(checked(tmp_path, asked, model="solid"))
+        assert check.verdict.value == "undecided"
+        assert "take --model exact" in check.quantity
+
+
+def test_a_stroke_beyond_what_was_compared_is_left_to_beams(tmp_path):
+    far = "stroke: {rotation: 0.3 rad, cycles: 1e6}"
+    check = only(checked(tmp_path, "  yield: 0.1", case=far, model="solid"))
+    assert "farther than solids were compared" in check.quantity
+
+
+def test_nominal_stress_is_left_to_beams(tmp_path):
+    nominal = f"{STATED}, stress-concentration: none"
+    check = only(checked(tmp_path, "  yield: 1", blocks=nominal, model="solid"))
+    assert "nominal stress" in check.quantity
+
+
+def test_a_joint_without_solids_says_so(tmp_path):
+    blade = {"kind": "moment-blade, h: 0.5 mm, l: 10 mm", "blocks": "b: 10 mm"}
+    with pytest.raises(SolveError, match="has no solid model"):
+        checked(tmp_path, "  yield: 1", **blade, model="solid")
+
+
+def test_the_force_of_a_drive_is_that_of_the_solid(tmp_path):
+    actuator = "actuator: {blocking_force: 10 N, free_stroke: 1 mm, arm: 10 mm, drives: both-ways}"
+    K = only(checked(tmp_path, "  stiffness: {min: 1 N*m/rad}", model="solid")).factor
+    beams, solids = (
+        only(checked(tmp_path, "  drive: 1", mechanism=actuator, model=model))
+        for model in ("exact", "solid")
+    )
+    assert solids.demand == pytest.approx(K * 1e-3 / 10e-3, rel=2e-3)
+    assert width(solids) < width(beams)
+
+
+def test_deflections_at_a_stroke_are_left_to_beams(tmp_path):
+    asked, case = "  deflection: [{direction: z, max: 1 mm}]", f"{STROKE}, {ACROSS}"
+    check = only(checked(tmp_path, asked, case=case, model="solid"))
+    assert "solids are at rest" in check.quantity

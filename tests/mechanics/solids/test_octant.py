@@ -1,0 +1,76 @@
+"""Bricks of high order against closed forms of bars, and their order."""
+
+import numpy as np
+import pytest
+
+from flexcli.formulas.torsion_section import torsion_constant
+from flexcli.mechanics.solids.lagrange import places_along
+from flexcli.mechanics.solids.octant import LOADS, Lattice, moved
+
+E, NU = 200e9, 0.3
+X, Y, Z, THETA_X, THETA_Y, THETA_Z = range(6)
+H, B = 1e-3, 2e-3
+
+
+def bar(l, orders=(4, 4, 4), *, skewed=0.0):
+    """Return a bar of H by B, its bricks skewed by a share of its thickness."""
+    half = l / 2.0
+    x = places_along(np.linspace(0.0, half, 1 + round(half / H)), orders[0])
+    t = places_along(np.array([0.0, 1.0]), orders[1])
+    z = places_along(np.array([0.0, 0.6, 1.0]), orders[2]) * B / 2.0
+    lean = skewed * H * np.sin(2.0 * np.pi * x / half)
+    return Lattice(x[:, None] + lean[:, None] * t, np.ones((x.size, 1)) * t * H / 2.0, z, orders)
+
+
+def compliance(l, load, nu=NU, **how):
+    return moved(bar(l, **how), LOADS[load], E, nu).compliance
+
+
+def rate(load, **how):
+    """Return the compliance per length far from both ends."""
+    return (compliance(12.0 * H, load, **how) - compliance(8.0 * H, load, **how)) / (4.0 * H)
+
+
+def test_a_bar_that_does_not_narrow_is_stretched_evenly_by_skewed_bricks():
+    lattice = bar(6.0 * H, (3, 3, 2), skewed=0.2)
+    found = moved(lattice, LOADS[X], E, 0.0)
+    assert found.compliance == pytest.approx(6.0 * H / (E * B * H), rel=1e-9)
+    assert found.stress[..., 0] == pytest.approx(np.full(lattice.shape, 1.0 / (B * H)), rel=1e-7)
+    assert np.abs(found.stress[..., 1:]).max() < 1e-7 / (B * H)
+
+
+@pytest.mark.parametrize(("load", "I"), [(THETA_Z, B * H**3 / 12.0), (THETA_Y, H * B**3 / 12.0)])
+def test_a_bar_that_does_not_narrow_is_bent_as_a_beam(load, I):
+    assert compliance(6.0 * H, load, nu=0.0) == pytest.approx(6.0 * H / (E * I), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("load", "stiffness"),
+    [
+        (X, E * B * H),
+        (THETA_Y, E * H * B**3 / 12.0),
+        (THETA_Z, E * B * H**3 / 12.0),
+        (THETA_X, E / (2.0 + 2.0 * NU) * float(torsion_constant(H, B))),
+    ],
+)
+def test_far_from_rigid_ends_a_bar_gives_way_as_saint_venant_says(load, stiffness):
+    assert rate(load) == pytest.approx(1.0 / stiffness, rel=1e-4)
+
+
+def test_a_bar_sheared_between_rigid_ends_is_timoshenkos():
+    l, nu = 20.0 * H, 0.0
+    beam = l**3 / (12.0 * E * B * H**3 / 12.0) + 1.2 * l / (E / 2.0 * B * H)
+    assert compliance(l, Y, nu=nu) == pytest.approx(beam, rel=2e-3)
+
+
+def test_the_largest_shear_of_a_twisted_bar_is_saint_venants():
+    lattice = bar(12.0 * H, (4, 6, 6))
+    found = moved(lattice, LOADS[THETA_X], E, NU).stress
+    # b = 2 h: T/(0.2459 b h²) in the middle of its wide sides
+    assert np.abs(found[0, -1, 0, 4]) == pytest.approx(1.0 / (0.2459 * B * H**2), rel=2e-3)
+
+
+def test_a_higher_order_is_nearer_to_the_finest():
+    finest = compliance(4.0 * H, THETA_X, orders=(7, 7, 7))
+    errors = [abs(compliance(4.0 * H, THETA_X, orders=(p, p, p)) / finest - 1) for p in (2, 3, 5)]
+    assert errors[0] > 2.0 * errors[1] > 4.0 * errors[2]
