@@ -41,7 +41,12 @@ try:
     main()
 except SystemExit:
     from pathlib import Path
-    print(len(list(Path("{TASKS}").iterdir())))
+    from time import sleep
+    counts = []
+    for _ in range(20):  # the clock of the run may take a while to end
+        counts.append(len(list(Path("{TASKS}").iterdir())))
+        sleep(0.02)
+    print(min(counts))
 """
 
 

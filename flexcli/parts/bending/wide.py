@@ -218,10 +218,10 @@ def wide_notch(
         for width in (b, effective, SHORTEST * effective)
     )
     widening, bends = number(plates.bound(nu)), number(second_moment(b, e)) / number(turn)
-    factor = _as_a_solid(thick.stiffness, e / b, e / bends, widening)
+    factor = _as_a_solid(thick.stiffness, thick.less, e / b, e / bends, widening)
     low, high = factor.low - uneven * widening, factor.high + uneven * widening
     factor = factor._replace(low=larger(1.0, low), high=high)
-    buckles = _as_a_solid(short.stiffness, e / b, e / bends, widening)
+    buckles = _as_a_solid(short.stiffness, short.less, e / b, e / bends, widening)
     held = dict.fromkeys(
         EFFECTIVE_LENGTH, factor._replace(low=1.0, high=larger(high, buckles.high))
     )
@@ -233,8 +233,8 @@ def wide_notch(
     return WideBlades(b / bends, factor, factor, held, shift)
 
 
-def _as_a_solid(plate: float, t: float, depth: float, widening: float) -> Factor:
-    """Return the factor of a notch, a solid, from that of a thin plate.
+def _as_a_solid(plate: float, less: float, t: float, depth: float, widening: float) -> Factor:
+    """Return the factor of a notch, a solid, from that of a thin plate that is ``less`` at least.
 
     Solids of t = e/b up to ½ and e/r from 0.005 to 0.5 widen by 0.65 t less, to 0.75 t about that;
     a throat as deep as its bending is long (``depth``) redistributes its stress when it is kept
@@ -243,9 +243,8 @@ def _as_a_solid(plate: float, t: float, depth: float, widening: float) -> Factor
     over, share = plate - 1.0, 0.14 * depth**2
     away = smaller(RITZ_ERROR, plates.OF_WIDENING * over) + over * (0.75 * t + share)
     value = 1.0 + over * larger(1.0 - 0.65 * t, 0.35)
-    return Factor(
-        value, larger(1.0, value - away), smaller(1.0 + widening * (1.0 + share), value + away)
-    )
+    high = smaller(1.0 + widening * (1.0 + share), value + away)
+    return Factor(value, larger(1.0, value - away - less), high)
 
 
 def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool) -> WideBlades:
