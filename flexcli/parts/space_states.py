@@ -405,11 +405,22 @@ def beyond_linear_sag(ask: Ask) -> float | None:
 
 
 def _second_share(state: SpaceState, row: Floats) -> float:
-    """Return the second and further orders of a motion, over its first order."""
+    """Return the second and further orders of a motion, over its first order.
+
+    What moves across it in second order, as a blade that a torque turns does under a force along
+    its width, comes back to it in third: the force along the motion does twice the energy of that
+    more work at most.
+    """
     after, first = state.following(), float(row @ state.moved.coordinates[:, 0])
     if first == 0.0:
         return 0.0
-    return _third_order(after) + abs(float(row @ after.coordinates) / first)
+    strained = state.assembly.rows @ after.coordinates
+    energy = float(state.assembly.stiffness @ strained**2)
+    loads = state.assembly.rows.T @ state.moved.forces[:, 0]
+    along = abs(float(row @ loads) * first) / float(row @ row)
+    work = along or float(loads @ state.moved.coordinates[:, 0])
+    back = 2.0 * energy / work if work > 0.0 else inf
+    return _third_order(after) + abs(float(row @ after.coordinates) / first) + back
 
 
 def _amplified(share: float) -> float | None:
