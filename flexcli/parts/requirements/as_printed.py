@@ -1,11 +1,13 @@
 """The formulas of a joint as their sources print them, as a model that requirements ask."""
 
 from collections.abc import Iterator
+from math import pi, remainder
 
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.bending import FLOOR
 from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.ends import ENDS
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements.ask import Ask, EndStress, JointModel
 from flexcli.results import ErrorRange, QuantityKind
@@ -15,6 +17,9 @@ __all__ = ["AS_PRINTED", "AsPrinted", "stress_name"]
 
 UNTOLD = frozenset({QuantityKind.BUCKLING, QuantityKind.SUPPORT, QuantityKind.RESPONSE})
 """Kinds of numbers for which effects have no estimates."""
+
+STRAIGHT = 1e-9
+"""Angle [rad] of a force to an axis of a joint that is rounding."""
 
 
 class AsPrinted(JointModel):
@@ -29,6 +34,8 @@ class AsPrinted(JointModel):
         turned = ask.geometry.turns_freely and ask.scene.keeps_turn and ask.scene.bends
         if turned and kind is QuantityKind.STRESS:
             return None  # bent to an S where the formula has a free tip
+        if kind is QuantityKind.STRESS and _is_borne_beside_blades(ask):
+            return None
         return FLOOR
 
     def stiffness(self, ask: Ask) -> Computed:
@@ -70,6 +77,20 @@ class AsPrinted(JointModel):
 
 
 AS_PRINTED = AsPrinted()
+
+
+def _is_borne_beside_blades(ask: Ask) -> bool:
+    """Return whether ends bear a part of a force, which the formula gives to the blades.
+
+    They keep the body from moving across the force: one that is oblique to the joint would.
+    """
+    scene = ask.scene
+    if scene.ends is None or not ENDS[scene.ends].across:
+        return False
+    axis = ask.geometry.symmetry_axis
+    return any(
+        abs(remainder(push.direction - axis, pi / 2.0)) > STRAIGHT for push in scene.pushes()
+    )
 
 
 def _is_estimated(ask: Ask, kind: QuantityKind) -> bool:
