@@ -85,7 +85,7 @@ def _is_borne_beside_blades(ask: Ask) -> bool:
     They keep the body from moving across the force: one that is oblique to the joint would.
     """
     scene = ask.scene
-    if scene.ends is None or not ENDS[scene.ends].across:
+    if not scene.forces or scene.ends is None or not ENDS[scene.ends].across:
         return False
     axis = ask.geometry.symmetry_axis
     return any(
