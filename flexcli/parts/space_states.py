@@ -5,11 +5,10 @@ small motion is told by its second order; where that is not small beside the fir
 unknown.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
-from functools import partial
+from collections.abc import Iterable, Iterator
 from itertools import product
 from math import inf, isfinite, pi
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,24 +42,22 @@ from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space, joint_of
 from flexcli.results import ErrorRange
 
-if TYPE_CHECKING:
-    from flexcli.mechanics.space.exact.stresses import SectionStates
-
 __all__ = [
+    "INNER",
+    "KNOWN",
     "SOFTENED",
     "WARPING_ERROR",
-    "AcrossStress",
     "Place",
     "StrokeEnd",
     "Told",
-    "across_stress",
-    "acting_across",
     "acting_groups",
     "bent_by_gradient",
     "beyond_first_order",
     "beyond_linear_sag",
-    "changed_across",
+    "hinge_stress_error",
+    "hull",
     "largest_misfit_stress",
+    "largest_stress",
     "left_by_temperature",
     "motions",
     "own_frequency",
@@ -68,10 +65,13 @@ __all__ = [
     "poses",
     "sag",
     "senses",
+    "spring_change",
     "state_error",
     "stiffened_by",
     "straight_shares",
     "stress_places",
+    "third_order",
+    "warping_change",
 ]
 
 Floats = NDArray[np.float64]
@@ -85,22 +85,6 @@ AROUND_ERROR = 5e-3
 
 KNOWN = 0.3
 """Relative change by further orders up to which the linear result is used."""
-
-EXACT, NODES = 1e-5, (18, 27, 40)
-"""Error of the forces of exact beams beside a stroke, relative, and their nodes, level by level."""
-
-SWINGS, TURNING = 1.2, 2.0
-"""On what loads across hinges alternate by in exact beams, and the rest of it as a share of their
-stress per rotation of a hinge: the flow of forces about a throat turns with it. Solids by CalculiX
-(``tests/benchmarks/hinges_at_stroke.py``) had up to 1.07 times that of beams by a moment M_y, and
-up to 1.5 θ of the stress of a force or a torque."""
-
-FAR = 0.2
-"""Rotation of a hinge under loads out of its plane, by small motion, up to which exact beams are
-used [rad]."""
-
-SMALL = 1e-3
-"""Share of loads that moves hinges by so little that twice as much moves them twice as far."""
 
 STIFFENS = 12.0
 """Axial force [EI/l²] that would change the bending of a blade by as much as itself."""
@@ -127,10 +111,6 @@ quasi-statically."""
 TWOFOLD = 2.0
 """Factor on the effect at rest of uneven sections: its upper bound at a stroke."""
 
-ACROSS, MANY = (2, 3, 4), 6
-"""Springs of a blade that loads out of its plane strain, and the number of kinds of them in a joint
-up to which each is varied alone."""
-
 WEIGHTS = (0.0, 0.25, 0.5, 0.75, 1.0, 2.0, 4.0)
 """Weights of the mean stress beside the amplitude, among which a place is the worst for some
 method."""
@@ -146,17 +126,6 @@ class Told(NamedTuple):
         """Return it times a factor that has an error of its own."""
         both = None if self.error is None or error is None else self.error + error
         return Told(self.value * factor, both)
-
-
-class AcrossStress(NamedTuple):
-    """The largest stress of loads across a joint [Pa], its error, and how far it alternates [Pa].
-
-    ``swings`` is by how much the stroke's amplitude may be more or less beside these loads.
-    """
-
-    value: float
-    error: ErrorRange | None
-    swings: float = 0.0
 
 
 class StrokeEnd(NamedTuple):
@@ -234,7 +203,7 @@ def motions(joint: SpaceJoint, scene: Scene, turn: float) -> tuple[StrokeEnd, ..
         # the drive's point turns as well, where it is not the body's
         arm = axes[:3, :3] @ np.subtract(body.point, joint.layout.drive.point)
         two[:3] += np.cross(one[3:], np.cross(one[3:], arm)) / 2.0
-        share = _springs(joint, state) + _third_order(after)
+        share = spring_change(joint, state) + third_order(after)
         share = share if share <= KNOWN else inf
         length = max(member.l for member in joint.assembly.members)
         floor = THIRD * after.rotation**3
@@ -261,7 +230,7 @@ def bent_by_gradient(joint: SpaceJoint, scene: Scene) -> tuple[float, Floats]:
     moved = assembly.moved(misfits=misfits[:, None], travel=np.zeros(1) if scene.moves else None)
     of_blades = Stresses(assembly).of(moved.forces[:, 0], np.zeros((len(assembly.members), 3)))
     each = zip(of_blades, joint.layout.blades, strict=True)
-    stress = max(_largest(found) / (1.0 - blade.material.nu) for found, blade in each)
+    stress = max(largest_stress(found) / (1.0 - blade.material.nu) for found, blade in each)
     times = TWOFOLD if scene.moves else 1.0
     motion = assembly.motion(drive.body, drive.point) @ moved.coordinates[:, 0]
     return times * stress, times * np.abs(motion)
@@ -298,7 +267,7 @@ def poses(joint: SpaceJoint, scene: Scene) -> tuple[list[tuple[float, Floats]], 
             if body.name == layout.drive.body:  # the drive's point turns about it as well
                 arm = np.subtract(body.point, layout.drive.point)
                 motion[k, :3] += np.cross(one[3:], np.cross(one[3:], arm)) / 2.0
-        share = _springs(joint, state) + _third_order(after)
+        share = spring_change(joint, state) + third_order(after)
         length = max(member.l for member in assembly.members)
         floor = THIRD * length * after.rotation**3
         most = float(np.linalg.norm(motion[:, :3], axis=1).max())
@@ -420,7 +389,7 @@ def _second_share(state: SpaceState, row: Floats) -> float:
     along = abs(float(row @ loads) * first) / float(row @ row)
     work = along or float(loads @ state.moved.coordinates[:, 0])
     back = 2.0 * energy / work if work > 0.0 else inf
-    return _third_order(after) + abs(float(row @ after.coordinates) / first) + back
+    return third_order(after) + abs(float(row @ after.coordinates) / first) + back
 
 
 def _amplified(share: float) -> float | None:
@@ -481,265 +450,13 @@ def stress_places(joint: SpaceJoint, scene: Scene) -> tuple[list[Place], ErrorRa
         found += [p for s, m in zip(swings, means, strict=True) for p in _places(s, m)]
         states = [combined(parts, [end, *loads]) for end in scene.stroke_ends]
         errors.append(_error(joint, states, stresses))
-    whole, bent = _hull(errors), bent_by_gradient(joint, scene)[0]
+    whole, bent = hull(errors), bent_by_gradient(joint, scene)[0]
     if whole is None or bent == 0.0:
         return found, whole
     most = max((place.amplitude + abs(place.mean) for place in found), default=0.0)
     if bent > KNOWN * most:
         return found, None
     return found, whole + ErrorRange(-bent / most, bent / most)
-
-
-def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
-    """Return the largest stress of a case's loads out of the plane of a joint, and its error.
-
-    Each load acts either way, the drive free, in the pose at rest. The error includes the
-    interaction of the stroke with these loads: to second order, in joints with hinges by exact
-    beams.
-    """
-    stresses, acting = Stresses(joint.assembly), acting_across(joint, scene)
-    if not acting:
-        return AcrossStress(0.0, ErrorRange(0.0, 0.0))
-    groups = [action(joint.assembly, each) for each in acting]
-    rest = _at_once(groups, stresses)
-    if scene.temperature is not None:
-        return AcrossStress(rest, None)  # nobody has told how far what it strains stiffens the rest
-    if not joint.is_known_in_stress:
-        return AcrossStress(rest, None)
-    if not joint.is_uniform:
-        return _across_hinges(joint, scene, acting, groups, stresses, rest)
-    found = list(_beside(joint, scene, groups, stresses))
-    most = max(more for more, _ in found)
-    error = max(each for _, each in found)
-    if error > KNOWN:
-        return AcrossStress(rest + most, None)
-    # what the stroke adds was taken as if largest at one place
-    known = ErrorRange(-error - most / (rest + most), error)
-    return AcrossStress(rest + most, known, (rest + most) * known.largest)
-
-
-def acting_across(joint: SpaceJoint, scene: Scene) -> list[Acting]:
-    """Return what acts out of the plane of a joint, each load by itself."""
-    across = np.isin(np.arange(6), scene.across)
-    acting = [
-        each._replace(
-            wrench=np.where(across, each.wrench, 0.0),
-            acceleration=np.where(across[:3], each.acceleration, 0.0),
-        )
-        for each in acting_groups(joint, scene)
-    ]
-    return [each for each in acting if each.wrench.any() or each.acceleration.any()]
-
-
-class Changed(NamedTuple):
-    """How a stroke changes the stress of loads across hinges: factors on that by small motion.
-
-    ``swings`` is by what share of itself it alternates as the stroke does.
-    """
-
-    least: float
-    most: float
-    swings: float
-
-
-def changed_across(joint: SpaceJoint, scene: Scene) -> Changed | None:
-    """Return how a stroke, and their own size, change the stress of loads across hinges.
-
-    That is by exact beams under the loads in every sense, at both ends of the stroke; None where
-    there is no such state.
-    """
-    # exact beams are for hinges alone
-    from flexcli.mechanics.space.exact.stresses import largest_of
-
-    groups = [action(joint.assembly, each) for each in acting_across(joint, scene)]
-    if any(not state.loads for state in groups):
-        return None
-    ratios, swings = list[float](), 0.0
-    for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
-        loads = combined(groups, list(signs))
-        if _largest_turn(joint, loads) > FAR:
-            return None
-        small = _added(joint, combined([loads], [SMALL]), (0.0,))
-        added = _added(joint, loads, tuple(dict.fromkeys(scene.stroke_ends)))
-        if small is None or added is None:
-            return None
-        here = largest_of(joint.layout, small[0]) / SMALL
-        ratios += [largest_of(joint.layout, each) / here for each in added]
-        swings = max(swings, _alternating(joint, added) / here)
-    swing = TURNING * _turned_by(joint, scene.travel)
-    turned = TURNING * _turned_by(joint, max(map(abs, scene.stroke_ends)))
-    return Changed(min(ratios) - turned, max(ratios) + turned, SWINGS * swings + swing)
-
-
-def _at_once(groups: list[SpaceState], stresses: Stresses) -> float:
-    """Return the largest stress of groups of loads in either sense, combined at worst [Pa]."""
-    each = (stresses.of(state.moved.forces[:, 0], state.weights) for state in groups)
-    blades = zip(*each, strict=True)
-    return max(float(np.max(sum(equivalent(s.normal, s.shear) for s in own))) for own in blades)
-
-
-def _across_hinges(
-    joint: SpaceJoint,
-    scene: Scene,
-    acting: list[Acting],
-    groups: list[SpaceState],
-    stresses: Stresses,
-    rest: float,
-) -> AcrossStress:
-    """Return the stress of loads out of the plane of a joint with hinges, and its error.
-
-    ``rest`` is the stress at rest [Pa]. Exact beams give its relative change at a stroke; that of
-    the blades' own weight, which they do not include, is taken to change as that of the loads. What
-    they alternate by besides is half of the difference between both ends.
-    """
-    # exact beams are for hinges alone
-    from flexcli.mechanics.space.exact.stresses import largest_of
-
-    known = _hull(map(_of_hinge, joint.layout.blades))
-    unsure = _unevenly_sprung(joint, acting, stresses, rest)
-    if unsure is None or any(not state.loads for state in groups):
-        return AcrossStress(rest, None)
-    least, most, swings = 0.0, 1.0, 0.0
-    turned = _turned_by(joint, scene.travel)
-    # with all loads the other way it is its own mirror image
-    for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
-        loads = combined(groups, list(signs))
-        if _largest_turn(joint, loads) > FAR:
-            return AcrossStress(rest, None)  # far beyond what it bears, and costly to follow
-        forces = loads.moved.forces[:, 0]
-        here = max(map(_largest, stresses.of(forces, np.zeros_like(loads.weights))))
-        added = _added(joint, loads, tuple(dict.fromkeys(scene.stroke_ends)))
-        if added is None:
-            return AcrossStress(rest, None)
-        for there in (largest_of(joint.layout, each) for each in added):
-            least, most = max(least, there), max(most, there / here)
-        swings = max(swings, _alternating(joint, added) * rest / here)
-    found = rest * most
-    if known is None:  # of the stress itself; all that acts in its sections is known
-        return AcrossStress(found, ErrorRange(-1.0, inf), inf)
-    # warping between straight clamps is as unsure as a hinge's is
-    low = (1.0 + min(known.low, -WARPING_ERROR)) * (1.0 + unsure.low)
-    high = (1.0 + max(known.high, WARPING_ERROR)) * (1.0 + unsure.high)
-    swings = (SWINGS * swings + TURNING * turned * found) * high
-    return AcrossStress(found, ErrorRange(least / found * low - 1.0, high - 1.0), swings)
-
-
-def _turned_by(joint: SpaceJoint, travel: float) -> float:
-    """Return by how much a travel turns a hinge [rad]."""
-    if not travel:
-        return 0.0
-    body = joint.layout.body(joint.layout.drive.body)
-    stroke = action(joint.assembly, Acting(travel, np.zeros(6), body.point, np.zeros(3)))
-    return _largest_turn(joint, stroke)
-
-
-def _largest_turn(joint: SpaceJoint, state: SpaceState) -> float:
-    """Return the largest rotation of one end of a hinge against the other, about any axis [rad]."""
-    bent = state.moved.deformations[: 6 * len(joint.layout.blades), 0].reshape(-1, 6)
-    return float(np.abs(bent[:, 3:]).max())
-
-
-def _alternating(joint: SpaceJoint, ends: "Sequence[list[SectionStates]]") -> float:
-    """Return the stress of half of the difference between what loads add at both ends [Pa]."""
-    # exact beams are for hinges alone
-    from flexcli.mechanics.space.exact.stresses import difference, largest_of
-
-    if len(ends) < 2:
-        return 0.0
-    apart = [difference(now, then) for now, then in zip(*ends, strict=True)]
-    return largest_of(joint.layout, apart) / 2.0
-
-
-def _unevenly_sprung(
-    joint: SpaceJoint, acting: list[Acting], stresses: Stresses, rest: float
-) -> ErrorRange | None:
-    """Return the error of the largest stress of loads, ``rest``, by springs out of the plane.
-
-    Blades of the same shape have the same error; each kind of their springs is at its lower or
-    upper limit beside the others. None where that is unknown, or blades are of many shapes.
-    """
-    if len(joint.layout.blades) == 1:  # what acts on it are the loads
-        return ErrorRange(0.0, 0.0)
-    alike = dict[tuple[object, ...], list[int]]()
-    for k, blade in enumerate(joint.layout.blades):
-        if isinstance(blade, SpaceRod):
-            return None
-        shape = (*vars(blade.profile).values(), blade.b, joint.assembly.members[k].l)
-        for spring in ACROSS:
-            alike.setdefault((spring, *shape), []).append(6 * k + spring)
-    rows = list(alike.values())
-    if len(rows) > MANY or not np.isfinite(joint.high[np.concatenate(rows)]).all():
-        return None
-    found = list[float]()
-    for ends in product((joint.low, joint.high), repeat=len(rows)):
-        factors = np.ones(len(joint.assembly.stiffness))
-        for own, end in zip(rows, ends, strict=True):
-            factors[own] += end[own]
-        assembly = joint.assembly.scaled(factors)
-        found.append(_at_once([action(assembly, each) for each in acting], stresses) / rest - 1.0)
-    return ErrorRange(min(0.0, *found), max(0.0, *found))
-
-
-def _added(
-    joint: SpaceJoint, loads: SpaceState, travels: Sequence[float]
-) -> "list[list[SectionStates]] | None":
-    """Return what loads add in sections at travels by exact beams, the drive held.
-
-    None where there is no such state, or slightly larger loads would buckle the joint sideways,
-    there or at rest with its drive free. All have the same nodes.
-    """
-    from flexcli.mechanics.space.exact.demand import drive_frame
-    from flexcli.mechanics.space.exact.equilibrium import solve
-    from flexcli.mechanics.space.exact.stresses import added_states
-
-    drive = joint.layout.drive
-    made = partial(solve, joint.layout, frames=drive_frame(drive), tolerance=EXACT)
-    held = [{drive.body: _held_at(joint, travel)} for travel in travels]
-    try:
-        free = made(loads=loads.loads, load_factor=1.0 / SOFTENED, levels=NODES).checked()
-        states = [made(at, loads=loads.loads, levels=NODES).checked() for at in held]
-        most = max(state.nodes for state in states)
-        for k, at in enumerate(held):
-            if states[k].nodes < most:
-                states[k] = made(at, loads=loads.loads, levels=(most,)).checked()
-        plain = [made(at, levels=(most,)).checked() for at in held]
-    except SolveError:
-        return None
-    if free.unstable or any(state.unstable for state in states):
-        return None
-    return [added_states(*both) for both in zip(states, plain, strict=True)]
-
-
-def _held_at(joint: SpaceJoint, travel: float) -> tuple[float | None, ...]:
-    """Return the motion of the drive's body where the drive alone holds it at a travel."""
-    own = 3 if joint.layout.drive.turns else 0
-    return tuple(travel if axis == own else None for axis in range(6))
-
-
-def _beside(
-    joint: SpaceJoint, scene: Scene, groups: list[SpaceState], stresses: Stresses
-) -> Iterator[tuple[float, float]]:
-    """Yield the increase by a stroke of the stress of loads [Pa], and the error of both.
-
-    That is at each end of the stroke, for every sense of the loads.
-    """
-    body = joint.layout.body(joint.layout.drive.body)
-    either = [(1.0, -1.0)] * len(groups)
-    for end, *signs in product(dict.fromkeys(scene.stroke_ends), *either):
-        loads = combined(groups, signs)
-        stroke = action(joint.assembly, Acting(end, np.zeros(6), body.point, np.zeros(3)))
-        both = combined([stroke, loads], [1.0, 1.0]) if end else loads
-        after, alone = both.following(), stroke.following()
-        own = alone.forces if end else 0.0 * alone.forces
-        inside = after.inside - (alone.inside if end else 0.0 * alone.inside)
-        added = stresses.of(after.forces - own, np.zeros_like(loads.weights))
-        more = max(
-            _largest(each) + more
-            for each, more in zip(added, stresses.of_moments(inside), strict=True)
-        )
-        here = stresses.of(loads.moved.forces[:, 0], loads.weights)
-        warped = _warped(here, max(_largest(each) for each in here) + more)
-        yield more, _third_order(after) + _springs(joint, loads) + warped
 
 
 def _places(swing: BladeStress | None, still: BladeStress) -> Iterator[Place]:
@@ -762,14 +479,14 @@ def _error(joint: SpaceJoint, states: list[SpaceState], stresses: Stresses) -> E
     if not joint.is_known_in_stress:
         return None
     each = [_of_state(joint, state, stresses) for state in states]
-    return _hull(each)
+    return hull(each)
 
 
 def state_error(joint: SpaceJoint, state: SpaceState, stress: float) -> ErrorRange | None:
     """Return the error of the largest stress in a state, given that stress [Pa]."""
     stresses = Stresses(joint.assembly)
     here = stresses.of(state.moved.forces[:, 0], state.weights)
-    most = max(_largest(each) for each in here)
+    most = max(largest_stress(each) for each in here)
     if most == 0.0:
         return ErrorRange(0.0, 0.0)
     return _of_state(joint, combined([state], [stress / most]), stresses)
@@ -779,7 +496,7 @@ def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> Error
     """Return the error of the largest stress in a state."""
     forces = state.moved.forces[:, 0]
     here = stresses.of(forces, state.weights)
-    most = max(_largest(each) for each in here)
+    most = max(largest_stress(each) for each in here)
     if most == 0.0:
         return ErrorRange(0.0, 0.0)
     after = state.following()
@@ -789,37 +506,38 @@ def _of_state(joint: SpaceJoint, state: SpaceState, stresses: Stresses) -> Error
         for a, b in zip(added, here, strict=True)
     )
     inside = float(stresses.of_moments(after.inside).max())
-    more = (second + inside) / (most * max(1.0 - after.buckling, 1.0 - SOFTENED)) + _third_order(
+    more = (second + inside) / (most * max(1.0 - after.buckling, 1.0 - SOFTENED)) + third_order(
         after
     )
     if more > KNOWN:
         return None
-    more = more / (1.0 - more) + _springs(joint, state)
-    warped = _warped(here, most)
+    more = more / (1.0 - more) + spring_change(joint, state)
+    warped = warping_change(here, most)
     around = AROUND_ERROR if any(isinstance(x, SpaceRod) for x in joint.layout.blades) else 0.0
-    hinges = _hull(_of_hinge(blade) for blade in joint.layout.blades)
+    hinges = hull(hinge_stress_error(blade) for blade in joint.layout.blades)
     if hinges is None:
         return None
     return ErrorRange(-more - warped - around, more + warped) + hinges
 
 
-def _of_hinge(blade: SpaceBlade | SpaceRod) -> ErrorRange | None:
+def hinge_stress_error(blade: SpaceBlade | SpaceRod) -> ErrorRange | None:
     """Return the relative error of the stress of a blade's section where it is a hinge."""
     error = hinge_error(blade)
     return None if error is None else ErrorRange(*error)
 
 
-def _warped(stresses: list[BladeStress], most: float) -> float:
+def warping_change(stresses: list[BladeStress], most: float) -> float:
     """Return the relative error of the largest stress by restrained warping."""
     warping = max(float(np.max(np.abs(each.warping), initial=0.0)) for each in stresses)
     return WARPING_ERROR * min(warping / most, 1.0)
 
 
-def _largest(stress: BladeStress) -> float:
+def largest_stress(stress: BladeStress) -> float:
+    """Return the largest equivalent stress of a blade [Pa]."""
     return float(np.max(equivalent(stress.normal, stress.shear), initial=0.0))
 
 
-def _third_order(after: SecondOrder) -> float:
+def third_order(after: SecondOrder) -> float:
     """Return the relative change of a linear result by orders beyond the second.
 
     It is infinite near the buckling of straight blades, or the instability of bodies.
@@ -878,7 +596,7 @@ def _told_up_to(
     return 0.0
 
 
-def _springs(joint: SpaceJoint, state: SpaceState) -> float:
+def spring_change(joint: SpaceJoint, state: SpaceState) -> float:
     """Return the relative change of a state's forces by the errors of the springs.
 
     To first order an error e of a spring changes the forces by no more than e √(its share of the
@@ -893,7 +611,7 @@ def _springs(joint: SpaceJoint, state: SpaceState) -> float:
     return 2.0 * float(np.sqrt(np.sum(error[used] ** 2 * energy[used] / whole)))
 
 
-def _hull(errors: Iterable[ErrorRange | None]) -> ErrorRange | None:
+def hull(errors: Iterable[ErrorRange | None]) -> ErrorRange | None:
     """Return the range that includes all others; None where one is unknown."""
     low, high = 0.0, 0.0
     for error in errors:
@@ -916,13 +634,13 @@ def largest_misfit_stress(
         state = misfitted(
             joint.assembly, misfit(joint.assembly, blade, np.array(motion)[:, np.newaxis])
         )
-        here = max(stresses.of(state.moved.forces[:, 0], state.weights), key=_largest)
+        here = max(stresses.of(state.moved.forces[:, 0], state.weights), key=largest_stress)
         errors.append(_error(joint, [state], stresses))
-        if _largest(here) > found:
-            found = _largest(here)
+        if largest_stress(here) > found:
+            found = largest_stress(here)
             place = here.where[int(np.argmax(equivalent(here.normal, here.shear)))]
             where = f"{here.name}, {place}, {stresses.names[blade]} being off"
-    return Told(found, _hull(errors)), where
+    return Told(found, hull(errors)), where
 
 
 def own_frequency(geometry: Geometry, material: Material, sizes: Sizes) -> Told:

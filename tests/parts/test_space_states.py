@@ -27,12 +27,12 @@ from flexcli.parts.elastic import Elastic
 from flexcli.parts.scene import NO_WRENCH, LoadKind, Scene
 from flexcli.parts.space_joint import SpaceJoint
 from flexcli.parts.space_states import (
-    across_stress,
     largest_misfit_stress,
     motions,
     sag,
     stress_places,
 )
+from flexcli.parts.stress_across import across_stress
 
 FLAT = Elastic(114e9, 0.0)
 SCENE = Scene(

@@ -30,7 +30,7 @@ from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress
 from flexcli.parts.space_joint import joint_in_space
-from flexcli.parts.space_states import acting_across, changed_across
+from flexcli.parts.stress_across import acting_across, changed_across
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = ["ExactWithSolids"]

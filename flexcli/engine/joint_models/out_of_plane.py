@@ -27,7 +27,7 @@ from flexcli.parts.requirements import (
     Swing,
 )
 from flexcli.parts.space_joint import joint_in_space
-from flexcli.parts.space_states import AcrossStress, across_stress
+from flexcli.parts.stress_across import AcrossStress, across_stress
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:

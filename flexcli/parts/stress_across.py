@@ -1,0 +1,320 @@
+"""The stress of loads out of the plane of a joint, beside its stroke, with its error.
+
+Joints of even blades are told by their second order, those with hinges by exact beams.
+"""
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+from itertools import product
+from math import inf
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from flexcli.errors import SolveError
+from flexcli.mechanics.space.layout import SpaceRod
+from flexcli.mechanics.space.states import Acting, SpaceState, Stresses, action, combined
+from flexcli.mechanics.space.stresses import equivalent
+from flexcli.parts.scene import Scene
+from flexcli.parts.space_joint import SpaceJoint
+from flexcli.parts.space_states import (
+    KNOWN,
+    SOFTENED,
+    WARPING_ERROR,
+    acting_groups,
+    hinge_stress_error,
+    hull,
+    largest_stress,
+    spring_change,
+    third_order,
+    warping_change,
+)
+from flexcli.results import ErrorRange
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.space.exact.stresses import SectionStates
+
+__all__ = ["AcrossStress", "across_stress", "acting_across", "changed_across"]
+
+EXACT, NODES = 1e-5, (18, 27, 40)
+"""Error of the forces of exact beams beside a stroke, relative, and their nodes, level by level."""
+
+SWINGS, TURNING = 1.2, 2.0
+"""On what loads across hinges alternate by in exact beams, and the rest of it as a share of their
+stress per rotation of a hinge: the flow of forces about a throat turns with it. Solids by CalculiX
+(``tests/benchmarks/hinges_at_stroke.py``) had up to 1.07 times that of beams by a moment M_y, and
+up to 1.5 θ of the stress of a force or a torque."""
+
+FAR = 0.2
+"""Rotation of a hinge under loads out of its plane, by small motion, up to which exact beams are
+used [rad]."""
+
+SMALL = 1e-3
+"""Share of loads that moves hinges by so little that twice as much moves them twice as far."""
+
+ACROSS, MANY = (2, 3, 4), 6
+"""Springs of a blade that loads out of its plane strain, and the number of kinds of them in a joint
+up to which each is varied alone."""
+
+
+class AcrossStress(NamedTuple):
+    """The largest stress of loads across a joint [Pa], its error, and how far it alternates [Pa].
+
+    ``swings`` is by how much the stroke's amplitude may be more or less beside these loads.
+    """
+
+    value: float
+    error: ErrorRange | None
+    swings: float = 0.0
+
+
+def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
+    """Return the largest stress of a case's loads out of the plane of a joint, and its error.
+
+    Each load acts either way, the drive free, in the pose at rest. The error includes the
+    interaction of the stroke with these loads: to second order, in joints with hinges by exact
+    beams.
+    """
+    stresses, acting = Stresses(joint.assembly), acting_across(joint, scene)
+    if not acting:
+        return AcrossStress(0.0, ErrorRange(0.0, 0.0))
+    groups = [action(joint.assembly, each) for each in acting]
+    rest = _at_once(groups, stresses)
+    if scene.temperature is not None:
+        return AcrossStress(rest, None)  # nobody has told how far what it strains stiffens the rest
+    if not joint.is_known_in_stress:
+        return AcrossStress(rest, None)
+    if not joint.is_uniform:
+        return _across_hinges(joint, scene, acting, groups, stresses, rest)
+    found = list(_beside(joint, scene, groups, stresses))
+    most = max(more for more, _ in found)
+    error = max(each for _, each in found)
+    if error > KNOWN:
+        return AcrossStress(rest + most, None)
+    # what the stroke adds was taken as if largest at one place
+    known = ErrorRange(-error - most / (rest + most), error)
+    return AcrossStress(rest + most, known, (rest + most) * known.largest)
+
+
+def acting_across(joint: SpaceJoint, scene: Scene) -> list[Acting]:
+    """Return what acts out of the plane of a joint, each load by itself."""
+    across = np.isin(np.arange(6), scene.across)
+    acting = [
+        each._replace(
+            wrench=np.where(across, each.wrench, 0.0),
+            acceleration=np.where(across[:3], each.acceleration, 0.0),
+        )
+        for each in acting_groups(joint, scene)
+    ]
+    return [each for each in acting if each.wrench.any() or each.acceleration.any()]
+
+
+class Changed(NamedTuple):
+    """How a stroke changes the stress of loads across hinges: factors on that by small motion.
+
+    ``swings`` is by what share of itself it alternates as the stroke does.
+    """
+
+    least: float
+    most: float
+    swings: float
+
+
+def changed_across(joint: SpaceJoint, scene: Scene) -> Changed | None:
+    """Return how a stroke, and their own size, change the stress of loads across hinges.
+
+    That is by exact beams under the loads in every sense, at both ends of the stroke; None where
+    there is no such state.
+    """
+    # exact beams are for hinges alone
+    from flexcli.mechanics.space.exact.stresses import largest_of
+
+    groups = [action(joint.assembly, each) for each in acting_across(joint, scene)]
+    if any(not state.loads for state in groups):
+        return None
+    ratios, swings = list[float](), 0.0
+    for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
+        loads = combined(groups, list(signs))
+        if _largest_turn(joint, loads) > FAR:
+            return None
+        small = _added(joint, combined([loads], [SMALL]), (0.0,))
+        added = _added(joint, loads, tuple(dict.fromkeys(scene.stroke_ends)))
+        if small is None or added is None:
+            return None
+        here = largest_of(joint.layout, small[0]) / SMALL
+        ratios += [largest_of(joint.layout, each) / here for each in added]
+        swings = max(swings, _alternating(joint, added) / here)
+    swing = TURNING * _turned_by(joint, scene.travel)
+    turned = TURNING * _turned_by(joint, max(map(abs, scene.stroke_ends)))
+    return Changed(min(ratios) - turned, max(ratios) + turned, SWINGS * swings + swing)
+
+
+def _at_once(groups: list[SpaceState], stresses: Stresses) -> float:
+    """Return the largest stress of groups of loads in either sense, combined at worst [Pa]."""
+    each = (stresses.of(state.moved.forces[:, 0], state.weights) for state in groups)
+    blades = zip(*each, strict=True)
+    return max(float(np.max(sum(equivalent(s.normal, s.shear) for s in own))) for own in blades)
+
+
+def _across_hinges(
+    joint: SpaceJoint,
+    scene: Scene,
+    acting: list[Acting],
+    groups: list[SpaceState],
+    stresses: Stresses,
+    rest: float,
+) -> AcrossStress:
+    """Return the stress of loads out of the plane of a joint with hinges, and its error.
+
+    ``rest`` is the stress at rest [Pa]. Exact beams give its relative change at a stroke; that of
+    the blades' own weight, which they do not include, is taken to change as that of the loads. What
+    they alternate by besides is half of the difference between both ends.
+    """
+    # exact beams are for hinges alone
+    from flexcli.mechanics.space.exact.stresses import largest_of
+
+    known = hull(map(hinge_stress_error, joint.layout.blades))
+    unsure = _unevenly_sprung(joint, acting, stresses, rest)
+    if unsure is None or any(not state.loads for state in groups):
+        return AcrossStress(rest, None)
+    least, most, swings = 0.0, 1.0, 0.0
+    turned = _turned_by(joint, scene.travel)
+    # with all loads the other way it is its own mirror image
+    for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
+        loads = combined(groups, list(signs))
+        if _largest_turn(joint, loads) > FAR:
+            return AcrossStress(rest, None)  # far beyond what it bears, and costly to follow
+        forces = loads.moved.forces[:, 0]
+        here = max(map(largest_stress, stresses.of(forces, np.zeros_like(loads.weights))))
+        added = _added(joint, loads, tuple(dict.fromkeys(scene.stroke_ends)))
+        if added is None:
+            return AcrossStress(rest, None)
+        for there in (largest_of(joint.layout, each) for each in added):
+            least, most = max(least, there), max(most, there / here)
+        swings = max(swings, _alternating(joint, added) * rest / here)
+    found = rest * most
+    if known is None:  # of the stress itself; all that acts in its sections is known
+        return AcrossStress(found, ErrorRange(-1.0, inf), inf)
+    # warping between straight clamps is as unsure as a hinge's is
+    low = (1.0 + min(known.low, -WARPING_ERROR)) * (1.0 + unsure.low)
+    high = (1.0 + max(known.high, WARPING_ERROR)) * (1.0 + unsure.high)
+    swings = (SWINGS * swings + TURNING * turned * found) * high
+    return AcrossStress(found, ErrorRange(least / found * low - 1.0, high - 1.0), swings)
+
+
+def _turned_by(joint: SpaceJoint, travel: float) -> float:
+    """Return by how much a travel turns a hinge [rad]."""
+    if not travel:
+        return 0.0
+    body = joint.layout.body(joint.layout.drive.body)
+    stroke = action(joint.assembly, Acting(travel, np.zeros(6), body.point, np.zeros(3)))
+    return _largest_turn(joint, stroke)
+
+
+def _largest_turn(joint: SpaceJoint, state: SpaceState) -> float:
+    """Return the largest rotation of one end of a hinge against the other, about any axis [rad]."""
+    bent = state.moved.deformations[: 6 * len(joint.layout.blades), 0].reshape(-1, 6)
+    return float(np.abs(bent[:, 3:]).max())
+
+
+def _alternating(joint: SpaceJoint, ends: "Sequence[list[SectionStates]]") -> float:
+    """Return the stress of half of the difference between what loads add at both ends [Pa]."""
+    # exact beams are for hinges alone
+    from flexcli.mechanics.space.exact.stresses import difference, largest_of
+
+    if len(ends) < 2:
+        return 0.0
+    apart = [difference(now, then) for now, then in zip(*ends, strict=True)]
+    return largest_of(joint.layout, apart) / 2.0
+
+
+def _unevenly_sprung(
+    joint: SpaceJoint, acting: list[Acting], stresses: Stresses, rest: float
+) -> ErrorRange | None:
+    """Return the error of the largest stress of loads, ``rest``, by springs out of the plane.
+
+    Blades of the same shape have the same error; each kind of their springs is at its lower or
+    upper limit beside the others. None where that is unknown, or blades are of many shapes.
+    """
+    if len(joint.layout.blades) == 1:  # what acts on it are the loads
+        return ErrorRange(0.0, 0.0)
+    alike = dict[tuple[object, ...], list[int]]()
+    for k, blade in enumerate(joint.layout.blades):
+        if isinstance(blade, SpaceRod):
+            return None
+        shape = (*vars(blade.profile).values(), blade.b, joint.assembly.members[k].l)
+        for spring in ACROSS:
+            alike.setdefault((spring, *shape), []).append(6 * k + spring)
+    rows = list(alike.values())
+    if len(rows) > MANY or not np.isfinite(joint.high[np.concatenate(rows)]).all():
+        return None
+    found = list[float]()
+    for ends in product((joint.low, joint.high), repeat=len(rows)):
+        factors = np.ones(len(joint.assembly.stiffness))
+        for own, end in zip(rows, ends, strict=True):
+            factors[own] += end[own]
+        assembly = joint.assembly.scaled(factors)
+        found.append(_at_once([action(assembly, each) for each in acting], stresses) / rest - 1.0)
+    return ErrorRange(min(0.0, *found), max(0.0, *found))
+
+
+def _added(
+    joint: SpaceJoint, loads: SpaceState, travels: Sequence[float]
+) -> "list[list[SectionStates]] | None":
+    """Return what loads add in sections at travels by exact beams, the drive held.
+
+    None where there is no such state, or slightly larger loads would buckle the joint sideways,
+    there or at rest with its drive free. All have the same nodes.
+    """
+    from flexcli.mechanics.space.exact.demand import drive_frame
+    from flexcli.mechanics.space.exact.equilibrium import solve
+    from flexcli.mechanics.space.exact.stresses import added_states
+
+    drive = joint.layout.drive
+    made = partial(solve, joint.layout, frames=drive_frame(drive), tolerance=EXACT)
+    held = [{drive.body: _held_at(joint, travel)} for travel in travels]
+    try:
+        free = made(loads=loads.loads, load_factor=1.0 / SOFTENED, levels=NODES).checked()
+        states = [made(at, loads=loads.loads, levels=NODES).checked() for at in held]
+        most = max(state.nodes for state in states)
+        for k, at in enumerate(held):
+            if states[k].nodes < most:
+                states[k] = made(at, loads=loads.loads, levels=(most,)).checked()
+        plain = [made(at, levels=(most,)).checked() for at in held]
+    except SolveError:
+        return None
+    if free.unstable or any(state.unstable for state in states):
+        return None
+    return [added_states(*both) for both in zip(states, plain, strict=True)]
+
+
+def _held_at(joint: SpaceJoint, travel: float) -> tuple[float | None, ...]:
+    """Return the motion of the drive's body where the drive alone holds it at a travel."""
+    own = 3 if joint.layout.drive.turns else 0
+    return tuple(travel if axis == own else None for axis in range(6))
+
+
+def _beside(
+    joint: SpaceJoint, scene: Scene, groups: list[SpaceState], stresses: Stresses
+) -> Iterator[tuple[float, float]]:
+    """Yield the increase by a stroke of the stress of loads [Pa], and the error of both.
+
+    That is at each end of the stroke, for every sense of the loads.
+    """
+    body = joint.layout.body(joint.layout.drive.body)
+    either = [(1.0, -1.0)] * len(groups)
+    for end, *signs in product(dict.fromkeys(scene.stroke_ends), *either):
+        loads = combined(groups, signs)
+        stroke = action(joint.assembly, Acting(end, np.zeros(6), body.point, np.zeros(3)))
+        both = combined([stroke, loads], [1.0, 1.0]) if end else loads
+        after, alone = both.following(), stroke.following()
+        own = alone.forces if end else 0.0 * alone.forces
+        inside = after.inside - (alone.inside if end else 0.0 * alone.inside)
+        added = stresses.of(after.forces - own, np.zeros_like(loads.weights))
+        more = max(
+            largest_stress(each) + more
+            for each, more in zip(added, stresses.of_moments(inside), strict=True)
+        )
+        here = stresses.of(loads.moved.forces[:, 0], loads.weights)
+        warped = warping_change(here, max(largest_stress(each) for each in here) + more)
+        yield more, third_order(after) + spring_change(joint, loads) + warped
