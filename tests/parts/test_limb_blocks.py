@@ -5,10 +5,9 @@ from itertools import pairwise
 from math import cos, hypot, radians, tan
 
 import pytest
-import yaml
 from plates import hinged_limb
+from specs_for_tests import in_steel
 
-import flexcli
 from flexcli.errors import SpecError
 from flexcli.results import Status
 
@@ -61,23 +60,6 @@ def stiffness(kind, limb, block):
     return 2.0 * (turn + force * middle)
 
 
-def judged(spec, requirements, cases=None, model=None):
-    text = yaml.safe_dump(
-        {
-            "flexure": 1,
-            "title": "limbs",
-            "material": {
-                "name": "steel", "youngs_modulus": "100 GPa", "poisson_ratio": 0.0,
-                "density": "8 g/cm^3", "yield_strength": "1 GPa",
-            },
-            "geometry": spec,
-            "requirements": requirements,
-            **({"cases": cases} if cases else {}),
-        }
-    )  # fmt: skip
-    return flexcli.check(text, model=model)
-
-
 def unit(kind):
     return "N/m" if kind == "hinged-stage" else "N*m/rad"
 
@@ -90,10 +72,10 @@ def test_stated_blocks_decide_a_stiffness_that_is_open_without_them(kind, limb, 
     room = 0.06 if block == "square" else 0.12
     for share, verdict in ((1.0 + room, Status.FAIL), (1.0 - room, Status.PASS)):
         least = {"stiffness": {"min": f"{share * true!r} {unit(kind)}"}}
-        assert judged(geometry(kind, limb, block), least).status is verdict
+        assert in_steel(geometry(kind, limb, block), least).status is verdict
         if limb == "usual":
             continue
-        result = judged(geometry(kind, limb), least)
+        result = in_steel(geometry(kind, limb), least)
         assert result.status is Status.UNDECIDED
         assert "needs-blocks" in [note.code for note in result.warnings]
 
@@ -106,7 +88,7 @@ def test_every_model_has_the_stiffness_of_the_bodies_in_its_range(kind, model):
             true = stiffness(kind, limb, block)
             for stated in (block, None):
                 asked = {"stiffness": {"min": f"{true!r} {unit(kind)}"}}
-                (found,) = judged(geometry(kind, limb, stated), asked, model=model).checks[-1:]
+                (found,) = in_steel(geometry(kind, limb, stated), asked, model=model).checks[-1:]
                 if found.factor_range is not None:
                     assert found.factor_range[0] <= 1.0 <= found.factor_range[1]
 
@@ -127,9 +109,9 @@ def test_the_stress_of_a_stroke_is_the_peak_in_the_bodies(limb):
     }
     for kind, (way, of_travel, peak) in peaks.items():
         travel = float(1e6 / E / peak)  # 1 MPa
-        found = judged(
+        found = in_steel(
             geometry(kind, limb, "square"), {"yield": 1},
-            {"work": {"stroke": {way: f"{travel!r} {of_travel}"}}}, "exact",
+            "exact", cases={"work": {"stroke": {way: f"{travel!r} {of_travel}"}}},
         )  # fmt: skip
         (row,) = (check for check in found.checks if check.name.startswith("yield"))
         low, high = row.factor_range
@@ -157,8 +139,11 @@ def test_the_shift_is_that_of_the_bodies(limb, block):
     ):
         asked = {"parasitic_shift": {"max": f"{abs(true)!r} m"}}
         for stated in (block, None):
-            result = judged(
-                geometry(kind, limb, stated), asked, {"work": {"stroke": {way: size}}}, "exact"
+            result = in_steel(
+                geometry(kind, limb, stated),
+                asked,
+                "exact",
+                cases={"work": {"stroke": {way: size}}},
             )
             (row,) = (check for check in result.checks if check.name.startswith("parasitic"))
             if row.factor_range is None:
@@ -171,7 +156,9 @@ def test_the_shift_is_that_of_the_bodies(limb, block):
 def test_blocks_are_written_as_beside_a_single_notch():
     for wrong in ("solid", "-1 mm", 3):
         with pytest.raises(SpecError):
-            judged(geometry("hinged-stage", "usual") | {"blocks": wrong}, {"mass": {"max": "1 kg"}})
+            in_steel(
+                geometry("hinged-stage", "usual") | {"blocks": wrong}, {"mass": {"max": "1 kg"}}
+            )
 
 
 def stage_of_bars(block):
@@ -208,7 +195,7 @@ def stage_of_bars(block):
 def test_bars_and_blocks_give_way_across_the_motion_too(block, direction, drawn_as):
     def support(geometry, along):
         asked = {"support": [{"direction": along, "min": "1 N/m"}]}
-        (row,) = (c for c in judged(geometry, asked).checks if c.name.startswith("support"))
+        (row,) = (c for c in in_steel(geometry, asked).checks if c.name.startswith("support"))
         return row
 
     joint, drawn = stage_of_bars(block)

@@ -6,11 +6,10 @@ from math import pi
 from pathlib import Path
 
 import pytest
-import yaml
 from plates import notched_block, notched_plate
 from pydantic import TypeAdapter
+from specs_for_tests import in_steel
 
-import flexcli
 from flexcli.formulas.notch import bending_factor, circular_stiffness
 from flexcli.parts.bending.thick import thick_linked
 from flexcli.parts.elastic import Elastic
@@ -117,8 +116,8 @@ def test_stated_blocks_decide_what_is_open_without_them(block):
     true = float(of_beam * solid("as thick as round", block)[0])
     for share, verdict in ((1.03, Status.FAIL), (0.97, Status.PASS)):
         least = {"stiffness": {"min": f"{share * true!r} N*m/rad"}}
-        assert judged(geometry | stated("as thick as round", block), least).status is verdict
-        result = judged(geometry, least)
+        assert in_steel(geometry | stated("as thick as round", block), least).status is verdict
+        result = in_steel(geometry, least)
         if block == "square" and verdict is Status.PASS:
             assert result.status is Status.PASS  # no block gives way more
         elif block == "square":
@@ -168,24 +167,6 @@ def beam(shape):
     return geometry, float(hinge.stiffness(Elastic(100e9), hinge.sized({})))
 
 
-def judged(geometry, requirements, model=None, **more):
-    """Return the check of a design whose width keeps nothing flat."""
-    text = yaml.safe_dump(
-        {
-            "flexure": 1,
-            "title": "notch",
-            "material": {
-                "name": "steel", "youngs_modulus": "100 GPa", "poisson_ratio": 0.0,
-                "density": "8 g/cm^3", "yield_strength": "1 GPa",
-            },
-            "geometry": geometry,
-            "requirements": requirements,
-            **more,
-        }
-    )  # fmt: skip
-    return flexcli.check(text, model=model)
-
-
 def row(checks, name):
     """Return the check of a requirement."""
     (found,) = (check for check in checks if check.name.startswith(name))
@@ -200,7 +181,7 @@ def test_a_stiffness_above_the_solids_is_no_pass(shape, model):
     assert 1.03 * true < of_beam  # which a beam would pass
     for share, passes in ((1.03, False), (0.95, True)):
         least = {"stiffness": {"min": f"{share * true!r} N*m/rad"}}
-        result = judged(geometry, least, model)
+        result = in_steel(geometry, least, model)
         assert (result.status is Status.PASS) is passes
 
 
@@ -210,7 +191,7 @@ def test_a_frequency_above_the_solids_is_no_pass():
     body = {"mechanism": {"kind": "payload", "mass": "1 g", "inertia": "1 kg*cm^2"}}
     for share, passes in ((1.02, False), (0.97, True)):
         least = {"frequency": {"min": f"{share * true!r} Hz"}}
-        assert (judged(geometry, least, **body).status is Status.PASS) is passes
+        assert (in_steel(geometry, least, **body).status is Status.PASS) is passes
 
 
 def joints(notch):
@@ -255,7 +236,7 @@ def test_every_joint_is_as_soft_as_its_hinges(name):
     least = {"stiffness": {"min": f"1 {unit}"}}
     of_hinge = solid("circle", "usual")[0]
     found = {
-        kept: judged(
+        kept: in_steel(
             geometry, least, "linear",
             effects={"thick-notch": kept},
         ).checks
@@ -272,7 +253,7 @@ def test_at_a_given_stroke_the_throat_has_less_stress_and_under_a_load_no_less()
     turned = {"stroke": {"rotation": "1 mrad"}}
     pulled = {"load": {"force": "1 uN", "direction": "0 deg"}}
     stress = [
-        judged(geometry, sound, "linear", cases={"use": {**turned, **more}}).checks
+        in_steel(geometry, sound, "linear", cases={"use": {**turned, **more}}).checks
         for more in ({}, pulled)
     ]
     alone, loaded = (row(checks, "yield").demand for checks in stress)
@@ -314,7 +295,7 @@ def test_support_deflection_and_sag_count_the_blocks_that_are_stated(blocks):
         "hang": {"acceleration": {"level": "100 m/s^2", "axis": "y"}},
     }
     body = {"kind": "payload", "mass": "1 kg", "inertia": "1 kg*cm^2"}
-    found = judged(geometry, asked, cases=cases, mechanism=body).checks
+    found = in_steel(geometry, asked, cases=cases, mechanism=body).checks
     for name in asked:
         verdict = row(found, name).verdict.value
         assert verdict == ("fail" if blocks == "30 mm" else "pass")
@@ -339,4 +320,10 @@ def test_a_thick_notch_that_is_kept_wide_is_as_soft_as_the_solid():
         }
         for share, status in ((0.87, Status.PASS), (1.13, Status.FAIL)):
             asked = {"stiffness": {"min": f"{share * k!r} N*m/rad"}}
-            assert judged(geometry, asked, material=steel).status is status, (e, depth, l, b, nu)
+            assert in_steel(geometry, asked, material=steel).status is status, (
+                e,
+                depth,
+                l,
+                b,
+                nu,
+            )

@@ -2,6 +2,7 @@
 
 import pytest
 import yaml
+from specs_for_tests import parallelogram
 
 import flexcli
 from flexcli.errors import SpecError
@@ -137,17 +138,7 @@ def test_wide_blades_in_the_plane_and_as_shells_agree_within_what_both_tell():
     # b = l: a plate that curls neither at rest nor at its stroke
     plane = {"kind": "leaf-spring-stage", "h": "0.2 mm", "l": "20 mm", "b": "20 mm", "blades": 2,
              "spacing": "30 mm"}  # fmt: skip
-    blade = {"between": ["ground", "stage"], "h": "0.2 mm", "b": "20 mm", "width": "z"}
-    space = {
-        "kind": "space-layout",
-        "bodies": {"stage": {"at": ["0 mm", "20 mm", "0 mm"]}},
-        "blades": {
-            name: {**blade, "from": [x, "0 mm", "0 mm"], "to": [x, "20 mm", "0 mm"]}
-            for name, x in (("left", "-15 mm"), ("right", "15 mm"))
-        },
-        "moving": "stage",
-        "motion": {"translation": "x"},
-    }
+    space = parallelogram("0.2 mm", "20 mm")
     line = {"blocking_force": "100 N", "free_stroke": "20 mm", "drives": "both-ways"}
     stroke = {"translation": "1 mm"}
     flat = drive(plane, stroke, line)

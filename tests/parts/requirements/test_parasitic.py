@@ -2,26 +2,13 @@
 
 import pytest
 import yaml
+from specs_for_tests import parallelogram
 
 import flexcli
 from flexcli.errors import SpecError
 
 STROKE, L = 1e-3, 20e-3
 LIMIT = 60e-6
-
-
-def layout():
-    blade = {"between": ["ground", "stage"], "h": "0.1 mm", "b": "2 mm", "width": "z"}
-    return {
-        "kind": "space-layout",
-        "bodies": {"stage": {"at": ["0 mm", "20 mm", "0 mm"]}},
-        "blades": {
-            name: {**blade, "from": [x, "0 mm", "0 mm"], "to": [x, "20 mm", "0 mm"]}
-            for name, x in (("left", "-15 mm"), ("right", "15 mm"))
-        },
-        "moving": "stage",
-        "motion": {"translation": "x"},
-    }
 
 
 def check(geometry, requirements):
@@ -37,7 +24,7 @@ def check(geometry, requirements):
 
 def test_the_range_of_a_parasitic_motion_holds_the_shortening_of_a_parallelogram():
     asked = {"parasitic_motion": {"direction": "y", "max": f"{LIMIT} m"}}
-    (found,) = check(layout(), asked)
+    (found,) = check(parallelogram("0.1 mm", "2 mm"), asked)
     # 3 x²/5l of a blade bent to an S, but for terms of order (x/l)²
     true = LIMIT / (0.6 * STROKE**2 / L)
     low, high = found.factor_range

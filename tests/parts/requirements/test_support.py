@@ -1,7 +1,8 @@
-"""Support stiffness: ratios against what they are of."""
+"""Support stiffness and deflection, against what they are made of."""
 
 import pytest
 import yaml
+from specs_for_tests import parallelogram
 
 import flexcli
 from flexcli.errors import SpecError
@@ -35,17 +36,7 @@ def test_clamps_that_may_give_way_lower_the_least_support_and_not_the_most():
 
 
 def test_a_strength_that_a_misalignment_needs_is_asked_for():
-    blade = {"between": ["ground", "stage"], "h": "0.1 mm", "b": "2 mm", "width": "z"}
-    layout = {
-        "kind": "space-layout",
-        "bodies": {"stage": {"at": ["0 mm", "20 mm", "0 mm"]}},
-        "blades": {
-            name: {**blade, "from": [x, "0 mm", "0 mm"], "to": [x, "20 mm", "0 mm"]}
-            for name, x in (("left", "-15 mm"), ("right", "15 mm"))
-        },
-        "moving": "stage",
-        "motion": {"translation": "x"},
-    }
+    layout = parallelogram("0.1 mm", "2 mm")
     asked = {"misalignment_stress": {"of": "left", "rotation": {"about": "z", "by": "1 mrad"},
                                      "factor": 2, "allowable": "tensile-strength"}}  # fmt: skip
     with pytest.raises(SpecError, match="tensile_strength"):
@@ -64,3 +55,25 @@ def test_a_point_beyond_the_tip_of_a_blade_is_softer_across_its_width_and_one_be
     bends = (l**3 / 3.0 + beyond * l**2 + beyond**2 * l) / (E * h * b**3 / 12.0)
     # shear adds some (b/l)²
     assert found.capacity == pytest.approx(1.0 / bends, rel=2.0 * (b / l) ** 2)
+
+
+@pytest.mark.parametrize("share", [1.0, 0.1, 0.01])
+def test_a_force_along_the_width_of_a_strip_that_a_torque_turns_bends_it_the_other_way(share):
+    """Straight beams told ±0.7 % of a deflection that is twice as much: it comes in third order."""
+    strip = {"kind": "cantilever", "h": "0.24867 mm", "l": "77.94 mm", "b": "20.31 mm"}
+    wrench = {"z": f"{-0.287 * share!r} N", "theta_y": f"{0.00223 * share!r} N*m"}
+    asked = {
+        "flexure": 1, "geometry": strip, "cases": {"turned": {"wrench": wrench}},
+        "material": {"name": "m", "youngs_modulus": "70 GPa", "poisson_ratio": 0.0},
+        "requirements": {"deflection": {"direction": "z", "max": "1 mm"}},
+    }  # fmt: skip
+    linear, exact = (
+        flexcli.verdicts(yaml.safe_dump(asked), model=model).checks[0]
+        for model in ("linear", "exact")
+    )
+    assert exact.factor_range is not None
+    if linear.factor_range is not None:
+        least, most = linear.factor_range
+        assert least <= exact.factor_range[1]
+        assert exact.factor_range[0] <= most
+    assert (linear.factor_range is None) == (share == 1.0)
