@@ -41,11 +41,6 @@ class Lattice:
         along, across = self.x.shape
         return along, across, self.z.size
 
-    @property
-    def unknowns(self) -> int:
-        """Return how many motions of nodes it has."""
-        return 3 * self.x.size * self.z.size
-
 
 class Load(NamedTuple):
     """A unit load between both ends, and how the body moves under it.
@@ -54,20 +49,19 @@ class Load(NamedTuple):
     reversed; ``motion`` is that of the end, as the factors (3, 3) of y, z and 1 in ux, uy, uz.
     """
 
-    name: str
     signs: tuple[int, int, int]
     motion: tuple[tuple[float, float, float], ...]
 
 
 LOADS = (
-    Load("x", (1, 1, 1), ((0, 0, 1), (0, 0, 0), (0, 0, 0))),
-    Load("y", (-1, -1, 1), ((0, 0, 0), (0, 0, 1), (0, 0, 0))),
-    Load("z", (-1, 1, -1), ((0, 0, 0), (0, 0, 0), (0, 0, 1))),
-    Load("theta_x", (-1, -1, -1), ((0, 0, 0), (0, -1, 0), (1, 0, 0))),
-    Load("theta_y", (1, 1, -1), ((0, 1, 0), (0, 0, 0), (0, 0, 0))),
-    Load("theta_z", (1, -1, 1), ((-1, 0, 0), (0, 0, 0), (0, 0, 0))),
+    Load((1, 1, 1), ((0, 0, 1), (0, 0, 0), (0, 0, 0))),
+    Load((-1, -1, 1), ((0, 0, 0), (0, 0, 1), (0, 0, 0))),
+    Load((-1, 1, -1), ((0, 0, 0), (0, 0, 0), (0, 0, 1))),
+    Load((-1, -1, -1), ((0, 0, 0), (0, -1, 0), (1, 0, 0))),
+    Load((1, 1, -1), ((0, 1, 0), (0, 0, 0), (0, 0, 0))),
+    Load((1, -1, 1), ((-1, 0, 0), (0, 0, 0), (0, 0, 0))),
 )
-"""In the order of a wrench: about the middle of the body, which makes its compliance diagonal."""
+"""In the order of a wrench, about the middle of the body, which makes its compliance diagonal."""
 
 
 class Moved(NamedTuple):
@@ -166,12 +160,17 @@ def _free(lattice: Lattice, load: Load) -> Flags:
     return free
 
 
+def _lame(E: float, nu: float) -> tuple[float, float]:
+    """Return Lamé's constants λ and μ [Pa]."""
+    return E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), E / (2.0 * (1.0 + nu))
+
+
 class _Layers:
     """Stiffness of layers of bricks: products of what is integrated over faces and over widths."""
 
     def __init__(self, lattice: Lattice, E: float, nu: float) -> None:
         self.lattice = lattice
-        self.lame = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), E / (2.0 * (1.0 + nu))
+        self.lame = _lame(E, nu)
         self.M, self.C, self.K = _over_width(lattice.z, lattice.orders[2])
 
     def of_layer(self, n: int) -> Floats:
@@ -248,7 +247,7 @@ def _stress(lattice: Lattice, u: Floats, E: float, nu: float) -> Floats:
     one, other, third = element(along), element(across), element(wide)
     total, count = np.zeros((*lattice.shape, 6)), np.zeros((*lattice.shape, 1))
     nx, nt, nz = lattice.shape
-    lame, mu = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), E / (2.0 * (1.0 + nu))
+    lame, mu = _lame(E, nu)
     for i in range(0, nx - 1, along):
         for j in range(0, nt - 1, across):
             face = slice(i, i + along + 1), slice(j, j + across + 1)
