@@ -44,14 +44,20 @@ class ErrorBand(NamedTuple):
 
     @property
     def middle(self) -> Floats:
-        """Return the change that leaves as much to either side; none is a rise."""
-        return np.asarray(np.minimum((self.low + self.high) / 2.0, 0.0))
+        """Return the change that leaves as much to either side; none is a rise, nor an unknown."""
+        halfway = np.minimum((self.low + self.high) / 2.0, 0.0)
+        return np.asarray(np.where(self.low > -1.0, halfway, 0.0))
+
+    @property
+    def left(self) -> "ErrorBand":
+        """Return what is left of it where the middle is counted."""
+        counted = 1.0 + self.middle
+        return ErrorBand((1.0 + self.low) / counted - 1.0, (1.0 + self.high) / counted - 1.0)
 
     @property
     def around(self) -> Floats:
-        """Return what it leaves to either side, over the value that is changed so."""
-        at = self.middle
-        return np.asarray(np.maximum(self.high - at, at - self.low) / (1.0 + at))
+        """Return what the middle leaves to either side, over the value that is changed so."""
+        return np.asarray(np.maximum(self.left.high, -self.left.low))
 
 
 class TwistStress(NamedTuple):
@@ -270,7 +276,7 @@ def restraint_error(*, nu: ArrayLike, h: ArrayLike, b: ArrayLike, l: ArrayLike) 
     -------
     RestraintError
         Of the stiffness, of the shear at mid-length, of the normal stress at the ends (by its
-        moment of warping, ∫σ y z dA; beyond h = b/2 nothing but its sign is told) [-].
+        moment of warping, ∫σ y z dA; beyond h = b/2 nothing but its sign is told, by ∫σ ψ dA) [-].
 
     Notes
     -----

@@ -324,19 +324,12 @@ class TorsionBar(TorsionGeometry):
         found = restrained_torsion.restrained_stresses(
             E=elastic.E, G=elastic.G, h=h, b=b, l=l, theta=travel
         )
-        changed = self._clamped(elastic, sizes)[0]
-        corners = found.normal * (1.0 + changed)
+        corners = found.normal * (1.0 + self._restraint(elastic, sizes).normal.middle)
         return {"broad side": sqrt(3.0) * found.shear, "corners at the clamps": corners}
 
     def _restraint(self, elastic: Elastic, sizes: Blade) -> restrained_torsion.RestraintError:
         nu = elastic.E / (2.0 * elastic.G) - 1.0
         return restrained_torsion.restraint_error(nu=np.maximum(nu, 0.0), **sizes._asdict())
-
-    def _clamped(self, elastic: Elastic, sizes: Blade) -> tuple[Computed, Computed]:
-        """Return what blocks change of the stress at the clamps, and what they leave of it [-]."""
-        band = self._restraint(elastic, sizes).normal
-        told = band.low > -1.0
-        return np.where(told, band.middle, 0.0), np.where(told, band.around, 1.0)
 
     def indicators(self, sizes: Blade, travel: float) -> dict[str, Computed]:
         """Return what its closed forms are valid in; of clamps that hold it, the sides as well."""
@@ -350,11 +343,12 @@ class TorsionBar(TorsionGeometry):
         if not self.is_restrained:
             return EndErrors()
         elastic = Elastic(1.0, 0.5 if nu is None else nu)
-        error, (_, left) = self._restraint(elastic, sizes), self._clamped(elastic, sizes)
+        error = self._restraint(elastic, sizes)
+        left = error.normal.left
         values = np.array(list(self.end_stresses(elastic, sizes, 1.0).values()))
         low, high = (
             float(np.max(values * (1.0 + np.array(ends))) / np.max(values)) - 1.0
-            for ends in ((error.shear.low, -left), (error.shear.high, left))
+            for ends in ((error.shear.low, left.low), (error.shear.high, left.high))
         )
         return EndErrors(float(error.stiffness.around), max(-low, high))
 
