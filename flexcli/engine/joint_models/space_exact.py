@@ -5,6 +5,7 @@ About rest it is the linear model.
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
+from functools import partial
 from itertools import product
 from math import inf, isfinite
 from typing import TYPE_CHECKING, NamedTuple
@@ -12,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.soft_blocks import hinge_alone_off, with_soft_blocks
 from flexcli.engine.joint_models.space_deflection import deflections
 from flexcli.engine.joint_models.space_errors import StrokeErrors, strain_error, width_error
@@ -79,6 +81,10 @@ class SpaceExactModel(SpaceLinearModel):
     blades = BEAMS
     """What blades are made of at the ends of strokes."""
     stress_kind = "nominal stress in space, von Mises"
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._stands: Remembered[bool] = Remembered()
 
     def error(self, ask: Ask, kind: QuantityKind) -> ErrorRange | None:
         """Return the error of its numbers: of its blades, and of their level."""
@@ -255,7 +261,8 @@ class SpaceExactModel(SpaceLinearModel):
             try:
                 ends = self._ends(ask, loads)
             except (NotAvailable, SolveError):
-                _prove_buckled(ask, self.blades, loads)
+                # each requirement of a case asks: the path of its loads is walked once
+                self._stands.of(f"{signs}", ask, partial(_may_stand, ask, self.blades, loads))
                 raise
             yield ends
 
@@ -443,8 +450,15 @@ def _path_at(ask: Ask, travel: float, blades: Blades) -> _Path:
     return _Path({state.layout.drive.body: [travel if i == own else None for i in range(6)]}, state)
 
 
-def _prove_buckled(ask: Ask, blades: Blades, loads: Loads) -> None:
-    """Raise :class:`Buckled` where loads make the joint lose its stability as they grow."""
+def _may_stand(ask: Ask, blades: Blades, loads: Loads) -> bool:
+    """Return that loads are not known to buckle the joint as they grow.
+
+    Raises
+    ------
+    Buckled
+        Where they are.
+
+    """
     layout = joint_of(ask).layout
     levels, tolerance = blades.critical
     for travel in dict.fromkeys(ask.scene.stroke_ends):
@@ -458,6 +472,7 @@ def _prove_buckled(ask: Ask, blades: Blades, loads: Loads) -> None:
             continue
         if found.factor < 1.0 and not found.is_lost:
             raise Buckled(found.factor)
+    return True
 
 
 def _weight_of_blades(joint: SpaceJoint, acting: Acting) -> float:
