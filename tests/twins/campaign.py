@@ -432,13 +432,33 @@ def tried(seed, kinds=KINDS, near=NEAR, *, alone=False):
     if found.sin:
         return found
     spec = found.spec
-    said, finest = answer(spec), answer(spec, "exact")
+    said, finest = answer(spec), finest_answer(spec)
     if finest.exit_code == 2 and said.exit_code != 2:
         finest = said  # a joint that closed forms alone describe
     if said.bug or finest.bug:
         return found._replace(said=said if said.bug else finest, sin=BUG)
     outcomes = (_outcome(spec, name, said, finest) for name in spec["requirements"])
     return Tried(found.kind, spec, said, finest, tuple(outcomes))
+
+
+def finest_answer(spec):
+    """Return what the finest model says of each row: of a notch its solid where that has a range.
+
+    Everything else is told by exact beams.
+    """
+    beams = answer(spec, "exact")
+    if spec["geometry"]["kind"] not in NOTCHES or beams.bug or beams.exit_code == 2:
+        return beams
+    solids = answer(spec, "solid")
+    if solids.bug:
+        return solids
+    told = {_place(row): row for row in solids.found.get("checks", []) if row["factor_range"]}
+    rows = [told.get(_place(row), row) for row in beams.found["checks"]]
+    return beams._replace(found={**beams.found, "checks": rows})
+
+
+def _place(row):
+    return row["name"], row["case"]
 
 
 def _asks(row):
