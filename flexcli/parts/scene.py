@@ -238,6 +238,11 @@ class Scene(NamedTuple):
             beyond="",
         )
 
+    def at_first_end(self) -> "Scene":
+        """Return the same case with the first end of its stroke as all of it."""
+        end = self.stroke_ends[0]
+        return self._replace(travel=0.0, mean_travel=abs(end), middle=end)
+
     def pushes(self) -> tuple[Push, ...]:
         """Return the resultants of the forces for each combination of their senses."""
         found: list[Push] = []

@@ -8,6 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import TypeAdapter
 from strategies import TITANIUM, design
+from twins.joints import TURN as TURNS
+from twins.reissner import GROUND, Beam, Frame, Mass
 
 from flexcli.engine.check import check
 from flexcli.engine.models import NamedModel, model_series
@@ -174,6 +176,37 @@ def test_the_shift_of_a_stage_is_positive_to_the_left_of_its_travel():
         shifts.append(result.values["shift"].value)
     assert shifts[0] == pytest.approx(0.6 * 2e-3**2 / L, rel=1e-2)
     assert shifts[1] == pytest.approx(-shifts[0], rel=1e-6)
+
+
+UNEVEN = {
+    "a": ((-20e-3, -10e-3), (3e-3, 2e-3), 1e-3),
+    "b": ((1e-3, -15e-3), (2e-3, 12e-3), 2e-3),
+    "c": ((10e-3, -15e-3), (-4e-3, 2e-3), 1.5e-3),
+}
+"""Start, end and thickness [m] of blades that are no mirror image of themselves."""
+
+
+@pytest.mark.parametrize("ends", [(0.0, 0.02), (-0.02, 0.0), (-0.02, 0.02)])
+def test_the_shift_of_an_uneven_pivot_is_that_of_its_worse_end(ends):
+    """It stretches its blades by the rotation and shortens them by its square: ends differ."""
+    nu = ELASTIC.nu
+    beams = [Beam(GROUND, "arm", start, end, h, B) for start, end, h in UNEVEN.values()]
+    frame = Frame((("arm", Mass((0.0, 0.0))),), beams, E, E / 2.0 / (1.0 + nu))
+    each = [
+        float(np.hypot(*frame.motion(frame.solve({("arm", TURNS): end}), "arm", (0.0, 0.0))[:2]))
+        for end in ends
+        if end
+    ]
+    if len(each) == 2:
+        assert each[0] > 1.02 * each[1]
+    blades = {
+        name: blade(["ground", "arm"], start, end, h=f"{h} m")
+        for name, (start, end, h) in UNEVEN.items()
+    }
+    drawn = layout({"arm": (0.0, 0.0)}, blades, "arm")
+    cases = {"turn": {"stroke": {"rotation": [f"{end} rad" for end in ends], "cycles": 1e7}}}
+    result = found(drawn, None, {"parasitic_shift": {"max": "1 mm"}}, cases)
+    assert abs(result.values["shift"].value) == pytest.approx(max(each), rel=1e-3)
 
 
 def tip(profile, l=30e-3):

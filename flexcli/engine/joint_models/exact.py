@@ -1,7 +1,6 @@
 """The exact model of a joint: geometrically exact blades between its bodies, at full stroke."""
 
 from collections.abc import Sequence
-from contextlib import suppress
 from functools import partial
 from math import inf, nan
 from typing import TYPE_CHECKING
@@ -16,7 +15,6 @@ from flexcli.engine.joint_models.holds import driven_axis, hold_of
 from flexcli.engine.joint_models.joint_states import (
     at_rest,
     blades_of,
-    layout_of,
     solved,
     warmed,
 )
@@ -31,7 +29,6 @@ from flexcli.mechanics.layout import Layout
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.own_weight import POINTS
 from flexcli.mechanics.points import point_motion
-from flexcli.mechanics.sensitivity import beside
 from flexcli.mechanics.state import Equilibrium
 from flexcli.mechanics.stresses import BladeStress, blade_stress
 from flexcli.mechanics.tangent import held_stiffness
@@ -58,6 +55,9 @@ TOLERANCE = 1e-9
 
 SAMPLED = 1e-6
 """Of the stress: what its greatest value between two places is more, see ``POINTS``."""
+
+ALIKE = 1e-9
+"""Relative difference of the shifts of both ends that counts as none."""
 
 NU_UNKNOWN = 0.5
 """Poisson's ratio where the material gives none: the largest."""
@@ -261,7 +261,7 @@ class ExactModel(JointModel):
         return exact_box(ask)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
-        """Return the shift at the end of the stroke alone, positive towards −x of the layout."""
+        """Return the largest shift at the ends of the stroke alone, positive towards its −x."""
         return self._shift(ask)[0]
 
     def _shift(self, ask: Ask) -> tuple[float, float]:
@@ -269,41 +269,26 @@ class ExactModel(JointModel):
         return self._known_pairs.of("shift", ask, lambda: self._settled_shift(ask))
 
     def _settled_shift(self, ask: Ask) -> tuple[float, float]:
-        scene, geometry = ask.scene, ask.geometry
-        reach = scene.travel + scene.mean_travel
-        if not scene.is_loaded and scene.middle >= 0.0 and not hold_of(scene).turn:
-            with suppress(NotAvailable):  # of the other end
-                return _told_shift(self.states(ask), ask)
+        scene = ask.scene
         if scene.temperature is None:
-            return self._shift_unloaded(ask, {MOVING: geometry.held(reach)})
-        free: Held = None, None, 0.0 if geometry.is_guided else None
-        held = [geometry.held(reach), geometry.held(-reach)] if scene.moves else [free]
+            if scene.is_loaded or hold_of(scene).turn:
+                ask = ask._replace(scene=scene.without_loads()._replace(ends=None, lock=None))
+            return _worst_shift(self.states(ask), ask)
+        free: Held = None, None, 0.0 if ask.geometry.is_guided else None
+        reach = scene.travel + scene.mean_travel
+        held = [ask.geometry.held(end) for end in (reach, -reach)] if scene.moves else [free]
         # what the temperature bends is not the same at both ends
         ends = (self._shift_at(ask, each) for each in held)
         shift, error = max(ends, key=lambda found: abs(found[0]))
         doubt = held_lengths(warmed(ask), ask.material.elastic.nu or NU_UNKNOWN)
         return shift, error + (doubt / abs(shift) if shift else inf)
 
-    def _shift_unloaded(self, ask: Ask, held: Motions) -> tuple[float, float]:
-        if ask.near is None:
-            return _told_shift(self._unloaded(ask, held), ask)
-        known = self._unloaded(ask.near._replace(scene=ask.scene), held)
-        return _told_shift(beside(known, layout_of(ask), held), ask)
-
-    def _unloaded(self, ask: Ask, held: Motions) -> Equilibrium:
-        """Return the joint at the end of its stroke alone."""
-
-        def find() -> tuple[Equilibrium, ...]:
-            return (self._held(layout_of(ask), held),)
-
-        return self._known_trails.of("unloaded", ask, find)[-1]
-
     def _held(self, layout: Layout, held: Motions) -> Equilibrium:
         effects = blades_of(layout, self.effects)
         return solved(layout, held, effects=effects, tolerance=self.tolerance, levels=self.levels)
 
     def _shift_at(self, ask: Ask, held: Held) -> tuple[float, float]:
-        return _told_shift(self._held(warmed(ask), {MOVING: held}), ask)
+        return _worst_shift(self._held(warmed(ask), {MOVING: held}), ask)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stress at both faces where it is greatest, blade by blade."""
@@ -368,22 +353,32 @@ def _hanging(ask: Ask) -> "Form":
     return deflection_form(ask, along, along)
 
 
-def _told_shift(state: Equilibrium, ask: Ask) -> tuple[float, float]:
-    """Return the shift in the first of a case's states and its relative error."""
-    shift, before = _shift_of(state, ask), state.coarser
+def _worst_shift(state: Equilibrium, ask: Ask) -> tuple[float, float]:
+    """Return the largest shift in a case's states and its relative error.
+
+    Of a joint that is not its own mirror image it is not the same at both ends of a stroke.
+    """
+    shifts, before = states_of(_shifts(state, ask)), state.coarser
+    sizes = np.abs(shifts)
+    sizes[1:] *= 1.0 - ALIKE  # of ends that are alike the first
+    worst = np.argmax(sizes, axis=0)[None]
+    shift = _of_worst(shifts, worst)
     if before is None or shift == 0.0:
         return shift, inf
-    return shift, abs(_shift_of(before, ask) / shift - 1.0)
+    return shift, abs(_of_worst(states_of(_shifts(before, ask)), worst) / shift - 1.0)
 
 
-def _shift_of(state: Equilibrium, ask: Ask) -> float:
-    """Return the shift of a pivot's centre, or of a stage's point along its blades [m]."""
+def _of_worst(shifts: Floats, worst: NDArray[np.intp]) -> float:
+    """Return the shift of each design in the state that is its worst."""
+    return of_each(np.atleast_1d(np.take_along_axis(shifts, worst, axis=0)[0]))
+
+
+def _shifts(state: Equilibrium, ask: Ask) -> Floats:
+    """Return the shift of a pivot's centre, or a stage's point along its blades (states,) [m]."""
     if ask.geometry.motion == "translation":
-        shift = -point_motion(state, MOVING, state.layout.body(MOVING).point)[:, 0]
-    else:
-        x, y = point_motion(state, MOVING, (0.0, 0.0)).T
-        shift = np.copysign(np.hypot(x, y), -x)
-    return of_each(np.atleast_1d(states_of(shift)[0]))
+        return -point_motion(state, MOVING, state.layout.body(MOVING).point)[:, 0]
+    x, y = point_motion(state, MOVING, (0.0, 0.0)).T
+    return np.asarray(np.copysign(np.hypot(x, y), -x))
 
 
 def driven_stiffness(state: Equilibrium, ask: Ask) -> Floats:

@@ -169,12 +169,14 @@ def _of_case(asked: CaseAsks, model: ModelNumbers, *, many: bool) -> Iterator[Co
             lambda: TANGENT, scene.case,
         )  # fmt: skip
     if scene.moves or scene.temperature is not None:
-        when = "largest of all steps" if scene.temperature is not None else "step 2"
+        when, there = "largest of all steps", alone
+        if scene.temperature is None:
+            when, there = "step 2", alone._replace(scene=alone.scene.at_first_end())
         yield Comparison(
             f"shift{end}", "parasitic shift", "m", alone,
-            lambda: model.of(alone, QuantityKind.SHIFT, alone.joint_model.parasitic_shift(alone)),
+            lambda: model.of(there, QuantityKind.SHIFT, there.joint_model.parasitic_shift(there)),
             lambda solid: solid.shift(), deck, f"motion of the moving body, {when}",
-            lambda: model.law_in_shift(alone), scene.case, kind=QuantityKind.SHIFT,
+            lambda: model.law_in_shift(there), scene.case, kind=QuantityKind.SHIFT,
         )  # fmt: skip
     if at_stroke:
         yield Comparison(
