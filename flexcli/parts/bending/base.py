@@ -1,9 +1,9 @@
 """Interface of a way of bending: the effects that closed forms leave out, as relative changes."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import inf
-from typing import ClassVar, NamedTuple, TypeAlias
+from typing import ClassVar, NamedTuple, Protocol, TypeAlias
 
 from flexcli.numerics.rows import larger, number
 from flexcli.results import ErrorRange
@@ -19,6 +19,7 @@ __all__ = [
     "FilletedRoots",
     "Thick",
     "WideBlades",
+    "WidePath",
     "solid_cross",
     "together",
     "whole",
@@ -89,6 +90,16 @@ class Factor(NamedTuple):
         return Change(self.value - 1.0, self.high - 1.0, error, other=self.other)
 
 
+class WidePath(Protocol):
+    """The path of a joint's centre by its beams, and by its wide blades."""
+
+    def change(self, ends: Sequence[float]) -> tuple[float, float] | None:
+        """Return the relative change of the largest shift at travels, and its error [-].
+
+        None where nobody can tell.
+        """
+
+
 class WideBlades(NamedTuple):
     """Change of a joint's numbers by the width of its blades; ν is that of the material, or ½.
 
@@ -108,9 +119,8 @@ class WideBlades(NamedTuple):
     bent: tuple[float, float, float] | None = None
     """Thickness, length and width of the blade with these curvatures, for joints of several shapes
     [m]."""
-    first: tuple[float, float] = (0.0, 0.0)
-    """First-order motion of the centre over the second order of a unit travel [rad or m], and its
-    largest change [-]."""
+    path: WidePath | None = None
+    """The path of the centre of a drawn layout, which tells the change of its shift."""
 
 
 class FilletedRoots(NamedTuple):

@@ -1,18 +1,24 @@
-"""Wide blades in the shift of a drawn layout: each shortens more than its beam."""
+"""Wide blades in the shift of a drawn layout: each bends and shortens otherwise than its beam."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.errors import SolveError
+from flexcli.formulas.blade_spring import middle_stiffness
+from flexcli.formulas.plate_factors import bound, effective_width
+from flexcli.formulas.plate_flattening import flat_width, secant_factor
 from flexcli.formulas.plate_shortening import pure_shortening_factor, s_shortening_factor
-from flexcli.mechanics.layout import Layout
-from flexcli.mechanics.linear import LinearSolution, linear
+from flexcli.mechanics.layout import Layout, Support
+from flexcli.mechanics.space.layout import SpaceBlade, Vector
+from flexcli.mechanics.space.linear import SpaceAssembly, assemble
+from flexcli.mechanics.space.planar import from_plane
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
-__all__ = ["Astray", "shift_by_shapes"]
+__all__ = ["DrawnPath", "drawn_path"]
 
 Floats = NDArray[np.float64]
 
@@ -20,31 +26,105 @@ GUIDED = 6.0
 """Shortening of a guided blade, 3x²/(5l), over the part of its S shape beside its chord,
 x²/(10l)."""
 
-SHARES = 0.2
-"""Error of a plate's extra shortening in a shape that is neither an arc nor an S."""
+FITS = 2e-3, 5e-4
+"""Errors of the factors of shortening, of an arc and of an S."""
+
+PLANE = ALONG, ACROSS, TURN = [0, 1, 5]
+"""Springs of a blade in its plane: along it, of its S shape and of its arc."""
+
+RIGID = 1e6
+"""Stiffness of a guide over that of the blades."""
+
+SHELLS, FLOOR = 0.2, 0.01
+"""By what shells differ besides: a share of all that plates change, one of their widening.
+
+Shells of random pivots and stages, drawn unevenly (``tests/benchmarks/drawn_shifts.py``)."""
+
+CANCELLED = 0.1
+"""Error from which on the parts of a stage's blades, all alike, tell less than that they cancel."""
+
+HIGHER, MOST = 2.0, 3.0
+"""What may come of higher order over all that plates change: for each order, and at most."""
+
+UNEVEN = 0.35
+"""Share of the plates' widening by which blades that are curved unevenly flatten so, of what each
+shortens."""
 
 
-class Astray(NamedTuple):
-    """Relative change of the second-order shift of a layout's centre, and its error [-].
+class _Orders(NamedTuple):
+    """How the centre moves in first and second order of a unit travel (2, 2) [m].
 
-    ``first`` is the first-order motion of the centre, by shear and stretching, over the second
-    order of a unit travel [rad or m].
+    ``each`` are the parts of the second that blades alone are of (2, blades), which may cancel;
+    ``tension`` is the largest axial force by it, of either sense [EI/l²], ``lever`` the largest
+    motion of the centre over what a blade grows by [-].
     """
 
-    value: float
-    error: float
-    first: float
+    whole: Floats
+    each: Floats
+    tension: float
+    lever: float
 
 
-def shift_by_shapes(
-    blades: Sequence[Blade], nu: float, layout: Layout, held: Held, solution: LinearSolution
-) -> Astray | None:
-    """Return the change by plates of a layout's shift, of second order in its travel.
+class DrawnPath(NamedTuple):
+    """The path of a layout's centre by its beams and by its plates.
+
+    ``off`` is how far either order of the plates' may be off (2,), ``flat`` how much further
+    where curvature keeps all sections from curling, ``curls`` the square of the largest width over
+    that on which they do, at a unit travel. ``slope`` is the largest rotation of a body or of a
+    chord there, ``cancels`` says that they are those of a stage whose blades are all alike.
+    """
+
+    beams: _Orders
+    plates: _Orders
+    off: Floats
+    flat: Floats
+    curls: float
+    poisson_ratio: float
+    slope: float
+    cancels: bool
+
+    def change(self, ends: Sequence[float]) -> tuple[float, float] | None:
+        """Return the relative change of the largest shift at travels, and its error [-].
+
+        None where that is of higher than second order, or blades alike cancel. What is of the
+        third, where the blades hold the centre by a long lever or pull, may change by all that
+        its parts do.
+        """
+        travel = max(map(abs, ends))
+        beam, plate = (
+            max(float(np.hypot(*(end * path.whole[0] + end**2 * path.whole[1]))) for end in ends)
+            for path in (self.beams, self.plates)
+        )
+        order, slope = np.array([travel, travel**2]), self.slope * travel
+        apart = order[1] * float(np.linalg.norm(self.beams.each, axis=0).sum())
+        if beam <= slope**2 * apart:
+            return None
+        beta = float(np.sqrt(self.curls * travel))
+        flattened = float(secant_factor(beta=beta, poisson_ratio=self.poisson_ratio)) - 1.0
+        share = flattened / float(bound(self.poisson_ratio)) if flattened > 0.0 else 0.0
+        parts = float(np.linalg.norm(self.plates.each - self.beams.each, axis=0).sum())
+        first = float(np.linalg.norm(self.plates.whole[0] - self.beams.whole[0]))
+        higher = HIGHER * (slope * self.plates.lever + order[1] * self.plates.tension)
+        beyond = (SHELLS + min(higher, MOST)) * float(order @ (first, parts))
+        beyond += share * UNEVEN * float(bound(self.poisson_ratio)) * apart
+        off = float(order @ (self.off + share * self.flat)) + beyond
+        if self.cancels and off > CANCELLED * beam:
+            return None
+        value = plate / beam - 1.0
+        # of a shift that nearly vanishes the square of its change counts
+        off = float(off) / beam + FLOOR * float(bound(self.poisson_ratio)) + value**2
+        return value, off
+
+
+def drawn_path(blades: Sequence[Blade], nu: float, layout: Layout, held: Held) -> DrawnPath | None:
+    """Return the path of a layout's centre by its beams and by its plates, to second order.
 
     A blade whose ends turn by α and β from its chord shortens by ``l ((α − β)²/24 + (α + β)²/40)``,
-    the first part of an arc and the second of an S, each more in a plate; besides, its ends move by
-    the square of the rotation of its bodies, and its chord turns. The motion of the bodies that
-    compensates all this is the linear response to blades of excess length.
+    the first part of an arc and the second of an S, each more in a plate: of the two shapes one is
+    even and the other odd about the middle, so that no more comes of both together. Besides, its
+    ends move by the square of the rotation of its bodies, and its chord turns. What compensates
+    all this is the linear response to blades of excess length. The plates' springs turn the bodies
+    between, and stretch, otherwise than the beams' do.
 
     Parameters
     ----------
@@ -56,67 +136,168 @@ def shift_by_shapes(
         The beams.
     held : tuple
         A unit travel of its moving body [rad or m].
-    solution : LinearSolution
-        The motions at that travel.
 
     Returns
     -------
-    change : Astray or None
-        Nothing where the second order vanishes beside what the blades shorten more.
+    path : DrawnPath or None
+        Nothing where the errors of its blades' springs are not known.
 
     """
     turns = held[1] is None
-    first = float(np.hypot(*_centre(layout, solution, turns=turns)))
-    beams, plates = [], []
-    for blade, strip in zip(blades, layout.blades, strict=True):
-        (u, alpha), (v, beta) = (
-            _end(layout, solution, body, point)
-            for body, point in ((strip.first, strip.start), (strip.second, strip.end))
-        )
-        along = np.subtract(strip.end, strip.start) / blade.l
-        chord = float(along[0] * (v[0, 1] - u[0, 1]) - along[1] * (v[0, 0] - u[0, 0])) / blade.l
-        even, odd = (alpha - beta) ** 2 / 24.0, (alpha + beta - 2.0 * chord) ** 2 / 40.0
-        rigid = float(along @ (v[1] - u[1])) / blade.l + chord**2 / 2.0
-        at = {"b": blade.b, "l": blade.l, "poisson_ratio": nu}
-        more = even * (float(pure_shortening_factor(**at)) - 1.0)
-        # that factor is of all that a guided blade shortens, its chord's turn with it
-        more += GUIDED * odd * (float(s_shortening_factor(**at)) - 1.0)
-        beams.append(-even - odd - rigid)
-        plates.append(-more)
-    still: Held = (None, None, 0.0) if turns else (None, 0.0, held[2])
-    answers = np.array([_answer(layout, strip.name, still, turns=turns) for strip in layout.blades])
-    whole, parts = np.array(beams) @ answers, np.array(plates)[:, None] * answers
-    shift = float(np.hypot(*whole)) if turns else abs(float(whole[0]))
-    off = float(np.abs(parts).sum()) if turns else float(np.abs(parts[:, 0]).sum())
-    if off >= shift:
+    if not turns and held[2] is not None:
+        rigid = RIGID * layout.E * max(blade.b * blade.h * blade.l for blade in blades)
+        guide = Support(MOVING, layout.body(MOVING).point, (0.0, 0.0, rigid))
+        layout = replace(layout, supports=(*layout.supports, guide))
+    try:
+        joint = _Joint(assemble(from_plane(layout, MOVING, turns=turns)), blades, turns=turns)
+    except SolveError:
         return None
-    moved = parts.sum(axis=0)
-    value = float(moved @ whole) / shift**2 if turns else float(moved[0] / whole[0])
-    return Astray(value, SHARES * off / shift + (off / shift) ** 2, first / shift)
+    members = joint.assembly.members
+    if not all(member.is_known and np.isfinite(member.high[PLANE]).all()
+               for member in members):  # fmt: skip
+        return None
+    more = np.array([_shortens(blade, nu) for blade in blades])
+    off = np.array([_shortens(blade, nu, thick=True) for blade in blades]) - more
+    off = np.abs(off) + FITS
+    none = np.zeros_like(more)
+    found = joint.path(more)
+    # of alike blades errors are alike
+    alike: dict[Blade, list[int]] = {}
+    for k, blade in enumerate(blades):
+        alike.setdefault(blade, []).append(k)
+    flat = 1.0 + float(bound(nu))
+    unsure, curled = np.zeros(2), joint.apart_from(found, none)
+    for own in alike.values():
+        for spring in PLANE:
+            member = members[own[0]]
+            known = max(float(member.high[spring]), -float(member.low[spring]))
+            unsure += joint.stiffened(own, spring, 1.0 + known).apart_from(found, more)
+            if spring != ALONG:
+                widened = joint.factors[own[0], spring]
+                flatter = joint.stiffened(own, spring, max(flat / widened, 1.0))
+                curled += flatter.apart_from(found, more)
+        for shape in (0, 1):
+            longer = more.copy()
+            longer[own, shape] += off[own, shape]
+            unsure += joint.apart_from(found, longer)
+    beams = joint.of_beams().path(none)
+    cancels = len(alike) == 1 and not turns
+    return DrawnPath(beams, found, unsure, curled, joint.curls(nu), nu, joint.slope, cancels)
 
 
-def _end(
-    layout: Layout, solution: LinearSolution, body: str, point: tuple[float, float]
-) -> tuple[Floats, float]:
-    """Return the first and second order of the motion of a body's point (2, 2), and its turn."""
-    names = [each.name for each in layout.bodies]
-    if body not in names:
-        return np.zeros((2, 2)), 0.0
-    i = names.index(body)
-    x, y, turn = (float(each) for each in solution.motions[0, i])
-    arm = np.subtract(point, layout.bodies[i].point).astype(np.float64)
-    first = np.array([x - turn * arm[1], y + turn * arm[0]])
-    return np.array([first, -(turn**2) / 2.0 * arm]), turn
+def _shortens(blade: Blade, nu: float, *, thick: bool = False) -> tuple[float, float]:
+    """Return by how much more than its beam a blade shortens, bent to an arc and to an S [-].
+
+    The second is of the S shape beside its chord: its factor is of all that a guided blade
+    shortens, its chord's turn with it. A thick one is taken for a thin one of its effective width.
+    """
+    b = float(effective_width(b=blade.b, h=blade.h)) if thick else blade.b
+    at = {"b": b, "l": blade.l, "poisson_ratio": nu}
+    arc, bent = float(pure_shortening_factor(**at)), float(s_shortening_factor(**at))
+    return arc - 1.0, GUIDED * (bent - 1.0)
 
 
-def _centre(layout: Layout, solution: LinearSolution, *, turns: bool) -> Floats:
-    """Return the motion of the origin of the moving body, or of a stage's point along x (2,)."""
-    point = (0.0, 0.0) if turns else layout.body(MOVING).point
-    moved, _ = _end(layout, solution, MOVING, point)
-    return np.asarray(moved[0] if turns else moved[0] * np.array([1.0, 0.0]))
+class _Joint:
+    """A layout on springs, and how its centre moves at a unit travel."""
 
+    def __init__(self, assembly: SpaceAssembly, blades: Sequence[Blade], *, turns: bool) -> None:
+        self.assembly, self.blades, self.turns = assembly, blades, turns
+        at = assembly.moved(travel=np.ones(1))
+        self.coordinates, self.bent = at.coordinates[:, 0], at.deformations[:, 0]
+        drive = assembly.layout.drive
+        self.point = (0.0, 0.0, 0.0) if turns else drive.point
 
-def _answer(layout: Layout, name: str, held: Held, *, turns: bool) -> Floats:
-    """Return how the centre moves as one blade grows by its length, the drive held (2,) [m]."""
-    grown = linear(replace(layout, blade_growth={name: 1.0}), {MOVING: held})
-    return _centre(layout, grown, turns=turns)
+    @property
+    def factors(self) -> Floats:
+        """Return the springs of the blades in their plane over those of beams (blades, 6)."""
+        found = np.ones((len(self.blades), 6))
+        for k, (own, drawn) in enumerate(self._each()):
+            E, G = drawn.material.E, drawn.material.G
+            beam = middle_stiffness(E=E, G=G, h=own.h, l=own.l, b=own.b)
+            stiffness = self.assembly.stiffness[6 * k : 6 * k + 6]
+            found[k, PLANE] = stiffness[PLANE] / (beam.x, beam.y, beam.theta_z)
+        return found
+
+    @property
+    def slope(self) -> float:
+        """Return the largest rotation of a body, or of a blade's chord against them [rad]."""
+        turns = [self._moved(b.name, b.point)[0][TURN] for b in self.assembly.layout.bodies]
+        sways = [self.bent[6 * k + ACROSS] / own.l for k, (own, _) in enumerate(self._each())]
+        return float(np.max(np.abs([*turns, *sways])))
+
+    def stiffened(self, which: Sequence[int], spring: int, factor: float) -> "_Joint":
+        """Return the joint with one spring of some blades stiffer by a factor."""
+        factors = np.ones(len(self.assembly.stiffness))
+        factors[[6 * k + spring for k in which]] = factor
+        return _Joint(self.assembly.scaled(factors), self.blades, turns=self.turns)
+
+    def of_beams(self) -> "_Joint":
+        """Return the joint with the beams' springs."""
+        factors = np.ones(len(self.assembly.stiffness))
+        factors[: 6 * len(self.blades)] = 1.0 / self.factors.ravel()
+        return _Joint(self.assembly.scaled(factors), self.blades, turns=self.turns)
+
+    def curls(self, nu: float) -> float:
+        """Return the square of the largest width over that on which a section curls [1/m or -]."""
+        found = 0.0
+        for k, blade in enumerate(self.blades):
+            turn, across = abs(self.bent[6 * k + TURN]), abs(self.bent[6 * k + ACROSS])
+            curvature = (turn + 6.0 * across / blade.l) / blade.l
+            beta = flat_width(b=blade.b, h=blade.h, curvature=float(curvature), poisson_ratio=nu)
+            found = max(found, float(beta) ** 2)
+        return found
+
+    def path(self, more: Floats) -> _Orders:
+        """Return how the centre moves, blades shortening by ``more`` (blades, 2) than beams [-]."""
+        misfits = np.zeros((len(self.bent), len(self.blades)))
+        grown = np.zeros_like(misfits)
+        for k, (own, drawn) in enumerate(self._each()):
+            (u, u_2), (v, v_2) = (
+                self._moved(body, at)
+                for body, at in ((drawn.first, drawn.start), (drawn.second, drawn.end))
+            )
+            x, y = (np.subtract(drawn.end, drawn.start) / own.l)[:2]
+            chord = (x * (v[1] - u[1]) - y * (v[0] - u[0])) / own.l
+            rigid = (x, y) @ (v_2 - u_2) / own.l + chord**2 / 2.0
+            arc = self.bent[6 * k + TURN] ** 2 / 24.0
+            bent = (self.bent[6 * k + ACROSS] / own.l) ** 2 / 10.0
+            shorter = np.array([arc, bent]) @ (1.0 + more[k]) + rigid
+            misfits[6 * k + ALONG, k], grown[6 * k + ALONG, k] = shorter * own.l, 1.0
+        body, still = self.assembly.layout.drive.body, np.zeros(len(self.blades))
+        moves = self.assembly.motion(body, self.point)[:2]
+        first, own_second = self._moved(body, self.point)
+        answers = self.assembly.moved(misfits=misfits, travel=still)
+        each = moves @ answers.coordinates
+        lever = moves @ self.assembly.moved(misfits=grown, travel=still).coordinates
+        orders = np.stack([first[:2], each.sum(axis=1) + own_second])
+        if not self.turns:  # a stage's point leaves its path along x
+            along = np.array([[1.0], [0.0]])
+            orders, each, lever = orders * along.T, each * along, lever * along
+        pulls = np.abs(answers.forces.sum(axis=1))
+        tension = max(
+            pulls[6 * k + ALONG] * own.l**2 * 12.0 / (drawn.material.E * own.b * own.h**3)
+            for k, (own, drawn) in enumerate(self._each())
+        )
+        return _Orders(orders, each, float(tension), float(np.linalg.norm(lever, axis=0).max()))
+
+    def apart_from(self, other: _Orders, more: Floats) -> Floats:
+        """Return how far either order of its path is from another (2,)."""
+        return np.asarray(np.linalg.norm(self.path(more).whole - other.whole, axis=1))
+
+    def _each(self) -> Iterator[tuple[Blade, SpaceBlade]]:
+        """Yield the sizes of each blade, and the blade as drawn."""
+        for own, drawn in zip(self.blades, self.assembly.layout.blades, strict=True):
+            assert isinstance(drawn, SpaceBlade)  # of the plane
+            yield own, drawn
+
+    def _moved(self, body: str, point: Vector) -> tuple[Floats, Floats]:
+        """Return the motion of a point of a body (6,), and what its turn adds in second order (2,).
+
+        The ground has none.
+        """
+        layout = self.assembly.layout
+        if body not in {each.name for each in layout.bodies}:
+            return np.zeros(6), np.zeros(2)
+        moved = np.asarray(self.assembly.motion(body, point) @ self.coordinates)
+        arm = np.subtract(point, layout.body(body).point)[:2]
+        return moved, -(moved[TURN] ** 2) / 2.0 * arm

@@ -293,7 +293,7 @@ def wide_by_shapes(
     the beams the energy of the plates is an upper bound, with their forces a lower.
     """
     from flexcli.mechanics.linear import linear
-    from flexcli.parts.bending.drawn_shift import shift_by_shapes
+    from flexcli.parts.bending.drawn_shift import drawn_path
 
     one_alone()
     solution = linear(layout, {MOVING: held})
@@ -340,12 +340,7 @@ def wide_by_shapes(
     other = larger(most / middle - 1.0, 1.0 - least / middle)
     stiffness = Factor(middle, larger(1.0, low), high, other)
     found = plain._replace(stiffness=stiffness, stress=stress, bends=bends, bent=tuple(most_bent))
-    astray = shift_by_shapes(blades, nu, layout, held, solution)
-    if astray is None:
-        return found
-    pulled = larger(number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu)) for _, l, b in blades)
-    beside = astray.first, larger(high, pulled) - 1.0
-    return found._replace(shift=(astray.value, astray.error), first=beside)
+    return found._replace(path=drawn_path(blades, nu, layout, held))
 
 
 def wide_linked(each: Sequence[WideBlades | None]) -> WideBlades | None:

@@ -1,6 +1,5 @@
 """Plate widening: a wide blade cannot curl across its width and is stiffer than a beam."""
 
-from math import inf
 from typing import ClassVar
 
 from flexcli.numerics.rows import larger, number, smaller
@@ -15,9 +14,6 @@ __all__ = ["PlateWidening", "wide_of"]
 LOADED = 0.25
 """Part of the change of stiffness by which a wide blade's stress under forces may differ: solid
 blades stretched by a force had 1 % more, at b/l = 0.6, where the stiffness has 9 %."""
-
-MIXED = 0.3
-"""Ratio of a shift's first order to its second beyond which neither dominates."""
 
 LEADS = 1.5
 """Ratio of the shift to its leading term up to which both change alike."""
@@ -54,8 +50,9 @@ class PlateWidening(ModelEffect):
             found["buckling"] = _buckling(wide, setting, known)
         if setting.largest_travel:
             found["stress"] = _stress(wide, setting, known)
-            if wide.shift is not None:
-                found["shift"] = _shift(*_beside_first(wide, setting), setting, known)
+            shift = _of_path(wide, setting) or wide.shift
+            if shift is not None:
+                found["shift"] = _shift(*shift, setting, known)
         elif any(scene.is_loaded for scene in setting.scenes):
             spread = LOADED * (wide.stiffness.high - 1.0)
             found["stress"] = Change(0.0, spread, spread)
@@ -138,21 +135,10 @@ def _buckling(wide: WideBlades, setting: Setting, known: bool) -> Change:
     return middle.change(known)
 
 
-def _beside_first(wide: WideBlades, setting: Setting) -> tuple[float, float]:
-    """Return the change of the second-order shift beside the first-order one, and its error.
-
-    Both may point the same way or against each other.
-    """
-    assert wide.shift is not None  # it was looked at
-    (value, error), (first, changes) = wide.shift, wide.first
-    if first == 0.0:
-        return value, error
-    share = first / setting.largest_travel
-    if share < MIXED:
-        return value, error + share * (changes + abs(value) + error) / (1.0 - share)
-    apart = abs(1.0 - share)
-    most = changes * share + abs(value) + error
-    return 0.0, most / apart if most < apart else inf
+def _of_path(wide: WideBlades, setting: Setting) -> tuple[float, float] | None:
+    """Return the change of the shift of a drawn layout at the ends of its strokes, if known."""
+    ends = [end for scene in setting.scenes if scene.moves for end in scene.stroke_ends]
+    return wide.path.change(ends) if wide.path is not None and ends else None
 
 
 def _shift(value: float, error: float, setting: Setting, known: bool) -> Change:
