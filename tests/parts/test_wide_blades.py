@@ -315,9 +315,9 @@ def test_a_drawn_pair_shifts_by_what_the_closed_form_of_the_pair_says(delta, b):
         "moving": "st", "motion": "rotation",
     }, TURN)  # fmt: skip
     pair = wide_pivot(Blade(1e-5, l, b), 0.34, delta=delta, pair=True)
-    value, error = drawn.geometry.wide_blades(drawn.sizes, 0.34).path.change([0.1])
+    value, error = drawn.geometry.wide_blades(drawn.sizes, 0.34).path.change([0.02])
     assert value == pytest.approx(pair.shift[0], rel=0.02)  # of which stretching does little
-    assert error < 0.1
+    assert error < (0.03 if b < 0.01 else 0.12)  # curvature keeps wide ones flat
 
 
 @pytest.mark.parametrize("kind", KINDS)
