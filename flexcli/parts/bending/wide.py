@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from math import inf, pi
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -10,13 +10,15 @@ from flexcli.formulas import pivot, plate_buckling, plate_shortening
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
-from flexcli.formulas.profile import Profile
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment
-from flexcli.mechanics.layout import Layout
 from flexcli.numerics.rows import larger, number, one_alone, one_by_one, sin, smaller
 from flexcli.parts.bending.base import Factor, WideBlades
 from flexcli.parts.geometries.base import MOVING, Blade, Held
+
+if TYPE_CHECKING:
+    from flexcli.formulas.profile import Profile
+    from flexcli.mechanics.layout import Layout
 
 __all__ = [
     "wide_by_shapes",
@@ -191,7 +193,7 @@ def wide_necks(neck: Blade, nu: float, *, l: Numbers) -> WideBlades:
 
 def wide_notch(
     nu: float,
-    profile: Profile,
+    profile: "Profile",
     *,
     throat: Numbers,
     length: Numbers,
@@ -284,7 +286,7 @@ def wide_drawn(blades: Iterable[tuple[Blade, bool]], nu: float, *, springs: bool
 
 
 def wide_by_shapes(
-    plain: WideBlades, blades: Sequence[Blade], nu: float, layout: Layout, held: Held
+    plain: WideBlades, blades: Sequence[Blade], nu: float, layout: "Layout", held: Held
 ) -> WideBlades:
     """Return the factors of drawn blades of constant thickness, from a layout's beams.
 

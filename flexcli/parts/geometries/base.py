@@ -12,7 +12,6 @@ from pydantic_core import CoreSchema
 
 from flexcli.formulas.card import Card, Range, outside
 from flexcli.formulas.quantity import Computed, Quantity
-from flexcli.mechanics.layout import Layout, Point
 from flexcli.numerics.rows import hypot, number
 from flexcli.parts.base import Part, PositiveLength, QuantityOf, or_free, spec_error
 from flexcli.parts.bending import Bending, CompliantClamps, FilletedRoots, Thick, WideBlades
@@ -22,6 +21,7 @@ from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.results import ErrorRange, QuantityKind, Value
 
 if TYPE_CHECKING:
+    from flexcli.mechanics.layout import Layout, Point
     from flexcli.mechanics.space.layout import SpaceLayout
     from flexcli.parts.material import Material
 
@@ -628,7 +628,7 @@ class Geometry(Part):
         at = {name: number(value) for name, value in self.indicators(sizes, travel).items()}
         return [(limits, at[limits.quantity]) for limits in outside(self.ranges(kind), at)]
 
-    def layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
+    def layout(self, elastic: Elastic, sizes: Sizes) -> "Layout":
         """Return the joint as rigid bodies and blades in its plane.
 
         Its base is the ground and its moving body is called ``moving``. A pivot has its centre
@@ -637,11 +637,11 @@ class Geometry(Part):
         """
         raise NotAvailable("is not made of straight blades in a plane")
 
-    def plane_layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
+    def plane_layout(self, elastic: Elastic, sizes: Sizes) -> "Layout":
         """Return the layout for loads in its plane, where ideal joints may guide bodies."""
         return self.layout(elastic, sizes)
 
-    def blades_layout(self, elastic: Elastic, sizes: Sizes) -> Layout:
+    def blades_layout(self, elastic: Elastic, sizes: Sizes) -> "Layout":
         """Return the layout for numbers that do not depend on the distance between guiding blades.
 
         Where the spec does not state it, they are as far apart as long.
@@ -682,7 +682,7 @@ class Geometry(Part):
                 return True
         return False
 
-    def payload_point(self, moving: Point) -> Point:
+    def payload_point(self, moving: "Point") -> "Point":
         """Return the joint's centre, where a payload has its centre of mass: it only turns there.
 
         ``moving`` is the point of the moving body.

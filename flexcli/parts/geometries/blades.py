@@ -3,17 +3,14 @@
 from abc import abstractmethod
 from collections.abc import Mapping
 from math import pi
-from typing import Any, ClassVar, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
 
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH, euler_load
 from flexcli.formulas.card import SLENDER, Range
-from flexcli.formulas.profile import Constant, Filleted, per_design
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import axial_stress, blade_volume, second_moment
-from flexcli.mechanics.layout import Blade as Strip
-from flexcli.mechanics.layout import Number, Point
 from flexcli.numerics.rows import number
 from flexcli.numerics.signomial import Signomial
 from flexcli.parts.bending import CompliantClamps, FilletedRoots
@@ -27,6 +24,10 @@ from flexcli.parts.geometries.base import (
     RootedBlade,
     Sizes,
 )
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.layout import Blade as Strip
+    from flexcli.mechanics.layout import Number, Point
 
 __all__ = ["BladeGeometry", "ClampedBlades", "Clamps"]
 
@@ -132,11 +133,14 @@ class BladeGeometry(ClampedBlades):
         self,
         name: str,
         bodies: tuple[str, str],
-        ends: tuple[Point, Point],
+        ends: "tuple[Point, Point]",
         sizes: Blade,
-        z: Number = 0.0,
-    ) -> Strip:
+        z: "Number" = 0.0,
+    ) -> "Strip":
         """Return a blade of a layout from one place to another, with its fillets."""
+        from flexcli.formulas.profile import Constant, Filleted, per_design
+        from flexcli.mechanics.layout import Blade as Strip
+
         h, l, b = self.blade(sizes)
         if self.root_radius is None:
             return Strip(name, *bodies, *ends, Constant(per_design(h)), b, z)

@@ -3,7 +3,7 @@
 from abc import abstractmethod
 from itertools import combinations
 from math import pi
-from typing import Annotated, ClassVar
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
 import numpy as np
 
@@ -11,7 +11,6 @@ from flexcli.formulas import pivot, pivot_next_order, thick_blades
 from flexcli.formulas.card import Card
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.thick_blades import s_bending_share
-from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.numerics.rows import cos, larger, number, sin
 from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.parts.base import QuantityOf
@@ -23,6 +22,9 @@ from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.blades import BladeGeometry
 from flexcli.parts.geometries.joint_buckling import pivot_critical
 from flexcli.results import Value
+
+if TYPE_CHECKING:
+    from flexcli.mechanics.layout import Layout, Point
 
 __all__ = [
     "BladePair",
@@ -67,8 +69,10 @@ class BladePivot(CentredBlades):
         """Return the height of each blade's middle plane over that of the pivot [m]."""
         return (0.0,) * self.blade_count
 
-    def layout(self, elastic: Elastic, sizes: Blade) -> Layout:
+    def layout(self, elastic: Elastic, sizes: Blade) -> "Layout":
         """Return the blades from their inner ends on the ground to the moving body."""
+        from flexcli.mechanics.layout import Body, Layout
+
         p = self.offset(sizes)
         blades = [
             self.strip(
@@ -208,7 +212,7 @@ class PairFormulas(PivotFormulas, BladePair):
         return {**found, "shift_across": Value(abs(number(across)), "m", text)}
 
 
-def on_ray(angle: float, reach: tuple[Quantity, Quantity]) -> tuple[Point, Point]:
+def on_ray(angle: float, reach: tuple[Quantity, Quantity]) -> "tuple[Point, Point]":
     """Return two places on a ray from the centre, at two distances from it [m]."""
     start, end = ((r * cos(angle), r * sin(angle)) for r in reach)
     return start, end

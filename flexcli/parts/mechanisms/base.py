@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, NamedTuple
 from pydantic import model_validator
 
 from flexcli.formulas.quantity import Computed, Quantity
-from flexcli.mechanics.layout import Body, Layout
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic, NotAvailable
 from flexcli.parts.geometries.base import Geometry, Sizes
@@ -15,6 +14,7 @@ from flexcli.parts.stroke import Stroke
 from flexcli.results import Note, Value
 
 if TYPE_CHECKING:
+    from flexcli.mechanics.layout import Body, Layout
     from flexcli.mechanics.single_freedom import SingleFreedom
     from flexcli.parts.structure import Structure
 
@@ -45,7 +45,7 @@ class OutOfPlane(NamedTuple):
     are stated [kg·m²]; ``reach`` is a length of such a body [m].
     """
 
-    layout: Layout
+    layout: "Layout"
     inertia: Mapping[str, tuple[float, float]]
     reach: float
 
@@ -122,7 +122,7 @@ class Mechanism(Part):
         """Return the mass of its blades in its driven motion [kg], where stiffness is stated."""
         raise MechanismError("mechanism", "this mechanism states no stiffness of its joints", "")
 
-    def carried_body(self, geometry: Geometry, layout: Layout) -> Body | None:
+    def carried_body(self, geometry: Geometry, layout: "Layout") -> "Body | None":
         """Return the one body on its one joint, in the joint's axes, where it has just one."""
         return None
 
@@ -172,7 +172,7 @@ class Mechanism(Part):
         squared travel.
         """
 
-    def out_of_plane(self, joint: Layout, lock: str | None) -> OutOfPlane:
+    def out_of_plane(self, joint: "Layout", lock: str | None) -> OutOfPlane:
         """Return its bodies on copies of a joint, with the data for motion out of its plane.
 
         Raises
