@@ -42,15 +42,7 @@ GROUPS = ("asd", "examples")
 @cache
 def command_line(only: str | None = None) -> typer.Typer:
     """Return the command line, of one command alone where it is named: others are not imported."""
-    app = typer.Typer(
-        name="flexure",
-        epilog=EXIT_CODES,
-        no_args_is_help=True,
-        context_settings={"help_option_names": ["-h", "--help"]},
-        pretty_exceptions_enable=False,
-        rich_markup_mode=None,
-        callback=root,
-    )
+    app = _without_commands()
     for verb in VERBS:
         if only in (None, verb):
             run = import_module(f"flexcli.cli.{verb}").run
@@ -66,11 +58,43 @@ def command_line(only: str | None = None) -> typer.Typer:
     return app
 
 
-def _named(arguments: Sequence[str]) -> str | None:
-    """Return the command that a line names; nothing where all have to be known, as for help."""
+def contents() -> typer.Typer:
+    """Return the command line as its help lists it: commands by what they do, without options.
+
+    For lines that run none of them; typer would look into every option of every command.
+    """
+    app = _without_commands()
+    for verb in VERBS:
+        run = import_module(f"flexcli.cli.{verb}").run
+        app.command(name=verb, help=run.__doc__)(_listed)
+    for group in GROUPS:
+        info = import_module(f"flexcli.cli.{group}").app.info
+        app.command(name=group, help=info.help)(_listed)
+    return app
+
+
+def _listed() -> None:
+    """Stand in a list for a command."""
+
+
+def _without_commands() -> typer.Typer:
+    return typer.Typer(
+        name="flexure",
+        epilog=EXIT_CODES,
+        no_args_is_help=True,
+        context_settings={"help_option_names": ["-h", "--help"]},
+        pretty_exceptions_enable=False,
+        rich_markup_mode=None,
+        callback=root,
+    )
+
+
+def _asked(arguments: Sequence[str]) -> typer.Typer:
+    """Return what a line needs of the command line: a command, or what lists them."""
+    if any(name.endswith("_COMPLETE") for name in os.environ):
+        return command_line()
     word = next((word for word in arguments if not word.startswith("-")), None)
-    completing = any(name.endswith("_COMPLETE") for name in os.environ)
-    return word if word in (*VERBS, *GROUPS) and not completing else None
+    return command_line(word) if word in (*VERBS, *GROUPS) else contents()
 
 
 UsageError: Any = typer.BadParameter.__base__
@@ -114,7 +138,7 @@ def main() -> None:
     any_stream()
     style = asked_format(sys.argv[1:])
     try:
-        app = command_line(_named(sys.argv[1:]))
+        app = _asked(sys.argv[1:])
         if style is Format.TEXT:
             app()
         else:

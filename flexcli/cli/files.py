@@ -6,7 +6,6 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from secrets import token_hex
 from typing import Annotated
 
 import typer
@@ -108,7 +107,7 @@ def write_picture(svg: str, path: Path | None, *, force: bool) -> None:
 def _write(path: Path, content: str | bytes, *, force: bool) -> None:
     """Write a file whole or not at all; a link keeps its target, a file its mode and owner."""
     target = _target(path)
-    partial = target.with_name(f".flexure-{token_hex(4)}.part")
+    partial = target.with_name(f".flexure-{os.urandom(4).hex()}.part")
     try:
         before = target.stat() if target.exists() else None
         if before is not None and not stat.S_ISREG(before.st_mode):

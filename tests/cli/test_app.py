@@ -59,12 +59,25 @@ def test_json_stands_alone_on_stdout_when_the_spec_is_wrong(flexure, tmp_path):
     assert all(f["line"] and f["text"] for f in document["findings"])
 
 
+def test_the_list_of_commands_says_of_each_what_its_own_help_says():
+    from typer.main import get_command
+
+    from flexcli.cli.app import command_line, contents
+
+    whole, listed = (get_command(app).commands for app in (command_line(), contents()))
+    assert list(listed) == list(whole)
+    assert {name: one.get_short_help_str(200) for name, one in listed.items()} == {
+        name: one.get_short_help_str(200) for name, one in whole.items()
+    }
+
+
 def test_a_bug_exits_101_with_its_traceback(monkeypatch, capsys):
     from flexcli.cli import app
 
     def broken():
         raise RuntimeError("not foreseen")
 
+    monkeypatch.setattr("sys.argv", ["flexure", "check"])
     monkeypatch.setattr(app, "command_line", lambda *_: broken)
     with pytest.raises(SystemExit) as ended:
         app.main()
