@@ -16,6 +16,7 @@ from support import body_stiffness
 
 from flexcli.formulas.profile import Constant
 from flexcli.formulas.rigid_motion import motion_at
+from flexcli.mechanics.shell.first_guess import shells_from_beams
 from flexcli.mechanics.space.exact.demand import Frame
 from flexcli.mechanics.space.exact.equilibrium import solve
 from flexcli.mechanics.space.exact.second_variation import swing
@@ -36,6 +37,9 @@ CROSSING = {"cross": 0.5, "remote": -0.3}
 
 SPACING, ANGLE = 0.1, np.pi / 4.0
 """Between the blades of a guide [m]; of those of a pivot from its bisector [rad]."""
+
+SHELLS = {"levels": (0, 12, 16), "tolerance": 5e-3, "made": shells_from_beams}
+"""How a state is solved by thin shells."""
 
 FOUND = Path(__file__).parent / "mechanics/space/blades_at_stroke.json"
 """By ``tests/benchmarks/blades_at_stroke.py``: {"shells": …, "solids": …}."""
@@ -174,3 +178,27 @@ def two_of_them(case, motion, force, K):
         whole += here
     rest = np.delete(np.arange(6), own)
     return 1.0 / np.diag(np.linalg.inv(whole[np.ix_(rest, rest)]))
+
+
+def off_in_changes(case, told):
+    """Yield how far beams are off shells in what a stroke changes in compliances.
+
+    In the plane and across it: the largest change over the compliance at rest, how far it is off,
+    and what is left of that in any direction beside the share ``told`` of the change there.
+    """
+    C = []
+    for each in (case._replace(stroke=0.0), case):
+        for how in ({"tolerance": 1e-6}, SHELLS):
+            state = at_stroke(each, **how).checked()
+            C.append(support_compliance(state, "stage", state.layout.drive.point))
+    held = 5 if case.turns else 0
+    for block in ((0, 1, 5), (2, 3, 4)):
+        kept = np.ix_(*[[i for i in block if i != held]] * 2)
+        rest, shells_rest, beams, shells = (c[kept] for c in C)
+        root = np.linalg.inv(np.linalg.cholesky(rest))
+        change, off = (root @ c @ root.T for c in (beams - rest, shells - shells_rest))
+        off = off - change
+        shares, ways = np.linalg.eigh(change)
+        size = told * (ways * np.abs(shares)) @ ways.T
+        most = max(np.linalg.eigvalsh(sign * off - size)[-1] for sign in (1.0, -1.0))
+        yield np.abs(shares).max(), np.abs(np.linalg.eigvalsh(off)).max(), most

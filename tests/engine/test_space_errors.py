@@ -7,13 +7,10 @@ import numpy as np
 import pytest
 
 import flexcli
+from flexcli.engine.joint_models.space_deflection import ASTRAY, STROKE_ERROR
 from flexcli.engine.joint_models.space_errors import SOLIDS, beam_errors, shell_errors
 from flexcli.engine.joint_models.space_stroke import BEAMS
-from flexcli.mechanics.shell.first_guess import shells_from_beams
 from flexcli.mechanics.space.exact.critical import critical_load
-
-SHELLS = {"levels": (0, 12, 16), "tolerance": 5e-3, "made": shells_from_beams}
-
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -56,7 +53,7 @@ def test_shells_are_off_solids_by_no_more_than_they_tell():
     for case, row in blades.found("solids"):
         if case.b < 5.0 * case.h or case.h > 0.05:
             continue  # no shell
-        state, off = off_solids(case, row, **SHELLS)
+        state, off = off_solids(case, row, **blades.SHELLS)
         assert off <= shell_errors(state).support, case
 
 
@@ -90,6 +87,39 @@ def test_what_buckles_beams_at_a_stroke_is_what_buckles_shells():
         )  # fmt: skip
         assert 0.98 * row["stands"] <= found.factor <= 1.02 * row["falls"], case
         assert beam_errors(state).support > 0.02
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        blades.Case("guide", 0.37, 0.0044, 9e-4, 0.45),
+        blades.Case("guide", 0.83, 0.009, 0.013, 0.45),
+        blades.Case("cross", 1.09, 0.005, 3.0), blades.Case("remote", 0.2, 0.0065, 0.5),
+    ],
+)  # fmt: skip
+def test_what_a_stroke_changes_of_compliances_is_off_by_a_share_of_it_and_little_of_the_largest(
+    case,
+):
+    """In each direction, in the plane and across it: what changes most is no error of the rest."""
+    for largest, off, left in blades.off_in_changes(case, STROKE_ERROR):
+        assert left < ASTRAY * largest
+        assert off < (STROKE_ERROR + ASTRAY) * largest
+
+
+ACROSS = """
+flexure: 1
+material: {youngs_modulus: 200 GPa, yield_strength: 1800 MPa, poisson_ratio: 0.3}
+geometry: {kind: leaf-spring-stage, h: 0.1 mm, l: 30 mm, b: 10 mm, spacing: 20 mm}
+cases: {move: {stroke: {translation: 0.1 mm}, wrench: {z: 1 N}}}
+requirements: {deflection: [{direction: z, max: 1 m}]}
+"""
+
+
+def test_a_deflection_across_the_plane_is_as_sure_at_a_stroke_that_softens_the_plane_alone():
+    """A guide that moves by the thickness of its blades is a fraction as stiff along them."""
+    (found,) = (c for c in flexcli.verdicts(ACROSS, model="exact").checks if "deflection" in c.name)
+    low, high = found.factor_range
+    assert high / low < 1.03
 
 
 def test_beyond_what_was_compared_beams_tell_nothing_and_shells_more():

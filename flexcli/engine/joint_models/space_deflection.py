@@ -38,12 +38,13 @@ __all__ = ["deflections", "sag_changes"]
 
 Floats = NDArray[np.float64]
 
-STROKE_ERROR = 0.15
-"""Of what a stroke changes in a deflection, by beams: against shells, within 0.07 of the largest
-change in any direction.
+STROKE_ERROR, ASTRAY = 0.15, 0.05
+"""Of what a stroke changes in a deflection, by beams, and of the largest change in any direction
+that the mirror image of a joint leaves to it: what they may be off.
 
-Crossed and remote pivots and stages, b/l 0.3 to 2.5, h/l 0.005 and 0.02, at 3 and 30 mrad, or 0.003
-and 0.03 of the length."""
+Against shells, at rest and at the stroke, 0.026 of the largest was left beside 0.15 of its own:
+crossed and remote pivots and guides, b/l 0.1 to 2, h/l 0.0025 to 0.04, ν to 0.45, strokes of 1e-4
+to 0.1 rad or lengths (``tests/benchmarks/changes_at_stroke.py``)."""
 
 LOAD_ERROR = 0.05
 """The same of what the size of a load changes, besides what beams are off at rest."""
@@ -169,21 +170,28 @@ class _Asked:
     ) -> None:
         self.ask, self.sought, self.load, self.rest, self.form = ask, sought, load, rest, form
         self.turns = joint.layout.drive.turns
+        # a stroke in the plane leaves what acts in it and across it apart
+        self.kept = np.arange(6)
+        if joint.is_mirrored and not (np.any(load[IN]) and np.any(load[OUT])):
+            self.kept = np.array(IN if np.any(sought[IN]) else OUT)
         # what varies in thickness is no surer than its springs
         self.unsure = _unsure(joint)
         self.beams = max(LOAD_ERROR, self.unsure) + _largest_share(compliance_of(ask) - rest, rest)
 
     def from_rest(self, sign: float, own: float, end: _Tangent) -> _Told:
         """Return it by what the stroke and the size of the load, ``own``, change at rest."""
-        change = end.beams - self.rest
-        share, (first, known, work) = _largest_share(change, self.rest), self.form
+        change, block = end.beams - self.rest, np.ix_(self.kept, self.kept)
+        share, size = _changes(change[block], self.rest[block])
+        (first, known, work), (g, f) = self.form, (self.sought[self.kept], self.load[self.kept])
         value = sign * first + own + sign * float(self.sought @ change @ self.load)
         own_axes = slice(0, 3) if self.sought[:3].any() else slice(3, 6)
         cancelled = SOLVED * float(np.linalg.norm((self.rest @ self.load)[own_axes]))
         if known is None or abs(own) + share * work > MOST * work:
             return _Told(value, -inf, inf)
         # and what both do to each other
-        off = self._grown(own, work) + max(STROKE_ERROR, self.unsure) * share * work
+        used = float((g @ size @ g) * (f @ size @ f)) ** 0.5
+        off = self._grown(own, work) + STROKE_ERROR * used
+        off += max(ASTRAY, self.unsure) * share * work
         off += abs(own) * share + cancelled
         low, high = sorted(sign * end for end in known)
         return _Told(value, low - off, high + off)
@@ -366,10 +374,21 @@ def _prove_buckled(ask: Ask, acting: SpaceState, second: SecondOrder) -> None:
 
 def _largest_share(change: Floats, C: Floats) -> float:
     """Return the largest share of a compliance that a change is, of any load in any direction."""
-    values, axes = np.linalg.eigh(C / np.sqrt(_outer(C)))
+    return _changes(change, C)[0]
+
+
+def _changes(change: Floats, C: Floats) -> tuple[float, Floats]:
+    """Return the largest share of a compliance that a change is, and its size in any direction.
+
+    That is the change with what it takes away as what it adds.
+    """
+    units = np.sqrt(_outer(C))
+    values, axes = np.linalg.eigh(C / units)
     kept = values > ROUNDING * values[-1]
-    root = axes[:, kept] / np.sqrt(values[kept])
-    return float(np.abs(np.linalg.eigvalsh(root.T @ (change / np.sqrt(_outer(C))) @ root)).max())
+    root, inverse = axes[:, kept] * np.sqrt(values[kept]), axes[:, kept] / np.sqrt(values[kept])
+    shares, ways = np.linalg.eigh(inverse.T @ (change / units) @ inverse)
+    ways = root @ ways
+    return float(np.abs(shares).max()), np.asarray(units * ((ways * np.abs(shares)) @ ways.T))
 
 
 def _outer(C: Floats) -> Floats:
