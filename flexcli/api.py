@@ -167,7 +167,7 @@ def size(source: Spec, *, model: str | None = None, overrides: Overrides | None 
     spec = _design(source, overrides)
     name = _model(model)
     design: DesignSpec = spec.part
-    if design.size.against is None or not design.geometry.free:
+    if design.sizing.against is None or not design.geometry.free:
         return _sized_of_options(spec, name)
     from flexcli.engine.trade_off import front_of
     from flexcli.parts.trade_off import moving_bound
@@ -184,14 +184,14 @@ def size(source: Spec, *, model: str | None = None, overrides: Overrides | None 
         changed = {("size", "objective"): goal} | ({} if bound is None else {moving.path: bound})
         return _sized_of_options(_again(spec, changed), name, near)
 
-    return front_of(design, moving, at, best, design.size.points)
+    return front_of(design, moving, at, best, design.sizing.points)
 
 
 def _sized_of_options(
     spec: Loaded, model: str | None, near: Mapping[str, float] | None = None
 ) -> Result:
     """Return the sizing of the best of the options of a spec, or ``near`` where it has none."""
-    among = spec.part.size.among
+    among = spec.part.sizing.among
     if not among or not spec.part.geometry.free:
         return _sized_once(spec, model, near)
     from flexcli.engine.trade_off import best_option

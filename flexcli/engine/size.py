@@ -122,7 +122,7 @@ def size(
 
 def _merit(design: DesignSpec) -> float | None:
     """Return what a sizing by the formulas makes least, else nothing where none is feasible."""
-    objective = design.size.objective
+    objective = design.sizing.objective
     named = "least-volume" if objective == "balanced" else objective
     solution = optimum(sizing_program(SizingProblem(design)), named)
     return solution.objective if solution.converged else None
@@ -139,13 +139,13 @@ def _decided(
     design, start = problem.design, _first(problem, near)
     if start is None:
         return _chosen_and_judged(problem, spec, series, model)
-    is_gridded = set(design.geometry.free) <= design.size.rounding.keys()
+    is_gridded = set(design.geometry.free) <= design.sizing.rounding.keys()
     agreed = ROUNDED if is_gridded else AGREED
     found = best_settled(problem, start, series, agreed, alone=bool(near))
-    if design.size.objective == "balanced" and not found.is_kept:
+    if design.sizing.objective == "balanced" and not found.is_kept:
         return _without_balance(problem, found, spec, series, model)
     result = _settled_and_judged(problem, found, spec, series, model)
-    if design.size.rounding and result.status is not Status.PASS:
+    if design.sizing.rounding and result.status is not Status.PASS:
         result = _rounded_anew(problem, found, result, spec, series, model)
     sizing = result.sizing
     if not found.unsettled:
@@ -171,7 +171,7 @@ def _without_balance(
     text = (
         f"no balanced design by the models that judge: {rest} cannot be at its limit with the rest"
     )
-    options = problem.design.size.model_copy(update={"objective": "least-volume"})
+    options = problem.design.sizing.model_copy(update={"objective": "least-volume"})
     least = problem.design.model_copy(update={"size": options})
     try:
         result = _decided(problem._replace(design=least), spec, series, model)
@@ -236,12 +236,12 @@ def _rounded_anew(
 
 def _beside(design: DesignSpec, program: SizingProgram, result: Result) -> Iterator[Sizes]:
     """Yield the points of the grid about the design without one, the best first."""
-    grids = design.size.rounding
+    grids = design.sizing.rounding
     ideal = {f"{name}_ideal" for name in program.names}
     if set(program.names) != grids.keys() & set(program.names) or not ideal <= result.values.keys():
         return  # a size off the grid, or no design without one
     centre = {name: result.values[f"{name}_ideal"].value for name in program.names}
-    objective = design.size.objective
+    objective = design.sizing.objective
     goals = None if objective == "balanced" else program.objectives(objective)
     yield from (
         program.complete(x)
@@ -268,7 +268,7 @@ def _first(problem: SizingProblem, near: Mapping[str, float] | None) -> Sizes | 
     if not design.geometry.closed_forms:
         return design.geometry.sized(near) if near else design.geometry.probe()
     doing("the optimum by the formulas")
-    free = design.model_copy(update={"size": design.size.model_copy(update={"rounding": {}})})
+    free = design.model_copy(update={"size": design.sizing.model_copy(update={"rounding": {}})})
     program = sizing_program(problem._replace(design=free))
     chosen = _choose(free, program)
     if chosen is not None:
@@ -295,10 +295,10 @@ def _settled_and_judged(
         if found.is_kept:
             program = program.about(found.place.sizes, REGION)
         return _chosen_and_judged(corrected, spec, series, model, program)
-    if found.unsettled and found.is_kept and not design.size.rounding:
+    if found.unsettled and found.is_kept and not design.sizing.rounding:
         # beside it may be what no model knows the error of
         ended = (_design(design, "where it ended", found.place.sizes),)
-        sizing = SizingResult(_told(design.size.objective), _unsure(found), designs=ended)
+        sizing = SizingResult(_told(design.sizing.objective), _unsure(found), designs=ended)
         return _judged(design, spec, _Choice(found.place.sizes, sizing), series, model)
     program = program.about(found.place.sizes, REGION)
     return _chosen_and_judged(corrected, spec, series, model, program, found)
@@ -382,9 +382,9 @@ def _choose(design: DesignSpec, program: SizingProgram) -> _Choice | None:
     smallest = optimum(program, "least-volume")
     if smallest.outcome is Outcome.INFEASIBLE:
         return None
-    if design.size.objective == "balanced":
+    if design.sizing.objective == "balanced":
         return _choose_balanced(design, program, smallest)
-    return _choose_optimum(design, program, smallest, design.size.objective)
+    return _choose_optimum(design, program, smallest, design.sizing.objective)
 
 
 def _choose_optimum(
@@ -499,7 +499,7 @@ def _on_grid(
 
     Without an objective the point nearest to the ideal blade is taken.
     """
-    grids = {name: grid for name, grid in design.size.rounding.items() if name in program.names}
+    grids = {name: grid for name, grid in design.sizing.rounding.items() if name in program.names}
     designs = [_design(design, label, ideal), *others]
     if not grids:
         return _Choice(ideal, replace(sizing, designs=tuple(designs)), iterations=iterations)
@@ -633,7 +633,7 @@ def _infeasible(
         title=design.title,
         cost=Cost(0.0, "closed-form" if alone is None else "linear, exact", None),
         sizing=SizingResult(
-            objective=_told(design.size.objective),
+            objective=_told(design.sizing.objective),
             certificate=sure,
             conflict=conflict,
         ),

@@ -41,7 +41,7 @@ def objective_of(design: DesignSpec, result: Result) -> tuple[str, str, float]:
     """Return name, unit and value of what a sizing made least or largest."""
     if design.pursued is not None:
         return design.pursued.key, *_worst(design.pursued, result)
-    goal = design.size.objective
+    goal = design.sizing.objective
     named = {"least-stiffness": "k_pivot", "shortest": "l"}
     name = (
         named.get(goal, "volume") if isinstance(goal, str) else goal.minimize or goal.maximize or ""
@@ -76,7 +76,7 @@ def _worst(moving: MovingBound, result: Result) -> tuple[str, float]:
 
 
 def _is_most(design: DesignSpec) -> bool:
-    goal = design.size.objective
+    goal = design.sizing.objective
     return not isinstance(goal, str) and goal.maximize is not None
 
 

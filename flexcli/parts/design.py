@@ -36,7 +36,6 @@ from flexcli.parts.requirements import (
 from flexcli.parts.requirements.stand_in import STAND_IN
 from flexcli.parts.scene import Scene
 from flexcli.parts.scene_of_case import scene_of
-from flexcli.parts.sizing import QUANTITIES, FreeParameter, SizeOptions
 from flexcli.results import EXACT
 
 if TYPE_CHECKING:
@@ -45,6 +44,7 @@ if TYPE_CHECKING:
     from flexcli.parts.actuator import Actuator
     from flexcli.parts.balancing import BalanceOptions
     from flexcli.parts.manufacturing import Manufacturing
+    from flexcli.parts.sizing import SizeOptions
     from flexcli.parts.stops import Stops
     from flexcli.parts.study import Study
     from flexcli.parts.tolerances import Robust, Tolerance
@@ -53,6 +53,7 @@ else:
     Actuator = Annotated[Any, Named("flexcli.parts.actuator:Actuator")]
     BalanceOptions = Annotated[Any, Named("flexcli.parts.balancing:BalanceOptions")]
     Manufacturing = Annotated[Any, Named("flexcli.parts.manufacturing:Manufacturing")]
+    SizeOptions = Annotated[Any, Named("flexcli.parts.sizing:SizeOptions")]
     Stops = Annotated[Any, Named("flexcli.parts.stops:Stops")]
     Study = Annotated[Any, Named("flexcli.parts.study:Study")]
     Tolerance = Annotated[Any, Named("flexcli.parts.tolerances:Tolerance")]
@@ -75,6 +76,13 @@ class Problem(NamedTuple):
     path: tuple[str | int, ...]
     text: str
     hint: str
+
+
+class FreeParameter(Part):
+    """A parameter of a drawing that a sizing chooses."""
+
+    free: tuple[str | float, str | float]
+    """The least and the most that it may be, e.g. ``[20 mm, 60 mm]``."""
 
 
 class DesignSpec(Part):
@@ -111,7 +119,7 @@ class DesignSpec(Part):
     """
     requirements: Requirements
     """What is asked of the design; nothing is implied, e.g. ``{fatigue: 2.5, yield: 1.5}``."""
-    size: SizeOptions = SizeOptions.model_construct()
+    size: SizeOptions | None = None
     """How 'flexure size' chooses the free sizes,
     e.g. ``{objective: balanced, round: {h: 1 um, l: 0.5 mm}}``.
     """
@@ -268,55 +276,30 @@ class DesignSpec(Part):
         return self
 
     @model_validator(mode="after")
-    def _sizes_are_known(self) -> "DesignSpec":
-        sizes = (*self.geometry.extents, *self.parameters)
-        for name in self.size.rounding:
-            _refuse_unknown(name, sizes, ("size", "round", name))
-        objective = self.size.objective
-        if isinstance(objective, str):
-            if objective == "shortest" and "l" not in sizes:
-                raise spec_error(
-                    f"a {self.geometry.name} has no length l", "take least-volume",
-                    at=("size", "objective"),
-                )  # fmt: skip
-            return self
-        verb = "minimize" if objective.minimize is not None else "maximize"
-        name, asked = getattr(objective, verb), [str(at[0]) for at, _ in self.requirements.each()]
-        known = {info.alias or field for field, info in Requirements.model_fields.items()}
-        if name in known - {*asked, *sizes, *QUANTITIES}:
-            raise spec_error(
-                f"nothing is asked of '{name}', which would be its loosest bound",
-                "add it to the requirements", at=("size", "objective", verb),
-            )  # fmt: skip
-        if name not in asked:
-            _refuse_unknown(name, (*sizes, *QUANTITIES, *asked), ("size", "objective", verb))
-        elif name not in (*sizes, *QUANTITIES):
-            from flexcli.parts.trade_off import moving_bound
+    def _sizing_fits(self) -> "DesignSpec":
+        if self.size is not None:
+            from flexcli.parts.trade_off import refuse_misfit
 
-            moving_bound(self, objective)
+            refuse_misfit(self, self.size)
         return self
+
+    @property
+    def sizing(self) -> "SizeOptions":
+        """Return how its free sizes are chosen: as it says, or as is usual."""
+        if self.size is not None:
+            return self.size
+        from flexcli.parts.sizing import SizeOptions
+
+        return SizeOptions.model_construct()
 
     @property
     def pursued(self) -> "MovingBound | None":
         """Return the requirement that a sizing makes the most of, where its objective names one."""
-        objective = self.size.objective
-        if isinstance(objective, str):
+        if self.size is None:
             return None
-        if (objective.minimize or objective.maximize) in (
-            *self.geometry.extents, *self.parameters, *QUANTITIES,
-        ):  # fmt: skip
-            return None
-        from flexcli.parts.trade_off import moving_bound
+        from flexcli.parts.trade_off import pursued_bound
 
-        return moving_bound(self, objective)
-
-    @model_validator(mode="after")
-    def _second_objective_is_asked(self) -> "DesignSpec":
-        if self.size.against is not None:
-            from flexcli.parts.trade_off import moving_bound
-
-            moving_bound(self)
-        return self
+        return pursued_bound(self, self.size)
 
     @model_validator(mode="after")
     def _scene_effects_are_there(self) -> "DesignSpec":
@@ -574,8 +557,3 @@ class DesignSpec(Part):
                 list(requirement.judged(ask))
             except RequirementError as error:
                 yield Problem(path, str(error), error.hint)
-
-
-def _refuse_unknown(name: str, known: tuple[str, ...], at: tuple[str, ...]) -> None:
-    if name not in known:
-        raise spec_error(f"there is no size '{name}' here", f"one of {', '.join(known)}", at=at)

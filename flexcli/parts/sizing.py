@@ -20,7 +20,6 @@ from flexcli.results import Check
 __all__ = [
     "QUANTITIES",
     "Correction",
-    "FreeParameter",
     "Grid",
     "Minimize",
     "Objective",
@@ -59,13 +58,6 @@ class Grid(Part):
     ) -> dict[str, Any]:
         size = QuantityOf("length", above=0.0).json_schema()
         return {"anyOf": [size, {"type": "array", "items": size, "minItems": 1}]}
-
-
-class FreeParameter(Part):
-    """A parameter of a drawing that a sizing chooses."""
-
-    free: tuple[str | float, str | float]
-    """The least and the most that it may be, e.g. ``[20 mm, 60 mm]``."""
 
 
 class Correction(NamedTuple):

@@ -77,7 +77,7 @@ def test_a_crossing_at_a_fixed_place_is_not_convex_and_one_at_a_fixed_share_is()
 def test_objectives_are_what_they_are_called(objective, expected):
     spec = design(rcc(), LOADS, size={"objective": objective})
     program = sizing_program(SizingProblem(spec))
-    goal = program.goal(spec.size.objective)
+    goal = program.goal(spec.sizing.objective)
     stiffness = spec.geometry.stiffness(spec.material.elastic, Blade(**AT))
     found = np.exp(goal.sign * program.at([goal.key], AT) + goal.shift)
     assert found == pytest.approx(expected(**AT, k=stiffness), rel=ROUNDING)

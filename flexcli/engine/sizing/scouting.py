@@ -84,7 +84,7 @@ def best_settled(
         best = settled(problem, place, models, measure, agreed)
     else:
         best = _rough(problem, place, models)
-    if alone or (best.is_kept and design.size.objective == "balanced"):
+    if alone or (best.is_kept and design.sizing.objective == "balanced"):
         return best
     scout = _Scout(problem, best, models)
     tried, starts, skipped = [best.place.y], 1, 0
@@ -126,7 +126,7 @@ class _Scout:
         self.best = best
         self.models = models
         self.program = sizing_program(problem.corrected(best.corrections))
-        self.goals = self.program.objectives(problem.design.size.objective)
+        self.goals = self.program.objectives(problem.design.sizing.objective)
 
     @property
     def least(self) -> float:

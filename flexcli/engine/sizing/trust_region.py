@@ -246,7 +246,7 @@ def _gains(
         )
         return before - after + weight * (was - now), before - told + weight * (was - said)
     program = sizing_program(problem)
-    goal = program.goal(design.size.objective)
+    goal = program.goal(design.sizing.objective)
     before, after = program.worth(goal, np.stack([place.y, there.y], axis=1))
     gain = float(before - after)
     return gain + weight * (was - now), gain + weight * (was - said)
@@ -280,7 +280,7 @@ def _trial(corrected: SizingProblem, place: Place, width: float) -> _Trial | Non
     Nothing where not even that helps.
     """
     program = sizing_program(corrected).about(place.sizes, width)
-    objective = corrected.design.size.objective
+    objective = corrected.design.sizing.objective
     if objective == "balanced":
         found = balanced(program)
         if isinstance(found, Balanced):
