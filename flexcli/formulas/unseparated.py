@@ -2,9 +2,6 @@
 
 from math import pi, radians
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
 from flexcli.formulas.card import SLENDER, Card, Range
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.section import second_moment
@@ -13,15 +10,10 @@ from flexcli.results import QuantityKind
 
 __all__ = [
     "CARDS",
-    "solid_crossing",
     "unseparated_shift",
     "unseparated_stiffness",
     "unseparated_stresses",
 ]
-
-MOST_OF_CROSSING = 3.0
-"""Factor of ``solid_crossing`` where the crossing takes half of the rotation or more: nobody knows.
-"""
 
 
 def unseparated_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity) -> Computed:
@@ -57,46 +49,6 @@ def unseparated_stiffness(*, E: Quantity, h: Quantity, l: Quantity, b: Quantity)
 
     """
     return 8.0 * E * second_moment(b, h) / l
-
-
-def solid_crossing(*, h: ArrayLike, l: ArrayLike, half_angle: ArrayLike) -> NDArray[np.float64]:
-    """Return how much stiffer joined blades are at most, as they are one where they cross.
-
-    ``1/(1 − 4 e h/l)``, ``e = 0.2 cot α + 0.39 tan^1.75 α``: what both blades have in common, a
-    rhombus h/sin 2α wide, bends less than each of them would.
-
-    Parameters
-    ----------
-    h, l : array_like
-        Thickness of a blade, and length from end to end [m].
-    half_angle : array_like
-        Angle α from the bisector to a blade [rad].
-
-    Returns
-    -------
-    factor : array
-        Over the stiffness of blades that meet in a point [-]; 3 where that is all that is known.
-
-    Notes
-    -----
-    The least is 1. An upper bound of solids (CalculiX, ``tests/benchmarks/crossed_solids.py``): h/l
-    from 0.002 to 0.14, crossing at 0.2 to 0.5, α from 5° to 85°. At 45° a blade of h = l/100 is
-    1.6 % stiffer, at 80° 20 %. At a given rotation the stress in the crossing rises as much.
-
-    Examples
-    --------
-    >>> round(float(solid_crossing(h=0.01, l=1.0, half_angle=pi / 4.0)), 3)
-    1.024
-
-    References
-    ----------
-    Fitted here to solids.
-
-    """
-    slope = np.tan(half_angle)
-    e = 0.2 / slope + 0.39 * slope**1.75
-    lost = 4.0 * e * np.asarray(h) / np.asarray(l)
-    return np.where(lost < 0.5, 1.0 / (1.0 - np.minimum(lost, 0.5)), MOST_OF_CROSSING)
 
 
 def unseparated_stresses(
@@ -216,5 +168,4 @@ CARDS = (
         (_SHIFT_TURN,),
         kind=QuantityKind.SHIFT,
     ),
-    Card("solid-crossing", solid_crossing, {"h": 0.1e-3, "l": 17.5e-3, "half_angle": pi / 4.0}),
 )

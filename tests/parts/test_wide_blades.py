@@ -1,7 +1,7 @@
 """Wide blades of every joint: between beam and plate, by the formulas, and in what direction."""
 
 import json
-from math import cos, pi, radians, sin, sqrt
+from math import cos, pi, prod, radians, sin, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -380,8 +380,11 @@ def test_joined_blades_are_as_stiff_as_a_plate_held_on_a_line_and_shift_as_it(b,
 @pytest.mark.parametrize(
     "row", json.loads((Path(__file__).parent / "crossed_solids.json").read_text(encoding="utf-8"))
 )
-def test_joined_blades_are_no_stiffer_than_told_of_a_solid_crossing(row):
-    """``tests/benchmarks/crossed_solids.py``: beams that meet in a point are 23 % softer at 80°."""
+def test_joined_blades_are_as_stiff_as_their_solids(row):
+    """``tests/benchmarks/crossed_solids.py``: beams that meet in a point are 29 % softer at 63°.
+
+    The mesh of the solids leaves what the crossing stiffens 2 % too much.
+    """
     h, b, crossing, degrees, *solids = row
     joint = TypeAdapter(AnyGeometry).validate_python({
         "kind": "unseparated-cross", "h": f"{h} m", "l": "1 m", "b": f"{b} m",
@@ -390,13 +393,63 @@ def test_joined_blades_are_no_stiffer_than_told_of_a_solid_crossing(row):
     sizes = joint.sized({})
     for nu, solid in zip((0.0, 0.3, 0.45), solids, strict=True):
         wide, crossed = joint.wide_blades(sizes, nu), joint.compliant_clamps(sizes, nu)
-        sheared = joint.bending(Elastic(1.0, nu), sizes, 0.0).shear(nu)["stiffness"].value
-        low, high = (
-            (1.0 + sheared) * getattr(wide.stiffness, end) * getattr(crossed.stiffness, end)
-            for end in ("low", "high")
+        beams = joint.bending(Elastic(1.0, nu), sizes, 0.0)
+        found = (beams.shear(nu), beams.extension())
+        thick = prod(1.0 + each["stiffness"].value for each in found)
+        low, value, high = (
+            thick * getattr(wide.stiffness, end) * getattr(crossed.stiffness, end)
+            for end in ("low", "value", "high")
         )
-        assert low <= solid <= high
-        assert crossed.stress == (0.0, crossed.stiffness.high - 1.0)
+        more = crossed.stiffness.value - 1.0
+        assert low <= solid <= high + 0.02 * more
+        assert solid == pytest.approx(value, rel=0.03 * nu + 0.06 * more)
+
+
+@pytest.mark.parametrize(
+    ("h", "crossing", "degrees", "plane"),
+    [
+        (0.01, 0.5, 10.0, 1.02155),
+        (0.02, 0.3, 15.0, 1.00793),
+        (0.01, 0.5, 45.0, 1.01540),
+        (0.03, 0.3, 45.0, 1.03978),
+        (0.06, 0.3, 60.0, 1.18897),
+        (0.03, 0.4, 70.0, 1.21631),
+        (0.01, 0.5, 80.0, 1.19810),
+    ],
+)
+def test_joined_blades_are_as_stiff_as_a_plane_of_both(h, crossing, degrees, plane):
+    """Plane elements of order 4 of whole joints between rigid ends, over 8 E I/l at ν = 0."""
+    joint = TypeAdapter(AnyGeometry).validate_python({
+        "kind": "unseparated-cross", "h": f"{h} m", "l": "1 m", "b": f"{h} m",
+        "crossing": crossing, "half_angle": f"{degrees} deg",
+    })  # fmt: skip
+    sizes = joint.sized({})
+    beams = joint.bending(Elastic(1.0, 0.0), sizes, 0.0)
+    thick = prod(1.0 + e["stiffness"].value for e in (beams.shear(0.0), beams.extension()))
+    crossed = joint.compliant_clamps(sizes, 0.0).stiffness
+    assert thick * crossed.value == pytest.approx(plane, rel=1e-3)
+    assert thick * crossed.low <= plane * (1.0 + 1e-3)
+    assert plane * (1.0 - 1e-3) <= thick * crossed.high
+
+
+@pytest.mark.parametrize(
+    "row", json.loads((Path(__file__).parent / "plane_shifts.json").read_text(encoding="utf-8"))
+)
+def test_joined_blades_shift_as_a_plane_of_both(row):
+    """``tests/benchmarks/plane_crossing.py``: plane elements, second order of the rotation."""
+    h, crossing, degrees, nu, plane = row
+    joint = TypeAdapter(AnyGeometry).validate_python({
+        "kind": "unseparated-cross", "h": f"{h} m", "l": "1 m", "b": f"{h} m",
+        "crossing": crossing, "half_angle": f"{degrees} deg",
+    })  # fmt: skip
+    sizes = joint.sized({})
+    beams = joint.bending(Elastic(1.0, nu), sizes, 1.0)  # across it moves little beside that
+    thick = prod(1.0 + e["shift"].value for e in (beams.shear(nu), beams.extension()))
+    low, high = joint.compliant_clamps(sizes, nu).shift
+    assert low <= plane / thick - 1.0 <= high
+    part = min(crossing, 1.0 - crossing) / h
+    if part > 20.0:
+        assert high - low < 0.03  # and tells something
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.formulas.quantity import Computed
-from flexcli.numerics.rows import isfinite, larger, smaller
+from flexcli.numerics.rows import isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.elastic import NotAvailable
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
 
 __all__ = ["Corrected"]
+
+LEAST_STRESS = 1e-300
+"""Stress below which there is none [Pa]."""
 
 
 class Corrected(JointModel):
@@ -193,6 +196,8 @@ class Corrected(JointModel):
         scene, found = ask.scene, ErrorRange(0.0, 0.0)
         if scene.moves and scene.has_plane:
             found += self._of_nearer_end(ask)
+        if scene.is_loaded:
+            found += self._of_loads(ask)
         if scene.push:
             found += self._of_pushed_travel(ask)
         if scene.push and scene.mean_travel:
@@ -225,6 +230,26 @@ class Corrected(JointModel):
             low /= larger(factor, 1.0)
             high /= 1.0 if is_even else smaller(factor, 1.0)
         return ErrorRange(low - 1.0, high - 1.0)
+
+    def _of_loads(self, ask: Ask) -> ErrorRange:
+        """Return what is raised too much of a stress that is in part of loads beside the stroke.
+
+        Of loads is a mean that is not that of the stroke.
+        """
+        more = 1.0
+        for effect in self._added(_setting(ask)):
+            change = self._changes(ask, effect).get(QuantityKind.STRESS)
+            if effect.spares_loads and change is not None:
+                more *= 1.0 + larger(change.value or 0.0, 0.0)
+        if more == 1.0:
+            return ErrorRange(0.0, 0.0)
+        scene, shares = ask.scene, [0.0]
+        own = scene.mean_travel / scene.travel if scene.travel else 0.0
+        for stress in self.inner.stresses(ask)[1]:
+            size, mean = number(abs(stress.amplitude)), number(abs(stress.mean))
+            beside = abs(mean - own * size)
+            shares.append(beside / larger(size + larger(mean, beside), LEAST_STRESS))
+        return ErrorRange((1.0 / more - 1.0) * larger(shares), 0.0)
 
     def _of_pushed_travel(self, ask: Ask) -> ErrorRange:
         """Return what a travel by a force may change of its stress, either way.

@@ -11,7 +11,6 @@ from flexcli.parts.bending.base import (
     FilletedRoots,
     Thick,
     WideBlades,
-    solid_cross,
     together,
     whole,
 )
@@ -27,7 +26,6 @@ __all__ = [
     "FilletedRoots",
     "Thick",
     "WideBlades",
-    "solid_cross",
     "together",
     "whole",
 ]

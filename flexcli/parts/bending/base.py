@@ -20,7 +20,6 @@ __all__ = [
     "Thick",
     "WideBlades",
     "WidePath",
-    "solid_cross",
     "together",
     "whole",
 ]
@@ -154,29 +153,11 @@ class CompliantClamps(NamedTuple):
     buckling: Factor
     shift: tuple[float, float]
     softest: float
-
-
-def solid_cross(stiffer: float, ratio: float, roots: CompliantClamps | None) -> CompliantClamps:
-    """Return the changes by blades joined in a solid crossing, with those of compliant roots.
-
-    The crossing makes them up to ``stiffer`` times as stiff, and raises the stress of a rotation as
-    much; of the shift, which grows as the square of both, twice. ``ratio`` is h/l of the shortest
-    part.
-    """
-    more = stiffer - 1.0
-    if roots is None:
-        factor = Factor(1.0, 1.0, stiffer)
-        return CompliantClamps(ratio, factor, (0.0, more), more, factor, (0.0, 2.0 * more), 0.0)
-    (least, most), (back, ahead) = roots.stress, roots.shift
-    return CompliantClamps(
-        larger(ratio, roots.ratio),
-        roots.stiffness._replace(high=roots.stiffness.high * stiffer),
-        (least, most + more),
-        roots.loaded + more,
-        roots.buckling._replace(high=roots.buckling.high * stiffer),
-        (back, ahead + 2.0 * more),
-        roots.softest,
-    )
+    first: tuple[float, float] = (0.0, 0.0)
+    """First-order motion of the centre over the second order of a unit travel, and the change of
+    it at most [rad or m]."""
+    turned: float = 0.0
+    """Error of the stress for each unit of travel [1/rad or 1/m]."""
 
 
 class Thick(NamedTuple):

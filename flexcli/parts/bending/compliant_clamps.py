@@ -45,7 +45,7 @@ class Roots(NamedTuple):
     """Ends of the blades of a joint: ν; rigid clamps, in a body, or flush with its side.
 
     ``fillet`` is the radius of their fillets, 0 for sharp corners; ``joined`` are bodies formed by
-    blades that meet, which may act as if rigid.
+    blades that meet, whose crossing has its own formula.
     """
 
     nu: float
@@ -182,8 +182,7 @@ def _places(blade: Blade, l: float, roots: Roots) -> Iterator[tuple[float, float
     """Yield the places where a flexible part of a blade ends in something rigid.
 
     Each has its place [m], the direction of the blade from there, the thickness [m], and the share
-    of the least compliance: zero at a mouth, whose block the notch correction includes, and where
-    blades meet.
+    of the least compliance: zero at a mouth, whose block the notch correction includes.
     """
     if roots.fillet:
         h = float(blade.profile.pieces(l)[1].thickness(PIECE)[0])
@@ -198,8 +197,8 @@ def _places(blade: Blade, l: float, roots: Roots) -> Iterator[tuple[float, float
             beside = (other[1 - index] for other in ends)
             if not np.isclose(list(beside), own[index], rtol=0.0, atol=ROUNDING * l).any():
                 body = blade.first if own[index] < l / 2.0 else blade.second
-                share = 1.0 if open_ and body not in roots.joined else 0.0
-                yield float(own[index]), inward, float(thickness[index]), share
+                if body not in roots.joined:
+                    yield float(own[index]), inward, float(thickness[index]), float(open_)
 
 
 def _along(blade: Blade, force: Floats) -> Floats:

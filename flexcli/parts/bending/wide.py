@@ -1,7 +1,7 @@
 """Wide blades: the increased stiffness of a joint's blades or hinges against beams."""
 
 from collections.abc import Iterable, Sequence
-from math import inf, pi
+from math import inf, pi, tan
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment
-from flexcli.numerics.rows import larger, number, one_alone, one_by_one, sin, smaller
+from flexcli.numerics.rows import larger, number, one_alone, one_by_one, smaller
 from flexcli.parts.bending.base import Factor, WideBlades
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
@@ -51,6 +51,10 @@ between them had 0.1 at most."""
 UNEVEN_LINE = 0.05
 """Part of the plates' change of joined blades by which they turn unevenly along their line: thin
 plates, held on it, by Ritz's method (``tests/plates/crossed_strip.py``)."""
+
+LOOSE = 0.5
+"""Part of h/b cot α by which joined blades widen less than held on their line: solids (CalculiX,
+``tests/benchmarks/crossed_solids.py``) had 0.3 to 0.7."""
 
 OF_PATH = 5e-4
 """What their shift is off besides, by the errors of how much blades shorten [-]."""
@@ -121,9 +125,10 @@ def wide_moment(blade: Blade, nu: float) -> WideBlades:
 def wide_halves(blade: Blade, nu: float, crossing: float, half_angle: float) -> WideBlades:
     """Return the factors of two pivots of p = 0 in series, clamped by the cross of the blades.
 
-    Each blade holds the line of the other straight, the less the thicker they are and the flatter
-    they cross; what turns unevenly along it is little. Both halves bear the same moment there,
-    half that of the body: the stress rises as the stiffness.
+    A blade that curls where they cross stretches the other by tan α of that, which holds it
+    straight, the less the thicker they are and the flatter they cross; what turns unevenly along
+    it is little. Both halves bear the same moment there, half that of the body: the stress rises as
+    the stiffness.
     """
     blade = _floats(blade)
     shares = (crossing, 1.0 - crossing)
@@ -133,10 +138,10 @@ def wide_halves(blade: Blade, nu: float, crossing: float, half_angle: float) -> 
         1.0 / sum(share / factor[i] for share, factor in zip(shares, each, strict=True))
         for i in range(3)
     )
-    loose = 2.0 * blade.h / blade.b / sin(2.0 * half_angle)  # tan α + cot α
+    loose = smaller(blade.h / blade.b / tan(half_angle), 1.0)
     over, most = value - 1.0, 1.0 + number(plates.bound(nu))
     low = larger(1.0, low - (UNEVEN_LINE + loose) * over)
-    stiffness = Factor(value, low, smaller(most, high + loose * over))
+    stiffness = Factor(larger(low, value - LOOSE * loose * over), low, smaller(most, high))
     shift = _halves_shift(shares, parts, [factor.value for factor in each], nu, loose)
     held = _held(blade, nu)
     flat = Factor(1.0, 1.0, most)

@@ -147,6 +147,8 @@ class ModelEffect(Effect):
     """Whether its bounds cover its whole change, not just leading terms."""
     grows_with_travel: ClassVar[bool] = False
     """Whether what it changes of a stress grows with the travel."""
+    spares_loads: ClassVar[bool] = False
+    """Whether what it corrects of a stress is that of the travel alone, not of loads beside it."""
     spans_what_it_needs: ClassVar[bool] = False
     """Whether its changes cover all values of a property that is not given."""
     only: ClassVar[frozenset[QuantityKind]] = frozenset(QuantityKind)

@@ -1,10 +1,11 @@
 """Clamps: they keep a blade from narrowing, and are compliant where one piece with the blade."""
 
 from collections.abc import Callable
+from math import inf
 from typing import ClassVar, Generic, TypeVar
 
 from flexcli.formulas import clamps
-from flexcli.numerics.rows import design_by_design, larger, number
+from flexcli.numerics.rows import design_by_design, larger, number, smaller
 from flexcli.parts.bending import UNKNOWN, Change, Changes, CompliantClamps, FilletedRoots, whole
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
@@ -59,21 +60,24 @@ class ClampStress(ModelEffect):
 class ClampCompliance(ModelEffect):
     """The compliance of bodies that the blades are cut from, at their roots, beyond any beam model.
 
-    A crossing in which blades are joined, a body of its own, is stiffer than they are. At a given
-    travel the stress falls, which is not counted on; under loads it may rise as well.
+    A crossing in which blades are joined, a body of its own, is stiffer than they are. Compliant
+    roots lower the stress at a given travel, which is not counted on; under loads it may rise.
     """
 
     name: ClassVar[EffectName] = EffectName.CLAMP_COMPLIANCE
     is_whole: ClassVar[bool] = True
+    spares_loads: ClassVar[bool] = True
 
     def indicator(self, setting: Setting) -> Indicator | None:
         """Return the largest h/l of a blade, and the error of rigid clamps where none is stated."""
         softened, slender = _CLAMPS.of(setting), setting.slenderness
         if softened is not None:
             text = f"h/l = {softened.ratio:.2g}"
-            if softened.stiffness.low == 1.0:
-                more = softened.stiffness.high - 1.0
-                text += f"; the solid crossing makes blades up to {more:.1%} stiffer"
+            more = softened.stiffness.value - 1.0
+            if more > 0.0:
+                text += f"; the solid crossing makes blades {more:.1%} stiffer"
+            elif softened.stiffness.high == inf:
+                text += "; nobody knows how stiff the solid crossing is"
             return Indicator(softened.ratio, text)
         if slender is None or setting.geometry.with_compliant_clamps() is None:
             return None
@@ -96,8 +100,13 @@ class ClampCompliance(ModelEffect):
             least, most = softened.stress
             if any(scene.is_loaded for scene in setting.scenes):
                 most = softened.loaded
+                if not any(scene.moves for scene in setting.scenes):
+                    least = smaller(least, 0.0)
+            turned = softened.turned * setting.largest_travel
             found["stress"] = _between(least, most)
-            found["shift"] = _between(*softened.shift)
+            if turned:
+                found["stress"] = _off(found["stress"], smaller(turned, most))
+            found["shift"] = _beside(_between(*softened.shift), softened, setting.largest_travel)
         if not setting.sags_along_stroke:
             found["sag"] = Change(None, softened.softest, 0.0, 1)
         return found
@@ -163,6 +172,21 @@ _CLAMPS: _Last[CompliantClamps] = _Last(
 _FILLETED: _Last[FilletedRoots] = _Last(
     "fillets", lambda geometry, sizes, nu: geometry.filleted(sizes, nu)
 )
+
+
+def _beside(shift: Change, softened: CompliantClamps, travel: float) -> Change:
+    """Return the change of a shift, of which a part is of first order in the travel and across.
+
+    Both are at right angles to each other.
+    """
+    first, more = (each / travel for each in softened.first)
+    beside = more * smaller(1.0, 2.0 * first + more) + smaller(first**2, 1.0) * shift.bound
+    return _off(shift, beside)
+
+
+def _off(change: Change, more: float) -> Change:
+    """Return a change that is off by more."""
+    return change._replace(bound=change.bound + more, error=change.error + more)
 
 
 def _within(value: float, low: float, high: float) -> Change:

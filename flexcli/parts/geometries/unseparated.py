@@ -12,7 +12,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.mechanics.layout import Body, Layout
 from flexcli.numerics.rows import number, smaller
 from flexcli.parts.base import QuantityOf, spec_error
-from flexcli.parts.bending import Bending, CompliantClamps, WideBlades, solid_cross
+from flexcli.parts.bending import Bending, CompliantClamps, WideBlades
 from flexcli.parts.bending.joined import Joined
 from flexcli.parts.bending.wide import wide_halves
 from flexcli.parts.elastic import Elastic
@@ -73,16 +73,20 @@ class UnseparatedPivot(BladePair):
         h, l, _ = map(number, self.blade(sizes))
         return Joined(h=h, l=l, crossing=self.crossing, theta=travel, half_angle=self.half_angle)
 
-    def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
+    def wide_blades(self, sizes: Blade, nu: float) -> WideBlades:
         """Return the plate factors of its part-blades."""
         return wide_halves(sizes, nu, self.crossing, self.half_angle)
 
     def compliant_clamps(self, sizes: Blade, nu: float) -> CompliantClamps:
-        """Return the changes by the crossing, stiffer than a point, and by compliant roots."""
-        h, l, _ = map(number, self.blade(sizes))
-        stiffer = float(joined.solid_crossing(h=h, l=l, half_angle=self.half_angle))
+        """Return the changes by the solid crossing and by compliant roots."""
+        from flexcli.parts.bending.solid_cross import solid_cross, with_roots
+
+        def flat(l: float) -> float:
+            return self.wide_blades(sizes._replace(l=l), nu).stiffness.value
+
+        crossed = solid_cross(self.blade(sizes), nu, self.crossing, self.half_angle, flat)
         roots = super().compliant_clamps(sizes, nu)
-        return solid_cross(stiffer, h / l / min(self.crossing, 1.0 - self.crossing), roots)
+        return crossed if roots is None else with_roots(crossed, roots)
 
     def s_bending_share(self, sizes: Blade) -> float:
         """Return ¾ (1/c + 1/(1 − c)): ¾ of each part, whose Φ is that of its own length."""

@@ -114,9 +114,7 @@ class Fatigue(FactorRequirement):
             return None
         pushed = stress._replace(axial=-axial, is_at_face=True)
         least, power = self._equivalent(pushed, ask, strength, method)
-        return known + ErrorRange(
-            smaller((number(least) / demand) ** (1.0 / power) - 1.0, 0.0), 0.0
-        )
+        return known + ErrorRange(smaller(_share(least, demand, power) - 1.0, 0.0), 0.0)
 
     def _beside_loads(
         self,
@@ -141,7 +139,7 @@ class Fatigue(FactorRequirement):
         def share(amplitude: float, middle: float, other: float) -> float:
             at = stress._replace(amplitude=larger(amplitude, 0.0), mean=middle, axial=other)
             changed, power = self._equivalent(at, ask, strength, method)
-            return float((number(changed) / number(demand)) ** (1.0 / power))
+            return _share(changed, demand, power)
 
         low = max(
             share(size * (1.0 + own.low) - swing.off, least, axial - added - beside),
@@ -169,3 +167,8 @@ class Fatigue(FactorRequirement):
             ),
             1,
         )
+
+
+def _share(changed: Computed, demand: Computed, power: int) -> float:
+    """Return one equivalent amplitude over another; there is none where all is compressed."""
+    return float((larger(number(changed), 0.0) / number(demand)) ** (1.0 / power))

@@ -1,0 +1,291 @@
+"""Blades that are one piece where they cross: what their crossing gives way beside beams.
+
+The crossing is a problem of plane elasticity of its own: four arms that meet at the angle 2α.
+Against Timoshenko's beams that meet in a point it has a compliance, mostly negative, which in units
+of h and of the modulus depends on α alone, but for what ν adds to one term.
+"""
+
+from collections.abc import Sequence
+from math import pi, radians
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from flexcli.formulas.card import Card, Range
+
+__all__ = [
+    "ANGLES",
+    "CARDS",
+    "FIT",
+    "CrossingCompliance",
+    "crossing_compliance",
+    "crossing_offset",
+    "crossing_reach",
+    "crossing_shift",
+    "solid_crossing",
+]
+
+Floats = NDArray[np.float64]
+
+ANGLES = radians(5.0), radians(85.0)
+"""Half-angles of the fits [rad]."""
+
+FIT = 5e-3
+"""Error of what a crossing makes stiffer, in a plane [-]."""
+
+_MOMENT = (
+    -4.8363, -5.3926, -9.7709, -8.4464, -7.8698, 3.4762, 13.493, 5.9196, -6.318, -4.8779,
+)  # fmt: skip
+_MIXED = (
+    -0.053092, -1.7695, 3.8182, 2.5947, 0.072024, -0.48855, -1.6709, -1.0554, 0.89213, 0.76722,
+)  # fmt: skip
+_SHEAR = (
+    -0.26069, 1.0081, -1.449, -0.21759, 0.21414, -0.48713, 0.23923, 0.52255, -0.1609, -0.23384,
+)  # fmt: skip
+_OTHER = (
+    0.013581, 0.095832, 0.20997, -0.0062934, -0.58072, -0.47902, 0.41055, 0.48282, -0.16435,
+    -0.20563,
+)  # fmt: skip
+"""Polynomials in 4α/π − 1 of the terms times (sin α cos α) to the power of 1, 2, 3 and 3."""
+
+
+class CrossingCompliance(NamedTuple):
+    """Compliance of a crossing less that of beams that meet in a point, times E' b [-].
+
+    Twice its energy is ``(moment M² + 2 mixed M h (V₁ + V₂) + (shear (V₁² + V₂²) + 2 other V₁ V₂)
+    h²)/(E' b h²)``: at the crossing every blade bears M, and V₁ or V₂ across it on the side of the
+    base or of the body, where the moment falls to M − V x.
+    """
+
+    moment: Floats
+    mixed: Floats
+    shear: Floats
+    other: Floats
+
+
+def crossing_compliance(*, half_angle: ArrayLike, poisson_ratio: ArrayLike) -> CrossingCompliance:
+    """Return what blades that are one piece where they cross give way beside beams.
+
+    ``c = polynomial(4α/π − 1)/(sin α cos α)^k − [2.4 ν]``, k = 1 for moments, 2 for moments with
+    shear, of which alone 2.4 ν is taken, 3 for shear.
+
+    Parameters
+    ----------
+    half_angle : array_like
+        Angle α from the bisector to a blade [rad].
+    poisson_ratio : array_like
+        ν of plane stress; ν/(1 − ν) in plane strain, where E' = E/(1 − ν²) [-].
+
+    Returns
+    -------
+    compliance : CrossingCompliance
+        Each term [-].
+
+    Notes
+    -----
+    α from 5° to 85°. What moments alone turn is independent of ν, as Michell showed of plane
+    stresses; the forces that arms bear across keep those along them in balance.
+
+    Examples
+    --------
+    >>> round(float(crossing_compliance(half_angle=pi / 4.0, poisson_ratio=0.3).moment), 2)
+    -9.67
+
+    References
+    ----------
+    Plane elements of order 5, graded to the corners (``tests/benchmarks/plane_crossing.py``),
+    fitted here within 6e-4 in moments.
+
+    """
+    alpha = np.asarray(half_angle, dtype=np.float64)
+    x, wide = 4.0 * alpha / pi - 1.0, np.sin(alpha) * np.cos(alpha)
+    moment, mixed, shear, other = (
+        np.polynomial.polynomial.polyval(x, fit) / wide**power
+        for fit, power in ((_MOMENT, 1), (_MIXED, 2), (_SHEAR, 3), (_OTHER, 3))
+    )
+    return CrossingCompliance(moment, mixed - 2.4 * np.asarray(poisson_ratio), shear, other)
+
+
+def crossing_offset(*, half_angle: ArrayLike) -> Floats:
+    """Return over which length from the crossing blades are as if rigid, over their thickness.
+
+    ``s/h = −c/48``, c that of moments: 0.20 at 45°, 2.2 at 80°, 0.59 at 10°.
+
+    Parameters
+    ----------
+    half_angle : array_like
+        Angle α from the bisector to a blade [rad].
+
+    Returns
+    -------
+    offset : array
+        s/h [-].
+
+    Notes
+    -----
+    To first order in h/l: what turns them beside moments is of the next.
+
+    Examples
+    --------
+    >>> round(float(crossing_offset(half_angle=pi / 4.0)), 3)
+    0.202
+
+    References
+    ----------
+    See :func:`crossing_compliance`.
+
+    """
+    return -crossing_compliance(half_angle=half_angle, poisson_ratio=0.0).moment / 48.0
+
+
+def crossing_reach(*, half_angle: ArrayLike) -> Floats:
+    """Return how far the rhombus that blades share reaches along them, over their thickness.
+
+    ``max(tan α, cot α)/2``: half its length.
+
+    Parameters
+    ----------
+    half_angle : array_like
+        Angle α from the bisector to a blade [rad].
+
+    Returns
+    -------
+    reach : array
+        From the middle to the farther corner [-].
+
+    Examples
+    --------
+    >>> round(float(crossing_reach(half_angle=pi / 4.0)), 9)
+    0.5
+
+    References
+    ----------
+    Geometry of two strips.
+
+    """
+    slope = np.tan(np.asarray(half_angle, dtype=np.float64))
+    return np.asarray(np.maximum(slope, 1.0 / slope) / 2.0)
+
+
+def crossing_shift(*, half_angle: ArrayLike) -> Floats:
+    """Return what a crossing adds to the shift of joined blades in second order of h/l.
+
+    ``g = 17.5 + 2.7 cot α − 8.35 cot² α``: the shift changes by g h²/(l² (c³ + (1 − c)³)) besides
+    what blades do that are rigid over ``crossing_offset``, and thick beyond it.
+
+    Parameters
+    ----------
+    half_angle : array_like
+        Angle α from the bisector to a blade [rad].
+
+    Returns
+    -------
+    g : array
+        Over (h/l)² [-].
+
+    Notes
+    -----
+    α from 5° to 80°: within 1 + |g|/20. ν adds 0.3 or so.
+
+    Examples
+    --------
+    >>> round(float(crossing_shift(half_angle=pi / 4.0)), 2)
+    11.85
+
+    References
+    ----------
+    Plane elements of whole joints to second order of their rotation
+    (``tests/benchmarks/plane_crossing.py``), fitted here.
+
+    """
+    steep = 1.0 / np.tan(np.asarray(half_angle, dtype=np.float64))
+    return np.asarray(17.5 + 2.7 * steep - 8.35 * steep**2)
+
+
+def solid_crossing(
+    *,
+    h: ArrayLike,
+    l: ArrayLike,
+    half_angle: ArrayLike,
+    crossing: ArrayLike,
+    poisson_ratio: ArrayLike,
+) -> Floats:
+    """Return how much stiffer joined blades are than beams that meet in a point.
+
+    ``(a − c)/(a' − c')`` of the energies of Timoshenko's arms, a, without and with the crossing, c
+    what the shear in either half relieves; to first order ``1 + 8 s/l``, s that of
+    ``crossing_offset``.
+
+    Parameters
+    ----------
+    h, l : array_like
+        Thickness of a blade, and length from end to end [m].
+    half_angle : array_like
+        Angle α from the bisector to a blade [rad].
+    crossing : array_like
+        Share c of the length on the side of the base [-].
+    poisson_ratio : array_like
+        ν of plane stress; ν/(1 − ν) in plane strain [-].
+
+    Returns
+    -------
+    factor : array
+        Over the stiffness with bending, shear and stretching [-].
+
+    Notes
+    -----
+    Within 5e-4 of plane elements of the whole joint at ν = 0, whose halves reach 2 h beyond the
+    crossing or more, α from 5° to 85°: 1.6 % at 45° and h = l/100, 20 % at 80°. At a given
+    rotation the moment in the crossing rises as much.
+
+    Examples
+    --------
+    >>> at = {"half_angle": pi / 4.0, "crossing": 0.5, "poisson_ratio": 0.0}
+    >>> round(float(solid_crossing(h=0.01, l=1.0, **at)), 4)
+    1.0164
+
+    References
+    ----------
+    Derived here from :func:`crossing_compliance`; held against solids (CalculiX,
+    ``tests/benchmarks/crossed_solids.py``).
+
+    """
+    t = np.asarray(h, dtype=np.float64) / np.asarray(l, dtype=np.float64)
+    share = np.asarray(crossing, dtype=np.float64)
+    nu, across = np.asarray(poisson_ratio, dtype=np.float64), np.tan(np.asarray(half_angle)) ** -2.0
+    first, second = share / t, (1.0 - share) / t  # lengths over the thickness
+    soft = 4.8 * (1.0 + nu) + 2.0 * across
+    own = [8.0 * part**3 + soft * part for part in (first, second)]
+    mixed = [-12.0 * part**2 for part in (first, second)]
+    point = _relieved(24.0 / t, mixed, own, 0.0)
+    c = crossing_compliance(half_angle=half_angle, poisson_ratio=poisson_ratio)
+    solid = _relieved(
+        24.0 / t + c.moment, [m + c.mixed for m in mixed], [o + c.shear for o in own], c.other
+    )
+    return np.asarray(point / solid)
+
+
+def _relieved(
+    moment: Floats, mixed: Sequence[Floats], own: Sequence[Floats], other: Floats | float
+) -> Floats:
+    """Return the compliance of a moment where both shears are as its energy is least."""
+    (p, q), (a, b) = mixed, own
+    return moment - (p**2 * b - 2.0 * p * q * other + q**2 * a) / (a * b - other * other)
+
+
+_ANGLES = (Range("half_angle", *ANGLES, unit="rad", why="computed and fitted between these"),)
+_AT = {"half_angle": pi / 4.0}
+
+CARDS = (
+    Card(
+        "solid-crossing",
+        solid_crossing,
+        {"h": 0.1e-3, "l": 17.5e-3, "crossing": 0.5, "poisson_ratio": 0.3, **_AT},
+        _ANGLES,
+    ),
+    Card("crossing-compliance", crossing_compliance, {**_AT, "poisson_ratio": 0.3}, _ANGLES),
+    Card("crossing-offset", crossing_offset, _AT, _ANGLES),
+    Card("crossing-reach", crossing_reach, _AT),
+    Card("crossing-shift", crossing_shift, _AT, _ANGLES),
+)
