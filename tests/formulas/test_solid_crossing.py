@@ -24,7 +24,7 @@ def test_the_fits_are_what_plane_elements_have(row):
         assert found.moment == pytest.approx(moment, rel=1e-3)
         assert found.mixed == pytest.approx(mixed, rel=2e-3, abs=2e-3 * abs(moment))
         assert found.shear == pytest.approx(shear, rel=2e-3, abs=1e-3 * abs(moment))
-        assert -found.other == pytest.approx(other, abs=2e-3 * abs(moment))
+        assert -found.other == pytest.approx(other, abs=4e-3 * abs(moment))
 
 
 @pytest.mark.parametrize("degrees", [20.0, 45.0, 75.0])

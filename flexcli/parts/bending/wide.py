@@ -1,7 +1,7 @@
 """Wide blades: the increased stiffness of a joint's blades or hinges against beams."""
 
 from collections.abc import Iterable, Sequence
-from math import inf, pi, tan
+from math import inf, pi
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment
-from flexcli.numerics.rows import larger, number, one_alone, one_by_one, smaller
+from flexcli.numerics.rows import larger, number, one_alone, one_by_one, smaller, tan
 from flexcli.parts.bending.base import Factor, WideBlades
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
