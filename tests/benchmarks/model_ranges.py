@@ -1,9 +1,9 @@
 """Ranges of all models against each other: each claims to hold the same truth, so they overlap.
 
-Run: python tests/benchmarks/model_ranges.py [specs] [--first SEED] [--kinds KIND …]. Random specs
-of the campaign are judged with easy requirements by closed forms, linear and exact beams in turn,
-single notches by solids too; a check of which two ranges lie apart has a wrong one, and is printed
-with both.
+Run: python tests/benchmarks/model_ranges.py [specs] [--first SEED] [--kinds KIND …] [--coupled].
+Random specs of the campaign, or of loads that act together, are judged with easy requirements by
+closed forms, linear and exact beams in turn, single notches by solids too; a check of which two
+ranges lie apart has a wrong one, and is printed with both.
 """
 
 import argparse
@@ -17,6 +17,7 @@ import yaml
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from twins.campaign import KINDS, NOTCHES, scene
+from twins.coupled import COUPLED, coupled_scene
 
 import flexcli
 from flexcli.errors import SolveError, SpecError
@@ -56,11 +57,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("specs", type=int, nargs="?", default=100)
     parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--kinds", nargs="*", default=KINDS)
+    parser.add_argument("--kinds", nargs="*")
+    parser.add_argument("--coupled", action="store_true", help="loads that act together")
     asked = parser.parse_args()
+    draw, kinds = (coupled_scene, COUPLED) if asked.coupled else (scene, KINDS)
     compared = wrong = refused = 0
     for seed in range(asked.first, asked.first + asked.specs):
-        drawn = scene(seed, tuple(asked.kinds))
+        drawn = draw(seed, tuple(asked.kinds or kinds))
         try:
             found = ranges({**drawn.spec, "requirements": drawn.easy})
         except SpecError:

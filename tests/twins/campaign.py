@@ -61,10 +61,10 @@ class Scene:
 
 def scene(seed, kinds=KINDS):
     """Return the random spec of a seed."""
-    return _Writer(np.random.default_rng(seed), kinds[seed % len(kinds)]).scene(seed)
+    return Writer(np.random.default_rng(seed), kinds[seed % len(kinds)]).scene(seed)
 
 
-class _Writer:
+class Writer:
     def __init__(self, rng, kind):
         self.rng, self.kind = rng, kind
 
@@ -139,17 +139,19 @@ class _Writer:
         if "acceleration" in whole and mechanism and mechanism["kind"] == "payload":
             easy["sag"] = {"max": "1e3 m"}
         if "wrench" in whole:
-            drawn = self.one(
-                "x", "y", "z"
-            )  # what no force acts along is rounding, or of next order
-            along = [axis for axis in whole["wrench"] if len(axis) == 1]
-            direction = drawn if drawn in along else along[0]
-            easy["deflection"] = {"direction": direction, "max": "1e3 m"}
+            easy["deflection"] = self.deflection(whole["wrench"])
         if self.rng.random() < 0.15:
             easy["support"] = [{"direction": self.one("x", "y", "z"), "min": "1e-12 N/m"}]
         if "asd" in whole or "shock" in whole:
             easy["dynamic-yield"] = {"factor": EASY}
         return easy
+
+    def deflection(self, wrench):
+        """Return the motion to ask for under a wrench, along one of its forces."""
+        # what no force acts along is rounding, or of next order
+        drawn = self.one("x", "y", "z")
+        along = [axis for axis in wrench if len(axis) == 1]
+        return {"direction": drawn if drawn in along else along[0], "max": "1e3 m"}
 
     # -- geometry --
 
