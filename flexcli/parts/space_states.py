@@ -14,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
+from flexcli.formulas.plate_flattening import flat_width, secant_factor
+from flexcli.formulas.profile import Constant
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along, motion_at
 from flexcli.mechanics.layout import Load
 from flexcli.mechanics.linear_buckling import linear_critical
@@ -317,7 +319,8 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
     -----
     The second order where it is known, of blades of constant thickness; else 1/(1 − s) of the
     share s of the wrench at which straight blades buckle in the plane, whichever way it acts, and
-    the square of the body's rotation.
+    the square of the rotation of the body, or of the chord of its blades. Besides, what curvature
+    keeps flat of even blades, stiffer by up to 1/(1 − ν²).
 
     """
     joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
@@ -326,17 +329,45 @@ def beyond_first_order(ask: Ask, moved: Floats, sought: Floats, load: Floats) ->
         return None
     along = motion_along(axes_about_z(ask.geometry.axes))
     body = joint.layout.body(joint.layout.drive.body)
+    state = action(joint.assembly, Acting(0.0, along.T @ load, body.point, np.zeros(3)))
     if joint.is_uniform and not ask.geometry.is_guided and not joint.layout.springs:
-        acting = Acting(0.0, along.T @ load, body.point, np.zeros(3))
         row = sought @ along @ joint.assembly.motion(body.name, body.point)
-        state = action(joint.assembly, acting)
         either = (state, combined([state], [-1.0]))  # a wrench acts either way
-        return _amplified(max(_second_share(each, row) for each in either))
-    try:
-        share = _share_of_buckling(ask, load)
-    except NotAvailable:  # not in a plane
-        return None
-    return _amplified(TURNS * float(moved[3:] @ moved[3:]) + share)
+        share = max(_second_share(each, row) for each in either)
+    else:
+        try:
+            share = _share_of_buckling(ask, load)
+        except NotAvailable:  # not in a plane
+            return None
+        least = min(member.l for member in joint.assembly.members)
+        chord = float(np.linalg.norm(moved[:3])) / least
+        share += TURNS * max(float(moved[3:] @ moved[3:]), chord**2)
+    more = _amplified(share)
+    return None if more is None else more + _flattened(state)
+
+
+def _flattened(state: SpaceState) -> float:
+    """Return by what share curvature keeps sections flat at most, which stiffens wide blades.
+
+    As the moment at the largest curvature of each even blade does, by strips that nothing else
+    keeps flat (:mod:`flexcli.formulas.plate_flattening`). Without a guide it bends by more.
+    """
+    most = 0.0
+    for k, (blade, member) in enumerate(
+        zip(state.assembly.layout.blades, state.assembly.members, strict=True)
+    ):
+        if isinstance(blade, SpaceRod) or not isinstance(blade.profile, Constant):
+            continue
+        force = np.abs(state.moved.forces[6 * k : 6 * k + 6, 0])
+        curvature = (force[5] + force[1] * member.l / 2.0) / (
+            member.springs.stiffness[5] * member.l
+        )
+        nu = blade.material.nu
+        beta = flat_width(
+            b=blade.b, h=float(blade.profile.h), curvature=float(curvature), poisson_ratio=nu
+        )
+        most = max(most, float(secant_factor(beta=beta, poisson_ratio=nu)) - 1.0)
+    return most
 
 
 def beyond_linear_sag(ask: Ask) -> float | None:

@@ -6,13 +6,14 @@ Joints of even blades are told by their second order, those with hinges by exact
 from collections.abc import Iterator, Sequence
 from functools import partial
 from itertools import product
-from math import inf
+from math import inf, sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.layout import SpaceRod
+from flexcli.mechanics.space.second_order import SecondOrder
 from flexcli.mechanics.space.states import Acting, SpaceState, Stresses, action, combined
 from flexcli.mechanics.space.stresses import equivalent
 from flexcli.parts.scene import Scene
@@ -57,6 +58,10 @@ ACROSS, MANY = (2, 3, 4), 6
 up to which each is varied alone."""
 
 
+NEGLIGIBLE = 1e-3
+"""Share of the stress of loads across a joint that those in its plane may add to it unseen."""
+
+
 class AcrossStress(NamedTuple):
     """The largest stress of loads across a joint [Pa], its error, and how far it alternates [Pa].
 
@@ -72,8 +77,8 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
     """Return the largest stress of a case's loads out of the plane of a joint, and its error.
 
     Each load acts either way, the drive free, in the pose at rest. The error includes the
-    interaction of the stroke with these loads: to second order, in joints with hinges by exact
-    beams.
+    interaction of the stroke, and of loads in the plane, with these loads: to second order, in
+    joints with hinges by exact beams.
     """
     stresses, acting = Stresses(joint.assembly), acting_across(joint, scene)
     if not acting:
@@ -82,11 +87,11 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
     rest = _at_once(groups, stresses)
     if scene.temperature is not None:
         return AcrossStress(rest, None)  # nobody has told how far what it strains stiffens the rest
-    if not joint.is_known_in_stress:
+    if not joint.is_known_in_stress or _leaves_plane(joint, scene, stresses, rest):
         return AcrossStress(rest, None)
     if not joint.is_uniform:
-        return _across_hinges(joint, scene, acting, groups, stresses, rest)
-    found = list(_beside(joint, scene, groups, stresses))
+        return _across_hinges(joint, scene, acting, stresses, rest)
+    found = list(_beside(joint, scene, stresses))
     most = max(more for more, _ in found)
     error = max(each for _, each in found)
     if error > KNOWN:
@@ -98,15 +103,43 @@ def across_stress(joint: SpaceJoint, scene: Scene) -> AcrossStress:
 
 def acting_across(joint: SpaceJoint, scene: Scene) -> list[Acting]:
     """Return what acts out of the plane of a joint, each load by itself."""
-    across = np.isin(np.arange(6), scene.across)
-    acting = [
-        each._replace(
-            wrench=np.where(across, each.wrench, 0.0),
-            acceleration=np.where(across[:3], each.acceleration, 0.0),
-        )
-        for each in acting_groups(joint, scene)
-    ]
+    acting = (_along(each, scene.across) for each in acting_groups(joint, scene))
     return [each for each in acting if each.wrench.any() or each.acceleration.any()]
+
+
+def _along(acting: Acting, components: Sequence[int]) -> Acting:
+    """Return what of a load acts along some components of a wrench."""
+    kept = np.isin(np.arange(6), components)
+    return acting._replace(
+        wrench=np.where(kept, acting.wrench, 0.0),
+        acceleration=np.where(kept[:3], acting.acceleration, 0.0),
+    )
+
+
+class _Loads(NamedTuple):
+    """What acts out of the plane of a joint and in it, where all has some sense."""
+
+    across: SpaceState
+    beside: SpaceState
+
+
+def _senses(joint: SpaceJoint, scene: Scene) -> Iterator[_Loads]:
+    """Yield the loads of a case in every sense they have together.
+
+    What a wrench does in the plane and out of it has one sense. Where nothing acts in the plane all
+    loads the other way are the mirror image, and left out.
+    """
+    groups, beside = acting_groups(joint, scene), [i for i in range(6) if i not in scene.across]
+    parts = [
+        [action(joint.assembly, _along(each, own)) for each in groups]
+        for own in (scene.across, beside)
+    ]
+    mirrored = not any(state.moved.forces.any() for state in parts[1])
+    for signs in product((1.0, -1.0), repeat=len(groups)):
+        if mirrored and signs[0] < 0.0:
+            continue
+        across, along = (combined(states, list(signs)) for states in parts)
+        yield _Loads(across, along)
 
 
 class Changed(NamedTuple):
@@ -129,24 +162,45 @@ def changed_across(joint: SpaceJoint, scene: Scene) -> Changed | None:
     # exact beams are for hinges alone
     from flexcli.mechanics.space.exact.stresses import largest_of
 
-    groups = [action(joint.assembly, each) for each in acting_across(joint, scene)]
-    if any(not state.loads for state in groups):
+    acting, turned = (
+        acting_across(joint, scene),
+        _turned_by(joint, max(map(abs, scene.stroke_ends))),
+    )
+    if any(not action(joint.assembly, each).loads for each in acting):
         return None
-    ratios, swings = list[float](), 0.0
-    for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
-        loads = combined(groups, list(signs))
-        if _largest_turn(joint, loads) > FAR:
+    ratios, swings, pushed = list[float](), 0.0, 0.0
+    for loads in _senses(joint, scene):
+        if _largest_turn(joint, loads.across) > FAR:
             return None
-        small = _added(joint, combined([loads], [SMALL]), (0.0,))
+        pushed = max(pushed, _largest_turn(joint, loads.beside))
+        few = _Loads(combined([loads.across], [SMALL]), combined([loads.beside], [0.0]))
+        small = _added(joint, few, (0.0,))
         added = _added(joint, loads, tuple(dict.fromkeys(scene.stroke_ends)))
         if small is None or added is None:
             return None
         here = largest_of(joint.layout, small[0]) / SMALL
         ratios += [largest_of(joint.layout, each) / here for each in added]
         swings = max(swings, _alternating(joint, added) / here)
-    swing = TURNING * _turned_by(joint, scene.travel)
-    turned = TURNING * _turned_by(joint, max(map(abs, scene.stroke_ends)))
+    swing, turned = TURNING * _turned_by(joint, scene.travel), TURNING * (turned + pushed)
     return Changed(min(ratios) - turned, max(ratios) + turned, SWINGS * swings + swing)
+
+
+def _leaves_plane(joint: SpaceJoint, scene: Scene, stresses: Stresses, rest: float) -> bool:
+    """Return whether loads in the plane strain blades out of it, beside a stress [Pa].
+
+    Blades that cross side by side bear a force in the plane at different heights, which tilts the
+    body.
+    """
+    beside = [i for i in range(6) if i not in scene.across]
+    acting = [_along(each, beside) for each in acting_groups(joint, scene)]
+    blades, kept = 6 * len(joint.layout.blades), np.isin(np.arange(6), ACROSS)
+    most = 0.0
+    for each in acting:
+        state = action(joint.assembly, each)
+        forces = state.moved.forces[:blades, 0].reshape(-1, 6) * kept
+        strained = stresses.of(forces.ravel(), np.zeros_like(state.weights))
+        most += max(map(largest_stress, strained))
+    return most > NEGLIGIBLE * rest
 
 
 def _at_once(groups: list[SpaceState], stresses: Stresses) -> float:
@@ -160,7 +214,6 @@ def _across_hinges(
     joint: SpaceJoint,
     scene: Scene,
     acting: list[Acting],
-    groups: list[SpaceState],
     stresses: Stresses,
     rest: float,
 ) -> AcrossStress:
@@ -175,17 +228,16 @@ def _across_hinges(
 
     known = hull(map(hinge_stress_error, joint.layout.blades))
     unsure = _unevenly_sprung(joint, acting, stresses, rest)
-    if unsure is None or any(not state.loads for state in groups):
+    if unsure is None or any(not action(joint.assembly, each).loads for each in acting):
         return AcrossStress(rest, None)
     least, most, swings = 0.0, 1.0, 0.0
     turned = _turned_by(joint, scene.travel)
-    # with all loads the other way it is its own mirror image
-    for signs in product((1.0,), *((1.0, -1.0) for _ in groups[1:])):
-        loads = combined(groups, list(signs))
-        if _largest_turn(joint, loads) > FAR:
+    for loads in _senses(joint, scene):
+        across = loads.across
+        if _largest_turn(joint, across) > FAR:
             return AcrossStress(rest, None)  # far beyond what it bears, and costly to follow
-        forces = loads.moved.forces[:, 0]
-        here = max(map(largest_stress, stresses.of(forces, np.zeros_like(loads.weights))))
+        forces = across.moved.forces[:, 0]
+        here = max(map(largest_stress, stresses.of(forces, np.zeros_like(across.weights))))
         added = _added(joint, loads, tuple(dict.fromkeys(scene.stroke_ends)))
         if added is None:
             return AcrossStress(rest, None)
@@ -259,12 +311,13 @@ def _unevenly_sprung(
 
 
 def _added(
-    joint: SpaceJoint, loads: SpaceState, travels: Sequence[float]
+    joint: SpaceJoint, loads: _Loads, travels: Sequence[float]
 ) -> "list[list[SectionStates]] | None":
-    """Return what loads add in sections at travels by exact beams, the drive held.
+    """Return what loads across add in sections at travels by exact beams, the drive held.
 
-    None where there is no such state, or slightly larger loads would buckle the joint sideways,
-    there or at rest with its drive free. All have the same nodes.
+    A travel is from where loads in the plane leave the drive. None where there is no such state,
+    or slightly larger loads would buckle the joint, there or at rest with its drive free. All have
+    the same nodes.
     """
     from flexcli.mechanics.space.exact.demand import drive_frame
     from flexcli.mechanics.space.exact.equilibrium import solve
@@ -272,20 +325,22 @@ def _added(
 
     drive = joint.layout.drive
     made = partial(solve, joint.layout, frames=drive_frame(drive), tolerance=EXACT)
-    held = [{drive.body: _held_at(joint, travel)} for travel in travels]
+    sag = float(loads.beside.moved.coordinates[joint.assembly.driven, 0])
+    held = [{drive.body: _held_at(joint, sag + travel)} for travel in travels]
+    beside, both = loads.beside.loads, combined([loads.beside, loads.across], [1.0, 1.0]).loads
     try:
-        free = made(loads=loads.loads, load_factor=1.0 / SOFTENED, levels=NODES).checked()
-        states = [made(at, loads=loads.loads, levels=NODES).checked() for at in held]
+        free = made(loads=both, load_factor=1.0 / SOFTENED, levels=NODES).checked()
+        states = [made(at, loads=both, levels=NODES).checked() for at in held]
         most = max(state.nodes for state in states)
         for k, at in enumerate(held):
             if states[k].nodes < most:
-                states[k] = made(at, loads=loads.loads, levels=(most,)).checked()
-        plain = [made(at, levels=(most,)).checked() for at in held]
+                states[k] = made(at, loads=both, levels=(most,)).checked()
+        plain = [made(at, loads=beside, levels=(most,)).checked() for at in held]
     except SolveError:
         return None
     if free.unstable or any(state.unstable for state in states):
         return None
-    return [added_states(*both) for both in zip(states, plain, strict=True)]
+    return [added_states(*pair) for pair in zip(states, plain, strict=True)]
 
 
 def _held_at(joint: SpaceJoint, travel: float) -> tuple[float | None, ...]:
@@ -294,27 +349,40 @@ def _held_at(joint: SpaceJoint, travel: float) -> tuple[float | None, ...]:
     return tuple(travel if axis == own else None for axis in range(6))
 
 
-def _beside(
-    joint: SpaceJoint, scene: Scene, groups: list[SpaceState], stresses: Stresses
-) -> Iterator[tuple[float, float]]:
-    """Yield the increase by a stroke of the stress of loads [Pa], and the error of both.
+def _beside(joint: SpaceJoint, scene: Scene, stresses: Stresses) -> Iterator[tuple[float, float]]:
+    """Yield what stroke and loads in the plane add to the stress across [Pa], and an error.
 
-    That is at each end of the stroke, for every sense of the loads.
+    The error is of both; that is at each end of the stroke, for every sense of the loads.
     """
     body = joint.layout.body(joint.layout.drive.body)
-    either = [(1.0, -1.0)] * len(groups)
-    for end, *signs in product(dict.fromkeys(scene.stroke_ends), *either):
-        loads = combined(groups, signs)
-        stroke = action(joint.assembly, Acting(end, np.zeros(6), body.point, np.zeros(3)))
-        both = combined([stroke, loads], [1.0, 1.0]) if end else loads
-        after, alone = both.following(), stroke.following()
-        own = alone.forces if end else 0.0 * alone.forces
-        inside = after.inside - (alone.inside if end else 0.0 * alone.inside)
-        added = stresses.of(after.forces - own, np.zeros_like(loads.weights))
-        more = max(
-            largest_stress(each) + more
-            for each, more in zip(added, stresses.of_moments(inside), strict=True)
-        )
-        here = stresses.of(loads.moved.forces[:, 0], loads.weights)
-        warped = warping_change(here, max(largest_stress(each) for each in here) + more)
-        yield more, third_order(after) + spring_change(joint, loads) + warped
+    for end, loads in product(dict.fromkeys(scene.stroke_ends), _senses(joint, scene)):
+        planar = loads.beside
+        if end:
+            stroke = action(joint.assembly, Acting(end, np.zeros(6), body.point, np.zeros(3)))
+            planar = combined([stroke, planar], [1.0, 1.0])
+        after = combined([planar, loads.across], [1.0, 1.0]).following()
+        alone = planar.following()
+        added = stresses.of(after.forces - alone.forces, np.zeros_like(planar.weights))
+        inside = stresses.of_moments(after.inside - alone.inside)
+        more = max(largest_stress(each) + more for each, more in zip(added, inside, strict=True))
+        here = stresses.of(loads.across.moved.forces[:, 0], loads.across.weights)
+        most = max(largest_stress(each) for each in here) + more
+        beyond = third_order(after)
+        if beyond < KNOWN:
+            beyond += _returned(loads.across, after, alone, more / most)
+        warped = warping_change(here, most)
+        yield more, beyond + spring_change(joint, loads.across) + warped
+
+
+def _returned(across: SpaceState, after: SecondOrder, alone: SecondOrder, share: float) -> float:
+    """Return what of a linear state is changed in third and further orders, relative.
+
+    Forces of a share s of those that buckle a joint change a motion by no more than s of itself in
+    the norm of the energy: what loads move in second order, less what moves without those
+    ``across``, comes back to them so. ``share`` is that of the second order in the stress.
+    """
+    strained = across.assembly.rows @ (after.coordinates - alone.coordinates)
+    second = float(across.assembly.stiffness @ strained**2)
+    first = float(across.moved.forces[:, 0] @ across.moved.deformations[:, 0])
+    s = after.buckling
+    return max(sqrt(second / first), share) * s / (1.0 - s) if first > 0.0 else 0.0

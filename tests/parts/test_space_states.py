@@ -5,7 +5,7 @@ import pytest
 from geometries_for_tests import geometry
 from space_mechanisms import STEEL, blade, guide, random_mechanism, rod
 
-from flexcli.formulas.profile import Filleted, Notch
+from flexcli.formulas.profile import Constant, Filleted, Notch
 from flexcli.mechanics.equilibrium import solve
 from flexcli.mechanics.space.exact.demand import drive_frame
 from flexcli.mechanics.space.exact.equilibrium import solve as solve_in_space
@@ -246,6 +246,47 @@ def test_loads_out_of_the_plane_add_no_more_than_exact_beams_say(kind, travel, l
     lower = max(planar, found.value * (1.0 + found.error.low))
     # a corner's stress and the equivalent one of faces differ by little in the sum
     assert 0.99 * lower <= exact <= planar + found.value * (1.0 + found.error.high)
+
+
+@pytest.mark.parametrize("force", [0.0, 2.0])
+def test_a_moment_in_the_plane_makes_a_force_across_it_twist_the_blade(force):
+    # a strip that M_z bends by y = M l²/2EI at its tip bears the torque F_z y at its root
+    l, h, b, E = 20e-3, 0.1e-3, 2e-3, 114e9
+    strip = SpaceBlade(
+        "s", "ground", "b", (0.0, 0.0, 0.0), (l, 0.0, 0.0), (0, 0, 1), Constant(h), b,
+        Isotropic(E, E / 2.0),
+    )  # fmt: skip
+    tip = (l, 0.0, 0.0)
+    layout = SpaceLayout((SpaceBody("b", tip, tip),), (strip,), Drive("b", True, (0, 0, 1), tip))
+    there, across = SpaceJoint(layout), 0.02
+    moment = 0.2 * E * b * h**3 / 12.0 / l
+    scene = SCENE._replace(
+        stated=(force, 0.0, across, 0.0, 0.0, moment), across_by=frozenset({LoadKind.WRENCH})
+    )
+    found = across_stress(there, scene)
+    torque = across * moment * l**2 / (2.0 * E * b * h**3 / 12.0)
+    forces = np.zeros(9)
+    forces[2], forces[3], forces[4] = across, torque, -across * l / 2.0
+    twisted = Stresses(there.assembly).rows[0]
+    true = np.max(equivalent(twisted.normal @ forces, twisted.shear @ forces))
+    alone = across_stress(there, SCENE._replace(stated=(0.0, 0.0, across, 0.0, 0.0, 0.0)))
+    assert true > 1.05 * alone.value
+    if force == 0.0:
+        assert true <= found.value * (1.0 + found.error.high)
+    else:  # it nearly doubles what bends the strip
+        assert found.error is None or found.error.high > 0.1
+
+
+def test_blades_that_cross_at_different_heights_leave_the_plane_under_a_force_in_it():
+    # each bears N along itself, at heights ±b/2: their couple 2 N sin α b/2 tilts the body
+    joint = geometry("cross-spring")
+    elastic = Elastic(114e9, 0.3)
+    layout = joint.space_layout(elastic, joint.probe())
+    wrench = (5.0, 0.0, 0.0, 1e-4, 0.0, 0.0)
+    scene = SCENE._replace(stated=wrench, across_by=frozenset({LoadKind.WRENCH}))
+    assert across_stress(SpaceJoint(layout), scene).error is None
+    tilted = SCENE._replace(stated=(0.0, 0.0, 0.0, 1e-4, 0.0, 0.0), across_by=scene.across_by)
+    assert across_stress(SpaceJoint(layout), tilted).error is not None
 
 
 def test_at_rest_a_force_out_of_the_plane_bends_the_widths():

@@ -277,6 +277,7 @@ class Corrected(JointModel):
         carried: frozenset[EffectName] = frozenset(),
     ) -> ErrorRange | None:
         """Return an error with what the effects leave that are not carried."""
+        ask = _asked(ask, kind)
         setting, inner = _setting(ask), self.inner.covers | self.inner.always
         missing, applied, beside, whole = self._missing(setting), [], [], True
         low = high = 1.0
@@ -332,6 +333,7 @@ class Corrected(JointModel):
     def _factor(
         self, ask: Ask, kind: QuantityKind, carried: frozenset[EffectName] = frozenset()
     ) -> float:
+        ask = _asked(ask, kind)
         factor, setting = 1.0, _setting(ask)
         for effect in self._added(setting):
             if kind not in effect.only or effect.name in carried:
@@ -371,6 +373,13 @@ def _whole_range(
     if sign == 0 and change.value is not None and change.error == 0.0:
         sign = 1 if change.value > 0.0 else -1
     return ErrorRange(0.0 if sign > 0 else -most, 0.0 if sign < 0 else most)
+
+
+def _asked(ask: Ask, kind: QuantityKind) -> Ask:
+    """Return what a kind of number is asked of: a shift is that of the stroke alone."""
+    if kind is not QuantityKind.SHIFT or not ask.scene.moves:
+        return ask
+    return ask._replace(scene=ask.scene.without_loads())
 
 
 def _setting(ask: Ask) -> Setting:

@@ -46,6 +46,9 @@ __all__ = [
 
 Floats = NDArray[np.float64]
 
+ALONG = 1e-7
+"""Share of a motion along the stroke that is rounding."""
+
 RIGHT = 1e-9
 """Sine of twice an angle that counts as a right one."""
 
@@ -252,17 +255,32 @@ def _undriven(ask: Ask) -> tuple[Any, Any, Any]:
 def _sag(
     ask: Ask, solver: Solver[Found], layout: Layout, density: Number, signs: Floats
 ) -> Floats | float:
-    """Return how far the loads along the stroke move the joint by themselves [m or rad].
+    """Return how far the loads move the joint along its stroke by themselves [m or rad].
 
     A stroke is from where the loads leave the joint: the drive does not hold against them.
     """
     scene, geometry = ask.scene, ask.geometry
+    loads = _loads(scene, layout, density, signs, 0.0)
+    if not loads:
+        return 0.0
+    held, body = {MOVING: _undriven(ask)}, layout.index(MOVING)
     own = geometry.own_mass > 0.0 and any(any(field[:2]) for field in scene.accelerations)
     if scene.push == 0.0 and not own:
-        return 0.0
-    held = {MOVING: _undriven(ask)}
-    state = solver(layout, held, _loads(scene, layout, density, signs, 0.0))
-    return np.asarray(state.motions[:, layout.index(MOVING), driven_axis(geometry)])
+        # a moment on a stage moves it, a force along the axis of symmetry nothing
+        straight = linear(layout, held, loads=loads)
+        if not _is_driven(straight.motions[:, body], layout, driven_axis(geometry)):
+            return 0.0
+    state = solver(layout, held, loads)
+    return np.asarray(state.motions[:, body, driven_axis(geometry)])
+
+
+def _is_driven(motion: Floats, layout: Layout, axis: int) -> bool:
+    """Return whether a motion (states, 3) has a part along an axis that is no rounding."""
+    longest = max(
+        float(np.max(np.hypot(*np.subtract(blade.end, blade.start)))) for blade in layout.blades
+    )
+    reach = np.abs(motion) * (1.0, 1.0, longest)
+    return bool(np.any(reach[:, axis] > ALONG * reach.max()))
 
 
 def _loads(

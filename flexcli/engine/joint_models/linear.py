@@ -50,6 +50,10 @@ STRETCH = 0.35, 1.2
 KNOWN = 0.3
 """Change above which no order tells it."""
 
+TURNS, AMPLITUDE = 2.0, 3.0
+"""What the square of the largest rotation changes of a stress; of an amplitude beside a load, that
+changes as the slope of what is of third order does, so many times as much."""
+
 ROUNDING = 1e-10
 """Least error that a linear solution is taken to have [-]."""
 
@@ -160,6 +164,9 @@ class LinearModel(JointModel):
         found_off = 0.0 if weights is None else off / larger(most, LEAST)
         if hold_of(ask.scene).across and ask.scene.is_loaded and not ask.scene.moves:
             found_off = found_off + _by_stretching(found)
+        if ask.scene.beyond:  # effects tell what loads do of which there are closed forms
+            times = AMPLITUDE if ask.scene.moves else 1.0
+            found_off = found_off + times * _beyond_first_order(found)
         return stresses, found_off
 
     def _solved(self, layout: Layout, held: Held, loads: Sequence[Load], nodes: int) -> "_State":
@@ -189,6 +196,28 @@ def _by_stretching(found: "_State") -> Number:
         most = np.maximum(most, np.abs(swing) / np.min(h, axis=-1))
     share = largest_of_each(states_of(most[:, None]))
     change = share * (STRETCH[0] + STRETCH[1] * share)
+    return change if change < KNOWN else inf
+
+
+def _beyond_first_order(found: "_State") -> Number:
+    """Return what rotations and axial forces change of the stress of a linear state, relative.
+
+    An axial force N raises the moment at the root of a blade with a free end by 1/cos √n − 1 at
+    most, n = N l²/EI: less than 4/π s/(1 − s) for the share s = 4 n/π² of what buckles it.
+    """
+    layout = found.layout
+    lengths = [float(np.min(np.hypot(*np.subtract(b.end, b.start)))) for b in layout.blades]
+    turned = np.abs(found.motions[:, :, 2]).max(axis=1)
+    shifted = np.hypot(found.motions[:, :, 0], found.motions[:, :, 1]).max(axis=1)
+    turned, pushed = np.maximum(turned, shifted / min(lengths)), np.zeros(len(turned))
+    for index, (blade, l) in enumerate(zip(layout.blades, lengths, strict=True)):
+        axial, _ = forced_stress(blade, found.end_forces[:, index])
+        _, h = blade_places(blade, np.hypot(*np.subtract(blade.end, blade.start)))
+        n = 12.0 * np.abs(axial).max(axis=-1) * l**2 / (layout.E * np.min(h, axis=-1) ** 2)
+        pushed = np.maximum(pushed, 4.0 * n / np.pi**2)
+    with np.errstate(divide="ignore"):
+        softer = np.where(pushed < KNOWN, 4.0 / np.pi * pushed / (1.0 - pushed), inf)
+    change = largest_of_each(states_of((TURNS * turned**2 + softer)[:, None]))
     return change if change < KNOWN else inf
 
 
