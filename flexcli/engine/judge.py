@@ -291,7 +291,7 @@ class _Series:
 
     def _by_formula(self, requirement: Requirement, scene: Scene) -> tuple[Check, ...]:
         """Return the checks by the requirement's own formula, where no model is insisted on."""
-        name = requirement.formula(scene) if self.formulas else ""
+        name = requirement.formula(scene) if self.formulas and not scene.unjudged else ""
         if not name:
             return ()
         started = perf_counter()
@@ -388,6 +388,8 @@ def limits_by(
 
     What blades in space are without, as the spec switches it off, stays in it.
     """
+    if scene.unjudged and requirement.looks_at(scene) & scene.loads:
+        raise NotAvailable(scene.unjudged)
     if not design.omitted:
         yield from _limits_of(design, sizes, requirement, scene, model, near)
         return

@@ -14,6 +14,12 @@ from flexcli.results import Value
 __all__ = ["InertialLoads", "force_values", "in_layout", "inertial_loads", "without_rounding"]
 
 
+BESIDE = (
+    "a locked mechanism accelerated off x is judged under no other load in the same case: state "
+    "each in a case of its own"
+)
+
+
 class InertialLoads(NamedTuple):
     """Wrenches of accelerations on a joint, in its frame, and accelerations of its bodies [m/s²].
 
@@ -26,6 +32,8 @@ class InertialLoads(NamedTuple):
     accelerations: tuple[tuple[float, float, float], ...] = ()
     kinds: frozenset[LoadKind] = frozenset()
     on_bodies: bool = False
+    unjudged: str = ""
+    """Why no model has an answer to all loads of the case, empty where one may."""
 
 
 def inertial_loads(
@@ -65,11 +73,13 @@ def inertial_loads(
 def _on_bodies(case: Case, found: list["_Accelerated"]) -> InertialLoads:
     """Return an acceleration of a locked mechanism in any direction, which acts on its bodies."""
     beside = len(found) > 1 or case.load is not None or case.wrench is not None
-    if beside:
-        text = "a locked mechanism accelerated off x bears no other load in the same case"
-        raise MechanismError("acceleration", text, "state each in a case of its own")
     x, y, z = found[0].vector
-    return InertialLoads(wrenches=(NO_WRENCH,), accelerations=((x, y, z),), on_bodies=True)
+    return InertialLoads(
+        wrenches=(NO_WRENCH,),
+        accelerations=((x, y, z),),
+        on_bodies=True,
+        unjudged=BESIDE if beside else "",
+    )
 
 
 def _locked(

@@ -135,6 +135,8 @@ class Scene(NamedTuple):
     """Whether the joint is drawn in space, where everything acts on it."""
     on_bodies: bool = False
     """Whether accelerations, along the axes of cases, act on all of a mechanism that is locked."""
+    unjudged: str = ""
+    """Why no model has an answer to all that acts in it, empty where one may."""
     directed: bool = False
     """Whether the first of ``forces`` acts in its stated sense only, not either way."""
     has_plane: bool = True

@@ -99,6 +99,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         in_space=geometry.in_space,
         across_by=_across_by(case, geometry, lasting, found),
         on_bodies=found.on_bodies,
+        unjudged=found.unjudged,
         directed=_is_more(stated, drive) and (case.load is None or case.load.is_directed),
         has_plane=geometry.has_plane,
     )

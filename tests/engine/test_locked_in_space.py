@@ -5,6 +5,7 @@ import yaml
 
 import flexcli
 from flexcli.errors import SpecError
+from flexcli.results import Verdict
 
 MATERIAL = {"youngs_modulus": "113 GPa", "poisson_ratio": 0.34, "yield_strength": "880 MPa",
             "density": "1e-6 kg/m^3"}  # fmt: skip
@@ -83,6 +84,10 @@ def test_a_stage_that_is_not_locked_is_told_what_would_judge_it():
     assert "lock:" in refused.value.findings[0].hint
 
 
-def test_what_else_acts_is_for_a_case_of_its_own():
-    with pytest.raises(SpecError, match="bears no other load in the same case"):
-        judged({"z": "20 g"}, load={"force": "1 N"})
+@pytest.mark.parametrize("name", ["yield", "buckling"])
+@pytest.mark.parametrize("beside", [{"load": {"force": "1 N"}}, {"wrench": {"z": "1 N"}}])
+def test_what_else_acts_is_for_a_case_of_its_own(name, beside):
+    found = judged({"z": "20 g"}, name=name, **beside)
+    assert found.verdict is Verdict.UNDECIDED
+    assert found.factor_range is None
+    assert "state each in a case of its own" in found.quantity
