@@ -87,7 +87,7 @@ def _has_shells(design: DesignSpec) -> bool:
 
 
 def _has_solids(design: DesignSpec) -> bool:
-    """Return whether a joint is a neck of which there are solids, of a material that is known.
+    """Return whether a joint has necks of which there are solids, of a material that is known.
 
     While its sizes are sought, beams are fine enough. Solids are whole: nothing of them can be left
     out.
@@ -95,7 +95,7 @@ def _has_solids(design: DesignSpec) -> bool:
     material = design.material
     known = material.poisson_ratio is not None and not material.is_directed
     is_whole = design.fixed_sizes() is not None and not design.omitted
-    return design.geometry.is_neck and known and is_whole
+    return design.geometry.solids is not None and known and is_whole
 
 
 def _joint_model(design: DesignSpec, model: str) -> JointModel:
@@ -139,6 +139,10 @@ def _joint_model(design: DesignSpec, model: str) -> JointModel:
         from flexcli.engine.joint_models.linear import LinearModel
 
         return Corrected(LinearModel(blades), heard, model, omitted=off)
+    if model == "solid" and design.geometry.solids == "limbs":
+        from flexcli.engine.joint_models.exact_with_limbs import ExactWithLimbs
+
+        return Corrected(ExactWithLimbs(blades), heard, model, omitted=off)
     if model == "solid":
         from flexcli.engine.joint_models.exact_with_solids import ExactWithSolids
 

@@ -6,7 +6,7 @@ stroke; the moment of the stroke itself is that of the solid.
 """
 
 from itertools import product
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.formulas.rigid_motion import axes_about_z, motion_along
 from flexcli.mechanics.mesh import Effects
 from flexcli.mechanics.section_forces import flexible_pieces, section_forces
+from flexcli.mechanics.solids.limb import RigidLimb
 from flexcli.mechanics.solids.neck import Neck
 from flexcli.mechanics.solids.unit_loads import COARSE, FINE, NeckUnderLoads, equivalent
 from flexcli.mechanics.space.springs import MemberSprings, springs_of
@@ -33,7 +34,14 @@ from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.stress_across import acting_across, changed_across
 from flexcli.results import ErrorRange, QuantityKind
 
-__all__ = ["ExactWithSolids"]
+__all__ = [
+    "MOMENT",
+    "ExactWithSolids",
+    "Wrenches",
+    "compliance_ends",
+    "either_way",
+    "ends_and_middle",
+]
 
 Floats = NDArray[np.float64]
 
@@ -72,28 +80,31 @@ FEWEST = 1e-12
 """Share of the largest stress that is rounding."""
 
 
-class _Wrenches(NamedTuple):
-    """What the notch bears about its middle in the states of a case, along its axes (states, 6).
+class Wrenches(NamedTuple):
+    """What the solid bears about its middle in the states of a case, along its axes (states, 6).
 
-    ``unsure`` [N·m] is what its bending moment may be off by, and what the amplitude of that may;
+    ``unsure`` (6,) [N, N·m] is what that may be off by, and what the amplitude of that may;
     ``across`` (states, 6) is the part that acts out of the plane, ``shares`` what a stroke may
     change of it, and what it may alternate by.
     """
 
     wrenches: Floats
-    unsure: tuple[float, float]
+    unsure: tuple[Floats, Floats]
     across: Floats
     shares: tuple[float, float]
 
 
+SolidUnderLoads: TypeAlias = NeckUnderLoads | RigidLimb
+
+
 class _Solids(NamedTuple):
-    """The solids that a notch may be, by the shortest and the longest blocks beside it.
+    """The solids that a notch or a limb may be, by the shortest and the longest blocks beside it.
 
     ``turning`` are those that turn as far, and have the stresses.
     """
 
-    blocks: tuple[NeckUnderLoads, ...]
-    turning: tuple[NeckUnderLoads, ...]
+    blocks: tuple[SolidUnderLoads, ...]
+    turning: tuple[SolidUnderLoads, ...]
 
 
 class _Worst(NamedTuple):
@@ -141,20 +152,17 @@ class ExactWithSolids(ExactModel):
         return 1.0 / C, error
 
     def _compliance(self, ask: Ask, index: int) -> tuple[float, float]:
-        """Return a compliance of the notch, and the relative error of one over it.
+        """Return a compliance of the solid, and the relative error of one over it.
 
         It is between those with the shortest and the longest blocks that it may have.
         """
+        least, most = self._least_and_most(ask, index)
+        middle = 2.0 / (1.0 / least + 1.0 / most)
+        return middle, middle / least - 1.0
+
+    def _least_and_most(self, ask: Ask, index: int) -> tuple[float, float]:
         blocks, turning = self._solids(ask)
-        ends = []
-        for solid in turning if index == TURN else blocks:
-            try:
-                found, error = solid.compliance(index)
-            except SolveError as failed:
-                raise NotAvailable(f"has no solid: {failed}") from failed
-            ends += [found * (1.0 - error), found * (1.0 + error)]
-        middle = 2.0 / (1.0 / min(ends) + 1.0 / max(ends))
-        return middle, middle / min(ends) - 1.0
+        return compliance_ends(turning if index == TURN else blocks, index)
 
     def _judged(self, ask: Ask) -> tuple[list[EndStress], float]:
         try:
@@ -174,7 +182,8 @@ class ExactWithSolids(ExactModel):
             if error is None or K_error is None or effort + more == 0.0:
                 found.append(DriveEffort(travel, effort + more, None, load))
                 continue
-            off = K * abs(travel) * (K_error.largest + self._turned(abs(travel)))
+            turned = self._turned(self._hinge_turn(ask, abs(travel)))
+            off = K * abs(travel) * (K_error.largest + turned)
             off += abs(K / beam - 1.0) * abs(abs(effort) - beam * abs(travel))
             off = off / abs(effort + more) + error.largest
             found.append(DriveEffort(travel, effort + more, ErrorRange(-off, off), load))
@@ -227,11 +236,15 @@ class ExactWithSolids(ExactModel):
         """Return the stress at the surface where it is largest."""
         return "stress at the surface of solids, principal or von Mises", self._judged(ask)[0]
 
-    def _wrenches(self, ask: Ask, beam: float) -> _Wrenches:
+    def _hinge_turn(self, ask: Ask, travel: float) -> float:
+        """Return by how much a hinge turns at most at a travel [rad]."""
+        return travel
+
+    def _wrenches(self, ask: Ask, beam: float) -> Wrenches:
         """Return what the notch bears in the states of a case, in each sense of what is across."""
         scene = ask.scene
         K, error = self._stiffness(ask)
-        planar, unsure = np.zeros((2 if scene.moves else 1, 6)), (0.0, 0.0)
+        planar, unsure = np.zeros((2 if scene.moves else 1, 6)), (np.zeros(6), np.zeros(6))
         if scene.moves or scene.is_loaded:
             states = self.states(ask)
             middle, bowed = _in_the_middle(states)
@@ -246,23 +259,21 @@ class ExactWithSolids(ExactModel):
             rest = np.minimum(np.abs(rest), np.abs(np.abs(rest) - scene.push))
             beside = bowed + abs(K / beam - 1.0) * float(rest.max())
             error += self._turned(float(np.abs(turned).max()))
-            most = K * error * float(np.abs(travels).max())
-            unsure = beside + most, beside + K * error * scene.travel
+            for off, travel in zip(unsure, (np.abs(travels).max(), scene.travel), strict=True):
+                off[MOMENT] = beside + K * error * float(travel)
         groups = self._across(ask)
-        each = [np.zeros(6)]
-        if groups:
-            each = [np.sum([s * w for s, w in zip(signs, groups, strict=True)], axis=0)
-                    for signs in product((1.0, -1.0), repeat=len(groups))]  # fmt: skip
-        across = np.repeat(np.array(each), len(planar), axis=0)
-        shares = (0.0, 0.0)
-        if groups:
-            joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
-            changed = changed_across(joint, scene)
-            if changed is None:
-                raise NotAvailable("has no state at its stroke under what acts across it")
-            shares = max(1.0 - changed.least, changed.most - 1.0, 0.0), changed.swings
+        each = either_way(groups)
+        across = np.repeat(each, len(planar), axis=0)
         wrenches = np.tile(planar, (len(each), 1)) + across
-        return _Wrenches(wrenches, unsure, across, shares)
+        return Wrenches(wrenches, unsure, across, self._shares(ask) if groups else (0.0, 0.0))
+
+    def _shares(self, ask: Ask) -> tuple[float, float]:
+        """Return by what share a stroke changes what acts across it, and it alternates."""
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        changed = changed_across(joint, ask.scene)
+        if changed is None:
+            raise NotAvailable("has no state at its stroke under what acts across it")
+        return max(1.0 - changed.least, changed.most - 1.0, 0.0), changed.swings
 
     def _across(self, ask: Ask) -> list[Floats]:
         """Return what each load out of the plane is about the middle of the notch (6,)."""
@@ -289,18 +300,20 @@ class ExactWithSolids(ExactModel):
         return AT_STROKE * min(1.0, turn / SMALL_TURN)
 
     def _unsure(
-        self, solid: NeckUnderLoads, borne: _Wrenches, moment: float, share: float
+        self, solid: SolidUnderLoads, borne: Wrenches, wrench: Floats, share: float
     ) -> float:
-        """Return by how much a moment and a share of what acts across change the stress [Pa]."""
-        found, off = 0.0, np.zeros((1, 6))
-        off[0, MOMENT] = moment
-        for wrenches in (off, share * borne.across):
+        """Return by how much a wrench and a share of what acts across change the stress [Pa].
+
+        Each part of the wrench counts at the place that it stresses most.
+        """
+        found = 0.0
+        for wrenches in (*(np.diag(wrench)[:, None]), share * borne.across):
             if np.any(wrenches):
                 found += float(np.abs(equivalent(solid.stresses(wrenches, FINE)[0])).max())
         return found
 
     def _worst(
-        self, ask: Ask, solid: NeckUnderLoads, borne: _Wrenches, orders: tuple[int, int, int]
+        self, ask: Ask, solid: SolidUnderLoads, borne: Wrenches, orders: tuple[int, int, int]
     ) -> _Worst:
         """Return the worst places of the surface, state by state or between both ends."""
         stress, is_last = solid.stresses(borne.wrenches, orders)
@@ -364,16 +377,41 @@ def _solids(ask: Ask) -> _Solids:
     elastic = ask.material.elastic
     if elastic.nu is None or elastic.nu > STIFFEST_NU:
         raise NotAvailable(f"has no solids without a Poisson's ratio up to {STIFFEST_NU:g}")
-    sizes, known = ask.geometry.neck(ask.sizes), dict[float, NeckUnderLoads]()
+    sizes, known = ask.geometry.neck(ask.sizes), dict[float, SolidUnderLoads]()
+    E, nu, limb = number(elastic.E), number(elastic.nu), sizes.limb
     for block in (*sizes.blocks, *sizes.turning):
         neck = Neck(sizes.e, sizes.depth, sizes.l, sizes.b, sizes.straight, block)
-        known.setdefault(block, NeckUnderLoads(neck, number(elastic.E), number(elastic.nu)))
+        if limb is not None and limb.may_be_rigid and block == min(sizes.blocks):
+            known[block] = RigidLimb(NeckUnderLoads(neck, E, nu), limb.l)
+        elif limb is not None:
+            neck = neck._replace(bar=limb.l / 2.0 - neck.end)
+        known.setdefault(block, NeckUnderLoads(neck, E, nu))
     return _Solids(
         *(tuple(known[block] for block in each) for each in (sizes.blocks, sizes.turning))
     )
 
 
-def _meshed(solid: NeckUnderLoads, wrench: Floats) -> float:
+def compliance_ends(solids: tuple[SolidUnderLoads, ...], index: int) -> tuple[float, float]:
+    """Return the least and the greatest compliance of some solids to a unit load."""
+    ends = []
+    for solid in solids:
+        try:
+            found, error = solid.compliance(index)
+        except SolveError as failed:
+            raise NotAvailable(f"has no solid: {failed}") from failed
+        if error >= 1.0:
+            raise NotAvailable("has no solid: too few digits are left of one so slender")
+        ends += [found * (1.0 - error), found * (1.0 + error)]
+    return min(ends), max(ends)
+
+
+def either_way(groups: list[Floats], shape: tuple[int, ...] = (6,)) -> Floats:
+    """Return all sums of wrenches of a shape, each in either sense: zero where there are none."""
+    signs = np.array(list(product((1.0, -1.0), repeat=len(groups))))
+    return np.asarray(np.tensordot(signs, np.reshape(groups, (len(groups), *shape)), axes=1))
+
+
+def _meshed(solid: SolidUnderLoads, wrench: Floats) -> float:
     """Return by how much both meshes of a solid differ in the stresses of a wrench's parts [Pa]."""
     return float(sum(wrench[k] * solid.apart(int(k)) for k in np.flatnonzero(wrench)))
 
@@ -383,13 +421,20 @@ def _in_the_middle(states: Equilibrium) -> tuple[Floats, float]:
 
     The latter is its most over the mean of both ends [N·m]: what the force along it bends it by.
     """
+    found = ends_and_middle(states, 0)
+    middle = found[:, 1, 1:]
+    bowed = np.abs(middle[:, 2] - (found[:, 0, 3] + found[:, -1, 3]) / 2.0)
+    return middle, float(bowed.max())
+
+
+def ends_and_middle(states: Equilibrium, blade: int) -> Floats:
+    """Return s [m], N, Q [N] and M [N·m] at the start, middle and end of a blade (states, 3, 4)."""
     values, u = [], np.array([[-1.0, 0.0, 1.0]])
     for part in states.parts:
-        each = [section_forces(states, part, 0, s, u) for s in flexible_pieces(part, 0)]
+        pieces = flexible_pieces(part, blade)
+        each = [section_forces(states, part, blade, piece, u) for piece in pieces]
         sections = (np.concatenate([getattr(at, name) for at in each], axis=1) for name in "sNQM")
         values.append(np.stack(list(sections), axis=-1))
     found = states.scatter(values)
     s = found[0, :, 0]
-    middle = found[:, int(np.argmin(np.abs(s - (s[0] + s[-1]) / 2.0))), 1:]
-    bowed = np.abs(middle[:, 2] - (found[:, 0, 3] + found[:, -1, 3]) / 2.0)
-    return middle, float(bowed.max())
+    return found[:, [0, int(np.argmin(np.abs(s - (s[0] + s[-1]) / 2.0))), -1]]

@@ -1,4 +1,4 @@
-"""The octant of a neck: half a throat, half the block beside it, half the width."""
+"""The octant of a neck, or of a limb between two: half of it along, across and over the width."""
 
 from math import asinh, ceil, sqrt
 from typing import NamedTuple
@@ -30,7 +30,8 @@ AT_FACE, WIDER = 0.6, 4.0
 class Neck(NamedTuple):
     """A neck [m]: two half-ellipses apart by a straight stretch, of a depth and a length together.
 
-    ``block`` is the length of each block beside it, as high as its mouth, up to a rigid body.
+    ``block`` is the length of each block beside it, as high as its mouth, up to a rigid body. With
+    a ``bar`` it is one of the two necks of a limb, whose middle is that far from their mouths.
     """
 
     e: float
@@ -39,6 +40,7 @@ class Neck(NamedTuple):
     b: float
     straight: float = 0.0
     block: float = 0.0
+    bar: float = 0.0
 
     @property
     def height(self) -> float:
@@ -47,8 +49,13 @@ class Neck(NamedTuple):
 
     @property
     def end(self) -> float:
-        """Return the distance of a mouth from the middle [m]."""
+        """Return the distance of a mouth from the middle of the throat [m]."""
         return (self.straight + self.l) / 2.0
+
+    @property
+    def throat(self) -> float:
+        """Return the distance of the middle of the throat from that of the body [m]."""
+        return self.bar + self.end if self.bar > 0.0 else 0.0
 
 
 def neck_lattice(neck: Neck, orders: tuple[int, int, int]) -> Lattice:
@@ -64,10 +71,23 @@ def neck_lattice(neck: Neck, orders: tuple[int, int, int]) -> Lattice:
 
 
 def _face(neck: Neck, order: int) -> tuple[Floats, int]:
-    """Return places along the face, and which is at the mouth.
+    """Return places along the face from the middle on, and which is at the last mouth.
 
     They are (n, 3): x and y there, and x where the line across the body from there meets y = 0.
     """
+    found, mouth = _from_throat(neck, order)
+    if neck.bar == 0.0:
+        return found, mouth
+    # the other side of the throat is its mirror image, its block is half the bar
+    inner, _ = _from_throat(neck._replace(block=neck.bar), order)
+    inner, found = inner[:0:-1] * [-1.0, 1.0, -1.0], found.copy()
+    for each in (inner, found):
+        each[:, [0, 2]] += neck.throat
+    return np.concatenate([inner, found]), len(inner) + mouth
+
+
+def _from_throat(neck: Neck, order: int) -> tuple[Floats, int]:
+    """Return the places from the middle of the throat to the end of the block."""
     e, depth, l = neck.e, neck.depth, neck.l
     w = sqrt(e / (e + 4.0 * depth))
     most = STEEP if neck.block == 0.0 else 1.0

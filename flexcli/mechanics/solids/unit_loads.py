@@ -79,7 +79,7 @@ class NeckUnderLoads:
         on = np.zeros(lattice.shape, dtype=bool)
         on[:rows, -1, :] = on[:rows, :, -1] = True
         row, column, _ = np.nonzero(on)
-        beside = self.neck.straight / 2.0 + BEYOND * self.neck.l / 2.0
+        beside = self.neck.throat + self.neck.straight / 2.0 + BEYOND * self.neck.l / 2.0
         last = (row >= near) | (lattice.x[row, column] >= beside)
         found = np.zeros((len(wrenches), 8, last.size, 6))
         for index in np.flatnonzero(np.any(wrenches, axis=0)):
@@ -92,7 +92,7 @@ class NeckUnderLoads:
     def at_mouth(self, wrenches: Floats) -> float:
         """Return the most that a beam as high as the mouth is stressed there by wrenches [Pa]."""
         neck = self.neck
-        H, b, x = neck.height, neck.b, neck.end
+        H, b, x = neck.height, neck.b, neck.throat + neck.end
         Fx, Fy, Fz, Mx, My, Mz = np.abs(wrenches).T
         normal = Fx / (b * H) + 6.0 * (Mz + x * Fy) / (b * H**2) + 6.0 * (My + x * Fz) / (H * b**2)
         shear = 1.5 * (Fy + Fz) / (b * H) + Mx / (TWISTED * b * H * min(b, H))

@@ -3,7 +3,7 @@
 from abc import abstractmethod
 from collections.abc import Mapping
 from math import cos, inf, pi
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self, TypeAlias
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,6 +82,7 @@ __all__ = [
     "Extent",
     "Geometry",
     "Held",
+    "LimbSpan",
     "NeckSizes",
     "RootedBlade",
     "Sizes",
@@ -135,13 +136,27 @@ class TwistingBars(NamedTuple):
     restrained: bool
 
 
+Solids: TypeAlias = Literal["notch", "limbs"]
+"""What of a joint there are solids of."""
+
+
+class LimbSpan(NamedTuple):
+    """The distance between the two throats of a limb [m], and whether it may be rigid between them.
+
+    It is a bar as high as the mouths, rigid at most where the blocks are shortest.
+    """
+
+    l: float
+    may_be_rigid: bool
+
+
 class NeckSizes(NamedTuple):
-    """A single notch of constant width: two half-ellipses, apart by a straight stretch [m].
+    """A notch of constant width: two half-ellipses, apart by a straight stretch [m].
 
     ``blocks`` are the least and the greatest length that each block beside it may have, as high as
     its mouth and rigid at its end, or the one that it has; ``turning`` what these are where blocks
     of another shape give way as much under a moment about the axis of the notch. ``has_peaks`` says
-    that the peak of its stress counts.
+    that the peak of its stress counts. Two such notches make a ``limb``, the blocks at its ends.
     """
 
     e: float
@@ -152,6 +167,7 @@ class NeckSizes(NamedTuple):
     blocks: tuple[float, ...]
     turning: tuple[float, ...]
     has_peaks: bool
+    limb: LimbSpan | None = None
 
 
 class Extent(Part):
@@ -231,8 +247,8 @@ class Geometry(Part):
     """Whether its sag bends the blades across their width."""
     in_space: ClassVar[bool] = False
     """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
-    is_neck: ClassVar[bool] = False
-    """Whether it is a single notch, of which there are solids."""
+    solids: ClassVar[Solids | None] = None
+    """What there are solids of: the single notch that it is, or its limbs between two notches."""
     has_plane: ClassVar[bool] = True
     """Whether forces bend it in a plane as its stroke does; bars along an axis only twist."""
     _omitted: frozenset[EffectName] = PrivateAttr(frozenset())
@@ -506,7 +522,7 @@ class Geometry(Part):
         """
 
     def neck(self, sizes: Sizes) -> NeckSizes:
-        """Return the sizes of a joint that is a single notch, and the blocks beside it.
+        """Return the sizes of the notches of a joint of one or of limbs, and the blocks beside.
 
         Raises
         ------
@@ -514,7 +530,7 @@ class Geometry(Part):
             When it is anything else.
 
         """
-        raise NotAvailable("is no single notch, of which there are solids")
+        raise NotAvailable("has no notches, of which there are solids")
 
     def thick_notches(self, sizes: Sizes) -> Thick | None:
         """Return the changes by plane elasticity in its notch hinges, None where it has none."""

@@ -14,6 +14,7 @@ from flexcli.formulas.notch_compliance import bending_reach, circular_compliance
 from flexcli.formulas.profile import Notch, per_design
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.thick_notch import Blocks as BesideNotch
+from flexcli.formulas.thick_notch import massive_bars
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout, Point
 from flexcli.numerics.rows import cos, larger, number, sin, smaller, tan
@@ -31,7 +32,15 @@ from flexcli.parts.bending.limbs import Hinge, LimbPivot, LimbStage
 from flexcli.parts.bending.thick_limbs import thick_limb_pivot, thick_limb_stage
 from flexcli.parts.bending.wide import wide_notch
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry
+from flexcli.parts.geometries.base import (
+    GROUND,
+    MOVING,
+    Extent,
+    Geometry,
+    LimbSpan,
+    NeckSizes,
+    Solids,
+)
 from flexcli.parts.geometries.notch import (
     CONCENTRATION,
     Blocks,
@@ -86,6 +95,7 @@ class _Hinged(Geometry):
         Range("2r/l", most=1.0, why="the hinges of a limb overlap"),
     )
     posynomial: ClassVar[bool] = False
+    solids: ClassVar[Solids | None] = "limbs"
 
     e: Extent
     """Thickness of the throats, e.g. ``0.1 mm``."""
@@ -130,6 +140,18 @@ class _Hinged(Geometry):
         """Return stiffness of a hinge [N·m/rad] and reach of its bending about its centre [m]."""
         C = circular_compliance(E=elastic.E, b=sizes.b, e=sizes.e, r=sizes.r)
         return 1.0 / C.turn, bending_reach(across=C.across, turn=C.turn)
+
+    def neck(self, sizes: LimbSizes) -> NeckSizes:
+        """Return two half-circles at either end of a limb, with the blocks outside them."""
+        e, r, l, b = map(number, sizes)
+        beside = self._beside
+        blocks = (beside,) if isinstance(beside, float) else (0.0, e + 2.0 * r)
+        turning = blocks
+        if isinstance(beside, str):
+            turning = massive_bars(e=e, depth=r, l=2.0 * r)
+        has_peaks = self.concentration != "none"
+        limb = LimbSpan(l, beside is None)
+        return NeckSizes(e, r, 2.0 * r, b, 0.0, blocks, turning, has_peaks, limb)
 
     def has_limbs(self, elastic: Elastic, sizes: LimbSizes) -> bool:
         """Return whether the mass of its limbs is unstated."""

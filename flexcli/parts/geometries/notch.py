@@ -22,7 +22,14 @@ from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.arc import Arc
 from flexcli.parts.bending.wide import wide_notch
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.geometries.base import GROUND, MOVING, Extent, Geometry, NeckSizes
+from flexcli.parts.geometries.base import (
+    GROUND,
+    MOVING,
+    Extent,
+    Geometry,
+    NeckSizes,
+    Solids,
+)
 from flexcli.parts.geometries.parallel import straight_share
 from flexcli.results import Value
 
@@ -105,7 +112,7 @@ class NotchGeometry(Geometry):
     motion: ClassVar[str] = "rotation"
     source: ClassVar[str] = SOURCE
     posynomial: ClassVar[bool] = False
-    is_neck: ClassVar[bool] = True
+    solids: ClassVar[Solids | None] = "notch"
 
     concentration: Concentration = Field(CONCENTRATION, alias="stress-concentration")
     """How the peak of the stress in a throat counts: by Neuber's deep notch, of fillets by their
