@@ -149,11 +149,14 @@ class _Reader:
         """Count nodes and levels, aliases unfolded, and refuse what no spec needs."""
         self.size += size
         if self.depth + height > MAX_DEPTH:
-            text = f"is nested deeper than {MAX_DEPTH} levels"
-            self._give_up(place, "", text, "no spec is that deep")
+            self._too_deep(place)
         if self.size > MAX_NODES:
             text = f"holds more than {MAX_NODES} values, aliases unfolded"
             self._give_up(place, "", text, "no spec is that long")
+
+    def _too_deep(self, place: Position) -> NoReturn:
+        text = f"is nested deeper than {MAX_DEPTH} levels"
+        self._give_up(place, "", text, "no spec is that deep")
 
     def _collection(
         self, event: Any, path: str, children: dict[str | int, Position]
@@ -225,6 +228,11 @@ class _Reader:
         """Raise what broke the syntax, and the findings before it."""
         if not isinstance(error, yaml.MarkedYAMLError):
             self._give_up(self._position(0, 0), "", "is not valid YAML", "save it as UTF-8 text")
+        mark = error.problem_mark or error.context_mark
+        # libyaml scans brackets far ahead, and gives up at a depth of its own
+        ahead = self.text[: mark.index] if mark is not None else ""
+        if sum(map(ahead.count, "[{")) - sum(map(ahead.count, "]}")) > MAX_DEPTH:
+            self._too_deep(self._at(mark))
         bracket = self.brackets[-1] if self.brackets else None
         mark, text, hint = explain(error, self.text, self.lines[self.file], bracket)
         self._give_up(self._at(mark), "", text, hint)
