@@ -235,7 +235,7 @@ def _sag(setting: Setting) -> Change | None:
     value = hanging_on(*joint, payload, axis, arm=arm, density=rho) / light - 1.0
     if density is None:
         return Change(None, abs(value), 0.0, 1)
-    return Change(value, abs(value), abs(value) * _sections(setting))
+    return Change(value, abs(value), abs(value) / (1.0 + value) * _sections(setting))
 
 
 def _twisted(setting: Setting, bars: TwistingBars) -> Change | None:

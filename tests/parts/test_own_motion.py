@@ -230,3 +230,21 @@ def test_a_sag_counts_the_blades():
     share = change(found)["sag"].value * 3e-3 / (RHO * 0.5e-3 * 10e-3 * 30e-3)
     # shear: its part of the sag of a uniform load is larger than of a load at the tip
     assert share == pytest.approx(3.0 / 8.0, rel=1e-3)
+
+
+def test_the_sag_of_a_blade_that_outweighs_what_it_carries_is_as_sure_as_its_own_part():
+    """Timoshenko's cantilever under its own weight sags by q l⁴/(8 E I) + q l²/(2 κ G A)."""
+    h, b, l, m = 3e-3, 10e-3, 30e-3, 0.1e-3
+    found = change(
+        design(
+            CANTILEVER | {"h": "3 mm"}, {"kind": "payload", "mass": "0.1 g"},
+            {"acceleration": {"level": "1 g", "axis": "x"}}, requirements={"sag": {"max": "1 mm"}},
+        )
+    )["sag"]  # fmt: skip
+    I, A, G = b * h**3 / 12.0, b * h, E / 2.6
+    q, kappa = RHO * A, 5.0 / 6.0
+    light = m * l**3 / (3.0 * E * I) + m * l / (kappa * G * A)
+    own = q * l**4 / (8.0 * E * I) + q * l**2 / (2.0 * kappa * G * A)
+    assert found.value > 10.0
+    assert (1.0 + own / light) / (1.0 + found.value) == pytest.approx(1.0, abs=found.error)
+    assert found.error < 0.05
