@@ -290,3 +290,23 @@ def test_joined_blades_give_way_at_their_outer_ends_alone():
     assert found == pytest.approx(1.0 / (1.0 + softer), abs=0.2 * softer)
     assert cut.stiffness.low < rigid.stiffness.low
     assert cut.buckling.low < 1.0
+
+
+def test_a_crossing_in_a_crystal_is_as_unsure_as_it_is_large():
+    """Its plane elasticity is that of an isotropic material."""
+    spec = {
+        "flexure": 1, "stroke": {"rotation": "1 deg"}, "requirements": {"yield": 1e-3},
+        "geometry": {"kind": "unseparated-cross", "h": "0.5 mm", "l": "20 mm", "b": "1 mm",
+                     "half_angle": "45 deg"},
+    }  # fmt: skip
+    silicon = {"crystal": {"c11": "165.7 GPa", "c12": "63.9 GPa", "c44": "79.6 GPa"}}
+    alike = {"youngs_modulus": "130 GPa", "poisson_ratio": 0.28}
+    widths = []
+    for made in (alike, silicon):
+        spec["material"] = {**made, "yield_strength": "1 GPa"}
+        (check,) = flexcli.verdicts(yaml.safe_dump(spec), model="exact").checks
+        low, high = check.factor_range
+        widths.append(high / low - 1.0)
+    crossed = 0.04  # of stiffness and stress, here
+    assert widths[0] < crossed
+    assert widths[1] > widths[0] + crossed

@@ -107,6 +107,9 @@ class ClampCompliance(ModelEffect):
             if turned:
                 found["stress"] = _off(found["stress"], smaller(turned, most))
             found["shift"] = _beside(_between(*softened.shift), softened, setting.largest_travel)
+        if softened.turned and setting.material.sheet is not None:
+            # a crossing of blades with moduli of their own, which no plane was solved of
+            found = {name: _off(change, change.bound) for name, change in found.items()}
         if not setting.sags_along_stroke:
             found["sag"] = Change(None, softened.softest, 0.0, 1)
         return found
