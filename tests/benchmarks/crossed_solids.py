@@ -32,7 +32,7 @@ JOINTS = (
     (0.00737, 0.0236, 0.349, 30.2), (0.00368, 0.0111, 0.264, 25.4),
     (0.00579, 0.0232, 0.465, 27.5), (0.0127, 0.0255, 0.219, 72.9),
 )  # fmt: skip
-"""Random joints: none was used for a fit."""
+"""Random joints: the crossing is fitted to none; what thick blades widen less is told by them."""
 
 
 def graded(l, first, middle, grows=2.0):
