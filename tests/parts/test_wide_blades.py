@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from drawn_layouts import KINDS, drawn_layout
+from flattened_blades import drawn, risen, told
 from geometries_for_tests import SAMPLES, geometry, spec
 from plates.crossed_strip import CrossedStrip
 from pydantic import TypeAdapter
@@ -477,3 +478,17 @@ def test_blades_with_long_fillets_are_as_stiff_as_their_solids(h, l, b, r, nu):
         assert low <= most
         assert least <= high
         assert high / low < 1.03  # and tells something
+
+
+@pytest.mark.parametrize("seed", [7, 8, 9, 10, 11, 12])
+def test_curvature_raises_the_moments_of_shells_within_what_is_told(seed):
+    """Of a blade under a moment, a guide, a cantilever and a pivot's, over the beam's moment."""
+    kind, travel, sizes = drawn(np.random.default_rng(seed))
+    change = told(kind, travel, **sizes)
+    assert risen(kind, travel, **sizes) == pytest.approx(change.value, abs=change.error + 2e-4)
+
+
+def test_clamps_leave_little_of_a_short_blade_for_curvature_to_flatten():
+    long, short = (told("guided-blade", 0.02, b=b, h=0.002 * b**2, nu=0.3) for b in (0.2, 1.0))
+    assert 0.0 < short.value < 0.3 * long.value
+    assert long.error < 0.4 * long.value
