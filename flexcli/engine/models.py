@@ -26,7 +26,9 @@ class NamedModel:
     def joint_model(self) -> JointModel:
         """Return the model itself."""
         planar = _joint_model(self.design, self.name)
-        if self.name == "solid" or not any(scene.across_by for scene in self.design.scenes()):
+        scenes = self.design.scenes()
+        tilts = self.name != "source" and any(scene.tilts for scene in scenes)
+        if self.name == "solid" or not (tilts or any(scene.across_by for scene in scenes)):
             return planar
         from flexcli.engine.joint_models.out_of_plane import OutOfPlane
 

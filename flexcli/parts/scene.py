@@ -124,6 +124,9 @@ class Scene(NamedTuple):
     """Those that are fully included in the stresses of the joint's plane."""
     across_by: frozenset[LoadKind] = frozenset()
     """Those that also act out of the plane, on a joint whose blades are judged in space."""
+    tilts: bool = False
+    """Whether what acts in the plane may tilt the body out of it, and nothing says what holds it.
+    """
     stated: Wrench = NO_WRENCH
     inertial: tuple[Wrench, ...] = ()
     accelerations: tuple[tuple[float, float, float], ...] = ()

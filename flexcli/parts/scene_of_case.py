@@ -63,6 +63,9 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         beyond = WARM
     if force > 0.0 and mechanism is not None and found.name:
         values |= force_values(force, found, stated)
+    across_by = _across_by(case, geometry, lasting, found)
+    alone = mechanism is None or mechanism.joints == 1
+    is_held = ends is not None or case.lock is not None or not alone or found.on_bodies
     return Scene(
         case=name,
         travel=travel,
@@ -97,7 +100,8 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         drive=drive,
         beyond=beyond,
         in_space=geometry.in_space,
-        across_by=_across_by(case, geometry, lasting, found),
+        across_by=across_by,
+        tilts=not (across_by or is_held) and geometry.may_tilt(loaded=any(map(any, lasting))),
         on_bodies=found.on_bodies,
         unjudged=found.unjudged,
         directed=_is_more(stated, drive) and (case.load is None or case.load.is_directed),

@@ -3,11 +3,12 @@
 The stress of such a load is that at rest, added to the planar one as if both were largest at the
 same place; the true one is no less than either. What the stroke changes in it is estimated by
 the second order of both together. Where that leaves much, or blades bend aside under such a load,
-exact beams in space take all of a case together.
+exact beams in space take all of a case together. So they do where what acts in the plane tilts the
+body, as blades stand side by side.
 """
 
 from functools import partial
-from math import inf
+from math import inf, isfinite
 from typing import TYPE_CHECKING, NamedTuple
 
 from flexcli.engine.joint_models.remembered import Remembered
@@ -28,6 +29,7 @@ from flexcli.parts.requirements import (
 )
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.stress_across import AcrossStress, across_stress
+from flexcli.parts.tilted_joint import Tilt, tilt_of
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -43,6 +45,9 @@ NARROW = 0.03
 
 SWINGING = 0.06
 """Width of an error of exact beams up to which they tell a stroke beside loads across it."""
+
+OF_TILT = 0.2
+"""Error of what a tilt changes of a stiffness: exact beams in space differ by 0.04 of it."""
 
 FINEST = ("exact", "shell")
 """Models beside which exact beams in space are no more than what was asked for."""
@@ -70,6 +75,7 @@ class OutOfPlane(JointModel):
         self.directs_blades = inner.directs_blades
         self._known: Remembered[_Parts] = Remembered()
         self._told_by_beams: Remembered[bool] = Remembered()
+        self._tilts: Remembered[Tilt] = Remembered()
         self._space = _in_space(inner.name)
         self._is_finest = inner.name in FINEST
         self.at_stroke = inner.at_stroke if self._space is None else self._space.at_stroke
@@ -83,8 +89,8 @@ class OutOfPlane(JointModel):
         return self.inner.frequency_factor(ask)
 
     def stiffness(self, ask: Ask) -> Computed:
-        """Return the planar model's."""
-        return self.inner.stiffness(ask)
+        """Return the planar model's, the body free to tilt."""
+        return self.inner.stiffness(ask) * (1.0 if (t := self._tilt(ask)) is None else t.stiffness)
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
         """Return the planar model's; under loads out of the plane, that of exact beams in space."""
@@ -147,7 +153,8 @@ class OutOfPlane(JointModel):
         These act either way, so that they make more of a mean in tension and in compression.
         """
         if not ask.scene.across_by:
-            return self.inner.stresses(ask)
+            tilted = self._tilted_beams(ask)
+            return self.inner.stresses(ask) if tilted is None else tilted.stresses(ask)
         if ask.scene.on_bodies:
             return self._whole().stresses(ask)
         beams = self._beams(ask)
@@ -166,12 +173,64 @@ class OutOfPlane(JointModel):
         if ask.scene.on_bodies and kind is QuantityKind.STRESS:
             return None if self._space is None else self._space.error(ask, kind)
         if kind is not QuantityKind.STRESS or not ask.scene.across_by:
-            return self.inner.error(ask, kind)
+            return self._with_tilt(ask, kind, self.inner.error(ask, kind))
         try:
             beams = self._beams(ask)
             return self._sum_error(ask) if beams is None else beams.error(ask, kind)
         except NotAvailable:
             return None
+
+    def _with_tilt(
+        self, ask: Ask, kind: QuantityKind, planar: ErrorRange | None
+    ) -> ErrorRange | None:
+        """Return the error of a number of the plane with what a tilt of the body may change."""
+        tilt = self._tilt(ask)
+        if tilt is None or planar is None:
+            return planar
+        if kind is QuantityKind.STRESS:
+            tilted = self._tilted_beams(ask)
+            if tilted is not None:
+                return tilted.error(ask, kind)
+            most = self._share_of_tilt(ask, tilt)
+            return planar + ErrorRange(0.0, most) if isfinite(most) else None
+        if kind is QuantityKind.SHIFT and ask.scene.moves:
+            shift = abs(float(self.inner.parasitic_shift(ask)))
+            moved = tilt.across * max(map(abs, ask.scene.stroke_ends))
+            return planar + ErrorRange(0.0, moved / shift) if shift else None
+        if kind in (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY):
+            off = OF_TILT * abs(tilt.stiffness - 1.0)
+            return planar + ErrorRange(-off, off)
+        return planar
+
+    def _tilt(self, ask: Ask) -> Tilt | None:
+        """Return what a tilt of the body changes; None where nothing tilts it, or it is held."""
+        if not ask.scene.tilts:
+            return None
+        return self._tilts.of("tilt", ask, lambda: tilt_of(ask))
+
+    def _tilted_beams(self, ask: Ask) -> SpaceLinearModel | None:
+        """Return exact beams in space, where they know the stress of a joint that tilts."""
+        space, tilt = self._space, self._tilt(ask)
+        if space is None or not self._is_finest or tilt is None:
+            return None
+        if self._share_of_tilt(ask, tilt) <= NARROW:
+            return None
+        find = partial(self._is_told_tilted, ask, space)
+        return space if self._told_by_beams.of("tilted beams", ask, find) else None
+
+    def _share_of_tilt(self, ask: Ask, tilt: Tilt) -> float:
+        """Return what a tilt adds at most to the largest stress, or to its largest amplitude."""
+        found = self.inner.stresses(ask)[1]
+        own = max(abs(float(stress.largest)) for stress in found)
+        swung = max(abs(float(stress.amplitude)) for stress in found)
+        shares = ((tilt.stress, own), (tilt.amplitude, swung))
+        return max((more / of if of else inf for more, of in shares if more), default=0.0)
+
+    def _is_told_tilted(self, ask: Ask, space: SpaceLinearModel) -> bool:
+        try:
+            return space.error(ask, QuantityKind.STRESS) is not None
+        except NotAvailable:
+            return False
 
     def _sum_error(self, ask: Ask) -> ErrorRange | None:
         """Return the error of the planar stress with that of the loads out of the plane.

@@ -581,6 +581,10 @@ class Geometry(Part):
         """Return the optional keys that a layout needs and closed forms do not."""
         return tuple(key for key in LAYOUT_KEYS if getattr(self, key, "") is None)
 
+    def may_tilt(self, *, loaded: bool) -> bool:
+        """Return whether blades at different heights may tilt its body, at a stroke or loaded."""
+        return False
+
     def twisting_bars(self, sizes: Sizes) -> TwistingBars | None:
         """Return the bars whose torsion is its motion, where it has no other blades."""
         return None

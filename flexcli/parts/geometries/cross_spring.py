@@ -17,6 +17,9 @@ from flexcli.results import QuantityKind, Value
 
 __all__ = ["CrossSpringPivot"]
 
+MIDDLE = -0.5
+"""δ of blades that cross half-way."""
+
 LEADING = "|9δ² + 9δ + 1| tan² α/θ"
 """The shift's leading term over some ten times the next one, near Wittrick's crossing."""
 
@@ -76,6 +79,13 @@ class CrossSpringPivot(PairFormulas, BladePivot):
         """Return heights of blades that touch each other's planes, in the order of the pairs."""
         middle = (self.blade_count - 1) / 2.0
         return tuple((index - middle) * sizes.b for index in range(self.blade_count))
+
+    def may_tilt(self, *, loaded: bool) -> bool:
+        """Return that its blades pass beside each other.
+
+        Those that cross in the middle a stroke bends to arcs, which pull at nothing.
+        """
+        return loaded or self.delta != MIDDLE
 
     def offset(self, sizes: Blade) -> Computed:
         """Return p [m], as given or as delta times the length."""

@@ -1,0 +1,127 @@
+"""Blades side by side along the axis of a pivot: forces at different heights tilt the body.
+
+Models of a plane keep it upright. Two blades that cross bear the forces that a rotation makes of
+them, or one in the plane, as a couple.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, Vector
+from flexcli.mechanics.space.states import Acting, SpaceState, Stresses, action, combined
+from flexcli.parts.elastic import Elastic
+from flexcli.parts.requirements import Ask
+from flexcli.parts.scene import Scene
+from flexcli.parts.space_joint import SpaceJoint, joint_in_space
+from flexcli.parts.space_states import acting_groups, largest_stress, third_order
+
+__all__ = ["Tilt", "tilt_of"]
+
+Floats = NDArray[np.float64]
+
+OUT_OF_PLANE = (2, 3, 4)
+"""Among the forces at a blade's middle: across its width, its torque, bending of its width."""
+
+BEYOND = 0.75
+"""Part of the stress of a tilt that orders beyond the second may add: of 300 random cross-springs
+exact beams in space had half of it, of thick blades as wide as long."""
+
+
+class Tilt(NamedTuple):
+    """What a tilting body changes.
+
+    ``stiffness`` is that along the motion over that of the same joint kept upright [-]; ``stress``
+    and ``amplitude`` are what the tilt adds at most to the largest stress of a case, and to how far
+    that alternates [Pa]; ``across`` is how far the centre moves in the plane in first order of a
+    unit stroke [m or m/rad].
+    """
+
+    stiffness: float
+    stress: float
+    amplitude: float
+    across: float
+
+
+def tilt_of(ask: Ask) -> Tilt:
+    """Return what a tilt changes of a joint at the ends of a case's stroke, its loads acting.
+
+    The stress is that of the forces out of the plane, to second order: with that in the plane, as
+    if both were largest at one place, it is no less than all together. Without a Poisson's ratio
+    that which makes most of it, 0 or ½.
+    """
+    if ask.material.poisson_ratio is not None:
+        return _of_joint(joint_in_space(ask.geometry, ask.material, ask.sizes), ask.scene)
+    each = [
+        _of_joint(
+            SpaceJoint(ask.geometry.space_layout(Elastic(ask.material.elastic.E, nu), ask.sizes)),
+            ask.scene,
+        )
+        for nu in (0.0, 0.5)
+    ]
+    least, *others = zip(*each, strict=True)
+    return Tilt(min(least), *map(max, others))
+
+
+def _of_joint(joint: SpaceJoint, scene: Scene) -> Tilt:
+    upright = SpaceJoint(_kept_upright(joint.layout))
+    k, kept = (_driven(each) for each in (joint, upright))
+    body = joint.layout.drive.body
+    unit = action(joint.assembly, Acting(1.0, np.zeros(6), joint.layout.body(body).point, _NONE))
+    centre = joint.assembly.motion(body, (0.0, 0.0, 0.0))[:2] @ unit.moved.coordinates[:, 0]
+    stresses, most, swings = Stresses(joint.assembly), 0.0, 0.0
+    for ends in _ends(joint, scene):
+        forces, more = [], 0.0
+        for state in ends:
+            after = state.following()
+            forces.append(state.moved.forces[:, 0] + after.forces)
+            more = max(more, third_order(after))
+        beyond = 1.0 + more + BEYOND
+        most = max(most, *(_leaving_plane(stresses, each) * beyond for each in forces))
+        swing = _leaving_plane(stresses, (forces[0] - forces[-1]) / 2.0)
+        swings = max(swings, swing * beyond)
+    return Tilt(k / kept, most, swings, float(np.hypot(*centre)))
+
+
+_NONE = np.zeros(3)
+
+
+def _kept_upright(layout: SpaceLayout) -> SpaceLayout:
+    """Return a layout with all blades in the plane."""
+    blades = tuple(
+        replace(each, start=_flat(each.start), end=_flat(each.end))
+        for each in layout.blades
+        if isinstance(each, SpaceBlade)
+    )
+    return SpaceLayout(layout.bodies, blades, layout.drive, layout.springs)
+
+
+def _flat(place: Vector) -> Vector:
+    return place[0], place[1], 0.0
+
+
+def _driven(joint: SpaceJoint) -> float:
+    return float(joint.assembly.moved(travel=np.ones(1)).drive[0])
+
+
+def _ends(joint: SpaceJoint, scene: Scene) -> Iterator[list[SpaceState]]:
+    """Yield the states at the ends of a stroke for each sense of the loads."""
+    point = joint.layout.body(joint.layout.drive.body).point
+    strokes = [action(joint.assembly, Acting(end, np.zeros(6), point, _NONE))
+               for end in dict.fromkeys(scene.stroke_ends) if end]  # fmt: skip
+    groups = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
+    for signs in product((1.0, -1.0), repeat=len(groups)):
+        loads = [combined(groups, list(signs))] if groups else []
+        rest = loads if not strokes or not all(scene.stroke_ends) else []
+        yield [*(combined([each, *loads], [1.0] * (1 + len(loads))) for each in strokes), *rest]
+
+
+def _leaving_plane(stresses: Stresses, forces: Floats) -> float:
+    """Return the largest stress of those forces of blades that are out of the plane [Pa]."""
+    count = len(stresses.names)
+    out = forces[: 6 * count].reshape(-1, 6) * np.isin(np.arange(6), OUT_OF_PLANE)
+    return max(map(largest_stress, stresses.of(out.ravel(), np.zeros((count, 3)))))

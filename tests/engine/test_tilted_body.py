@@ -1,0 +1,127 @@
+"""Cross-springs whose blades stand side by side: the body tilts, against frames in space."""
+
+import numpy as np
+import pytest
+import yaml
+from space_frame import Beam, Frame, beam_matrix
+
+import flexcli
+
+E, NU, L = 200e9, 0.3, 20e-3
+G = E / 2.0 / (1.0 + NU)
+
+
+def spec(h, b, delta, degrees, case, requirements, **geometry):
+    """Return the text of a cross-spring, sizes in m."""
+    joint = {
+        "kind": "cross-spring", "h": f"{h!r} m", "l": f"{L} m", "b": f"{b!r} m",
+        "delta": delta, "half_angle": f"{degrees} deg", **geometry,
+    }  # fmt: skip
+    material = {
+        "youngs_modulus": f"{E} Pa", "poisson_ratio": NU, "yield_strength": "800 MPa",
+        "fatigue_amplitude": {"value": "400 MPa", "cycles": 1e7, "stress_ratio": -1},
+    }  # fmt: skip
+    words = {"flexure": 1, "title": "cross-spring", "material": material, "geometry": joint}
+    return yaml.safe_dump({**words, "cases": {"work": case}, "requirements": requirements})
+
+
+def frame(h, b, delta, degrees, apart):
+    """Return the pivot as two beams whose middle planes are apart, and each beam's own rows."""
+    J = b * h**3 / 3.0 * (1.0 - 0.63 * h / b)
+    matrix = beam_matrix(
+        L, E * b * h, G * J, E * h * b**3 / 12.0, E * b * h**3 / 12.0,
+        12.0 * E / (L**2 * 5.0 / 6.0 * G) * h**2 / 12.0,
+        12.0 * E / (L**2 * 5.0 / 6.0 * G) * b**2 / 12.0,
+    )  # fmt: skip
+    beams, rows = [], []
+    for side in (1.0, -1.0):
+        angle = side * np.radians(degrees)
+        along = np.array([np.cos(angle), np.sin(angle), 0.0])
+        axes = np.array([along, [-along[1], along[0], 0.0], [0.0, 0.0, 1.0]])
+        up = np.array([0.0, 0.0, -side * apart / 2.0])
+        ends = delta * L * along + up, (delta + 1.0) * L * along + up
+        beams.append(Beam(None, 0, *ends, axes, matrix))
+        x, y, z = ends[1]
+        rigid = np.eye(6)
+        rigid[:3, 3:] = [[0, z, -y], [-z, 0, x], [y, -x, 0]]
+        rows.append(matrix[:, 6:] @ np.kron(np.eye(2), axes) @ rigid)
+    return Frame([(0.0, 0.0, 0.0)], beams), rows
+
+
+def largest(rows, motion, h, b):
+    """Return the largest normal stress at the ends of beams [Pa]."""
+    found = 0.0
+    for each in rows:
+        for force in np.split(each @ motion, 2):
+            axial, _, _, _, wide, thin = np.abs(force)
+            found = max(found, axial / (b * h) + 6.0 * wide / (h * b**2) + 6.0 * thin / (b * h**2))
+    return found
+
+
+def turned(frame, theta):
+    """Return the motion of the body that is turned about z, free otherwise."""
+    motion = np.zeros(6)
+    motion[5] = theta
+    motion[:5] = np.linalg.solve(frame.K[:5, :5], -frame.K[:5, 5] * theta)
+    return motion
+
+
+@pytest.mark.parametrize(("delta", "degrees"), [(0.3, 45.0), (0.3, 15.0), (0.1, 60.0)])
+def test_the_stiffness_is_that_of_a_body_that_may_tilt(delta, degrees):
+    h, b = 1e-3, 2e-3
+    case = {"stroke": {"rotation": "0.01 mrad", "cycles": 1e7}}
+    side = spec(h, b, delta, degrees, case, {"stiffness": {"min": "1e-9 N*m/rad"}})
+    upright = yaml.safe_load(side)
+    upright["geometry"] |= {"kind": "rcc", "p": f"{upright['geometry'].pop('delta') * L} m"}
+    told = [
+        flexcli.check(text, model="linear").values["k_pivot"].value
+        for text in (side, yaml.safe_dump(upright))
+    ]
+    true = []
+    for apart in (b, 0.0):
+        whole, _ = frame(h, b, delta, degrees, apart)
+        true.append(float(whole.K[5] @ turned(whole, 1.0)))
+    assert true[0] < 0.99 * true[1]
+    assert told[0] / told[1] == pytest.approx(true[0] / true[1], rel=2e-3)
+
+
+@pytest.mark.parametrize(("axis", "column"), [("x", 0), ("y", 1)])
+def test_a_force_in_the_plane_tilts_the_body_and_its_stress_counts_so(axis, column):
+    h, b, delta, degrees = 0.5e-3, 5e-3, -0.5, 60.0
+    force = np.zeros(6)
+    force[column] = 5.0
+    (side, rows), (plane, alone) = (frame(h, b, delta, degrees, apart) for apart in (b, 0.0))
+    true = float(largest(rows, np.linalg.solve(side.K, force), h, b))
+    upright = largest(alone, np.linalg.solve(plane.K, force), h, b)
+    assert true > 1.5 * upright
+    case = {"wrench": {axis: "5 N"}}
+    factor = 800e6 / true
+    for required, verdict in ((0.85 * factor, "pass"), (1.2 * factor, "fail")):
+        (check,) = flexcli.verdicts(
+            spec(h, b, delta, degrees, case, {"yield": {"factor": required}})
+        ).checks
+        assert check.verdict == verdict, (check.factor_range, factor)
+    (check,) = flexcli.verdicts(
+        spec(h, b, delta, degrees, case, {"yield": {"factor": 1.2 * factor}}), model="closed-form"
+    ).checks
+    assert check.verdict != "pass"
+
+
+def test_a_stroke_of_blades_that_cross_in_the_middle_tilts_nothing():
+    case, of = {"stroke": {"rotation": "0.1 deg", "cycles": 1e7}}, {"yield": {"factor": 1.0}}
+    checks = [
+        flexcli.verdicts(spec(0.8e-3, 5e-3, delta, 45.0, case, of), model="linear").checks[0]
+        for delta in (-0.5, 0.0)
+    ]
+    widths = [high / low - 1.0 for low, high in (check.factor_range for check in checks)]
+    assert widths[0] < 0.02 < widths[1] - widths[0]
+
+
+def test_ends_that_are_stated_hold_the_body_upright():
+    case, of = {"wrench": {"x": "5 N"}}, {"yield": {"factor": 1e-3}}
+    stated = {**case, "ends": "clamped-guided"}
+    free, held = (
+        flexcli.verdicts(spec(0.5e-3, 5e-3, -0.5, 60.0, each, of), model="exact").checks[0]
+        for each in (case, stated)
+    )
+    assert held.factor > 1.4 * free.factor
