@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, Vector
 from flexcli.mechanics.space.states import Acting, SpaceState, Stresses, action, combined
 from flexcli.parts.elastic import Elastic
-from flexcli.parts.requirements import Ask
+from flexcli.parts.geometries import Geometry, Sizes
+from flexcli.parts.material import Material
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.parts.space_states import acting_groups, largest_stress, third_order
@@ -47,20 +48,17 @@ class Tilt(NamedTuple):
     across: float
 
 
-def tilt_of(ask: Ask) -> Tilt:
+def tilt_of(geometry: Geometry, material: Material, sizes: Sizes, scene: Scene) -> Tilt:
     """Return what a tilt changes of a joint at the ends of a case's stroke, its loads acting.
 
     The stress is that of the forces out of the plane, to second order: with that in the plane, as
     if both were largest at one place, it is no less than all together. Without a Poisson's ratio
     that which makes most of it, 0 or ½.
     """
-    if ask.material.poisson_ratio is not None:
-        return _of_joint(joint_in_space(ask.geometry, ask.material, ask.sizes), ask.scene)
+    if material.poisson_ratio is not None:
+        return _of_joint(joint_in_space(geometry, material, sizes), scene)
     each = [
-        _of_joint(
-            SpaceJoint(ask.geometry.space_layout(Elastic(ask.material.elastic.E, nu), ask.sizes)),
-            ask.scene,
-        )
+        _of_joint(SpaceJoint(geometry.space_layout(Elastic(material.elastic.E, nu), sizes)), scene)
         for nu in (0.0, 0.5)
     ]
     least, *others = zip(*each, strict=True)

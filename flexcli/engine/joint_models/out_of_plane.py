@@ -8,13 +8,14 @@ body, as blades stand side by side.
 """
 
 from functools import partial
-from math import inf, isfinite
+from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.formulas.quantity import Computed
+from flexcli.numerics.rows import design_by_design, isfinite, larger, number
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Setting
 from flexcli.parts.elastic import NotAvailable
@@ -90,7 +91,8 @@ class OutOfPlane(JointModel):
 
     def stiffness(self, ask: Ask) -> Computed:
         """Return the planar model's, the body free to tilt."""
-        return self.inner.stiffness(ask) * (1.0 if (t := self._tilt(ask)) is None else t.stiffness)
+        tilt = self._tilt(ask)
+        return self.inner.stiffness(ask) * (1.0 if tilt is None else tilt.stiffness)
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
         """Return the planar model's; under loads out of the plane, that of exact beams in space."""
@@ -194,8 +196,8 @@ class OutOfPlane(JointModel):
             most = self._share_of_tilt(ask, tilt)
             return planar + ErrorRange(0.0, most) if isfinite(most) else None
         if kind is QuantityKind.SHIFT and ask.scene.moves:
-            shift = abs(float(self.inner.parasitic_shift(ask)))
-            moved = tilt.across * max(map(abs, ask.scene.stroke_ends))
+            shift = number(abs(self.inner.parasitic_shift(ask)))
+            moved = tilt.across * larger(abs(end) for end in ask.scene.stroke_ends)
             return planar + ErrorRange(0.0, moved / shift) if shift else None
         if kind in (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY):
             off = OF_TILT * abs(tilt.stiffness - 1.0)
@@ -206,7 +208,9 @@ class OutOfPlane(JointModel):
         """Return what a tilt of the body changes; None where nothing tilts it, or it is held."""
         if not ask.scene.tilts:
             return None
-        return self._tilts.of("tilt", ask, lambda: tilt_of(ask))
+        asked = ask.geometry, ask.material, ask.sizes, ask.scene
+        find = partial(design_by_design, tilt_of, *asked, name="tilt", about=ask.scene)
+        return self._tilts.of("tilt", ask, find)
 
     def _tilted_beams(self, ask: Ask) -> SpaceLinearModel | None:
         """Return exact beams in space, where they know the stress of a joint that tilts."""
@@ -221,10 +225,10 @@ class OutOfPlane(JointModel):
     def _share_of_tilt(self, ask: Ask, tilt: Tilt) -> float:
         """Return what a tilt adds at most to the largest stress, or to its largest amplitude."""
         found = self.inner.stresses(ask)[1]
-        own = max(abs(float(stress.largest)) for stress in found)
-        swung = max(abs(float(stress.amplitude)) for stress in found)
+        own = larger(number(abs(stress.largest)) for stress in found)
+        swung = larger(number(abs(stress.amplitude)) for stress in found)
         shares = ((tilt.stress, own), (tilt.amplitude, swung))
-        return max((more / of if of else inf for more, of in shares if more), default=0.0)
+        return larger(0.0, *(more / of if of else inf for more, of in shares if more))
 
     def _is_told_tilted(self, ask: Ask, space: SpaceLinearModel) -> bool:
         try:
