@@ -444,12 +444,13 @@ def tried(seed, kinds=KINDS, near=NEAR, *, alone=False):
 
 
 def finest_answer(spec):
-    """Return what the finest model says of each row: of a notch its solid where that has a range.
+    """Return what the finest model says of each row: of notches their solid where that has a range.
 
     Everything else is told by exact beams.
     """
     beams = answer(spec, "exact")
-    if spec["geometry"]["kind"] not in NOTCHES or beams.bug or beams.exit_code == 2:
+    has_solids = spec["geometry"]["kind"] in (*NOTCHES, *LIMBS)
+    if not has_solids or beams.bug or beams.exit_code == 2:
         return beams
     solids = answer(spec, "solid")
     if solids.bug:
