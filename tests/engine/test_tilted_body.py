@@ -117,11 +117,14 @@ def test_a_stroke_of_blades_that_cross_in_the_middle_tilts_nothing():
     assert widths[0] < 0.02 < widths[1] - widths[0]
 
 
-def test_ends_that_are_stated_hold_the_body_upright():
+@pytest.mark.parametrize(("of_case", "of_joint"), [({"ends": "clamped-guided"}, {}),
+                                                    ({}, {"tilt": "held"})])  # fmt: skip
+def test_what_is_stated_to_hold_the_body_keeps_it_upright(of_case, of_joint):
     case, of = {"wrench": {"x": "5 N"}}, {"yield": {"factor": 1e-3}}
-    stated = {**case, "ends": "clamped-guided"}
     free, held = (
-        flexcli.verdicts(spec(0.5e-3, 5e-3, -0.5, 60.0, each, of), model="exact").checks[0]
-        for each in (case, stated)
+        flexcli.verdicts(
+            spec(0.5e-3, 5e-3, -0.5, 60.0, case | more, of, **joint), model="exact"
+        ).checks[0]
+        for more, joint in (({}, {}), (of_case, of_joint))
     )
     assert held.factor > 1.4 * free.factor

@@ -1,8 +1,9 @@
 """Random designs of every planar joint with their true numbers, each asked just above and below.
 
 A question holds a requirement that the true number keeps by 3 % and one that it misses by 3 %.
-Blades are beams here: specs switch thick notches off, and plate widening, or have no Poisson's
-ratio to widen by.
+Blades are beams in a plane here: specs switch thick notches off, what blades are that are one piece
+where they cross, and plate widening, or have no Poisson's ratio to widen by; cross-springs are
+held upright.
 """
 
 from collections.abc import Iterator
@@ -166,7 +167,7 @@ class _Draw:
     def _words(self, g):
         if self.kind == "layout":
             return self._drawn_layout(g)
-        words = {"kind": self.kind}
+        words = {"kind": self.kind} | ({"tilt": "held"} if self.kind == "cross-spring" else {})
         for name, value in g.items():
             if name == "half_angle":
                 words[name] = f"{degrees(value)!r} deg"
@@ -210,6 +211,8 @@ class _Draw:
         self.twin = Twin(joint_of(self.kind, **g), self.E, self.nu, self.density)
         spec = {"flexure": 1, "title": f"twin {self.seed}", "geometry": words}
         spec["effects"] = {"thick-notch": "off"}
+        if self.kind == "unseparated-cross":
+            spec["effects"]["clamp-compliance"] = "off"  # its beams meet in a point
         found = Drawn(self.kind, self.seed, spec)
         try:
             self._fill(found)

@@ -62,6 +62,12 @@ class CrossSpringPivot(PairFormulas, BladePivot):
     e.g. ``pairs: 2, delta: -0.5``.
     """
 
+    tilt: Literal["free", "held"] = "free"
+    """Whether nothing but its blades, which pass side by side and pull at different heights, keeps
+    the body from tilting, or something holds it upright, such as a second pivot on its axis,
+    e.g. ``held``.
+    """
+
     @model_validator(mode="after")
     def _one_crossing(self) -> "CrossSpringPivot":
         if (self.p is None) == (self.delta is None):
@@ -81,11 +87,11 @@ class CrossSpringPivot(PairFormulas, BladePivot):
         return tuple((index - middle) * sizes.b for index in range(self.blade_count))
 
     def may_tilt(self, *, loaded: bool) -> bool:
-        """Return that its blades pass beside each other.
+        """Return that its blades pass beside each other, where nothing holds the body upright.
 
         Those that cross in the middle a stroke bends to arcs, which pull at nothing.
         """
-        return loaded or self.delta != MIDDLE
+        return self.tilt == "free" and (loaded or self.delta != MIDDLE)
 
     def offset(self, sizes: Blade) -> Computed:
         """Return p [m], as given or as delta times the length."""
