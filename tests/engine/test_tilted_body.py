@@ -128,3 +128,20 @@ def test_what_is_stated_to_hold_the_body_keeps_it_upright(of_case, of_joint):
         for more, joint in (({}, {}), (of_case, of_joint))
     )
     assert held.factor > 1.4 * free.factor
+
+
+@pytest.mark.parametrize(("delta", "tilt", "told"), [
+    (-0.2, "free", True), (-0.2, "held", False), (-0.5, "free", False)
+])  # fmt: skip
+def test_a_shift_of_a_body_held_upright_says_what_a_tilt_would_add(delta, tilt, told):
+    h, b, theta = 1e-3, 2e-3, 0.01
+    case = {"stroke": {"rotation": f"{theta} rad", "cycles": 1e7}}
+    of = {"parasitic_shift": {"max": "1 mm"}}
+    notes = flexcli.check(spec(h, b, delta, 45.0, case, of, tilt=tilt)).warnings
+    said = [note.text for note in notes if note.code == "held-upright"]
+    assert bool(said) is told
+    if told:
+        whole, _ = frame(h, b, delta, 45.0, b)
+        moved = float(np.hypot(*turned(whole, theta)[:2]))
+        number = float(said[0].partition("moves by ")[2].split()[0])
+        assert number == pytest.approx(moved, rel=0.03)

@@ -66,7 +66,7 @@ JOINTS = {
     "moment-blade": {},
     "leaf-spring-stage": {"spacing": "20 mm"},
     "rcc": {"p": "3 mm", "half_angle": "40 deg"},
-    "cross-spring": {"delta": -0.3, "half_angle": "45 deg"},
+    "cross-spring": {"delta": -0.3, "half_angle": "45 deg", "tilt": "held"},
     "guided-blade": {},
 }
 TURNING = ("moment-blade", "rcc", "cross-spring")

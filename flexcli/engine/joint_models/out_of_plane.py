@@ -195,10 +195,6 @@ class OutOfPlane(JointModel):
                 return tilted.error(ask, kind)
             most = self._share_of_tilt(ask, tilt)
             return planar + ErrorRange(0.0, most) if isfinite(most) else None
-        if kind is QuantityKind.SHIFT and ask.scene.moves:
-            shift = number(abs(self.inner.parasitic_shift(ask)))
-            moved = tilt.across * larger(abs(end) for end in ask.scene.stroke_ends)
-            return planar + ErrorRange(0.0, moved / shift) if shift else None
         if kind in (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY):
             off = OF_TILT * abs(tilt.stiffness - 1.0)
             return planar + ErrorRange(-off, off)
