@@ -177,10 +177,10 @@ def _of_upright(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[
         scene = design.scene(check.case) if check.kind is QuantityKind.SHIFT else None
         if scene is None or not (scene.tilts and scene.moves):
             continue
-        from flexcli.parts.tilted_joint import tilt_of
+        from flexcli.parts.tilted_joint import moved_across
 
         with suppress(NotAvailable):
-            across = tilt_of(design.geometry, design.material, sizes, scene).across
+            across = moved_across(design.geometry, design.material, sizes)
             moved = across * max(map(abs, scene.stroke_ends))
             if moved > SEEN * check.demand:
                 text = (

@@ -10,6 +10,7 @@ from math import inf, sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexcli.errors import SolveError
 from flexcli.mechanics.space.layout import SpaceRod
@@ -35,7 +36,9 @@ from flexcli.results import ErrorRange
 if TYPE_CHECKING:
     from flexcli.mechanics.space.exact.stresses import SectionStates
 
-__all__ = ["AcrossStress", "across_stress", "acting_across", "changed_across"]
+__all__ = ["AcrossStress", "across_stress", "acting_across", "changed_across", "leaving_plane"]
+
+Floats = NDArray[np.float64]
 
 EXACT, NODES = 1e-5, (18, 27, 40)
 """Error of the forces of exact beams beside a stroke, relative, and their nodes, level by level."""
@@ -193,14 +196,16 @@ def _leaves_plane(joint: SpaceJoint, scene: Scene, stresses: Stresses, rest: flo
     """
     beside = [i for i in range(6) if i not in scene.across]
     acting = [_along(each, beside) for each in acting_groups(joint, scene)]
-    blades, kept = 6 * len(joint.layout.blades), np.isin(np.arange(6), ACROSS)
-    most = 0.0
-    for each in acting:
-        state = action(joint.assembly, each)
-        forces = state.moved.forces[:blades, 0].reshape(-1, 6) * kept
-        strained = stresses.of(forces.ravel(), np.zeros_like(state.weights))
-        most += max(map(largest_stress, strained))
+    states = (action(joint.assembly, each) for each in acting)
+    most = sum(leaving_plane(stresses, state.moved.forces[:, 0]) for state in states)
     return most > NEGLIGIBLE * rest
+
+
+def leaving_plane(stresses: Stresses, forces: Floats) -> float:
+    """Return the largest stress of those forces of blades that are out of the plane [Pa]."""
+    count = len(stresses.names)
+    out = forces[: 6 * count].reshape(-1, 6) * np.isin(np.arange(6), ACROSS)
+    return max(map(largest_stress, stresses.of(out.ravel(), np.zeros((count, 3)))))
 
 
 def _at_once(groups: list[SpaceState], stresses: Stresses) -> float:

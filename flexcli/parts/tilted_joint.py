@@ -19,14 +19,12 @@ from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
-from flexcli.parts.space_states import acting_groups, largest_stress, third_order
+from flexcli.parts.space_states import acting_groups, third_order
+from flexcli.parts.stress_across import leaving_plane
 
-__all__ = ["Tilt", "tilt_of"]
+__all__ = ["Tilt", "moved_across", "tilt_of"]
 
 Floats = NDArray[np.float64]
-
-OUT_OF_PLANE = (2, 3, 4)
-"""Among the forces at a blade's middle: across its width, its torque, bending of its width."""
 
 BEYOND = 0.75
 """Part of the stress of a tilt that orders beyond the second may add: of 300 random cross-springs
@@ -38,14 +36,12 @@ class Tilt(NamedTuple):
 
     ``stiffness`` is that along the motion over that of the same joint kept upright [-]; ``stress``
     and ``amplitude`` are what the tilt adds at most to the largest stress of a case, and to how far
-    that alternates [Pa]; ``across`` is how far the centre moves in the plane in first order of a
-    unit stroke [m or m/rad].
+    that alternates [Pa].
     """
 
     stiffness: float
     stress: float
     amplitude: float
-    across: float
 
 
 def tilt_of(geometry: Geometry, material: Material, sizes: Sizes, scene: Scene) -> Tilt:
@@ -55,22 +51,36 @@ def tilt_of(geometry: Geometry, material: Material, sizes: Sizes, scene: Scene) 
     if both were largest at one place, it is no less than all together. Without a Poisson's ratio
     that which makes most of it, 0 or ½.
     """
-    if material.poisson_ratio is not None:
-        return _of_joint(joint_in_space(geometry, material, sizes), scene)
-    each = [
-        _of_joint(SpaceJoint(geometry.space_layout(Elastic(material.elastic.E, nu), sizes)), scene)
-        for nu in (0.0, 0.5)
-    ]
+    each = [_of_joint(joint, scene) for joint in _joints(geometry, material, sizes)]
     least, *others = zip(*each, strict=True)
     return Tilt(min(least), *map(max, others))
+
+
+def moved_across(geometry: Geometry, material: Material, sizes: Sizes) -> float:
+    """Return how far a tilt moves the centre in the plane, for a unit stroke [m or m/rad].
+
+    It is of first order in the stroke; without a Poisson's ratio as of :func:`tilt_of`.
+    """
+    return max(map(_moved_across, _joints(geometry, material, sizes)))
+
+
+def _joints(geometry: Geometry, material: Material, sizes: Sizes) -> list[SpaceJoint]:
+    if material.poisson_ratio is not None:
+        return [joint_in_space(geometry, material, sizes)]
+    E = material.elastic.E
+    layouts = (geometry.space_layout(Elastic(E, nu), sizes) for nu in (0.0, 0.5))
+    return [SpaceJoint(layout) for layout in layouts]
+
+
+def _moved_across(joint: SpaceJoint) -> float:
+    drive = joint.layout.drive
+    moved = joint.assembly.moved(travel=np.ones(1)).coordinates[:, 0]
+    return float(np.hypot(*(joint.assembly.motion(drive.body, (0.0, 0.0, 0.0))[:2] @ moved)))
 
 
 def _of_joint(joint: SpaceJoint, scene: Scene) -> Tilt:
     upright = SpaceJoint(_kept_upright(joint.layout))
     k, kept = (_driven(each) for each in (joint, upright))
-    body = joint.layout.drive.body
-    unit = action(joint.assembly, Acting(1.0, np.zeros(6), joint.layout.body(body).point, _NONE))
-    centre = joint.assembly.motion(body, (0.0, 0.0, 0.0))[:2] @ unit.moved.coordinates[:, 0]
     stresses, most, swings = Stresses(joint.assembly), 0.0, 0.0
     for ends in _ends(joint, scene):
         forces, more = [], 0.0
@@ -79,10 +89,10 @@ def _of_joint(joint: SpaceJoint, scene: Scene) -> Tilt:
             forces.append(state.moved.forces[:, 0] + after.forces)
             more = max(more, third_order(after))
         beyond = 1.0 + more + BEYOND
-        most = max(most, *(_leaving_plane(stresses, each) * beyond for each in forces))
-        swing = _leaving_plane(stresses, (forces[0] - forces[-1]) / 2.0)
+        most = max(most, *(leaving_plane(stresses, each) * beyond for each in forces))
+        swing = leaving_plane(stresses, (forces[0] - forces[-1]) / 2.0)
         swings = max(swings, swing * beyond)
-    return Tilt(k / kept, most, swings, float(np.hypot(*centre)))
+    return Tilt(k / kept, most, swings)
 
 
 _NONE = np.zeros(3)
@@ -107,19 +117,14 @@ def _driven(joint: SpaceJoint) -> float:
 
 
 def _ends(joint: SpaceJoint, scene: Scene) -> Iterator[list[SpaceState]]:
-    """Yield the states at the ends of a stroke for each sense of the loads."""
+    """Yield the states at the ends of a stroke for each sense of the loads; none without both."""
     point = joint.layout.body(joint.layout.drive.body).point
     strokes = [action(joint.assembly, Acting(end, np.zeros(6), point, _NONE))
                for end in dict.fromkeys(scene.stroke_ends) if end]  # fmt: skip
     groups = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
+    if not (strokes or groups):
+        return
     for signs in product((1.0, -1.0), repeat=len(groups)):
         loads = [combined(groups, list(signs))] if groups else []
         rest = loads if not strokes or not all(scene.stroke_ends) else []
         yield [*(combined([each, *loads], [1.0] * (1 + len(loads))) for each in strokes), *rest]
-
-
-def _leaving_plane(stresses: Stresses, forces: Floats) -> float:
-    """Return the largest stress of those forces of blades that are out of the plane [Pa]."""
-    count = len(stresses.names)
-    out = forces[: 6 * count].reshape(-1, 6) * np.isin(np.arange(6), OUT_OF_PLANE)
-    return max(map(largest_stress, stresses.of(out.ravel(), np.zeros((count, 3)))))

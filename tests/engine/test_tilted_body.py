@@ -130,6 +130,20 @@ def test_what_is_stated_to_hold_the_body_keeps_it_upright(of_case, of_joint):
     assert held.factor > 1.4 * free.factor
 
 
+def test_a_case_of_vibration_alone_has_the_stiffness_of_a_body_that_may_tilt():
+    of = {"stiffness": {"min": "1e-9 N*m/rad"}, "dynamic-yield": {"factor": 1e-3}}
+    words = yaml.safe_load(spec(1e-3, 2e-3, 0.3, 45.0, {}, of))
+    words["mechanism"] = {"kind": "payload", "mass": "20 g", "inertia": "1e-6 kg*m^2"}
+    told = []
+    for case in ({"asd": {"profile": "gevs-qualification", "q": 50}},
+                 {"stroke": {"rotation": "0.01 mrad", "cycles": 1e7}}):  # fmt: skip
+        text = yaml.safe_dump(words | {"cases": {"work": case}})
+        if "asd" not in case:
+            text = text.replace("dynamic-yield", "yield")
+        told.append(flexcli.check(text, model="linear").values["k_pivot"].value)
+    assert told[0] == pytest.approx(told[1], rel=1e-6)
+
+
 @pytest.mark.parametrize(("delta", "tilt", "told"), [
     (-0.2, "free", True), (-0.2, "held", False), (-0.5, "free", False)
 ])  # fmt: skip

@@ -221,10 +221,10 @@ class OutOfPlane(JointModel):
     def _share_of_tilt(self, ask: Ask, tilt: Tilt) -> float:
         """Return what a tilt adds at most to the largest stress, or to its largest amplitude."""
         found = self.inner.stresses(ask)[1]
-        own = larger(number(abs(stress.largest)) for stress in found)
-        swung = larger(number(abs(stress.amplitude)) for stress in found)
+        own = larger([0.0, *(number(abs(stress.largest)) for stress in found)])
+        swung = larger([0.0, *(number(abs(stress.amplitude)) for stress in found)])
         shares = ((tilt.stress, own), (tilt.amplitude, swung))
-        return larger(0.0, *(more / of if of else inf for more, of in shares if more))
+        return larger([0.0, *(more / of if of else inf for more, of in shares if more)])
 
     def _is_told_tilted(self, ask: Ask, space: SpaceLinearModel) -> bool:
         try:
