@@ -1,6 +1,6 @@
 """The verb check: judge the sizes that the spec gives."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from time import perf_counter
@@ -275,12 +275,34 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
             f"have no answer; giving it may decide {names}"
         )
         yield Note(f"needs-{design.geometry.unstated[0]}", text)
+    tilting = _tilting(design, undecided)
+    if tilting:
+        text = (
+            "the body's inertia about x and y is not stated and was taken as that of any radius of "
+            "gyration up to a blade's length; mechanism.inertia: {xx: …, yy: …, zz: …} may "
+            f"decide {tilting}"
+        )
+        yield Note("needs-inertia", text)
     if moving and design.material.density is None:
         text = (
             "material.density is not given and the blades' mass was taken as anything up to that "
             f"of the densest metal; giving it may decide {moving}"
         )
         yield Note("needs-density", text)
+
+
+def _tilting(design: DesignSpec, undecided: Sequence[Check]) -> str:
+    """Return the responses that the unstated inertia of a carried body leaves open, in words."""
+    of = [check for check in undecided if check.kind is QuantityKind.RESPONSE]
+    mechanism, geometry = design.mechanism, design.geometry
+    if not of or mechanism is None or mechanism.joints > 1 or geometry.in_space:
+        return ""
+    from flexcli.parts.space_vibration import states_tilting_inertia
+
+    if geometry.has_masses or states_tilting_inertia(mechanism, geometry):
+        return ""
+    out = [check.name for check in of if design.scene(check.case).vibrates_in_space]
+    return ", ".join(dict.fromkeys(out))
 
 
 def _rigid_clamps(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:

@@ -17,7 +17,7 @@ from flexcli.parts.design import DesignSpec
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries import Sizes
 from flexcli.parts.requirements import Ask, JointModel
-from flexcli.results import Cost, QuantityKind, Result, Status, Value
+from flexcli.results import Cost, Note, QuantityKind, Result, Status, Value
 from flexcli.results.activity import doing
 from flexcli.results.simulation import (
     SpacePoint,
@@ -103,7 +103,7 @@ def simulate(
         ),
         checks=found.checks,
         effects=effects,
-        warnings=omitted_effects.warnings(design, sizes, effects),
+        warnings=(*omitted_effects.warnings(design, sizes, effects), *_kept_upright(moving)),
         cost=Cost(
             perf_counter() - started,
             by.joint_model.name,
@@ -112,6 +112,18 @@ def simulate(
         ),
         **_by_kind(sweeps),
     )
+
+
+def _kept_upright(moving: Sequence[Ask]) -> Iterator[Note]:
+    """Yield the cases whose sweep holds a body in its plane that tilts out of it."""
+    tilting = [ask.scene.case for ask in moving if ask.scene.tilts and not ask.geometry.in_space]
+    if tilting:
+        text = (
+            "the blades pull at different heights, and nothing but they holds the body upright: "
+            f"the sweep of {', '.join(tilting)} is that of one that something holds, its "
+            "requirements are judged by a body that tilts. geometry.tilt: held says that it is"
+        )
+        yield Note("held-upright", text)
 
 
 def strokes(design: DesignSpec, sizes: Sizes, points: int) -> tuple[Sweep, ...]:

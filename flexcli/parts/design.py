@@ -372,6 +372,8 @@ class DesignSpec(Part):
     def ask(self, scene: Scene, sizes: Sizes, joint_model: JointModel) -> Ask:
         """Return what a requirement of one case is judged by: design, case, material, model.
 
+        The sources' formulas are of a plane: their body stays upright.
+
         Raises
         ------
         SolveError
@@ -388,6 +390,8 @@ class DesignSpec(Part):
                     material = temperature.of_blades(material, layout, geometry.axes)
             except NotAvailable as error:
                 raise SolveError("outside-material", str(error), "give it there too") from error
+        if joint_model.name == "source":
+            scene = scene._replace(tilts=False)
         return Ask(material, geometry, self.mechanism, own, scene, joint_model, self.actuator)
 
     @property

@@ -27,6 +27,11 @@ class Elastic(NamedTuple):
     nu: float | None = None
 
     @property
+    def likely(self) -> tuple["Elastic", ...]:
+        """Return itself, or with 0 and ½ where the material gives no Poisson's ratio."""
+        return (self,) if self.nu is not None else (Elastic(self.E, 0.0), Elastic(self.E, 0.5))
+
+    @property
     def shear(self) -> float | None:
         """Return the shear modulus [Pa], or nothing without Poisson's ratio."""
         return None if self.nu is None else self.E / (2.0 * (1.0 + self.nu))

@@ -125,8 +125,8 @@ class Scene(NamedTuple):
     across_by: frozenset[LoadKind] = frozenset()
     """Those that also act out of the plane, on a joint whose blades are judged in space."""
     tilts: bool = False
-    """Whether what acts in the plane may tilt the body out of it, and nothing says what holds it.
-    """
+    """Whether what acts in the plane, or shakes it, may tilt the body out of it, and nothing says
+    what holds it."""
     stated: Wrench = NO_WRENCH
     inertial: tuple[Wrench, ...] = ()
     accelerations: tuple[tuple[float, float, float], ...] = ()
@@ -148,7 +148,7 @@ class Scene(NamedTuple):
     @property
     def vibrates_in_space(self) -> bool:
         """Return whether the response of its modes leaves the plane."""
-        return self.in_space or "z" in self.shaken_axes
+        return self.in_space or "z" in self.shaken_axes or (self.tilts and bool(self.shaken_axes))
 
     @property
     def moves(self) -> bool:

@@ -101,7 +101,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         beyond=beyond,
         in_space=geometry.in_space,
         across_by=across_by,
-        tilts=not (across_by or is_held) and geometry.may_tilt(loaded=any(map(any, lasting))),
+        tilts=not is_held and _may_tilt(case, geometry, lasting),
         on_bodies=found.on_bodies,
         unjudged=found.unjudged,
         directed=_is_more(stated, drive) and (case.load is None or case.load.is_directed),
@@ -148,6 +148,12 @@ def _across_by(
     if not found or geometry.in_space or guided or case.lock is not None:
         return frozenset()
     return frozenset(found) if _stands_free(geometry) else frozenset()
+
+
+def _may_tilt(case: Case, geometry: Geometry, wrenches: tuple[Wrench, ...]) -> bool:
+    """Return whether what acts in the plane of a joint may tilt its body out of it."""
+    loaded = any(map(any, wrenches)) or bool(case.shaken_axes)
+    return geometry.may_tilt(loaded=loaded) and _stands_free(geometry)
 
 
 def _stands_free(geometry: Geometry) -> bool:

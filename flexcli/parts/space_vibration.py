@@ -28,7 +28,14 @@ from flexcli.parts.space_states import state_error
 from flexcli.parts.structure import Structure, joined
 from flexcli.results import ErrorRange
 
-__all__ = ["DIRECTIONS", "Likely", "likely_structures", "shape_error", "space_structure"]
+__all__ = [
+    "DIRECTIONS",
+    "Likely",
+    "likely_structures",
+    "shape_error",
+    "space_structure",
+    "states_tilting_inertia",
+]
 
 Floats = NDArray[np.float64]
 
@@ -93,9 +100,10 @@ def likely_structures(
 ) -> Likely:
     """Return a mechanism as a structure in space, and variants over the errors of its springs.
 
-    A material without a density may be as heavy as any; a body that is drawn in its plane may have
-    any unstated inertia about the axes in it, up to that of a radius of gyration as long as a
-    blade, or as the distance between its pivots. A body that is locked is held in every direction.
+    A material without a density may be as heavy as any, one without a Poisson's ratio has 0 or ½;
+    a body that is drawn in its plane may have any unstated inertia about the axes in it, up to that
+    of a radius of gyration as long as a blade, or as the distance between its pivots. A body that
+    is locked is held in every direction.
 
     Raises
     ------
@@ -103,27 +111,30 @@ def likely_structures(
         When it has no masses, or is not made of blades alone that stand free.
 
     """
-    density, elastic = material.density, material.elastic
+    density, either = material.density, material.elastic.likely
     several = mechanism is not None and mechanism.joints > 1
     turn, reach, spread = geometry.axes, 0.0, (0.0,) if geometry.in_space else GYRATIONS
+    pivots = None
     if several:
         assert mechanism is not None
-        whole = mechanism.out_of_plane(geometry.blades_layout(elastic, sizes), lock)
-        turn, reach = 0.0, whole.reach
-        spread = (0.0,) if whole.is_stated else GYRATIONS
+        pivots = [mechanism.out_of_plane(geometry.blades_layout(e, sizes), lock) for e in either]
+        turn, reach = 0.0, pivots[0].reach
+        spread = (0.0,) if pivots[0].is_stated else GYRATIONS
     elif not geometry.in_space:
-        _refuse_guided(geometry, elastic, sizes)
+        _refuse_guided(geometry, either[0], sizes)
         reach = geometry.length(sizes)
+        spread = (0.0,) if states_tilting_inertia(mechanism, geometry) else GYRATIONS
 
-    def assembled(rho: float, gyration: float) -> SpaceJoint:
-        if several:
-            return SpaceJoint(on_pivots(whole, rho, gyration * reach))
-        layout = geometry.space_layout(elastic, sizes, rho)
+    def assembled(rho: float, gyration: float, ratio: int = 0) -> SpaceJoint:
+        if pivots is not None:
+            return SpaceJoint(on_pivots(pivots[ratio], rho, gyration * reach))
+        layout = geometry.space_layout(either[ratio], sizes, rho)
         if geometry.in_space:
             return SpaceJoint(layout)
         return SpaceJoint(_loaded(layout, mechanism, geometry, gyration * reach))
 
-    joint = assembled(0.0 if density is None else density.value, spread[0])
+    weight = 0.0 if density is None else density.value
+    joint = assembled(weight, spread[0])
     if not any(body.mass for body in joint.layout.bodies):
         raise NotAvailable("has no body with a mass: give its bodies theirs")
 
@@ -139,14 +150,22 @@ def likely_structures(
     low, high = 1.0 + joint.low, np.minimum(1.0 + joint.high, RIGID)
     shares = np.linspace(0.0, 1.0, steps)[:, None]
     others = [structure(joint.assembly.scaled(f)) for f in low ** (1.0 - shares) * high**shares]
-    weights = (DENSEST,) if density is None else ()
-    for rho, gyration in [(rho, spread[0]) for rho in weights] + [
-        (0.0 if density is None else density.value, each) for each in spread[1:]
-    ]:
-        other = assembled(rho, gyration).assembly
+    variants = [
+        *([(DENSEST, spread[0], 0)] if density is None else []),
+        *((weight, each, 0) for each in spread[1:]),
+        *((weight, spread[0], ratio) for ratio in range(1, len(either))),
+    ]
+    for variant in variants:
+        other = assembled(*variant).assembly
         others += [structure(other.scaled(f)) for f in (low, high)]
     known = high[high < RIGID]
     return Likely(joint, own, tuple(others), (float(low.min()), float(known.max(initial=1.0))))
+
+
+def states_tilting_inertia(mechanism: Mechanism | None, geometry: Geometry) -> bool:
+    """Return whether a joint in its plane carries one body, whose whole inertia is stated."""
+    stated = mechanism is not None and mechanism.tilting_inertia is not None
+    return stated and not geometry.has_masses
 
 
 def _refuse_guided(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> None:
@@ -157,14 +176,25 @@ def _refuse_guided(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> None:
         raise NotAvailable("has ideal guides, which are not defined out of their plane")
 
 
+def _stated_tensor(mechanism: Mechanism | None, geometry: Geometry) -> Floats | None:
+    """Return the inertia of a carried body about the axes in the plane of the layout [kg·m²]."""
+    if mechanism is None or not states_tilting_inertia(mechanism, geometry):
+        return None
+    c, s = np.cos(geometry.axes), np.sin(geometry.axes)
+    turn = np.array([[c, -s], [s, c]])
+    return np.asarray(turn @ np.diag(mechanism.tilting_inertia or (0.0, 0.0)) @ turn.T)
+
+
 def _loaded(
     layout: SpaceLayout, mechanism: Mechanism | None, geometry: Geometry, gyration: float
 ) -> SpaceLayout:
     """Return a joint from its plane with the body that it carries, and inertia about x and y.
 
-    Every body has a radius of gyration [m] about the axes in the plane.
+    Every body has a radius of gyration [m] about the axes in the plane, where its inertia about
+    them is not stated.
     """
     name = layout.drive.body
+    stated = _stated_tensor(mechanism, geometry)
     bodies = []
     for body in layout.bodies:
         mass, com, about_z = body.mass, body.com, body.inertia[2][2]
@@ -177,8 +207,11 @@ def _loaded(
             drawn = Body(name, body.point[:2], mass, about_z, com[:2] if mass else load.com)
             both = joined(name, body.point[:2], [drawn, load])
             mass, com, about_z = both.mass, (*both.com, 0.0), both.inertia
-        tilt = mass * gyration**2
-        inertia = ((tilt, 0.0, 0.0), (0.0, tilt, 0.0), (0.0, 0.0, about_z))
+        tilt = np.eye(2) * mass * gyration**2
+        if body.name == name and stated is not None:
+            tilt = stated
+        (xx, xy), (_, yy) = tilt.tolist()
+        inertia = ((xx, xy, 0.0), (xy, yy, 0.0), (0.0, 0.0, about_z))
         bodies.append(SpaceBody(body.name, body.point, com, mass, inertia))
     return SpaceLayout(tuple(bodies), layout.blades, layout.drive, layout.springs)
 

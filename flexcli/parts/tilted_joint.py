@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, Vector
 from flexcli.mechanics.space.states import Acting, SpaceState, Stresses, action, combined
-from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.parts.material import Material
 from flexcli.parts.scene import Scene
@@ -67,9 +66,7 @@ def moved_across(geometry: Geometry, material: Material, sizes: Sizes) -> float:
 def _joints(geometry: Geometry, material: Material, sizes: Sizes) -> list[SpaceJoint]:
     if material.poisson_ratio is not None:
         return [joint_in_space(geometry, material, sizes)]
-    E = material.elastic.E
-    layouts = (geometry.space_layout(Elastic(E, nu), sizes) for nu in (0.0, 0.5))
-    return [SpaceJoint(layout) for layout in layouts]
+    return [SpaceJoint(geometry.space_layout(each, sizes)) for each in material.elastic.likely]
 
 
 def _moved_across(joint: SpaceJoint) -> float:

@@ -58,6 +58,27 @@ def largest(rows, motion, h, b):
     return found
 
 
+def drawn(text):
+    """Return the text of a cross-spring as a drawn layout of its two blades."""
+    words = yaml.safe_load(text)
+    cross = words["geometry"]
+    l, b = (float(cross[key].split()[0]) for key in ("l", "b"))
+    blades = {}
+    for name, side in (("one", 1.0), ("two", -1.0)):
+        angle = side * np.radians(float(cross["half_angle"].split()[0]))
+        ends = [[f"{float(r * each(angle))!r} m" for each in (np.cos, np.sin)]
+                for r in (cross["delta"] * l, (1.0 + cross["delta"]) * l)]  # fmt: skip
+        blades[name] = {
+            "between": ["ground", "body"], "from": ends[0], "to": ends[1],
+            "h": cross["h"], "b": cross["b"], "z": f"{-side * b / 2.0!r} m",
+        }  # fmt: skip
+    words["geometry"] = {
+        "kind": "layout", "bodies": {"body": {"at": ["0 mm", "0 mm"]}}, "blades": blades,
+        "moving": "body", "motion": "rotation", **{k: cross[k] for k in ("tilt",) if k in cross},
+    }  # fmt: skip
+    return yaml.safe_dump(words)
+
+
 def turned(frame, theta):
     """Return the motion of the body that is turned about z, free otherwise."""
     motion = np.zeros(6)
@@ -159,3 +180,94 @@ def test_a_shift_of_a_body_held_upright_says_what_a_tilt_would_add(delta, tilt, 
         moved = float(np.hypot(*turned(whole, theta)[:2]))
         number = float(said[0].partition("moves by ")[2].split()[0])
         assert number == pytest.approx(moved, rel=0.03)
+
+
+MASS, ABOUT = 0.1, 1e-5
+PAYLOAD = {
+    "kind": "payload", "mass": f"{MASS} kg", "damping": {"q": 50.0},
+    "inertia": {"xx": f"{ABOUT} kg*m^2", "yy": f"{ABOUT} kg*m^2", "zz": f"{ABOUT} kg*m^2"},
+}  # fmt: skip
+
+
+def shaken(frame, rows, axis, f, Q, h, b):
+    """Return the largest stress that a base moving by 1 m/s² at f makes, mode by mode [Pa]."""
+    mass = np.diag([MASS] * 3 + [ABOUT] * 3)
+    root = np.sqrt(np.diag(mass))
+    squares, modes = np.linalg.eigh(frame.K / np.outer(root, root))
+    omega, own = 2.0 * np.pi * f, np.sqrt(squares)
+    gain = 1.0 / (own**2 - omega**2 + 1j * omega * own / Q)
+    shapes = modes / root[:, None]
+    motion = shapes @ (gain * (shapes.T @ mass[:, axis]))
+    phases = np.exp(1j * np.linspace(0.0, np.pi, 73))
+    return max(largest(rows, (motion * turn).real, h, b) for turn in phases)
+
+
+@pytest.mark.parametrize("as_drawn", [False, True])
+@pytest.mark.parametrize(("axis", "column"), [("x", 0), ("y", 1)])
+@pytest.mark.parametrize("f", [20.0, 900.0])
+def test_a_base_shaken_in_the_plane_tilts_the_body(axis, column, f, as_drawn):
+    h, b, Q = 0.5e-3, 5e-3, PAYLOAD["damping"]["q"]
+    side, rows = frame(h, b, -0.5, 45.0, b)
+    plane, alone = frame(h, b, -0.5, 45.0, 0.0)
+    true = shaken(side, rows, column, f, Q, h, b)
+    upright = shaken(plane, alone, column, f, Q, h, b)
+    assert true > 1.3 * upright
+    sine = {"acceleration": "1 m/s^2", "frequency": f"{f} Hz", "axis": axis}
+    words = yaml.safe_load(
+        spec(h, b, -0.5, 45.0, {"sine": sine}, {"dynamic-yield": {"factor": 1.0}})
+    )
+    words["mechanism"], words["material"]["density"] = PAYLOAD, "1 kg/m^3"
+    text = yaml.safe_dump(words)
+    (check,) = flexcli.verdicts(drawn(text) if as_drawn else text, model="exact").checks
+    # blades that clamps keep from warping are stiffer in torsion than the frame's
+    assert check.demand == pytest.approx(true, rel=0.1)
+
+
+def test_an_unstated_inertia_of_a_shaken_body_is_named_and_counts():
+    case = {"sine": {"acceleration": "1 m/s^2", "frequency": "900 Hz", "axis": "x"}}
+    words = yaml.safe_load(spec(0.5e-3, 5e-3, -0.5, 45.0, case, {"dynamic-yield": {"factor": 1.0}}))
+    widths = []
+    for inertia in (f"{ABOUT} kg*m^2", PAYLOAD["inertia"]):
+        words["mechanism"] = {**PAYLOAD, "inertia": inertia}
+        (check,) = flexcli.verdicts(yaml.safe_dump(words), model="exact").checks
+        low, high = check.factor_range
+        widths.append(high / low)
+        words["requirements"]["dynamic-yield"]["factor"] = (low * high) ** 0.5
+        notes = flexcli.check(yaml.safe_dump(words)).warnings
+        assert ("needs-inertia" in {note.code for note in notes}) is (len(widths) == 1)
+    assert widths[1] < 1.5 < widths[0]
+
+
+def test_a_drawn_layout_of_blades_at_several_heights_tilts_as_the_pivot_does():
+    h, b = 0.5e-3, 5e-3
+    force = ({"wrench": {"x": "5 N"}}, {"yield": {"factor": 1.0}})
+    stroke = {"stroke": {"rotation": "1 deg", "cycles": 1e7}}
+    of = {"yield": {"factor": 1.0}, "stiffness": {"min": "1e-9 N*m/rad"}}
+    for delta, (case, asked) in ((-0.5, force), (0.3, (stroke, of))):
+        for tilt in ("free", "held"):
+            text = spec(h, b, delta, 45.0, case, asked, tilt=tilt)
+            pivot, layout = (flexcli.verdicts(t, model="exact").checks for t in (text, drawn(text)))
+            for one, other in zip(pivot, layout, strict=True):
+                assert other.demand == pytest.approx(one.demand, rel=2e-3)
+
+
+def test_a_source_keeps_the_body_upright_under_vibration():
+    case = {"asd": {"profile": "gevs-qualification", "q": 50}}
+    words = yaml.safe_load(
+        spec(0.5e-3, 5e-3, -0.5, 45.0, case, {"dynamic-yield": {"factor": 1e-3}})
+    )
+    words["mechanism"] = PAYLOAD
+    told = []
+    for tilt in ("free", "held"):
+        words["geometry"]["tilt"] = tilt
+        told.append(flexcli.check(yaml.safe_dump(words), model="source").checks[0].demand)
+    assert told[0] == pytest.approx(told[1], rel=1e-9)
+
+
+@pytest.mark.parametrize(("delta", "tilt", "told"), [(0.3, "free", True), (0.3, "held", False),
+                                                     (-0.5, "free", False)])  # fmt: skip
+def test_a_simulated_sweep_says_that_it_keeps_the_body_upright(delta, tilt, told):
+    case = {"stroke": {"rotation": "1 deg", "cycles": 1e7}}
+    text = spec(0.5e-3, 5e-3, delta, 45.0, case, {"yield": {"factor": 1e-3}}, tilt=tilt)
+    codes = {note.code for note in flexcli.simulate(text, points=3).warnings}
+    assert ("held-upright" in codes) is told

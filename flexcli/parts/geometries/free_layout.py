@@ -82,6 +82,11 @@ class FreeLayout(Drawn, ClampedBlades):
     own factor, or not at all, e.g. ``none``.
     """
 
+    tilt: Literal["free", "held"] = "free"
+    """Whether nothing but blades at different heights z, which pull beside each other, keeps the
+    bodies from tilting, or something holds them in their plane, e.g. ``held``.
+    """
+
     @model_validator(mode="before")
     @classmethod
     def _is_plane(cls, data: Any) -> Any:
@@ -160,6 +165,11 @@ class FreeLayout(Drawn, ClampedBlades):
             for name, blade in self.blades.items()
             if (extent := blade.thickness.extent) is not None
         }
+
+    def may_tilt(self, *, loaded: bool) -> bool:
+        """Return that blades at different heights pull beside each other."""
+        apart = len({blade.z for blade in self.blades.values()}) > 1
+        return self.tilt == "free" and apart
 
     def drawn_label(self, name: str) -> str:
         """Return the name of a thickness, in words."""

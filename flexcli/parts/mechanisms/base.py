@@ -132,6 +132,11 @@ class Mechanism(Part):
         return None
 
     @property
+    def tilting_inertia(self) -> tuple[float, float] | None:
+        """Return the inertia of that body about x and y of cases [kg·m²], where both are stated."""
+        return None
+
+    @property
     def arm(self) -> float:
         """Return how far its centre of mass is beyond the joint's centre, along the blades [m]."""
         return 0.0

@@ -29,12 +29,6 @@ class CarriedBody(Mechanism):
     """Where its natural frequency comes from."""
 
     mass: float
-    inertia: float | None
-
-    @property
-    def turning_inertia(self) -> float | None:
-        """Return its inertia [kg·m²]."""
-        return self.inertia
 
     def locked_forces(self, body: str, acceleration: float) -> dict[str, float]:
         """Refuse: a locked body loads no blade."""
@@ -53,7 +47,7 @@ class CarriedBody(Mechanism):
         """Return the body with what it is fixed to, in the joint's axes."""
         return _body_on(
             geometry, layout, self.body_name,
-            mass=self.mass, inertia=self.inertia or 0.0, offset=self.arm,
+            mass=self.mass, inertia=self.turning_inertia or 0.0, offset=self.arm,
         )  # fmt: skip
 
     def structure(
@@ -73,7 +67,7 @@ class CarriedBody(Mechanism):
         return carried(
             geometry, elastic, sizes,
             name=self.body_name, joint=self.joint_name,
-            mass=self.mass, inertia=self.inertia or 0.0, offset=self.arm,
+            mass=self.mass, inertia=self.turning_inertia or 0.0, offset=self.arm,
             density=density, thick=thick,
         )  # fmt: skip
 

@@ -21,7 +21,8 @@ from flexcli.parts.geometries.base import GROUND, Geometry, Sizes
 from flexcli.parts.mechanisms.base import Mechanism, MechanismError, Mode, OutOfPlane
 from flexcli.parts.mechanisms.force_balance import Balancing, Unknown, balance
 from flexcli.parts.mechanisms.free_value import Free, OrFree
-from flexcli.parts.mechanisms.stage_bodies import BalancingMass, InertiaTensor, Lever, Platform
+from flexcli.parts.mechanisms.inertia_tensor import InertiaTensor
+from flexcli.parts.mechanisms.stage_bodies import BalancingMass, Lever, Platform
 from flexcli.parts.stroke import Stroke
 from flexcli.parts.structure import OwnMotion, PlacedJoint, Structure, assemble, joined, on_joints
 from flexcli.results import Note, QuantityKind, Value

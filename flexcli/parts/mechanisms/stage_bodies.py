@@ -1,25 +1,13 @@
 """The bodies of a parallel stage as a spec writes them."""
 
-from typing import Annotated, ClassVar
+from typing import Annotated
 
 from flexcli.mechanics.layout import Body
-from flexcli.parts.base import Inertia, Length, Mass, Part, Shorthand
+from flexcli.parts.base import Length, Mass, Part
 from flexcli.parts.mechanisms.free_value import Free, OrFree
+from flexcli.parts.mechanisms.inertia_tensor import InertiaTensor
 
-__all__ = ["BalancingMass", "InertiaTensor", "Lever", "Platform"]
-
-
-class InertiaTensor(Shorthand):
-    """Moments of inertia about the body's own centre of mass; a plain value stands for zz."""
-
-    stands_for: ClassVar[str] = "zz"
-
-    xx: Inertia | None = None
-    """Moment of inertia around x, e.g. ``xx: 3e-6 kg*m^2, zz: 5.4e-6 kg*m^2``."""
-    yy: Inertia | None = None
-    """Moment of inertia around y, e.g. ``yy: 3e-6 kg*m^2, zz: 5.4e-6 kg*m^2``."""
-    zz: Inertia
-    """Moment of inertia around z, the axis of the pivots, e.g. ``5.4e-6 kg*m^2``."""
+__all__ = ["BalancingMass", "Lever", "Platform"]
 
 
 class Lever(Part):

@@ -38,6 +38,11 @@ class TipMass(CarriedBody):
         return self.offset == 0.0 and self.inertia == 0.0
 
     @property
+    def turning_inertia(self) -> float | None:
+        """Return its inertia about the axis of bending [kg·m²]."""
+        return self.inertia
+
+    @property
     def arm(self) -> float:
         """Return the offset [m]."""
         return self.offset
