@@ -42,6 +42,7 @@ from flexcli.parts.own_motion import DENSEST, TAKES_PART
 from flexcli.parts.requirements.ask import Ask
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space, joint_of
+from flexcli.parts.worst_places import worst_places
 from flexcli.results import ErrorRange
 
 __all__ = [
@@ -112,10 +113,6 @@ quasi-statically."""
 
 TWOFOLD = 2.0
 """Factor on the effect at rest of uneven sections: its upper bound at a stroke."""
-
-WEIGHTS = (0.0, 0.25, 0.5, 0.75, 1.0, 2.0, 4.0)
-"""Weights of the mean stress beside the amplitude, among which a place is the worst for some
-method."""
 
 
 class Told(NamedTuple):
@@ -496,10 +493,7 @@ def _places(swing: BladeStress | None, still: BladeStress) -> Iterator[Place]:
     mean = equivalent(still.normal, still.shear)
     mean = np.where((still.normal < 0.0) & ~sheared, -mean, mean)
     amplitude = np.zeros_like(mean) if swing is None else equivalent(swing.normal, swing.shear)
-    # the two ends of a stroke see the mean with either sign of the amplitude
-    sought = [amplitude + np.abs(mean)]
-    sought += [amplitude + weight * np.maximum(mean, 0.0) for weight in WEIGHTS]
-    for place in dict.fromkeys(int(np.argmax(each)) for each in sought):
+    for place in dict.fromkeys(map(int, worst_places(amplitude, mean))):
         yield Place(
             f"{still.name}, {still.where[place]}", float(amplitude[place]), float(mean[place])
         )

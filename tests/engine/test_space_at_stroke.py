@@ -476,3 +476,36 @@ def test_an_acceleration_across_bars_bends_them_between_their_clamps(tmp_path, a
     assert found["yield"].verdict.value == found["sag"].verdict.value == "pass"
     assert found["yield"].demand == pytest.approx(1.5 * force * l / (wide * thick**2), rel=0.1)
     assert found["sag"].demand == pytest.approx(force * l**3 / (2 * E * wide * thick**3), rel=0.1)
+
+
+@pytest.mark.parametrize("model", ["exact", "shell"])
+@pytest.mark.parametrize("method", ["goodman", "soderberg", "swt"])
+def test_the_mean_of_an_uneven_stroke_counts_on_the_stretched_face(model, method):
+    """One face of a guide has the mean in tension, the other the same in compression."""
+    h, b, l, E = 0.1e-3, 10e-3, 20e-3, 200e9
+    low, high = 0.0, 20e-6
+    text = f"""
+flexure: 1
+material: {{youngs_modulus: {E} Pa, yield_strength: 600 MPa, tensile_strength: 700 MPa,
+           poisson_ratio: 0.0,
+           fatigue_amplitude: {{value: 300 MPa, cycles: 1e7, stress_ratio: -1}}}}
+geometry:
+  kind: space-layout
+  bodies: {{stage: {{at: [0 mm, 20 mm, 0 mm]}}}}
+  blades:
+    left: {{between: [ground, stage], from: [-10 mm, 0 mm, 0 mm], to: [-10 mm, 20 mm, 0 mm],
+           h: {h} m, b: {b} m, width: z, mirror: [x]}}
+  moving: stage
+  motion: {{translation: x}}
+cases: {{w: {{stroke: {{translation: [{low} m, {high} m], cycles: 1e7}}}}}}
+requirements: {{fatigue: {{factor: 1.0, mean_stress: {method}}}}}
+"""
+    most = 3.0 * E * h * high / l**2
+    amplitude = mean = most / 2.0
+    equivalent = {
+        "goodman": amplitude + mean * 300e6 / 700e6,
+        "soderberg": amplitude + mean * 300e6 / 600e6,
+        "swt": (most * amplitude) ** 0.5,
+    }[method]
+    (check,) = flexcli.verdicts(text, model=model).checks
+    assert check.factor == pytest.approx(300e6 / equivalent, rel=0.02)

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.exact import ExactModel
-from flexcli.engine.joint_models.face_stress import WEIGHTS
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_errors import AT_STROKE, HINGE_TURN
 from flexcli.errors import SolveError
@@ -32,6 +31,7 @@ from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.stress_across import acting_across, changed_across
+from flexcli.parts.worst_places import worst_places
 from flexcli.results import ErrorRange, QuantityKind
 
 __all__ = [
@@ -328,8 +328,7 @@ class ExactWithSolids(ExactModel):
             whole = np.maximum(np.abs(equivalent(one)), np.abs(equivalent(other)))
             sign = np.sign(equivalent((one + other) / 2.0))
             mean = np.where(whole - amplitude > FEWEST * whole, sign * (whole - amplitude), 0.0)
-            sought = [whole, *(amplitude + w * np.maximum(mean, 0.0) for w in WEIGHTS)]
-            for place in dict.fromkeys(int(np.argmax(each)) for each in sought):
+            for place in dict.fromkeys(map(int, worst_places(amplitude, mean))):
                 if is_last[place] and whole[place] >= (1.0 - FEWEST) * whole.max():
                     raise NotAvailable("has its largest stress where a rigid body begins")
                 found.append(

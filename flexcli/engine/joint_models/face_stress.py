@@ -8,13 +8,11 @@ from numpy.typing import NDArray
 
 from flexcli.numerics.rows import number
 from flexcli.parts.requirements import Ask, EndStress
+from flexcli.parts.worst_places import worst_places
 
-__all__ = ["WEIGHTS", "worst_of_stroke"]
+__all__ = ["worst_of_stroke"]
 
 Floats = NDArray[np.float64]
-
-WEIGHTS = (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0)
-"""Of the mean stress beside the amplitude: strength over what the mean is compared with."""
 
 
 def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterator[EndStress]:
@@ -52,13 +50,6 @@ def _at(stress: Floats, place: Any) -> Floats:
 
 
 def _worst(one: Floats, other: Floats) -> Iterable[Any]:
-    """Return the places of a face where the stress, the amplitude or what stands for both is most.
-
-    Between the greatest amplitude and the greatest tension lies what a mean stress method may
-    find the worst: a few weights of the mean find it.
-    """
-    amplitude, mean = np.abs(one - other) / 2.0, (one + other) / 2.0
-    sought = [amplitude + np.abs(mean)]
-    sought += [amplitude + weight * np.maximum(mean, 0.0) for weight in WEIGHTS]
-    places = [np.argmax(each, axis=-1) for each in sought]
+    """Return the places of a face that may be the worst, of each design where there are many."""
+    places = worst_places(np.abs(one - other) / 2.0, (one + other) / 2.0)
     return dict.fromkeys(map(int, places)) if one.ndim == 1 else places

@@ -57,6 +57,7 @@ from flexcli.parts.space_states import (
     bent_by_gradient,
     senses,
 )
+from flexcli.parts.worst_places import worst_places
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -183,10 +184,9 @@ class SpaceExactModel(SpaceLinearModel):
             first, last = (self.signed_stresses(state) for state in (ends[0], ends[-1]))
             for name, one in first.items():
                 amplitude, mean = np.abs(one - last[name]) / 2.0, (one + last[name]) / 2.0
-                sought = (amplitude + np.abs(mean), amplitude)
                 found.extend(
                     EndStress(name, float(amplitude[i]), float(mean[i]), 0.0, is_at_face=True)
-                    for i in dict.fromkeys(int(np.argmax(each)) for each in sought)
+                    for i in dict.fromkeys(map(int, worst_places(amplitude, mean)))
                 )
         return self.stress_kind, found
 

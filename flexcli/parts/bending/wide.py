@@ -11,7 +11,7 @@ from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.quantity import Computed, Numbers
-from flexcli.formulas.section import second_moment
+from flexcli.formulas.section import second_moment, shear_parameter
 from flexcli.numerics.rows import larger, number, one_alone, one_by_one, smaller, tan
 from flexcli.parts.bending.base import Factor, WideBlades
 from flexcli.parts.geometries.base import MOVING, Blade, Held
@@ -56,6 +56,13 @@ LOOSE = 0.5
 """Part of h/b cot α by which joined blades widen less than held on their line: solids (CalculiX,
 ``tests/benchmarks/crossed_solids.py``) had 0.3 to 0.7."""
 
+LET_OFF = 0.1
+"""Part of the change of a pivot's factors by stretching and shear that may be wrong: springs in
+space of 150 random stars had 0.02 at most."""
+
+TINY = 1e-12
+"""Share of S-shaped bending below which there is none."""
+
 OF_PATH = 5e-4
 """What their shift is off besides, by the errors of how much blades shorten [-]."""
 
@@ -63,11 +70,19 @@ LOCKED, HINGED = "clamped-clamped", "pinned-pinned"
 
 
 def wide_pivot(
-    blade: Blade, nu: float, *, delta: Computed, pair: bool, sags_wide: bool = False
+    blade: Blade,
+    nu: float,
+    *,
+    delta: Computed,
+    pair: bool,
+    sags_wide: bool = False,
+    softer: tuple[Computed, Computed] = (0.0, 0.0),
 ) -> WideBlades:
     """Return the factors of equal blades that point at one centre, p = δ l from it.
 
-    A pair has a shift; the sag of a pivot may bend its blades across their width.
+    A pair has a shift; the sag of a pivot may bend its blades across their width. ``softer`` are
+    the shares of the stiffness by which stretching and shear of the blades let their S-shaped
+    bending off: clamps that keep a blade from curling keep it from narrowing as well.
     """
     _, l, b = blade = _floats(blade)
     delta = number(delta)
@@ -75,7 +90,17 @@ def wide_pivot(
     stress = _factor(plates.end_moment_factor, blade, nu, delta=delta)
     gamma = 1.0 + 2.0 * delta
     shift = _pivot_shift(gamma, *_shortening(blade, nu)) if pair else None
-    bends = (1.0 - 3.0 * gamma) / l, (1.0 + 3.0 * gamma) / l
+    odd = 3.0 * gamma**2 / (1.0 + 3.0 * gamma**2)
+    stretching, shear = (_in_series(each, odd) for each in softer)
+    kept = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
+    springs = stretching, stretching / kept, shear
+    pure, bent = (
+        _factor(f, blade, nu).value for f in (plates.pure_bending_factor, plates.guided_factor)
+    )
+    stiffness = _let_off(stiffness, pure, bent, odd / (1.0 - odd), springs)
+    stress = _let_off(stress, pure, bent, 3.0 * abs(gamma), springs)
+    left = 1.0 / (1.0 + stretching + shear)
+    bends = (1.0 - 3.0 * gamma * left) / l, (1.0 + 3.0 * gamma * left) / l
     held = _held(blade, nu)
     # whose body turns as well: the shape is none of these; on hinges one blade buckles alone
     turned = [ends for ends in held if ends not in (LOCKED, HINGED)]
@@ -85,6 +110,36 @@ def wide_pivot(
         inverse = 1.0 / number(sheets.guided_factor(b=b, l=l, poisson_ratio=nu))
         sag = inverse - 1.0, sheets.GUIDED_ERROR
     return WideBlades(b / l, stiffness, stress, held, shift, sag, bends)
+
+
+def _in_series(softer: Computed, odd: float) -> float:
+    """Return the compliance beside the S-shaped bending, over its own, that softens the whole."""
+    left = 1.0 - number(softer) / larger(odd, TINY)
+    return 1.0 / larger(left, TINY) - 1.0 if odd > TINY else 0.0
+
+
+def _shear(blade: Blade, nu: float) -> float:
+    """Return Φ of a blade across its thickness [-]."""
+    return number(shear_parameter(depth=blade.h, l=blade.l, poisson_ratio=nu))
+
+
+def _let_off(
+    factor: Factor, pure: float, bent: float, share: float, springs: tuple[float, float, float]
+) -> Factor:
+    """Return the factor of bending of which a share is S-shaped, and a part of that is let off.
+
+    ``pure`` and ``bent`` are the factors of the arc and of the S, ``share`` is the S over the arc,
+    ``springs`` compliances in series with it over its own: of stretching, of beams and of blades
+    kept from narrowing, and of shear, of which clamps take as much as of the bending.
+    """
+    beams, kept, shear = springs
+    before = (pure + share * bent) / (1.0 + share)
+    wide = pure + share / ((1.0 + shear) / bent + kept)
+    after = wide / (1.0 + share / (1.0 + shear + beams))
+    moved = after - before
+    off = LET_OFF * abs(moved)
+    value, low, high = (each + moved for each in factor[:3])
+    return factor._replace(value=value, low=larger(1.0, low - off), high=high + off)
 
 
 def wide_guided(blade: Blade, nu: float) -> WideBlades:
@@ -296,7 +351,8 @@ def wide_by_shapes(
     """Return the factors of drawn blades of constant thickness, from a layout's beams.
 
     ``held`` is a unit travel of its moving body, ``plain`` the factors known without. A clamped
-    blade takes the even and the odd part of its bending each by its own factor. With the motions of
+    blade takes the even and the odd part of its bending, and what stretches it, each by its own
+    factor. With the motions of
     the beams the energy of the plates is an upper bound, with their forces a lower.
     """
     from flexcli.mechanics.linear import linear
@@ -320,7 +376,14 @@ def wide_by_shapes(
         pure, bent = (
             _factor(f, blade, nu) for f in (plates.pure_bending_factor, plates.guided_factor)
         )
-        parts = ((even**2 * compliance, pure), (odd**2 / 3.0 * compliance, bent))
+        stretched = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
+        kept = Factor(stretched, stretched - sheets.SHEET_ERROR, stretched + sheets.SHEET_ERROR)
+        along, shear = number(force[0] * x + force[1] * y) / l, _shear(blade, nu)
+        parts = (
+            (even**2 * compliance, pure),
+            (odd**2 / 3.0 * compliance * (1.0 + shear), bent),
+            (along**2 * l / (b * h), kept),
+        )
         more += sum(energy * (factor.high - 1.0) for energy, factor in parts)
         less += sum(energy * (1.0 / factor.low - 1.0) for energy, factor in parts)
         ends = abs(even) + abs(odd)

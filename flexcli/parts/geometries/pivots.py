@@ -17,7 +17,7 @@ from flexcli.parts.base import QuantityOf
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.pair import Pair
 from flexcli.parts.bending.wide import wide_pivot
-from flexcli.parts.elastic import Elastic, NotAvailable
+from flexcli.parts.elastic import ANY, Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.blades import BladeGeometry
 from flexcli.parts.geometries.joint_buckling import pivot_critical
@@ -144,7 +144,19 @@ class PivotFormulas(CentredBlades):
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
         """Return the factors of its blades; several directions have no one shift."""
         delta = number(self.offset(sizes)) / number(sizes.l)
-        return wide_pivot(sizes, nu, delta=delta, pair=False, sags_wide=self.sag_bends_width)
+        return wide_pivot(
+            sizes, nu, delta=delta, pair=False, sags_wide=self.sag_bends_width,
+            softer=self._softer(sizes, nu),
+        )  # fmt: skip
+
+    def _softer(self, sizes: Blade, nu: float) -> tuple[Computed, Computed]:
+        """Return the shares of the stiffness that the blades' stretching and shear take."""
+        bending = self.bending(ANY, sizes, 0.0)
+        stretched, sheared = (
+            changes["stiffness"].value if "stiffness" in changes else 0.0
+            for changes in (bending.extension(), bending.shear(nu))
+        )
+        return -(stretched or 0.0), -(sheared or 0.0)
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return δ."""
@@ -188,7 +200,8 @@ class PairFormulas(PivotFormulas, BladePair):
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
         """Return the plate factors of its blades, with that of the shift along the bisector."""
         delta = number(self.offset(sizes)) / number(sizes.l)
-        return wide_pivot(sizes, nu, delta=delta, pair=True)
+        softer = self._softer(sizes, nu)
+        return wide_pivot(sizes, nu, delta=delta, pair=True, softer=softer)
 
     def shift_change(self, sizes: Blade, pure: float, bent: float) -> float | None:
         """Return that of 5 − 9γ², of which −5/2 and −9γ² are the shortenings of both shapes."""

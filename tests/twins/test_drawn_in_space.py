@@ -1,0 +1,20 @@
+"""Joints of the plane and themselves drawn in space claim the same truth."""
+
+import pytest
+
+from twins.drawn_in_space import JOINTS, apart
+
+FIRST = 3000
+EACH = 3 * len(JOINTS)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", JOINTS)
+def test_the_ranges_of_a_joint_and_of_itself_in_space_overlap(kind):
+    compared = 0
+    for seed in range(FIRST, FIRST + EACH):
+        found = apart(seed, (kind,))
+        if found is not None:
+            assert not found.apart
+            compared += found.compared
+    assert compared
