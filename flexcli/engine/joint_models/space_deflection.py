@@ -122,8 +122,8 @@ def deflections(
 
     To the deflection of the joint at rest by its best springs, what the size of the wrench changes
     and what the stroke changes are added, both by exact beams; each is known to a share of itself.
-    At a stroke the tangent there, by beams or shells, is as sure as a support stiffness is; what
-    is surer of the two counts. No load in the plane of a joint that is its own mirror image there
+    At a stroke the tangent there, by beams and by shells, is as sure as a support stiffness is;
+    what is surest counts. No load in the plane of a joint that is its own mirror image there
     moves it out of it.
 
     Raises
@@ -146,7 +146,7 @@ def deflections(
     try:
         rest = compliance_along_cases(ask, at_travel(ask, 0.0), CENTRE, locked=False)
         ends = dict.fromkeys(scene.stroke_ends) if scene.moves else (0.0,)
-        there = [_tangent(ask, travel, blades) for travel in ends]
+        there = [_tangents(ask, travel, blades) for travel in ends]
     except SolveError as failed:
         raise NotAvailable(f"has no deflection by exact beams: {failed}") from failed
     asked = _Asked(ask, joint, sought, load, rest, deflection_form(ask, sought, load))
@@ -154,10 +154,13 @@ def deflections(
     for sign, moved in _either_way(ask, state, sought):
         acting = combined([state], [sign])
         own = moved - sign * float(sought @ rest @ load)
-        for end in there:
-            told = [asked.from_rest(sign, own, end)]
-            if end.travel != 0.0:
-                told.append(asked.by_tangent(sign, own, end, acting.loads))
+        for tangents in there:
+            told = [asked.from_rest(sign, own, tangents[0])]
+            told += [
+                asked.by_tangent(sign, own, tangent, acting.loads)
+                for tangent in tangents
+                if tangent.travel != 0.0
+            ]
             found.append(min(told, key=lambda each: each.high - each.low).with_error)
     return tuple(found)
 
@@ -280,21 +283,25 @@ def _is_very_wide(blade: SpaceBlade | SpaceRod) -> bool:
     return blade.b > WIDE * l
 
 
+def _tangents(ask: Ask, travel: float, blades: Blades) -> list[_Tangent]:
+    """Return the compliances at a travel by beams, and by what is finer where that takes them.
+
+    Narrow blades are beams rather than thin shells.
+    """
+    found = [_tangent(ask, travel, BEAMS)]
+    if blades is not BEAMS and travel != 0.0:
+        with suppress(NotAvailable, SolveError):  # shells may not take them
+            found.append(_tangent(ask, travel, blades))
+    return found
+
+
 def _tangent(ask: Ask, travel: float, blades: Blades) -> _Tangent:
-    """Return the compliances at a travel, by beams and by what is finest there."""
+    """Return the compliances at a travel, by beams and by the blades that are given."""
 
     def compliance(state: SpaceEquilibrium) -> Floats:
         return compliance_along_cases(ask, state, CENTRE, locked=False)
 
-    state = at_travel(ask, travel)
-    beams = compliance(state)
-    if blades is not BEAMS and travel != 0.0:
-        with suppress(NotAvailable, SolveError):  # else shells do not take them
-            finer = at_travel(ask, travel, blades)
-            if blades.errors(finer) is not None:
-                state = finer
-            else:
-                blades = BEAMS
+    beams, state = compliance(at_travel(ask, travel)), at_travel(ask, travel, blades)
     known = blades.errors(state)
     if known is None or state.coarser is None or known.support >= 1.0:
         return _Tangent(travel, beams, beams, beams, None)

@@ -96,8 +96,19 @@ SOLIDS = 0.012
 to 1.5: within 0.006, the solids themselves by their mesh within 0.008."""
 
 SETTLED = 0.021
-"""Beams over shells where no section curls: seen up to 0.0165 at ν = 0, and −0.021 where blades
-of b ≤ 0.4 l bend little."""
+"""Beams over shells where no section curls: seen up to 0.0165 at ν = 0."""
+
+CLAMPED, CLAMPED_MOST, CLAMPED_TO = 3.0, 0.17, 0.4
+"""Times ν² b/l, and the most times ν², by which beams at a stroke are too soft where no section
+curls: clamps keep it from narrowing over a length like b, which beams have for the shapes of rest.
+Crossed pivots had, over CalculiX's solids, 0.08 ν² at b/l 0.05, 0.16 at 0.1 and 0.2 at 0.15 and
+0.2, where sections curl besides, shells up to 0.03 ν² more; 0.06 at 0.5: from the last of these, in
+l, it goes down."""
+
+NARROW, NARROW_END, NARROW_WIDE, NARROW_STRAIN = 5e-3, 0.7, 0.05, 1.5
+"""Error of a blade so narrow that it is a beam: by the meshes of solids, of the smaller side of its
+section and of its width over its length, and of its strain. Solids of guides and pivots, b/l from
+0.02 to 0.1 and h/l from 0.002 to 0.02, up to 30°, had 0.6 of what is told in all, mostly 0.3."""
 
 WIDER, WIDER_FROM = 7e-3, 1.5
 """What they are besides, for each length that blades are wider than this many: 0.029 at ν = 0 and
@@ -169,8 +180,9 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
     Of hinges and of what varies in thickness nothing is known but the support stiffness.
     """
     curling, hinged, thick, directed, starred, wider = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    settled = 0.0
     for blade in state.layout.blades:
-        bend, l = _bend(state, blade), _length(blade)
+        bend, l, own = _bend(state, blade), _length(blade), SOLIDS + SETTLED
         if isinstance(blade, SpaceStar):
             if not springs_of(blade).in_stress or _arms_may_buckle(state, blade):
                 return None
@@ -189,6 +201,7 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
                 "curve": bend.curve, "curl": wide * bend.curve, "twist": wide * bend.twist,
             }  # fmt: skip
             curling = max(curling, nu**2 * min(wide * (bend.curve + bend.twist) / CURL, 1.0))
+            own = _settled(h / l, b / l, nu, bend)
             if isinstance(blade.material, Directed):
                 directed = max(directed, _most(springs_of(blade)))
         else:
@@ -199,11 +212,12 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
             continue
         if any(value > SEEN[name].most * (1.0 + ROUNDING) for name, value in felt.items()):
             return None
+        settled = max(settled, own)
         thick = max(thick, felt.get("slender", 0.0))
         wider = max(wider, felt.get("width", 0.0) - WIDER_FROM)
     besides = THICK * thick**2 + starred
     # solids of silicon at a stroke of 5 % have the ratios to beams that they have at rest
-    support = SOLIDS + SETTLED + SUPPORT_CURLED * curling + WIDER * wider + besides + directed
+    support = settled + SUPPORT_CURLED * curling + WIDER * wider + besides + directed
     moments = MOMENT_CURLED * curling + besides
     shift = moments + SOLIDS + SHIFTED
     if starred:
@@ -213,6 +227,17 @@ def beam_errors(state: SpaceEquilibrium) -> StrokeErrors | None:
         support = max(support, hinged + AT_STROKE)
         return StrokeErrors(support, inf, inf, inf)
     return StrokeErrors(support, shift, moments + MOMENTS, _cancelled(state))
+
+
+def _settled(h: float, b: float, nu: float, bend: Bend) -> float:
+    """Return the error of a support stiffness by blades whose sections do not curl.
+
+    ``h`` and ``b`` are over the length of the blade.
+    """
+    clamped = min(CLAMPED * b, CLAMPED_MOST * min(CLAMPED_TO / b, 1.0)) * nu**2
+    strain = bend.curve * h / 2.0
+    narrow = NARROW + NARROW_END * min(h, b) + NARROW_WIDE * b + NARROW_STRAIN * strain
+    return min(narrow + clamped, SOLIDS + max(SETTLED, clamped))
 
 
 def _arms_may_buckle(state: SpaceEquilibrium, star: SpaceStar) -> bool:
