@@ -1,6 +1,7 @@
 """The solid model of a single notch, from a spec: what beams cannot decide."""
 
 import pytest
+import yaml
 
 import flexcli
 from flexcli.errors import SolveError
@@ -146,3 +147,33 @@ def test_deflections_at_a_stroke_are_left_to_beams(tmp_path):
     asked, case = "  deflection: [{direction: z, max: 1 mm}]", f"{STROKE}, {ACROSS}"
     check = only(checked(tmp_path, asked, case=case, model="solid"))
     assert "solids are at rest" in check.quantity
+
+
+FILLETED = {"kind": "filleted-hinge", "h": "1 mm", "l": "20 mm", "r": "4 mm", "b": "10 mm"}
+NOTCHED = {"kind": "notch-hinge", "e": "0.3 mm", "r": "2 mm", "b": "2 mm"}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("hinge", "case", "least"), [
+    (NOTCHED, {"wrench": {"x": "1 N"}}, 1.03),
+    (FILLETED, {"wrench": {"theta_z": "0.01 N*m"}}, 1.07),
+    (FILLETED, {"stroke": {"rotation": "1e-5 rad"}}, 1.07),
+])  # fmt: skip
+def test_what_flat_throats_and_fillets_bear_in_their_middle_is_in_the_range_of_beams(
+    hinge, case, least
+):
+    words = {
+        "flexure": 1, "title": "hinge",
+        "material": {"youngs_modulus": "114 GPa", "poisson_ratio": 0.34,
+                     "yield_strength": "800 MPa"},
+        "geometry": {**hinge, "blocks": "massive"}, "cases": {"work": case},
+        "requirements": {"yield": {"factor": 1e-6}},
+    }  # fmt: skip
+    beams, solid = (
+        next(c for c in flexcli.verdicts(yaml.safe_dump(words), model=model).checks
+             if c.name.startswith("yield"))
+        for model in ("exact", "solid")
+    )  # fmt: skip
+    assert solid.demand > least * beams.demand
+    assert beams.factor_range[0] < solid.factor_range[0]
+    assert beams.factor_range[1] > solid.factor_range[1]

@@ -70,7 +70,7 @@ def test_a_stroke_that_yields_a_hinge_fails_it_whatever_a_load_across_adds():
     found = judged(hinge, case, {"yield": {"factor": 2}})
     assert found.verdict is Verdict.FAIL
     assert found.factor_range[0] == 0.0
-    assert found.factor_range[1] == pytest.approx(found.factor, rel=0.05)
+    assert found.factor_range[1] == pytest.approx(found.factor, rel=0.15)
 
 
 def test_a_load_along_a_hinge_does_not_move_it_across():

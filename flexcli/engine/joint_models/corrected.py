@@ -8,6 +8,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
+from flexcli.parts.effects.plate import pulled
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
@@ -197,7 +198,7 @@ class Corrected(JointModel):
         if scene.moves and scene.has_plane:
             found += self._of_nearer_end(ask)
         if scene.is_loaded:
-            found += self._of_loads(ask)
+            found += self._of_loads(ask) + self._of_pulled(ask)
         if scene.push:
             found += self._of_pushed_travel(ask)
         if scene.push and scene.mean_travel:
@@ -250,6 +251,22 @@ class Corrected(JointModel):
             beside = abs(mean - own * size)
             shares.append(beside / larger(size + larger(mean, beside), LEAST_STRESS))
         return ErrorRange((1.0 / more - 1.0) * larger(shares), 0.0)
+
+    def _of_pulled(self, ask: Ask) -> ErrorRange:
+        """Return what wide blades may have of the forces along them beside a stroke.
+
+        Without one it is in the error of what widens.
+        """
+        carried = self.inner.covers | self.inner.always
+        if not ask.scene.moves or EffectName.PLATE_WIDENING in carried:
+            return ErrorRange(0.0, 0.0)
+        shares = [0.0]
+        for stress in self.inner.stresses(ask)[1]:
+            axial = number(abs(stress.axial))
+            rest = number(abs(stress.amplitude)) + number(abs(stress.mean))
+            shares.append(axial / larger(rest + axial, LEAST_STRESS))
+        off = pulled(_setting(ask)) * larger(shares)
+        return ErrorRange(-off, off)
 
     def _of_pushed_travel(self, ask: Ask) -> ErrorRange:
         """Return what a travel by a force may change of its stress, either way.

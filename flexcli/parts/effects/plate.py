@@ -9,11 +9,7 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.geometries import Geometry, Sizes
 
-__all__ = ["PlateWidening", "wide_of"]
-
-LOADED = 0.25
-"""Part of the change of stiffness by which a wide blade's stress under forces may differ: solid
-blades stretched by a force had 1 % more, at b/l = 0.6, where the stiffness has 9 %."""
+__all__ = ["PlateWidening", "pulled", "wide_of"]
 
 LEADS = 1.5
 """Ratio of the shift to its leading term up to which both change alike."""
@@ -54,12 +50,18 @@ class PlateWidening(ModelEffect):
             if shift is not None:
                 found["shift"] = _shift(*shift, setting, known)
         elif any(scene.is_loaded for scene in setting.scenes):
-            spread = LOADED * (wide.stiffness.high - 1.0)
+            spread = pulled(setting)
             found["stress"] = Change(0.0, spread, spread)
         if wide.sag is not None:
             value, error = wide.sag
             found["sag"] = Change(value if known else None, abs(value) + error, error, -1)
         return found
+
+
+def pulled(setting: Setting) -> float:
+    """Return by how much the stress of forces along wide blades may differ from beams' [-]."""
+    wide = wide_of(setting)
+    return 0.0 if wide is None else wide.pulled * (wide.stiffness.high - 1.0)
 
 
 def _stress(wide: WideBlades, setting: Setting, known: bool) -> Change:
