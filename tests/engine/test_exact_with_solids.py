@@ -8,7 +8,7 @@ from flexcli.errors import SolveError
 
 NOTCH = """
 flexure: 1
-material: {{youngs_modulus: 200 GPa, poisson_ratio: 0.3, yield_strength: 1 GPa,
+material: {{youngs_modulus: 200 GPa, poisson_ratio: {nu}, yield_strength: 1 GPa,
             density: 7800 kg/m^3, fatigue_amplitude: {{value: 400 MPa, cycles: 1e7}}}}
 geometry: {{kind: {kind}, {blocks}}}
 {mechanism}
@@ -25,11 +25,19 @@ ACROSS = "wrench: {z: 300 N, theta_x: 0.5 N*m}"
 
 
 def checked(
-    tmp_path, requirements, *, kind=THICK, blocks=STATED, case=STROKE, model=None, mechanism=""
+    tmp_path,
+    requirements,
+    *,
+    kind=THICK,
+    blocks=STATED,
+    case=STROKE,
+    model=None,
+    mechanism="",
+    nu=0.3,
 ):
     path = tmp_path / "flexure.yaml"
     text = NOTCH.format(
-        kind=kind, blocks=blocks, case=case, requirements=requirements, mechanism=mechanism
+        kind=kind, blocks=blocks, case=case, requirements=requirements, mechanism=mechanism, nu=nu
     )
     path.write_text(text, encoding="utf-8")
     return flexcli.check(path, model=model).checks
@@ -143,10 +151,39 @@ def test_the_force_of_a_drive_is_that_of_the_solid(tmp_path):
     assert width(solids) < width(beams)
 
 
-def test_deflections_at_a_stroke_are_left_to_beams(tmp_path):
-    asked, case = "  deflection: [{direction: z, max: 1 mm}]", f"{STROKE}, {ACROSS}"
+@pytest.mark.parametrize(
+    ("e", "b", "nu", "turn", "solids"),
+    [
+        (0.3, 1.5, 0.3, 0.0666, (1.0144, 0.9989, 1.0003)),
+        pytest.param(0.1, 0.4, 0.3, 0.1581, (1.2499, 0.9921, 1.0019), marks=pytest.mark.slow),
+        pytest.param(0.2, 2.0, 0.4, 0.0542, (1.0142, 0.9992, 1.0001), marks=pytest.mark.slow),
+    ],
+)
+def test_what_a_stroke_changes_of_a_deflection_is_that_of_solids_at_the_stroke(
+    tmp_path, e, b, nu, turn, solids
+):
+    """CalculiX, large motion, drive free: ``tests/benchmarks/hinge_deflections.py``."""
+    kind = f"notch-hinge, e: {e} mm, r: 1 mm, b: {b} mm"
+    for axis, ratio in zip("xyz", solids, strict=True):
+        asked, found = f"  deflection: [{{direction: {axis}, max: 1 mm}}]", []
+        for end in (1e-9, turn):
+            case = f"stroke: {{rotation: [0 rad, {end} rad]}}, wrench: {{{axis}: 10 mN}}"
+            checks = checked(
+                tmp_path, asked, kind=kind, blocks="blocks: 0 mm", case=case, model="solid", nu=nu
+            )
+            found.append(only(checks))
+        rest, there = found
+        low, high = there.factor_range
+        assert low < there.factor * there.demand / rest.demand / ratio < high
+        assert width(there) < 0.26
+        assert there.demand / rest.demand - 1.0 == pytest.approx(ratio - 1.0, rel=0.15, abs=4e-4)
+
+
+def test_a_deflection_beyond_the_strokes_that_were_compared_is_left_to_beams(tmp_path):
+    asked = "  deflection: [{direction: z, max: 1 mm}]"
+    case = "stroke: {rotation: 0.3 rad, cycles: 1e6}, wrench: {z: 1 N}"
     check = only(checked(tmp_path, asked, case=case, model="solid"))
-    assert "solids are at rest" in check.quantity
+    assert "farther than solids were compared" in check.quantity
 
 
 FILLETED = {"kind": "filleted-hinge", "h": "1 mm", "l": "20 mm", "r": "4 mm", "b": "10 mm"}

@@ -139,6 +139,17 @@ class ExactWithLimbs(ExactWithSolids):
         layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout
         return SpaceJoint(layout, self.springs(ask))
 
+    def _beams(self, ask: Ask) -> Floats:
+        """Return the six compliances of a limb of beams about its middle, of an inner hinge."""
+        sizes, limb = self._limb(ask)
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        springs, middle = joint.assembly.members[0].springs, (sizes.l + limb.l) / 2.0
+        C = 2.0 / springs.stiffness
+        places = springs.across_thickness, springs.across_width
+        for (across, turn), place in zip(BENDS, places, strict=True):
+            C[across] += C[turn] * (middle - float(place)) ** 2
+        return np.asarray(C)
+
     def _joint_in_plane(self, ask: Ask) -> SpaceJoint:
         """Return it for what does not leave its plane."""
         layout = joint_in_space(ask.geometry, ask.material, ask.sizes).layout

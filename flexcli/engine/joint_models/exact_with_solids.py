@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from flexcli.engine.joint_models.exact import ExactModel
 from flexcli.engine.joint_models.remembered import Remembered
+from flexcli.engine.joint_models.space_deflection import Springs, deflections
 from flexcli.engine.joint_models.space_errors import AT_STROKE, HINGE_TURN
 from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
@@ -26,7 +27,7 @@ from flexcli.mechanics.space.springs import MemberSprings, springs_of
 from flexcli.mechanics.state import Equilibrium
 from flexcli.numerics.rows import number, one_alone
 from flexcli.parts.effect_names import EffectName
-from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.elastic import Buckled, NotAvailable
 from flexcli.parts.geometries.base import MOVING, Critical
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress
 from flexcli.parts.space_joint import joint_in_space
@@ -365,10 +366,30 @@ class ExactWithSolids(ExactModel):
     def deflections(
         self, ask: Ask, point: tuple[float, float, float], direction: str
     ) -> tuple[tuple[float, ErrorRange | None], ...]:
-        """Refuse: that of first order is the solid's, at a stroke there is none."""
-        if ask.scene.moves:
-            raise SolveError("at-rest", "solids are at rest", "take --model exact")
-        raise NotAvailable("is a solid at rest")
+        """Return those at a stroke, whose changes are beams'; at rest they are of first order."""
+        if not ask.scene.moves:
+            raise NotAvailable("is a solid at rest")
+        try:
+            turn = self._hinge_turn(ask, max(abs(end) for end in ask.scene.stroke_ends))
+            springs = Springs(self._unlike_beams(ask), self._turned(turn), turn)
+            return deflections(ask, point, direction, springs=springs)
+        except Buckled:
+            raise
+        except NotAvailable as reason:  # that at rest is none at a stroke
+            raise SolveError("at-rest", f"the solid {reason}", "take --model exact") from reason
+
+    def _unlike_beams(self, ask: Ask) -> float:
+        """Return by what share a solid may differ from beams in any of its compliances."""
+        most = 0.0
+        for index, beam in enumerate(self._beams(ask)):
+            C, off = self._compliance(ask, index)
+            most = max(most, (1.0 + off) * max(C / beam, beam / C) - 1.0)
+        return most
+
+    def _beams(self, ask: Ask) -> Floats:
+        """Return the six compliances of beams about the middle, without the blocks beside them."""
+        joint = joint_in_space(ask.geometry, ask.material, ask.sizes)
+        return np.asarray(1.0 / joint.assembly.members[0].springs.stiffness)
 
 
 def _solids(ask: Ask) -> _Solids:
