@@ -23,6 +23,10 @@ E, MM, L = 200e9, 1e3, 20e-3
 SHORT = ((3, 0.19, 0.7, 0.2), (3, 0.19, 0.7, 0.4), (3, 0.12, 0.7, 0.4), (2, 0.19, 0.8, 0.4),
          (2, 0.12, 0.8, 0.4), (4, 0.15, 0.7, 0.4), (3, 0.06, 0.8, 0.4))  # fmt: skip
 """Strips, h/b, b/l and ν of short stars."""
+SOFT = ((3, 0.093, 0.795, 0.45), (2, 0.177, 0.117, 0.45), (2, 0.25, 0.3, 0.45),
+        (3, 0.06, 0.85, 0.45), (2, 0.04, 0.5, 0.45), (4, 0.12, 0.5, 0.45), (2, 0.19, 0.9, 0.45),
+        (6, 0.08, 0.4, 0.45))  # fmt: skip
+"""The same of stars that narrow more."""
 QUAD = np.array([[0, 1], [1, 2], [2, 3], [3, 0]])
 
 
@@ -128,7 +132,7 @@ def main():
     wide = stars(5, 1, [2, 2, 3, 4, 6], (-1.2, 0.0), (-1.7, -0.6))
     thick = stars(10, 3, [2, 2, 3, 3, 4], (-1.0, 0.0), (-1.3, -0.6))
     stout = stars(9, 5, [2, 2, 3], (-1.0, -0.05), (-0.7, -0.48))
-    short = [(h * b * L, b * L, n, nu) for n, h, b, nu in SHORT]
+    short = [(h * b * L, b * L, n, nu) for n, h, b, nu in (*SHORT, *SOFT)]
     for h, b, n, nu in (*wide, *thick, *stout, *short):
         found = [[float(f"{x:.5g}") for x in each] for each in solid(h, b, n, nu)]
         rows.append([float(f"{h:.5g}"), float(f"{b:.5g}"), L, n, nu, *found])
