@@ -75,7 +75,7 @@ def series_of(design: DesignSpec) -> tuple[str, ...]:
 
 
 def _has_shells(design: DesignSpec) -> bool:
-    """Return whether a joint has blades in space, or is asked for what loads do at a stroke.
+    """Return whether a joint has blades in space, or is asked for what it does at a stroke.
 
     While its sizes are sought, beams are fine enough; rods are beams always. Shells are whole:
     nothing of them can be left out.
@@ -84,6 +84,8 @@ def _has_shells(design: DesignSpec) -> bool:
     if design.requirements.deflection:
         scenes = design.scenes()
         asked = asked or any(each.moves and each.wrench is not None for each in scenes)
+    if design.geometry.solids is None and design.geometry.has_plane:
+        asked = asked or bool(design.requirements.parasitic_shift)
     drawn = design.geometry.in_space and design.geometry.has_blades
     return design.fixed_sizes() is not None and (drawn or asked) and not design.omitted
 

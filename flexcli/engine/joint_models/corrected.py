@@ -122,7 +122,8 @@ class Corrected(JointModel):
 
     def parasitic_shift(self, ask: Ask) -> Computed:
         """Return the signed shift at the end of the case's stroke [m]."""
-        return self.inner.parasitic_shift(ask) * self._factor(ask, QuantityKind.SHIFT)
+        carried = self.inner.shift_carries(ask)
+        return self.inner.parasitic_shift(ask) * self._factor(ask, QuantityKind.SHIFT, carried)
 
     def stresses(self, ask: Ask) -> tuple[str, list[EndStress]]:
         """Return the stresses, those of the stroke corrected.
@@ -182,6 +183,8 @@ class Corrected(JointModel):
             # of the corrected stress, whatever the corrections leave
             low, high = ((1.0 + a) * (1.0 + b) - 1.0 for a, b in zip(left, beside, strict=True))
             return ErrorRange(low, high)
+        if kind is QuantityKind.SHIFT:
+            return self._left(ask, kind, found, self.inner.shift_carries(ask))
         if kind is not QuantityKind.SAG or not ask.scene.sags:
             return self._left(ask, kind, found)
         from flexcli.parts.space_states import beyond_linear_sag

@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
     from flexcli.parts.space_joint import Form
 
-__all__ = ["ExactModel", "driven_stiffness"]
+__all__ = ["ExactModel", "alone", "driven_stiffness", "shifts_of"]
 
 Floats = NDArray[np.float64]
 
@@ -271,8 +271,7 @@ class ExactModel(JointModel):
     def _settled_shift(self, ask: Ask) -> tuple[float, float]:
         scene = ask.scene
         if scene.temperature is None:
-            if scene.is_loaded or hold_of(scene).turn:
-                ask = ask._replace(scene=scene.without_loads()._replace(ends=None, lock=None))
+            ask = alone(ask)
             return _worst_shift(self.states(ask), ask)
         free: Held = None, None, 0.0 if ask.geometry.is_guided else None
         reach = scene.travel + scene.mean_travel
@@ -345,6 +344,14 @@ class ExactModel(JointModel):
         return tuple(warm_shares(ask, self.effects, self.tolerance, self.levels))
 
 
+def alone(ask: Ask) -> Ask:
+    """Return a stroke without what acts beside it, and without what holds the body."""
+    scene = ask.scene
+    if not scene.is_loaded and not hold_of(scene).turn:
+        return ask
+    return ask._replace(scene=scene.without_loads()._replace(ends=None, lock=None))
+
+
 def _hanging(ask: Ask) -> "Form":
     """Return how far a force along the case's acceleration moves the body's point, per force."""
     from flexcli.parts.requirements.support import deflection_form
@@ -358,14 +365,14 @@ def _worst_shift(state: Equilibrium, ask: Ask) -> tuple[float, float]:
 
     Of a joint that is not its own mirror image it is not the same at both ends of a stroke.
     """
-    shifts, before = states_of(_shifts(state, ask)), state.coarser
+    shifts, before = states_of(shifts_of(state, ask)), state.coarser
     sizes = np.abs(shifts)
     sizes[1:] *= 1.0 - ALIKE  # of ends that are alike the first
     worst = np.argmax(sizes, axis=0)[None]
     shift = _of_worst(shifts, worst)
     if before is None or shift == 0.0:
         return shift, inf
-    return shift, abs(_of_worst(states_of(_shifts(before, ask)), worst) / shift - 1.0)
+    return shift, abs(_of_worst(states_of(shifts_of(before, ask)), worst) / shift - 1.0)
 
 
 def _of_worst(shifts: Floats, worst: NDArray[np.intp]) -> float:
@@ -373,7 +380,7 @@ def _of_worst(shifts: Floats, worst: NDArray[np.intp]) -> float:
     return of_each(np.atleast_1d(np.take_along_axis(shifts, worst, axis=0)[0]))
 
 
-def _shifts(state: Equilibrium, ask: Ask) -> Floats:
+def shifts_of(state: Equilibrium, ask: Ask) -> Floats:
     """Return the shift of a pivot's centre, or a stage's point along its blades (states,) [m]."""
     if ask.geometry.motion == "translation":
         return -point_motion(state, MOVING, state.layout.body(MOVING).point)[:, 0]

@@ -1,9 +1,14 @@
-"""The exact model of a joint of the plane, its support and deflections at stroke by shells."""
+"""The exact model of a joint of the plane, at stroke by shells: support, deflections, shift."""
 
-from flexcli.engine.joint_models.exact import ExactModel
+from flexcli.engine.joint_models.exact import ExactModel, alone
+from flexcli.engine.joint_models.remembered import Remembered
+from flexcli.engine.joint_models.shell_shift import shift_by_shells
 from flexcli.engine.joint_models.space_deflection import deflections
 from flexcli.engine.joint_models.space_shell import SHELLS, SpaceShellModel
 from flexcli.engine.joint_models.space_stroke import support_at_stroke
+from flexcli.mechanics.mesh import Effects
+from flexcli.parts.effect_names import EffectName
+from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
 from flexcli.results import ErrorRange
 
@@ -16,6 +21,19 @@ class ExactWithShells(ExactModel):
     name = "shell"
     at_stroke = SpaceShellModel.at_stroke
     directs_blades = SpaceShellModel.directs_blades
+
+    def __init__(self, effects: Effects | None = None) -> None:
+        super().__init__(effects)
+        self._known_pairs = Remembered("shell", of_blades=True)
+
+    def shift_carries(self, ask: Ask) -> frozenset[EffectName]:
+        """Return what shells have in a shift and its error."""
+        return frozenset({EffectName.PLATE_WIDENING})
+
+    def _settled_shift(self, ask: Ask) -> tuple[float, float]:
+        if ask.scene.temperature is not None or not ask.scene.moves:
+            raise NotAvailable("has no shift by shells but of a stroke: take --model exact")
+        return shift_by_shells(alone(ask))
 
     def support_at_stroke(
         self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool

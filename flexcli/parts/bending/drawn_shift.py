@@ -51,6 +51,14 @@ UNEVEN = 0.35
 shortens."""
 
 
+NARROW, ALIKE, ROUNDING = 0.2, 1.35, 1e-13
+"""Blades all alike, b/l to 0.2, whose shortening cancels to rounding: the shift is of fourth order.
+
+Plates then change it by up to twice 1.35 times what an arc shortens, the less the more they are
+flattened. Thin shells of folded stages of b/l 0.08 to 0.25, ν 0.3 and 0.45, strokes of 0.01 to
+0.25 l, had 1.0 to 2.5 times that (``tests/benchmarks/shell_shifts.py``)."""
+
+
 class _Orders(NamedTuple):
     """How the centre moves in first and second order of a unit travel (2, 2) [m].
 
@@ -71,7 +79,8 @@ class DrawnPath(NamedTuple):
     ``off`` is how far either order of the plates' may be off (2,), ``flat`` how much further
     where curvature keeps all sections from curling, ``curls`` the square of the largest width over
     that on which they do, at a unit travel. ``slope`` is the largest rotation of a body or of a
-    chord there, ``cancels`` says that they are those of a stage whose blades are all alike.
+    chord there, ``cancels`` says that they are those of a stage whose blades are all alike, and
+    ``arc`` by how much more of those an arc shortens, where they are narrow.
     """
 
     beams: _Orders
@@ -82,11 +91,12 @@ class DrawnPath(NamedTuple):
     poisson_ratio: float
     slope: float
     cancels: bool
+    arc: float | None
 
     def change(self, ends: Sequence[float]) -> tuple[float, float] | None:
         """Return the relative change of the largest shift at travels, and its error [-].
 
-        None where that is of higher than second order, or blades alike cancel. What is of the
+        None where that is of higher than second order, or wide blades alike cancel. What is of the
         third, where the blades hold the centre by a long lever or pull, may change by all that
         its parts do.
         """
@@ -97,6 +107,8 @@ class DrawnPath(NamedTuple):
         )
         order, slope = np.array([travel, travel**2]), self.slope * travel
         apart = order[1] * float(np.linalg.norm(self.beams.each, axis=0).sum())
+        if self.cancels and self.arc is not None and beam <= ROUNDING * apart:
+            return ALIKE * self.arc, ALIKE * self.arc
         if beam <= slope**2 * apart:
             return None
         beta = float(np.sqrt(self.curls * travel))
@@ -182,7 +194,9 @@ def drawn_path(blades: Sequence[Blade], nu: float, layout: Layout, held: Held) -
             unsure += joint.apart_from(found, longer)
     beams = joint.of_beams().path(none)
     cancels = len(alike) == 1 and not turns
-    return DrawnPath(beams, found, unsure, curled, joint.curls(nu), nu, joint.slope, cancels)
+    is_narrow = max(blade.b / blade.l for blade in blades) <= NARROW
+    arc = float(more[0, 0]) if is_narrow else None
+    return DrawnPath(beams, found, unsure, curled, joint.curls(nu), nu, joint.slope, cancels, arc)
 
 
 def _shortens(blade: Blade, nu: float, *, thick: bool = False) -> tuple[float, float]:

@@ -249,6 +249,8 @@ class Geometry(Part):
     """Whether it is drawn in space, where every load of a case acts on it; else in its plane."""
     solids: ClassVar[Solids | None] = None
     """What there are solids of: the single notch that it is, or its limbs between two notches."""
+    joined_in: ClassVar[frozenset[str]] = frozenset()
+    """Bodies of its layout that are but blades which meet."""
     has_plane: ClassVar[bool] = True
     """Whether forces bend it in a plane as its stroke does; bars along an axis only twist."""
     _omitted: frozenset[EffectName] = PrivateAttr(frozenset())

@@ -37,9 +37,6 @@ Clamps: TypeAlias = Literal["rigid", "monolithic", "monolithic-flush"]
 class ClampedBlades(Geometry):
     """A joint or stage whose blades end in bodies, by clamps or cut from one piece with them."""
 
-    joined_in: ClassVar[frozenset[str]] = frozenset()
-    """Bodies of its layout that are but blades which meet."""
-
     clamps: Clamps | None = None
     """How the blades end: between rigid clamps, or cut from one piece with their bodies, which
     give way at the roots; flush where a face is in line with a side of the body. Rigid where

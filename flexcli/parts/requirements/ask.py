@@ -185,6 +185,10 @@ class JointModel(ABC):
         """Return the effects in its stiffness along an acceleration, and its error."""
         return frozenset()
 
+    def shift_carries(self, ask: Ask) -> frozenset[EffectName]:
+        """Return the effects in its parasitic shift and its error, besides those of its beams."""
+        return frozenset()
+
     def sag(self, ask: Ask) -> Computed:
         """Return how far the moving body sags along the case's acceleration [m]."""
         from flexcli.parts.own_motion import hanging_mass

@@ -1,0 +1,178 @@
+"""Parasitic shift of a joint of the plane by thin shells, its bodies held upright.
+
+Shells know how plates bend, shorten and flatten between their clamps, exact beams of the plane what
+shear does besides: a shift is that of shells, times what shear changes in that of beams.
+"""
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from flexcli.engine.joint_models.exact import shifts_of
+from flexcli.engine.joint_models.joint_states import solved
+from flexcli.engine.joint_models.space_errors import STOUTEST
+from flexcli.errors import SolveError
+from flexcli.formulas.plate_factors import effective_width
+from flexcli.formulas.profile import Constant
+from flexcli.mechanics.layout import Blade, Layout
+from flexcli.mechanics.mesh import Effects
+from flexcli.mechanics.shell.first_guess import shells_from_beams
+from flexcli.mechanics.space.exact.demand import drive_frame
+from flexcli.mechanics.space.exact.equilibrium import solve
+from flexcli.mechanics.space.exact.members import FIRST_GUESS
+from flexcli.mechanics.space.planar import from_plane
+from flexcli.numerics.rows import one_alone
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import MOVING
+from flexcli.parts.requirements import Ask
+
+__all__ = ["shift_by_shells"]
+
+LEVELS, TOLERANCE = (FIRST_GUESS, 12, 16, 20, 24), 2e-3
+"""Modes along a blade, and by how much forces and motions may differ from one to the next."""
+
+NARROWEST, WIDEST, THICKEST = 0.05, 3.0, 0.1
+"""Least and largest b/l, and h/l: in narrower blades polynomials do not find the layers at the
+clamps, others were not held against solids."""
+
+ROUNDING = 1e-9
+"""Of a size at the very end of its range."""
+
+OF_SHEAR, OF_PLATES, FLOOR = 0.5, 0.05, 3e-4
+"""Errors: shares of what shear and of what plates change, and the least.
+
+CalculiX's solids of pivots of two and three blades, of parallelograms and of folded stages, even
+and uneven, h/l from 0.0004 to 0.26, h/b to 0.2, were at most 0.28 of what shear changes less
+(``tests/benchmarks/shell_shifts.py``)."""
+
+MOST_POISSON = 0.45
+"""Largest Poisson's ratio of those."""
+
+ALIKE = 1e-9
+"""Relative difference of the shifts of both ends that counts as none."""
+
+
+class _Path(NamedTuple):
+    """How far a travel moves the centre off its path: beams without shear, shells, coarser ones."""
+
+    beams: float
+    shells: float
+    coarser: float
+
+
+def shift_by_shells(ask: Ask) -> tuple[float, float]:
+    """Return the largest shift at the ends of a stroke alone, signed as beams', and its error.
+
+    Raises
+    ------
+    NotAvailable
+        When its blades are none of which thin shells were held against solids, or it buckles.
+
+    Returns
+    -------
+    shift, error : float
+        The shift [m], and its relative error [-].
+
+    """
+    one_alone()
+    layout = _upright(ask)
+    found = list[tuple[float, float]]()
+    beams = list[float]()
+    for travel in ask.scene.stroke_ends:
+        shift = _by_beams(ask, layout, travel, Effects())
+        if shift == 0.0 or any(abs(abs(shift / other) - 1.0) < ALIKE for other in beams):
+            continue  # the joint's mirror image, or at rest
+        beams.append(shift)
+        found.append(_at_end(ask, layout, travel, shift))
+    if not found:
+        raise NotAvailable("has no shift")
+    return max(found, key=lambda each: abs(each[0]))
+
+
+def _at_end(ask: Ask, layout: Layout, travel: float, beams: float) -> tuple[float, float]:
+    """Return the shift at an end of the stroke, and its error.
+
+    Sections of thick blades curl as plates between their own width and the effective one.
+    """
+    wide = _path(ask, layout, travel)
+    less = _path(ask, _narrowed(layout), travel)
+    each = wide.shells / wide.beams, less.shells / less.beams
+    widened, apart = sum(each) / 2.0, abs(each[0] - each[1]) / 2.0
+    sheared = abs(abs(beams / wide.beams) - 1.0)
+    error = abs(wide.coarser / wide.shells - 1.0) + apart / widened
+    error += OF_SHEAR * sheared + OF_PLATES * abs(widened - 1.0)
+    return beams * widened, error + FLOOR
+
+
+def _upright(ask: Ask) -> Layout:
+    """Return the joint, all its blades in one plane, where shells are known."""
+    geometry, elastic, nu = ask.geometry, ask.material.elastic, ask.material.poisson_ratio
+    if nu is None:
+        raise NotAvailable("needs material.poisson_ratio for shells")
+    layout = geometry.layout(elastic, ask.sizes)
+    if geometry.joined_in or layout.guides or nu.value > MOST_POISSON:
+        raise NotAvailable("has no shift by shells: take --model exact")
+    for blade in layout.blades:
+        if not isinstance(blade.profile, Constant):
+            raise NotAvailable("has blades of varying thickness, of which there are no shells")
+        h, b, l = float(blade.profile.h), float(blade.b), _length(blade)
+        thin = h <= THICKEST * l and h <= STOUTEST * b
+        if not (thin and NARROWEST * l <= b <= WIDEST * (1.0 + ROUNDING) * l):
+            raise NotAvailable("has blades of which no shells were held against solids")
+    return replace(layout, blades=tuple(replace(blade, z=0.0) for blade in layout.blades))
+
+
+def _narrowed(layout: Layout) -> Layout:
+    """Return a layout of blades of their effective widths."""
+    blades = (
+        replace(blade, b=float(effective_width(b=float(blade.b), h=float(blade.profile.h))))
+        for blade in layout.blades
+        if isinstance(blade.profile, Constant)
+    )
+    return replace(layout, blades=tuple(blades))
+
+
+def _path(ask: Ask, layout: Layout, travel: float) -> _Path:
+    """Return how far a travel moves the centre off its path by a layout's beams and shells."""
+    turns, held = ask.geometry.motion == "rotation", ask.geometry.held(travel)
+    space = from_plane(layout, MOVING, turns=turns)
+    motion: list[float | None] = [None] * 6
+    motion[3 if turns else 0] = travel
+    if not turns:
+        motion[5] = held[2]
+    drive = space.drive
+    try:
+        state = solve(
+            space,
+            {drive.body: motion},
+            frames=drive_frame(drive),
+            tolerance=TOLERANCE,
+            levels=LEVELS,
+            made=shells_from_beams,
+        ).checked()
+    except SolveError as error:
+        raise NotAvailable(f"has no shift by shells: {error}") from error
+    if state.unstable or state.coarser is None:
+        raise NotAvailable("buckles at its stroke by shells")
+    point = (0.0, 0.0, 0.0) if turns else drive.point
+    each = (
+        float(np.linalg.norm(at.motion_of(drive.body, point)[: 2 if turns else 1]))
+        for at in (state, state.coarser)
+    )
+    beams = abs(_by_beams(ask, layout, travel, Effects(shear=False)))
+    shells, coarser = each
+    if not (beams and shells):
+        raise NotAvailable("has no shift")
+    return _Path(beams, shells, coarser)
+
+
+def _by_beams(ask: Ask, layout: Layout, travel: float, effects: Effects) -> float:
+    """Return the shift at a travel by exact beams of the plane, positive towards −x [m]."""
+    state = solved(layout, {MOVING: ask.geometry.held(travel)}, effects=effects)
+    return float(shifts_of(state, ask)[0])
+
+
+def _length(blade: Blade) -> float:
+    x, y = np.subtract(blade.end, blade.start)
+    return float(np.hypot(x, y))
