@@ -2,8 +2,8 @@
 
 Run: python tests/benchmarks/model_ranges.py [specs] [--first SEED] [--kinds KIND …] [--coupled].
 Random specs of the campaign, or of loads that act together, are judged with easy requirements by
-closed forms, linear and exact beams in turn, single notches by solids too; a check of which two
-ranges lie apart has a wrong one, and is printed with both.
+closed forms, linear and exact beams and shells in turn, single notches by solids too; a check of
+which two ranges lie apart has a wrong one, and is printed with both.
 """
 
 import argparse
@@ -22,7 +22,7 @@ from twins.coupled import COUPLED, coupled_scene
 import flexcli
 from flexcli.errors import SolveError, SpecError
 
-MODELS = ("closed-form", "linear", "exact", "solid")
+MODELS = ("closed-form", "linear", "exact", "shell", "solid")
 ROUNDING = 1e-7
 
 
