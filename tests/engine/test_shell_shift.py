@@ -110,6 +110,34 @@ def test_what_no_shells_were_held_against_has_no_shift_by_shells(changed):
     assert check.verdict.value == "undecided"
 
 
+ACROSS = (
+    (
+        {"kind": "rcc", "h": "1.549009986 mm", "l": "45.78692316 mm", "b": "16.43559783 mm",
+         "p": "0 mm", "half_angle": "65.08539996826845 deg"},
+        0.45, 7.441448718979946e-05, 1.0979222e-9, 7e-4,
+    ),
+    (
+        {"kind": "cross-spring", "h": "6.170619514 mm", "l": "176.2634073 mm",
+         "b": "91.33394942 mm", "delta": -0.6666666666666666, "half_angle": "13.95389282 deg"},
+        0.34, 0.19856967953809827 / 20.0, 6.3305971e-6, 1.8e-3,
+    ),
+)  # fmt: skip
+"""Pivots, ν, rotation [rad], and their shift by CalculiX's solids on two meshes, with its error:
+most of it is across the bisector, of first order, by the stretching of blades that bend."""
+
+
+@pytest.mark.parametrize("model", ["exact", "shell"])
+@pytest.mark.parametrize(("pivot", "nu", "turn", "solid", "error"), ACROSS, ids=["rcc", "crossed"])
+def test_a_shift_across_the_bisector_rises_with_the_stiffness_of_plates(
+    pivot, nu, turn, solid, error, model
+):
+    spec = folded(geometry=pivot, cases={"work": {"stroke": {"rotation": f"{turn} rad"}}})
+    spec["material"] = {"youngs_modulus": "200 GPa", "poisson_ratio": nu}
+    low, high = only(spec, model).factor_range
+    assert low * (1.0 - error) <= 1.0 / solid <= high * (1.0 + error)
+    assert high / low < 1.2
+
+
 def test_a_joint_of_blades_side_by_side_is_held_upright():
     spec = folded(geometry=CROSSED, cases=TURN)
     low, high = only(spec, "shell").factor_range

@@ -280,9 +280,10 @@ def test_shift_changes_by_the_shortening_of_both_shapes():
     pure = float(plate_shortening.pure_shortening_factor(**blade)) - 1.0
     bent = float(plate_shortening.s_shortening_factor(**blade)) - 1.0
     gamma = 1.0 + 2.0 * 0.2
-    found = WIDENING.changes(setting_of(PIVOT, TURN))["shift"]
+    thin = {**PIVOT, "h": "1 um"}  # that hardly stretch
+    found = WIDENING.changes(setting_of(thin, TURN))["shift"]
     share = (2.5 * pure + 9.0 * gamma**2 * bent) / (9.0 * gamma**2 - 5.0)
-    assert found.value == pytest.approx(share, rel=1e-12)
+    assert found.value == pytest.approx(share, rel=1e-6)
 
 
 def test_where_the_leading_shift_vanishes_the_change_is_a_range_of_what_is_left():
@@ -317,7 +318,7 @@ def test_a_drawn_pair_shifts_by_what_the_closed_form_of_the_pair_says(delta, b):
         "kind": "layout", "bodies": {"st": {"at": ["0 m", "0 m"]}}, "blades": blades,
         "moving": "st", "motion": "rotation",
     }, TURN)  # fmt: skip
-    pair = wide_pivot(Blade(1e-5, l, b), 0.34, delta=delta, pair=True)
+    pair = wide_pivot(Blade(1e-5, l, b), 0.34, delta=delta, half_angle=0.7)
     value, error = drawn.geometry.wide_blades(drawn.sizes, 0.34).path.change([0.02])
     assert value == pytest.approx(pair.shift[0], rel=0.02)  # of which stretching does little
     assert error < (0.03 if b < 0.01 else 0.12)  # curvature keeps wide ones flat
@@ -349,7 +350,7 @@ def test_the_shift_of_a_folded_stage_of_blades_alike_changes_within_what_is_told
 def test_joined_blades_shift_as_their_halves_do_where_these_are_alike():
     """In the middle both halves turn by as much, so that each changes as one pivot of p = 0."""
     blade = Blade(1e-5, 0.02, 0.004)
-    half = wide_pivot(blade._replace(l=0.01), 0.34, delta=0.0, pair=True)
+    half = wide_pivot(blade._replace(l=0.01), 0.34, delta=0.0, half_angle=0.7)
     value, error = wide_halves(blade, 0.34, 0.5, pi / 4).shift
     assert value == pytest.approx(half.shift[0], rel=1e-9)
     assert half.shift[1] < error < 0.4 * abs(value)

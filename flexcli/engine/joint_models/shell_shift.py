@@ -65,13 +65,13 @@ ALIKE = 1e-9
 class _Path(NamedTuple):
     """How far a travel moves the centre [m] by beams without shear, shells, and coarser ones.
 
-    ``strain`` is the largest axial strain of the beams [-].
+    ``unsure`` is by how much the law of strain may change them [-].
     """
 
     beams: float
     shells: float
     coarser: float
-    strain: float
+    unsure: float
 
 
 def shift_by_shells(ask: Ask) -> tuple[float, float]:
@@ -114,7 +114,7 @@ def _at_end(ask: Ask, layout: Layout, travel: float, beams: float) -> tuple[floa
     widened, apart = sum(each) / 2.0, abs(each[0] - each[1]) / 2.0
     sheared = abs(abs(beams / wide.beams) - 1.0)
     error = abs(wide.coarser / wide.shells - 1.0) + apart / widened
-    error += OF_SHEAR * sheared + OF_PLATES * abs(widened - 1.0) + OF_STRAIN * wide.strain
+    error += OF_SHEAR * sheared + OF_PLATES * abs(widened - 1.0) + wide.unsure
     least = _length(min(layout.blades, key=_length)) if ask.geometry.motion == "rotation" else 1.0
     lost = abs(travel) * least / abs(beams)
     if lost * LEAST > 1.0:
@@ -180,10 +180,26 @@ def _path(ask: Ask, layout: Layout, travel: float) -> _Path:
     )
     plain = _beams(ask, layout, travel, Effects(shear=False))
     beams, (shells, coarser) = abs(float(shifts_of(plain, ask)[0])), each
-    pulls = (np.abs(blade_stress(plain, blade.name).axial).max() for blade in layout.blades)
     if not (beams and shells):
         raise NotAvailable("has no shift")
-    return _Path(beams, shells, coarser, float(max(pulls)) / float(layout.E))
+    return _Path(beams, shells, coarser, _by_law(ask, layout, travel, plain))
+
+
+def _by_law(ask: Ask, layout: Layout, travel: float, plain: Equilibrium) -> float:
+    """Return what another law of finite strain may change in the shift of beams, relative.
+
+    Green's strain and that of engineers differ by ½ε²: a blade bent to ε at its faces differs in
+    length by ½ ∫ε² ds, alike ones alike.
+    """
+    E, most, longer = float(layout.E), 0.0, dict[str, float]()
+    for blade in layout.blades:
+        found = blade_stress(plain, blade.name)
+        most = max(most, float(np.abs(found.axial).max()) / E)
+        whole = np.trapezoid((found.bending[0] / E) ** 2, found.s[0])
+        longer[blade.name] = 0.5 * float(whole) / _length(blade)
+    other = _beams(ask, replace(layout, blade_growth=longer), travel, Effects(shear=False))
+    shift, changed = (float(shifts_of(state, ask)[0]) for state in (plain, other))
+    return abs(changed / shift - 1.0) + OF_STRAIN * most
 
 
 def _beams(ask: Ask, layout: Layout, travel: float, effects: Effects) -> Equilibrium:

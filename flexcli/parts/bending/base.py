@@ -19,6 +19,7 @@ __all__ = [
     "Factor",
     "FilletedRoots",
     "Thick",
+    "WideAcross",
     "WideBlades",
     "WidePath",
     "together",
@@ -105,6 +106,19 @@ class WidePath(Protocol):
         """
 
 
+class WideAcross(NamedTuple):
+    """The motion of a centre across its bisector, of first order in the travel, by stretching.
+
+    ``ratio`` is that of beams over their shift along it, both of a unit travel [rad]; ``unsure`` by
+    how much the latter may be off, relative. Plates change it by ``change``, within ``error``.
+    """
+
+    ratio: float
+    unsure: float
+    change: float
+    error: float
+
+
 class WideBlades(NamedTuple):
     """Change of a joint's numbers by the width of its blades; ν is that of the material, or ½.
 
@@ -128,6 +142,8 @@ class WideBlades(NamedTuple):
     """Part of the change of stiffness by which the stress of forces along them may differ."""
     path: WidePath | None = None
     """The path of the centre of a drawn layout, which tells the change of its shift."""
+    across: WideAcross | None = None
+    """What beside ``shift``, which is then of that along a bisector, moves a centre across it."""
 
 
 class FilletedRoots(NamedTuple):

@@ -1,19 +1,19 @@
 """Wide blades: the increased stiffness of a joint's blades or hinges against beams."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from math import inf, pi
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexcli.formulas import pivot, plate_buckling, plate_shortening
+from flexcli.formulas import pivot, plate_buckling, plate_shortening, thick_blades
 from flexcli.formulas import plate_factors as plates
 from flexcli.formulas import sheet_factors as sheets
 from flexcli.formulas.buckling import EFFECTIVE_LENGTH
 from flexcli.formulas.quantity import Computed, Numbers
 from flexcli.formulas.section import second_moment, shear_parameter
-from flexcli.numerics.rows import larger, number, one_alone, one_by_one, smaller, tan
-from flexcli.parts.bending.base import PULLED, Factor, WideBlades
+from flexcli.numerics.rows import cos, larger, number, one_alone, one_by_one, smaller, tan
+from flexcli.parts.bending.base import PULLED, Factor, WideAcross, WideBlades
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
 if TYPE_CHECKING:
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from flexcli.mechanics.layout import Layout
 
 __all__ = [
+    "PathLater",
     "wide_by_shapes",
     "wide_cantilever",
     "wide_drawn",
@@ -71,6 +72,9 @@ of it, up to 0.088 of the stress in all."""
 OF_PATH = 5e-4
 """What their shift is off besides, by the errors of how much blades shorten [-]."""
 
+UNSURE_ALONG = 0.3
+"""Part of a pivot's shift along its bisector that shear and the next order in θ may change."""
+
 LOCKED, HINGED = "clamped-clamped", "pinned-pinned"
 
 
@@ -79,14 +83,15 @@ def wide_pivot(
     nu: float,
     *,
     delta: Computed,
-    pair: bool,
+    half_angle: float | None = None,
     sags_wide: bool = False,
     softer: tuple[Computed, Computed] = (0.0, 0.0),
 ) -> WideBlades:
     """Return the factors of equal blades that point at one centre, p = δ l from it.
 
-    A pair has a shift; the sag of a pivot may bend its blades across their width. ``softer`` are
-    the shares of the stiffness by which stretching and shear of the blades let their S-shaped
+    A pair, at a half-angle from its bisector, has a shift along that and across it; those of
+    others are of their path. The sag of a pivot may bend its blades across their width. ``softer``
+    are the shares of the stiffness by which stretching and shear of the blades let their S-shaped
     bending off: clamps that keep a blade from curling keep it from narrowing as well.
     """
     _, l, b = blade = _floats(blade)
@@ -94,7 +99,10 @@ def wide_pivot(
     stiffness = _any_shape(_factor(plates.pivot_factor, blade, nu, delta=delta), blade, nu)
     stress = _factor(plates.end_moment_factor, blade, nu, delta=delta)
     gamma = 1.0 + 2.0 * delta
-    shift = _pivot_shift(gamma, *_shortening(blade, nu)) if pair else None
+    shift, across = (0.0, inf), None
+    if half_angle is not None:
+        shift = _pivot_shift(gamma, *_shortening(blade, nu))
+        across = _pivot_across(blade, nu, delta, half_angle)
     odd = 3.0 * gamma**2 / (1.0 + 3.0 * gamma**2)
     stretching, shear = (_in_series(each, odd) for each in softer)
     kept = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
@@ -114,7 +122,24 @@ def wide_pivot(
     if sags_wide:
         inverse = 1.0 / number(sheets.guided_factor(b=b, l=l, poisson_ratio=nu))
         sag = inverse - 1.0, sheets.GUIDED_ERROR
-    return WideBlades(b / l, stiffness, stress, held, shift, sag, bends)
+    return WideBlades(b / l, stiffness, stress, held, shift, sag, bends, across=across)
+
+
+class PathLater:
+    """The path of a pivot's centre, found when its shift is asked for."""
+
+    def __init__(
+        self, blades: Sequence[Blade], nu: float, layout: Callable[[], "Layout"], held: Held
+    ) -> None:
+        self.blades, self.nu, self.layout, self.held = blades, nu, layout, held
+
+    def change(self, ends: Sequence[float]) -> tuple[float, float] | None:
+        """Return the relative change of the largest shift at travels, and its error [-]."""
+        from flexcli.parts.bending.drawn_shift import drawn_path
+
+        one_alone()
+        path = drawn_path(self.blades, self.nu, self.layout(), self.held)
+        return None if path is None else path.change(ends)
 
 
 def _in_series(softer: Computed, odd: float) -> float:
@@ -515,6 +540,28 @@ def _hull(factors: Iterable[Factor], at: Factor | None = None) -> Factor:
     found: Sequence[Factor] = tuple(factors)
     low, high = smaller(f.low for f in found), larger(f.high for f in found)
     return Factor((low + high) / 2.0 if at is None else at.value, low, high)
+
+
+def _pivot_across(blade: Blade, nu: float, delta: float, half_angle: float) -> WideAcross:
+    """Return what moves the centre of a pair across its bisector: the forces that bend its blades.
+
+    They bend to an S and stretch as plates do.
+    """
+    h, l, b = blade
+    at = {"l": l, "p": delta * l, "theta": 1.0, "half_angle": half_angle}
+    along = abs(number(pivot.parasitic_shift(**at)))
+    moved = abs(number(thick_blades.pivot_shift_across(h=h, poisson_ratio=-1.0, **at)))
+    stretch = number(
+        thick_blades.pivot_stretch(h=h, l=l, p=delta * l, half_angle=half_angle)
+    ) / cos(half_angle)
+    bent = _factor(plates.guided_factor, blade, nu)
+    axial = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
+    off = larger(bent.high / bent.value - 1.0, 1.0 - bent.low / bent.value)
+    ratio = moved / along if along else inf if moved else 0.0
+    unsure = UNSURE_ALONG + (abs(stretch) * l / along if along else inf)
+    return WideAcross(
+        ratio, unsure, bent.value / axial - 1.0, off + smaller(sheets.SHEET_ERROR, axial - 1.0)
+    )
 
 
 def _pivot_shift(gamma: float, pure: float, bent: float) -> tuple[float, float]:

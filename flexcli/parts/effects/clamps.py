@@ -15,6 +15,9 @@ from flexcli.parts.geometries import Geometry, Sizes
 __all__ = ["ClampCompliance", "ClampStress", "RootRadius"]
 
 
+SMALL = 0.1
+"""Largest part of a shift by what moves across it that the middle of its range is taken of."""
+
 OF_LINEAR, OF_CREST = 1e-6, 1e-4
 """Errors of linear beams of a profile, and of a maximum between two points."""
 
@@ -180,11 +183,22 @@ _FILLETED: _Last[FilletedRoots] = _Last(
 def _beside(shift: Change, softened: CompliantClamps, travel: float) -> Change:
     """Return the change of a shift, of which a part is of first order in the travel and across.
 
-    Both are at right angles to each other.
+    Both are at right angles to each other: what is across makes more of the whole, hardly less.
     """
     first, more = (each / travel for each in softened.first)
-    beside = more * smaller(1.0, 2.0 * first + more) + smaller(first**2, 1.0) * shift.bound
-    return _off(shift, beside)
+    own = smaller(first**2, 1.0) * shift.bound
+    plain, least, most = (
+        (1.0 + across**2) ** 0.5 for across in (first, larger(first - more, 0.0), first + more)
+    )
+    low, high = least / plain - 1.0, most / plain - 1.0
+    if shift.value is None or high > SMALL:
+        return _off(shift, high + own)
+    middle, half = 1.0 + (low + high) / 2.0, (high - low) / 2.0
+    return Change(
+        (1.0 + shift.value) * middle - 1.0,
+        (1.0 + shift.bound) * (1.0 + high) - 1.0 + own,
+        shift.error + half / middle + own,
+    )
 
 
 def _off(change: Change, more: float) -> Change:

@@ -1,9 +1,10 @@
 """Plate widening: a wide blade cannot curl across its width and is stiffer than a beam."""
 
+from math import inf
 from typing import ClassVar
 
 from flexcli.numerics.rows import larger, number, smaller
-from flexcli.parts.bending import Change, Changes, Factor, WideBlades
+from flexcli.parts.bending import Change, Changes, Factor, WideAcross, WideBlades
 from flexcli.parts.bending.wide import wide_guided
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
@@ -49,6 +50,8 @@ class PlateWidening(ModelEffect):
             shift = _of_path(wide, setting) or wide.shift
             if shift is not None:
                 found["shift"] = _shift(*shift, setting, known)
+                if wide.across is not None:
+                    found["shift"] = _with_across(found["shift"], wide.across, setting)
         elif any(scene.is_loaded for scene in setting.scenes):
             spread = pulled(setting)
             found["stress"] = Change(0.0, spread, spread)
@@ -141,6 +144,27 @@ def _of_path(wide: WideBlades, setting: Setting) -> tuple[float, float] | None:
     """Return the change of the shift of a drawn layout at the ends of its strokes, if known."""
     ends = [end for scene in setting.scenes if scene.moves for end in scene.stroke_ends]
     return wide.path.change(ends) if wide.path is not None and ends else None
+
+
+def _with_across(along: Change, across: WideAcross, setting: Setting) -> Change:
+    """Return the change of a shift of which a part is across the bisector.
+
+    Both are at right angles: each counts by its share of the square.
+    """
+    ratio, unsure = across.ratio / setting.largest_travel, across.unsure
+    more = across.change + across.error
+    if along.value is None:
+        return along._replace(bound=larger(along.bound, more))
+    if not ratio < inf:
+        return Change(across.change, more, across.error)
+    low, share = (x**2 / (1.0 + x**2) for x in (ratio / (1.0 + unsure), ratio))
+    most = ratio / (1.0 - unsure) if unsure < 1.0 else inf
+    high = 1.0 if most == inf else most**2 / (1.0 + most**2)
+    apart = abs(across.change - along.value)
+    value = (1.0 - share) * along.value + share * across.change
+    error = (1.0 - low) * along.error + high * across.error
+    error += larger(high - share, share - low) * apart + high * (1.0 - low) * apart**2
+    return Change(value, larger(along.bound, more), error)
 
 
 def _shift(value: float, error: float, setting: Setting, known: bool) -> Change:

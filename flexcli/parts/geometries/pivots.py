@@ -1,6 +1,7 @@
 """Pivots of equal blades that point at one centre: layout, closed forms, validity."""
 
 from abc import abstractmethod
+from functools import partial
 from itertools import combinations
 from math import pi
 from typing import TYPE_CHECKING, Annotated, ClassVar
@@ -16,7 +17,7 @@ from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.bending import Bending, WideBlades
 from flexcli.parts.bending.pair import Pair
-from flexcli.parts.bending.wide import wide_pivot
+from flexcli.parts.bending.wide import PathLater, wide_pivot
 from flexcli.parts.elastic import ANY, Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.blades import BladeGeometry
@@ -142,12 +143,14 @@ class PivotFormulas(CentredBlades):
         return pivot_critical(elastic, sizes, p, self.blade_angles, ends, direction)
 
     def wide_blades(self, sizes: Blade, nu: float) -> WideBlades | None:
-        """Return the factors of its blades; several directions have no one shift."""
+        """Return the factors of its blades; that of the shift is of their path."""
         delta = number(self.offset(sizes)) / number(sizes.l)
-        return wide_pivot(
-            sizes, nu, delta=delta, pair=False, sags_wide=self.sag_bends_width,
-            softer=self._softer(sizes, nu),
-        )  # fmt: skip
+        found = wide_pivot(
+            sizes, nu, delta=delta, sags_wide=self.sag_bends_width, softer=self._softer(sizes, nu)
+        )
+        each = [self.blade(sizes)] * self.blade_count
+        layout = partial(self.layout, Elastic(1.0, nu), sizes)
+        return found._replace(path=PathLater(each, nu, layout, self.held(1.0)))
 
     def _softer(self, sizes: Blade, nu: float) -> tuple[Computed, Computed]:
         """Return the shares of the stiffness that the blades' stretching and shear take."""
@@ -201,7 +204,7 @@ class PairFormulas(PivotFormulas, BladePair):
         """Return the plate factors of its blades, with that of the shift along the bisector."""
         delta = number(self.offset(sizes)) / number(sizes.l)
         softer = self._softer(sizes, nu)
-        return wide_pivot(sizes, nu, delta=delta, pair=True, softer=softer)
+        return wide_pivot(sizes, nu, delta=delta, half_angle=self.half_angle, softer=softer)
 
     def shift_change(self, sizes: Blade, pure: float, bent: float) -> float | None:
         """Return that of 5 − 9γ², of which −5/2 and −9γ² are the shortenings of both shapes."""
