@@ -138,6 +138,23 @@ def test_a_shift_across_the_bisector_rises_with_the_stiffness_of_plates(
     assert high / low < 1.2
 
 
+@pytest.mark.parametrize(
+    "blade",
+    [
+        {"kind": "moment-blade", "h": "2.7 um", "l": "2.68 mm", "b": "0.243 mm"},
+        {"kind": "cross-spring", "h": "0.0474 mm", "l": "6.62 mm", "b": "2.18 mm",
+         "delta": -0.3333, "half_angle": "59.1 deg"},
+    ],
+    ids=["arc", "crossed"],
+)  # fmt: skip
+def test_far_turned_wide_blades_flatten_and_shift_as_shells_say(blade):
+    spec = folded(geometry=blade, cases={"work": {"stroke": {"rotation": "45 deg"}}})
+    spec["material"] = {"youngs_modulus": "200 GPa", "poisson_ratio": 0.45}
+    low, high = only(spec, "shell").factor_range
+    least, most = only(spec, "exact").factor_range
+    assert least < low < high < most
+
+
 def test_a_joint_of_blades_side_by_side_is_held_upright():
     spec = folded(geometry=CROSSED, cases=TURN)
     low, high = only(spec, "shell").factor_range

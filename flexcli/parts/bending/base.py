@@ -142,6 +142,8 @@ class WideBlades(NamedTuple):
     """Part of the change of stiffness by which the stress of forces along them may differ."""
     path: WidePath | None = None
     """The path of the centre of a drawn layout, which tells the change of its shift."""
+    uneven: float = 1.0
+    """Shortening of blades that are curved unevenly over the shift by ``shift``: 0 for an arc."""
     across: WideAcross | None = None
     """What beside ``shift``, which is then of that along a bisector, moves a centre across it."""
 

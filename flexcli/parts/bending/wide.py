@@ -99,10 +99,12 @@ def wide_pivot(
     stiffness = _any_shape(_factor(plates.pivot_factor, blade, nu, delta=delta), blade, nu)
     stress = _factor(plates.end_moment_factor, blade, nu, delta=delta)
     gamma = 1.0 + 2.0 * delta
-    shift, across = (0.0, inf), None
+    shift, across, uneven = (0.0, inf), None, 1.0
     if half_angle is not None:
         shift = _pivot_shift(gamma, *_shortening(blade, nu))
         across = _pivot_across(blade, nu, delta, half_angle)
+        leading = abs(5.0 - 9.0 * gamma**2)
+        uneven = (2.5 + 9.0 * gamma**2) / leading if leading else inf
     odd = 3.0 * gamma**2 / (1.0 + 3.0 * gamma**2)
     stretching, shear = (_in_series(each, odd) for each in softer)
     kept = number(sheets.axial_factor(b=b, l=l, poisson_ratio=nu))
@@ -122,7 +124,9 @@ def wide_pivot(
     if sags_wide:
         inverse = 1.0 / number(sheets.guided_factor(b=b, l=l, poisson_ratio=nu))
         sag = inverse - 1.0, sheets.GUIDED_ERROR
-    return WideBlades(b / l, stiffness, stress, held, shift, sag, bends, across=across)
+    return WideBlades(
+        b / l, stiffness, stress, held, shift, sag, bends, uneven=uneven, across=across
+    )
 
 
 class PathLater:
@@ -204,7 +208,7 @@ def wide_moment(blade: Blade, nu: float) -> WideBlades:
     pure, _ = _shortening(blade, nu)
     shift, bends = (-pure / 2.0, 0.2 * pure), (1.0 / l, 1.0 / l)
     stiffness = _any_shape(factor, blade, nu)
-    return WideBlades(b / l, stiffness, factor, _held(blade, nu), shift, None, bends)
+    return WideBlades(b / l, stiffness, factor, _held(blade, nu), shift, None, bends, uneven=0.0)
 
 
 def wide_halves(blade: Blade, nu: float, crossing: float, half_angle: float) -> WideBlades:

@@ -3,6 +3,8 @@
 from math import inf
 from typing import ClassVar
 
+from flexcli.formulas.plate_factors import bound
+from flexcli.formulas.plate_flattening import flat_width, secant_factor
 from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending import Change, Changes, Factor, WideAcross, WideBlades
 from flexcli.parts.bending.wide import wide_guided
@@ -11,6 +13,10 @@ from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.geometries import Geometry, Sizes
 
 __all__ = ["PlateWidening", "pulled", "wide_of"]
+
+UNEVEN = 0.35
+"""Share of what flattens sections by which blades that are curved unevenly do so, of what each
+shortens, as in drawn layouts."""
 
 LEADS = 1.5
 """Ratio of the shift to its leading term up to which both change alike."""
@@ -49,6 +55,8 @@ class PlateWidening(ModelEffect):
             found["stress"] = _stress(wide, setting, known)
             shift = _of_path(wide, setting) or wide.shift
             if shift is not None:
+                if shift is wide.shift:
+                    shift = shift[0], shift[1] + _flattened(wide, shift[0], setting)
                 found["shift"] = _shift(*shift, setting, known)
                 if wide.across is not None:
                     found["shift"] = _with_across(found["shift"], wide.across, setting)
@@ -144,6 +152,25 @@ def _of_path(wide: WideBlades, setting: Setting) -> tuple[float, float] | None:
     """Return the change of the shift of a drawn layout at the ends of its strokes, if known."""
     ends = [end for scene in setting.scenes if scene.moves for end in scene.stroke_ends]
     return wide.path.change(ends) if wide.path is not None and ends else None
+
+
+def _flattened(wide: WideBlades, value: float, setting: Setting) -> float:
+    """Return by how much curvature that flattens sections may change a shift besides.
+
+    Blades that are flat bend as beams do, and shorten like these; one that is curved unevenly is
+    flatter, and bent less, where it is curved the most.
+    """
+    blade = wide.bent or setting.blade
+    if wide.bends is None or blade is None:
+        return 0.0
+    nu, (h, _, b) = setting.poisson_bound, (number(size) for size in blade)
+    most = number(bound(nu))
+    if most == 0.0:
+        return 0.0
+    curvature = larger(abs(end) for end in wide.bends) * setting.largest_travel
+    beta = flat_width(b=b, h=h, curvature=curvature, poisson_ratio=nu)
+    flat = larger(number(secant_factor(beta=beta, poisson_ratio=nu)) - 1.0, 0.0)
+    return flat / most * abs(value) + UNEVEN * flat * wide.uneven
 
 
 def _with_across(along: Change, across: WideAcross, setting: Setting) -> Change:
