@@ -90,16 +90,17 @@ def wide_pivot(
     """Return the factors of equal blades that point at one centre, p = δ l from it.
 
     A pair, at a half-angle from its bisector, has a shift along that and across it; those of
-    others are of their path. The sag of a pivot may bend its blades across their width. ``softer``
-    are the shares of the stiffness by which stretching and shear of the blades let their S-shaped
-    bending off: clamps that keep a blade from curling keep it from narrowing as well.
+    others are of their path, or bounded as drawn blades' where that does not tell it. The sag of a
+    pivot may bend its blades across their width. ``softer`` are the shares of the stiffness by
+    which stretching and shear of the blades let their S-shaped bending off: clamps that keep a
+    blade from curling keep it from narrowing as well.
     """
     _, l, b = blade = _floats(blade)
     delta = number(delta)
     stiffness = _any_shape(_factor(plates.pivot_factor, blade, nu, delta=delta), blade, nu)
     stress = _factor(plates.end_moment_factor, blade, nu, delta=delta)
     gamma = 1.0 + 2.0 * delta
-    shift, across, uneven = (0.0, inf), None, 1.0
+    shift, across, uneven = (0.0, CANCELS * larger(*_shortening(blade, nu))), None, 1.0
     if half_angle is not None:
         shift = _pivot_shift(gamma, *_shortening(blade, nu))
         across = _pivot_across(blade, nu, delta, half_angle)
