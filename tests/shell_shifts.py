@@ -4,6 +4,7 @@ import yaml
 from drawn_layouts import E
 
 import flexcli
+from flexcli.parts.requirements import AS_PRINTED
 
 
 def spec_of(drawn):
@@ -22,4 +23,4 @@ def asked(spec):
     """Return the question of the shift of a spec's only case."""
     design = flexcli.load(yaml.safe_dump(spec)).part
     (scene,) = design.scenes()
-    return design.ask(scene, design.fixed_sizes(), None)
+    return design.ask(scene, design.fixed_sizes(), AS_PRINTED)
