@@ -153,7 +153,7 @@ def _across_by(
 def _may_tilt(case: Case, geometry: Geometry, wrenches: tuple[Wrench, ...]) -> bool:
     """Return whether what acts in the plane of a joint may tilt its body out of it."""
     loaded = any(map(any, wrenches)) or bool(case.shaken_axes)
-    return geometry.may_tilt(loaded=loaded) and _stands_free(geometry)
+    return geometry.may_tilt(loaded=loaded) and not geometry.is_guided
 
 
 def _stands_free(geometry: Geometry) -> bool:

@@ -57,7 +57,7 @@ def test_audit_sets_the_truth_beside_the_estimate(flexure, spec):
     told = {row["quantity"]: row for row in plate if row["effect"] == "plate widening"}
     nu, b, l, h = 0.33, 2.0, 10.0, 0.3
     true = plates.pivot_factor(b=b, l=l, h=h, poisson_ratio=nu, delta=0.2) - 1.0
-    assert told["stiffness"]["true"] == pytest.approx(float(true), rel=1e-6)
+    assert told["stiffness"]["true"] == pytest.approx(float(true), rel=2e-3)  # less what stretches
     assert [row["right"] for row in plate] == [None] * len(plate)
 
 

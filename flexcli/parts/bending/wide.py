@@ -150,7 +150,7 @@ class PathLater:
 def _in_series(softer: Computed, odd: float) -> float:
     """Return the compliance beside the S-shaped bending, over its own, that softens the whole."""
     left = 1.0 - number(softer) / larger(odd, TINY)
-    return 1.0 / larger(left, TINY) - 1.0 if odd > TINY else 0.0
+    return 1.0 / larger(left, TINY) - 1.0
 
 
 def _shear(blade: Blade, nu: float) -> float:

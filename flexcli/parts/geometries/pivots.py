@@ -15,7 +15,7 @@ from flexcli.formulas.thick_blades import s_bending_share
 from flexcli.numerics.rows import cos, larger, number, sin
 from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.parts.base import QuantityOf
-from flexcli.parts.bending import Bending, WideBlades
+from flexcli.parts.bending import Bending, WideBlades, whole
 from flexcli.parts.bending.pair import Pair
 from flexcli.parts.bending.wide import PathLater, wide_pivot
 from flexcli.parts.elastic import ANY, Elastic, NotAvailable
@@ -155,11 +155,9 @@ class PivotFormulas(CentredBlades):
     def _softer(self, sizes: Blade, nu: float) -> tuple[Computed, Computed]:
         """Return the shares of the stiffness that the blades' stretching and shear take."""
         bending = self.bending(ANY, sizes, 0.0)
-        stretched, sheared = (
-            changes["stiffness"].value if "stiffness" in changes else 0.0
-            for changes in (bending.extension(), bending.shear(nu))
-        )
-        return -(stretched or 0.0), -(sheared or 0.0)
+        found = (bending.extension(), bending.shear(nu))
+        stretched, sheared = (changes.get("stiffness", whole(0.0)).value for changes in found)
+        return 0.0 if stretched is None else -stretched, 0.0 if sheared is None else -sheared
 
     def values(self, elastic: Elastic, sizes: Blade, travel: float) -> dict[str, Value]:
         """Return δ."""
