@@ -279,8 +279,8 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
     if tilting:
         text = (
             "the body's inertia about x and y is not stated and was taken as that of any radius of "
-            "gyration up to a blade's length; mechanism.inertia: {xx: …, yy: …, zz: …} may "
-            f"decide {tilting}"
+            "gyration up to a blade's length or its own about z; mechanism.inertia: {xx: …, "
+            f"yy: …, zz: …}} may decide {tilting}"
         )
         yield Note("needs-inertia", text)
     if moving and design.material.density is None:
@@ -293,7 +293,8 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
 
 def _tilting(design: DesignSpec, undecided: Sequence[Check]) -> str:
     """Return the responses that the unstated inertia of a carried body leaves open, in words."""
-    of = [check for check in undecided if check.kind is QuantityKind.RESPONSE]
+    kinds = (QuantityKind.RESPONSE, QuantityKind.FREQUENCY)
+    of = [check for check in undecided if check.kind in kinds]
     mechanism, geometry = design.mechanism, design.geometry
     if not of or mechanism is None or mechanism.joints > 1 or geometry.in_space:
         return ""
@@ -301,7 +302,12 @@ def _tilting(design: DesignSpec, undecided: Sequence[Check]) -> str:
 
     if geometry.has_masses or states_tilting_inertia(mechanism, geometry):
         return ""
-    out = [check.name for check in of if design.scene(check.case).vibrates_in_space]
+    rocks = any(scene.tilts for scene in design.scenes()) and geometry.may_tilt(loaded=False)
+    out = [
+        check.name
+        for check in of
+        if (design.scene(check.case).vibrates_in_space if check.case else rocks)
+    ]
     return ", ".join(dict.fromkeys(out))
 
 

@@ -41,9 +41,9 @@ Floats = NDArray[np.float64]
 
 DIRECTIONS = ("x", "y", "z", "theta_x", "theta_y", "theta_z")
 
-GYRATIONS = (0.1, 0.0, 0.3, 1.0)
+GYRATIONS = (0.1, 0.0, 0.2, 0.35, 0.6, 1.0)
 """Radii of gyration about the in-plane axes for bodies drawn in the plane, over a blade's
-length."""
+length, or the body's own about z."""
 
 TELLING = 1e-3
 """Share of the mass, or the stress, from which the shape of a mode counts in its error."""
@@ -102,8 +102,8 @@ def likely_structures(
 
     A material without a density may be as heavy as any, one without a Poisson's ratio has 0 or ½;
     a body that is drawn in its plane may have any unstated inertia about the axes in it, up to that
-    of a radius of gyration as long as a blade, or as the distance between its pivots. A body that
-    is locked is held in every direction.
+    of a radius of gyration as long as a blade, or its own about z, or as the distance between its
+    pivots. A body that is locked is held in every direction.
 
     Raises
     ------
@@ -122,7 +122,7 @@ def likely_structures(
         spread = (0.0,) if pivots[0].is_stated else GYRATIONS
     elif not geometry.in_space:
         _refuse_guided(geometry, either[0], sizes)
-        reach = geometry.length(sizes)
+        reach = max(geometry.length(sizes), _gyration(mechanism))
         spread = (0.0,) if states_tilting_inertia(mechanism, geometry) else GYRATIONS
 
     def assembled(rho: float, gyration: float, ratio: int = 0) -> SpaceJoint:
@@ -160,6 +160,13 @@ def likely_structures(
         others += [structure(other.scaled(f)) for f in (low, high)]
     known = high[high < RIGID]
     return Likely(joint, own, tuple(others), (float(low.min()), float(known.max(initial=1.0))))
+
+
+def _gyration(mechanism: Mechanism | None) -> float:
+    """Return the radius of gyration of a carried body about z [m], zero where it is not stated."""
+    if mechanism is None or not mechanism.turning_inertia or not mechanism.hanging_mass():
+        return 0.0
+    return float((mechanism.turning_inertia / mechanism.hanging_mass()) ** 0.5)
 
 
 def states_tilting_inertia(mechanism: Mechanism | None, geometry: Geometry) -> bool:

@@ -7,6 +7,7 @@ them, or one in the plane, as a couple.
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
+from math import pi
 from typing import NamedTuple
 
 import numpy as np
@@ -16,12 +17,15 @@ from flexcli.mechanics.space.layout import SpaceBlade, SpaceLayout, Vector
 from flexcli.mechanics.space.states import Acting, SpaceState, Stresses, action, combined
 from flexcli.parts.geometries import Geometry, Sizes
 from flexcli.parts.material import Material
+from flexcli.parts.mechanisms import Mechanism
+from flexcli.parts.own_motion import own_angular
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
 from flexcli.parts.space_states import acting_groups, third_order
+from flexcli.parts.space_vibration import likely_structures
 from flexcli.parts.stress_across import leaving_plane
 
-__all__ = ["Tilt", "moved_across", "tilt_of"]
+__all__ = ["Tilt", "least_frequency", "moved_across", "tilt_of"]
 
 Floats = NDArray[np.float64]
 
@@ -61,6 +65,18 @@ def moved_across(geometry: Geometry, material: Material, sizes: Sizes) -> float:
     It is of first order in the stroke; without a Poisson's ratio as of :func:`tilt_of`.
     """
     return max(map(_moved_across, _joints(geometry, material, sizes)))
+
+
+def least_frequency(
+    geometry: Geometry, material: Material, sizes: Sizes, mechanism: Mechanism | None
+) -> float:
+    """Return the lowest frequency of a mode in which the motion of a tilting body takes part [Hz].
+
+    Of all that its stiffness, its masses and the unstated inertia of its bodies may be.
+    """
+    found = likely_structures(mechanism, geometry, material, sizes, 2)
+    each = (found.own, *(found.others or ()))
+    return min(own_angular(structure) for structure in each) / (2.0 * pi)
 
 
 def _joints(geometry: Geometry, material: Material, sizes: Sizes) -> list[SpaceJoint]:

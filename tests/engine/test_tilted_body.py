@@ -271,3 +271,25 @@ def test_a_simulated_sweep_says_that_it_keeps_the_body_upright(delta, tilt, told
     text = spec(0.5e-3, 5e-3, delta, 45.0, case, {"yield": {"factor": 1e-3}}, tilt=tilt)
     codes = {note.code for note in flexcli.simulate(text, points=3).warnings}
     assert ("held-upright" in codes) is told
+
+
+@pytest.mark.parametrize("inertia", [f"{ABOUT} kg*m^2", PAYLOAD["inertia"]])
+def test_a_frequency_reaches_down_to_the_mode_that_rocks_the_body(inertia):
+    """A soft tilt is below the rotation, which it takes along where blades cross off the middle."""
+    h, b, delta, degrees = 0.5e-3, 2e-3, 0.3, 45.0
+    side, _ = frame(h, b, delta, degrees, b)
+    root = np.sqrt(np.array([MASS] * 3 + [ABOUT] * 3))
+    squares, modes = np.linalg.eigh(side.K / np.outer(root, root))
+    shares = (modes[5] / root[5]) ** 2 / squares
+    taking = squares[shares > 0.01 * shares.sum()]
+    true = float(np.sqrt(taking[0])) / (2.0 * np.pi)
+    case = {"stroke": {"rotation": "0.01 mrad", "cycles": 1e7}}
+    words = yaml.safe_load(spec(h, b, delta, degrees, case, {"frequency": {"min": "1 Hz"}}))
+    words["mechanism"] = {**PAYLOAD, "inertia": inertia}
+    words["material"]["density"] = "1 kg/m^3"
+    free, *_ = flexcli.verdicts(yaml.safe_dump(words), model="linear").checks
+    words["geometry"]["tilt"] = "held"
+    held, *_ = flexcli.verdicts(yaml.safe_dump(words), model="linear").checks
+    assert true < 0.8 * held.factor_range[0]
+    assert free.factor_range[0] < 1.02 * true
+    assert free.factor_range[1] > 0.99 * held.factor

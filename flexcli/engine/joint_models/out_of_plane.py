@@ -15,11 +15,12 @@ from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
 from flexcli.formulas.quantity import Computed
-from flexcli.numerics.rows import design_by_design, isfinite, larger, number
+from flexcli.numerics.rows import design_by_design, isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Setting
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
+from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.requirements import (
     Ask,
     CriticalShare,
@@ -30,7 +31,7 @@ from flexcli.parts.requirements import (
 )
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.stress_across import AcrossStress, across_stress
-from flexcli.parts.tilted_joint import Tilt, tilt_of
+from flexcli.parts.tilted_joint import Tilt, least_frequency, tilt_of
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -77,6 +78,7 @@ class OutOfPlane(JointModel):
         self._known: Remembered[_Parts] = Remembered()
         self._told_by_beams: Remembered[bool] = Remembered()
         self._tilts: Remembered[Tilt] = Remembered()
+        self._rocking: Remembered[float] = Remembered()
         self._space = _in_space(inner.name)
         self._is_finest = inner.name in FINEST
         self.at_stroke = inner.at_stroke if self._space is None else self._space.at_stroke
@@ -197,8 +199,28 @@ class OutOfPlane(JointModel):
             return planar + ErrorRange(0.0, most) if isfinite(most) else None
         if kind in (QuantityKind.STIFFNESS, QuantityKind.FREQUENCY):
             off = OF_TILT * abs(tilt.stiffness - 1.0)
-            return planar + ErrorRange(-off, off)
+            planar += ErrorRange(-off, off)
+        if kind is QuantityKind.FREQUENCY:
+            return self._with_rocking(ask, planar)
         return planar
+
+    def _with_rocking(self, ask: Ask, planar: ErrorRange) -> ErrorRange | None:
+        """Return the error of a frequency, down to that of a mode in which the body rocks as well.
+
+        Blades that pull at nothing by a stroke leave its motion out of the modes that tilt.
+        """
+        if not ask.geometry.may_tilt(loaded=False):
+            return planar
+        asked = ask.geometry, ask.material, ask.sizes, ask.mechanism
+        find = partial(
+            design_by_design, least_frequency, *asked, name="rocking", about=ask.geometry
+        )
+        try:
+            least = self._rocking.of("rocking", ask, find)
+            own = number(self.frequency_squared(ask)) ** 0.5
+        except (MechanismError, NotAvailable):
+            return planar
+        return ErrorRange(smaller(planar.low, least / own - 1.0), planar.high)
 
     def _tilt(self, ask: Ask) -> Tilt | None:
         """Return what a tilt of the body changes; None where nothing tilts it, or it is held."""
