@@ -99,13 +99,32 @@ def _of_joint(joint: SpaceJoint, scene: Scene) -> Tilt:
         forces, more = [], 0.0
         for state in ends:
             after = state.following()
-            forces.append(state.moved.forces[:, 0] + after.forces)
+            borne = state.moved.forces[:, 0] + after.forces
+            forces.append(borne + _twisting(joint, state, borne))
             more = max(more, third_order(after))
         beyond = 1.0 + more + BEYOND
         most = max(most, *(leaving_plane(stresses, each) * beyond for each in forces))
         swing = leaving_plane(stresses, (forces[0] - forces[-1]) / 2.0)
         swings = max(swings, swing * beyond)
     return Tilt(k / kept, most, swings)
+
+
+def _twisting(joint: SpaceJoint, state: SpaceState, forces: Floats) -> Floats:
+    """Return the torques that forces out of the plane become as blades turn, at most [N·m].
+
+    What bends a blade across its width at one end twists it where it has turned about z: the
+    moment times the slope, of a wide thin blade at a stroke most of its stress out of the plane.
+    What the twist lets off is not counted.
+    """
+    found = np.zeros_like(forces)
+    for k, member in enumerate(joint.assembly.members):
+        at = 6 * k
+        v, turn = state.moved.deformations[at + 1, 0], state.moved.deformations[at + 5, 0]
+        slope = abs(turn) + 1.5 * abs(v) / member.l
+        _, _, across, torque, bending, _ = forces[at : at + 6]
+        most = abs(bending) + abs(across) * member.l / 2.0
+        found[at + 3] = np.copysign(slope * most, torque)
+    return found
 
 
 _NONE = np.zeros(3)

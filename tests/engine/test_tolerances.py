@@ -271,6 +271,8 @@ def test_blades_that_no_drawing_tells_apart_are_refused():
 @pytest.mark.slow
 def test_parts_that_are_judged_together_are_as_each_alone(monkeypatch):
     text = (EXAMPLES / "wittrick-crossing" / "flexure.yaml").read_text(encoding="utf-8")
+    # shells, which would decide a nearer limit, judge one by one
+    text = text.replace("max: 1 um", "max: 2 um")
     text += "\ntolerances: {h: 12 um, l: 0.3 mm, half_angle: 0.5 deg}\n"
     at_once, found = [], []
 

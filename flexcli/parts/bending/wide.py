@@ -1,6 +1,6 @@
 """Wide blades: the increased stiffness of a joint's blades or hinges against beams."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from math import inf, pi
 from typing import TYPE_CHECKING, Any
 
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from flexcli.mechanics.layout import Layout
 
 __all__ = [
-    "PathLater",
     "wide_by_shapes",
     "wide_cantilever",
     "wide_drawn",
@@ -128,23 +127,6 @@ def wide_pivot(
     return WideBlades(
         b / l, stiffness, stress, held, shift, sag, bends, uneven=uneven, across=across
     )
-
-
-class PathLater:
-    """The path of a pivot's centre, found when its shift is asked for."""
-
-    def __init__(
-        self, blades: Sequence[Blade], nu: float, layout: Callable[[], "Layout"], held: Held
-    ) -> None:
-        self.blades, self.nu, self.layout, self.held = blades, nu, layout, held
-
-    def change(self, ends: Sequence[float]) -> tuple[float, float] | None:
-        """Return the relative change of the largest shift at travels, and its error [-]."""
-        from flexcli.parts.bending.drawn_shift import drawn_path
-
-        one_alone()
-        path = drawn_path(self.blades, self.nu, self.layout(), self.held)
-        return None if path is None else path.change(ends)
 
 
 def _in_series(softer: Computed, odd: float) -> float:

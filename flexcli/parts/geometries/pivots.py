@@ -1,7 +1,7 @@
 """Pivots of equal blades that point at one centre: layout, closed forms, validity."""
 
 from abc import abstractmethod
-from functools import partial
+from collections.abc import Sequence
 from itertools import combinations
 from math import pi
 from typing import TYPE_CHECKING, Annotated, ClassVar
@@ -12,12 +12,12 @@ from flexcli.formulas import pivot, pivot_next_order, thick_blades
 from flexcli.formulas.card import Card
 from flexcli.formulas.quantity import Computed, Quantity
 from flexcli.formulas.thick_blades import s_bending_share
-from flexcli.numerics.rows import cos, larger, number, sin
+from flexcli.numerics.rows import cos, design_by_design, larger, number, sin
 from flexcli.numerics.signomial import Signomial, as_signomial
 from flexcli.parts.base import QuantityOf
 from flexcli.parts.bending import Bending, WideBlades, whole
 from flexcli.parts.bending.pair import Pair
-from flexcli.parts.bending.wide import PathLater, wide_pivot
+from flexcli.parts.bending.wide import wide_pivot
 from flexcli.parts.elastic import ANY, Elastic, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING, Blade, Critical
 from flexcli.parts.geometries.blades import BladeGeometry
@@ -108,6 +108,28 @@ def _nearest(p: Computed, l: Computed) -> Computed | None:
     return np.where((inner < 0.0) & (outer > 0.0), 0.0, beside)[()]
 
 
+class _PathLater:
+    """The path of a pivot's centre by its blades as plates, found when its shift is asked for."""
+
+    def __init__(self, geometry: "PivotFormulas", sizes: Blade, nu: float) -> None:
+        self.geometry, self.sizes, self.nu = geometry, sizes, nu
+
+    def change(self, ends: Sequence[float]) -> tuple[float, float] | None:
+        """Return the relative change of the largest shift at travels, and its error [-]."""
+        asked = self.geometry, self.sizes, self.nu, tuple(ends)
+        return design_by_design(_path_change, *asked, name="path", about=self)
+
+
+def _path_change(
+    geometry: "PivotFormulas", sizes: Blade, nu: float, ends: Sequence[float]
+) -> tuple[float, float] | None:
+    from flexcli.parts.bending.drawn_shift import drawn_path
+
+    each = [geometry.blade(sizes)] * geometry.blade_count
+    path = drawn_path(each, nu, geometry.layout(Elastic(1.0, nu), sizes), geometry.held(1.0))
+    return None if path is None else path.change(ends)
+
+
 class PivotFormulas(CentredBlades):
     """Closed forms of blades that each go from the base to the moving body, at one distance p."""
 
@@ -148,9 +170,7 @@ class PivotFormulas(CentredBlades):
         found = wide_pivot(
             sizes, nu, delta=delta, sags_wide=self.sag_bends_width, softer=self._softer(sizes, nu)
         )
-        each = [self.blade(sizes)] * self.blade_count
-        layout = partial(self.layout, Elastic(1.0, nu), sizes)
-        return found._replace(path=PathLater(each, nu, layout, self.held(1.0)))
+        return found._replace(path=_PathLater(self, sizes, nu))
 
     def _softer(self, sizes: Blade, nu: float) -> tuple[Computed, Computed]:
         """Return the shares of the stiffness that the blades' stretching and shear take."""
