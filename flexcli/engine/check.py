@@ -292,15 +292,15 @@ def _open(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
 
 
 def _tilting(design: DesignSpec, undecided: Sequence[Check]) -> str:
-    """Return the responses that the unstated inertia of a carried body leaves open, in words."""
+    """Return the checks that the unstated inertia of a carried body may leave open, in words."""
     kinds = (QuantityKind.RESPONSE, QuantityKind.FREQUENCY)
     of = [check for check in undecided if check.kind in kinds]
     mechanism, geometry = design.mechanism, design.geometry
     if not of or mechanism is None or mechanism.joints > 1 or geometry.in_space:
         return ""
-    from flexcli.parts.space_vibration import states_tilting_inertia
+    from flexcli.parts.space_vibration import stated_tilt
 
-    if geometry.has_masses or states_tilting_inertia(mechanism, geometry):
+    if geometry.has_masses or stated_tilt(mechanism, geometry) is not None:
         return ""
     rocks = any(scene.tilts for scene in design.scenes()) and geometry.may_tilt(loaded=False)
     out = [

@@ -111,6 +111,10 @@ INNER = 0.8
 """Ratio of a frequency to that of a blade with fixed ends up to which blades follow their ends
 quasi-statically."""
 
+LATER = 1.05
+"""How much larger the orders beyond the first may be than if each were as much of the one before as
+the second is of the first: exact beams of three blades under a force across them had 1.01."""
+
 TWOFOLD = 2.0
 """Factor on the effect at rest of uneven sections: its upper bound at a stroke."""
 
@@ -418,11 +422,6 @@ def _second_share(state: SpaceState, row: Floats) -> float:
     work = along or float(loads @ state.moved.coordinates[:, 0])
     back = 2.0 * energy / work if work > 0.0 else inf
     return third_order(after) + abs(float(row @ after.coordinates) / first) + back
-
-
-LATER = 1.05
-"""How much larger the orders beyond the first may be than if each were as much of the one before as
-the second is of the first: exact beams of three blades under a force across them had 1.01."""
 
 
 def _amplified(share: float) -> float | None:

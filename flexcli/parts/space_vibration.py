@@ -34,7 +34,7 @@ __all__ = [
     "likely_structures",
     "shape_error",
     "space_structure",
-    "states_tilting_inertia",
+    "stated_tilt",
 ]
 
 Floats = NDArray[np.float64]
@@ -123,7 +123,7 @@ def likely_structures(
     elif not geometry.in_space:
         _refuse_guided(geometry, either[0], sizes)
         reach = max(geometry.length(sizes), _gyration(mechanism))
-        spread = (0.0,) if states_tilting_inertia(mechanism, geometry) else GYRATIONS
+        spread = GYRATIONS if stated_tilt(mechanism, geometry) is None else (0.0,)
 
     def assembled(rho: float, gyration: float, ratio: int = 0) -> SpaceJoint:
         if pivots is not None:
@@ -169,12 +169,6 @@ def _gyration(mechanism: Mechanism | None) -> float:
     return float((mechanism.turning_inertia / mechanism.hanging_mass()) ** 0.5)
 
 
-def states_tilting_inertia(mechanism: Mechanism | None, geometry: Geometry) -> bool:
-    """Return whether a joint in its plane carries one body, whose whole inertia is stated."""
-    stated = mechanism is not None and mechanism.tilting_inertia is not None
-    return stated and not geometry.has_masses
-
-
 def _refuse_guided(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> None:
     """Raise :class:`NotAvailable` for bodies not freely on the blades of one joint."""
     if geometry.is_guided:
@@ -183,13 +177,18 @@ def _refuse_guided(geometry: Geometry, elastic: Elastic, sizes: Sizes) -> None:
         raise NotAvailable("has ideal guides, which are not defined out of their plane")
 
 
-def _stated_tensor(mechanism: Mechanism | None, geometry: Geometry) -> Floats | None:
-    """Return the inertia of a carried body about the axes in the plane of the layout [kg·m²]."""
-    if mechanism is None or not states_tilting_inertia(mechanism, geometry):
+def stated_tilt(mechanism: Mechanism | None, geometry: Geometry) -> Floats | None:
+    """Return the inertia of the one body that a joint carries about the axes in its plane [kg·m²].
+
+    Along the axes of the layout; nothing where it is not stated, or the joint has bodies of its own
+    that state none.
+    """
+    moments = None if mechanism is None else mechanism.tilting_inertia
+    if moments is None or geometry.has_masses:
         return None
     c, s = np.cos(geometry.axes), np.sin(geometry.axes)
     turn = np.array([[c, -s], [s, c]])
-    return np.asarray(turn @ np.diag(mechanism.tilting_inertia or (0.0, 0.0)) @ turn.T)
+    return np.asarray(turn @ np.diag(moments) @ turn.T)
 
 
 def _loaded(
@@ -201,7 +200,7 @@ def _loaded(
     them is not stated.
     """
     name = layout.drive.body
-    stated = _stated_tensor(mechanism, geometry)
+    stated = stated_tilt(mechanism, geometry)
     bodies = []
     for body in layout.bodies:
         mass, com, about_z = body.mass, body.com, body.inertia[2][2]

@@ -96,15 +96,15 @@ def _of_joint(joint: SpaceJoint, scene: Scene) -> Tilt:
     upright = SpaceJoint(_kept_upright(joint.layout))
     k, kept = (_driven(each) for each in (joint, upright))
     stresses, most, swings = Stresses(joint.assembly), 0.0, 0.0
-    is_loaded = any(True for _ in acting_groups(joint, scene))
-    for ends in _ends(joint, scene):
+    loads = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
+    for ends in _ends(joint, scene, loads):
         forces, more = [], 0.0
         for state in ends:
             after = state.following()
             borne = state.moved.forces[:, 0] + after.forces
             forces.append(borne + _twisting(joint, state, borne))
             more = max(more, third_order(after))
-        beyond = 1.0 + more + (LOADED if is_loaded else BEYOND)
+        beyond = 1.0 + more + (LOADED if loads else BEYOND)
         most = max(most, *(leaving_plane(stresses, each) * beyond for each in forces))
         swing = leaving_plane(stresses, (forces[0] - forces[-1]) / 2.0)
         swings = max(swings, swing * beyond)
@@ -150,12 +150,11 @@ def _driven(joint: SpaceJoint) -> float:
     return float(joint.assembly.moved(travel=np.ones(1)).drive[0])
 
 
-def _ends(joint: SpaceJoint, scene: Scene) -> Iterator[list[SpaceState]]:
+def _ends(joint: SpaceJoint, scene: Scene, groups: list[SpaceState]) -> Iterator[list[SpaceState]]:
     """Yield the states at the ends of a stroke for each sense of the loads; none without both."""
     point = joint.layout.body(joint.layout.drive.body).point
     strokes = [action(joint.assembly, Acting(end, np.zeros(6), point, _NONE))
                for end in dict.fromkeys(scene.stroke_ends) if end]  # fmt: skip
-    groups = [action(joint.assembly, each) for each in acting_groups(joint, scene)]
     if not (strokes or groups):
         return
     for signs in product((1.0, -1.0), repeat=len(groups)):

@@ -11,6 +11,7 @@ from flexcli.results import ErrorRange
 __all__ = [
     "FLOOR",
     "PULLED",
+    "UNEVEN",
     "UNKNOWN",
     "Bending",
     "Change",
@@ -58,6 +59,11 @@ at sharp notches."""
 PULLED = 0.25
 """Part of the change of a wide blade's stiffness by which its stress under forces may differ: solid
 blades stretched by a force had 1 % more, at b/l = 0.6, where the stiffness has 9 %."""
+
+
+UNEVEN = 0.35
+"""Share of what flattens sections, or of the plates' widening, by which blades that are curved
+unevenly flatten so, of what each shortens."""
 
 
 def whole(value: float, error: float = 0.0) -> Change:

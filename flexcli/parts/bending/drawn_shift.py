@@ -16,6 +16,7 @@ from flexcli.mechanics.layout import Layout, Support
 from flexcli.mechanics.space.layout import SpaceBlade, Vector
 from flexcli.mechanics.space.linear import SpaceAssembly, assemble
 from flexcli.mechanics.space.planar import from_plane
+from flexcli.parts.bending.base import UNEVEN
 from flexcli.parts.geometries.base import MOVING, Blade, Held
 
 __all__ = ["DrawnPath", "drawn_path"]
@@ -45,11 +46,6 @@ CANCELLED = 0.1
 
 HIGHER, MOST = 2.0, 3.0
 """What may come of higher order over all that plates change: for each order, and at most."""
-
-UNEVEN = 0.35
-"""Share of the plates' widening by which blades that are curved unevenly flatten so, of what each
-shortens."""
-
 
 NARROW, ALIKE, ROUNDING = 0.2, 1.35, 1e-13
 """Blades all alike, b/l to 0.2, whose shortening cancels to rounding: the shift is of fourth order.

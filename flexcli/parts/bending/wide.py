@@ -370,8 +370,8 @@ def wide_by_shapes(
 
     ``held`` is a unit travel of its moving body, ``plain`` the factors known without. A clamped
     blade takes the even and the odd part of its bending, and what stretches it, each by its own
-    factor. With the motions of
-    the beams the energy of the plates is an upper bound, with their forces a lower.
+    factor. With the motions of the beams the energy of the plates is an upper bound, with their
+    forces a lower.
     """
     from flexcli.mechanics.linear import linear
     from flexcli.parts.bending.drawn_shift import drawn_path

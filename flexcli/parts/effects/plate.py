@@ -7,16 +7,13 @@ from flexcli.formulas.plate_factors import bound
 from flexcli.formulas.plate_flattening import flat_width, secant_factor
 from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.bending import Change, Changes, Factor, WideAcross, WideBlades
+from flexcli.parts.bending.base import UNEVEN
 from flexcli.parts.bending.wide import wide_guided
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.geometries import Geometry, Sizes
 
 __all__ = ["PlateWidening", "pulled", "wide_of"]
-
-UNEVEN = 0.35
-"""Share of what flattens sections by which blades that are curved unevenly do so, of what each
-shortens, as in drawn layouts."""
 
 LEADS = 1.5
 """Ratio of the shift to its leading term up to which both change alike."""

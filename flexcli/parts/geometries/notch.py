@@ -56,6 +56,11 @@ CONCENTRATION: Concentration = "deep-notch"
 
 MASSIVE: Final = "massive"
 
+FILLETS_FLAT = 2.5
+"""Of what a filleted hinge widens by, what the peak of its bending in the middle of the fillets may
+have besides, at most as much as a plate kept flat: solids of b/l 0.1, 0.5 and 1.25 had 0, 0.09 to
+0.12 and 0.05 where it widens by 0.003, 0.05 and 0.1, ν = 0.34."""
+
 SOURCE = "Paros & Weisbord 1965, Machine Design 37; Neuber 1958 for the peak of the stress"
 
 
@@ -393,12 +398,6 @@ class EllipticHinge(NotchGeometry):
         """Return e over the throat's radius, and b/e."""
         e, r = self.throat(sizes)
         return {"e/radius": e / r, "b/e": sizes.b / sizes.e}
-
-
-FILLETS_FLAT = 2.5
-"""Of what a filleted hinge widens by, what the peak of its bending in the middle of the fillets may
-have besides, at most as much as a plate kept flat: solids of b/l 0.1, 0.5 and 1.25 had 0, 0.09 to
-0.12 and 0.05 where it widens by 0.003, 0.05 and 0.1, ν = 0.34."""
 
 
 class FilletedSizes(NamedTuple):
