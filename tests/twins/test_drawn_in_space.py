@@ -18,3 +18,11 @@ def test_the_ranges_of_a_joint_and_of_itself_in_space_overlap(kind):
             assert not found.apart
             compared += found.compared
     assert compared
+
+
+def test_a_star_whose_stroke_pulls_its_wide_blades_is_itself_in_space():
+    """N l²/EI is 50 in one: a pulled blade is as flat as a wider one, and others pull it more."""
+    found = apart(20650, JOINTS)
+    assert found is not None
+    assert found.compared == 3
+    assert not found.apart

@@ -1,11 +1,13 @@
 """A model with corrections for effects that it does not carry itself: each by its formula, once."""
 
 from collections.abc import Iterator, Sequence
+from math import inf
 from typing import TYPE_CHECKING
 
 from flexcli.engine.joint_models.remembered import Remembered
+from flexcli.engine.joint_models.wide_under_force import change_by_loads
 from flexcli.formulas.quantity import Computed
-from flexcli.numerics.rows import isfinite, larger, number, smaller
+from flexcli.numerics.rows import Number, isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
 from flexcli.parts.effects.plate import pulled
@@ -132,11 +134,40 @@ class Corrected(JointModel):
         curved less, and its moments and stresses are those of the force.
         """
         name, found = self.inner.stresses(ask)
-        factor = self._factor(ask, QuantityKind.STRESS) if ask.scene.moves else 1.0
-        of_mean = factor if ask.scene.mean_travel or not ask.scene.push else 1.0
-        return name, [
-            s._replace(amplitude=s.amplitude * factor, mean=s.mean * of_mean) for s in found
-        ]
+        if not ask.scene.moves:
+            return name, found
+        of_mean = bool(ask.scene.mean_travel) or not ask.scene.push
+        whole, corrected = self._factor(ask, QuantityKind.STRESS), []
+        for s in found:
+            factor = whole * self._of_wide(ask, s)[0]
+            mean = s.mean * factor if of_mean else s.mean
+            corrected.append(s._replace(amplitude=s.amplitude * factor, mean=mean))
+        return name, corrected
+
+    def _of_wide(self, ask: Ask, stress: EndStress) -> tuple[Number, ErrorRange]:
+        """Return what the force along a wide blade changes of its factor, and the range left.
+
+        Nothing is changed where the factor corrects nothing; nor where a force makes the travel.
+        """
+        wide, effect = stress.wide, self._widening(ask)
+        if wide is None or effect is None:
+            return 1.0, ErrorRange(0.0, 0.0)
+        change = self._changes(ask, effect).get(QuantityKind.STRESS)
+        plain = 1.0 + (change.value or 0.0) if change is not None else 1.0
+        low, high = (each / plain for each in wide.of(plain))
+        if not isfinite(high):
+            return 1.0, ErrorRange(-1.0, inf)
+        loose = pulled(_setting(ask)) * wide.axial
+        if change is None or change.value is None or ask.scene.push:
+            return 1.0, ErrorRange(smaller(low, 1.0) - 1.0 - loose, larger(high, 1.0) - 1.0 + loose)
+        value = (low + high) / 2.0
+        return value, ErrorRange(low / value - 1.0 - loose, high / value - 1.0 + loose)
+
+    def _widening(self, ask: Ask) -> ModelEffect | None:
+        """Return the effect of wide blades where it corrects the model."""
+        carried = self.inner.covers | self.inner.always
+        both = (e for e in self.effects if e.name not in carried)
+        return next((e for e in both if e.name is EffectName.PLATE_WIDENING), None)
 
     def support_at_stroke(
         self, ask: Ask, index: int, point: tuple[float, float, float], *, locked: bool
@@ -182,7 +213,7 @@ class Corrected(JointModel):
                 return None
             # of the corrected stress, whatever the corrections leave
             low, high = ((1.0 + a) * (1.0 + b) - 1.0 for a, b in zip(left, beside, strict=True))
-            return ErrorRange(low, high)
+            return ErrorRange(low, high) if isfinite(low) and isfinite(high) else None
         if kind is QuantityKind.SHIFT:
             return self._left(ask, kind, found, self.inner.shift_carries(ask))
         if kind is not QuantityKind.SAG or not ask.scene.sags:
@@ -200,6 +231,8 @@ class Corrected(JointModel):
         scene, found = ask.scene, ErrorRange(0.0, 0.0)
         if scene.moves and scene.has_plane:
             found += self._of_nearer_end(ask)
+        if scene.moves:
+            found += self._of_forces(ask)
         if scene.is_loaded:
             found += self._of_loads(ask) + self._of_pulled(ask)
         if scene.push:
@@ -270,6 +303,28 @@ class Corrected(JointModel):
             shares.append(axial / larger(rest + axial, LEAST_STRESS))
         off = pulled(_setting(ask)) * larger(shares)
         return ErrorRange(-off, off)
+
+    def _of_forces(self, ask: Ask) -> ErrorRange:
+        """Return what of the largest stress forces along wide blades leave, see plates.
+
+        Each blade's stress has its own range; one that is not the largest may become it.
+        """
+        effect = self._widening(ask)
+        if effect is None:
+            return ErrorRange(0.0, 0.0)
+        most, least, sizes = 0.0, 0.0, 0.0
+        for s in self.stresses(ask)[1]:
+            if s.wide is None:
+                return change_by_loads(_setting(ask))
+            size, left = number(abs(s.largest)), self._of_wide(ask, s)[1]
+            sizes = larger(sizes, size)
+            most, least = (
+                larger(most, size * (1.0 + left.high)),
+                larger(least, size * (1.0 + left.low)),
+            )
+        if sizes == 0.0:
+            return ErrorRange(0.0, 0.0)
+        return ErrorRange(smaller(least / sizes - 1.0, 0.0), larger(most / sizes - 1.0, 0.0))
 
     def _of_pushed_travel(self, ask: Ask) -> ErrorRange:
         """Return what a travel by a force may change of its stress, either way.

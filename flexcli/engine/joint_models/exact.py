@@ -20,6 +20,7 @@ from flexcli.engine.joint_models.joint_states import (
 )
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.states_beside import states_beside, trail_of
+from flexcli.engine.joint_models.wide_under_force import factors_of_states
 from flexcli.engine.planning.coverage import COVERAGE, covered
 from flexcli.formulas.blade_spring import Warping
 from flexcli.formulas.quantity import Computed
@@ -304,8 +305,8 @@ class ExactModel(JointModel):
         temperature that rises through the thickness of blades may add or relieve; and what blades
         that bend under their own weight do when they are bent and pulled already.
         """
-        state = self.states(ask)
-        before, temperature, axes = state.coarser, ask.scene.temperature, ask.geometry.axes
+        state, scene = self.states(ask), ask.scene
+        before, temperature, axes = state.coarser, scene.temperature, ask.geometry.axes
         change, most, found = 0.0, 0.0, list[EndStress]()
         weights, off = BladeWeights.of(ask), 0.0
         for index, blade in enumerate(state.layout.blades):
@@ -318,7 +319,8 @@ class ExactModel(JointModel):
                     off, weights.off(index, added, fine.axial, fine.bending, state.motions)
                 )
             faces = {"left": states_of(total.left), "right": states_of(total.right)}
-            found.extend(worst_of_stroke(ask, blade.name, faces))
+            wide = factors_of_states(ask, blade, fine) if scene.moves else None
+            found.extend(worst_of_stroke(ask, blade.name, faces, wide))
             most = larger(most, *(largest_of_each(np.abs(face)) for face in faces.values()))
             if before is not None:
                 coarse = blade_stress(before, blade.name, POINTS)

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from flexcli.engine.joint_models.wide_under_force import StateFactors
 from flexcli.numerics.rows import number
 from flexcli.parts.requirements import Ask, EndStress
 from flexcli.parts.worst_places import worst_places
@@ -15,13 +16,15 @@ __all__ = ["worst_of_stroke"]
 Floats = NDArray[np.float64]
 
 
-def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterator[EndStress]:
+def worst_of_stroke(
+    ask: Ask, blade: str, faces: Mapping[str, Floats], wide: StateFactors | None = None
+) -> Iterator[EndStress]:
     """Yield the worst places of a blade's faces, from stresses (states, places) [Pa].
 
     Of many designs they are (states, designs, places). States are those of a case
     (:func:`flexcli.engine.joint_models.joint_states.of_case`): pairs of the two ends of the stroke
     where there is one. What the loads of the case pull on average, the same at both faces, is told
-    apart as axial: no part of what a wide blade's bending does.
+    apart as axial: no part of what a wide blade's bending does. ``wide`` are the factors of these.
     """
     scene, joint = ask.scene, ask.geometry.joint_of(blade)
     reverses = scene.mean_travel == 0.0 and not scene.is_loaded
@@ -29,7 +32,11 @@ def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterat
     for face, stress in faces.items():
         in_pairs = ((s[::2], s[1::2]) if scene.moves else (s, s) for s in (stress, middle))
         (ones, others), (pulls, other_pulls) = in_pairs
-        for one, other, pull, last in zip(ones, others, pulls, other_pulls, strict=True):
+        step = 2 if scene.moves else 1
+        for index, (one, other, pull, last) in enumerate(
+            zip(ones, others, pulls, other_pulls, strict=True)
+        ):
+            at = step * index
             for place in _worst(one, other):
                 start, end, pulled, also = (_at(s, place) for s in (one, other, pull, last))
                 axial = number(pulled + also) / 2.0
@@ -41,6 +48,7 @@ def worst_of_stroke(ask: Ask, blade: str, faces: Mapping[str, Floats]) -> Iterat
                     joint,
                     is_at_face=True,
                     reverses=reverses,
+                    wide=None if wide is None else wide.of_pair(at, at + step - 1),
                 )
 
 

@@ -25,6 +25,7 @@ from flexcli.parts.requirements.ask import (
     JointModel,
     RequirementError,
     Swing,
+    WideFactor,
 )
 from flexcli.parts.requirements.base import Bound, Limit, Requirement, limit_of
 from flexcli.parts.requirements.closed_form import CLOSED_FORM
@@ -45,6 +46,7 @@ __all__ = [
     "Requirements",
     "Several",
     "Swing",
+    "WideFactor",
     "are_at_rest",
     "limit_of",
 ]

@@ -5,6 +5,7 @@ from math import pi
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from flexcli.formulas.quantity import Computed
+from flexcli.numerics.rows import Number
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical, Geometry, Sizes
@@ -28,6 +29,7 @@ __all__ = [
     "JointModel",
     "RequirementError",
     "Swing",
+    "WideFactor",
 ]
 
 
@@ -53,13 +55,32 @@ class RequirementError(ValueError):
         self.hint = hint
 
 
+class WideFactor(NamedTuple):
+    """How a force along a wide blade changes the factor by which plates raise its stress.
+
+    ``low`` to ``high`` is the change of the factor of its bending, ``axial`` the share of its
+    stress that is not bending, ``kept`` the largest factor of that, for the same motions.
+    """
+
+    low: Number
+    high: Number
+    axial: Number
+    kept: Number
+
+    def of(self, plain: Number) -> tuple[Number, Number]:
+        """Return the range of the factor of the whole stress, from that of bending at rest."""
+        bent, axial = plain * (1.0 - self.axial), self.axial
+        return bent * self.low + axial, bent * self.high + axial * self.kept
+
+
 class EndStress(NamedTuple):
     """Signed amplitude and mean of the stress of the stroke at one place and face, and the axial.
 
     ``joint`` is the joint of the place, where there are several with sizes of their own.
     ``is_at_face`` says that the numbers are the total of that face, in tension or compression;
     formulas give each face by itself. ``reverses`` says that the stroke goes as far either way with
-    no load beside it, so that its mean is only the difference of both ways.
+    no load beside it, so that its mean is only the difference of both ways. ``wide`` is what the
+    force along a blade of constant thickness changes of it, where a model knows that.
     """
 
     where: str
@@ -69,6 +90,7 @@ class EndStress(NamedTuple):
     joint: str = ""
     is_at_face: bool = False
     reverses: bool = False
+    wide: WideFactor | None = None
 
     @property
     def is_reversed(self) -> bool:

@@ -1,0 +1,111 @@
+"""What a force along a wide blade changes in the factor by which plates raise its stress."""
+
+from itertools import product
+from math import inf
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexcli.formulas.beam_column import uniform_bending
+from flexcli.formulas.plates_under_force import s_under_force, under_force
+from flexcli.formulas.profile import Constant
+from flexcli.formulas.sheet_factors import axial_factor
+from flexcli.mechanics.layout import Blade
+from flexcli.mechanics.stresses import BladeStress
+from flexcli.numerics.rows import larger, number, smaller, states_of
+from flexcli.parts.effects import Setting
+from flexcli.parts.effects.axial_load import largest_load
+from flexcli.parts.requirements import Ask, WideFactor
+from flexcli.results import ErrorRange
+
+__all__ = ["StateFactors", "change_by_loads", "factors_of_states"]
+
+Floats = NDArray[np.float64]
+
+NU_UNKNOWN = 0.5
+"""Poisson's ratio where the material gives none: the largest."""
+
+
+class StateFactors(NamedTuple):
+    """Factors of a blade's stress in each state, its axial share, and its size (states, …)."""
+
+    low: Floats
+    high: Floats
+    axial: Floats
+    kept: Floats
+    largest: Floats
+
+    def of_pair(self, one: int, other: int) -> WideFactor:
+        """Return the factor of what two states have between them, by the stress of each."""
+        pair = [one, other]
+        whole = self.largest[pair].sum(axis=0)
+        share = np.where(whole > 0.0, self.largest[pair] / np.where(whole > 0.0, whole, 1.0), 0.5)
+        return WideFactor(*(number((x[pair] * share).sum(axis=0)) for x in self[:4]))
+
+
+def factors_of_states(ask: Ask, blade: Blade, stress: BladeStress) -> StateFactors | None:
+    """Return the factors of a blade of constant thickness in all states, None of any other.
+
+    Its axial force and its moments are those of the beam.
+    """
+    if not isinstance(blade.profile, Constant):
+        return None
+    x, y = (np.asarray(end) - start for start, end in zip(blade.start, blade.end, strict=True))
+    l, h, b, nu, E = (
+        _of_states(each)
+        for each in (
+            np.hypot(x, y), blade.profile.h, blade.b, ask.material.elastic.nu or NU_UNKNOWN,
+            ask.material.elastic.E,
+        )
+    )  # fmt: skip
+    s, bent, axial = (states_of(each) for each in stress)
+    along = np.diff(s, axis=-1)
+    whole = along.sum(axis=-1)
+
+    def mean(values: Floats) -> Floats:
+        middle = (values[..., 1:] + values[..., :-1]) / 2.0
+        return np.asarray((middle * along).sum(axis=-1) / whole)
+
+    pull = mean(axial)
+    n = 12.0 * pull / E * (l / h) ** 2
+    at: dict[str, Any] = {"b": b, "l": l, "poisson_ratio": nu}
+    low, high = under_force(first=bent[..., 0], last=bent[..., -1], mean=mean(bent), n=n, h=h, **at)
+    largest = np.maximum(np.abs(bent[..., 0]), np.abs(bent[..., -1]))
+    most = largest + np.abs(pull)
+    share = np.abs(pull) / np.where(most > 0.0, most, 1.0)
+    kept = np.maximum(axial_factor(**at), s_under_force(n=n, **at))
+    return StateFactors(low, high, share, kept, most)
+
+
+def _of_states(value: Any) -> Floats:
+    """Return a number of one design, or those of many as (states, designs) or (1, designs)."""
+    found = np.asarray(value, dtype=np.float64)
+    return states_of(found.ravel()) if found.ndim else found
+
+
+def change_by_loads(setting: Setting) -> ErrorRange:
+    """Return by how much a force along the blades changes a factor at a travel, either way.
+
+    They are bent to an arc, to an S or to what is between.
+    """
+    n, blade = largest_load(setting), setting.blade
+    if n == 0.0:
+        return ErrorRange(0.0, 0.0)
+    if blade is None:
+        return ErrorRange(-inf, inf)
+    low = high = 1.0
+    for pull, (last, rest) in product((n, -n), ((1.0, 1.0), (-1.0, 0.0))):
+        least, most = under_force(
+            first=1.0,
+            last=last,
+            mean=rest / uniform_bending(pull),
+            n=pull,
+            b=blade.b,
+            l=blade.l,
+            poisson_ratio=setting.poisson_bound,
+            h=blade.h,
+            grows=False,
+        )
+        low, high = smaller(low, number(least)), larger(high, number(most))
+    return ErrorRange(low - 1.0, high - 1.0)
