@@ -15,8 +15,8 @@ __all__ = ["InertialLoads", "force_values", "in_layout", "inertial_loads", "with
 
 
 BESIDE = (
-    "a locked mechanism accelerated off x is judged under no other load in the same case: state "
-    "each in a case of its own"
+    "a locked mechanism accelerated off x is judged under no force or wrench in the same case: "
+    "state each in a case of its own"
 )
 
 
@@ -71,12 +71,12 @@ def inertial_loads(
 
 
 def _on_bodies(case: Case, found: list["_Accelerated"]) -> InertialLoads:
-    """Return an acceleration of a locked mechanism in any direction, which acts on its bodies."""
-    beside = len(found) > 1 or case.load is not None or case.wrench is not None
-    x, y, z = found[0].vector
+    """Return accelerations of a locked mechanism in any direction, which act on its bodies."""
+    beside = case.load is not None or case.wrench is not None
+    vectors = [each.vector for each in found]
     return InertialLoads(
-        wrenches=(NO_WRENCH,),
-        accelerations=((x, y, z),),
+        wrenches=(NO_WRENCH,) * len(found),
+        accelerations=tuple((x, y, z) for x, y, z in vectors),
         on_bodies=True,
         unjudged=BESIDE if beside else "",
     )
@@ -112,13 +112,14 @@ def force_values(force: float, found: InertialLoads, stated: Wrench) -> dict[str
 
 
 def _shaken_across(case: Case) -> frozenset[LoadKind]:
-    """Return the vibrations of a case that shake it out of its plane, too."""
+    """Return the vibrations of a case that shake it out of its plane, too, or locked off x."""
     along = {
         LoadKind.ASD: case.asd.axes if case.asd is not None else (),
         LoadKind.AXES: case.axes.each if case.axes is not None else (),
         LoadKind.SHOCK: (case.shock.axis,) if case.shock is not None else (),
     }
-    return frozenset(kind for kind, axes in along.items() if "z" in axes)
+    off = {"z"} if case.lock is None else {"y", "z"}
+    return frozenset(kind for kind, axes in along.items() if off & {*axes})
 
 
 class _Accelerated(NamedTuple):
@@ -199,13 +200,6 @@ def _loading(
     if vibrates:
         axes = tuple(axis for axis in axes if axis != "z")  # the modes' response has that
     if case.lock is not None:
-        across = [axis for axis in axes if axis != "x"]
-        if across and vibrates:
-            raise MechanismError(
-                kind.value,
-                f"no closed form for a locked mechanism accelerated along {across[0]}",
-                "take axis: x, or its size as a steady acceleration:, which is judged in space",
-            )
         return axes
     stage = mechanism is not None and mechanism.joints > 1
     drives = stage or (vibrates and geometry.motion == "translation")

@@ -147,8 +147,9 @@ class Scene(NamedTuple):
 
     @property
     def vibrates_in_space(self) -> bool:
-        """Return whether the response of its modes leaves the plane."""
-        return self.in_space or "z" in self.shaken_axes or (self.tilts and bool(self.shaken_axes))
+        """Return whether the response of its modes leaves the plane, or has no model there."""
+        off = {"z"} if self.lock is None else {"y", "z"}
+        return self.in_space or bool(off & {*self.shaken_axes} or self.tilts and self.shaken_axes)
 
     @property
     def moves(self) -> bool:

@@ -110,3 +110,46 @@ def test_a_stage_whose_levers_stand_nobody_knows_where_is_refused_with_the_way_o
     (finding,) = raised.value.findings
     assert "levers whose distance" in finding.text
     assert "space-layout" in finding.hint
+
+
+def result_of_locked(verb=flexcli.verdicts, **case):
+    """Return the result of a locked stage."""
+    text = yaml.safe_load(spec(PIVOT, STAGE))
+    text["cases"] = {"launch": {"lock": "solid-2", **case}}
+    kinds = ("dynamic-yield",) if "asd" in case else ("yield",)
+    if "asd" in case and case["asd"]["axis"] != "z":
+        kinds += ("yield",)
+    text["requirements"] = dict.fromkeys(kinds, 1.25)
+    return verb(yaml.safe_dump(text))
+
+
+def checks_of_locked(**case):
+    """Return its checks by name."""
+    found = result_of_locked(**case).checks
+    return {check.name.partition(" (")[0]: check for check in found}
+
+
+def test_a_locked_stage_may_be_shaken_along_every_axis():
+    """Along y its bodies bear the worst acceleration as a steady one; its modes respond besides."""
+    shaken = {"profile": "gevs-acceptance", "q": 20}
+    along = {
+        axis: checks_of_locked(asd=shaken | {"axis": axis}) for axis in ("x", "y", "z", "x and y")
+    }
+    for axis, found in along.items():
+        assert found["dynamic yield"].factor > 1.0, axis
+    values = result_of_locked(flexcli.check, asd=shaken | {"axis": "y"}).values
+    level = 3.0 * values["g_rms_worst"].value
+    steady = checks_of_locked(acceleration={"level": f"{level!r} m/s^2", "axis": "y"})
+    assert along["y"]["yield"].factor == pytest.approx(steady["yield"].factor, rel=1e-6)
+    # both at once have the stress of both, in the worst of their senses
+    both = along["x and y"]["yield"].demand
+    each = [along[axis]["yield"].demand for axis in "xy"]
+    assert max(each) < both <= 1.001 * sum(each)
+
+
+def test_a_locked_stage_shaken_off_x_beside_a_force_is_a_named_outcome():
+    found = checks_of_locked(
+        asd={"profile": "gevs-acceptance", "q": 20, "axis": "y"}, load={"force": "3 N"}
+    )
+    assert found["yield"].verdict == "undecided"
+    assert "state each in a case of its own" in found["yield"].quantity
