@@ -148,8 +148,8 @@ class Scene(NamedTuple):
     @property
     def vibrates_in_space(self) -> bool:
         """Return whether the response of its modes leaves the plane, or has no model there."""
-        off = {"z"} if self.lock is None else {"y", "z"}
-        return self.in_space or bool(off & {*self.shaken_axes} or self.tilts and self.shaken_axes)
+        off, shaken = {"z"} if self.lock is None else {"y", "z"}, {*self.shaken_axes}
+        return bool(self.in_space or off & shaken or (self.tilts and shaken))
 
     @property
     def moves(self) -> bool:

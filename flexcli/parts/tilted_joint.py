@@ -25,9 +25,13 @@ from flexcli.parts.space_states import acting_groups, third_order
 from flexcli.parts.space_vibration import likely_structures
 from flexcli.parts.stress_across import leaving_plane
 
-__all__ = ["Tilt", "least_frequency", "moved_across", "tilt_of"]
+__all__ = ["TILTED", "Tilt", "least_frequency", "moved_by_tilt", "tilt_of"]
 
 Floats = NDArray[np.float64]
+
+TILTED = 0.02
+"""Part of a shift that a tilt moves the centre by, from which exact beams in space tell the shift,
+whose own error is twice that."""
 
 BEYOND, LOADED = 0.15, 0.75
 """Part of the stress of a tilt that orders beyond the second may add, by a stroke alone and beside
@@ -60,12 +64,13 @@ def tilt_of(geometry: Geometry, material: Material, sizes: Sizes, scene: Scene) 
     return Tilt(min(least), *map(max, others))
 
 
-def moved_across(geometry: Geometry, material: Material, sizes: Sizes) -> float:
-    """Return how far a tilt moves the centre in the plane, for a unit stroke [m or m/rad].
+def moved_by_tilt(geometry: Geometry, material: Material, sizes: Sizes) -> float:
+    """Return how far a tilt moves a pivot's centre in its plane, or a stage along its blades.
 
-    It is of first order in the stroke; without a Poisson's ratio as of :func:`tilt_of`.
+    Of a unit stroke [m/rad or 1], beside what an upright body does; it is of first order in the
+    stroke. Without a Poisson's ratio as of :func:`tilt_of`.
     """
-    return max(map(_moved_across, _joints(geometry, material, sizes)))
+    return max(map(_moved_by_tilt, _joints(geometry, material, sizes)))
 
 
 def least_frequency(
@@ -86,10 +91,17 @@ def _joints(geometry: Geometry, material: Material, sizes: Sizes) -> list[SpaceJ
     return [SpaceJoint(geometry.space_layout(each, sizes)) for each in material.elastic.likely]
 
 
-def _moved_across(joint: SpaceJoint) -> float:
+def _moved_by_tilt(joint: SpaceJoint) -> float:
+    free, upright = map(_moved_aside, (joint, SpaceJoint(_kept_upright(joint.layout))))
+    return float(np.linalg.norm(free - upright))
+
+
+def _moved_aside(joint: SpaceJoint) -> Floats:
+    """Return the motion of a pivot's centre in its plane, or of a stage across its stroke."""
     drive = joint.layout.drive
     moved = joint.assembly.moved(travel=np.ones(1)).coordinates[:, 0]
-    return float(np.hypot(*(joint.assembly.motion(drive.body, (0.0, 0.0, 0.0))[:2] @ moved)))
+    point, rows = ((0.0, 0.0, 0.0), slice(2)) if drive.turns else (drive.point, slice(1))
+    return np.asarray(joint.assembly.motion(drive.body, point)[rows] @ moved)
 
 
 def _of_joint(joint: SpaceJoint, scene: Scene) -> Tilt:
