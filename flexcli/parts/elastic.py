@@ -27,6 +27,11 @@ class Elastic(NamedTuple):
     nu: float | None = None
 
     @property
+    def most_nu(self) -> float:
+        """Return Poisson's ratio, or its upper limit ½ where the material gives none."""
+        return 0.5 if self.nu is None else self.nu
+
+    @property
     def likely(self) -> tuple["Elastic", ...]:
         """Return itself, or with 0 and ½ where the material gives no Poisson's ratio."""
         return (self,) if self.nu is not None else (Elastic(self.E, 0.0), Elastic(self.E, 0.5))

@@ -73,6 +73,16 @@ def test_of_narrow_blades_and_small_strokes_nothing_is_left_open():
         assert high / low <= 1.02
 
 
+def test_a_material_of_no_poissons_ratio_widens_nothing():
+    still = {**STAR, "material": STAR["material"] | {"poisson_ratio": 0.0}}
+    check = judged(still)
+    assert check.factor_range[1] / check.factor_range[0] <= 1.0 + 1e-3
+    unknown = {k: v for k, v in STAR["material"].items() if k != "poisson_ratio"}
+    low, high = judged({**STAR, "material": unknown}).factor_range
+    assert low < 0.95 * check.factor
+    assert high >= check.factor
+
+
 @pytest.mark.parametrize("model", ["closed-form", "linear"])
 def test_a_load_along_wide_blades_at_a_stroke_widens_the_range_of_formulas(model):
     """A guided blade pulled by n = 20: its plate bends as another beam than at rest."""

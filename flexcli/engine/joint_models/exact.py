@@ -60,9 +60,6 @@ SAMPLED = 1e-6
 ALIKE = 1e-9
 """Relative difference of the shifts of both ends that counts as none."""
 
-NU_UNKNOWN = 0.5
-"""Poisson's ratio where the material gives none: the largest."""
-
 FIRST_ORDER = 2e-3
 """Of a sag: what its size may change so that nothing else is asked."""
 
@@ -145,7 +142,7 @@ class ExactModel(JointModel):
             if error <= self.tolerance:
                 break
         if ask.scene.temperature is not None:
-            error += held_bending(warmed(ask), ask.material.elastic.nu or NU_UNKNOWN)
+            error += held_bending(warmed(ask), ask.material.elastic.most_nu)
         return found, error
 
     def stiffness_at_end(self, ask: Ask) -> float:
@@ -280,7 +277,7 @@ class ExactModel(JointModel):
         # what the temperature bends is not the same at both ends
         ends = (self._shift_at(ask, each) for each in held)
         shift, error = max(ends, key=lambda found: abs(found[0]))
-        doubt = held_lengths(warmed(ask), ask.material.elastic.nu or NU_UNKNOWN)
+        doubt = held_lengths(warmed(ask), ask.material.elastic.most_nu)
         return shift, error + (doubt / abs(shift) if shift else inf)
 
     def _held(self, layout: Layout, held: Motions) -> Equilibrium:

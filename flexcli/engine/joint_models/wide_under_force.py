@@ -23,9 +23,6 @@ __all__ = ["StateFactors", "change_by_loads", "factors_of_states"]
 
 Floats = NDArray[np.float64]
 
-NU_UNKNOWN = 0.5
-"""Poisson's ratio where the material gives none: the largest."""
-
 
 class StateFactors(NamedTuple):
     """Factors of a blade's stress in each state, its axial share, and its size (states, …)."""
@@ -55,7 +52,7 @@ def factors_of_states(ask: Ask, blade: Blade, stress: BladeStress) -> StateFacto
     l, h, b, nu, E = (
         _of_states(each)
         for each in (
-            np.hypot(x, y), blade.profile.h, blade.b, ask.material.elastic.nu or NU_UNKNOWN,
+            np.hypot(x, y), blade.profile.h, blade.b, ask.material.elastic.most_nu,
             ask.material.elastic.E,
         )
     )  # fmt: skip

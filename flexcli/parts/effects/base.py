@@ -63,8 +63,7 @@ class Setting(NamedTuple):
     @property
     def poisson_bound(self) -> float:
         """Return Poisson's ratio, or its upper limit ½ where the material gives none."""
-        given = self.material.poisson_ratio
-        return given.value if given is not None else 0.5
+        return self.material.elastic.most_nu
 
     @property
     def largest_travel(self) -> float:

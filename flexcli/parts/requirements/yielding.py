@@ -18,9 +18,6 @@ __all__ = ["Yield"]
 FELT = 1e-3
 """Share of the strength from which the stress by clamps across the width is judged."""
 
-NU_UNKNOWN = 0.5
-"""Poisson's ratio where the material has none: the upper limit."""
-
 Allowable = Literal["yield-strength", "tensile-strength", "fatigue-amplitude", "admissible-stress"]
 
 
@@ -100,7 +97,7 @@ class Yield(FactorRequirement):
         both = _equivalent(along, across)
         error = ask.joint_model.error(ask, QuantityKind.STRESS)
         if error is not None:
-            nu = ask.material.elastic.nu or NU_UNKNOWN
+            nu = ask.material.elastic.most_nu
             most = _equivalent(along * (1.0 + error.high), across / (1.0 - nu**2))
             error = ErrorRange(along * (1.0 + error.low) / both - 1.0, most / both - 1.0)
         yield Limit(
