@@ -65,6 +65,25 @@ def test_the_stress_of_pulled_blades_is_that_of_shells(mean_stresses):
     assert high / low <= 1.15
 
 
+@pytest.mark.parametrize("width", ["3.4 mm", "8 mm"])
+def test_what_drives_pulled_blades_is_that_of_shells(width):
+    driven = {
+        **STAR,
+        "geometry": STAR["geometry"] | {"b": width},
+        "actuator": {
+            "blocking_force": "5 N",
+            "free_stroke": "5 mm",
+            "arm": "10 mm",
+            "drives": "both-ways",
+        },
+        "requirements": {"drive": 1e-3},
+    }
+    drawn = in_space(driven, flexcli.load(yaml.safe_dump(driven)))
+    (low, high), shells = judged(driven).factor_range, judged(drawn, "shell")
+    assert low <= shells.factor <= high
+    assert high / low <= 1.15
+
+
 def test_of_narrow_blades_and_small_strokes_nothing_is_left_open():
     narrow = {**STAR, "geometry": STAR["geometry"] | {"b": "0.03 mm"}}
     little = {**STAR, "cases": {"work": {"stroke": {"rotation": "0.0005 rad"}}}}

@@ -10,7 +10,7 @@ from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import Number, isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects import Change, ModelEffect, Setting, left_by
-from flexcli.parts.effects.plate import pulled
+from flexcli.parts.effects.plate import flattest, pulled
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import ACROSS_WIDTH, Critical
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
@@ -79,17 +79,21 @@ class Corrected(JointModel):
         """Return the efforts at the ends of the stroke, corrected as the stiffness is.
 
         What beside the stiffness at rest makes an effort, large travel and loads, may be corrected
-        or not. Curvature that flattens blades makes more of it, as of their moments.
+        or not; it bends wide blades otherwise, up to as flat as plates are. Curvature that flattens
+        them makes more of it, as of their moments.
         """
         factor = self._factor(ask, QuantityKind.STIFFNESS)
-        plain = float(self.inner.stiffness(ask)) if factor != 1.0 else 0.0
+        widens = self._widening(ask) is not None
+        most = larger(factor, flattest(_setting(ask)) if widens else 1.0) / factor - 1.0
+        plain = float(self.inner.stiffness(ask)) if factor != 1.0 or most else 0.0
         flat = self._flattened(ask)
         found = []
         for travel, effort, known, load in self.inner.effort(ask):
             error = None if known is None else self._left(ask, QuantityKind.STIFFNESS, known)
             if error is not None and effort != 0.0:
-                beside = abs(1.0 - plain * abs(travel) / effort) * abs(factor - 1.0)
-                error += ErrorRange(-beside, beside + flat)
+                share = abs(1.0 - plain * abs(travel) / effort)
+                off = abs(factor - 1.0)
+                error += ErrorRange(-share * off, share * larger(off, most) + flat)
             found.append(DriveEffort(travel, effort * factor, error, load))
         return tuple(found)
 

@@ -13,7 +13,7 @@ from flexcli.parts.effect_names import EffectName
 from flexcli.parts.effects.base import Indicator, ModelEffect, Setting
 from flexcli.parts.geometries import Geometry, Sizes
 
-__all__ = ["PlateWidening", "pulled", "wide_of"]
+__all__ = ["PlateWidening", "flattest", "pulled", "wide_of"]
 
 LEADS = 1.5
 """Ratio of the shift to its leading term up to which both change alike."""
@@ -70,6 +70,12 @@ def pulled(setting: Setting) -> float:
     """Return by how much the stress of forces along wide blades may differ from beams' [-]."""
     wide = wide_of(setting)
     return 0.0 if wide is None else wide.pulled * (wide.stiffness.high - 1.0)
+
+
+def flattest(setting: Setting) -> float:
+    """Return how stiff blades kept flat all over are, over beams; 1 where none is wide [-]."""
+    wide = wide_of(setting)
+    return 1.0 if wide is None else 1.0 + number(bound(setting.poisson_bound))
 
 
 def _stress(wide: WideBlades, setting: Setting, known: bool) -> Change:
