@@ -185,6 +185,27 @@ def test_a_tilt_moves_the_centre_across_the_bisector(delta, theta):
     assert true > 1.1 * upright.checks[0].demand
 
 
+@pytest.mark.parametrize(("b", "delta", "degrees"), [(2e-3, 0.3, 15.0), (5e-3, 0.6, 10.0)])
+def test_a_body_that_tilts_is_driven_by_less(b, delta, degrees):
+    """As much less as frames are softer, whose blades widen alike."""
+    h, theta = 0.5e-3, 1e-3
+    efforts = [
+        float((matrix := frame(h, b, delta, degrees, apart)[0]).K[5] @ turned(matrix, theta))
+        for apart in (b, 0.0)
+    ]
+    found = []
+    for tilt in ("free", "held"):
+        case = {"stroke": {"rotation": f"{theta} rad"}}
+        words = yaml.safe_load(spec(h, b, delta, degrees, case, {"drive": 1e-6}, tilt=tilt))
+        words["actuator"] = {"blocking_force": "100 N", "free_stroke": "10 mm", "arm": "20 mm",
+                             "drives": "both-ways"}  # fmt: skip
+        found.append(flexcli.verdicts(yaml.safe_dump(words), model="exact").checks[0])
+    free, held = found
+    true = held.factor * efforts[1] / efforts[0]
+    assert free.factor_range[0] <= true <= free.factor_range[1]
+    assert true > held.factor_range[1]
+
+
 @pytest.mark.parametrize("width", [0.5e-3, 2e-3])
 def test_what_a_tilt_moves_is_in_the_range_of_closed_forms(width):
     case = {"stroke": {"rotation": "0.02 rad", "cycles": 1e7}}

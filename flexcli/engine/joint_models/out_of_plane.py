@@ -103,9 +103,23 @@ class OutOfPlane(JointModel):
         return self.inner.stiffness(ask) * (1.0 if tilt is None else tilt.stiffness)
 
     def effort(self, ask: Ask) -> tuple[DriveEffort, ...]:
-        """Return the planar model's; under loads out of the plane, that of exact beams in space."""
+        """Return the planar model's; under loads out of the plane, that of exact beams in space.
+
+        A body that tilts is softer at rest; at a stroke it is pushed back by no less than that, nor
+        by more than an upright one.
+        """
         if not ask.scene.across_by:
-            return self.inner.effort(ask)
+            tilt = self._tilt(ask)
+            if tilt is None or tilt.stiffness == 1.0:
+                return self.inner.effort(ask)
+            softer = 1.0 - tilt.stiffness
+            if self._space is not None and self._is_finest and softer > NARROW:
+                return self._space.effort(ask)
+            tilted = ErrorRange(-(1.0 + OF_TILT) * softer, OF_TILT * softer)
+            return tuple(
+                each._replace(error=None if each.error is None else each.error + tilted)
+                for each in self.inner.effort(ask)
+            )
         if self._space is None:
             raise NotAvailable("has no force at stroke under loads out of its plane")
         return self._space.effort(ask)
