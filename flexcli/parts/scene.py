@@ -12,6 +12,7 @@ from flexcli.results import Value
 if TYPE_CHECKING:
     from flexcli.parts.asd import Vibration
     from flexcli.parts.excitation import Sine, Sweep, Tone
+    from flexcli.parts.geometries import Geometry
     from flexcli.parts.quality import Quality
     from flexcli.parts.shock import Shock
     from flexcli.parts.temperature import Temperature
@@ -150,6 +151,15 @@ class Scene(NamedTuple):
         """Return whether the response of its modes leaves the plane, or has no model there."""
         off, shaken = {"z"} if self.lock is None else {"y", "z"}, {*self.shaken_axes}
         return bool(self.in_space or off & shaken or (self.tilts and shaken))
+
+    def frees_body_of(self, geometry: "Geometry") -> bool:
+        """Return whether a force in the plane of a drawn joint may buckle it out of the plane.
+
+        A joint with formulas has one of a blade across its width.
+        """
+        drawn = not geometry.closed_forms and not self.in_space and not geometry.is_guided
+        alone = self.wrench is None and not self.inertial and not self.across_by
+        return drawn and alone and self.ends == "clamped-free" and self.blade_force > 0.0
 
     @property
     def moves(self) -> bool:

@@ -11,6 +11,7 @@ from functools import partial
 from math import copysign, inf
 from typing import TYPE_CHECKING, NamedTuple
 
+from flexcli.engine.joint_models.leaving_plane import leaving_plane
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
@@ -155,8 +156,9 @@ class OutOfPlane(JointModel):
         return self.inner.deflections(ask, point, direction)
 
     def critical(self, ask: Ask) -> tuple[Critical, ...]:
-        """Return the planar model's: of forces in the plane."""
-        return self.inner.critical(ask)
+        """Return the planar model's, and those of drawn joints that a force turns out of it."""
+        space = self._space if isinstance(self._space, SpaceExactModel) else None
+        return *self.inner.critical(ask), *leaving_plane(ask, space=space)
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
         """Return those of all loads in space; without any across, the planar model's."""

@@ -63,7 +63,7 @@ from flexcli.results import ErrorRange, QuantityKind
 if TYPE_CHECKING:
     from flexcli.mechanics.space.swept_box import SweptBox
 
-__all__ = ["SpaceExactModel", "beam_peaks", "section_peaks"]
+__all__ = ["SpaceExactModel", "beam_peaks", "loads_of", "section_peaks"]
 
 Floats = NDArray[np.float64]
 
@@ -255,7 +255,7 @@ class SpaceExactModel(SpaceLinearModel):
 
         """
         joint = joint_of(ask)
-        groups = [_loads(joint, each) for each in acting_groups(joint, ask.scene)]
+        groups = [loads_of(joint, each) for each in acting_groups(joint, ask.scene)]
         for signs in product((1.0, -1.0), repeat=len(groups)):
             loads = tuple(_signed(groups, signs))
             try:
@@ -378,7 +378,7 @@ def _critical_shares(ask: Ask, blades: Blades) -> Iterator[CriticalShare]:
     joint = joint_of(ask)
     layout, drive = joint.layout, joint.layout.drive
     acting = acting_groups(joint, scene)
-    groups = [_loads(joint, each) for each in acting]
+    groups = [loads_of(joint, each) for each in acting]
     rest = [action(joint.assembly, each) for each in acting] if blades is BEAMS else []
     unsure = max((_weight_of_blades(joint, each) for each in acting), default=0.0)
     (levels, tolerance), most = blades.critical, ask.most_share
@@ -501,7 +501,7 @@ def _weight_of_blades(joint: SpaceJoint, acting: Acting) -> float:
     return halves / bodies if bodies > 0.0 else inf
 
 
-def _loads(joint: SpaceJoint, acting: Acting) -> list[SpaceLoad]:
+def loads_of(joint: SpaceJoint, acting: Acting) -> list[SpaceLoad]:
     """Return a wrench on the moving body and an acceleration as loads.
 
     The mass of a blade weighs by halves on the bodies at its ends.

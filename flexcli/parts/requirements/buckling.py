@@ -65,7 +65,8 @@ class Buckling(FactorRequirement):
                 f"nothing says what holds the blades' ends in case '{scene.case}'",
                 f"add ends: to the case, one of {', '.join(EFFECTIVE_LENGTH)}",
             )
-        for critical in ask.joint_model.critical(ask):
+        most = max(MOST_SHARE, BEYOND * self.factor)
+        for critical in ask.joint_model.critical(ask._replace(most_share=most)):
             capacity, crushed = borne(critical, ask.material)
             yield Limit(
                 self.label,

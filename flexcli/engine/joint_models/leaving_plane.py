@@ -1,0 +1,81 @@
+"""Buckling out of its plane of a joint that is drawn there, under a force in it.
+
+Blades hardly wider than thick bend aside with the bodies between them before they buckle in their
+plane. Joints with formulas have one blade's load across its width; of others the whole is looked
+at in space, as nothing but blades holds a body with free ends there.
+"""
+
+from collections.abc import Iterator
+from math import inf
+
+from flexcli.engine.joint_models.space_exact import SpaceExactModel, loads_of
+from flexcli.errors import SolveError
+from flexcli.mechanics.space.exact.critical import straight_critical_factor
+from flexcli.mechanics.space.exact.demand import drive_frame
+from flexcli.numerics.rows import one_alone
+from flexcli.parts.elastic import NotAvailable
+from flexcli.parts.geometries.base import Critical
+from flexcli.parts.requirements import Ask
+from flexcli.parts.scene import Scene
+from flexcli.parts.space_joint import joint_of
+from flexcli.parts.space_states import acting_groups
+from flexcli.results import ErrorRange
+
+__all__ = ["leaving_plane"]
+
+WAY = "out of its plane or in it"
+
+IN_SPACE = "blades and bodies in space, exact beams"
+STRAIGHT = "blades and bodies in space that stay straight"
+
+SURELY = 0.8
+"""Share of how far it is looked, from which on what stands there stands."""
+
+BOWED = 0.1
+"""By how much less a joint may bear than one whose blades stay straight: as plates or beams of
+springs in space differ from it."""
+
+FAR = 1e6
+"""Times the force up to which the straight joint is looked at."""
+
+
+def leaving_plane(ask: Ask, *, space: SpaceExactModel | None) -> Iterator[Critical]:
+    """Yield the force at which a joint drawn in its plane buckles in space, in each of its senses.
+
+    Without a model in space that of blades which stay straight, at rest, as the lower end of a
+    range; at a stroke nobody then knows.
+    """
+    scene = ask.scene
+    if not scene.frees_body_of(ask.geometry):
+        return
+    one_alone()
+    for sense in (1.0,) if scene.directed else (1.0, -1.0):
+        pushed = ask._replace(scene=_pushed(scene, sense))
+        if space is None:
+            yield from _straight(pushed)
+            continue
+        for share, _, error in space.critical_shares(pushed):
+            least = 0.0 if error is None else share * (1.0 + error.low)
+            if error is not None and error.high == inf and least > SURELY * ask.most_share:
+                continue  # nothing buckles it as far as anybody asks
+            yield Critical(WAY, share * scene.force, IN_SPACE, error=error)
+
+
+def _pushed(scene: Scene, sense: float) -> Scene:
+    x, y, *_ = scene.stated
+    return scene._replace(stated=(sense * x, sense * y, *scene.stated[2:]), ends=None)
+
+
+def _straight(ask: Ask) -> Iterator[Critical]:
+    """Yield what buckles blades that stay straight, if anything: all that is known at rest."""
+    joint = joint_of(ask)
+    pattern = [load for each in acting_groups(joint, ask.scene) for load in loads_of(joint, each)]
+    try:
+        factor = straight_critical_factor(
+            joint.layout, None, pattern, most=FAR, frames=drive_frame(joint.layout.drive)
+        )
+    except SolveError as error:
+        raise NotAvailable(f"has no buckling load in space: {error}") from error
+    if factor < inf:
+        known = None if ask.scene.moves else ErrorRange(-BOWED, inf)
+        yield Critical(WAY, factor * ask.scene.force, STRAIGHT, error=known)
