@@ -7,7 +7,7 @@ them, or one in the plane, as a couple.
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
-from math import pi
+from math import inf, pi
 from typing import NamedTuple
 
 import numpy as np
@@ -21,7 +21,7 @@ from flexcli.parts.mechanisms import Mechanism
 from flexcli.parts.own_motion import own_angular
 from flexcli.parts.scene import Scene
 from flexcli.parts.space_joint import SpaceJoint, joint_in_space
-from flexcli.parts.space_states import acting_groups, third_order
+from flexcli.parts.space_states import KNOWN, acting_groups, third_order
 from flexcli.parts.space_vibration import likely_structures
 from flexcli.parts.stress_across import leaving_plane
 
@@ -44,7 +44,7 @@ class Tilt(NamedTuple):
 
     ``stiffness`` is that along the motion over that of the same joint kept upright [-]; ``stress``
     and ``amplitude`` are what the tilt adds at most to the largest stress of a case, and to how far
-    that alternates [Pa].
+    that alternates [Pa]; infinite where small motion tells nothing.
     """
 
     stiffness: float
@@ -116,6 +116,8 @@ def _of_joint(joint: SpaceJoint, scene: Scene) -> Tilt:
             borne = state.moved.forces[:, 0] + after.forces
             forces.append(borne + _twisting(joint, state, borne))
             more = max(more, third_order(after))
+        if more > KNOWN:
+            return Tilt(k / kept, inf, inf)
         beyond = 1.0 + more + (LOADED if loads else BEYOND)
         most = max(most, *(leaving_plane(stresses, each) * beyond for each in forces))
         swing = leaving_plane(stresses, (forces[0] - forces[-1]) / 2.0)
