@@ -123,6 +123,7 @@ def judged(
             *_rigid_clamps(design, sizes, found),
             *_shaken(design, sizes, joint_model, found),
             *_without_loads(design, sizes, found),
+            *_of_upright(design, sizes, found),
         ),
         cost=Cost(0.0, found.deciding, max(errors, default=None), by_model=by_model),
     )
@@ -168,6 +169,27 @@ def _without_loads(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterat
                     f"{share}; stiffness and frequency are judged without them"
                 )
                 yield Note("without-loads", text)
+
+
+def _of_upright(design: DesignSpec, sizes: Sizes, found: Judgement) -> Iterator[Note]:
+    """Yield how far a tilt moves the centre in cases whose shift is that of a body held upright."""
+    for check in found.checks:
+        scene = design.scene(check.case) if check.kind is QuantityKind.SHIFT else None
+        if scene is None or not (scene.tilts and scene.moves):
+            continue
+        from flexcli.parts.tilted_joint import moved_by_tilt
+
+        with suppress(NotAvailable):
+            across = moved_by_tilt(design.geometry, design.material, sizes)
+            moved = across * max(map(abs, scene.stroke_ends))
+            if moved > SEEN * check.demand:
+                text = (
+                    f"the blades pass side by side: in case '{scene.case}' the centre moves by "
+                    f"{moved:.3g} m more, across the bisector, where nothing but they holds the "
+                    "body upright; its shift is judged as if something did. "
+                    "geometry.tilt: held says that"
+                )
+                yield Note("held-upright", text)
 
 
 def told_values(design: DesignSpec, sizes: Sizes, joint_model: JointModel) -> dict[str, Value]:

@@ -25,13 +25,9 @@ from flexcli.parts.space_states import KNOWN, acting_groups, third_order
 from flexcli.parts.space_vibration import likely_structures
 from flexcli.parts.stress_across import leaving_plane
 
-__all__ = ["TILTED", "Tilt", "least_frequency", "moved_by_tilt", "tilt_of"]
+__all__ = ["Tilt", "least_frequency", "moved_by_tilt", "tilt_of"]
 
 Floats = NDArray[np.float64]
-
-TILTED = 0.02
-"""Part of a shift that a tilt moves the centre by, from which exact beams in space tell the shift,
-whose own error is twice that."""
 
 BEYOND, LOADED = 0.15, 0.75
 """Part of the stress of a tilt that orders beyond the second may add, by a stroke alone and beside

@@ -118,8 +118,7 @@ ACROSS = (
     ),
     (
         {"kind": "cross-spring", "h": "6.170619514 mm", "l": "176.2634073 mm",
-         "b": "91.33394942 mm", "delta": -0.6666666666666666, "half_angle": "13.95389282 deg",
-         "tilt": "held"},
+         "b": "91.33394942 mm", "delta": -0.6666666666666666, "half_angle": "13.95389282 deg"},
         0.34, 0.19856967953809827 / 20.0, 6.3305971e-6, 1.8e-3,
     ),
 )  # fmt: skip
@@ -156,9 +155,8 @@ def test_far_turned_wide_blades_flatten_and_shift_as_shells_say(blade):
     assert least < low < high < most
 
 
-def test_a_joint_of_blades_side_by_side_has_a_shift_by_shells_where_it_is_held_upright():
-    assert only(folded(geometry=CROSSED, cases=TURN), "shell").factor_range is None
-    spec = folded(geometry=CROSSED | {"tilt": "held"}, cases=TURN)
+def test_a_joint_of_blades_side_by_side_is_held_upright():
+    spec = folded(geometry=CROSSED, cases=TURN)
     low, high = only(spec, "shell").factor_range
     least, most = only(spec, "exact").factor_range
     assert low < most

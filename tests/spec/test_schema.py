@@ -62,6 +62,7 @@ BEYOND = {
         "turns on pivots", "in N/m$", "in N.m/rad",
         "in plain numbers", "stops hold a", "does not stand along", "sits on a cantilever",
         "contact has no stress", "motion of this joint", "is moved, not turned",
+        "two forces or of two moments",
         "needs spacing", "a total is for two",
         "robust against what", "is not of a blade", "there is no number",
         "^tolerances.*does not measure", "^tolerances.*has no unit", "as large as the number",

@@ -10,7 +10,6 @@ from flexcli.mechanics.mesh import Effects
 from flexcli.parts.effect_names import EffectName
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.requirements import Ask
-from flexcli.parts.tilted_joint import TILTED, moved_by_tilt
 from flexcli.results import ErrorRange
 
 __all__ = ["ExactWithShells"]
@@ -32,14 +31,8 @@ class ExactWithShells(ExactModel):
         return frozenset({EffectName.PLATE_WIDENING})
 
     def _settled_shift(self, ask: Ask) -> tuple[float, float]:
-        scene = ask.scene
-        if scene.temperature is not None or not scene.moves:
+        if ask.scene.temperature is not None or not ask.scene.moves:
             raise NotAvailable("has no shift by shells but of a stroke: take --model exact")
-        if scene.tilts:
-            moved = moved_by_tilt(ask.geometry, ask.material, ask.sizes)
-            shift, _ = super()._settled_shift(ask)
-            if moved * max(map(abs, scene.stroke_ends)) > TILTED * abs(shift):
-                raise NotAvailable("tilts, and has no shift by shells: take --model exact")
         return shift_by_shells(alone(ask))
 
     def support_at_stroke(

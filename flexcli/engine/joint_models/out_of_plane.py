@@ -8,14 +8,13 @@ body, as blades stand side by side.
 """
 
 from functools import partial
-from math import copysign, inf
+from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 from flexcli.engine.joint_models.leaving_plane import leaving_plane
 from flexcli.engine.joint_models.remembered import Remembered
 from flexcli.engine.joint_models.space_exact import SpaceExactModel
 from flexcli.engine.joint_models.space_linear import SpaceLinearModel
-from flexcli.errors import SolveError
 from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import design_by_design, isfinite, larger, number, smaller
 from flexcli.parts.effect_names import EffectName
@@ -33,7 +32,7 @@ from flexcli.parts.requirements import (
 )
 from flexcli.parts.space_joint import joint_in_space
 from flexcli.parts.stress_across import AcrossStress, across_stress
-from flexcli.parts.tilted_joint import TILTED, Tilt, least_frequency, moved_by_tilt, tilt_of
+from flexcli.parts.tilted_joint import Tilt, least_frequency, tilt_of
 from flexcli.results import ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -52,9 +51,6 @@ SWINGING = 0.06
 
 OF_TILT = 0.2
 """Error of what a tilt changes of a stiffness: exact beams in space differ by 0.04 of it."""
-
-MORE_MOVED = 0.1
-"""Part of what a tilt moves a centre that orders beyond the first may add."""
 
 FINEST = ("exact", "shell")
 """Models beside which exact beams in space are no more than what was asked for."""
@@ -84,8 +80,6 @@ class OutOfPlane(JointModel):
         self._told_by_beams: Remembered[bool] = Remembered()
         self._tilts: Remembered[Tilt] = Remembered()
         self._rocking: Remembered[float] = Remembered()
-        self._moved: Remembered[float] = Remembered()
-        self._shifts: Remembered[tuple[float, ErrorRange | None]] = Remembered()
         self._space = _in_space(inner.name)
         self._is_finest = inner.name in FINEST
         self.at_stroke = inner.at_stroke if self._space is None else self._space.at_stroke
@@ -144,10 +138,8 @@ class OutOfPlane(JointModel):
         return self.inner.support_at_stroke(ask, index, point, locked=locked)
 
     def parasitic_shift(self, ask: Ask) -> Computed:
-        """Return the planar model's; of a body that tilts that of exact beams in space."""
-        shift = self.inner.parasitic_shift(ask)
-        tilted = self._tilted_shift(ask)
-        return shift if tilted is None else copysign(tilted[0], shift)
+        """Return the planar model's."""
+        return self.inner.parasitic_shift(ask)
 
     def deflections(
         self, ask: Ask, point: tuple[float, float, float], direction: str
@@ -212,8 +204,6 @@ class OutOfPlane(JointModel):
         self, ask: Ask, kind: QuantityKind, planar: ErrorRange | None
     ) -> ErrorRange | None:
         """Return the error of a number of the plane with what a tilt of the body may change."""
-        if kind is QuantityKind.SHIFT:
-            return self._with_moved_centre(ask, planar)
         tilt = self._tilt(ask)
         if tilt is None or planar is None:
             return planar
@@ -229,43 +219,6 @@ class OutOfPlane(JointModel):
         if kind is QuantityKind.FREQUENCY:
             return self._with_rocking(ask, planar)
         return planar
-
-    def _with_moved_centre(self, ask: Ask, planar: ErrorRange | None) -> ErrorRange | None:
-        """Return the error of a shift, with what a tilt moves the centre in the plane.
-
-        To either side, for nobody knows whether it is along the shift.
-        """
-        tilted = self._tilted_shift(ask)
-        if tilted is not None:
-            return tilted[1]
-        moved = self._moved_by_tilt(ask)
-        if planar is None or not moved:
-            return planar
-        most = moved * (1.0 + MORE_MOVED) / abs(self.inner.parasitic_shift(ask))
-        return planar + ErrorRange(-smaller(most, 1.0), most)
-
-    def _moved_by_tilt(self, ask: Ask) -> float:
-        """Return how far a tilt moves the centre at the largest travel of a stroke [m]."""
-        scene = ask.scene
-        if not (scene.tilts and scene.moves):
-            return 0.0
-        asked = ask.geometry, ask.material, ask.sizes
-        find = partial(design_by_design, moved_by_tilt, *asked, name="moved", about=ask.geometry)
-        return self._moved.of("moved", ask, find) * larger(map(abs, scene.stroke_ends))
-
-    def _tilted_shift(self, ask: Ask) -> tuple[float, ErrorRange | None] | None:
-        """Return the shift of exact beams in space and its error, where a tilt tells in it."""
-        space, moved = self._space, self._moved_by_tilt(ask)
-        if not isinstance(space, SpaceExactModel) or not moved:
-            return None
-        if moved <= TILTED * abs(self.inner.parasitic_shift(ask)):
-            return None
-        alone = ask._replace(scene=ask.scene.without_loads()._replace(ends=None, lock=None))
-        try:
-            found = self._shifts.of("tilted shift", ask, partial(space.shift_in_plane, alone))
-        except (NotAvailable, SolveError):
-            return None
-        return None if found[1] is None else found
 
     def _with_rocking(self, ask: Ask, planar: ErrorRange) -> ErrorRange | None:
         """Return the error of a frequency, down to that of a mode in which the body rocks as well.

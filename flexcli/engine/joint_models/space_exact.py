@@ -279,31 +279,20 @@ class SpaceExactModel(SpaceLinearModel):
             return None
         return None if most is None else ErrorRange(-most, most)
 
-    def _shift_error(
-        self, ask: Ask, shift: Callable[[SpaceEquilibrium], float] | None = None
-    ) -> ErrorRange | None:
-        """Return the error of the motion beside the stroke, or of another shift.
+    def _shift_error(self, ask: Ask) -> ErrorRange | None:
+        """Return the error of the motion beside the stroke.
 
         Uneven sections count, and what shortening leaves where it cancels.
         """
-        shift = _shift if shift is None else shift
-        found = self._at_ends(ask, lambda errors: errors.shift, shift)
+        found = self._at_ends(ask, lambda errors: errors.shift, _shift)
         if found is None:
             return None
         joint = joint_of(ask)
         rest = float(np.linalg.norm(bent_by_gradient(joint, ask.scene)[1][:3]))
         states = self._ends(ask)
         rest += max(known.rest for known in map(self.blades.errors, states) if known is not None)
-        least = min(shift(state) for state in states)
+        least = min(_shift(state) for state in states)
         return found + ErrorRange(-rest / least, rest / least)
-
-    def shift_in_plane(self, ask: Ask) -> tuple[float, ErrorRange | None]:
-        """Return the shift of a joint of the plane at its stroke alone, free to leave the plane.
-
-        It is that of a pivot's centre, or of a stage along its blades [m]; and its error.
-        """
-        largest = max(_shift_in_plane(state) for state in self._ends(ask))
-        return largest, self._shift_error(ask, _shift_in_plane)
 
     def _stress_error(self, ask: Ask) -> ErrorRange | None:
         """Return the error of the largest stress: of blades and level, and of the blades' weight.
@@ -605,13 +594,6 @@ def _shift(state: SpaceEquilibrium) -> float:
         along = np.asarray(drive.direction)
         moved = moved - (moved @ along) * along
     return float(np.linalg.norm(moved))
-
-
-def _shift_in_plane(state: SpaceEquilibrium) -> float:
-    """Return how far a pivot's centre moves in its plane, or a stage across its stroke [m]."""
-    drive = state.layout.drive
-    point, of = ((0.0, 0.0, 0.0), 2) if drive.turns else (drive.point, 1)
-    return float(np.linalg.norm(state.motion_of(drive.body, point)[:of]))
 
 
 def beam_peaks(stresses: Sequence[BladeStress]) -> dict[str, Floats]:
