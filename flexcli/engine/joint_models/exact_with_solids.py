@@ -81,6 +81,11 @@ FEWEST = 1e-12
 """Share of the largest stress that is rounding."""
 
 
+SLENDEREST = 350.0
+"""Longest straight stretch over the thickness: beyond, rounding is more than the meshes tell,
+at 700 a fifth of the stiffness."""
+
+
 class Wrenches(NamedTuple):
     """What the solid bears about its middle in the states of a case, along its axes (states, 6).
 
@@ -398,6 +403,8 @@ def _solids(ask: Ask) -> _Solids:
     if elastic.nu is None or elastic.nu > STIFFEST_NU:
         raise NotAvailable(f"has no solids without a Poisson's ratio up to {STIFFEST_NU:g}")
     sizes, known = ask.geometry.neck(ask.sizes), dict[float, SolidUnderLoads]()
+    if sizes.straight > SLENDEREST * sizes.e:
+        raise NotAvailable("is so slender that too few digits are left of a solid: beams know it")
     E, nu, limb = number(elastic.E), number(elastic.nu), sizes.limb
     for block in (*sizes.blocks, *sizes.turning):
         neck = Neck(sizes.e, sizes.depth, sizes.l, sizes.b, sizes.straight, block)

@@ -11,13 +11,13 @@ from pydantic_core import CoreSchema
 
 from flexcli.formulas import fillet, hinge_shift, notch, notch_compliance, thick_notch
 from flexcli.formulas.card import Card, Range
-from flexcli.formulas.plate_factors import bound as plate_bound
+from flexcli.formulas.clamps import pure_bending_peak
 from flexcli.formulas.profile import Filleted, Notch, Profile, per_design
 from flexcli.formulas.quantity import Computed, Numbers, Quantity
 from flexcli.formulas.thick_notch import Blocks as BesideNotch
 from flexcli.mechanics.layout import Blade as Strip
 from flexcli.mechanics.layout import Body, Layout
-from flexcli.numerics.rows import number, smaller
+from flexcli.numerics.rows import larger, number, smaller
 from flexcli.parts.base import Part, QuantityOf, spec_error
 from flexcli.parts.bending import Bending, Thick, WideBlades, thick
 from flexcli.parts.bending.arc import Arc
@@ -56,10 +56,10 @@ CONCENTRATION: Concentration = "deep-notch"
 
 MASSIVE: Final = "massive"
 
-FILLETS_FLAT = 2.5
-"""Of what a filleted hinge widens by, what the peak of its bending in the middle of the fillets may
-have besides, at most as much as a plate kept flat: solids of b/l 0.1, 0.5 and 1.25 had 0, 0.09 to
-0.12 and 0.05 where it widens by 0.003, 0.05 and 0.1, ν = 0.34."""
+FILLETS_CLAMP = 0.1
+"""Share of the peak in the middle of a clamp that fillets have, over b/h, the whole of it at most:
+solids of b/h 1 to 30, l/h 20 and 50, r/h 0.5 to 7 had 0.09 over b/h in narrow blades, and up to
+0.9 of it in wide ones, ν = 0.34."""
 
 SOURCE = "Paros & Weisbord 1965, Machine Design 37; Neuber 1958 for the peak of the stress"
 
@@ -460,13 +460,14 @@ class FilletedHinge(NotchGeometry):
         return thick.thick_fillets(**at, blocks=self._beside)
 
     def wide_blades(self, sizes: FilletedSizes, nu: float) -> WideBlades | None:
-        """Return the factors of its blade, whose fillets bear more where clamps keep it flat."""
+        """Return the factors of its blade, whose fillets bear more, as in the middle of a clamp."""
         found = super().wide_blades(sizes, nu)
         if found is None:
             return None
-        stress, over = found.stress, FILLETS_FLAT * (found.stiffness.high - 1.0)
-        stress = stress._replace(high=stress.high + smaller(over, number(plate_bound(nu))))
-        return found._replace(stress=stress)
+        share = smaller(FILLETS_CLAMP * number(sizes.b) / number(sizes.h), 1.0)
+        peak = number(pure_bending_peak(b=sizes.b, l=sizes.l, poisson_ratio=nu))
+        high = larger(found.stress.high, 1.0 + share * (peak - 1.0))
+        return found._replace(stress=found.stress._replace(high=high))
 
     def neck(self, sizes: FilletedSizes) -> NeckSizes:
         """Return two halves of a half-circle, apart by the straight blade."""
