@@ -125,3 +125,16 @@ def test_a_load_along_wide_blades_at_a_stroke_widens_the_range_of_formulas(model
         return check.factor_range[1] / check.factor_range[0]
 
     assert spread(pulled) > spread(judged(spec("0.01 N", "20 mm"), model)) + 1e-3
+
+
+def test_a_load_along_a_hinge_at_a_stroke_leaves_its_stress_known():
+    hinge = {
+        "flexure": 1,
+        "material": STAR["material"],
+        "geometry": {"kind": "notch-hinge", "e": "0.1 mm", "r": "2 mm", "b": "3 mm"},
+        "cases": {"work": {"stroke": {"rotation": "0.005 rad"}, "load": {"force": "2 N"},
+                           "ends": "clamped-free"}},
+        "requirements": {"yield": 1.0},
+    }  # fmt: skip
+    low, high = judged(hinge).factor_range
+    assert high / low < 1.3

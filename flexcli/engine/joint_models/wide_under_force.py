@@ -1,7 +1,6 @@
 """What a force along a wide blade changes in the factor by which plates raise its stress."""
 
 from itertools import product
-from math import inf
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,13 +40,15 @@ class StateFactors(NamedTuple):
         return WideFactor(*(number((x[pair] * share).sum(axis=0)) for x in self[:4]))
 
 
-def factors_of_states(ask: Ask, blade: Blade, stress: BladeStress) -> StateFactors | None:
-    """Return the factors of a blade of constant thickness in all states, None of any other.
+def factors_of_states(ask: Ask, blade: Blade, stress: BladeStress) -> StateFactors:
+    """Return the factors of a blade in all states.
 
-    Its axial force and its moments are those of the beam.
+    Its axial force and its moments are those of the beam. Hinges bend over so short a length that
+    forces along them change nothing.
     """
     if not isinstance(blade.profile, Constant):
-        return None
+        same = np.ones_like(states_of(stress.axial)[..., 0])
+        return StateFactors(same, same, 0.0 * same, same, same)
     x, y = (np.asarray(end) - start for start, end in zip(blade.start, blade.end, strict=True))
     l, h, b, nu, E = (
         _of_states(each)
@@ -84,13 +85,11 @@ def _of_states(value: Any) -> Floats:
 def change_by_loads(setting: Setting) -> ErrorRange:
     """Return by how much a force along the blades changes a factor at a travel, either way.
 
-    They are bent to an arc, to an S or to what is between.
+    They are bent to an arc, to an S or to what is between. Of blades that differ it says nothing.
     """
     n, blade = largest_load(setting), setting.blade
-    if n == 0.0:
+    if n == 0.0 or blade is None:
         return ErrorRange(0.0, 0.0)
-    if blade is None:
-        return ErrorRange(-inf, inf)
     low = high = 1.0
     for pull, (last, rest) in product((n, -n), ((1.0, 1.0), (-1.0, 0.0))):
         least, most = under_force(
