@@ -27,8 +27,7 @@ class NamedModel:
         """Return the model itself."""
         planar = _joint_model(self.design, self.name)
         scenes = self.design.scenes()
-        geometry = self.design.geometry
-        leaves = any(scene.tilts or scene.frees_body_of(geometry) for scene in scenes)
+        leaves = any(scene.tilts or scene.leaves_plane for scene in scenes)
         across = any(scene.across_by for scene in scenes)
         if self.name == "solid" or not (across or (leaves and self.name != "source")):
             return planar

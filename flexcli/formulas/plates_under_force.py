@@ -72,15 +72,7 @@ def arc_under_force(
     Derived here: Ritz's method on the Kirchhoff plate under an axial force, two sides clamped.
 
     """
-    pull = np.maximum(np.asarray(n, dtype=np.float64), _CLAMPED)
-    _, arc, wide = _crowded(pull)
-    narrow = _narrow(b, l, pull, arc)
-    return pure_bending_factor(
-        b=np.asarray(b) * (narrow * arc + (1.0 - narrow) * wide),
-        l=l,
-        poisson_ratio=poisson_ratio,
-        h=h,
-    )
+    return pure_bending_factor(b=_widths(b, l, n)[0], l=l, poisson_ratio=poisson_ratio, h=h)
 
 
 def s_under_force(
@@ -122,16 +114,7 @@ def s_under_force(
     Derived here: Ritz's method on the Kirchhoff plate under an axial force, two sides clamped.
 
     """
-    pull = np.maximum(np.asarray(n, dtype=np.float64), _CLAMPED)
-    odd, arc, _ = _crowded(pull)
-    narrow = _narrow(b, l, pull, arc)
-    wide = np.sqrt(np.maximum(1.0 + pull / np.where(pull < 0.0, 48.0, 24.0), 0.1))
-    return guided_factor(
-        b=np.asarray(b) * (narrow * odd + (1.0 - narrow) * wide),
-        l=l,
-        poisson_ratio=poisson_ratio,
-        h=h,
-    )
+    return guided_factor(b=_widths(b, l, n)[1], l=l, poisson_ratio=poisson_ratio, h=h)
 
 
 def under_force(
@@ -193,7 +176,8 @@ def under_force(
     at = {"b": b, "l": l, "poisson_ratio": poisson_ratio, "h": h}
     even, odd = (one + other) / 2.0, (other - one) / 2.0
     rest = pure_bending_factor(**at), guided_factor(**at)
-    found = arc_under_force(n=pull, **at), s_under_force(n=pull, **at)
+    arc_width, s_width = _widths(b, l, pull)
+    found = pure_bending_factor(**at | {"b": arc_width}), guided_factor(**at | {"b": s_width})
     clamped = np.maximum(pull, _CLAMPED)
     # the same turns of the ends, and the same motion across, bend the blade at rest by these
     moved = odd / s_bending(clamped)
@@ -219,10 +203,31 @@ def under_force(
     return np.where(buckles, 0.0, low), np.where(buckles, np.inf, high)
 
 
-def _crowded(n: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return how far bending crowds at the ends: of a narrow S and arc, and of a wide arc.
+def _widths(b: ArrayLike, l: ArrayLike, n: ArrayLike) -> tuple[Floats, Floats]:
+    """Return how wide blades at rest are that are kept as flat, bent to an arc and to an S [m].
 
-    The first two are the square of the curvature at the ends over its mean, of an S over 3.
+    Between those of narrow blades, whose sides curl all along, and of wide ones.
+    """
+    pull, width = np.maximum(np.asarray(n, dtype=np.float64), _CLAMPED), np.asarray(b)
+    x = width / np.asarray(l, dtype=np.float64)
+    arc, s = _crowded(pull)
+    pushed, drawn = pull < 0.0, np.maximum(pull, 0.0)
+    wide_arc = np.where(
+        pushed, 1.0 + pull / 20.0, 1.0 + 0.21 * drawn * (drawn + 11.0) / (drawn + 39.0)
+    )
+    wide_s = 1.0 + pull / np.where(pushed, 48.0, 24.0)
+    narrow = np.where(pushed, np.exp(-5.0 * x**1.5), np.exp(-1.2 * x * (1.0 + arc)))
+    wide_arc, wide_s = (np.sqrt(np.maximum(each, 0.1)) for each in (wide_arc, wide_s))
+    return (
+        np.asarray(width * (narrow * arc + (1.0 - narrow) * wide_arc)),
+        np.asarray(width * (narrow * s + (1.0 - narrow) * wide_s)),
+    )
+
+
+def _crowded(n: Floats) -> tuple[Floats, Floats]:
+    """Return the square of the curvature at the ends over its mean, of an arc, and of an S over 3.
+
+    They are those of beams.
     """
     small = np.abs(n) < _SERIES
     z = np.sqrt(np.abs(np.where(small, 1.0, n))) / 2.0
@@ -231,19 +236,10 @@ def _crowded(n: Floats) -> tuple[Floats, Floats, Floats]:
     tan = np.where(pulled, np.tanh(z), np.tan(z))
     edge = np.where(pulled, 1.0 - np.tanh(z) ** 2, 1.0 + np.tan(z) ** 2)
     arc, s = 0.5 * (edge + tan / z), 0.5 * np.abs(tan / z - edge) / tan**2
-    wide = np.where(
-        n < 0.0,
-        np.sqrt(np.maximum(1.0 + n / 20.0, 0.1)),
-        np.sqrt(1.0 + 0.21 * np.maximum(n, 0.0) * (n + 11.0) / (np.maximum(n, 0.0) + 39.0)),
+    return (
+        np.where(small, 1.0 + n / 6.0, 1.0 / arc),
+        np.where(small, 1.0 + n / 30.0, 1.0 / (3.0 * s)),
     )
-    series = 1.0 + n / 30.0, 1.0 + n / 6.0
-    return np.where(small, series[0], 1.0 / (3.0 * s)), np.where(small, series[1], 1.0 / arc), wide
-
-
-def _narrow(b: ArrayLike, l: ArrayLike, n: Floats, arc: Floats) -> Floats:
-    """Return by how much a blade bends as a narrow one, whose sides curl all along [-]."""
-    x = np.asarray(b, dtype=np.float64) / np.asarray(l, dtype=np.float64)
-    return np.asarray(np.where(n < 0.0, np.exp(-5.0 * x**1.5), np.exp(-1.2 * x * (1.0 + arc))))
 
 
 def _astray(k: Floats, rest: Floats, n: Floats, away: float) -> Floats:

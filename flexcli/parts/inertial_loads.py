@@ -8,7 +8,14 @@ from flexcli.numerics.rows import cos, hypot, number, sin
 from flexcli.parts.case import Case
 from flexcli.parts.geometries import Geometry
 from flexcli.parts.mechanisms import Mechanism, MechanismError
-from flexcli.parts.scene import NO_WRENCH, ROUNDING, LoadKind, Wrench, components_along
+from flexcli.parts.scene import (
+    NO_WRENCH,
+    ROUNDING,
+    LoadKind,
+    Wrench,
+    axes_off_plane,
+    components_along,
+)
 from flexcli.results import Value
 
 __all__ = ["InertialLoads", "force_values", "in_layout", "inertial_loads", "without_rounding"]
@@ -73,10 +80,9 @@ def inertial_loads(
 def _on_bodies(case: Case, found: list["_Accelerated"]) -> InertialLoads:
     """Return accelerations of a locked mechanism in any direction, which act on its bodies."""
     beside = case.load is not None or case.wrench is not None
-    vectors = [each.vector for each in found]
     return InertialLoads(
         wrenches=(NO_WRENCH,) * len(found),
-        accelerations=tuple((x, y, z) for x, y, z in vectors),
+        accelerations=tuple((x, y, z) for x, y, z in (each.vector for each in found)),
         on_bodies=True,
         unjudged=BESIDE if beside else "",
     )
@@ -118,7 +124,7 @@ def _shaken_across(case: Case) -> frozenset[LoadKind]:
         LoadKind.AXES: case.axes.each if case.axes is not None else (),
         LoadKind.SHOCK: (case.shock.axis,) if case.shock is not None else (),
     }
-    off = {"z"} if case.lock is None else {"y", "z"}
+    off = axes_off_plane(case.lock)
     return frozenset(kind for kind, axes in along.items() if off & {*axes})
 
 

@@ -12,7 +12,6 @@ from flexcli.results import Value
 if TYPE_CHECKING:
     from flexcli.parts.asd import Vibration
     from flexcli.parts.excitation import Sine, Sweep, Tone
-    from flexcli.parts.geometries import Geometry
     from flexcli.parts.quality import Quality
     from flexcli.parts.shock import Shock
     from flexcli.parts.temperature import Temperature
@@ -27,6 +26,7 @@ __all__ = [
     "Push",
     "Scene",
     "Wrench",
+    "axes_off_plane",
     "components_across",
     "components_along",
     "largest_travel",
@@ -137,6 +137,9 @@ class Scene(NamedTuple):
     """Why the closed forms do not cover its loads, empty where they do."""
     in_space: bool = False
     """Whether the joint is drawn in space, where everything acts on it."""
+    is_drawn: bool = False
+    """Whether it is drawn in its plane, unguided: no formula tells what buckles its blades across
+    their width."""
     on_bodies: bool = False
     """Whether accelerations, along the axes of cases, act on all of a mechanism that is locked."""
     unjudged: str = ""
@@ -149,17 +152,14 @@ class Scene(NamedTuple):
     @property
     def vibrates_in_space(self) -> bool:
         """Return whether the response of its modes leaves the plane, or has no model there."""
-        off, shaken = {"z"} if self.lock is None else {"y", "z"}, {*self.shaken_axes}
+        off, shaken = axes_off_plane(self.lock), {*self.shaken_axes}
         return bool(self.in_space or off & shaken or (self.tilts and shaken))
 
-    def frees_body_of(self, geometry: "Geometry") -> bool:
-        """Return whether a force in the plane of a drawn joint may buckle it out of the plane.
-
-        A joint with formulas has one of a blade across its width.
-        """
-        drawn = not geometry.closed_forms and not self.in_space and not geometry.is_guided
+    @property
+    def leaves_plane(self) -> bool:
+        """Return whether a force in the plane of a drawn joint may buckle it out of the plane."""
         alone = self.wrench is None and not self.inertial and not self.across_by
-        return drawn and alone and self.ends == "clamped-free" and self.blade_force > 0.0
+        return self.is_drawn and alone and self.ends == "clamped-free" and self.blade_force > 0.0
 
     @property
     def moves(self) -> bool:
@@ -291,6 +291,14 @@ class Scene(NamedTuple):
 def largest_travel(scenes: Iterable[Scene]) -> float:
     """Return the largest travel of the joint in any case, from rest [rad or m]."""
     return max((scene.travel + scene.mean_travel for scene in scenes), default=0.0)
+
+
+def axes_off_plane(lock: str | None) -> frozenset[str]:
+    """Return the axes along which a base that shakes is responded to in space alone.
+
+    They are z, and of a locked mechanism all but x.
+    """
+    return frozenset("z" if lock is None else "yz")
 
 
 def components_along(axis: str | None, level: float) -> tuple[float, float, float]:

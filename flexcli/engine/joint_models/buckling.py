@@ -147,7 +147,7 @@ def warm_shares(
 
 def _widening(ask: Ask) -> float:
     """Return by what share wide blades and soft clamps may change a critical share."""
-    nu = 0.5 if ask.material.elastic.nu is None else ask.material.elastic.nu
+    nu = ask.material.elastic.most_nu
     most = 1.0 / (1.0 - nu**2) - 1.0
     blade = ask.geometry.blade(ask.sizes)
     if blade is not None:

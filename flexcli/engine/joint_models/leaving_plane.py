@@ -46,7 +46,7 @@ def leaving_plane(ask: Ask, *, space: SpaceExactModel | None) -> Iterator[Critic
     range; at a stroke nobody then knows.
     """
     scene = ask.scene
-    if not scene.frees_body_of(ask.geometry):
+    if not scene.leaves_plane:
         return
     one_alone()
     for sense in (1.0,) if scene.directed else (1.0, -1.0):

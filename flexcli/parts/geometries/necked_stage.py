@@ -180,7 +180,7 @@ class NeckedDownStage(SagsAlongStroke, ClampedBlades):
             error = ErrorRange(0.0, 0.0)
             return Critical("in the plane", inf, source, stress, error, CARRIED)
         strain = number(found.force) / (elastic.E * sizes.h * sizes.b)
-        sheared = strain * 2.0 * (1.0 + (0.5 if elastic.nu is None else elastic.nu)) * 1.2
+        sheared = strain * 2.0 * (1.0 + elastic.most_nu) * 1.2
         known = ErrorRange(-sheared, strain) if hold.turn else None
         force = self.blades * found.force
         return Critical("in the plane", force, source, stress, known, CARRIED)

@@ -126,12 +126,12 @@ def across_width(ask: Ask) -> Iterator[Critical]:
         if critical.way != ACROSS_WIDTH or isinstance(critical.force, Signomial):
             continue
         h, l, b = (number(size) for size in blade)
-        phi = shear_parameter(depth=b, l=l, poisson_ratio=0.5 if elastic.nu is None else elastic.nu)
+        phi = shear_parameter(depth=b, l=l, poisson_ratio=elastic.most_nu)
         n = number(critical.force) * 12.0 * l**2 / (elastic.E * h * b**3)
         softer = n * phi / 12.0 / (1.0 + n * phi / 12.0)
         alone = single or ENDS[scene.ends].hinged
         stiffer = 1.0 if alone else (EFFECTIVE_LENGTH[scene.ends] / STIFFEST) ** 2
-        flat = _flatness(h, l, b, elastic.nu, scene.ends if alone else None)
+        flat = _flatness(h, l, b, elastic.most_nu, scene.ends if alone else None)
         stress = scene.axial_share / (h * b)
         force = critical.force / scene.axial_share
         low = (1.0 - softer) / (1.0 + ask.clamp_softening) - 1.0
@@ -139,12 +139,12 @@ def across_width(ask: Ask) -> Iterator[Critical]:
         yield Critical(ACROSS_WIDTH, force, critical.source, stress, error)
 
 
-def _flatness(h: float, l: float, b: float, nu: float | None, ends: str | None) -> float:
+def _flatness(h: float, l: float, b: float, nu: float, ends: str | None) -> float:
     """Return the most that a blade bent across its width bears as a plate over the beam.
 
     Of the ends that are named, or of any.
     """
-    held, nu = EFFECTIVE_LENGTH if ends is None else (ends,), 0.5 if nu is None else nu
+    held = EFFECTIVE_LENGTH if ends is None else (ends,)
     deep = larger(h, b)
     return larger(
         number(buckling_factor(b=deep, l=l, ends=each, poisson_ratio=nu)) + BUCKLING_ERROR[each]

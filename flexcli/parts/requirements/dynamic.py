@@ -247,8 +247,7 @@ def _of_plain_beams(error: ErrorRange | None, ask: Ask) -> ErrorRange | None:
     """
     if error is None:
         return None
-    nu = ask.material.elastic.nu
-    wide = 0.5 if nu is None else nu
+    wide = ask.material.elastic.most_nu
     low = (1.0 + error.low) / (1.0 + ask.clamp_softening) - 1.0
     return ErrorRange(low, error.high + wide**2 / (1.0 - wide**2))
 
