@@ -1,4 +1,4 @@
-"""Cross-springs whose blades stand side by side: the body tilts, against frames in space."""
+"""Pivots whose blades stand side by side: the body tilts, against frames in space."""
 
 import numpy as np
 import pytest
@@ -27,6 +27,11 @@ def spec(h, b, delta, degrees, case, requirements, **geometry):
 
 def frame(h, b, delta, degrees, apart):
     """Return the pivot as two beams whose middle planes are apart, and each beam's own rows."""
+    return star_frame(h, b, delta, (degrees, -degrees), (-apart / 2.0, apart / 2.0))
+
+
+def star_frame(h, b, delta, directions, heights):
+    """Return a pivot as beams in directions from x, at heights, and each beam's own rows."""
     J = b * h**3 / 3.0 * (1.0 - 0.63 * h / b)
     matrix = beam_matrix(
         L, E * b * h, G * J, E * h * b**3 / 12.0, E * b * h**3 / 12.0,
@@ -34,11 +39,11 @@ def frame(h, b, delta, degrees, apart):
         12.0 * E / (L**2 * 5.0 / 6.0 * G) * b**2 / 12.0,
     )  # fmt: skip
     beams, rows = [], []
-    for side in (1.0, -1.0):
-        angle = side * np.radians(degrees)
+    for degrees, height in zip(directions, heights, strict=True):
+        angle = np.radians(degrees)
         along = np.array([np.cos(angle), np.sin(angle), 0.0])
         axes = np.array([along, [-along[1], along[0], 0.0], [0.0, 0.0, 1.0]])
-        up = np.array([0.0, 0.0, -side * apart / 2.0])
+        up = np.array([0.0, 0.0, height])
         ends = delta * L * along + up, (delta + 1.0) * L * along + up
         beams.append(Beam(None, 0, *ends, axes, matrix))
         x, y, z = ends[1]
@@ -126,6 +131,34 @@ def test_a_force_in_the_plane_tilts_the_body_and_its_stress_counts_so(axis, colu
         spec(h, b, delta, degrees, case, {"yield": {"factor": 1.2 * factor}}), model="closed-form"
     ).checks
     assert check.verdict != "pass"
+
+
+@pytest.mark.parametrize(("delta", "rises"), [(-0.4, True), (0.1, False), (-1.2, False)])
+def test_blades_of_a_star_that_cross_pass_side_by_side_and_tilt_its_body(delta, rises):
+    h, b, directions = 0.5e-3, 5e-3, (0.0, 100.0, 220.0)
+    heights = [rises * each for each in (-b, 0.0, b)]
+    whole, rows = star_frame(h, b, delta, directions, heights)
+    force = np.array([0.0, 20.0, 0.0, 0.0, 0.0, 0.0])
+    moved = np.linalg.solve(whole.K, force)
+    words = yaml.safe_load(spec(h, b, delta, 0.0, {"wrench": {"y": "20 N"}}, {}))
+    del words["geometry"]["half_angle"]
+    words["geometry"] |= {"kind": "star", "angles": [f"{each} deg" for each in directions]}
+    words["requirements"] = {
+        "yield": {"factor": 1.0}, "deflection": [{"direction": "y", "max": "1 m"}],
+    }  # fmt: skip
+    stress, deflection = flexcli.verdicts(yaml.safe_dump(words), model="exact").checks
+    true = float(largest(rows, moved, h, b))
+    low, high = stress.factor_range
+    assert low <= 800e6 / true <= high
+    assert deflection.demand == pytest.approx(moved[1], rel=0.02)
+    notes = flexcli.check(yaml.safe_dump(words)).warnings
+    assert "blades-meet" not in {note.code for note in notes}
+    words["geometry"]["tilt"] = "held"
+    upright, _ = flexcli.verdicts(yaml.safe_dump(words), model="exact").checks
+    if rises:
+        assert upright.factor_range[0] > 800e6 / true
+    else:
+        assert upright.factor == pytest.approx(stress.factor, rel=1e-9)
 
 
 def test_a_stroke_of_blades_that_cross_in_the_middle_tilts_nothing():

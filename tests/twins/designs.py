@@ -167,7 +167,9 @@ class _Draw:
     def _words(self, g):
         if self.kind == "layout":
             return self._drawn_layout(g)
-        words = {"kind": self.kind} | ({"tilt": "held"} if self.kind == "cross-spring" else {})
+        words = {"kind": self.kind} | (
+            {"tilt": "held"} if self.kind in ("cross-spring", "star") else {}
+        )
         for name, value in g.items():
             if name == "half_angle":
                 words[name] = f"{degrees(value)!r} deg"

@@ -12,7 +12,7 @@ from flexcli.numerics.rows import number, tan
 from flexcli.parts.base import Length, QuantityOf, spec_error
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
-from flexcli.parts.geometries.pivots import BladePivot, PairFormulas
+from flexcli.parts.geometries.pivots import PairFormulas, SideBySide
 from flexcli.results import QuantityKind, Value
 
 __all__ = ["CrossSpringPivot"]
@@ -24,7 +24,7 @@ LEADING = "|9δ² + 9δ + 1| tan² α/θ"
 """The shift's leading term over some ten times the next one, near Wittrick's crossing."""
 
 
-class CrossSpringPivot(PairFormulas, BladePivot):
+class CrossSpringPivot(PairFormulas, SideBySide):
     """Cross-spring pivot of separate blades: the centre is placed by p or by delta = p/l."""
 
     also: ClassVar[tuple[str, ...]] = ("generalized-cross-spring", "generalised-cross-spring")
@@ -62,12 +62,6 @@ class CrossSpringPivot(PairFormulas, BladePivot):
     e.g. ``pairs: 2, delta: -0.5``.
     """
 
-    tilt: Literal["free", "held"] = "free"
-    """Whether nothing but its blades, which pass side by side and pull at different heights, keeps
-    the body from tilting, or something holds it upright, such as a second pivot on its axis,
-    e.g. ``held``.
-    """
-
     @model_validator(mode="after")
     def _one_crossing(self) -> "CrossSpringPivot":
         if (self.p is None) == (self.delta is None):
@@ -80,11 +74,6 @@ class CrossSpringPivot(PairFormulas, BladePivot):
     def blade_angles(self) -> tuple[float, ...]:
         """Return the directions from the bisector [rad]."""
         return super().blade_angles * self.pairs
-
-    def heights(self, sizes: Blade) -> tuple[float, ...]:
-        """Return heights of blades that touch each other's planes, in the order of the pairs."""
-        middle = (self.blade_count - 1) / 2.0
-        return tuple((index - middle) * sizes.b for index in range(self.blade_count))
 
     def may_tilt(self, *, loaded: bool) -> bool:
         """Return that its blades pass beside each other, where nothing holds the body upright.

@@ -4,7 +4,7 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from itertools import combinations
 from math import pi
-from typing import TYPE_CHECKING, Annotated, ClassVar
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 import numpy as np
 
@@ -33,6 +33,7 @@ __all__ = [
     "CentredBlades",
     "PairFormulas",
     "PivotFormulas",
+    "SideBySide",
     "largest_share",
     "on_ray",
 ]
@@ -97,6 +98,21 @@ class BladePivot(CentredBlades):
             apart = abs(sin((self.blade_angles[i] - self.blade_angles[j]) / 2.0))
             found.append((f"blades {i + 1} and {j + 1}", nearest * (2.0 * apart) - sizes.h))
         return tuple(found)
+
+
+class SideBySide(BladePivot):
+    """The drawing of a pivot whose blades pass beside each other along its axis."""
+
+    tilt: Literal["free", "held"] = "free"
+    """Whether nothing but its blades, which pass side by side and pull at different heights, keeps
+    the body from tilting, or something holds it upright, such as a second pivot on its axis,
+    e.g. ``held``.
+    """
+
+    def heights(self, sizes: Blade) -> tuple[float, ...]:
+        """Return heights of blades that touch each other's planes, in the order they are given."""
+        middle = (self.blade_count - 1) / 2.0
+        return tuple((index - middle) * sizes.b for index in range(self.blade_count))
 
 
 def _nearest(p: Computed, l: Computed) -> Computed | None:

@@ -7,12 +7,13 @@ from pydantic import Field, model_validator
 from flexcli.formulas import pivot
 from flexcli.formulas.quantity import Computed
 from flexcli.numerics.rows import number
+from flexcli.numerics.signomial import Signomial
 from flexcli.parts.base import Angle, Length, QuantityOf, spec_error
 from flexcli.parts.bending import Bending
 from flexcli.parts.bending.star import Star
 from flexcli.parts.elastic import Elastic
 from flexcli.parts.geometries.base import Blade
-from flexcli.parts.geometries.pivots import BladePivot, PivotFormulas
+from flexcli.parts.geometries.pivots import PivotFormulas, SideBySide
 
 __all__ = ["StarFormulas", "StarPivot"]
 
@@ -27,8 +28,11 @@ class StarFormulas(PivotFormulas):
         return Star(h=h, l=l, p=p, theta=travel, angles=self.blade_angles)
 
 
-class StarPivot(StarFormulas, BladePivot):
-    """n blades at given angles from the x axis; p or delta places the centre for all of them."""
+class StarPivot(StarFormulas, SideBySide):
+    """n blades at given angles from the x axis; p or delta places the centre for all of them.
+
+    Where they cross in it, they pass side by side along the axis, in the order of their angles.
+    """
 
     source: ClassVar[str] = "Henein & Thalmann, Dimensioning of flexure joints; exercise 12 B"
 
@@ -71,3 +75,21 @@ class StarPivot(StarFormulas, BladePivot):
     def offset(self, sizes: Blade) -> Computed:
         """Return p [m], as given or as delta times the length."""
         return self.p if self.p is not None else self.delta * sizes.l
+
+    def heights(self, sizes: Blade) -> tuple[float, ...]:
+        """Return heights of blades side by side where they cross, all in one plane otherwise."""
+        p, l = self.offset(sizes), sizes.l
+        # of a length that is still to be found blades with an end before the centre cross
+        crossed = self._crosses and (isinstance(l, Signomial) or p + l > 0.0)
+        return super().heights(sizes) if crossed else (0.0,) * self.blade_count
+
+    def may_tilt(self, *, loaded: bool) -> bool:
+        """Return that blades which cross pass beside each other, where nothing holds the body."""
+        return self.tilt == "free" and self._crosses
+
+    @property
+    def _crosses(self) -> bool:
+        """Return whether blades that are long enough cross in the centre."""
+        if self.delta is not None:
+            return -1.0 < self.delta < 0.0
+        return self.p is not None and self.p < 0.0
