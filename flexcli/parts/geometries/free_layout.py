@@ -20,6 +20,7 @@ from flexcli.parts.geometries.base import GROUND, MOVING, Critical, Extent, Size
 from flexcli.parts.geometries.base import Blade as WideBlade
 from flexcli.parts.geometries.blade_profile import ConstantProfile
 from flexcli.parts.geometries.blades import ClampedBlades
+from flexcli.parts.geometries.layout_clearances import rooms
 from flexcli.parts.geometries.layout_faults import Drawing, faults
 from flexcli.parts.geometries.layout_parts import (
     DrawnBlade,
@@ -252,6 +253,14 @@ class FreeLayout(Drawn, ClampedBlades):
             (name, float(blade.thickness.thinnest(self.size_of(name, sizes))), float(blade.b))
             for name, blade in self.blades.items()
         )
+
+    def clearances(self, sizes: Sizes) -> tuple[tuple[str, Computed], ...]:
+        """Return the room between blades at one height, where they are thinnest [m]."""
+        thinnest = {
+            name: blade.thickness.thinnest(self.size_of(name, sizes))
+            for name, blade in self.blades.items()
+        }
+        return tuple(rooms(self.blades, thinnest))
 
     def radii(self, sizes: Sizes) -> dict[str, Computed]:
         """Return the radii of shaped blades, and of others where they are cut from one piece."""
