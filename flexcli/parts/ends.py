@@ -1,13 +1,16 @@
 """End conditions of a case: of the body that the joint moves, and of its blades' ends."""
 
-from typing import Literal, NamedTuple
+from typing import Final, Literal, NamedTuple
 
-__all__ = ["ENDS", "EndCondition", "Hold"]
+__all__ = ["ENDS", "FREE", "EndCondition", "Hold"]
 
 EndCondition = Literal[
     "clamped-clamped", "clamped-pinned", "clamped-guided", "pinned-pinned", "clamped-free"
 ]
 """What holds the two ends of a blade, and so which buckling load is meant."""
+
+FREE: Final = "clamped-free"
+"""The ends of a body that nothing but its blades holds."""
 
 
 class Hold(NamedTuple):
@@ -38,7 +41,7 @@ ENDS: dict[str, Hold] = {
     "clamped-clamped": Hold(across=True, turn=True),
     "clamped-guided": Hold(across=False, turn=True),
     "clamped-pinned": Hold(across=True, turn=False),
-    "clamped-free": Hold(across=False, turn=False),
+    FREE: Hold(across=False, turn=False),
     "pinned-pinned": Hold(across=True, turn=True, hinged=True),
 }
 """The names of a column's ends, for the joint: its base is fixed, its body held as they say.

@@ -6,7 +6,7 @@ from itertools import product
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from flexcli.numerics.rows import atan2, cos, hypot, sin
-from flexcli.parts.ends import ENDS
+from flexcli.parts.ends import ENDS, FREE
 from flexcli.results import Value
 
 if TYPE_CHECKING:
@@ -157,9 +157,9 @@ class Scene(NamedTuple):
 
     @property
     def leaves_plane(self) -> bool:
-        """Return whether a force in the plane of a drawn joint may buckle it out of the plane."""
-        alone = self.wrench is None and not self.inertial and not self.across_by
-        return self.is_drawn and alone and self.ends == "clamped-free" and self.blade_force > 0.0
+        """Return whether a force in the plane may buckle a drawn or tilting joint out of it."""
+        free = (self.is_drawn or self.tilts) and self.ends == FREE
+        return free and not self.across_by and self.blade_force > 0.0
 
     @property
     def moves(self) -> bool:

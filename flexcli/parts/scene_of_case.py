@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from flexcli.numerics.rows import atan2, copysign, cos, hypot, sin
 from flexcli.parts.case import Case
 from flexcli.parts.elastic import ANY
+from flexcli.parts.ends import FREE
 from flexcli.parts.geometries import Geometry, NotAvailable
 from flexcli.parts.geometries.base import GROUND, MOVING
 from flexcli.parts.inertial_loads import (
@@ -65,7 +66,7 @@ def scene_of(name: str, case: Case, mechanism: Mechanism | None, geometry: Geome
         values |= force_values(force, found, stated)
     across_by = _across_by(case, geometry, lasting, found)
     alone = mechanism is None or mechanism.joints == 1
-    is_held = ends is not None or case.lock is not None or not alone or found.on_bodies
+    is_held = ends not in (None, FREE) or case.lock is not None or not alone or found.on_bodies
     return Scene(
         case=name,
         travel=travel,

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import yaml
 from space_frame import Beam, Frame, beam_matrix
+from twins.drawn_in_space import in_space
 
 import flexcli
 
@@ -131,6 +132,29 @@ def test_a_force_in_the_plane_tilts_the_body_and_its_stress_counts_so(axis, colu
         spec(h, b, delta, degrees, case, {"yield": {"factor": 1.2 * factor}}), model="closed-form"
     ).checks
     assert check.verdict != "pass"
+
+
+@pytest.mark.parametrize("ends", ["clamped-free", "clamped-guided"])
+@pytest.mark.parametrize("load", [{"load": {"force": "400 N", "direction": "180 deg"}},
+                                  {"wrench": {"x": "-400 N"}}])  # fmt: skip
+def test_blades_side_by_side_buckle_as_they_tilt_a_body_with_free_ends(ends, load):
+    h, b, delta, degrees = 0.3e-3, L, -0.1, 30.0
+    asked = {"buckling": {"factor": 0.1}}
+    case = {**load, "ends": ends}
+    free, held = (
+        min(flexcli.verdicts(spec(h, b, delta, degrees, case, asked, tilt=tilt), model="exact")
+            .checks, key=lambda check: check.factor)
+        for tilt in ("free", "held")
+    )  # fmt: skip
+    if ends != "clamped-free":
+        assert free.factor == pytest.approx(held.factor, rel=1e-9)
+        return
+    pushed = {"wrench": {"x": "-400 N"}}
+    words = yaml.safe_load(spec(h, b, delta, degrees, pushed, {"yield": {"factor": 1.0}}))
+    drawn = in_space(words, flexcli.load(yaml.safe_dump(words))) | {"requirements": asked}
+    (true,) = flexcli.verdicts(yaml.safe_dump(drawn), model="exact").checks
+    assert free.factor == pytest.approx(true.factor, rel=1e-6)
+    assert free.factor < 0.7 * held.factor
 
 
 @pytest.mark.parametrize(("delta", "rises"), [(-0.4, True), (0.1, False), (-1.2, False)])

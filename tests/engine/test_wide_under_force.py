@@ -24,15 +24,26 @@ STAR = {
         "b": "3.4 mm",
         "angles": ["0 deg", "20 deg", "80 deg", "200 deg"],
         "p": "-15.2 mm",
+        "tilt": "held",
     },
     "cases": {"work": {"stroke": {"rotation": "0.025 rad"}}},
     "requirements": {"yield": 1.0},
 }
-"""Thin blades about a centre near their inner ends: N l²/EI is some fifty."""
+"""Thin blades about a centre near their ends, kept in one plane: N l²/EI is some fifty."""
 
 
 def judged(spec, model="exact"):
     return flexcli.verdicts(yaml.safe_dump(spec), model=model).checks[0]
+
+
+def in_one_plane(spec):
+    """Return the spec drawn in space, with its blades at one height."""
+    free = {**spec, "geometry": {k: v for k, v in spec["geometry"].items() if k != "tilt"}}
+    drawn = in_space(free, flexcli.load(yaml.safe_dump(free)))
+    for blade in drawn["geometry"]["blades"].values():
+        for end in ("from", "to"):
+            blade[end] = [*blade[end][:2], "0 mm"]
+    return drawn
 
 
 @pytest.fixture
@@ -59,7 +70,7 @@ def mean_stresses(monkeypatch):
 def test_the_stress_of_pulled_blades_is_that_of_shells(mean_stresses):
     """As wide ones their blades bend within l/7 of the clamps: plates are far flatter there."""
     check = judged(STAR)
-    judged(in_space(STAR, flexcli.load(yaml.safe_dump(STAR))), "shell")
+    judged(in_one_plane(STAR), "shell")
     low, high = check.factor_range
     assert low <= 100e6 / max(mean_stresses) <= high
     assert high / low <= 1.15
@@ -78,7 +89,7 @@ def test_what_drives_pulled_blades_is_that_of_shells(width):
         },
         "requirements": {"drive": 1e-3},
     }
-    drawn = in_space(driven, flexcli.load(yaml.safe_dump(driven)))
+    drawn = in_one_plane(driven)
     (low, high), shells = judged(driven).factor_range, judged(drawn, "shell")
     assert low <= shells.factor <= high
     assert high / low <= 1.15

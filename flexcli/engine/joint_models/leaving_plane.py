@@ -1,12 +1,13 @@
-"""Buckling out of its plane of a joint that is drawn there, under a force in it.
+"""Buckling out of its plane of a joint that is drawn there, or tilts, under a force in it.
 
 Blades hardly wider than thick bend aside with the bodies between them before they buckle in their
-plane. Joints with formulas have one blade's load across its width; of others the whole is looked
-at in space, as nothing but blades holds a body with free ends there.
+plane, and blades side by side pull at different heights. Other joints have one blade's load across
+its width; of these the whole is looked at in space, as nothing but blades holds a body with free
+ends there.
 """
 
 from collections.abc import Iterator
-from math import inf
+from math import cos, inf, sin
 
 from flexcli.engine.joint_models.space_exact import SpaceExactModel, loads_of
 from flexcli.errors import SolveError
@@ -16,7 +17,7 @@ from flexcli.numerics.rows import one_alone
 from flexcli.parts.elastic import NotAvailable
 from flexcli.parts.geometries.base import Critical
 from flexcli.parts.requirements import Ask
-from flexcli.parts.scene import Scene
+from flexcli.parts.scene import Push, Scene
 from flexcli.parts.space_joint import joint_of
 from flexcli.parts.space_states import acting_groups
 from flexcli.results import ErrorRange
@@ -40,17 +41,17 @@ FAR = 1e6
 
 
 def leaving_plane(ask: Ask, *, space: SpaceExactModel | None) -> Iterator[Critical]:
-    """Yield the force at which a joint drawn in its plane buckles in space, in each of its senses.
+    """Yield the force at which such a joint buckles in space, in each of the senses it may have.
 
     Without a model in space that of blades which stay straight, at rest, as the lower end of a
-    range; at a stroke nobody then knows.
+    range; at a stroke, or of a body that tilts from the first on, nobody then knows.
     """
     scene = ask.scene
     if not scene.leaves_plane:
         return
     one_alone()
-    for sense in (1.0,) if scene.directed else (1.0, -1.0):
-        pushed = ask._replace(scene=_pushed(scene, sense))
+    for push in scene.pushes():
+        pushed = ask._replace(scene=_pushed(scene, push))
         if space is None:
             yield from _straight(pushed)
             continue
@@ -61,9 +62,11 @@ def leaving_plane(ask: Ask, *, space: SpaceExactModel | None) -> Iterator[Critic
             yield Critical(WAY, share * scene.force, IN_SPACE, error=error)
 
 
-def _pushed(scene: Scene, sense: float) -> Scene:
-    x, y, *_ = scene.stated
-    return scene._replace(stated=(sense * x, sense * y, *scene.stated[2:]), ends=None)
+def _pushed(scene: Scene, push: Push) -> Scene:
+    """Return a case with one resultant of its forces alone, its body free."""
+    x, y = push.force * cos(push.direction), push.force * sin(push.direction)
+    stated = (x, y, 0.0, 0.0, 0.0, 0.0)
+    return scene._replace(stated=stated, inertial=(), accelerations=(), ends=None)
 
 
 def _straight(ask: Ask) -> Iterator[Critical]:
@@ -77,5 +80,5 @@ def _straight(ask: Ask) -> Iterator[Critical]:
     except SolveError as error:
         raise NotAvailable(f"has no buckling load in space: {error}") from error
     if factor < inf:
-        known = None if ask.scene.moves else ErrorRange(-BOWED, inf)
+        known = None if ask.scene.moves or ask.scene.tilts else ErrorRange(-BOWED, inf)
         yield Critical(WAY, factor * ask.scene.force, STRAIGHT, error=known)
