@@ -154,7 +154,7 @@ def _across_by(
 
 def _may_tilt(case: Case, geometry: Geometry, wrenches: tuple[Wrench, ...]) -> bool:
     """Return whether what acts in the plane of a joint may tilt its body out of it."""
-    loaded = any(map(any, wrenches)) or bool(case.shaken_axes)
+    loaded = any(map(any, wrenches)) or bool(case.shaken_axes) or case.temperature is not None
     return geometry.may_tilt(loaded=loaded) and not geometry.is_guided
 
 

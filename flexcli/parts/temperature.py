@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
-from math import copysign, cos, hypot, sin
+from math import copysign, cos, hypot, inf, sin
 from typing import Annotated, NamedTuple, TypeVar
 
 import numpy as np
@@ -27,6 +27,7 @@ __all__ = [
     "held_lengths",
     "held_share",
     "held_stress",
+    "sheared_across",
 ]
 
 Floats = NDArray[np.float64]
@@ -134,6 +135,25 @@ def held_bending(layout: Layout, nu: float) -> float:
         slender = float(column(blade.b)[0]) / _thickest(blade, l)
         doubt = max(doubt, min(1.0, HELD_ERROR * held * slender**2))
     return doubt * nu**2 / (1.0 - nu**2)
+
+
+def sheared_across(layout: Layout) -> float:
+    """Return the largest strain by which bodies that grow along the axis bend blades aside [-].
+
+    Of an upright body whose blades stand at several heights z: ``3 b w/l²``, as both ends of a
+    blade are kept from turning and w apart. Where its thickness varies nobody knows: infinite.
+    """
+    heights = [float(column(blade.z)[0]) for blade in layout.blades]
+    middle, found = (max(heights) + min(heights)) / 2.0, 0.0
+    for blade, height in zip(layout.blades, heights, strict=True):
+        first, second = (
+            float(column(layout.body_growth[body])[0]) for body in (blade.first, blade.second)
+        )
+        w = abs((height - middle) * (first - second))
+        l = hypot(*(float(e - s) for s, e in zip(blade.start, blade.end, strict=True)))
+        strain = 3.0 * float(column(blade.b)[0]) * w / l**2
+        found = max(found, strain if isinstance(blade.profile, Constant) or not w else inf)
+    return found
 
 
 def _thickest(blade: Blade, l: float) -> float:

@@ -31,14 +31,19 @@ def frame(h, b, delta, degrees, apart):
     return star_frame(h, b, delta, (degrees, -degrees), (-apart / 2.0, apart / 2.0))
 
 
-def star_frame(h, b, delta, directions, heights):
-    """Return a pivot as beams in directions from x, at heights, and each beam's own rows."""
+def blade_matrix(h, b):
+    """Return the stiffness of a blade by the motions of its ends, along its axes."""
     J = b * h**3 / 3.0 * (1.0 - 0.63 * h / b)
-    matrix = beam_matrix(
+    return beam_matrix(
         L, E * b * h, G * J, E * h * b**3 / 12.0, E * b * h**3 / 12.0,
         12.0 * E / (L**2 * 5.0 / 6.0 * G) * h**2 / 12.0,
         12.0 * E / (L**2 * 5.0 / 6.0 * G) * b**2 / 12.0,
     )  # fmt: skip
+
+
+def star_frame(h, b, delta, directions, heights):
+    """Return a pivot as beams in directions from x, at heights, and each beam's own rows."""
+    matrix = blade_matrix(h, b)
     beams, rows = [], []
     for degrees, height in zip(directions, heights, strict=True):
         angle = np.radians(degrees)
@@ -183,6 +188,39 @@ def test_blades_of_a_star_that_cross_pass_side_by_side_and_tilt_its_body(delta, 
         assert upright.factor_range[0] > 800e6 / true
     else:
         assert upright.factor == pytest.approx(stress.factor, rel=1e-9)
+
+
+@pytest.mark.parametrize(("delta", "directions"), [(-0.5, (45.0, -45.0, 45.0, -45.0)),
+                                                   (-0.4, (0.0, 100.0, 220.0))])  # fmt: skip
+def test_bodies_that_do_not_fit_tilt_and_their_stress_counts_so(delta, directions):
+    """The body grows about its point: each blade's end goes out along it, and all are pulled."""
+    h, b, warm = 0.5e-3, 5e-3, 2.0 * 12e-6
+    heights = [(k - (len(directions) - 1) / 2.0) * b for k in range(len(directions))]
+    whole, rows = star_frame(h, b, delta, directions, heights)
+    matrix = blade_matrix(h, b)
+    outward = [warm * np.array([(1.0 + delta) * L, 0.0, z, 0.0, 0.0, 0.0]) for z in heights]
+    # what holds the body where it is, by the virtual work of the blades' ends
+    pull = sum(row[6:].T @ out for row, out in zip(rows, outward, strict=True))
+    motion, found = np.linalg.solve(whole.K, -pull), 0.0
+    for row, out in zip(rows, outward, strict=True):
+        forces = row @ motion + matrix[:, 6:] @ out
+        found = max(found, float(largest([np.eye(12)], forces, h, b)))
+    case = {"temperature": {"bodies": {"moving": "2 K"}}}
+    words = yaml.safe_load(spec(h, b, delta, 45.0, case, {"yield": {"factor": 1.0}}))
+    words["material"]["thermal_expansion"] = "12e-6 1/K"
+    if len(directions) == 4:
+        words["geometry"]["pairs"] = 2
+    else:
+        del words["geometry"]["half_angle"]
+        words["geometry"] |= {"kind": "star", "angles": [f"{each} deg" for each in directions]}
+    checks = flexcli.verdicts(yaml.safe_dump(words)).checks
+    low, high = next(c.factor_range for c in checks if c.name == "yield (yield-strength)")
+    assert 0.99 * low <= 800e6 / found <= 1.01 * high
+    # kept upright it is sheared by as much, and by more in its plane
+    words["geometry"]["tilt"] = "held"
+    checks = flexcli.verdicts(yaml.safe_dump(words)).checks
+    held = next(c.factor_range for c in checks if c.name == "yield (yield-strength)")
+    assert held[0] <= 1.01 * high
 
 
 def test_a_stroke_of_blades_that_cross_in_the_middle_tilts_nothing():

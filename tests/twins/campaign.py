@@ -100,7 +100,26 @@ class Writer:
             geometry["limb"] = limb(geometry, self.log(1e3, 1e4))
         if self.kind in (*NOTCHES, *LIMBS) and rng.random() < 0.5:
             geometry["blocks"] = self.one("massive", m(mouth(geometry) * self.log(0.3, 3.0)))
+        self.warmed_and_driven(spec, requirements)
         return Scene(self.kind, spec, requirements)
+
+    def warmed_and_driven(self, spec, requirements):
+        """Change the temperature of the first case, and ask what drives it: some specs, last."""
+        rng, case, kind = self.rng, spec["cases"]["work"], self.kind
+        alone = spec.get("mechanism", {}).get("kind") != "parallel-stage"
+        if rng.random() < 0.1 and alone and kind not in (*BARS, "linkage"):
+            change = self.log(0.1, 200.0) * self.one(-1, 1)
+            warm = {"uniform": f"{change!r} K"} if rng.random() < 0.5 else {}
+            if not warm or rng.random() < 0.5:
+                moving = spec["geometry"].get("moving", "moving")
+                warm["bodies"] = {self.one("ground", moving): f"{0.7 * change!r} K"}
+            case["temperature"] = warm
+            spec["material"]["thermal_expansion"] = f"{self.log(1e-6, 25e-6)!r} 1/K"
+        if rng.random() < 0.15 and "stroke" in case and "temperature" not in case:
+            arm = {"arm": "10 mm"} if "rotation" in case["stroke"] else {}
+            drives = {"blocking_force": "1e6 N", "free_stroke": "10 m", "drives": "both-ways"}
+            spec["actuator"] = drives | arm
+            requirements["drive"] = {"factor": EASY}
 
     def material(self):
         rng = self.rng

@@ -13,13 +13,13 @@ from twins.campaign import scene
 
 JOINTS = ("rcc", "cross-spring", "star", "three-blade", "cantilever", "leaf-spring-stage",
           "layout", "layout-pivot")  # fmt: skip
-PLAIN = {"stroke", "wrench", "acceleration", "asd", "shock"}
+PLAIN = {"stroke", "wrench", "acceleration", "asd", "shock", "temperature"}
 """What of a case has the same words in space."""
 
 SHAKES = {"asd", "shock"}
 SHAKEN = ("stiffness", "frequency", "dynamic-yield", "support")
 SAME = ("yield", "fatigue", "stiffness", "deflection", "frequency", "dynamic-yield", "support",
-        "parasitic_shift")  # fmt: skip
+        "parasitic_shift", "drive")  # fmt: skip
 """Requirements of the same words, in cases that shake the base and in others: the yield of a
 drawing in space has nothing of what shakes it. Its shift is all of its motion aside, out of the
 plane too, where that of a joint of the plane is in the plane: of one that tilts they differ."""
@@ -79,11 +79,20 @@ def in_space(spec, loaded):
     for name, case in spec["cases"].items():
         if not set(case) <= PLAIN:
             return None
-        cases[name] = case
+        cases[name] = {**case, **_warmed(case, drive.body)}
     drawing = {"kind": "space-layout", "bodies": bodies, "blades": blades,
                "moving": drive.body, "motion": motion}  # fmt: skip
     kept = {key: words for key, words in spec.items() if key not in ("mechanism", "geometry")}
     return {**kept, "geometry": drawing, "cases": cases}
+
+
+def _warmed(case, moving):
+    """Return the temperature of a case with its bodies' names in space, if it has one."""
+    warm = case.get("temperature", {})
+    if "bodies" not in warm:
+        return {}
+    bodies = {"ground" if key == "ground" else moving: more for key, more in warm["bodies"].items()}
+    return {"temperature": {**warm, "bodies": bodies}}
 
 
 def as_wrenches(spec):

@@ -41,7 +41,7 @@ from flexcli.parts.mechanisms import MechanismError
 from flexcli.parts.own_motion import hanging_mass
 from flexcli.parts.requirements import Ask, CriticalShare, DriveEffort, EndStress, JointModel
 from flexcli.parts.requirements.closed_form import across_width
-from flexcli.parts.temperature import held_bending, held_lengths
+from flexcli.parts.temperature import held_bending, held_lengths, sheared_across
 from flexcli.results import EXACT, ErrorRange, QuantityKind
 
 if TYPE_CHECKING:
@@ -299,8 +299,9 @@ class ExactModel(JointModel):
         """Return them; the error is by how much they change from one level to the next.
 
         What lies between the places at which the stress is sampled counts besides, and what a
-        temperature that rises through the thickness of blades may add or relieve; and what blades
-        that bend under their own weight do when they are bent and pulled already.
+        temperature may add or relieve that rises through the thickness of blades, or makes bodies
+        grow along the axis between blades at different heights; and what blades that bend under
+        their own weight do when they are bent and pulled already.
         """
         state, scene = self.states(ask), ask.scene
         before, temperature, axes = state.coarser, scene.temperature, ask.geometry.axes
@@ -327,6 +328,8 @@ class ExactModel(JointModel):
         if temperature is not None and temperature.rises:
             strain = temperature.across_thickness(state.layout, ask.material, axes)
             change += ask.material.elastic.E * strain
+        if temperature is not None:
+            change += ask.material.elastic.E * sheared_across(state.layout)
         change += off
         if before is None or (most == 0.0 and change > 0.0):
             return found, inf

@@ -52,6 +52,13 @@ SWINGING = 0.06
 OF_TILT = 0.2
 """Error of what a tilt changes of a stiffness: exact beams in space differ by 0.04 of it."""
 
+OF_STRAIN = {
+    QuantityKind.STRESS: QuantityKind.STRESS,
+    QuantityKind.STIFFNESS: QuantityKind.STIFFNESS,
+    QuantityKind.FREQUENCY: QuantityKind.STIFFNESS,
+}
+"""What is told in space of a joint that a temperature tilts, and the kind of number it is there."""
+
 FINEST = ("exact", "shell")
 """Models beside which exact beams in space are no more than what was asked for."""
 
@@ -94,6 +101,9 @@ class OutOfPlane(JointModel):
 
     def stiffness(self, ask: Ask) -> Computed:
         """Return the planar model's, the body free to tilt."""
+        strained = self._strained(ask)
+        if strained is not None:
+            return strained.stiffness(ask)
         tilt = self._tilt(ask)
         return self.inner.stiffness(ask) * (1.0 if tilt is None else tilt.stiffness)
 
@@ -103,6 +113,9 @@ class OutOfPlane(JointModel):
         A body that tilts is softer at rest; at a stroke it is pushed back by no less than that, nor
         by more than an upright one.
         """
+        strained = self._strained(ask)
+        if strained is not None:
+            return strained.effort(ask)
         if not ask.scene.across_by:
             tilt = self._tilt(ask)
             if tilt is None or tilt.stiffness == 1.0:
@@ -153,8 +166,8 @@ class OutOfPlane(JointModel):
         return *self.inner.critical(ask), *leaving_plane(ask, space=space)
 
     def critical_shares(self, ask: Ask) -> tuple[CriticalShare, ...]:
-        """Return those of all loads in space; without any across, the planar model's."""
-        if not ask.scene.across_by:
+        """Return those of all loads in space; of a joint that stays in its plane the planar's."""
+        if not ask.scene.across_by and self._strained(ask) is None:
             return self.inner.critical_shares(ask)
         if self._space is None:
             raise NotAvailable("has no buckling under loads out of its plane")
@@ -204,6 +217,9 @@ class OutOfPlane(JointModel):
         self, ask: Ask, kind: QuantityKind, planar: ErrorRange | None
     ) -> ErrorRange | None:
         """Return the error of a number of the plane with what a tilt of the body may change."""
+        strained = self._strained(ask)
+        if strained is not None and kind in OF_STRAIN:
+            return self._of_strained(ask, kind, strained)
         tilt = self._tilt(ask)
         if tilt is None or planar is None:
             return planar
@@ -219,6 +235,25 @@ class OutOfPlane(JointModel):
         if kind is QuantityKind.FREQUENCY:
             return self._with_rocking(ask, planar)
         return planar
+
+    def _of_strained(
+        self, ask: Ask, kind: QuantityKind, space: SpaceLinearModel
+    ) -> ErrorRange | None:
+        """Return the error of a number that exact beams tell of a joint which a temperature tilts.
+
+        A frequency is that of their stiffness, and of masses as in the plane.
+        """
+        try:
+            known = space.error(ask, OF_STRAIN[kind])
+        except NotAvailable:
+            return None
+        if known is None or kind is not QuantityKind.FREQUENCY:
+            return known
+        planar = self.inner.error(ask._replace(scene=ask.scene.at_assembly()), kind)
+        if planar is None:
+            return None
+        low, high = (max(1.0 + end, 0.0) ** 0.5 - 1.0 for end in known)
+        return self._with_rocking(ask, planar + ErrorRange(low, high))
 
     def _with_rocking(self, ask: Ask, planar: ErrorRange) -> ErrorRange | None:
         """Return the error of a frequency, down to that of a mode in which the body rocks as well.
@@ -246,11 +281,22 @@ class OutOfPlane(JointModel):
         find = partial(design_by_design, tilt_of, *asked, name="tilt", about=ask.scene)
         return self._tilts.of("tilt", ask, find)
 
+    def _strained(self, ask: Ask) -> SpaceLinearModel | None:
+        """Return exact beams in space where what a temperature strains tilts the body.
+
+        Bodies and blades that do not fit pull at different heights; kept upright they would be
+        strained by more.
+        """
+        warm = ask.scene.tilts and ask.scene.temperature is not None
+        return self._space if warm and self._is_finest else None
+
     def _tilted_beams(self, ask: Ask) -> SpaceLinearModel | None:
         """Return exact beams in space, where they know the stress of a joint that tilts."""
         space, tilt = self._space, self._tilt(ask)
         if space is None or not self._is_finest or tilt is None:
             return None
+        if self._strained(ask) is not None:
+            return space
         if self._share_of_tilt(ask, tilt) <= NARROW:
             return None
         find = partial(self._is_told_tilted, ask, space)
