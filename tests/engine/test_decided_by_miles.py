@@ -87,5 +87,6 @@ def test_the_response_of_the_modes_lies_in_his_range(seed):
     if quick.model == "Miles":
         assert quick.factor_range[0] <= modes.factor_range[0] * (1.0 + 1e-3)
         assert quick.factor_range[1] >= modes.factor_range[1] * (1.0 - 1e-3)
+        assert quick.factor_range[0] <= quick.factor <= quick.factor_range[1]
     else:
         assert quick.demand == pytest.approx(modes.demand, rel=0.02)

@@ -129,7 +129,8 @@ class Dynamic(FactorRequirement):
             outputs = miles_outputs(found.structure, vibration, found.stiffer)
             sigma = vibration.sigma
             ranges = {
-                name: (sigma * one.rms, between(one.rms, [one.least, one.most]))
+                # a peak that is told lies in its own range
+                name: (sigma * one.rms, between(one.rms, [one.rms, one.least, one.most]))
                 for name, one in outputs.items()
             }
             rest = _rest(ask, found, ranges, lambda _structure: {}, prefix, bearable)
