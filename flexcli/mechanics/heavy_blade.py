@@ -5,7 +5,7 @@ the inside adds its lowest modes between fixed ends. Along the blade's own axes 
 (u along, w across, φ anticlockwise).
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -22,14 +22,17 @@ __all__ = ["HeavyBlade", "heavy_blade"]
 Floats = NDArray[np.float64]
 
 ELEMENTS = 16
-"""Elements of a blade with mass, shared by its pieces: of the sixth mode inside 0.1 %, of the
-first two 1e-5 (the error falls as the fourth power of element over wave)."""
+"""Elements of a blade with mass, shared by its pieces that are not short: of the sixth mode inside
+0.1 %, of the first two 1e-5 (the error falls as the fourth power of element over wave)."""
 
 MODES = 6
 """Modes of the inside that are kept: what lies above them follows statically."""
 
-_NODES = 12
-"""Gauss nodes on an element: its integrals are smooth, piece by piece."""
+SHORT, NEGLIGIBLE = 0.05, 1e-3
+"""Shares of the length up to which a piece is one element, and none at all: it is rigid then."""
+
+_NODES, PARTS = 12, 8
+"""Gauss nodes on an element, whose integrals are smooth; parts of a piece with as many each."""
 
 
 class HeavyBlade(NamedTuple):
@@ -56,7 +59,6 @@ class _Element(NamedTuple):
     mass: Floats
     forces: Floats
     moments: Floats
-    thickness: tuple[float, float]
 
 
 def heavy_blade(
@@ -100,10 +102,51 @@ def heavy_blade(
 
     """
     pieces = profile.pieces(l)
-    count = -(-ELEMENTS // len(pieces)) if density else 1
-    is_uniform = isinstance(profile, Constant)
-    made = {"E": E, "b": b, "density": density, "slide": 1.0 / (SHEAR_FACTOR * G) if G else 0.0}
-    chains = [_elements(piece, count, is_uniform, **made) for piece in pieces]
+    slide = 1.0 / (SHEAR_FACTOR * G) if G else 0.0
+    K = _end_stiffness(pieces, E=E, l=l, b=b, slide=slide)
+    N, V, M = K[3:]  # what the blade's end feels
+    axial, bending = list[Floats](), list[Floats]()
+    for piece in pieces:
+        for s, h in zip(*_ends(piece), strict=True):
+            axial.append(N / (b * h))
+            bending.append(6.0 / (b * h**2) * (M + (l - s) * V))
+    still = HeavyBlade(np.zeros((6, 6)), K, np.array(axial), np.array(bending), K[3:5])
+    if not density:
+        return still
+    made = {"E": E, "b": b, "density": density, "slide": slide}
+    return _with_inside(still, pieces, l, is_uniform=isinstance(profile, Constant), **made)
+
+
+def _end_stiffness(
+    pieces: Sequence[Piece], *, E: float, l: float, b: float, slide: float
+) -> Floats:
+    """Return the stiffness by the motions of both ends (6, 6): its flexibility added up.
+
+    A short piece would take the digits from a sum of stiffnesses.
+    """
+    nodes, weights = gauss_nodes(_NODES)
+    marks = np.linspace(-1.0, 1.0, PARTS + 1)
+    u = ((marks[:-1] + marks[1:]) / 2.0 + nodes[:, None] / PARTS).ravel()
+    du = np.repeat(weights / PARTS, PARTS)
+    flexibility, along = np.zeros((2, 2)), 0.0
+    for piece in pieces:
+        added, longer = _flexibility(piece, u, du, l, E=E, b=b, slide=slide)
+        flexibility += added
+        along += longer
+    stretch, bent = _deformed(l)
+    held = bent.T @ np.linalg.inv(flexibility) @ bent
+    return np.asarray(stretch.T @ stretch / along + held)
+
+
+def _with_inside(
+    still: HeavyBlade, pieces: Sequence[Piece], l: float, *, is_uniform: bool, **made: float
+) -> HeavyBlade:
+    """Return a blade with the mass and the modes of its inside."""
+    b, told = made["b"], list(_told(pieces, l))
+    count = -(-ELEMENTS // max(1, sum(share > SHORT for _, share in told)))
+    chains = [
+        _elements(piece, count if share > SHORT else 1, is_uniform, **made) for piece, share in told
+    ]
     elements = [element for chain in chains for element in chain]
     placed = _placed(elements, l)
     size = 3 * (len(elements) + 1)
@@ -112,23 +155,57 @@ def heavy_blade(
         here = slice(3 * index, 3 * index + 6)
         K[here, here] += T.T @ element.stiffness @ T
         M[here, here] += T.T @ element.mass @ T
-    reduction = _reduction(K, M)
-    reduced = [T @ reduction[3 * index : 3 * index + 6] for index, T in enumerate(placed)]
-    axial, bending, first = [], [], 0
-    for chain in chains:
-        last = first + len(chain) - 1
-        for index, end in ((first, 0), (last, 1)):
-            h, T = elements[index].thickness[end], reduced[index]
-            axial.append(elements[index].forces[0] @ T / (b * h))
-            bending.append(6.0 / (b * h**2) * elements[index].moments[end] @ T)
-        first = last + 1
+    static, modes = _reduction(K, M)
+    reduction = np.hstack([static, modes])
+    inside = [T @ modes[3 * index : 3 * index + 6] for index, T in enumerate(placed)]
+    axial, bending = list[Floats](), list[Floats]()
+    for piece in pieces:
+        for s, h in zip(*_ends(piece), strict=True):
+            index, share = _place(elements, s)
+            forces, (first, last) = elements[index].forces, elements[index].moments
+            axial.append(forces[0] @ inside[index] / (b * h))
+            moment = (1.0 - share) * first + share * last
+            bending.append(6.0 / (b * h**2) * moment @ inside[index])
+    of_modes = modes.shape[1]
+    stiffness = np.zeros((6 + of_modes,) * 2)
+    stiffness[:6, :6] = still.stiffness
+    stiffness[6:, 6:] = _symmetric(modes.T @ K @ modes)
     return HeavyBlade(
         mass=_symmetric(reduction.T @ M @ reduction),
-        stiffness=_symmetric(reduction.T @ K @ reduction),
-        axial=np.array(axial),
-        bending=np.array(bending),
-        end_force=elements[-1].forces @ reduced[-1],
+        stiffness=stiffness,
+        axial=np.hstack([still.axial, axial]),
+        bending=np.hstack([still.bending, bending]),
+        end_force=np.hstack([still.end_force, elements[-1].forces @ inside[-1]]),
     )
+
+
+def _ends(piece: Piece) -> tuple[list[float], list[float]]:
+    """Return where a piece starts and ends, and its thickness there [m]."""
+    at = np.array([-1.0, 1.0])
+    places, thicknesses = (np.ravel(each(at)) for each in (piece.position, piece.thickness))
+    return [float(s) for s in places], [float(h) for h in np.broadcast_to(thicknesses, (2,))]
+
+
+def _told(pieces: Sequence[Piece], l: float) -> Iterator[tuple[Piece, float]]:
+    """Yield the pieces that bend the inside, and their shares of the length.
+
+    One that is hardly there would take all digits of the stiffness beside it.
+    """
+    for piece in pieces:
+        (start, end), _ = _ends(piece)
+        share = (end - start) / l
+        if share > NEGLIGIBLE:
+            yield piece, share
+
+
+def _place(elements: Sequence[_Element], s: float) -> tuple[int, float]:
+    """Return the element that is at a place, or nearest to it, and the share of its length."""
+    nearest = min(
+        range(len(elements)), key=lambda i: max(elements[i].start - s, s - elements[i].end)
+    )
+    element = elements[nearest]
+    share = (s - element.start) / (element.end - element.start)
+    return nearest, min(max(share, 0.0), 1.0)
 
 
 def _elements(piece: Piece, count: int, is_uniform: bool, **made: float) -> tuple[_Element, ...]:
@@ -163,18 +240,9 @@ def _element(
     h = np.ravel(piece.thickness(u))
     ds = half * weights * np.ravel(piece.slope(u))
     L, s = s_2 - s_1, np.ravel(piece.position(u)) - s_1
-    per_EI = ds * 12.0 / (E * b * h**3)
-    rest = L - s
-    flexibility = np.array(
-        [[np.sum(rest**2 * per_EI), np.sum(rest * per_EI)], [np.sum(rest * per_EI), per_EI.sum()]]
-    )
-    flexibility[0, 0] += slide * np.sum(ds / (b * h))
-    bending = np.linalg.inv(flexibility)
-    along = 1.0 / np.sum(ds / (E * b * h))
-    # deformation of the end seen from the start: (stretch, shift across, turn)
-    stretch = np.array([[-1.0, 0.0, 0.0, 1.0, 0.0, 0.0]])
-    bent = np.array([[0.0, -1.0, -L, 0.0, 1.0, 0.0], [0.0, 0.0, -1.0, 0.0, 0.0, 1.0]])
-    end = bending @ bent  # force across and moment on the end
+    flexibility, along = _flexibility(piece, u, half * weights, s_2, E=E, b=b, slide=slide)
+    stretch, bent = _deformed(L)
+    end = np.linalg.inv(flexibility) @ bent  # force across and moment on the end
     x = s / L
     shape = np.stack(
         [
@@ -191,16 +259,35 @@ def _element(
     mass[np.ix_([1, 2, 4, 5], [1, 2, 4, 5])] = (shape * dm) @ shape.T
     if slide:
         mass[np.ix_([2, 5], [2, 5])] += (linear * dm * h**2 / 12.0) @ linear.T
-    h_1, h_2 = (float(x) for x in np.ravel(piece.thickness(ends)))
     return _Element(
         s_1,
         s_2,
-        along * stretch.T @ stretch + bent.T @ bending @ bent,
+        stretch.T @ stretch / along + bent.T @ end,
         mass,
-        np.vstack([along * stretch, end[:1]]),
+        np.vstack([stretch / along, end[:1]]),
         np.vstack([end[1:] + L * end[:1], end[1:]]),
-        (h_1, h_2),
     )
+
+
+def _flexibility(
+    piece: Piece, u: Floats, du: Floats, end: float, *, E: float, b: float, slide: float
+) -> tuple[Floats, float]:
+    """Return how far an end is (shifted, turned) by a force across and a moment on it, and along.
+
+    By what bends at the parameters u of a piece, with the weights du.
+    """
+    h = np.ravel(piece.thickness(u))
+    ds = du * np.ravel(piece.slope(u))
+    per_EI, rest = ds * 12.0 / (E * b * h**3), end - np.ravel(piece.position(u))
+    mixed = np.sum(rest * per_EI)
+    shifted = np.sum(rest**2 * per_EI) + slide * np.sum(ds / (b * h))
+    return np.array([[shifted, mixed], [mixed, per_EI.sum()]]), float(np.sum(ds / (E * b * h)))
+
+
+def _deformed(L: float) -> tuple[Floats, Floats]:
+    """Return stretch, and shift across and turn of an end seen from the start, by their motions."""
+    stretch = np.array([[-1.0, 0.0, 0.0, 1.0, 0.0, 0.0]])
+    return stretch, np.array([[0.0, -1.0, -L, 0.0, 1.0, 0.0], [0.0, 0.0, -1.0, 0.0, 0.0, 1.0]])
 
 
 def _placed(elements: Sequence[_Element], l: float) -> list[Floats]:
@@ -224,22 +311,20 @@ def _rigid(reach: float) -> Floats:
     return np.array([[1.0, 0.0, 0.0], [0.0, 1.0, reach], [0.0, 0.0, 1.0]])
 
 
-def _reduction(K: Floats, M: Floats) -> Floats:
-    """Return all coordinates per those of the ends and of the modes of the inside."""
+def _reduction(K: Floats, M: Floats) -> tuple[Floats, Floats]:
+    """Return all coordinates per those of the ends, and per the modes of the inside."""
     every = np.arange(K.shape[0])
     ends, inside = np.concatenate([every[:3], every[-3:]]), every[3:-3]
     static = np.zeros((K.shape[0], 6))
     static[ends, np.arange(6)] = 1.0
     if not inside.size:
-        return static
+        return static, np.zeros((K.shape[0], 0))
     K_ii, M_ii = K[np.ix_(inside, inside)], M[np.ix_(inside, inside)]
     static[inside] = -np.linalg.solve(K_ii, K[np.ix_(inside, ends)])
-    if not M_ii.any():
-        return static
     shapes = natural_modes(K_ii, M_ii).shapes[:, :MODES]
     modes = np.zeros((K.shape[0], shapes.shape[1]))
     modes[inside] = shapes
-    return np.hstack([static, modes])
+    return static, modes
 
 
 def _symmetric(matrix: Floats) -> Floats:

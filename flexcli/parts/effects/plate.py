@@ -90,6 +90,10 @@ def _stress(wide: WideBlades, setting: Setting, known: bool) -> Change:
     return wide_guided(blade, setting.poisson_bound).stress.change(known)
 
 
+LEAST_STRAIGHT = 0.01
+"""Share of a blade's length to which its fillets shorten it at most: far wider than long."""
+
+
 def wide_of(setting: Setting) -> WideBlades | None:
     """Return the factors of a design's wide blades, for ν = ½ where it is not given."""
     return _LAST.of(setting)
@@ -101,7 +105,8 @@ def _without_fillets(geometry: Geometry, sizes: Sizes, nu: float) -> WideBlades 
     radius = number(geometry.fillet(sizes))
     if found is None or not radius:
         return found
-    short = geometry.wide_blades(sizes._replace(l=sizes.l - 2.0 * radius), nu)
+    straight = larger(sizes.l - 2.0 * radius, LEAST_STRAIGHT * sizes.l)
+    short = geometry.wide_blades(sizes._replace(l=straight), nu)
     if short is None:
         return found
     return found._replace(
