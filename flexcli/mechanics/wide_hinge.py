@@ -47,12 +47,14 @@ HALVINGS = 40
 class WideHinge(NamedTuple):
     """Stiffness in pure bending over the beam's, and shift of the middle over the beam's [-].
 
-    The stiffness is ``less`` less at most, for want of functions.
+    The stiffness is ``less`` less at most, for want of functions. ``peak`` is the largest stress
+    across the width of the throat over its mean: the middle is kept flat, the sides curl.
     """
 
     stiffness: float
     shift: float
     less: float
+    peak: float
 
 
 @lru_cache(maxsize=512)
@@ -73,7 +75,7 @@ def wide_hinge(
     Returns
     -------
     WideHinge
-        Of the same rotation; nominal stress, which is a mean over the width, is as the stiffness.
+        Of the same rotation; the mean of the stress over the width is as the stiffness.
 
     Notes
     -----
@@ -97,7 +99,8 @@ def wide_hinge(
     square, share = poisson_ratio**2, used / b
     curled = (1.0 - (1.0 - 1.0 / plate.stiffness) / square) * share
     stiffness, shift = 1.0 / (1.0 - square * (1.0 - curled)), 1.0 + (plate.shift - 1.0) * share
-    return WideHinge(stiffness, shift, plate.less * share)
+    peak = 1.0 + (plate.peak - 1.0) * share
+    return WideHinge(stiffness, shift, plate.less * share, peak)
 
 
 def _settled(half: "_Half", b: float, nu: float) -> WideHinge:
@@ -148,7 +151,13 @@ def _plate(half: _Half, b: float, nu: float, count: int) -> WideHinge:
     mean = c.reshape(count, ACROSS) @ (across[0] @ weight)
     squares = np.kron((along[1] * dx) @ along[1].T, B[0, 0])
     change = 2.0 * float((turned * dx) @ along[1].T @ mean) + float(c @ squares @ c)
-    return WideHinge(stiffness, 1.0 - change / float(dx @ (turned_all**2 - turned**2)), 0.0)
+    shift = 1.0 - change / float(dx @ (turned_all**2 - turned**2))
+    # moments in the throat, where that of the beam is 1
+    flat, _, bent = (part[:, 0] for part in _along(np.zeros(1), end, count))
+    by = c.reshape(count, ACROSS)
+    moments = 1.0 + bent @ by @ across[0] + nu * (flat @ by @ across[2])
+    peak = float(np.max(moments) / (weight @ moments))
+    return WideHinge(stiffness, shift, 0.0, peak)
 
 
 def _along(x: Floats, end: float, count: int) -> list[Floats]:
